@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+# Every target of ours is warned about alike; other people's headers are not.
+function(torquewright_flags target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+endfunction()
+
+# One static library per module; a module links only what stands before it in CMakeLists.txt.
+function(add_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${arg_LINKS})
+  torquewright_flags(${name})
+endfunction()
+
+# One GoogleTest program per folder of tests.
+function(add_module_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE TORQUEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  torquewright_flags(${name})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/rational.hpp"
+
+namespace torquewright::gearbox {
+
+using io::Rational;
+
+enum class ConstraintSet {
+  kPaper,      ///< Equations (2)-(9) of seed 001 and nothing else.
+  kBuildable,  ///< What it takes to cut and assemble the gears; docs/gearbox_constraints.md.
+};
+
+enum class Objective {
+  kPaperCost,
+  kMass,
+  kHollowShaft,
+  kForwardEfficiency,
+  kBackwardEfficiency,
+  kReflectedInertia,
+};
+
+/// Which teeth? A document of kind `gearbox_problem`. Every number is the decimal that was written.
+struct Problem {
+  std::string name;
+  std::string topology;                           ///< "3k" or "planetary".
+  Rational target_ratio;                          ///< Input speed over output speed, signed.
+  Rational ratio_tolerance;                       ///< Relative; 0 is exact.
+  Rational rotor_inner_diameter_mm;
+  std::vector<Rational> module_mm;                ///< Choices, ascending, at least one.
+  std::vector<std::int64_t> planet_count;         ///< Choices, ascending, at least one.
+  std::map<std::string, std::int64_t> min_teeth;  ///< By gear: sun, planet_1, planet_2 (planet).
+  Rational min_carrier_clearance_rad;             ///< alpha_min of equation (6).
+  ConstraintSet constraints = ConstraintSet::kPaper;
+  Objective objective = Objective::kPaperCost;
+
+  Rational min_contact_ratio = Rational(6, 5);
+  Rational min_neighbour_clearance_mm = 0;          ///< Tip to tip; must be exceeded.
+  std::optional<Rational> ring_outer_diameter_mm;   ///< Of both rings' blanks; enforced if given.
+  std::optional<Rational> ring_wall_mm;             ///< Behind the ring's root; default 2.25 module.
+  bool sun_under_second_layer = true;               ///< The sun reaches under planet 2.
+
+  std::optional<Rational> friction_coefficient;     ///< Of the teeth; dimensionless.
+  std::optional<Rational> load_output_torque_Nm;
+  Rational hollow_shaft_wall_mm = 0;                ///< Sun rim, rotor tube, gap, per side.
+  std::map<std::string, Rational> face_width_mm;    ///< layer_1, layer_2 (planetary: layer_1).
+  std::optional<Rational> density_kg_m3;
+  Rational rotor_inertia_kg_m2 = 0;                 ///< Of the motor, about its own axis.
+  std::vector<std::string> assumed;                 ///< JSON pointers of assumed values.
+};
+
+/// One way to make the gears: all tooth counts in the topology's order, planets and module.
+struct Design {
+  std::vector<std::int64_t> teeth;
+  std::int64_t planet_count = 0;
+  Rational module_mm;
+
+  friend bool operator==(const Design&, const Design&) = default;
+};
+
+}  // namespace torquewright::gearbox

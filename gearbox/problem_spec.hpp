@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gearbox/problem.hpp"
+#include "io/document.hpp"
+
+namespace torquewright::gearbox {
+
+/// Reads a checked document of kind `gearbox_problem`. Throws io::SpecError for what a schema cannot
+/// say: `paper` with `planetary`, `paper_cost` with `planetary`, minima of gears the topology does
+/// not have, an objective without the values it needs (friction, face widths, density).
+Problem read_problem(const io::Document& document);
+
+}  // namespace torquewright::gearbox

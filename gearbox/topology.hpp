@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "gearbox/design_report.hpp"
+#include "gearbox/problem.hpp"
+#include "optimization/problem.hpp"
+
+namespace torquewright::gearbox {
+
+/// A kind of gear train. One file in topologies/ each, and one line in topology.cpp.
+struct Topology {
+  std::string_view name;                  ///< As in documents.
+  std::vector<std::string_view> gears;    ///< In the order of Design::teeth.
+  std::size_t free_gears;                 ///< The first so many are variables; rings follow.
+
+  /// All teeth from the free ones, by coaxiality without profile shift.
+  std::vector<std::int64_t> (*complete)(std::span<const std::int64_t> free_teeth);
+
+  /// The synthesis problem for one planet count and module (docs/gearbox_constraints.md).
+  optimization::Problem (*model)(const Problem& problem, std::int64_t planet_count,
+                                 const Rational& module_mm);
+
+  /// Everything about one design, every constraint included. Any positive teeth are accepted.
+  DesignReport (*evaluate)(const Problem& problem, const Design& design);
+};
+
+/// All topologies, in the order of the documentation.
+std::span<const Topology* const> topologies();
+
+/// The topology of that name; nullptr if there is none.
+const Topology* find_topology(std::string_view name);
+
+}  // namespace torquewright::gearbox
