@@ -79,12 +79,28 @@ TEST(WriteWholeFile, RefusesWithOneLine) {
             "cannot be written: its folder does not exist");  // read-only to all
 }
 
+/// Root may write anywhere; so nobody does it, for as long as this lives.
+class WithoutPrivileges {
+ public:
+  WithoutPrivileges() : is_lowered_(::geteuid() == 0 && ::seteuid(kNobody) == 0) {}
+  ~WithoutPrivileges() {
+    if (is_lowered_ && ::seteuid(0) != 0) ADD_FAILURE() << "still nobody";
+  }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+  bool is_lowered_;
+};
+
 TEST(WriteWholeFile, RefusesAReadOnlyFolder) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
   const ScratchFolder folder;
-  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
-  EXPECT_EQ(refusal(folder.path() / "a"), "cannot be written: Permission denied");
+  fs::permissions(folder.path(), static_cast<fs::perms>(0555));
+  {
+    const WithoutPrivileges nobody;
+    EXPECT_EQ(refusal(folder.path() / "a"), "cannot be written: Permission denied");
+  }
   fs::permissions(folder.path(), fs::perms::owner_all);
+  EXPECT_EQ(entries_in(folder.path()), 0);
 }
 
 TEST(WriteWholeFile, KeepsTheOldFileIfThereIsNoRoom) {
