@@ -77,6 +77,9 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"\"sun\"", "\"a/b~c\": 1, \"sun\"",
              "#/min_teeth/a~1b~0c: unknown key; known are \"planet\", \"planet_1\", \"planet_2\", "
              "\"sun\""},
+        // The ends of a range are inside, even where something else is wrong.
+        Slip{"20,", "10000, \"loud\": 1,", "#/loud: unknown key; did you mean \"load\"?"},
+        Slip{"20,", "1, \"loud\": 1,", "#/loud: unknown key; did you mean \"load\"?"},
         Slip{"40", "0", "#/min_teeth/sun: 0 is outside [1, 100000] teeth"},
         Slip{"\"3k\"", "\"4k\"", "#/topology: \"4k\" is not one of \"3k\", \"planetary\""},
         Slip{"\"3k\"", "3", "#/topology: is a number, must be a string"},

@@ -2,8 +2,11 @@
 #include "io/document.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <fstream>
 #include <limits>
+#include <thread>
 
 #include "io/file_bytes.hpp"
 #include "io/sha256.hpp"
@@ -103,6 +106,23 @@ TEST(ReadDocument, RefusesAHugeFileBeforeReadingIt) {
   EXPECT_EQ(refusal(file), file.string() + ": line 1, column 1: not JSON: zero byte");
   std::filesystem::resize_file(file, kMaxFileBytes + 1);
   EXPECT_EQ(refusal(file), file.string() + ": holds 67108865 bytes, more than the allowed 64 MiB");
+}
+
+/// What so many bytes from a pipe are refused with, without the pipe's name.
+std::string refusal_from_pipe(std::size_t bytes) {
+  const ScratchFolder folder;
+  const std::string pipe = (folder.path() / "pipe").string();
+  EXPECT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << std::string(bytes, ' '); });
+  const std::string why = refusal(pipe);
+  writer.join();
+  return why.substr(pipe.size());
+}
+
+// A pipe does not tell its size beforehand. Just inside and just outside the limit.
+TEST(ReadDocument, RefusesTooMuchFromAPipe) {
+  EXPECT_NE(refusal_from_pipe(kMaxFileBytes).find("unexpected end of input"), std::string::npos);
+  EXPECT_EQ(refusal_from_pipe(kMaxFileBytes + 1), ": holds more than the allowed 64 MiB");
 }
 
 }  // namespace
