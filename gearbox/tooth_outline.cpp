@@ -31,7 +31,7 @@ OutlineCurve involute_flank(const ToothForm& form, double from_radius, double to
   return {[base, half_rad](double t) {
             return cartesian(base * std::sqrt(1.0 + t * t), half_rad - (t - std::atan(t)));
           },
-          tangent(from_radius), tangent(to_radius)};
+          tangent(from_radius), tangent(to_radius), true};
 }
 
 std::vector<OutlineCurve> external_half_pitch(const ToothForm& form) {
@@ -116,7 +116,7 @@ std::vector<OutlineCurve> pitch_curves(const ToothForm& form) {
       const Point original = point(t);
       return Point{original.x, -original.y};
     };
-    curves.push_back({mirrored, curve->to, curve->from});
+    curves.push_back({mirrored, curve->to, curve->from, curve->is_flank});
   }
   curves.insert(curves.end(), half.begin(), half.end());
   return curves;

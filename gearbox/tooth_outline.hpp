@@ -22,6 +22,7 @@ struct OutlineCurve {
   std::function<Point(double)> point;
   double from = 0.0;
   double to = 0.0;
+  bool is_flank = false;  ///< The involute, on which gears touch.
 };
 
 /// Half of one pitch of a gear, from the middle of the tooth (internal: of the space) on the x axis
