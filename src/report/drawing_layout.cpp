@@ -16,6 +16,7 @@ constexpr double kViewDiameter_mm = 170.0;  // Room on paper for the largest cir
 constexpr std::int64_t kMaxDrawnTeeth = 600;
 constexpr std::int64_t kMaxTeeth = 1'000'000;
 constexpr std::int64_t kMaxPlanets = 1000;
+constexpr double kMaxLength_mm = 1e9;
 constexpr double kDefaultWall = 2.25;  // Modules: one tooth height.
 
 void require(bool holds, const char* message) {
@@ -31,11 +32,12 @@ void require_drawing(const GearboxDrawing& drawing) {
   }
   require(drawing.planet_count >= 1 && drawing.planet_count <= kMaxPlanets,
           "drawing: planets outside [1, 1000]");
-  require(std::isfinite(drawing.module_mm) && drawing.module_mm > 0.0,
-          "drawing: module not positive");
-  require(std::isfinite(drawing.hollow_shaft_diameter_mm), "drawing: hollow shaft not finite");
+  require(drawing.module_mm >= 1e-6 && drawing.module_mm <= 1e6,
+          "drawing: module outside [1e-6, 1e6] mm");
+  require(std::abs(drawing.hollow_shaft_diameter_mm) <= kMaxLength_mm,
+          "drawing: hollow shaft outside [-1e9, 1e9] mm");
   const double wall_mm = drawing.ring_wall_mm.value_or(0.0);
-  require(std::isfinite(wall_mm) && wall_mm >= 0.0, "drawing: ring wall negative");
+  require(wall_mm >= 0.0 && wall_mm <= kMaxLength_mm, "drawing: ring wall outside [0, 1e9] mm");
 }
 
 DrawnGear make_gear(std::string id, std::string symbol, std::string label, std::string layer,

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string_view>
+#include <vector>
 
 #include "src/report/svg.hpp"
 
@@ -115,13 +117,15 @@ std::string planets_line(const DrawingLayout& layout) {
 // Where P2 stands against P1 in each kind of planet, in degrees.
 std::string clocking_line(const DrawingLayout& layout) {
   constexpr std::size_t kMaxShown = 4;
-  std::string line = "P2 against P1:";
+  std::string line = "clocking of P2 against P1:";
   std::set<std::int64_t> shown;
   for (const gearbox::PlanetPhase& planet : layout.phase.planets) {
     if (!shown.insert(planet.part_number).second) continue;
     if (shown.size() > kMaxShown) return line + " ...";
-    line += fmt::format("{} part {} {}\xC2\xB0", shown.size() == 1 ? "" : ",", planet.part_number,
-                        decimal(planet.clocking_rad * 180.0 / std::numbers::pi, 5));
+    const std::string angle =
+        decimal(planet.clocking_rad * 180.0 / std::numbers::pi, 5) + "\xC2\xB0";
+    if (layout.phase.planet_types == 1) return line + " " + angle;
+    line += fmt::format("{} part {} {}", shown.size() == 1 ? "" : ",", planet.part_number, angle);
   }
   return line;
 }
@@ -152,13 +156,25 @@ std::string scale_bar(const DrawingLayout& layout, const Point& place) {
 }
 
 std::string warnings(const DrawingLayout& layout, const Point& place) {
-  std::string text;
+  std::vector<std::string_view> lines;
   if (!layout.is_coaxial) {
-    text = "Without profile shift these gears have no common centre distance: meshes do not fit.";
-  } else if (!layout.phase.equally_spaced) {
-    text = "Equal spacing does not mesh: planets stand at the nearest places that do.";
+    lines.push_back("Without profile shift these gears have no common centre distance.");
   }
-  return text.empty() ? "" : svg_text("warning", place, text);
+  if (!layout.phase.equally_spaced) {
+    lines.push_back("Equal spacing does not mesh: planets stand at the nearest places that do.");
+  }
+  for (const DrawnGear& gear : layout.gears) {
+    if (gear.form) continue;
+    lines.push_back("Gears of fewer than 7 or more than 600 teeth are drawn as circles.");
+    break;
+  }
+  std::string svg;
+  Point line_place = place;
+  for (const std::string_view line : lines) {
+    svg += svg_text("warning", line_place, line);
+    line_place.y += 4.6;
+  }
+  return svg;
 }
 
 }  // namespace
@@ -202,10 +218,10 @@ std::string gear_table(const DrawingLayout& layout) {
     y_mm += kRow_mm;
     svg += table_row(y_mm, cells_of(layout, gear));
   }
-  svg += svg_text("note", {kTableX_mm + 2.0, y_mm + 13.5},
+  svg += svg_text("note", {kTableX_mm + 2.0, y_mm + 11.5},
                   "Involute 20\xC2\xB0, no profile shift, no backlash; addendum 1, dedendum 1.25 "
                   "module. External roots as hobbed, ring roots with a 0.3 module fillet.");
-  return svg + warnings(layout, {kTableX_mm + 2.0, y_mm + 18.5});
+  return svg + warnings(layout, {kTableX_mm + 2.0, y_mm + 16.1});
 }
 
 std::string title_block(const DrawingLayout& layout) {

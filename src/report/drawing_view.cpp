@@ -16,8 +16,8 @@ namespace {
 using gearbox::PlanetPhase;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kUp_rad = 0.5 * kPi;  // The x axis of the gearbox points up on the sheet.
-constexpr double kLabelRoom_mm = 9.0;  // Radius inside which a label of a gear finds room.
+constexpr double kUp_rad = 0.5 * kPi;   // The x axis of the gearbox points up on the sheet.
+constexpr double kLabelRoom_mm = 10.5;  // Radius inside which a label of a gear finds room.
 
 struct View {
   const DrawingLayout& layout;
@@ -106,12 +106,15 @@ std::string clocking_marks(const View& view) {
 }
 
 std::string planet_labels(const View& view) {
-  if (view.paper_of_modules(view.planet().root_radius) < kLabelRoom_mm) return "";
+  const double room_mm = view.paper_of_modules(view.planet().root_radius);
+  if (room_mm < 0.5 * kLabelRoom_mm) return "";
+  const std::string label = room_mm < kLabelRoom_mm
+                                ? view.planet().symbol
+                                : fmt::format("{}: {}", view.planet().symbol, view.planet().teeth);
   std::string svg;
   for (const PlanetPhase& planet : view.layout.phase.planets) {
     const Point center = view.planet_center(planet);
-    svg += svg_text("label middle", {center.x, center.y - 2.2},
-                    fmt::format("{}: {}", view.planet().symbol, view.planet().teeth));
+    svg += svg_text("label middle", {center.x, center.y - 2.2}, label);
     if (view.layout.phase.planet_types > 1) {
       svg += svg_text("note middle", {center.x, center.y + 4.8},
                       fmt::format("part {}", planet.part_number));
@@ -120,19 +123,30 @@ std::string planet_labels(const View& view) {
   return svg;
 }
 
-// The direction of the gap between two planets that comes nearest to the lower left.
-double gap_direction_rad(const View& view) {
-  const double count = static_cast<double>(view.layout.phase.planets.size());
-  const double gap = std::round((0.75 * kPi * count / kPi - 1.0) / 2.0);
-  return kUp_rad + (2.0 * gap + 1.0) * kPi / count;
+// The direction at the lower left that stays farthest from the middles of all planets.
+double free_direction_rad(const View& view) {
+  double best_rad = 0.0;
+  double best_cosine = 2.0;
+  for (int degrees = 200; degrees <= 245; ++degrees) {
+    const double direction_rad = degrees * kPi / 180.0;
+    double cosine = -1.0;
+    for (const PlanetPhase& planet : view.layout.phase.planets) {
+      cosine = std::max(cosine, std::cos(direction_rad - planet.position_rad - kUp_rad));
+    }
+    if (cosine < best_cosine - 1e-9) {
+      best_cosine = cosine;
+      best_rad = direction_rad;
+    }
+  }
+  return best_rad;
 }
 
 std::string bore_dimension(const View& view) {
   const std::string text = "\xC3\x98 " + two_decimals(view.layout.drawing.hollow_shaft_diameter_mm);
   if (view.bore_mm() > 12.0) return diameter_inside(view.center, view.bore_mm(), text);
-  const double gap_rad = gap_direction_rad(view);
-  return leader(on_circle(view.center, view.bore_mm(), gap_rad),
-                on_circle(view.center, view.blank_mm() + 6.0, gap_rad), text + " hollow shaft");
+  const double free_rad = free_direction_rad(view);
+  return leader(on_circle(view.center, view.bore_mm(), free_rad),
+                on_circle(view.center, view.blank_mm() + 6.0, free_rad), text + " hollow shaft");
 }
 
 std::string sun_label(const View& view) {

@@ -25,7 +25,7 @@ struct GearboxDrawing {
 /// gear data and a title block. No profile shift, no backlash. The same input gives the same bytes.
 /// Gears of fewer than 7 or more than 600 teeth are drawn as their tip and root circles. Throws
 /// std::invalid_argument if the topology is unknown, a count is not positive or does not belong to
-/// it, there are more than 1000 planets, or a length is not finite or not positive.
+/// it, or a number is outside the range that its message states.
 std::string gearbox_drawing(const GearboxDrawing& drawing);
 
 }  // namespace torquewright::report

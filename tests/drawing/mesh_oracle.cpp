@@ -114,4 +114,11 @@ Contact measure_contact(const PlacedGear& first, const PlacedGear& second) {
   return {std::max(of_first.left, of_second.left), std::max(of_first.right, of_second.right)};
 }
 
+Contact measure_points(const std::vector<Point>& points, const PlacedGear& gear) {
+  const Solid solid = solid_of(gear);
+  Contact contact;
+  for (const Point& point : points) measure_point(solid, point, contact);
+  return contact;
+}
+
 }  // namespace torquewright::gearbox

@@ -31,4 +31,7 @@ struct Contact {
 /// definition of the involute (unwound string), below it by the sampled root of the other gear.
 Contact measure_contact(const PlacedGear& first, const PlacedGear& second);
 
+/// The same for points of any origin against one gear.
+Contact measure_points(const std::vector<Point>& points, const PlacedGear& gear);
+
 }  // namespace torquewright::gearbox
