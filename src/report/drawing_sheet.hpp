@@ -11,6 +11,9 @@ namespace torquewright::report {
 inline constexpr double kSheetWidth_mm = 420.0;
 inline constexpr double kSheetHeight_mm = 297.0;
 
+/// Where the gear table and the title block begin.
+inline constexpr double kTableTop_mm = 231.0;
+
 /// White paper, frame and the styles of all elements.
 std::string sheet_opening();
 

@@ -18,7 +18,7 @@ namespace {
 using gearbox::OutlineCurve;
 
 constexpr double kFlankTolerance = 2e-7;  // Modules.
-constexpr double kRootTolerance = 2e-6;   // Modules; tips and roots keep clear of the mate.
+constexpr double kRootTolerance = 2e-5;   // Modules; tips and roots keep clear of the mate.
 constexpr int kMaxHalvings = 10;
 constexpr double kStepsPerMillimetre = 1e6;
 
