@@ -19,26 +19,41 @@ std::string_view wording(Sense sense) {
   return "";
 }
 
-std::string suffix(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
+std::string with_unit_to(int digits, const Rational& value, const std::string& unit) {
+  const std::string number = value.get_den() == 1 ? value.get_num().get_str()
+                                                  : fmt::format("{:.{}g}", value.get_d(), digits);
+  if (unit == "1") return number;
+  if (unit == "teeth" && abs(value) == 1) return number + " tooth";
+  return fmt::format("{} {}", number, unit);
+}
+
+/// "at least 0.26 rad are asked for", "at most 1 is allowed".
+std::string limit_clause(const Condition& condition) {
+  return fmt::format("{} {} {} {}", wording(condition.sense),
+                     with_unit(condition.limit, condition.unit),
+                     condition.unit == "1" ? "is" : "are",
+                     condition.sense == Sense::kAtMost ? "allowed" : "asked for");
+}
+
+std::string margin_clause(const Condition& condition, const Rational& margin, bool satisfied) {
+  if (satisfied && margin == 0) return "met exactly.";
+  const std::string difference = with_unit_to(3, Rational(abs(margin)), condition.unit);
+  if (satisfied) return difference + " to spare.";
+  const std::string_view lack = condition.sense == Sense::kAtMost ? "too much" : "missing";
+  if (condition.remedy.empty()) return fmt::format("{} {}.", difference, lack);
+  return fmt::format("{} {}; {}.", difference, lack, condition.remedy);
+}
 
 std::string sentence_of(const Condition& condition, const Rational& margin, bool satisfied) {
-  const std::string difference =
-      fmt::format("{:.3g}{}", Rational(abs(margin)).get_d(), suffix(condition.unit));
-  const std::string head = fmt::format(
-      "{}: {} {}; {} {} {} asked for: ", condition.name, with_unit(condition.value, condition.unit),
-      condition.meaning, wording(condition.sense), with_unit(condition.limit, condition.unit),
-      condition.unit == "1" ? "is" : "are");
-  if (satisfied) return head + difference + " to spare.";
-  const std::string tail = condition.sense == Sense::kAtMost ? " too much" : " missing";
-  return head + difference + tail +
-         (condition.remedy.empty() ? "." : "; " + condition.remedy + ".");
+  return fmt::format("{}: {} {}; {}: {}", condition.name,
+                     with_unit(condition.value, condition.unit), condition.meaning,
+                     limit_clause(condition), margin_clause(condition, margin, satisfied));
 }
 
 }  // namespace
 
 std::string with_unit(const Rational& value, const std::string& unit) {
-  if (value.get_den() == 1) return value.get_num().get_str() + suffix(unit);
-  return fmt::format("{:.4g}{}", value.get_d(), suffix(unit));
+  return with_unit_to(4, value, unit);
 }
 
 Rational fraction_of(long double value) {

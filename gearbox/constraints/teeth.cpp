@@ -24,10 +24,13 @@ std::string ratio_sentence(const Problem& problem, const Rational& reduction,
           ? fmt::format("exactly {} is asked for", with_unit(problem.target_ratio, "1"))
           : fmt::format("{} within {:.4g} % is asked for", with_unit(problem.target_ratio, "1"),
                         problem.ratio_tolerance.get_d() * 100.0);
+  const std::string value =
+      reduction.get_den() == 1 ? reduction.get_str()
+                               : fmt::format("{} = {:.6g}", reduction.get_str(), reduction.get_d());
   const std::string head =
-      fmt::format("ratio: {} = {:.6g} turns of the sun per turn of the output; {}",
-                  reduction.get_str(), reduction.get_d(), window);
-  if (margin >= 0) return head + fmt::format(": {:.3g} to spare.", margin.get_d());
+      fmt::format("ratio: {} turns of the sun per turn of the output; {}", value, window);
+  if (margin == 0) return head + ": met exactly.";
+  if (margin > 0) return head + fmt::format(": {:.3g} to spare.", margin.get_d());
   const Rational error = (reduction - problem.target_ratio) / abs(problem.target_ratio);
   return head + fmt::format(": off by {:.3g} %; needs a tolerance of {:.4g} or other teeth.",
                             error.get_d() * 100.0, Rational(abs(error)).get_d());

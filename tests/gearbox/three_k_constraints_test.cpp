@@ -42,13 +42,13 @@ TEST(CarrierClearance, SaysWhatWouldMendIt) {
       << report.sentence;
 }
 
-TEST(CarrierClearance, DecidesDecimalsThatAgreeToSixteenDigits) {
+TEST(CarrierClearance, DecidesDecimalsThatAgreeToEighteenDigits) {
   // The clearance of 44/44 with four planets is pi/12 = 0.26179938779914943653855...
   Problem problem = test::knee();
-  const Rational unit("1/10000000000000000");
-  problem.min_carrier_clearance_rad = Rational("2617993877991494") * unit;
+  const Rational unit("1/1000000000000000000");
+  problem.min_carrier_clearance_rad = Rational("261799387799149436") * unit;
   EXPECT_TRUE(constraint_of(problem, {44, 44, 32}, 4, "carrier_clearance").satisfied);
-  problem.min_carrier_clearance_rad = Rational("2617993877991495") * unit;
+  problem.min_carrier_clearance_rad = Rational("261799387799149437") * unit;
   EXPECT_FALSE(constraint_of(problem, {44, 44, 32}, 4, "carrier_clearance").satisfied);
 }
 
@@ -128,6 +128,36 @@ TEST(RingWall, IsExactAtTheLimit) {
   EXPECT_TRUE(constraint_of(problem, {44, 44, 32}, 4, "ring_wall.fixed_ring").satisfied);
   problem.ring_wall_mm = Rational(28, 20);
   EXPECT_FALSE(constraint_of(problem, {44, 44, 32}, 4, "ring_wall.fixed_ring").satisfied);
+}
+
+TEST(Interference, OfARingWithoutInvoluteSaysSo) {
+  // z - 2 < z cos(20) below 33.16 teeth: O = 33
+  for (const char* name :
+       {"interference.involute.planet_2_output_ring", "interference.trochoid.planet_2_output_ring",
+        "contact_ratio.planet_2_output_ring"}) {
+    const auto report = constraint_of(buildable(), {10, 12, 11}, 3, name);
+    EXPECT_FALSE(report.satisfied) << name;
+    EXPECT_NE(report.sentence.find("does not exist"), std::string::npos) << report.sentence;
+  }
+}
+
+TEST(Interference, OfAPlanetThatDoesNotFitSaysSo) {
+  for (const char* name :
+       {"interference.involute.planet_1_fixed_ring", "interference.trochoid.planet_1_fixed_ring",
+        "contact_ratio.planet_1_fixed_ring"}) {
+    const auto report = constraint_of(buildable(), {44, 80, 32, 60, 120}, 4, name);
+    EXPECT_FALSE(report.satisfied) << name;
+    EXPECT_NE(report.sentence.find("does not exist"), std::string::npos) << report.sentence;
+  }
+}
+
+TEST(Sentences, SpeakOfOneToothAndOfExactMeetings) {
+  EXPECT_EQ(
+      constraint_of(test::knee(), {41, 44, 32}, 4, "min_teeth.sun").sentence,
+      "min_teeth.sun: 41 teeth on this gear; at least 40 teeth are asked for: 1 tooth to spare.");
+  EXPECT_EQ(
+      constraint_of(test::knee(), {44, 44, 32}, 4, "ratio").sentence,
+      "ratio: 20 turns of the sun per turn of the output; exactly 20 is asked for: met exactly.");
 }
 
 TEST(Coaxiality, SaysWhichShiftClosesTheGap) {
