@@ -3,38 +3,21 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "io/spec_error.hpp"
 
 namespace torquewright::io {
 
-/// One thing wrong with the user's input: where (file, JSON pointer, possibly empty) and a sentence
-/// that names the value and what is allowed.
-struct Fault {
-  std::string file;
-  std::string path;
-  std::string message;
-};
-
-/// The user's input is wrong: all faults found at once. Caught in main only, exit code 2.
-/// what() is one line per fault: `file#/path: message`.
-class SpecError : public std::runtime_error {
- public:
-  explicit SpecError(std::vector<Fault> faults);
-  const std::vector<Fault>& faults() const { return faults_; }
-
- private:
-  std::vector<Fault> faults_;
-};
-
 /// A document as read: of the expected kind and version, and of the shape its schema in
-/// specs/schema demands (required keys, types, plausible ranges, no unknown keys).
+/// specs/schema demands (required keys, types, plausible ranges, no unknown keys). Every pointer in
+/// its "assumed" list leads to a value of it.
 struct Document {
-  std::string file;       ///< As the user named it.
-  nlohmann::json root;    ///< Numbers are finite doubles or integers.
-  std::string sha256;     ///< Of the file's bytes; of the canonical text if it came from memory.
+  std::string file;     ///< As the user named it.
+  std::string path;     ///< JSON pointer to it inside the file; empty: it is the whole file.
+  nlohmann::json root;  ///< Numbers are finite doubles or integers; 20.0 is the integer 20.
+  std::string sha256;   ///< Of the file's bytes; of the canonical text if it came from memory.
 };
 
 /// Reads and checks a file. Throws SpecError with every fault of the document: missing, a folder,

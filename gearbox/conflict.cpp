@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/conflict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "gearbox/alternatives.hpp"
+#include "gearbox/looser_bound.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+using optimization::VisitStatus;
+
+// Without the rotor's bore no ring is too large. "Never feasible" is then proved for rings of up to
+// so many teeth, which is said in the claim.
+constexpr std::int64_t kUnboundedRing = 100'000;
+// Beyond this a constraint counts as needed, without a design to show it.
+constexpr std::int64_t kMaxBoxes = 20'000;
+
+using Names = std::set<std::string>;
+
+bool limits_ring(const Names& names) { return names.contains("rotor_bore"); }
+
+Alternatives restricted(const Problem& problem, const Names& names) {
+  return Alternatives(
+      problem, [&](const std::string& name, const std::string&) { return names.contains(name); },
+      [&](const Rational& module_mm) {
+        return limits_ring(names) ? ring_limit_of_bore(problem, module_mm) : kUnboundedRing;
+      },
+      "");
+}
+
+// What is known of a set of constraints.
+struct Trial {
+  VisitStatus status;             ///< kAll: no design satisfies them.
+  std::optional<Design> design;   ///< One that does.
+};
+
+Trial try_without(const Problem& problem, const Names& names, const SynthesisOptions& options) {
+  const Alternatives alternatives = restricted(problem, names);
+  Trial trial{VisitStatus::kAll, std::nullopt};
+  trial.status = optimization::for_each_feasible(
+      alternatives.judges(), {kMaxBoxes, options.should_stop},
+      [&](std::size_t alternative, std::span<const std::int64_t> point) {
+        trial.design = alternatives.design(alternative, point);
+        return false;
+      });
+  return trial;
+}
+
+std::string teeth_text(const Design& design) {
+  return fmt::format("{} with n = {}", fmt::join(design.teeth, "/"), design.planet_count);
+}
+
+// Constraints are dropped one after the other, the geometric ones first and those that a user sets
+// last, as long as what is left has no design: the rest is irreducible.
+std::vector<ConflictMember> irreducible_set(const Problem& problem,
+                                            std::vector<std::string> order,
+                                            const SynthesisOptions& options) {
+  Names kept(order.begin(), order.end());
+  std::vector<ConflictMember> members;
+  for (auto name = order.rbegin(); name != order.rend(); ++name) {
+    Names without = kept;
+    without.erase(*name);
+    const Trial trial = try_without(problem, without, options);
+    if (trial.status == VisitStatus::kAll) {
+      kept = std::move(without);
+      continue;
+    }
+    const std::string sentence =
+        trial.design
+            ? fmt::format("Without {} there is {}.", *name, teeth_text(*trial.design))
+            : fmt::format("Whether {} is needed for the conflict was not settled within {} boxes.",
+                          *name, kMaxBoxes);
+    members.push_back({*name, trial.design, sentence});
+  }
+  std::reverse(members.begin(), members.end());
+  return members;
+}
+
+Claim infeasibility_claim(const Problem& problem, const std::vector<ConflictMember>& members,
+                          const SynthesisOptions& options, bool& is_complete) {
+  Names names;
+  Claim claim;
+  claim.kind = "infeasible";
+  for (const ConflictMember& member : members) {
+    names.insert(member.constraint);
+    claim.constraints.push_back(member.constraint);
+  }
+  if (!limits_ring(names)) claim.ring_limit = kUnboundedRing;
+  const Alternatives alternatives = restricted(problem, names);
+  optimization::SearchOptions search;
+  search.relaxation = options.relaxation;
+  search.should_stop = options.should_stop;
+  optimization::SearchResult found = optimization::minimise(alternatives.judges(), search);
+  is_complete = found.status == optimization::SearchStatus::kComplete;
+  claim.alternatives = alternatives.proofs(std::move(found.proofs));
+  return claim;
+}
+
+}  // namespace
+
+void explain_infeasibility(const Problem& problem, const SynthesisOptions& options,
+                           SynthesisResult& result) {
+  result.conflict =
+      irreducible_set(problem, Alternatives(problem).constraints(), options);
+  bool is_complete = false;
+  result.claims = {infeasibility_claim(problem, result.conflict, options, is_complete)};
+  result.status = is_complete ? SynthesisStatus::kInfeasible : SynthesisStatus::kLimit;
+  for (const std::string& key : keys_of(problem, result.conflict)) {
+    if (auto found = least_change(problem, key, options)) {
+      result.would_be_feasible_with.push_back(std::move(found->bound));
+      result.claims.push_back(std::move(found->claim));
+    }
+  }
+}
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearbox/problem.hpp"
+#include "gearbox/synthesis.hpp"
+
+namespace torquewright::gearbox {
+
+struct ProvedBound {
+  LooserBound bound;
+  Claim claim;
+};
+
+/// The bounds (JSON pointers) behind the members of a conflict, each once.
+std::vector<std::string> keys_of(const Problem& problem,
+                                 const std::vector<ConflictMember>& conflict);
+
+/// The least change of one bound that makes the problem feasible, with its proof; nothing if no
+/// value of this bound alone does.
+std::optional<ProvedBound> least_change(const Problem& problem, const std::string& key,
+                                        const SynthesisOptions& options);
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/problem_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+namespace torquewright::gearbox {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::pair<std::string_view, Objective> kObjectives[] = {
+    {"paper_cost", Objective::kPaperCost},
+    {"mass", Objective::kMass},
+    {"hollow_shaft", Objective::kHollowShaft},
+    {"forward_efficiency", Objective::kForwardEfficiency},
+    {"backward_efficiency", Objective::kBackwardEfficiency},
+    {"reflected_inertia", Objective::kReflectedInertia},
+};
+
+/// The gears that have minima, and the layers they stand in.
+struct Parts {
+  std::vector<std::string> gears;
+  std::vector<std::string> layers;
+};
+
+Parts parts_of(std::string_view topology) {
+  if (topology == "planetary") return {{"sun", "planet"}, {"layer_1"}};
+  return {{"sun", "planet_1", "planet_2"}, {"layer_1", "layer_2"}};
+}
+
+/// Reads the keys of one document; faults gather until all of it is read.
+class Reader {
+ public:
+  explicit Reader(const io::Document& document) : document_(document) {}
+
+  Problem read() {
+    read_choice();
+    read_limits();
+    read_parts();
+    read_values();
+    check_combinations();
+    if (!faults_.empty()) throw io::SpecError(std::move(faults_));
+    return std::move(problem_);
+  }
+
+ private:
+  const json& root() const { return document_.root; }
+
+  void report(const std::string& path, std::string message) {
+    faults_.push_back({document_.file, document_.path + path, std::move(message)});
+  }
+
+  static Rational rational(const json& number) {
+    return number.is_number_integer() ? Rational(mpz_class(number.dump()))
+                                      : io::exact(number.get<double>());
+  }
+
+  std::optional<Rational> find(const char* pointer) const {
+    const json::json_pointer key(pointer);
+    if (!root().contains(key)) return std::nullopt;
+    return rational(root()[key]);
+  }
+
+  /// A number or a list of numbers as an ascending list; an entry that stands twice is a slip.
+  template <typename Number, typename Convert>
+  std::vector<Number> read_list(const std::string& key, Convert convert) {
+    const json& value = root()[key];
+    if (!value.is_array()) return {convert(value)};
+    std::vector<Number> numbers;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      numbers.push_back(convert(value[i]));
+      if (std::count(numbers.begin(), numbers.end(), numbers.back()) > 1) {
+        report(fmt::format("/{}/{}", key, i),
+               value[i].dump() + " stands twice in this list; keep one");
+      }
+    }
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+
+  void read_choice() {
+    // The name of the file stands in for a name that is not given.
+    problem_.name = root().value("name", std::filesystem::path(document_.file).stem().string());
+    problem_.topology = root()["topology"];
+    problem_.constraints =
+        root()["constraints"] == "paper" ? ConstraintSet::kPaper : ConstraintSet::kBuildable;
+    const auto* objective =
+        std::find_if(std::begin(kObjectives), std::end(kObjectives),
+                     [&](const auto& entry) { return root()["objective"] == entry.first; });
+    problem_.objective = objective->second;  // the schema admits no other word
+    problem_.module_mm = read_list<Rational>("module_mm", rational);
+    problem_.planet_count = read_list<std::int64_t>(
+        "planet_count", [](const json& count) { return count.get<std::int64_t>(); });
+  }
+
+  void read_limits() {
+    problem_.target_ratio = rational(root()["target_ratio"]);
+    problem_.ratio_tolerance = find("/ratio_tolerance").value_or(0);
+    problem_.rotor_inner_diameter_mm = rational(root()["rotor_inner_diameter_mm"]);
+    problem_.min_carrier_clearance_rad = rational(root()["min_carrier_clearance_rad"]);
+    problem_.min_contact_ratio = find("/min_contact_ratio").value_or(problem_.min_contact_ratio);
+    problem_.min_neighbour_clearance_mm = find("/min_neighbour_clearance_mm").value_or(0);
+    problem_.ring_outer_diameter_mm = find("/ring_outer_diameter_mm");
+    problem_.ring_wall_mm = find("/ring_wall_mm");
+    problem_.sun_under_second_layer =
+        root().value("sun_under_second_layer", problem_.sun_under_second_layer);
+  }
+
+  void read_parts() {
+    const Parts parts = parts_of(problem_.topology);
+    for (const std::string& gear : check_members("min_teeth", parts.gears)) {
+      problem_.min_teeth[gear] = root()["min_teeth"][gear];
+    }
+    if (!root().contains("face_width_mm")) return;
+    for (const std::string& layer : check_members("face_width_mm", parts.layers)) {
+      problem_.face_width_mm[layer] = rational(root()["face_width_mm"][layer]);
+    }
+  }
+
+  /// The members that both the topology and the document have; faults for those only one has.
+  std::vector<std::string> check_members(const std::string& key,
+                                         const std::vector<std::string>& known) {
+    std::vector<std::string> present;
+    for (const auto& member : root()[key].items()) {
+      if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
+        present.push_back(member.key());
+      } else {
+        report(fmt::format("/{}/{}", key, member.key()),
+               fmt::format("the topology \"{}\" has none, only {}", problem_.topology,
+                           fmt::join(known, ", ")));
+      }
+    }
+    for (const std::string& name : known) {
+      if (root()[key].contains(name)) continue;
+      report(fmt::format("/{}/{}", key, name),
+             fmt::format("missing; the topology \"{}\" has {}", problem_.topology,
+                         fmt::join(known, ", ")));
+    }
+    return present;
+  }
+
+  void read_values() {
+    problem_.friction_coefficient = find("/friction_coefficient");
+    problem_.load_output_torque_Nm = find("/load/output_torque_Nm");
+    problem_.hollow_shaft_wall_mm = find("/hollow_shaft_wall_mm").value_or(0);
+    problem_.density_kg_m3 = find("/materials/density_kg_m3");
+    problem_.rotor_inertia_kg_m2 = find("/rotor_inertia_kg_m2").value_or(0);
+    problem_.assumed = root().value("assumed", problem_.assumed);
+  }
+
+  void check_combinations() {
+    if (problem_.topology == "planetary") check_planetary();
+    const std::string objective = root()["objective"];
+    const bool needs_friction = objective.ends_with("_efficiency");
+    const bool needs_masses = objective == "mass" || objective == "reflected_inertia";
+    if (needs_friction) require("/friction_coefficient", objective);
+    if (needs_masses) require("/face_width_mm", objective);
+    if (needs_masses) require("/materials/density_kg_m3", objective);
+  }
+
+  void check_planetary() {
+    if (problem_.constraints == ConstraintSet::kPaper) {
+      report(
+          "/constraints",
+          "\"paper\" does not go with the topology \"planetary\": equations (2)-(9) describe the "
+          "3k gearbox only; use \"buildable\"");
+    }
+    if (problem_.objective == Objective::kPaperCost) {
+      report(
+          "/objective",
+          "\"paper_cost\" does not go with the topology \"planetary\": equation (1) describes the "
+          "3k gearbox only; use \"hollow_shaft\", \"mass\", \"forward_efficiency\", "
+          "\"backward_efficiency\" or \"reflected_inertia\"");
+    }
+  }
+
+  void require(const char* pointer, const std::string& objective) {
+    if (root().contains(json::json_pointer(pointer))) return;
+    report(pointer, fmt::format("missing; the objective \"{}\" needs it", objective));
+  }
+
+  const io::Document& document_;
+  Problem problem_;
+  std::vector<io::Fault> faults_;
+};
+
+}  // namespace
+
+Problem read_problem(const io::Document& document) { return Reader(document).read(); }
+
+}  // namespace torquewright::gearbox

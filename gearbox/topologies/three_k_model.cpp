@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/topologies/three_k_model.hpp"
+
+#include <stdexcept>
+
+#include "gearbox/assembly.hpp"
+#include "gearbox/efficiency.hpp"
+#include "gearbox/inertia.hpp"
+#include "gearbox/mass.hpp"
+#include "gearbox/synthesis_goals.hpp"
+#include "gearbox/tooth_conditions.hpp"
+
+namespace torquewright::gearbox::three_k {
+namespace {
+
+using optimization::Direction;
+using optimization::Goal;
+using optimization::Loosening;
+using optimization::Predicate;
+using Teeth = ThreeKTeeth<Expression>;
+using Point = std::span<const std::int64_t>;
+
+// The variables: S, P1 and d = P1 - P2. In these, and not in S, P1, P2, the ratio is monotone.
+struct Variables {
+  Expression sun = Expression::variable(0);
+  Expression planet_1 = Expression::variable(1);
+  Expression difference = Expression::variable(2);
+};
+
+Teeth teeth_of(const Variables& x) {
+  return coaxial_three_k<Expression>(x.sun, x.planet_1, x.planet_1 - x.difference);
+}
+
+ThreeKTeeth<std::int64_t> teeth_at(Point point) {
+  const std::int64_t planet_2 = point[1] - point[2];
+  return {point[0], point[1], planet_2, point[0] + 2 * point[1], point[0] + point[1] + planet_2};
+}
+
+// The difference at which the ratio is exactly G: 2 P1 (S + 2 P1)/(G S + 2 P1), written as
+// (2/G) P1 + 4 (G-1)/G P1^2/(G S + 2 P1): a square over a linear form, which is convex for G >= 1.
+// It grows with P1 and falls with S. docs/certificate.md, "The tree".
+Expression difference_for(const Rational& ratio, const Variables& x) {
+  const Rational c = 4 * (ratio - 1) / ratio;
+  return Expression(2 / ratio) * x.planet_1 +
+         Expression(c) *
+             square_over(x.planet_1, Expression(ratio) * x.sun + 2.0 * x.planet_1);
+}
+
+// The ratio falls as the difference grows.
+std::vector<Condition> ratio_conditions(const Problem& problem, const Variables& x) {
+  using enum Direction;
+  Condition greatest{"ratio_max", "ratio", "/ratio_tolerance",
+                     x.difference - difference_for(greatest_ratio(problem), x)};
+  greatest.directions = {kGrows, kFalls, kGrows};
+  Condition least{"ratio_min", "ratio", "/ratio_tolerance",
+                  difference_for(least_ratio(problem), x) - x.difference};
+  least.directions = {kFalls, kGrows, kFalls};
+  return {greatest, least};
+}
+
+void add_paper_conditions(const Problem& problem, std::int64_t planet_count,
+                          const Rational& module_mm, const Variables& x,
+                          std::vector<Condition>& conditions) {
+  const Teeth teeth = teeth_of(x);
+  conditions.push_back({"positive_teeth", "positive_teeth", "", teeth.planet_2 - 1.0});
+  for (const Condition& condition : ratio_conditions(problem, x)) conditions.push_back(condition);
+  conditions.push_back(at_least("sun", teeth.sun, problem.min_teeth.at("sun")));
+  conditions.push_back(at_least("planet_1", teeth.planet_1, problem.min_teeth.at("planet_1")));
+  conditions.push_back(at_least("planet_2", teeth.planet_2, problem.min_teeth.at("planet_2")));
+  conditions.push_back(carrier_clearance(problem, planet_count, teeth.sun, teeth.planet_1));
+  conditions.push_back(rotor_bore(problem, module_mm, teeth.fixed_ring));
+  conditions.push_back({"tooth_difference", "tooth_difference", "",
+                        x.difference - static_cast<double>(planet_count)});
+}
+
+void add_buildable_conditions(const Problem& problem, std::int64_t planet_count,
+                              const Rational& module_mm, const Variables& x,
+                              std::vector<Condition>& conditions) {
+  const Teeth teeth = teeth_of(x);
+  const auto add = [&](const std::vector<Condition>& more) {
+    conditions.insert(conditions.end(), more.begin(), more.end());
+  };
+  const Expression tooth_sum = teeth.sun + teeth.planet_1;
+  add({neighbour_clearance(problem, "layer_1", planet_count, module_mm, tooth_sum, teeth.planet_1),
+       neighbour_clearance(problem, "layer_2", planet_count, module_mm, tooth_sum, teeth.planet_2),
+       undercut("sun", teeth.sun), undercut("planet_1", teeth.planet_1),
+       undercut("planet_2", teeth.planet_2)});
+  if (problem.sun_under_second_layer) {
+    add({{"sun_under_layer_2", "sun_under_layer_2", "",
+          Expression(module_mm) * (x.difference / 2.0 - 2.0), /*strict=*/true}});
+  }
+  add(ring_wall(problem, "fixed_ring", module_mm, teeth.fixed_ring));
+  add(ring_wall(problem, "output_ring", module_mm, teeth.output_ring));
+  add({ring_tip("fixed_ring", module_mm, teeth.fixed_ring),
+       ring_tip("output_ring", module_mm, teeth.output_ring)});
+  add(interference("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
+  add(interference("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
+  add({contact_ratio(problem, "sun_planet_1",
+                     contact_ratio(external_path(teeth.sun, teeth.planet_1))),
+       contact_ratio(problem, "planet_1_fixed_ring",
+                     contact_ratio(internal_path(teeth.planet_1, teeth.fixed_ring))),
+       contact_ratio(problem, "planet_2_output_ring",
+                     contact_ratio(internal_path(teeth.planet_2, teeth.output_ring)))});
+}
+
+std::vector<Predicate> predicates(const Problem& problem, std::int64_t planet_count) {
+  std::vector<Predicate> result{{"equal_spacing", "", [planet_count](Point point) {
+    return 2 * (point[0] + point[1]) % planet_count == 0;
+  }}};
+  if (problem.constraints == ConstraintSet::kBuildable) {
+    result.push_back({"identical_planets", "", [planet_count](Point point) {
+      return has_identical_planets(teeth_at(point), planet_count);
+    }});
+  }
+  return result;
+}
+
+Goal paper_cost(const Problem& problem, const Rational& module_mm, const Teeth& teeth) {
+  const Expression bore{Rational(problem.rotor_inner_diameter_mm / module_mm)};
+  return {"paper_cost", "",
+          1.0 / square(teeth.sun) + square(teeth.fixed_ring - bore) + square(teeth.planet_1) +
+              square(teeth.planet_2) + square(teeth.output_ring),
+          /*maximise=*/false, /*exact=*/true};
+}
+
+// With 1/(1 - I2) = i/(1 + I1) the efficiencies need the ratio i, known within its tolerance, in
+// place of I2: the enclosure stays narrow on wide boxes. docs/derivations/efficiency.md.
+Expression enclosed_efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
+  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const Expression first = mesh.sun_planet_1 * mesh.planet_1_fixed_ring;
+  const Expression second = mesh.planet_1_fixed_ring * mesh.planet_2_output_ring;
+  const Expression carrier = 1.0 / (1.0 + basic_ratio_1(teeth));  // 1/(1 + I1)
+  const Expression ratio = Expression::between(least_ratio(problem), greatest_ratio(problem));
+  const Expression stepped = ratio * carrier;  // 1/(1 - I2)
+  if (forward) return (carrier + first * (1.0 - carrier)) / (1.0 + (1.0 - second) * (stepped - 1.0));
+  // (eta_b eta_c - I2)/(1 - I2) = 1 - (1 - eta_b eta_c)/(1 - I2)
+  const Expression back = mesh.sun_planet_1 * (1.0 - (1.0 - second) * stepped) /
+                          (mesh.planet_2_output_ring * (1.0 - carrier + first * carrier));
+  return max(back, 0.0);
+}
+
+Goal efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
+  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const Expression i1 = basic_ratio_1(teeth), i2 = basic_ratio_2(teeth);
+  Goal goal{forward ? "forward_efficiency" : "backward_efficiency", "",
+            forward ? three_k_forward_efficiency(i1, i2, mesh)
+                    : max(three_k_backward_efficiency(i1, i2, mesh), 0.0),
+            /*maximise=*/true};
+  goal.enclosure = enclosed_efficiency(problem, teeth, forward);
+  return goal;
+}
+
+Goal goal_of(const Problem& problem, std::int64_t planet_count, const Rational& module_mm,
+             const Teeth& teeth) {
+  switch (problem.objective) {
+    case Objective::kPaperCost:
+      return paper_cost(problem, module_mm, teeth);
+    case Objective::kHollowShaft:
+      return hollow_shaft(problem, module_mm, teeth.sun);
+    case Objective::kForwardEfficiency:
+      return efficiency(problem, teeth, true);
+    case Objective::kBackwardEfficiency:
+      return efficiency(problem, teeth, false);
+    case Objective::kMass:
+      return mass_goal(three_k_mass_kg(blank(problem, module_mm), planet_count, teeth));
+    case Objective::kReflectedInertia: {
+      const Expression at_sun =
+          three_k_inertia_at_sun_kg_m2(blank(problem, module_mm),
+                                       problem.rotor_inertia_kg_m2.get_d(), planet_count, teeth);
+      return inertia_goal(reflected_inertia_kg_m2(three_k_reduction(teeth), at_sun));
+    }
+  }
+  throw std::logic_error("unknown objective");
+}
+
+std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_count,
+                                  const Rational& module_mm, const Variables& x) {
+  const Teeth teeth = teeth_of(x);
+  const Expression ratio = 2.0 * x.planet_1 * teeth.output_ring / (x.sun * x.difference);
+  std::vector<Loosening> result{most_teeth("sun", teeth.sun), most_teeth("planet_1", teeth.planet_1),
+                                most_teeth("planet_2", teeth.planet_2),
+                                most_carrier_clearance(planet_count, teeth.sun, teeth.planet_1),
+                                least_ring(module_mm, teeth.fixed_ring),
+                                least_ratio_error(problem, ratio)};
+  if (problem.constraints == ConstraintSet::kPaper) return result;
+  const auto clearance = [&](const Expression& planet) {
+    return neighbour_clearance_mm(planet_count, module_mm, teeth.sun + teeth.planet_1, planet);
+  };
+  result.push_back(most_neighbour_clearance(min(clearance(teeth.planet_1),
+                                                clearance(teeth.planet_2))));
+  result.push_back(most_contact(
+      min(contact_ratio(external_path(teeth.sun, teeth.planet_1)),
+          min(contact_ratio(internal_path(teeth.planet_1, teeth.fixed_ring)),
+              contact_ratio(internal_path(teeth.planet_2, teeth.output_ring))))));
+  if (problem.ring_outer_diameter_mm) {
+    result.push_back(least_blank(problem, module_mm, teeth.fixed_ring));
+  }
+  return result;
+}
+
+}  // namespace
+
+optimization::Problem model(const Problem& problem, std::int64_t planet_count,
+                            const Rational& module_mm, std::int64_t ring_limit) {
+  const Variables x;
+  const Teeth teeth = teeth_of(x);
+  optimization::Problem result{{"sun", "planet_1", "difference"},
+                               {{1, ring_limit}, {1, ring_limit / 2}, {1, ring_limit / 2}},
+                               {},
+                               predicates(problem, planet_count),
+                               goal_of(problem, planet_count, module_mm, teeth),
+                               loosenings(problem, planet_count, module_mm, x)};
+  add_paper_conditions(problem, planet_count, module_mm, x, result.conditions);
+  if (problem.constraints == ConstraintSet::kBuildable) {
+    add_buildable_conditions(problem, planet_count, module_mm, x, result.conditions);
+  }
+  return result;
+}
+
+std::vector<std::int64_t> free_teeth(std::span<const std::int64_t> point) {
+  return {point[0], point[1], point[1] - point[2]};
+}
+
+}  // namespace torquewright::gearbox::three_k

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/document.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "io/diagnosis.hpp"
+#include "io/file_bytes.hpp"
+#include "io/json_text.hpp"
+#include "io/schema.hpp"
+#include "io/sha256.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::io {
+namespace {
+
+using nlohmann::json;
+
+/// Only a document built in memory can hold one; a file cannot say it.
+void find_infinite_numbers(const Document& document, const json& value, const std::string& path,
+                           std::vector<Fault>& faults) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+    faults.push_back({document.file, path, "is no number, must be finite"});
+  }
+  if (!value.is_structured()) return;
+  for (const auto& [key, child] : value.items()) {
+    find_infinite_numbers(document, child, child_path(path, key), faults);
+  }
+}
+
+bool leads_somewhere(const json& root, const std::string& pointer) {
+  try {
+    return root.contains(json::json_pointer(pointer));
+  } catch (const json::exception&) {  // no pointer at all, or no index where one must stand
+    return false;
+  }
+}
+
+void find_lost_assumptions(const Document& document, std::vector<Fault>& faults) {
+  const json assumed = document.root.value("assumed", json::array());
+  for (std::size_t i = 0; i < assumed.size(); ++i) {
+    if (!assumed[i].is_string() || leads_somewhere(document.root, assumed[i])) continue;
+    const std::string path = child_path(document.path + "/assumed", std::to_string(i));
+    faults.push_back({document.file, path,
+                      as_written(assumed[i]) + " points at nothing; must be the JSON pointer of "
+                                               "a value of this document"});
+  }
+}
+
+/// The rest of another kind, or of another version, is nobody's business here.
+bool is_foreign(const json& root, const json& properties) {
+  for (const char* key : {"kind", "version"}) {
+    if (root.contains(key) && root[key] != properties[key]["const"]) return true;
+  }
+  return false;
+}
+
+void keep_kind_and_version(const std::string& path, std::vector<Fault>& faults) {
+  std::erase_if(faults, [&](const Fault& fault) {
+    return fault.path != path + "/kind" && fault.path != path + "/version";
+  });
+}
+
+/// Everything that is wrong with the document's shape.
+std::vector<Fault> find_faults(const Document& document, std::string_view kind) {
+  std::vector<Fault> faults;
+  if (!conforms(document.root, kind)) {
+    const json& schema = schema_of(kind);
+    faults = diagnose(document.root, schema, document.file, document.path);
+    if (faults.empty()) {  // a keyword of the schema that diagnose() does not know
+      faults = {{document.file, document.path, "is not as specs/schema demands"}};
+    }
+    if (document.root.is_object() && is_foreign(document.root, schema["properties"])) {
+      keep_kind_and_version(document.path, faults);
+      return faults;
+    }
+  }
+  if (document.root.is_object() && document.root.value("assumed", json()).is_array()) {
+    find_lost_assumptions(document, faults);
+  }
+  return faults;
+}
+
+}  // namespace
+
+Document read_document(const std::filesystem::path& file, std::string_view kind) {
+  const std::string bytes = read_file_bytes(file);
+  JsonText text = read_json_text(bytes, file.string());
+  if (!text.complete) throw SpecError(std::move(text.faults));
+  Document document{file.string(), "", std::move(text.root), sha256(bytes)};
+  std::vector<Fault> faults = std::move(text.faults);
+  for (Fault& fault : find_faults(document, kind)) faults.push_back(std::move(fault));
+  if (!faults.empty()) throw SpecError(std::move(faults));
+  return document;
+}
+
+Document check_document(json root, std::string_view kind, std::string file, std::string path) {
+  Document document{std::move(file), std::move(path), std::move(root), ""};
+  std::vector<Fault> faults;
+  find_infinite_numbers(document, document.root, document.path, faults);
+  if (faults.empty()) faults = find_faults(document, kind);
+  if (!faults.empty()) throw SpecError(std::move(faults));
+  document.sha256 = sha256(document.root.dump(-1, ' ', false, json::error_handler_t::replace));
+  return document;
+}
+
+}  // namespace torquewright::io

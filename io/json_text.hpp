@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/spec_error.hpp"
+
+namespace torquewright::io {
+
+/// Objects and lists within one another; deeper text is refused, whatever is to read it.
+constexpr std::size_t kMaxDepth = 256;
+
+/// What a JSON text holds. Numbers are finite; one without a fraction is an integer (20.0 is 20).
+struct JsonText {
+  nlohmann::json root;
+  bool complete = false;      ///< False: the text could not be read to its end; root is no use.
+  std::vector<Fault> faults;  ///< Syntax (with line and column), duplicate keys, numbers, depth.
+};
+
+/// Reads strict JSON in UTF-8, with or without a byte order mark.
+JsonText read_json_text(std::string_view text, const std::string& file);
+
+/// `/a/b` and the key `c/d` give `/a/b/c~1d` (RFC 6901).
+std::string child_path(const std::string& path, std::string_view key);
+
+}  // namespace torquewright::io

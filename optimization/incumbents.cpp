@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/incumbents.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace torquewright::optimization {
+
+bool Incumbents::precedes(const Solution& a, const Solution& b) const {
+  const int order = judge_.compare(a.cost, b.cost);
+  if (order != 0) return order < 0;
+  return std::tie(a.alternative, a.point) < std::tie(b.alternative, b.point);
+}
+
+void Incumbents::offer(Solution solution) {
+  const auto is_same = [&](const Solution& known) {
+    return known.alternative == solution.alternative && known.point == solution.point;
+  };
+  if (std::any_of(solutions_.begin(), solutions_.end(), is_same)) return;
+  auto place = solutions_.end();
+  while (place != solutions_.begin() && precedes(solution, *std::prev(place))) --place;
+  solutions_.insert(place, std::move(solution));
+  if (solutions_.size() < wanted_) return;
+  const PreciseInterval last = solutions_[wanted_ - 1].cost;
+  while (judge_.compare(solutions_.back().cost, last) > 0) solutions_.pop_back();
+  ceiling_ = judge_.ceiling(last);
+}
+
+}  // namespace torquewright::optimization
