@@ -21,7 +21,19 @@ Alternative::Alternative(const Problem& the_problem, std::int64_t count, const R
 
 bool is_planetary(const Problem& problem) { return problem.topology == "planetary"; }
 
+TeethRange teeth_in(const Box& box) {
+  const std::int64_t fewest = std::max<std::int64_t>(1, box.lower[1] - box.upper[2]);
+  return {{box.lower[0], box.lower[1], fewest},
+          {box.upper[0], box.upper[1], box.upper[1] - box.lower[2]}};
+}
+
 const std::vector<std::string>& variable_names(const Problem& problem) {
+  static const std::vector<std::string> stepped{"sun", "planet_1", "difference"};
+  static const std::vector<std::string> single{"sun", "planet"};
+  return is_planetary(problem) ? single : stepped;
+}
+
+const std::vector<std::string>& free_gear_names(const Problem& problem) {
   static const std::vector<std::string> stepped{"sun", "planet_1", "planet_2"};
   static const std::vector<std::string> single{"sun", "planet"};
   return is_planetary(problem) ? single : stepped;

@@ -35,19 +35,38 @@ struct Alternative {
 
 bool is_planetary(const Problem& problem);
 
-/// sun, planet_1, ...: the free gears, which are the variables of boxes.
+/// sun, planet_1, difference (planetary: sun, planet).
 const std::vector<std::string>& variable_names(const Problem& problem);
+
+/// sun, planet_1, planet_2 (planetary: sun, planet).
+const std::vector<std::string>& free_gear_names(const Problem& problem);
 
 /// The free gears, then the rings.
 const std::vector<std::string>& gear_names(const Problem& problem);
 
+/// Teeth of the free gears. In a planetary train planet_2 is planet_1 once more, and plays no part.
+struct Teeth {
+  std::int64_t sun = 0, planet_1 = 0, planet_2 = 0;
+};
+
+inline Teeth teeth_at(const Point& point) { return {point[0], point[1], point[1] - point[2]}; }
+
 /// Teeth of the planet, and of the ring in mesh with it, in layer 1 or 2.
-inline std::int64_t planet(const Point& point, int layer) {
-  return point[static_cast<std::size_t>(layer)];
+inline std::int64_t planet(const Teeth& teeth, int layer) {
+  return layer == 1 ? teeth.planet_1 : teeth.planet_2;
 }
-inline std::int64_t ring(const Point& point, int layer) {
-  return point[0] + point[1] + planet(point, layer);
+inline std::int64_t ring(const Teeth& teeth, int layer) {
+  return teeth.sun + teeth.planet_1 + planet(teeth, layer);
 }
+
+/// Least and most of each gear's teeth, the rings' too, among the designs in a box: planet_2 is at
+/// least 1. Empty (least above most in planet_2) where the box holds no design.
+struct TeethRange {
+  Teeth least, most;
+  bool is_empty() const { return least.planet_2 > most.planet_2; }
+};
+TeethRange teeth_in(const Box& box);
+
 inline int layers(const Alternative& alternative) { return alternative.planetary ? 1 : 2; }
 
 }  // namespace torquewright::gearbox::proof

@@ -34,26 +34,28 @@ Rational rim_mm(const Alternative& alternative) {
   return alternative.module_mm * Rational(5, 2) + 2 * alternative.ring_wall_mm;
 }
 
-Interval mass_at(const Alternative& alternative, const Point& point) {
+Interval mass_at(const Alternative& alternative, const Teeth& teeth) {
   Interval planets;
-  Interval mass = sun_body(alternative, point[0]).mass_kg;
+  Interval mass = sun_body(alternative, teeth.sun).mass_kg;
   for (int layer = 1; layer <= layers(alternative); ++layer) {
-    planets += planet_disc(alternative, planet(point, layer), layer).mass_kg;
-    mass += ring_body(alternative, ring(point, layer), layer).mass_kg;
+    planets += planet_disc(alternative, planet(teeth, layer), layer).mass_kg;
+    mass += ring_body(alternative, ring(teeth, layer), layer).mass_kg;
   }
   return mass + Interval(static_cast<long>(alternative.planet_count)) * planets;
 }
 
-/// Grows with S and P2: bodies scale with their teeth, the planet's inertia enters times (S/P1)^2.
-/// Disc 1 gives m^2 S^2 P1^2 / 32, which grows with P1; disc 2 gives m2 (m P2)^2 S^2 / (32 P1^2).
-Interval planet_inertia(const Alternative& alternative, const Point& orbit, std::int64_t sun,
-                        std::int64_t first_for_spin) {
+/// n (m_P a^2/(1+I1)^2 + J_P ((1 - F/P1)/(1+I1))^2): the carrier carries the planets at m S/4 per
+/// input, and they spin S/(2 P1) times as fast. A disc's inertia goes with P^4: that of layer 1,
+/// spinning, grows with P1, that of layer 2 falls with it, so its spin takes a P1 of its own.
+Interval planet_inertia(const Alternative& alternative, const Teeth& teeth,
+                        std::int64_t planet_1_of_layer_2) {
   Interval result;
-  const Rational arm_m = pitch_diameter_mm(alternative, sun) / 4 / 1000;
+  const Rational arm_m = pitch_diameter_mm(alternative, teeth.sun) / 4 / 1000;
   for (int layer = 1; layer <= layers(alternative); ++layer) {
-    const Body disc = planet_disc(alternative, planet(orbit, layer), layer);
-    const Interval spin = Interval(Rational(static_cast<long>(sun))) /
-                          Interval(static_cast<long>(2 * (layer == 1 ? orbit[1] : first_for_spin)));
+    const Body disc = planet_disc(alternative, planet(teeth, layer), layer);
+    const std::int64_t planet_1 = layer == 1 ? teeth.planet_1 : planet_1_of_layer_2;
+    const Interval spin =
+        Interval(static_cast<long>(teeth.sun)) / Interval(static_cast<long>(2 * planet_1));
     result += disc.mass_kg * Interval(Rational(arm_m * arm_m)) + disc.inertia_kg_m2 * square(spin);
   }
   return result * Interval(static_cast<long>(alternative.planet_count));
@@ -76,24 +78,22 @@ Body ring_body(const Alternative& alternative, std::int64_t teeth, int layer) {
   return annulus(areal_mass(alternative, layer), pitch_mm + rim_mm(alternative), pitch_mm);
 }
 
-Interval total_mass_kg(const Alternative& alternative, const Box& box) {
-  const Interval least = mass_at(alternative, box.lower);
-  return box.is_point() ? least : hull(least, mass_at(alternative, box.upper));
+Interval total_mass_kg(const Alternative& alternative, const TeethRange& range) {
+  return hull(mass_at(alternative, range.least), mass_at(alternative, range.most));
 }
 
-Interval reflected_inertia_kg_m2(const Alternative& alternative, const Box& box,
+Interval reflected_inertia_kg_m2(const Alternative& alternative, const TeethRange& range,
                                  const Interval& ratio) {
-  // a/(1+I1) = m S/4 and (1 - F/P1)/(1+I1) = -S/(2 P1); the single stage's are the same.
-  const Interval moving =
-      hull(sun_body(alternative, box.lower[0]).inertia_kg_m2 +
-               planet_inertia(alternative, box.lower, box.lower[0], box.upper[1]),
-           sun_body(alternative, box.upper[0]).inertia_kg_m2 +
-               planet_inertia(alternative, box.upper, box.upper[0], box.lower[1]));
+  const auto& [least, most] = range;
+  const Interval moving = hull(sun_body(alternative, least.sun).inertia_kg_m2 +
+                                   planet_inertia(alternative, least, most.planet_1),
+                               sun_body(alternative, most.sun).inertia_kg_m2 +
+                                   planet_inertia(alternative, most, least.planet_1));
   const Interval input = Interval(alternative.problem->rotor_inertia_kg_m2) + moving;
   const Interval reflected = square(ratio) * input;
   if (alternative.planetary) return reflected;
-  return reflected + hull(ring_body(alternative, ring(box.lower, 2), 2).inertia_kg_m2,
-                          ring_body(alternative, ring(box.upper, 2), 2).inertia_kg_m2);
+  return reflected + hull(ring_body(alternative, ring(least, 2), 2).inertia_kg_m2,
+                          ring_body(alternative, ring(most, 2), 2).inertia_kg_m2);
 }
 
 }  // namespace torquewright::gearbox::proof

@@ -15,11 +15,11 @@ Body sun_body(const Alternative& alternative, std::int64_t teeth);
 Body planet_disc(const Alternative& alternative, std::int64_t teeth, int layer);
 Body ring_body(const Alternative& alternative, std::int64_t teeth, int layer);
 
-/// Of every design in the box, tight: each body's mass grows with its teeth.
-Interval total_mass_kg(const Alternative& alternative, const Box& box);
+/// Of every design in the range, tight: each body's mass grows with its teeth.
+Interval total_mass_kg(const Alternative& alternative, const TeethRange& range);
 
-/// At the output; of every design in the box whose ratio lies in `ratio`.
-Interval reflected_inertia_kg_m2(const Alternative& alternative, const Box& box,
+/// At the output; of every design in the range whose ratio lies in `ratio`.
+Interval reflected_inertia_kg_m2(const Alternative& alternative, const TeethRange& range,
                                  const Interval& ratio);
 
 }  // namespace torquewright::gearbox::proof

@@ -12,7 +12,8 @@
 
 namespace torquewright::gearbox::proof {
 
-/// Free teeth: sun, planet_1, planet_2 (planetary: sun, planet, and 0 in the third place).
+/// The variables of a proof: sun, planet_1, difference = planet_1 - planet_2 (planetary: sun,
+/// planet, and 0 in the third place).
 using Point = std::array<std::int64_t, 3>;
 
 /// All whole points between two corners, both included.
@@ -37,9 +38,9 @@ std::array<Box, 2> halves(const Box& box);
 template <typename Visit>
 bool for_each_point(const Box& box, Visit visit) {
   for (std::int64_t sun = box.lower[0]; sun <= box.upper[0]; ++sun) {
-    for (std::int64_t first = box.lower[1]; first <= box.upper[1]; ++first) {
-      for (std::int64_t second = box.lower[2]; second <= box.upper[2]; ++second) {
-        if (!visit(Point{sun, first, second})) return false;
+    for (std::int64_t planet = box.lower[1]; planet <= box.upper[1]; ++planet) {
+      for (std::int64_t difference = box.lower[2]; difference <= box.upper[2]; ++difference) {
+        if (!visit(Point{sun, planet, difference})) return false;
       }
     }
   }

@@ -96,6 +96,8 @@ std::optional<Rational> check_ring_limit(const Problem& problem, const Claim& cl
 void order_by_cost(std::vector<Constraint>& hypotheses) {
   const auto cost = [](const Constraint& each) {
     switch (each.family) {
+      case Family::kPositiveTeeth:
+        return -1;
       case Family::kMinTeeth:
       case Family::kToothDifference:
       case Family::kSunUnderLayer2:
@@ -167,6 +169,10 @@ void check_claim(const Problem& problem, const DemandedClaim& demanded, const Js
   claim.ring_limit = check_ring_limit(problem, claim, json, place, faults);
   if (faults.count() != faults_before) return;
 
+  // Never listed, but what makes a point a design: without it the others mean nothing.
+  if (!is_planetary(problem)) {
+    claim.hypotheses.push_back({"positive_teeth", Family::kPositiveTeeth, 0, ""});
+  }
   if (claim.ring_limit) {
     claim.hypotheses.push_back({"rotor_bore", Family::kRotorBore, 1, ""});
   }

@@ -20,12 +20,6 @@ bool can_be_judged_on_boxes(Family family) {
   }
 }
 
-/// Where P1 > P2 follows from the hypotheses, no P2 reaches half the ring.
-bool implies_smaller_second_planet(const Claim& claim, const Alternative& alternative) {
-  return claim.holds(Family::kToothDifference) ||
-         (claim.holds(Family::kRatio) && alternative.least_ratio > 0);
-}
-
 }  // namespace
 
 bool Claim::holds(Family family) const {
@@ -40,7 +34,7 @@ Alternative alternative_of(const Problem& problem, const Claim& claim, std::int6
   if (claim.kind == ClaimKind::kLeastRelaxation && !claim.holds(Family::kRotorBore)) {
     const Candidate& reference = *claim.reference;
     alternative.largest_ring =
-        reference.module_mm * static_cast<long>(ring(reference.point, 1)) / module_mm;
+        reference.module_mm * static_cast<long>(ring(teeth_at(reference.point), 1)) / module_mm;
   }
   return alternative;
 }
@@ -52,14 +46,10 @@ std::int64_t largest_ring_teeth(const Alternative& alternative) {
   return teeth > static_cast<long>(kMostTeeth) ? kMostTeeth + 1 : teeth.get_si();
 }
 
-Box root_box(const Claim& claim, const Alternative& alternative) {
+Box root_box(const Alternative& alternative) {
   const std::int64_t most = largest_ring_teeth(alternative);
   Box box{{1, 1, 1}, {most, most / 2, most / 2}};
-  if (alternative.planetary) {
-    box.lower[2] = box.upper[2] = 0;
-  } else if (!implies_smaller_second_planet(claim, alternative)) {
-    box.upper[2] = kMostTeeth;
-  }
+  if (alternative.planetary) box.lower[2] = box.upper[2] = 0;
   return box;
 }
 

@@ -26,8 +26,9 @@ enum class ClaimKind { kOptimum, kInfeasible, kLeastRelaxation };
 /// are listed" (docs/certificate.md).
 struct Claim {
   ClaimKind kind = ClaimKind::kInfeasible;
-  std::vector<Constraint> hypotheses;  ///< A ring limit counts as `rotor_bore`.
-  std::optional<Quantity> quantity;    ///< Empty: nothing is compared.
+  std::vector<Constraint>
+      hypotheses;  ///< With `positive_teeth`; a ring limit counts as `rotor_bore`.
+  std::optional<Quantity> quantity;  ///< Empty: nothing is compared.
   std::optional<Candidate> reference;
   std::optional<Value> threshold;      ///< The reference's quantity.
   std::optional<Rational> ring_limit;  ///< Teeth; where the rotor's bore is no hypothesis.
@@ -42,7 +43,7 @@ Alternative alternative_of(const Problem& problem, const Claim& claim, std::int6
                            const Rational& module_mm);
 
 /// All teeth that the claim speaks of, for one alternative; may be empty.
-Box root_box(const Claim& claim, const Alternative& alternative);
+Box root_box(const Alternative& alternative);
 
 /// Largest ring of an alternative in whole teeth; negative limits count as 0.
 std::int64_t largest_ring_teeth(const Alternative& alternative);

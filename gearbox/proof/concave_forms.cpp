@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/proof/concave_forms.hpp"
 
+#include "gearbox/proof/tooth_path.hpp"
+
 namespace torquewright::gearbox::proof {
 namespace {
 
 Rational whole(std::int64_t value) { return Rational(static_cast<long>(value)); }
-
-/// -weight (slope . x + constant)^2
-Linearization negative_square(const RealPoint& point, const Interval& weight,
-                              const Interval& constant, const std::array<Interval, 3>& slope) {
-  const Linearization base = affine(point, constant, slope);
-  Linearization result{-weight * square(base.value), slope};
-  for (Interval& each : result.gradient) each *= -2 * weight * base.value;
-  return result;
-}
 
 /// P1^2 / (G S + 2 P1), jointly convex.
 Linearization perspective(const RealPoint& point, const Rational& ratio) {
@@ -37,14 +30,31 @@ Linearization affine(const RealPoint& point, const Interval& constant,
   return result;
 }
 
-Linearization min_teeth_form(const Alternative& alternative, std::size_t gear,
-                             const RealPoint& point) {
+Linearization negative_square(const RealPoint& point, const Interval& weight,
+                              const Interval& constant, const std::array<Interval, 3>& slope) {
+  const Linearization base = affine(point, constant, slope);
+  Linearization result{-weight * square(base.value), slope};
+  for (Interval& each : result.gradient) each *= -2 * weight * base.value;
+  return result;
+}
+
+Linearization teeth_form(const Interval& slope, const Interval& constant, int gear,
+                         const RealPoint& point) {
+  if (gear == 0) return affine(point, constant, {slope, 0, 0});
+  return affine(point, constant, {0, slope, gear == 1 ? Interval(0) : -slope});
+}
+
+Linearization ring_form(const Interval& slope, const Interval& constant, int layer,
+                        const RealPoint& point) {
+  return affine(point, constant, {slope, 2 * slope, layer == 1 ? Interval(0) : -slope});
+}
+
+Linearization min_teeth_form(const Alternative& alternative, int gear, const RealPoint& point) {
   const auto& minima = alternative.problem->min_teeth;
-  const auto minimum = minima.find(variable_names(*alternative.problem)[gear]);
-  std::array<Interval, 3> slope{0, 0, 0};
-  slope[gear] = 1;
-  return affine(point, minimum == minima.end() ? Interval(-1) : Interval(whole(-minimum->second)),
-                slope);
+  const auto minimum =
+      minima.find(free_gear_names(*alternative.problem)[static_cast<std::size_t>(gear)]);
+  return teeth_form(1, minimum == minima.end() ? Interval(-1) : Interval(whole(-minimum->second)),
+                    gear, point);
 }
 
 Linearization carrier_clearance_form(const Alternative& alternative, const RealPoint& point) {
@@ -55,24 +65,44 @@ Linearization carrier_clearance_form(const Alternative& alternative, const RealP
   return affine(point, 0, {k, k - 1, 0});
 }
 
-Linearization neighbour_clearance_form(const Alternative& alternative, std::size_t layer,
+Linearization neighbour_clearance_form(const Alternative& alternative, int layer,
                                        const RealPoint& point) {
   const Rational limit =
       alternative.problem->min_neighbour_clearance_mm / alternative.module_mm + 2;
-  std::array<Interval, 3> slope{alternative.sine, alternative.sine, 0};
-  slope[layer] -= 1;
-  return affine(point, -Interval(limit), slope);
+  Linearization result = teeth_form(-1, -Interval(limit), layer, point);
+  result += affine(point, 0, {alternative.sine, alternative.sine, 0});
+  return result;
+}
+
+Linearization undercut_form(int gear, const RealPoint& point) {
+  return teeth_form(1, -2 / square(sin(pressure_angle())), gear, point);
+}
+
+Linearization sun_under_layer_2_form(const Alternative& alternative, const RealPoint& point) {
+  const Interval module(alternative.module_mm);
+  return affine(point, -2 * module, {0, 0, module / 2});
+}
+
+Linearization ring_wall_form(const Alternative& alternative, int layer, const RealPoint& point) {
+  const Rational room_mm =
+      (*alternative.problem->ring_outer_diameter_mm - alternative.module_mm * Rational(5, 2)) / 2 -
+      alternative.ring_wall_mm;
+  return ring_form(-Interval(alternative.module_mm) / 2, Interval(room_mm), layer, point);
+}
+
+Linearization ring_tip_form(const Alternative& alternative, int layer, const RealPoint& point) {
+  const Interval module(alternative.module_mm);
+  return ring_form(module * (1 - cos(pressure_angle())) / 2, -module, layer, point);
 }
 
 std::optional<Linearization> ratio_max_form(const Alternative& alternative,
                                             const RealPoint& point) {
   const Rational& ratio = alternative.greatest_ratio;
   if (alternative.planetary) return planetary_ratio(ratio, point);
-  // A range that reaches zero admits P1 < P2, which this form would refute.
-  if (ratio < 1 || alternative.least_ratio <= 0) return std::nullopt;
+  if (ratio < 1) return std::nullopt;
   Linearization result = perspective(point, ratio);
   result.scale(Interval(Rational(-4 * (ratio - 1) / ratio)));
-  result += affine(point, 0, {0, Interval(Rational(1 - 2 / ratio)), -1});
+  result += affine(point, 0, {0, Interval(Rational(-2 / ratio)), 1});
   return result;
 }
 
@@ -93,8 +123,8 @@ std::optional<Linearization> ratio_min_form(const Alternative& alternative, cons
   const Rational curvature = 4 * (ratio - 1) / ratio;
   const Rational product = least * greatest;
   const Rational sun_slope = -curvature * product * ratio;
-  const Rational first_slope = 2 / ratio + curvature * (least + greatest - 2 * product) - 1;
-  return affine(point, 0, {Interval(sun_slope), Interval(first_slope), 1});
+  const Rational first_slope = 2 / ratio + curvature * (least + greatest - 2 * product);
+  return affine(point, 0, {Interval(sun_slope), Interval(first_slope), -1});
 }
 
 Linearization paper_cost_form(const Alternative& alternative, const Interval& threshold,
@@ -104,8 +134,8 @@ Linearization paper_cost_form(const Alternative& alternative, const Interval& th
   Linearization result = affine(point, threshold - Interval(1) / square(most_sun), {0, 0, 0});
   result += negative_square(point, 1, -Interval(bore_teeth), {1, 2, 0});
   result += negative_square(point, 1, 0, {0, 1, 0});
-  result += negative_square(point, 1, 0, {0, 0, 1});
-  result += negative_square(point, 1, 0, {1, 1, 1});
+  result += negative_square(point, 1, 0, {0, 1, -1});
+  result += negative_square(point, 1, 0, {1, 2, -1});
   return result;
 }
 

@@ -16,7 +16,7 @@ void check_witness(const Problem& problem, const std::vector<Constraint>& confli
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(without));
   check_feasibility(problem, others, *witness, place, faults);
   const Alternative alternative(problem, witness->planet_count, witness->module_mm);
-  if (satisfies(conflict[without], alternative, witness->point)) {
+  if (satisfies(conflict[without], alternative, teeth_at(witness->point))) {
     faults.add(place, fmt::format("satisfies {} as well, so there is no conflict",
                                   conflict[without].name));
   }

@@ -10,7 +10,7 @@ using Constraints = std::vector<Constraint>;
 
 void add_paper(const Problem& problem, Constraints& all) {
   all.push_back({"ratio", Family::kRatio, 0, "/ratio_tolerance"});
-  const std::vector<std::string>& gears = variable_names(problem);
+  const std::vector<std::string>& gears = free_gear_names(problem);
   for (int gear = 0; gear < static_cast<int>(gears.size()); ++gear) {
     const std::string& name = gears[static_cast<std::size_t>(gear)];
     all.push_back({"min_teeth." + name, Family::kMinTeeth, gear, "/min_teeth/" + name});
@@ -30,7 +30,7 @@ void add_clearances(const Problem& problem, Constraints& all) {
     all.push_back({"neighbour_clearance.layer_" + std::to_string(layer),
                    Family::kNeighbourClearance, layer, "/min_neighbour_clearance_mm"});
   }
-  const std::vector<std::string>& gears = variable_names(problem);
+  const std::vector<std::string>& gears = free_gear_names(problem);
   for (int gear = 0; gear < static_cast<int>(gears.size()); ++gear) {
     all.push_back(
         {"undercut." + gears[static_cast<std::size_t>(gear)], Family::kUndercut, gear, ""});
@@ -43,8 +43,8 @@ void add_clearances(const Problem& problem, Constraints& all) {
 void add_for_rings(const Problem& problem, const std::string& prefix, Family family,
                    const std::string& key, Constraints& all) {
   const std::vector<std::string>& gears = gear_names(problem);
-  for (std::size_t gear = variable_names(problem).size(); gear < gears.size(); ++gear) {
-    const int layer = static_cast<int>(gear - variable_names(problem).size()) + 1;
+  for (std::size_t gear = free_gear_names(problem).size(); gear < gears.size(); ++gear) {
+    const int layer = static_cast<int>(gear - free_gear_names(problem).size()) + 1;
     all.push_back({prefix + gears[gear], family, layer, key});
   }
 }

@@ -10,6 +10,7 @@
 namespace torquewright::gearbox::proof {
 
 enum class Family {
+  kPositiveTeeth,  ///< planet_2 >= 1: what makes a point of a 3k box a design.
   kRatio,
   kMinTeeth,
   kCarrierClearance,
@@ -42,7 +43,8 @@ std::vector<Constraint> constraints_of(const Problem& problem);
 const Constraint* find_constraint(const std::vector<Constraint>& constraints,
                                   std::string_view name);
 
-/// Whether a design of this alternative with positive teeth satisfies the constraint.
-bool satisfies(const Constraint& constraint, const Alternative& alternative, const Point& point);
+/// Whether a design of this alternative satisfies the constraint. Linear constraints are judged for
+/// teeth of either sign, the others need positive teeth.
+bool satisfies(const Constraint& constraint, const Alternative& alternative, const Teeth& teeth);
 
 }  // namespace torquewright::gearbox::proof

@@ -3,16 +3,17 @@
 
 namespace torquewright::gearbox::proof {
 
-ContactPath contact_path(const Box& box, int mesh) {
+ContactPath contact_path(const TeethRange& range, int mesh) {
+  const auto& [least, most] = range;
   if (mesh == 0) {
-    return {external_path(box.lower[0], box.upper[0]), external_path(box.lower[1], box.upper[1])};
+    return {external_path(least.sun, most.sun), external_path(least.planet_1, most.planet_1)};
   }
-  return {external_path(planet(box.lower, mesh), planet(box.upper, mesh)),
-          ring_path(ring(box.lower, mesh), ring(box.upper, mesh))};
+  return {external_path(planet(least, mesh), planet(most, mesh)),
+          ring_path(ring(least, mesh), ring(most, mesh))};
 }
 
-Interval contact_ratio(const Box& box, int mesh) {
-  const ContactPath path = contact_path(box, mesh);
+Interval contact_ratio(const TeethRange& range, int mesh) {
+  const ContactPath path = contact_path(range, mesh);
   return path.first + path.mate;
 }
 

@@ -11,11 +11,11 @@ struct ContactPath {
   Interval first, mate;
 };
 
-/// Of every design in the box. Mesh 0: sun and planet 1; 1: planet 1 and its ring; 2: planet 2 and
-/// its ring.
-ContactPath contact_path(const Box& box, int mesh);
+/// Of every design in the range. Mesh 0: sun and planet 1; 1: planet 1 and its ring; 2: planet 2
+/// and its ring.
+ContactPath contact_path(const TeethRange& range, int mesh);
 
 /// Its length.
-Interval contact_ratio(const Box& box, int mesh);
+Interval contact_ratio(const TeethRange& range, int mesh);
 
 }  // namespace torquewright::gearbox::proof

@@ -12,11 +12,11 @@ namespace {
 /// n / gcd(n, Q) with Q = (O P1 - F P2)/gcd(P1, P2); one type in a single stage.
 std::int64_t planet_types(const Problem& problem, const Candidate& candidate) {
   if (is_planetary(problem)) return 1;
-  const Point& point = candidate.point;
-  const mpz_class first = static_cast<long>(point[1]);
-  const mpz_class second = static_cast<long>(point[2]);
+  const Teeth teeth = teeth_at(candidate.point);
+  const mpz_class first = static_cast<long>(teeth.planet_1);
+  const mpz_class second = static_cast<long>(teeth.planet_2);
   const mpz_class offset =
-      (static_cast<long>(ring(point, 2)) * first - static_cast<long>(ring(point, 1)) * second) /
+      (static_cast<long>(ring(teeth, 2)) * first - static_cast<long>(ring(teeth, 1)) * second) /
       gcd(first, second);
   const mpz_class count = static_cast<long>(candidate.planet_count);
   return mpz_class(count / gcd(count, offset)).get_si();
@@ -24,8 +24,7 @@ std::int64_t planet_types(const Problem& problem, const Candidate& candidate) {
 
 void check_ratio(const Alternative& alternative, const Candidate& candidate, const Json* json,
                  const std::string& place, Faults& faults) {
-  if (!alternative.planetary && candidate.point[1] == candidate.point[2]) return;
-  const Rational ratio = ratio_of(alternative, candidate.point);
+  const Rational ratio = ratio_of(alternative, teeth_at(candidate.point));
   const Json none;
   const Json& written = json != nullptr ? *json : none;
   if (decimal(member(written, "numerator")) != Rational(ratio.get_num())) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/proof/efficiency.hpp"
 
+#include <utility>
+
 #include "gearbox/proof/contact_ratio.hpp"
 
 namespace torquewright::gearbox::proof {
@@ -32,31 +34,38 @@ struct Meshes {
   Interval sun, fixed, output;  ///< Efficiencies with the carrier at rest.
 };
 
-/// 1/z1 + 1/z2, or 1/P - 1/R: grows with S and falls with the mesh's own planet (in layer 2 grows
-/// with P1), so the ends stand at corners.
-Interval curvature(const Box& box, int mesh) {
-  const auto at = [mesh](const Point& corner) {
-    if (mesh == 0) return Interval(1) / number(corner[0]) + Interval(1) / number(corner[1]);
-    return Interval(1) / number(planet(corner, mesh)) - Interval(1) / number(ring(corner, mesh));
+/// 1/z1 + 1/z2, or 1/P - 1/R. The latter grows with S (and with P1 in layer 2) and falls with the
+/// mesh's own planet, so that the ends stand at corners.
+Interval curvature(const TeethRange& range, int mesh) {
+  if (mesh == 0) {
+    const auto at = [](const Teeth& teeth) {
+      return 1 / number(teeth.sun) + 1 / number(teeth.planet_1);
+    };
+    return hull(at(range.least), at(range.most));
+  }
+  const auto at = [mesh](const Teeth& teeth) {
+    return 1 / number(planet(teeth, mesh)) - 1 / number(ring(teeth, mesh));
   };
-  if (mesh == 0) return hull(at(box.lower), at(box.upper));
-  Point least = box.lower;
-  Point greatest = box.upper;
-  const auto own = static_cast<std::size_t>(mesh);
-  least[own] = box.upper[own];
-  greatest[own] = box.lower[own];
+  Teeth least = range.least;
+  Teeth greatest = range.most;
+  if (mesh == 1) {
+    std::swap(least.planet_1, greatest.planet_1);
+  } else {
+    std::swap(least.planet_2, greatest.planet_2);
+  }
   return hull(at(least), at(greatest));
 }
 
-Interval mesh_efficiency(const Alternative& alternative, const Box& box, int mesh) {
-  const ContactPath path = contact_path(box, mesh);
+Interval mesh_efficiency(const Alternative& alternative, const TeethRange& range, int mesh) {
+  const ContactPath path = contact_path(range, mesh);
   const Rational friction = alternative.problem->friction_coefficient.value_or(Rational(0));
-  return 1 - friction * pi() * curvature(box, mesh) * loss_integral(path.first, path.mate);
+  return 1 - friction * pi() * curvature(range, mesh) * loss_integral(path.first, path.mate);
 }
 
 Meshes mesh_efficiencies(const Alternative& alternative, const Box& box) {
-  return {mesh_efficiency(alternative, box, 0), mesh_efficiency(alternative, box, 1),
-          alternative.planetary ? Interval(1) : mesh_efficiency(alternative, box, 2)};
+  const TeethRange range = teeth_in(box);
+  return {mesh_efficiency(alternative, range, 0), mesh_efficiency(alternative, range, 1),
+          alternative.planetary ? Interval(1) : mesh_efficiency(alternative, range, 2)};
 }
 
 /// 1/(1 + I1) = S / (2 (S + P1)): the carrier's speed per input, grows with S, falls with P1.
@@ -67,19 +76,16 @@ Interval carrier_share(const Box& box) {
   return hull(at(box.lower[0], box.upper[1]), at(box.upper[0], box.lower[1]));
 }
 
-/// 1/(1 - I2) = i/(1 + I1): carrier's speed per output's.
+/// 1/(1 - I2) = i/(1 + I1): carrier's speed per output's. Directly P1/d (1 + P2/(S + P1)), whose
+/// factors grow with P1 and fall with S and d.
 Interval carrier_per_output(const Box& box, const Interval& ratio) {
+  const TeethRange range = teeth_in(box);
   const Interval from_ratio = ratio * carrier_share(box);
-  const std::int64_t least_difference = box.lower[1] - box.upper[2];
-  if (least_difference <= 0) return from_ratio;
-  // P1 O / ((P1 - P2)(S + P1)) = (1 + P2/(S + P1)) / (1 - P2/P1): falls with S and P1.
-  const auto at = [](std::int64_t sun, std::int64_t first, std::int64_t second) {
-    return number(first) * number(sun + first + second) /
-           (number(first - second) * number(sun + first));
-  };
-  const Interval direct = hull(at(box.upper[0], box.upper[1], box.lower[2]),
-                               at(box.lower[0], box.lower[1], box.upper[2]));
-  return intersection(from_ratio, direct);
+  const Interval least = max(number(box.lower[1]) / number(box.upper[2]), 1) *
+                         (1 + number(range.least.planet_2) / number(box.upper[0] + box.upper[1]));
+  const Interval most = number(box.upper[1]) / number(box.lower[2]) *
+                        (1 + number(range.most.planet_2) / number(box.lower[0] + box.upper[1]));
+  return intersection(from_ratio, hull(least, most));
 }
 
 }  // namespace

@@ -37,20 +37,11 @@ Linearization mass_form(const Alternative& alternative, const Interval& threshol
   Linearization result = affine(point, threshold - sun.constant, {-sun.slope, 0, 0});
   const Interval count(static_cast<long>(alternative.planet_count));
   for (int layer = 1; layer <= layers(alternative); ++layer) {
-    const auto own = static_cast<std::size_t>(layer);
     const auto mass = [&](std::int64_t z) { return ring_body(alternative, z, layer).mass_kg; };
-    const Line ring_line = line_through(mass, 0);
-    // The ring's teeth: S + P1 + P of its own layer.
-    std::array<Interval, 3> slope{ring_line.slope, ring_line.slope, 0};
-    slope[own] += ring_line.slope;
-    for (Interval& each : slope) each = -each;
-    result += affine(point, -ring_line.constant, slope);
-
-    const Interval disc = count * planet_disc(alternative, 1, layer).mass_kg;
-    const Interval teeth(point[own]);
-    Linearization planets{-disc * square(teeth), {0, 0, 0}};
-    planets.gradient[own] = -2 * disc * teeth;
-    result += planets;
+    const Line rings = line_through(mass, 0);
+    result += ring_form(-rings.slope, -rings.constant, layer, point);
+    const Interval discs = count * planet_disc(alternative, 1, layer).mass_kg;
+    result += negative_square(point, discs, 0, {0, 1, layer == 1 ? 0 : -1});
   }
   return result;
 }

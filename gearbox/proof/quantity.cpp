@@ -31,84 +31,88 @@ Rational hollow_shaft_mm(const Alternative& alternative, std::int64_t sun) {
          2 * alternative.problem->hollow_shaft_wall_mm;
 }
 
-Rational ring_pitch_mm(const Alternative& alternative, const Point& point) {
-  return alternative.module_mm * whole(ring(point, 1));
+Rational ring_pitch_mm(const Alternative& alternative, const Teeth& teeth) {
+  return alternative.module_mm * whole(ring(teeth, 1));
 }
 
-Rational ring_blank_mm(const Alternative& alternative, const Point& point) {
-  return alternative.module_mm * (whole(ring(point, 1)) + Rational(5, 2)) +
+Rational ring_blank_mm(const Alternative& alternative, const Teeth& teeth) {
+  return alternative.module_mm * (whole(ring(teeth, 1)) + Rational(5, 2)) +
          2 * alternative.ring_wall_mm;
 }
 
+std::int64_t teeth_of(const Quantity& quantity, const Teeth& teeth) {
+  return quantity.gear == 0 ? teeth.sun : planet(teeth, quantity.gear);
+}
+
 std::optional<Rational> exact_value(const Quantity& quantity, const Alternative& alternative,
-                                    const Point& point) {
+                                    const Teeth& teeth) {
   switch (quantity.measure) {
     case Measure::kPaperCost:
-      return paper_cost<Rational>(whole(point[0]), whole(ring(point, 1)) - bore_teeth(alternative),
-                                  whole(point[1]), whole(point[2]), whole(ring(point, 2)));
+      return paper_cost<Rational>(whole(teeth.sun), whole(ring(teeth, 1)) - bore_teeth(alternative),
+                                  whole(teeth.planet_1), whole(teeth.planet_2),
+                                  whole(ring(teeth, 2)));
     case Measure::kHollowShaft:
-      return hollow_shaft_mm(alternative, point[0]);
+      return hollow_shaft_mm(alternative, teeth.sun);
     case Measure::kTeeth:
-      return whole(point[static_cast<std::size_t>(quantity.gear)]);
+      return whole(teeth_of(quantity, teeth));
     case Measure::kRingPitchDiameter:
-      return ring_pitch_mm(alternative, point);
+      return ring_pitch_mm(alternative, teeth);
     case Measure::kRatioError:
-      return abs(Rational(ratio_of(alternative, point) / alternative.problem->target_ratio - 1));
+      return abs(Rational(ratio_of(alternative, teeth) / alternative.problem->target_ratio - 1));
     case Measure::kRingBlankDiameter:
-      return ring_blank_mm(alternative, point);
+      return ring_blank_mm(alternative, teeth);
     default:
       return std::nullopt;
   }
 }
 
-Interval paper_cost_on(const Alternative& alternative, const Box& box) {
-  const auto range = [](std::int64_t least, std::int64_t most) {
-    return Interval(whole(least), whole(most));
-  };
-  const Interval gap =
-      range(ring(box.lower, 1), ring(box.upper, 1)) - Interval(bore_teeth(alternative));
-  const Interval sun = range(box.lower[0], box.upper[0]);
-  return Interval(1) / square(sun) + square(gap) + square(range(box.lower[1], box.upper[1])) +
-         square(range(box.lower[2], box.upper[2])) +
-         square(range(ring(box.lower, 2), ring(box.upper, 2)));
+Interval span(std::int64_t least, std::int64_t most) { return Interval(whole(least), whole(most)); }
+
+Interval paper_cost_on(const Alternative& alternative, const TeethRange& range) {
+  const auto& [least, most] = range;
+  const Interval gap = span(ring(least, 1), ring(most, 1)) - Interval(bore_teeth(alternative));
+  return 1 / square(span(least.sun, most.sun)) + square(gap) +
+         square(span(least.planet_1, most.planet_1)) + square(span(least.planet_2, most.planet_2)) +
+         square(span(ring(least, 2), ring(most, 2)));
 }
 
 /// pi/n - asin(P1/(S + P1)): grows with S, falls with P1.
-Interval carrier_clearance_on(const Alternative& alternative, const Box& box) {
+Interval carrier_clearance_on(const Alternative& alternative, const TeethRange& range) {
   const auto share = [](std::int64_t sun, std::int64_t first) {
     return number(first) / number(sun + first);
   };
+  const auto& [least, most] = range;
   return pi() / number(alternative.planet_count) -
-         asin(hull(share(box.upper[0], box.lower[1]), share(box.lower[0], box.upper[1])));
+         asin(hull(share(most.sun, least.planet_1), share(least.sun, most.planet_1)));
 }
 
 Interval neighbour_clearance_on(const Alternative& alternative, const Box& box) {
-  // Multiplied out so that each variable stands once: sin(pi/n) <= 1, so P1 pulls layer 1 down.
-  const Interval sun = Interval(whole(box.lower[0]), whole(box.upper[0])) * alternative.sine;
-  const Interval first(whole(box.lower[1]), whole(box.upper[1]));
-  Interval least = sun - first * (1 - alternative.sine) - 2;
-  if (!alternative.planetary) {
-    const Interval second(whole(box.lower[2]), whole(box.upper[2]));
-    least = min(least, sun + first * alternative.sine - second - 2);
-  }
+  // Multiplied out so that each variable stands once: sin(pi/n) <= 1, so P1 pulls both layers down.
+  const Interval common = span(box.lower[0], box.upper[0]) * alternative.sine -
+                          span(box.lower[1], box.upper[1]) * (1 - alternative.sine) - 2;
+  const Interval least =
+      alternative.planetary ? common : min(common, common + span(box.lower[2], box.upper[2]));
   return least * Interval(alternative.module_mm);
 }
 
-Interval contact_ratio_on(const Alternative& alternative, const Box& box) {
-  Interval least = min(contact_ratio(box, 0), contact_ratio(box, 1));
-  return alternative.planetary ? least : min(least, contact_ratio(box, 2));
+Interval contact_ratio_on(const Alternative& alternative, const TeethRange& range) {
+  const Interval least = min(contact_ratio(range, 0), contact_ratio(range, 1));
+  return alternative.planetary ? least : min(least, contact_ratio(range, 2));
 }
 
-/// i falls with S and grows with P2; the two factors of 2/(1 - P2/P1) (1 + (P1 + P2)/S) bound it.
+/// i = 2 (P1/d) (1 + (P1 + P2)/S): both factors fall with S and d and grow with P1; P1 > d.
 Interval ratio_on(const Alternative& alternative, const Box& box) {
+  const TeethRange range = teeth_in(box);
+  const auto& [least, most] = range;
   if (alternative.planetary) {
-    return hull(Interval(ratio_of(alternative, {box.upper[0], box.lower[1], 0})),
-                Interval(ratio_of(alternative, {box.lower[0], box.upper[1], 0})));
+    return 2 * (1 + hull(number(least.planet_1) / number(most.sun),
+                         number(most.planet_1) / number(least.sun)));
   }
-  const Interval second(whole(box.lower[2]), whole(box.upper[2]));
-  const Interval first(whole(box.lower[1]), whole(box.upper[1]));
-  const Interval sun(whole(box.lower[0]), whole(box.upper[0]));
-  return 2 / (1 - second / first) * (1 + (first + second) / sun);
+  const Interval low = max(number(least.planet_1) / number(box.upper[2]), 1) *
+                       (1 + number(least.planet_1 + least.planet_2) / number(most.sun));
+  const Interval high = number(most.planet_1) / number(box.lower[2]) *
+                        (1 + number(most.planet_1 + most.planet_2) / number(least.sun));
+  return 2 * hull(low, high);
 }
 
 }  // namespace
@@ -166,24 +170,23 @@ std::string_view objective_name(Objective objective) {
 
 Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, const Box& box,
                       const Interval& allowed_ratio) {
-  const bool turns_forward = box.lower[1] > box.upper[2];
-  const Interval ratio =
-      turns_forward ? intersection(allowed_ratio, ratio_on(alternative, box)) : allowed_ratio;
+  const TeethRange range = teeth_in(box);
+  const Interval ratio = intersection(allowed_ratio, ratio_on(alternative, box));
   switch (quantity.measure) {
     case Measure::kPaperCost:
-      return paper_cost_on(alternative, box);
+      return paper_cost_on(alternative, range);
     case Measure::kMass:
-      return total_mass_kg(alternative, box);
+      return total_mass_kg(alternative, range);
     case Measure::kForwardEfficiency:
       return forward_efficiency(alternative, box, ratio);
     case Measure::kBackwardEfficiency:
       return backward_efficiency(alternative, box, ratio);
     case Measure::kReflectedInertia:
-      return reflected_inertia_kg_m2(alternative, box, ratio);
+      return reflected_inertia_kg_m2(alternative, range, ratio);
     case Measure::kCarrierClearance:
-      return carrier_clearance_on(alternative, box);
+      return carrier_clearance_on(alternative, range);
     case Measure::kContactRatio:
-      return contact_ratio_on(alternative, box);
+      return contact_ratio_on(alternative, range);
     case Measure::kNeighbourClearance:
       return neighbour_clearance_on(alternative, box);
     case Measure::kRatioError:
@@ -194,17 +197,16 @@ Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, 
     case Measure::kRingBlankDiameter:
       break;
   }
-  // Grow with every variable they depend on.
-  return Interval(*exact_value(quantity, alternative, box.lower),
-                  *exact_value(quantity, alternative, box.upper));
+  // Grow with every gear they depend on.
+  return Interval(*exact_value(quantity, alternative, range.least),
+                  *exact_value(quantity, alternative, range.most));
 }
 
 Value value_at(const Quantity& quantity, const Alternative& alternative, const Point& point) {
-  if (const auto exact = exact_value(quantity, alternative, point)) {
+  if (const auto exact = exact_value(quantity, alternative, teeth_at(point))) {
     return {Interval(*exact), *exact};
   }
-  const bool has_ratio = alternative.planetary || point[1] != point[2];
-  const Interval ratio = has_ratio ? Interval(ratio_of(alternative, point)) : Interval(0);
+  const Interval ratio(ratio_of(alternative, teeth_at(point)));
   return {enclosure_on(quantity, alternative, Box{point, point}, ratio), std::nullopt};
 }
 

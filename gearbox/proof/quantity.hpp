@@ -42,12 +42,13 @@ struct Value {
   std::optional<Rational> exact;
 };
 
-/// Of a design with positive teeth; kRatioError and efficiencies need P1 > P2.
+/// Of a design: a point with positive teeth.
 Value value_at(const Quantity& quantity, const Alternative& alternative, const Point& point);
 
-/// Of every design of the box with a ratio in `ratio`; kRatioError of every design with P1 > P2.
+/// Of every design of the box, which holds some, with a ratio among those allowed (which matters to
+/// efficiencies and inertia only).
 Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, const Box& box,
-                      const Interval& ratio);
+                      const Interval& allowed_ratio);
 
 /// What counts as equal to a value that is no fraction: a millionth of a millionth of it.
 Interval equality_margin(const Value& value);

@@ -11,29 +11,34 @@ Interval ratio_interval(const Alternative& alternative) {
   return Interval(alternative.least_ratio, alternative.greatest_ratio);
 }
 
-RatioRange allowed_ratios(const Alternative& alternative) {
-  return {alternative.least_ratio, alternative.greatest_ratio};
-}
-
-/// The corner that satisfies the constraint if any point of the box does.
-Point best_corner(const Constraint& constraint, const Box& box) {
-  const auto& [least_sun, least_first, least_second] = box.lower;
-  const auto& [most_sun, most_first, most_second] = box.upper;
+/// Teeth at the corner that satisfies the constraint if any point of the box does.
+Teeth best_corner(const Constraint& constraint, const Box& box) {
+  const bool is_second = constraint.place == 2;
+  Point corner = box.upper;
   switch (constraint.family) {
     case Family::kRotorBore:
+      corner = box.lower;
+      break;
     case Family::kRingWall:
-      return box.lower;
+      corner = {box.lower[0], box.lower[1], box.upper[2]};
+      break;
     case Family::kCarrierClearance:
-      return {most_sun, least_first, least_second};
     case Family::kNeighbourClearance:
-      if (constraint.place == 1) return {most_sun, least_first, least_second};
-      return {most_sun, most_first, least_second};
-    case Family::kToothDifference:
-    case Family::kSunUnderLayer2:
-      return {most_sun, most_first, least_second};
+      // (S + P1) sin(pi/n) - P1 + d - 2 falls with P1 in layer 2 as well.
+      corner[1] = box.lower[1];
+      break;
+    case Family::kPositiveTeeth:
+      corner[2] = box.lower[2];
+      break;
+    case Family::kMinTeeth:
+    case Family::kUndercut:
+    case Family::kRingTip:
+      if (is_second) corner[2] = box.lower[2];
+      break;
     default:
-      return box.upper;
+      break;
   }
+  return teeth_at(corner);
 }
 
 bool needs_ratio(Measure measure) {
@@ -42,26 +47,22 @@ bool needs_ratio(Measure measure) {
 }
 
 bool violates_ratio(const Claim& claim, const Alternative& alternative, const Box& box) {
-  if (!claim.holds(Family::kRatio)) return false;
-  const RatioRange range = allowed_ratios(alternative);
-  if (box.is_point()) return !has_ratio_in(range, alternative, box.lower);
-  return all_above(range, alternative, box) || all_below(range, alternative, box);
+  return claim.holds(Family::kRatio) &&
+         (exceeds_everywhere(alternative.greatest_ratio, alternative, box) ||
+          falls_short_everywhere(alternative.least_ratio, alternative, box));
 }
 
-/// |i/G - 1| exceeds the reference's where i lies outside the range which that sets. Exact; designs
-/// with P1 <= P2 are none, because tooth_difference is a hypothesis.
+/// |i/G - 1| exceeds the reference's where i lies outside the range which that sets.
 bool has_greater_ratio_error(const Claim& claim, const Alternative& alternative, const Box& box) {
-  if (!alternative.planetary && !claim.holds(Family::kToothDifference)) return false;
   const Rational& target = alternative.problem->target_ratio;
   const Rational reach = abs(target) * *claim.threshold->exact;
-  const Rational least = target - reach;
-  const Rational greatest = target + reach;
-  if (greatest > 0 && exceeds_everywhere(greatest, alternative, box)) return true;
-  return least > 0 && falls_short_everywhere(least, alternative, box);
+  return exceeds_everywhere(target + reach, alternative, box) ||
+         falls_short_everywhere(target - reach, alternative, box);
 }
 
 bool is_worse_everywhere(const Claim& claim, const Alternative& alternative, const Box& box) {
   const Quantity& quantity = *claim.quantity;
+  if (!alternative.planetary && teeth_in(box).is_empty()) return true;  // holds no design
   if (quantity.measure == Measure::kRatioError) {
     return has_greater_ratio_error(claim, alternative, box);
   }
@@ -83,20 +84,14 @@ bool fails_everywhere(const Claim& claim, const Alternative& alternative,
     case Condition::Kind::kQuantity:
       return is_worse_everywhere(claim, alternative, box);
     case Condition::Kind::kRatioMax:
-      return all_above(allowed_ratios(alternative), alternative, box);
+      return exceeds_everywhere(alternative.greatest_ratio, alternative, box);
     case Condition::Kind::kRatioMin:
-      return all_below(allowed_ratios(alternative), alternative, box);
+      return falls_short_everywhere(alternative.least_ratio, alternative, box);
     case Condition::Kind::kConstraint:
       return !satisfies(*condition.constraint, alternative,
                         best_corner(*condition.constraint, box));
   }
   return false;
-}
-
-/// Everything but enclosures is exact on boxes; bisecting would find no more.
-bool gains_by_bisection(const Condition& condition, const Alternative& alternative) {
-  if (condition.kind == Condition::Kind::kQuantity) return true;
-  return condition.kind != Condition::Kind::kConstraint && alternative.least_ratio <= 0;
 }
 
 /// An enclosure of an efficiency costs as much as this many points.
@@ -118,8 +113,9 @@ bool settled_in_pieces(const Box& box, int most_pieces, Budget& budget, Settled 
 }
 
 bool violates_a_hypothesis(const Claim& claim, const Alternative& alternative, const Point& point) {
-  return std::any_of(claim.hypotheses.begin(), claim.hypotheses.end(),
-                     [&](const Constraint& each) { return !satisfies(each, alternative, point); });
+  return std::any_of(claim.hypotheses.begin(), claim.hypotheses.end(), [&](const Constraint& each) {
+    return !satisfies(each, alternative, teeth_at(point));
+  });
 }
 
 bool is_refuted_by_a_hypothesis(const Claim& claim, const Alternative& alternative,
@@ -136,7 +132,9 @@ bool is_refuted_by_a_hypothesis(const Claim& claim, const Alternative& alternati
 
 bool refutes(const Claim& claim, const Alternative& alternative, const Condition& condition,
              const Box& box, Budget& budget) {
-  const int most_pieces = gains_by_bisection(condition, alternative) ? kMostPieces : 1;
+  // Constraints and ratios are judged exactly on boxes; bisecting would find no more.
+  const bool gains_by_bisection = condition.kind == Condition::Kind::kQuantity;
+  const int most_pieces = gains_by_bisection ? kMostPieces : 1;
   return settled_in_pieces(box, most_pieces, budget, [&](const Box& piece) {
     return fails_everywhere(claim, alternative, condition, piece);
   });

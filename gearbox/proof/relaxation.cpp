@@ -9,18 +9,27 @@ namespace {
 std::optional<Linearization> linearize_constraint(const Constraint& constraint,
                                                   const Alternative& alternative,
                                                   const RealPoint& point) {
-  const auto place = static_cast<std::size_t>(constraint.place);
   switch (constraint.family) {
     case Family::kRotorBore:
       return affine(point, alternative.largest_ring, {-1, -2, 0});
     case Family::kToothDifference:
-      return affine(point, -Interval(static_cast<long>(alternative.planet_count)), {0, 1, -1});
+      return affine(point, -Interval(static_cast<long>(alternative.planet_count)), {0, 0, 1});
+    case Family::kPositiveTeeth:
+      return teeth_form(1, -1, 2, point);
     case Family::kMinTeeth:
-      return min_teeth_form(alternative, place, point);
+      return min_teeth_form(alternative, constraint.place, point);
     case Family::kCarrierClearance:
       return carrier_clearance_form(alternative, point);
     case Family::kNeighbourClearance:
-      return neighbour_clearance_form(alternative, place, point);
+      return neighbour_clearance_form(alternative, constraint.place, point);
+    case Family::kUndercut:
+      return undercut_form(constraint.place, point);
+    case Family::kSunUnderLayer2:
+      return sun_under_layer_2_form(alternative, point);
+    case Family::kRingWall:
+      return ring_wall_form(alternative, constraint.place, point);
+    case Family::kRingTip:
+      return ring_tip_form(alternative, constraint.place, point);
     default:
       return std::nullopt;
   }
@@ -39,11 +48,8 @@ std::optional<Linearization> linearize_quantity(const Claim& claim, const Altern
                     -value - module * Interval(Rational(5, 2)) -
                         2 * Interval(alternative.problem->hollow_shaft_wall_mm),
                     {module, 0, 0});
-    case Measure::kTeeth: {
-      std::array<Interval, 3> slope{0, 0, 0};
-      slope[static_cast<std::size_t>(claim.quantity->gear)] = 1;
-      return affine(point, -value, slope);
-    }
+    case Measure::kTeeth:
+      return teeth_form(1, -value, claim.quantity->gear, point);
     case Measure::kRingPitchDiameter:
       return affine(point, value, {-module, -2 * module, 0});
     case Measure::kMass:

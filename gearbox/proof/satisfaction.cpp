@@ -17,33 +17,37 @@ Rational fraction(std::int64_t numerator, std::int64_t denominator) {
   return value;
 }
 
-bool has_min_teeth(const Alternative& alternative, const Point& point, int gear) {
-  const auto index = static_cast<std::size_t>(gear);
+std::int64_t teeth_of(const Teeth& teeth, int gear) {
+  return gear == 0 ? teeth.sun : planet(teeth, gear);
+}
+
+bool has_min_teeth(const Alternative& alternative, const Teeth& teeth, int gear) {
   const auto& minima = alternative.problem->min_teeth;
-  const auto minimum = minima.find(variable_names(*alternative.problem)[index]);
-  return minimum == minima.end() || point[index] >= minimum->second;
+  const auto minimum =
+      minima.find(free_gear_names(*alternative.problem)[static_cast<std::size_t>(gear)]);
+  return minimum == minima.end() || teeth_of(teeth, gear) >= minimum->second;
 }
 
 /// Equation (6).
-bool has_carrier_clearance(const Alternative& alternative, const Point& point) {
+bool has_carrier_clearance(const Alternative& alternative, const Teeth& teeth) {
   const Interval clearance = pi() / number(alternative.planet_count) -
-                             asin(Interval(fraction(point[1], point[0] + point[1])));
+                             asin(Interval(fraction(teeth.planet_1, teeth.sun + teeth.planet_1)));
   return sign(clearance - alternative.problem->min_carrier_clearance_rad) >= 0;
 }
 
 /// The star condition: n g divides O P1 - F P2.
-bool has_identical_planets(const Alternative& alternative, const Point& point) {
+bool has_identical_planets(const Alternative& alternative, const Teeth& teeth) {
   const mpz_class offset =
-      mpz_class(static_cast<long>(ring(point, 2))) * static_cast<long>(point[1]) -
-      mpz_class(static_cast<long>(ring(point, 1))) * static_cast<long>(point[2]);
-  const std::int64_t divisor = std::gcd(point[1], point[2]) * alternative.planet_count;
+      mpz_class(static_cast<long>(ring(teeth, 2))) * static_cast<long>(teeth.planet_1) -
+      mpz_class(static_cast<long>(ring(teeth, 1))) * static_cast<long>(teeth.planet_2);
+  const std::int64_t divisor = std::gcd(teeth.planet_1, teeth.planet_2) * alternative.planet_count;
   return offset % static_cast<long>(divisor) == 0;
 }
 
-bool has_neighbour_clearance(const Alternative& alternative, const Point& point, int layer) {
+bool has_neighbour_clearance(const Alternative& alternative, const Teeth& teeth, int layer) {
   const Interval clearance =
       Interval(alternative.module_mm) *
-      (number(point[0] + point[1]) * alternative.sine - number(planet(point, layer) + 2));
+      (number(teeth.sun + teeth.planet_1) * alternative.sine - number(planet(teeth, layer) + 2));
   return sign(clearance - alternative.problem->min_neighbour_clearance_mm) > 0;
 }
 
@@ -65,41 +69,43 @@ bool has_ring_tip_outside_base(std::int64_t teeth) {
 
 }  // namespace
 
-bool satisfies(const Constraint& constraint, const Alternative& alternative, const Point& point) {
+bool satisfies(const Constraint& constraint, const Alternative& alternative, const Teeth& teeth) {
   const int place = constraint.place;
   switch (constraint.family) {
+    case Family::kPositiveTeeth:
+      return teeth.planet_2 >= 1;
     case Family::kRatio:
       return has_ratio_in({alternative.least_ratio, alternative.greatest_ratio}, alternative,
-                          point);
+                          teeth);
     case Family::kMinTeeth:
-      return has_min_teeth(alternative, point, place);
+      return has_min_teeth(alternative, teeth, place);
     case Family::kCarrierClearance:
-      return has_carrier_clearance(alternative, point);
+      return has_carrier_clearance(alternative, teeth);
     case Family::kRotorBore:
-      return Rational(static_cast<long>(ring(point, 1))) <= alternative.largest_ring;
+      return Rational(static_cast<long>(ring(teeth, 1))) <= alternative.largest_ring;
     case Family::kToothDifference:
-      return point[1] - point[2] >= alternative.planet_count;
+      return teeth.planet_1 - teeth.planet_2 >= alternative.planet_count;
     case Family::kEqualSpacing:
-      return 2 * (point[0] + point[1]) % alternative.planet_count == 0;
+      return 2 * (teeth.sun + teeth.planet_1) % alternative.planet_count == 0;
     case Family::kIdenticalPlanets:
-      return has_identical_planets(alternative, point);
+      return has_identical_planets(alternative, teeth);
     case Family::kNeighbourClearance:
-      return has_neighbour_clearance(alternative, point, place);
+      return has_neighbour_clearance(alternative, teeth, place);
     case Family::kUndercut:
-      return is_not_undercut(point[static_cast<std::size_t>(place)]);
+      return is_not_undercut(teeth_of(teeth, place));
     case Family::kSunUnderLayer2:
-      return point[1] - point[2] > 4;
+      return teeth.planet_1 - teeth.planet_2 > 4;
     case Family::kRingWall:
-      return has_ring_wall(alternative, ring(point, place));
+      return has_ring_wall(alternative, ring(teeth, place));
     case Family::kRingTip:
-      return has_ring_tip_outside_base(ring(point, place));
+      return has_ring_tip_outside_base(ring(teeth, place));
     case Family::kInvoluteInterference:
-      return is_free_of_involute_interference(planet(point, place), ring(point, place));
+      return is_free_of_involute_interference(planet(teeth, place), ring(teeth, place));
     case Family::kTrochoidInterference:
-      return is_free_of_trochoid_interference(planet(point, place), ring(point, place));
+      return is_free_of_trochoid_interference(planet(teeth, place), ring(teeth, place));
     case Family::kContactRatio:
-      return sign(contact_ratio(Box{point, point}, place) -
-                  alternative.problem->min_contact_ratio) >= 0;
+      return sign(contact_ratio({teeth, teeth}, place) - alternative.problem->min_contact_ratio) >=
+             0;
   }
   return false;
 }

@@ -21,7 +21,7 @@ void check_tree(const Claim& claim, const Alternative& alternative, const Json& 
   }
   // Boxes that still need a node, the next one last. A preorder needs no recursion.
   std::vector<Box> pending;
-  const Box root = root_box(claim, alternative);
+  const Box root = root_box(alternative);
   if (!root.is_empty()) pending.push_back(root);
   for (std::size_t index = 0; index < nodes.size(); ++index) {
     const std::string node_place = fmt::format("{}/{}", place, index);
