@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "gearbox/problem.hpp"
+#include "gearbox/proof/verdict.hpp"
+
+namespace torquewright::gearbox::proof {
+
+/// Whether a `gearbox_result` proves what it says about the problem (docs/certificate.md): status,
+/// designs, objective, bound, gap, conflict, would_be_feasible_with and certificate. Shares no code
+/// with the search. Any JSON is taken; whatever is wrong with it becomes a fault, never an
+/// exception. Sentences and descriptive numbers of the designs are not judged here.
+[[nodiscard]] Verdict check_certificate(const Problem& problem, const nlohmann::json& result);
+
+}  // namespace torquewright::gearbox::proof

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/proof/claim.hpp"
+
+#include <algorithm>
+
+namespace torquewright::gearbox::proof {
+namespace {
+
+bool can_be_judged_on_boxes(Family family) {
+  switch (family) {
+    case Family::kRatio:  // under two names of its own
+    case Family::kEqualSpacing:
+    case Family::kIdenticalPlanets:
+    case Family::kInvoluteInterference:
+    case Family::kTrochoidInterference:
+    case Family::kContactRatio:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+bool Claim::holds(Family family) const {
+  return std::any_of(hypotheses.begin(), hypotheses.end(),
+                     [&](const Constraint& each) { return each.family == family; });
+}
+
+Alternative alternative_of(const Problem& problem, const Claim& claim, std::int64_t planet_count,
+                           const Rational& module_mm) {
+  Alternative alternative(problem, planet_count, module_mm);
+  if (claim.ring_limit) alternative.largest_ring = *claim.ring_limit;
+  if (claim.kind == ClaimKind::kLeastRelaxation && !claim.holds(Family::kRotorBore)) {
+    const Candidate& reference = *claim.reference;
+    alternative.largest_ring =
+        reference.module_mm * static_cast<long>(ring(teeth_at(reference.point), 1)) / module_mm;
+  }
+  return alternative;
+}
+
+std::int64_t largest_ring_teeth(const Alternative& alternative) {
+  const Rational& limit = alternative.largest_ring;
+  if (limit <= 0) return 0;
+  const mpz_class teeth = limit.get_num() / limit.get_den();
+  return teeth > static_cast<long>(kMostTeeth) ? kMostTeeth + 1 : teeth.get_si();
+}
+
+Box root_box(const Alternative& alternative) {
+  const std::int64_t most = largest_ring_teeth(alternative);
+  Box box{{1, 1, 1}, {most, most / 2, most / 2}};
+  if (alternative.planetary) box.lower[2] = box.upper[2] = 0;
+  return box;
+}
+
+std::optional<Condition> find_condition(const Claim& claim, std::string_view name) {
+  if (name == "quantity") {
+    if (!claim.threshold) return std::nullopt;
+    return Condition{Condition::Kind::kQuantity, std::nullopt};
+  }
+  if (name == "ratio_max" || name == "ratio_min") {
+    const Constraint* ratio = find_constraint(claim.hypotheses, "ratio");
+    if (ratio == nullptr) return std::nullopt;
+    return Condition{name == "ratio_max" ? Condition::Kind::kRatioMax : Condition::Kind::kRatioMin,
+                     *ratio};
+  }
+  const Constraint* constraint = find_constraint(claim.hypotheses, name);
+  if (constraint == nullptr || !can_be_judged_on_boxes(constraint->family)) return std::nullopt;
+  return Condition{Condition::Kind::kConstraint, *constraint};
+}
+
+}  // namespace torquewright::gearbox::proof

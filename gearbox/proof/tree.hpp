@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "gearbox/proof/json_reading.hpp"
+#include "gearbox/proof/refutation.hpp"
+#include "gearbox/proof/verdict.hpp"
+
+namespace torquewright::gearbox::proof {
+
+/// What the parts of the checker write into.
+struct Account {
+  Faults faults;
+  Counts counts;
+  Budget budget;
+};
+
+/// Checks that `nodes`, the proof tree in preorder, shows the claim for every point of the root
+/// box. Stops at the first fault: what follows it has no meaning.
+void check_tree(const Claim& claim, const Alternative& alternative, const Json& nodes,
+                const std::string& place, Account& account);
+
+}  // namespace torquewright::gearbox::proof
