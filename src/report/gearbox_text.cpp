@@ -14,7 +14,7 @@ std::string fraction(const Rational& value) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-  return unit.empty() ? fmt::format("{:.8g}", value) : fmt::format("{:.8g} {}", value, unit);
+  return unit.empty() || unit == "1" ? fmt::format("{:.8g}", value) : fmt::format("{:.8g} {}", value, unit);
 }
 
 std::string assumed_text(const Problem& problem) {
