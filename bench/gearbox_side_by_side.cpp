@@ -44,6 +44,7 @@ Problem wide_problem(std::int64_t bore, const Rational& tolerance) {
 
 std::vector<Problem> problems(std::int64_t largest_bore) {
   std::vector<Problem> list{oracles::d151_problem()};
+  for (const oracles::HardProblem& hard : oracles::hard_problems()) list.push_back(hard.problem);
   for (const std::int64_t bore : {0, 300, 1000, 3000}) {  // 0: the D151's own 79.4 mm / 0.6 mm.
     if (bore > largest_bore) continue;
     list.push_back(wide_problem(bore, 0));
