@@ -44,6 +44,7 @@ Problem wide_problem(std::int64_t bore, const Rational& tolerance) {
 
 std::vector<Problem> problems(std::int64_t largest_bore) {
   std::vector<Problem> list{oracles::d151_problem()};
+  for (const oracles::HardProblem& hard : oracles::hard_problems()) list.push_back(hard.problem);
   for (const std::int64_t bore : {0, 300, 1000, 3000}) {  // 0: the D151's own 79.4 mm / 0.6 mm.
     if (bore > largest_bore) continue;
     list.push_back(wide_problem(bore, 0));
@@ -96,9 +97,10 @@ std::string times(double seconds, double ours_s) {
 }
 
 void print_row(const std::string& problem, const std::string& solver, const std::string& seconds,
-               const std::string& ratio, const std::string& answer, const std::string& judgement) {
-  fmt::print("| {} | {} | {} | {} | {} | {} |\n", problem, solver, seconds, ratio, answer,
-             judgement);
+               const std::string& cpu_seconds, const std::string& ratio, const std::string& answer,
+               const std::string& judgement) {
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", problem, solver, seconds, cpu_seconds, ratio,
+             answer, judgement);
   std::fflush(stdout);
 }
 
@@ -106,13 +108,15 @@ void print_answer(const Problem& problem, const Solver& solver,
                   const std::optional<TimedAnswer>& run, const oracles::Enumeration& truth,
                   double ours_s) {
   if (!run) {
-    print_row(problem.name, solver.name, "-", "-", "-", "not run");
+    print_row(problem.name, solver.name, "-", "-", "-", "-", "not run");
   } else if (run->timed_out) {
     print_row(problem.name, solver.name, fmt::format("> {:.3g}", run->seconds),
+              fmt::format("> {:.3g}", run->cpu_seconds),
               ours_s > 0 ? "> " + times(run->seconds, ours_s) : "-", "-", "time-out");
   } else {
     print_row(problem.name, solver.name, fmt::format("{:.3g}", run->seconds),
-              times(run->seconds, ours_s), teeth(run->answer), verdict(run->answer, truth));
+              fmt::format("{:.3g}", run->cpu_seconds), times(run->seconds, ours_s),
+              teeth(run->answer), verdict(run->answer, truth));
   }
 }
 
@@ -129,7 +133,7 @@ void compare(const Problem& problem, const Options& options) {
     }
     print_answer(problem, solver, run, truth, ours_s);
   }
-  print_row(problem.name, "enumeration (in process)", fmt::format("{:.3g}", enumeration_s),
+  print_row(problem.name, "enumeration (in process)", fmt::format("{:.3g}", enumeration_s), "",
             times(enumeration_s, ours_s), fmt::format("{} feasible", truth.feasible.size()),
             "reference");
 }
@@ -147,7 +151,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 99));
   app.add_option("--largest-bore", options.largest_bore, "Leave out problems with a larger D/M");
   CLI11_PARSE(app, argc, argv);
-  print_row("problem", "solver", "seconds", "times ours", "answer", "verdict");
-  print_row("---", "---", "---", "---", "---", "---");
+  print_row("problem", "solver", "seconds", "CPU seconds", "times ours", "answer", "verdict");
+  print_row("---", "---", "---", "---", "---", "---", "---");
   for (const auto& problem : problems(options.largest_bore)) compare(problem, options);
 }

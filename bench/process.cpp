@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,6 +22,10 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 // The child writes to `writer`; its group has its own number as leader's.
@@ -71,9 +76,11 @@ ProcessOutcome run_process(const std::vector<std::string>& arguments, double tim
     outcome.timed_out = !read_until(ends[0], begin, timeout_s, outcome.output);
     if (outcome.timed_out) kill(-child, SIGKILL);
     int status = 0;
-    waitpid(child, &status, 0);
+    rusage usage{};
+    wait4(child, &status, 0, &usage);
     if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
     outcome.seconds = seconds_since(begin);
+    outcome.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   }
   close(ends[0]);
   return outcome;

@@ -9,9 +9,10 @@ namespace torquewright::bench {
 struct ProcessOutcome {
   bool started = false;
   bool timed_out = false;
-  int exit_code = -1;  ///< -1 if it did not end by itself.
-  double seconds = 0;  ///< Wall clock from start to end.
-  std::string output;  ///< Of stdout; stderr is dropped.
+  int exit_code = -1;      ///< -1 if it did not end by itself.
+  double seconds = 0;      ///< Wall clock from start to end.
+  double cpu_seconds = 0;  ///< Of the program and of what it waited for.
+  std::string output;      ///< Of stdout; stderr is dropped.
 };
 
 /// Runs a program found in PATH with exactly these arguments, no shell in between, in a process

@@ -53,7 +53,8 @@ std::optional<TimedAnswer> run_ours(const gearbox::Problem& problem,
       {program.string(), "gearbox", "optimize", file.path(), "--json", "--timing"}, timeout_s);
   // posix_spawn reports a program that does not exist; 127 is what older systems exit with.
   if (!outcome.started || outcome.exit_code == 127) return std::nullopt;
-  return TimedAnswer{outcome.seconds, outcome.timed_out, answer_in(outcome.output)};
+  return TimedAnswer{outcome.seconds, outcome.cpu_seconds, outcome.timed_out,
+                     answer_in(outcome.output)};
 }
 
 }  // namespace torquewright::bench

@@ -12,6 +12,7 @@ namespace torquewright::bench {
 /// What one solver made of a problem. Seconds are those of the whole process, start included.
 struct TimedAnswer {
   double seconds = 0;
+  double cpu_seconds = 0;
   bool timed_out = false;
   Answer answer;
 };

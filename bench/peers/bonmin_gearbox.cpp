@@ -5,6 +5,7 @@
 #include <BonTMINLP.hpp>
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -21,7 +22,8 @@ using Ipopt::Number;
 // Everything dense: there are at most six variables.
 class GearboxProgram : public Bonmin::TMINLP {
  public:
-  explicit GearboxProgram(IntegerProgram program) : program_(std::move(program)) {}
+  GearboxProgram(IntegerProgram program, double start)
+      : program_(std::move(program)), start_(start) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian, Index& hessian,
                     Ipopt::TNLP::IndexStyleEnum& style) override {
@@ -65,7 +67,7 @@ class GearboxProgram : public Bonmin::TMINLP {
   bool get_starting_point(Index n, bool, Number* x, bool, Number*, Number*, Index, bool,
                           Number*) override {
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
-      x[i] = (program_.least[i] + program_.greatest[i]) / 2;
+      x[i] = std::lerp(program_.least[i], program_.greatest[i], start_);
     }
     return true;
   }
@@ -136,6 +138,7 @@ class GearboxProgram : public Bonmin::TMINLP {
   }
 
   IntegerProgram program_;
+  double start_;
 };
 
 std::string status_name(Bonmin::Bab::MipStatuses status) {
@@ -166,7 +169,7 @@ nlohmann::json solve(const ProblemOptions& options) {
   Bonmin::BonminSetup setup;
   setup.initializeOptionsAndJournalist();
   setup.readOptionsString(solver_options(options));
-  setup.initialize(new GearboxProgram(formulate(options.problem(), formulation)));
+  setup.initialize(new GearboxProgram(formulate(options.problem(), formulation), options.start));
   Bonmin::Bab search;
   search(setup);
   nlohmann::json answer{{"status", status_name(search.mipStatus())}, {"nodes", search.numNodes()}};

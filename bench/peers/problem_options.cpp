@@ -30,6 +30,8 @@ void add_problem_options(CLI::App& app, ProblemOptions& options) {
   app.add_option("--alpha-min", options.alpha_min_rad, "rad, equation (6)");
   app.add_flag("--eliminate-rings", options.rings_eliminated,
                "Put F = S + 2 P1 and O = S + P1 + P2 in instead of keeping them as variables");
+  app.add_option("--start", options.start, "Starting point, 0 least values, 1 greatest values")
+      ->check(CLI::Range(0.0, 1.0));
   app.add_option("--resolves", options.resolves, "Starting points tried again at every node");
   app.add_option("--time-limit", options.time_limit_s, "s");
   app.add_flag("!--no-check", options.check, "Do not compare with the enumeration");

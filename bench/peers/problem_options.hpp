@@ -19,7 +19,8 @@ struct ProblemOptions {
   std::int64_t planets = 4;
   std::vector<std::int64_t> minima{12, 12, 12};  ///< Sun, planet 1, planet 2.
   bool rings_eliminated = false;
-  int resolves = 0;  ///< Bonmin's num_resolve_*: other starting points tried.
+  double start = 0.5;  ///< Of the way from the least to the greatest value of each variable.
+  int resolves = 0;    ///< Bonmin's num_resolve_*: other starting points tried.
   double time_limit_s = 60;
   bool check = true;
 

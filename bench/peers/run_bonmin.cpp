@@ -23,7 +23,7 @@ std::optional<TimedAnswer> run_bonmin(const gearbox::Problem& problem,
   const std::string text =
       brace == std::string::npos ? outcome.output : outcome.output.substr(brace + 1);
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  return TimedAnswer{outcome.seconds, outcome.timed_out,
+  return TimedAnswer{outcome.seconds, outcome.cpu_seconds, outcome.timed_out,
                      json.is_object() ? read_answer(json) : Answer{"no result", {}}};
 }
 

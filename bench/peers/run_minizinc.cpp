@@ -65,6 +65,9 @@ std::string minizinc_data(const gearbox::Problem& problem) {
   const io::Rational greatest = problem.target_ratio * (1 + problem.ratio_tolerance);
   require_small(least, bore);
   require_small(greatest, bore);
+  if (exact_bore.get_den() >= problem.min_teeth.at("sun")) {
+    throw std::invalid_argument("1/S^2 is not below the step of the other terms");
+  }
   const auto [a, b] = fraction_below(carrier_sine(problem), bore);
   std::ostringstream out;
   out << "planets = " << problem.planet_count.at(0) << ";\nbore = " << bore << ";\n";
@@ -83,7 +86,8 @@ std::optional<TimedAnswer> run_minizinc(const gearbox::Problem& problem, double 
   const ProcessOutcome outcome =
       run_process({"minizinc", "--solver", "gecode", GEARBOX_MZN, data.path()}, timeout_s);
   if (!outcome.started || outcome.exit_code == 127) return std::nullopt;
-  return TimedAnswer{outcome.seconds, outcome.timed_out, answer_in(outcome.output)};
+  return TimedAnswer{outcome.seconds, outcome.cpu_seconds, outcome.timed_out,
+                     answer_in(outcome.output)};
 }
 
 }  // namespace torquewright::bench

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/oracles/named_problems.hpp"
 
+#include <string>
+
 namespace torquewright::oracles {
 
 using io::Rational;
 
 gearbox::Problem paper_problem(const Minima& minima, const Rational& alpha_min_rad) {
   gearbox::Problem problem;
-  problem.name = "paper";
+  problem.name = "minima " + std::to_string(minima.sun) + "/" + std::to_string(minima.planet_1) +
+                 "/" + std::to_string(minima.planet_2);
   problem.topology = "3k";
   problem.target_ratio = 20;
   problem.ratio_tolerance = 0;

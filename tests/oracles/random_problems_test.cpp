@@ -85,6 +85,17 @@ TEST(Ties, BeginBelowOneInAMillionMillions) {
   EXPECT_GT(result.best.size(), 10u);
 }
 
+// Oracle: equation (1) in fractions: of two modules that differ by 1e-13 the coarser one leaves the
+// ring less short of the bore, by some 1e-11 teeth. Long doubles take that for a tie.
+TEST(Ties, OfThePaperCostAreExact) {
+  Problem problem = paper_problem({12, 12, 12}, 0);
+  problem.rotor_inner_diameter_mm = 100;
+  problem.module_mm = {1, 1 + Rational(1, 10000000000000)};
+  const Enumeration result = enumerate(problem);
+  ASSERT_EQ(result.best.size(), 1u);
+  EXPECT_EQ(result.best[0].module_index, 1u);
+}
+
 TEST(Loops, RefuseToGuess) {
   const Problem problem = d151_problem();
   EXPECT_THROW(enumerate(problem, Loops::kAll, {"rotor_bore"}), std::invalid_argument);
