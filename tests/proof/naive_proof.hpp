@@ -25,8 +25,9 @@ struct PlainClaim {
   std::string quantity;  ///< Empty: none.
   std::optional<PlainDesign> reference;
   std::vector<PlainDesign> listed;
-  std::string key;      ///< Of a least relaxation.
-  long ring_limit = 0;  ///< 0: the rotor's bore sets it.
+  std::string key;                   ///< Of a least relaxation.
+  long ring_limit = 0;               ///< 0: the rotor's bore sets it.
+  std::optional<double> bound = {};  ///< Of open leaves.
 };
 
 /// sun, planet_1, difference; planetary: sun, planet, 0.

@@ -191,6 +191,23 @@ Json naive_optimum(const Problem& problem, std::size_t shown, const ProofStyle& 
   return result;
 }
 
+Json naive_limit(const Problem& problem, double share, const ProofStyle& style) {
+  Json result = naive_optimum(problem, 1, style);
+  const double objective = result["objective"];
+  const double bound = objective * share;
+  result["status"] = "limit";
+  result["bound"] = bound;
+  result["gap"] = std::abs((objective - bound) / objective);
+  for (Json& alternative : result["certificate"]["claims"][0]["alternatives"]) {
+    for (Json& node : alternative["nodes"]) {
+      if (node.value("closed", "") != "enumerated") continue;
+      node["closed"] = "open";
+      return result;
+    }
+  }
+  return result;
+}
+
 Json naive_infeasible(const Problem& problem, const std::vector<std::string>& keys,
                       const ProofStyle& style) {
   Json result{{"kind", "gearbox_result"},

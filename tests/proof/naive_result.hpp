@@ -20,6 +20,9 @@ std::vector<PlainDesign> find_all(const Problem& problem, const std::vector<std:
 
 /// A whole result with its proof. `shown`: K.
 Json naive_optimum(const Problem& problem, std::size_t shown, const ProofStyle& style);
+/// As if the search had stopped: the first enumerated leaf is open, and `bound` a share of the
+/// optimum that holds in it.
+Json naive_limit(const Problem& problem, double share, const ProofStyle& style);
 /// With least relaxations for the given keys.
 Json naive_infeasible(const Problem& problem, const std::vector<std::string>& keys,
                       const ProofStyle& style);
