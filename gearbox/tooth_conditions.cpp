@@ -71,10 +71,6 @@ Condition ring_tip(const std::string& ring, const Rational& module_mm, const Exp
   return {name, name, "", Expression(module_mm) / 2.0 * inside, /*strict=*/true};
 }
 
-Rational ring_wall_mm(const Problem& problem, const Rational& module_mm) {
-  return problem.ring_wall_mm.value_or(module_mm * Rational(9, 4));
-}
-
 std::vector<Condition> ring_wall(const Problem& problem, const std::string& ring,
                                  const Rational& module_mm, const Expression& teeth) {
   if (!problem.ring_outer_diameter_mm) return {};

@@ -12,11 +12,10 @@
 namespace torquewright::gearbox {
 
 std::span<const Topology> topologies() {
-  // One line a topology.
   static const std::array all{
-      Topology{"3k", three_k::gears(), 3, three_k::complete, three_k::model, three_k::free_teeth,
-               three_k::evaluate},
-      Topology{"planetary", planetary::gears(), 2, planetary::complete, planetary::model,
+      Topology{"3k", {"sun", "planet_1", "planet_2", "fixed_ring", "output_ring"}, 3,
+               three_k::complete, three_k::model, three_k::free_teeth, three_k::evaluate},
+      Topology{"planetary", {"sun", "planet", "ring"}, 2, planetary::complete, planetary::model,
                planetary::free_teeth, planetary::evaluate},
   };
   return all;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "io/json_text.hpp"
@@ -47,12 +48,16 @@ class Diagnosis {
   }
 
   void report_type(const json& value, const json& schema, const std::string& path) {
-    const std::string what = misses_by_fraction(value, schema) ? as_written(value) + " is not whole"
-                                                               : "is " + type_name(value);
+    std::string what = "is " + type_name(value);
+    if (misses_whole_number(value, schema)) {
+      const auto number = value.get<double>();
+      const bool is_fraction = std::trunc(number) != number;  // else no integer is that large
+      what = as_written(value) + (is_fraction ? " is not whole" : " is too large");
+    }
     report(path, fmt::format("{}, must be {}", what, expected_type(schema)));
   }
 
-  static bool misses_by_fraction(const json& value, const json& schema) {
+  static bool misses_whole_number(const json& value, const json& schema) {
     return value.is_number_float() && has_expected_type(0, schema) &&
            !has_expected_type(value, schema);
   }
@@ -74,8 +79,9 @@ class Diagnosis {
       for (const json& key : alternative.value("required", json::array())) {
         keys.push_back(as_written(key));
       }
-      const bool is_near = alternative.contains("type") && (has_expected_type(value, alternative) ||
-                                                            misses_by_fraction(value, alternative));
+      const bool is_near =
+          alternative.contains("type") &&
+          (has_expected_type(value, alternative) || misses_whole_number(value, alternative));
       if (is_near && !of_same_type) of_same_type = &alternative;
     }
     if (of_same_type) return visit(value, *of_same_type, path);

@@ -19,6 +19,12 @@ bool has_nonzero_digit(std::string_view numeral) {
 
 }  // namespace
 
+bool JsonBuilder::number_unsigned(std::uint64_t value) {
+  // Readers take whole numbers as std::int64_t; beyond it a number is a double like any larger one.
+  if (std::in_range<std::int64_t>(value)) return add(static_cast<std::int64_t>(value));
+  return add(static_cast<double>(value));
+}
+
 bool JsonBuilder::number_float(double value, const std::string& numeral) {
   if (value == 0 && has_nonzero_digit(numeral)) {
     report(path(), numeral.substr(0, 40) + " is too close to zero to be told from it");

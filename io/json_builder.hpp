@@ -20,7 +20,7 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
   bool number_integer(std::int64_t value) override { return add(value); }
-  bool number_unsigned(std::uint64_t value) override { return add(value); }
+  bool number_unsigned(std::uint64_t value) override;
   bool number_float(double value, const std::string& numeral) override;
   bool string(std::string& value) override { return add(std::move(value)); }
   bool binary(nlohmann::json::binary_t&) override { return false; }

@@ -53,7 +53,10 @@ mpz_class power_of_ten(unsigned long exponent) {
 
 Rational exact(double value) {
   std::array<char, 32> numeral;
-  const auto end = std::to_chars(numeral.data(), numeral.data() + numeral.size(), value).ptr;
+  // Scientific: the plain form writes out all digits of a large whole double, not the fewest.
+  const auto end = std::to_chars(numeral.data(), numeral.data() + numeral.size(), value,
+                                 std::chars_format::scientific)
+                       .ptr;
   // "inf" and "nan" are no numerals, so they are refused there.
   return rational_from_numeral({numeral.data(), static_cast<std::size_t>(end - numeral.data())});
 }

@@ -13,21 +13,6 @@ constexpr int kNumberOverflow = 406;  // nlohmann's id of "number overflow parsi
 
 bool is_continuation_byte(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-/// Of the last character read, both counted from 1, columns in characters.
-std::string line_and_column(std::string_view text, std::size_t position) {
-  if (text.starts_with(kByteOrderMark)) {
-    text.remove_prefix(kByteOrderMark.size());
-    position -= std::min(position, kByteOrderMark.size());
-  }
-  const std::string_view read = text.substr(0, std::max<std::size_t>(position, 1) - 1);
-  const auto lines = std::count(read.begin(), read.end(), '\n');
-  const std::size_t line_start = read.find_last_of('\n') + 1;  // npos + 1 is 0
-  const std::string_view line = read.substr(line_start);
-  const auto continued = std::count_if(line.begin(), line.end(), is_continuation_byte);
-  const auto column = static_cast<std::ptrdiff_t>(line.size()) - continued + 1;
-  return fmt::format("line {}, column {}", lines + 1, column);
-}
-
 /// `NaN` or `Infinity` where the last character read begins it; many writers emit them.
 std::string_view foreign_number(std::string_view text, std::size_t position) {
   if (position == 0 || position > text.size()) return {};
@@ -49,6 +34,20 @@ std::string reason(std::string text) {
 }
 
 }  // namespace
+
+std::string line_and_column(std::string_view text, std::size_t position) {
+  if (text.starts_with(kByteOrderMark)) {
+    text.remove_prefix(kByteOrderMark.size());
+    position -= std::min(position, kByteOrderMark.size());
+  }
+  const std::string_view read = text.substr(0, std::max<std::size_t>(position, 1) - 1);
+  const auto lines = std::count(read.begin(), read.end(), '\n');
+  const std::size_t line_start = read.find_last_of('\n') + 1;  // npos + 1 is 0
+  const std::string_view line = read.substr(line_start);
+  const auto continued = std::count_if(line.begin(), line.end(), is_continuation_byte);
+  const auto column = static_cast<std::ptrdiff_t>(line.size()) - continued + 1;
+  return fmt::format("line {}, column {}", lines + 1, column);
+}
 
 SyntaxFault syntax_fault(std::string_view text, std::size_t position, std::string_view last_token,
                          const nlohmann::json::exception& error) {

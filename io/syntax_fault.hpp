@@ -7,6 +7,9 @@
 
 namespace torquewright::io {
 
+/// "line 2, column 5" of the last of the first `position` bytes; columns count characters.
+std::string line_and_column(std::string_view text, std::size_t position);
+
 /// Why a text is no JSON, as a sentence with line and column.
 struct SyntaxFault {
   bool is_at_value;  ///< The text is well formed up to a number that is none: its path is known.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <queue>
 
 #include "optimization/branching.hpp"
@@ -15,6 +16,9 @@ namespace {
 
 // One Ipopt solve costs as much as some thousands of nodes of propagation.
 constexpr double kRelaxFromPoints = 5000.0;
+// An ancestor's dual point still bounds a smaller box; a new one is worth a solve when the box has
+// shrunk by this much. At 2, solves take most of the time; at 1000, the tree grows again.
+constexpr double kShrinkage = 64.0;
 constexpr std::int64_t kNodesBetweenReports = 512;
 
 struct Node {
@@ -23,6 +27,8 @@ struct Node {
   Box box;
   double bound;
   std::int64_t number;  ///< In the order of making: settles ties, so that runs repeat exactly.
+  std::shared_ptr<const DualPoint> dual = nullptr;  ///< From an ancestor: it holds here as well.
+  double dual_points = HUGE_VAL;                    ///< Points of the box it was made for.
 };
 
 struct WorseBound {
@@ -44,10 +50,10 @@ class Search {
   SearchResult run() {
     while (!open_.empty() && !is_over()) {
       Node node = take();
-      const RelaxationResult relaxation = relax(node);
+      relax(node);
       bound(node);
       if (prune(node)) continue;
-      round(node, relaxation);
+      round(node);
       branch(std::move(node));
     }
     return finish();
@@ -76,40 +82,59 @@ class Search {
   }
 
   // Shrinks the box, then asks Ipopt about what is left of it, where that pays.
-  RelaxationResult relax(Node& node) {
+  void relax(Node& node) {
     ProofNode& proof_node = proof(node);
     const auto refuting =
         propagate(judge(node), incumbents_.ceiling(), node.box, proof_node.cuts);
     if (refuting) {
       proof_node.leaf = Leaf::kEmpty;
       proof_node.condition = *refuting;
+      return;
     }
-    if (refuting || !pays_to_relax(node.box)) return {};
-    const auto conditions = relax_conditions(judge(node), incumbents_.ceiling(), node.box);
-    RelaxationResult relaxation = solve_relaxation(conditions, node.box);
+    const bool is_worth_a_solve = pays_to_relax(node);
+    if (!is_worth_a_solve && node.dual == nullptr) return;
+    const Relaxation relaxation = relax_box(judge(node), node.box);
+    if (node.dual != nullptr && apply_dual(node, relaxation)) return;
+    if (!is_worth_a_solve) return;
+    node.dual = std::make_shared<const DualPoint>(solve(relaxation, incumbents_.ceiling()));
+    node.dual_points = point_count(node.box);
     ++result_.relaxations;
-    if (relaxation.refutation) record(proof_node, conditions, *relaxation.refutation);
-    return relaxation;
+    apply_dual(node, relaxation);
   }
 
-  bool pays_to_relax(const Box& box) const {
-    if (is_small(box) || options_.relaxation == RelaxationUse::kNever) return false;
+  bool pays_to_relax(const Node& node) const {
+    if (is_small(node.box) || options_.relaxation == RelaxationUse::kNever) return false;
     if (options_.relaxation == RelaxationUse::kAlways) return true;
-    const bool has_paid = 10 * (result_.refuted_by_relaxation + 1) >= result_.relaxations;
-    return point_count(box) > kRelaxFromPoints && has_paid;
+    const double points = point_count(node.box);
+    return points > kRelaxFromPoints && points * kShrinkage < node.dual_points &&
+           10 * relaxations_that_paid_ + 10 >= result_.relaxations;
   }
 
-  void record(ProofNode& proof_node, const std::vector<RelaxedCondition>& conditions,
-              const Refutation& refutation) {
+  // Raises the bound, or closes the box. Returns true if closed.
+  bool apply_dual(Node& node, const Relaxation& relaxation) {
+    const DualBound known = dual_bound(relaxation, *node.dual);
+    const bool is_refuted = known.is_infeasible || known.least_cost > incumbents_.ceiling();
+    if (is_refuted || known.least_cost > judge(node).cost_over(node.box).lower) {
+      ++relaxations_that_paid_;
+    }
+    node.bound = std::max(node.bound, known.least_cost);
+    if (!is_refuted) return false;
     ++result_.refuted_by_relaxation;
+    ProofNode& proof_node = proof(node);
     proof_node.leaf = Leaf::kRelaxation;
-    proof_node.point = refutation.point;
-    for (std::size_t c = 0; c < conditions.size(); ++c) {
-      const double multiplier = refutation.multipliers[c];
+    proof_node.point = node.dual->point;
+    for (std::size_t i = 0; i < node.box.size(); ++i) {
+      const Interval range = node.box[i].interval();
+      proof_node.point[i] = std::clamp(proof_node.point[i], range.lower, range.upper);
+    }
+    for (const RelaxedCondition& condition : relaxation.conditions) {
+      const double multiplier = node.dual->multipliers[condition.condition];
       if (std::isfinite(multiplier) && multiplier > 0.0) {
-        proof_node.multipliers.push_back({conditions[c].condition, multiplier});
+        proof_node.multipliers.push_back({condition.condition, multiplier});
       }
     }
+    if (!known.is_infeasible) proof_node.multipliers.push_back({kQuantity, 1.0});
+    return true;
   }
 
   void bound(Node& node) {
@@ -140,13 +165,13 @@ class Search {
 
   // A first guess at a good point: one variable after the other is fixed near the relaxation's point
   // (or the middle), and the rest follows.
-  void round(const Node& node, const RelaxationResult& relaxation) {
+  void round(const Node& node) {
     Box box = node.box;
     std::vector<Cut> unused;
     std::vector<std::int64_t> point;
     for (std::size_t i = 0; i < box.size(); ++i) {
       const double target =
-          relaxation.point.empty() ? box[i].interval().middle() : relaxation.point[i];
+          node.dual == nullptr ? box[i].interval().middle() : node.dual->point[i];
       const auto value = std::clamp(std::llround(target), static_cast<long long>(box[i].lower),
                                     static_cast<long long>(box[i].upper));
       box[i] = {value, value};
@@ -167,9 +192,10 @@ class Search {
     parent.children[0] = first_child;
     parent.children[1] = first_child + 1;
     tree.resize(first_child + 2);  // moves the nodes: `parent` is no longer valid
-    open_.push({node.alternative, first_child, first_half(node.box, split), node.bound, made_++});
+    open_.push({node.alternative, first_child, first_half(node.box, split), node.bound, made_++,
+                node.dual, node.dual_points});
     open_.push({node.alternative, first_child + 1, second_half(std::move(node.box), split),
-                node.bound, made_++});
+                node.bound, made_++, node.dual, node.dual_points});
   }
 
   void report(double bound) const {
@@ -200,6 +226,7 @@ class Search {
   Incumbents incumbents_;
   std::priority_queue<Node, std::vector<Node>, WorseBound> open_;
   std::int64_t made_ = 0;
+  std::int64_t relaxations_that_paid_ = 0;
   SearchResult result_;
 };
 

@@ -18,22 +18,34 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
-// maximise t  subject to  h_c(x)/scale_c - t >= 0,  x in the box.
-// Convex, and never infeasible: t can always fall. t < 0 at the best point means that no x satisfies
-// all conditions; the multipliers then tell which sum of them shows it.
-class DeepestPoint final : public Ipopt::TNLP {
+// Price of violating the scaled conditions. Too small: the bound of a box without feasible points
+// stays low. Too large: Ipopt needs more iterations.
+constexpr double kPenalty = 1e3;
+// Share of the gain's variation below which the gap between primal and dual is not worth a step.
+constexpr double kGapShare = 1e-4;
+
+// minimise  -gain(x)/scale + penalty t   subject to   h_c(x)/scale_c + t >= 0,  t >= 0,  x in the box.
+// Convex, and never infeasible: t can always grow. So Ipopt is never asked whether a box is empty;
+// its multipliers tell, and they are checked.
+class ElasticProblem final : public Ipopt::TNLP {
  public:
-  DeepestPoint(const std::vector<RelaxedCondition>& conditions, const Box& box)
-      : conditions_(conditions), box_(box), count_(static_cast<Index>(box.size())) {
-    for (const Range& range : box) result.point.push_back(range.interval().middle());
+  ElasticProblem(const Relaxation& relaxation, double ceiling)
+      : relaxation_(relaxation),
+        ceiling_(ceiling),
+        count_(static_cast<Index>(relaxation.box.size())) {
+    for (const Range& range : relaxation.box) best_.point.push_back(range.interval().middle());
+    for (const RelaxedCondition& condition : relaxation.conditions) {
+      condition_count_ = std::max(condition_count_, condition.condition + 1);
+    }
+    best_.multipliers.assign(condition_count_, 0.0);
   }
 
-  RelaxationResult result;
+  DualPoint take() { return std::move(best_); }
 
   bool get_nlp_info(Index& n, Index& m, Index& nnz_jac_g, Index& nnz_h_lag,
                     IndexStyleEnum& index_style) override {
     n = count_ + 1;
-    m = static_cast<Index>(conditions_.size());
+    m = static_cast<Index>(relaxation_.conditions.size());
     nnz_jac_g = m * n;
     nnz_h_lag = count_ * (count_ + 1) / 2;
     index_style = C_STYLE;
@@ -43,11 +55,12 @@ class DeepestPoint final : public Ipopt::TNLP {
   bool get_bounds_info(Index n, Number* x_l, Number* x_u, Index m, Number* g_l,
                        Number* g_u) override {
     for (Index i = 0; i < count_; ++i) {
-      x_l[i] = box_[static_cast<std::size_t>(i)].interval().lower;
-      x_u[i] = box_[static_cast<std::size_t>(i)].interval().upper;
+      const Interval range = relaxation_.box[static_cast<std::size_t>(i)].interval();
+      x_l[i] = range.lower;
+      x_u[i] = range.upper;
     }
-    x_l[n - 1] = -2.0;  // every h_c/scale_c lies within [-1, 1]
-    x_u[n - 1] = 1.0;
+    x_l[n - 1] = 0.0;
+    x_u[n - 1] = 2.0;  // every h_c/scale_c lies within [-1, 1]
     std::fill(g_l, g_l + m, 0.0);
     std::fill(g_u, g_u + m, 2e19);
     return true;
@@ -55,25 +68,27 @@ class DeepestPoint final : public Ipopt::TNLP {
 
   bool get_starting_point(Index n, bool, Number* x, bool, Number*, Number*, Index, bool,
                           Number*) override {
-    std::copy(result.point.begin(), result.point.end(), x);
-    x[n - 1] = -1.0;
+    std::copy(best_.point.begin(), best_.point.end(), x);
+    x[n - 1] = 1.0;
     return true;
   }
 
   bool eval_f(Index n, const Number* x, bool, Number& value) override {
-    value = -x[n - 1];
+    value = -scaled_gain(x) + kPenalty * x[n - 1];
     return true;
   }
-  bool eval_grad_f(Index n, const Number*, bool, Number* gradient) override {
-    std::fill(gradient, gradient + n, 0.0);
-    gradient[n - 1] = -1.0;
+  bool eval_grad_f(Index n, const Number* x, bool, Number* gradient) override {
+    const ValueAndSlope gain = evaluate(relaxation_.gain, point_at(x));
+    for (std::size_t i = 0; i < relaxation_.box.size(); ++i) {
+      gradient[i] = -gain.slope[i].middle() / relaxation_.gain_scale;
+    }
+    gradient[n - 1] = kPenalty;
     return true;
   }
 
-  bool eval_g(Index n, const Number* x, bool, Index m, Number* g) override {
-    for (Index c = 0; c < m; ++c) {
-      const RelaxedCondition& condition = conditions_[static_cast<std::size_t>(c)];
-      g[c] = evaluate(condition.form, point_at(x)).value.middle() / condition.scale - x[n - 1];
+  bool eval_g(Index n, const Number* x, bool, Index, Number* g) override {
+    for (const RelaxedCondition& condition : relaxation_.conditions) {
+      *g++ = evaluate(condition.form, point_at(x)).value.middle() / condition.scale + x[n - 1];
     }
     return true;
   }
@@ -82,24 +97,24 @@ class DeepestPoint final : public Ipopt::TNLP {
                   Number* values) override {
     Index entry = 0;
     for (Index c = 0; c < m; ++c) {
-      const RelaxedCondition& condition = conditions_[static_cast<std::size_t>(c)];
+      const RelaxedCondition& condition = relaxation_.conditions[static_cast<std::size_t>(c)];
       ValueAndSlope part;
       if (values != nullptr) part = evaluate(condition.form, point_at(x));
       for (Index i = 0; i < n; ++i, ++entry) {
         if (values == nullptr) {
           rows[entry] = c;
           columns[entry] = i;
+        } else if (i == n - 1) {
+          values[entry] = 1.0;
         } else {
-          values[entry] = i == n - 1 ? -1.0
-                                     : part.slope[static_cast<std::size_t>(i)].middle() /
-                                           condition.scale;
+          values[entry] = part.slope[static_cast<std::size_t>(i)].middle() / condition.scale;
         }
       }
     }
     return true;
   }
 
-  bool eval_h(Index, const Number* x, bool, Number, Index m, const Number* lambda, bool, Index,
+  bool eval_h(Index, const Number* x, bool, Number factor, Index, const Number* lambda, bool, Index,
               Index* rows, Index* columns, Number* values) override {
     Index entry = 0;
     for (Index i = 0; i < count_; ++i) {
@@ -109,11 +124,12 @@ class DeepestPoint final : public Ipopt::TNLP {
           columns[entry] = j;
           continue;
         }
-        values[entry] = 0.0;
-        for (Index c = 0; c < m; ++c) {
-          const RelaxedCondition& condition = conditions_[static_cast<std::size_t>(c)];
-          values[entry] += lambda[c] * curvature(condition.form, point_at(x), i, j) /
-                           condition.scale;
+        const auto point = point_at(x);
+        values[entry] =
+            -factor * curvature(relaxation_.gain, point, i, j) / relaxation_.gain_scale;
+        const Number* multiplier = lambda;
+        for (const RelaxedCondition& condition : relaxation_.conditions) {
+          values[entry] += *multiplier++ * curvature(condition.form, point, i, j) / condition.scale;
         }
       }
     }
@@ -127,20 +143,24 @@ class DeepestPoint final : public Ipopt::TNLP {
     if (problem == nullptr) return true;  // in its restoration phase: nothing to read
     auto* adapter = dynamic_cast<Ipopt::TNLPAdapter*>(GetRawPtr(problem->nlp()));
     if (adapter == nullptr) return true;
-    std::vector<Number> x(box_.size() + 1), y(conditions_.size());
+    std::vector<Number> x(relaxation_.box.size() + 1), y(relaxation_.conditions.size());
     adapter->ResortX(*data->curr()->x(), x.data());
     adapter->ResortG(*data->curr()->y_c(), *data->curr()->y_d(), y.data());
-    return !judge(x.data(), y.data());
+    return !is_enough(x.data(), y.data());
   }
 
   void finalize_solution(Ipopt::SolverReturn, Index, const Number* x, const Number*, const Number*,
                          Index, const Number*, const Number* lambda, Number,
                          const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    if (!result.refutation) judge(x, lambda);
+    is_enough(x, lambda);
   }
 
  private:
-  std::span<const double> point_at(const Number* x) const { return {x, box_.size()}; }
+  std::span<const double> point_at(const Number* x) const { return {x, relaxation_.box.size()}; }
+
+  double scaled_gain(const Number* x) const {
+    return evaluate(relaxation_.gain, point_at(x)).value.middle() / relaxation_.gain_scale;
+  }
 
   // -u^2/v has the second derivatives -2/v (u_i - r v_i)(u_j - r v_j), r = u/v.
   static double curvature(const ConcaveForm& form, std::span<const double> point, Index i,
@@ -159,30 +179,34 @@ class DeepestPoint final : public Ipopt::TNLP {
     return total;
   }
 
-  // True when there is nothing more to learn: refuted, or a point satisfies all conditions.
-  bool judge(const Number* x, const Number* lambda) {
-    Refutation trial;
-    for (std::size_t i = 0; i < box_.size(); ++i) {
-      const Interval range = box_[i].interval();
-      if (!std::isfinite(x[i])) return false;
-      trial.point.push_back(std::clamp(x[i], range.lower, range.upper));
+  // Keeps the dual point if it is the best so far. True when more steps would teach nothing.
+  bool is_enough(const Number* x, const Number* lambda) {
+    DualPoint trial{{x, x + relaxation_.box.size()}, std::vector<double>(condition_count_, 0.0)};
+    if (!std::all_of(trial.point.begin(), trial.point.end(),
+                     [](double value) { return std::isfinite(value); })) {
+      return false;
     }
-    result.point = trial.point;
-    bool satisfies_all = true;
-    for (std::size_t c = 0; c < conditions_.size(); ++c) {
-      // Ipopt's multipliers of g >= 0 are negative; the scale belongs to the condition.
-      trial.multipliers.push_back(std::max(0.0, -lambda[c]) / conditions_[c].scale);
-      satisfies_all &= evaluate(conditions_[c].form, trial.point).value.lower >= 0.0;
+    for (const RelaxedCondition& condition : relaxation_.conditions) {
+      // Ipopt's multipliers of g >= 0 are negative; the scales belong to gain and condition.
+      trial.multipliers[condition.condition] =
+          std::max(0.0, -*lambda++) * relaxation_.gain_scale / condition.scale;
     }
-    if (satisfies_all) return true;
-    if (greatest_sum(conditions_, box_, trial) >= 0.0) return false;
-    result.refutation = std::move(trial);
-    return true;
+    const DualBound bound = dual_bound(relaxation_, trial);
+    if (bound.is_infeasible || bound.least_cost > best_bound_) {
+      best_bound_ = bound.least_cost;
+      best_ = std::move(trial);
+    }
+    if (bound.is_infeasible || bound.least_cost > ceiling_) return true;
+    const double primal = x[count_] < 1e-6 ? -scaled_gain(x) : HUGE_VAL;
+    return primal - best_bound_ / relaxation_.gain_scale < kGapShare;
   }
 
-  const std::vector<RelaxedCondition>& conditions_;
-  const Box& box_;
+  const Relaxation& relaxation_;
+  double ceiling_;
   Index count_;
+  std::size_t condition_count_ = 0;
+  DualPoint best_;
+  double best_bound_ = -HUGE_VAL;
 };
 
 Ipopt::SmartPtr<Ipopt::IpoptApplication> make_application() {
@@ -193,8 +217,7 @@ Ipopt::SmartPtr<Ipopt::IpoptApplication> make_application() {
   options->SetIntegerValue("print_level", 0);
   options->SetIntegerValue("max_iter", 40);
   // A loose solve still gives a valid bound: whatever the multipliers, they are checked.
-  options->SetNumericValue("tol", 1e-6);
-  options->SetStringValue("mu_strategy", "monotone");
+  options->SetNumericValue("tol", 1e-4);
   options->SetStringValue("nlp_scaling_method", "none");
   options->SetNumericValue("bound_relax_factor", 0.0);
   application->Initialize("");
@@ -203,15 +226,15 @@ Ipopt::SmartPtr<Ipopt::IpoptApplication> make_application() {
 
 }  // namespace
 
-RelaxationResult solve_relaxation(const std::vector<RelaxedCondition>& conditions, const Box& box) {
+DualPoint solve(const Relaxation& relaxation, double ceiling) {
   static thread_local const auto application = make_application();
-  Ipopt::SmartPtr<DeepestPoint> problem = new DeepestPoint(conditions, box);
+  Ipopt::SmartPtr<ElasticProblem> problem = new ElasticProblem(relaxation, ceiling);
   try {
     application->OptimizeTNLP(GetRawPtr(problem));
   } catch (const Ipopt::IpoptException&) {
     // A failed solve yields what was found before it failed.
   }
-  return std::move(problem->result);
+  return problem->take();
 }
 
 }  // namespace torquewright::optimization

@@ -7,64 +7,86 @@
 namespace torquewright::optimization {
 namespace {
 
-Expression cost_expression(const Goal& goal) { return goal.maximise ? -goal.value : goal.value; }
-
-double largest_size(const ConcaveForm& form, const Box& box) {
+Interval over(const ConcaveForm& form, const Box& box) {
   Interval range = form.affine.over(box);
   for (const SquareTerm& term : form.squares) {
     const Interval u = term.u.over(box);
     range = range - term.weight * (term.v ? square_over(u, term.v->over(box)) : square(u));
   }
-  return std::max(std::abs(range.lower), std::abs(range.upper));
+  return range;
+}
+
+bool is_constant(const ConcaveForm& form) {
+  return form.squares.empty() &&
+         std::all_of(form.affine.coefficients.begin(), form.affine.coefficients.end(),
+                     [](const Interval& slope) { return slope.lower == 0.0 && slope.upper == 0.0; });
 }
 
 // Where no shape is known of the cost, a constant is left of it, and its enclosure may be tighter.
-ConcaveForm relaxed_cost(const Judge& judge, double ceiling, const Box& box) {
+ConcaveForm relaxed_gain(const Judge& judge, const Box& box) {
   const Goal& goal = judge.problem().goal;
-  ConcaveForm form = concave_above(Expression(ceiling) - cost_expression(goal), box);
-  const bool is_constant =
-      form.squares.empty() &&
-      std::all_of(form.affine.coefficients.begin(), form.affine.coefficients.end(),
-                  [](const Interval& slope) { return slope.lower == 0.0 && slope.upper == 0.0; });
-  const Interval bound = Interval(ceiling) - Interval(judge.cost_over(box).lower);
-  if (is_constant && !(form.affine.constant.upper < bound.upper)) form.affine.constant = bound;
+  ConcaveForm form = concave_above(goal.maximise ? goal.value : -goal.value, box);
+  const Interval greatest = -Interval(judge.cost_over(box).lower);
+  if (is_constant(form) && !(form.affine.constant.upper < greatest.upper)) {
+    form.affine.constant = greatest;
+  }
   return form;
+}
+
+// The greatest value, over the box, of `form` linearised at `point`.
+Interval linearised_maximum(const ValueAndSlope& at_point, const Box& box,
+                            std::span<const double> point) {
+  Interval total = at_point.value;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const Interval to_lower = box[i].interval().lower - Interval(point[i]);
+    const Interval to_upper = box[i].interval().upper - Interval(point[i]);
+    total = total + max(at_point.slope[i] * to_lower, at_point.slope[i] * to_upper);
+  }
+  return total;
+}
+
+void add(ValueAndSlope& sum, const ValueAndSlope& part, double factor) {
+  sum.value = sum.value + part.value * Interval(factor);
+  for (std::size_t i = 0; i < sum.slope.size(); ++i) {
+    sum.slope[i] = sum.slope[i] + part.slope[i] * Interval(factor);
+  }
 }
 
 }  // namespace
 
-std::vector<RelaxedCondition> relax_conditions(const Judge& judge, double ceiling, const Box& box) {
-  std::vector<RelaxedCondition> result;
-  const auto add = [&](std::size_t condition, ConcaveForm form) {
-    const double scale = largest_size(form, box);
-    if (std::isfinite(scale) && scale > 0.0) result.push_back({condition, std::move(form), scale});
-  };
+Relaxation relax_box(const Judge& judge, const Box& box) {
+  Relaxation result{box, {}, relaxed_gain(judge, box), 1.0};
   for (std::size_t i = 0; i < judge.condition_count(); ++i) {
-    if (judge.on_boxes(i)) add(i, concave_above(judge.condition(i).body, box));
+    if (!judge.on_boxes(i)) continue;
+    ConcaveForm form = concave_above(judge.condition(i).body, box);
+    const Interval range = over(form, box);
+    const double scale = std::max(std::abs(range.lower), std::abs(range.upper));
+    if (std::isfinite(scale) && scale > 0.0) {
+      result.conditions.push_back({i, std::move(form), scale});
+    }
   }
-  if (std::isfinite(ceiling)) add(kQuantity, relaxed_cost(judge, ceiling, box));
+  const Interval range = over(result.gain, box);
+  const double width = range.upper - range.lower;
+  if (std::isfinite(width) && width > 0.0) result.gain_scale = width;
   return result;
 }
 
-double greatest_sum(const std::vector<RelaxedCondition>& conditions, const Box& box,
-                    const Refutation& refutation) {
-  Interval total = 0.0;
-  std::vector<Interval> slope(box.size(), Interval(0.0));
-  for (std::size_t c = 0; c < conditions.size(); ++c) {
-    const double multiplier = refutation.multipliers[c];
+DualBound dual_bound(const Relaxation& relaxation, const DualPoint& dual) {
+  std::vector<double> point = dual.point;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Interval range = relaxation.box[i].interval();
+    point[i] = std::clamp(point[i], range.lower, range.upper);
+  }
+  ValueAndSlope sum{0.0, std::vector<Interval>(point.size(), Interval(0.0))};
+  for (const RelaxedCondition& condition : relaxation.conditions) {
+    const double multiplier = dual.multipliers[condition.condition];
     if (!std::isfinite(multiplier) || multiplier <= 0.0) continue;
-    const ValueAndSlope part = evaluate(conditions[c].form, refutation.point);
-    total = total + part.value * Interval(multiplier);
-    for (std::size_t i = 0; i < box.size(); ++i) {
-      slope[i] = slope[i] + part.slope[i] * Interval(multiplier);
-    }
+    add(sum, evaluate(condition.form, point), multiplier);
   }
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    const Interval to_lower = box[i].interval().lower - Interval(refutation.point[i]);
-    const Interval to_upper = box[i].interval().upper - Interval(refutation.point[i]);
-    total = total + max(slope[i] * to_lower, slope[i] * to_upper);
-  }
-  return std::isnan(total.upper) ? HUGE_VAL : total.upper;
+  const bool is_infeasible = linearised_maximum(sum, relaxation.box, point).upper < 0.0;
+  add(sum, evaluate(relaxation.gain, point), 1.0);
+  const double greatest = linearised_maximum(sum, relaxation.box, point).upper;
+  return {std::isnan(greatest) ? -HUGE_VAL : -greatest, is_infeasible};
 }
 
 }  // namespace torquewright::optimization

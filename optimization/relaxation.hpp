@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "optimization/concave.hpp"
@@ -12,35 +11,39 @@ namespace torquewright::optimization {
 
 /// One condition on a box, relaxed: h(x) >= 0 with h concave.
 struct RelaxedCondition {
-  std::size_t condition;  ///< kQuantity: ceiling - cost.
+  std::size_t condition;
   ConcaveForm form;
-  double scale;           ///< Largest |h| on the box, for the solver's sake; > 0.
+  double scale;  ///< Largest |h| on the box, for the solver's sake; > 0.
 };
 
-/// All conditions that are judged on boxes, relaxed on this one, and the cost's ceiling if finite.
-std::vector<RelaxedCondition> relax_conditions(const Judge& judge, double ceiling, const Box& box);
-
-/// A sum of relaxed conditions, linearised at a point.
-struct Refutation {
-  std::vector<double> point;
-  std::vector<double> multipliers;  ///< One for each relaxed condition, >= 0.
+/// A convex problem whose feasible points include all of a box's: every condition that is judged on
+/// boxes, relaxed, and a concave function that is nowhere below minus the cost.
+struct Relaxation {
+  Box box;
+  std::vector<RelaxedCondition> conditions;
+  ConcaveForm gain;   ///< >= -cost
+  double gain_scale;  ///< How much it varies on the box; > 0.
 };
 
-/// Upper bound, by outward-rounded arithmetic, of the linearised sum over the box. Below zero: no
-/// point of the box satisfies all conditions. Any point in the box and any multipliers are allowed:
-/// negative or non-finite ones count as zero, so whatever a solver returns gives a valid bound.
-double greatest_sum(const std::vector<RelaxedCondition>& conditions, const Box& box,
-                    const Refutation& refutation);
+Relaxation relax_box(const Judge& judge, const Box& box);
 
-/// What Ipopt found out about a relaxed box.
-struct RelaxationResult {
-  std::optional<Refutation> refutation;  ///< Proved by greatest_sum, never by Ipopt's word.
-  std::vector<double> point;             ///< Where it stopped: a start for rounding.
+/// A sum of relaxed conditions, linearised at a point: what a dual bound is made of.
+struct DualPoint {
+  std::vector<double> point;        ///< Inside the box.
+  std::vector<double> multipliers;  ///< By condition of the problem; >= 0, zero where not relaxed.
 };
 
-/// Asks Ipopt for the point of the box at which the worst relaxed condition is best. The search stops
-/// as soon as its multipliers refute the box, or its point satisfies every relaxed condition.
-/// Ipopt's own status is not used: a failed solve yields no refutation, which costs time only.
-RelaxationResult solve_relaxation(const std::vector<RelaxedCondition>& conditions, const Box& box);
+/// What a dual point proves of a box. Any point and any multipliers give valid numbers: negative or
+/// non-finite multipliers count as zero. So whatever a solver returns, converged or not, yields a
+/// true bound, if perhaps a useless one. Outward rounded.
+struct DualBound {
+  double least_cost;   ///< No point of the box that satisfies the conditions costs less.
+  bool is_infeasible;  ///< No point of the box satisfies the conditions.
+};
+DualBound dual_bound(const Relaxation& relaxation, const DualPoint& dual);
+
+/// Asks Ipopt for a good dual point. Its status is not used. Stops as soon as a dual point shows that
+/// nothing in the box costs `ceiling` or less, or when the bound is about as good as it gets.
+DualPoint solve(const Relaxation& relaxation, double ceiling);
 
 }  // namespace torquewright::optimization

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/constraints/teeth.hpp"
+
+#include <fmt/format.h>
+
+#include "gearbox/constraints/condition.hpp"
+#include "gearbox/tooth_geometry.hpp"
+
+namespace torquewright::gearbox {
+
+namespace {
+
+/// The edge of the window that the reduction violates or lies nearest to.
+Rational window_edge(const Problem& problem, const Rational& reduction) {
+  const Rational half = abs(problem.target_ratio) * problem.ratio_tolerance;
+  return reduction < problem.target_ratio ? Rational(problem.target_ratio - half)
+                                          : Rational(problem.target_ratio + half);
+}
+
+std::string ratio_sentence(const Problem& problem, const Rational& reduction,
+                           const Rational& margin) {
+  const std::string window =
+      problem.ratio_tolerance == 0
+          ? fmt::format("exactly {} is asked for", with_unit(problem.target_ratio, "1"))
+          : fmt::format("{} within {:.4g} % is asked for", with_unit(problem.target_ratio, "1"),
+                        problem.ratio_tolerance.get_d() * 100.0);
+  const std::string value =
+      reduction.get_den() == 1 ? reduction.get_str()
+                               : fmt::format("{} = {:.6g}", reduction.get_str(), reduction.get_d());
+  const std::string head =
+      fmt::format("ratio: {} turns of the sun per turn of the output; {}", value, window);
+  if (margin == 0) return head + ": met exactly.";
+  if (margin > 0) return head + fmt::format(": {:.3g} to spare.", margin.get_d());
+  const Rational error = (reduction - problem.target_ratio) / abs(problem.target_ratio);
+  return head + fmt::format(": off by {:.3g} %; needs a tolerance of {:.4g} or other teeth.",
+                            error.get_d() * 100.0, Rational(abs(error)).get_d());
+}
+
+}  // namespace
+
+ConstraintReport ratio_window(const Problem& problem, const Rational& reduction, bool exists) {
+  ConstraintReport report;
+  report.name = std::string("ratio");
+  report.key = std::string("/ratio_tolerance");
+  report.unit = std::string("1");
+  if (!exists) {
+    const Condition condition{"ratio", "/ratio_tolerance",  "1", Sense::kAtLeast,
+                              0,       problem.target_ratio};
+    return violated_without_value(
+        condition,
+        "does not exist, the output stands still (O P1 = F P2); needs P1 and P2 to differ.");
+  }
+  const Rational margin =
+      abs(problem.target_ratio) * problem.ratio_tolerance - abs(reduction - problem.target_ratio);
+  report.value = reduction.get_d();
+  report.limit = window_edge(problem, reduction).get_d();
+  report.margin = margin.get_d();
+  report.satisfied = margin >= 0;
+  report.sentence = ratio_sentence(problem, reduction, margin);
+  return report;
+}
+
+ConstraintReport minimum_teeth(const Problem& problem, const std::string& gear,
+                               std::int64_t teeth) {
+  const auto given = problem.min_teeth.find(gear);
+  Condition condition{fmt::format("min_teeth.{}", gear), fmt::format("/min_teeth/{}", gear),
+                      "teeth"};
+  condition.value = Rational(teeth);
+  condition.limit = Rational(given == problem.min_teeth.end() ? 1 : given->second);
+  condition.meaning = "on this gear";
+  condition.remedy = "needs more teeth or a lower minimum";
+  return judge(condition);
+}
+
+ConstraintReport rotor_bore(const Problem& problem, const Rational& module_mm, std::int64_t ring) {
+  Condition condition{"rotor_bore", "/rotor_inner_diameter_mm", "mm", Sense::kAtMost};
+  condition.value = module_mm * ring;
+  condition.limit = problem.rotor_inner_diameter_mm;
+  condition.meaning = "pitch diameter of the held ring inside the rotor";
+  const Rational whole = problem.rotor_inner_diameter_mm / module_mm;
+  condition.remedy = fmt::format("needs a ring of at most {} teeth at this module",
+                                 mpz_class(whole.get_num() / whole.get_den()).get_str());
+  return judge(condition);
+}
+
+ConstraintReport tooth_difference(std::int64_t planet_1, std::int64_t planet_2,
+                                  std::int64_t planet_count) {
+  Condition condition{"tooth_difference", "", "teeth"};
+  condition.value = Rational(planet_1 - planet_2);
+  condition.limit = Rational(planet_count);
+  condition.meaning = "between planet 1 and planet 2";
+  condition.remedy = fmt::format("needs P2 <= {} or fewer planets", planet_1 - planet_count);
+  return judge(condition);
+}
+
+ConstraintReport undercut(std::string_view gear, std::int64_t teeth) {
+  Condition condition{fmt::format("undercut.{}", gear), "", "teeth"};
+  condition.value = Rational(teeth);
+  condition.limit = fraction_of(kUndercutLimit_teeth);
+  condition.meaning = "on this gear";
+  condition.remedy = fmt::format("needs 18 teeth or a profile shift of at least {:.3g} modules",
+                                 1.0 - static_cast<double>(teeth) / kUndercutLimit_teeth);
+  return judge(condition);
+}
+
+ConstraintReport sun_under_layer_2(const Rational& module_mm, std::int64_t planet_1,
+                                   std::int64_t planet_2) {
+  Condition condition{"sun_under_layer_2", "", "mm", Sense::kMoreThan};
+  condition.value = module_mm * Rational(planet_1 - planet_2 - 4) / 2;
+  condition.limit = 0;
+  condition.meaning = "between the tips of sun and planet 2, where the sun reaches under it";
+  condition.remedy =
+      fmt::format("needs P2 <= {} or a sun that ends before the second layer", planet_1 - 5);
+  return judge(condition);
+}
+
+Rational ring_wall_mm(const Problem& problem, const Rational& module_mm) {
+  return problem.ring_wall_mm ? *problem.ring_wall_mm : Rational(Rational(9, 4) * module_mm);
+}
+
+ConstraintReport ring_wall(const Problem& problem, const Rational& module_mm, std::string_view gear,
+                           std::int64_t teeth) {
+  const Rational root_mm = module_mm * (Rational(teeth) + Rational(5, 2));
+  Condition condition{fmt::format("ring_wall.{}", gear), "/ring_outer_diameter_mm", "mm"};
+  condition.value = (*problem.ring_outer_diameter_mm - root_mm) / 2;
+  condition.limit = ring_wall_mm(problem, module_mm);
+  condition.meaning = "of wall behind the ring's root";
+  condition.remedy = fmt::format("needs a blank of {} or fewer teeth",
+                                 with_unit(root_mm + 2 * condition.limit, "mm"));
+  return judge(condition);
+}
+
+ConstraintReport ring_tip(const Rational& module_mm, std::string_view gear, std::int64_t teeth) {
+  Condition condition{fmt::format("ring_tip.{}", gear), "", "mm", Sense::kMoreThan};
+  condition.value = module_mm * fraction_of(ring_tip_margin(static_cast<double>(teeth)));
+  condition.limit = 0;
+  condition.meaning = "from the ring's base circle out to its tip circle";
+  condition.remedy = "needs a ring of at least 34 teeth or profile shift";
+  return judge(condition);
+}
+
+}  // namespace torquewright::gearbox

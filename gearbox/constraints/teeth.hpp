@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "gearbox/design_report.hpp"
+
+namespace torquewright::gearbox {
+
+// Constraints on single gears and on the rings' size: docs/gearbox_constraints.md.
+
+/// Reduction within the target's window. `exists` is false where the output stands still.
+ConstraintReport ratio_window(const Problem& problem, const Rational& reduction, bool exists);
+
+/// z >= the problem's minimum for that gear, 1 where it gives none.
+ConstraintReport minimum_teeth(const Problem& problem, const std::string& gear, std::int64_t teeth);
+
+/// The held ring's pitch circle fits the rotor's bore.
+ConstraintReport rotor_bore(const Problem& problem, const Rational& module_mm, std::int64_t ring);
+
+/// P1 - P2 >= n.
+ConstraintReport tooth_difference(std::int64_t planet_1, std::int64_t planet_2,
+                                  std::int64_t planet_count);
+
+/// z >= 2/sin^2(alpha).
+ConstraintReport undercut(std::string_view gear, std::int64_t teeth);
+
+/// The sun's tip circle stays clear of planet 2: m ((P1 - P2)/2 - 2) > 0.
+ConstraintReport sun_under_layer_2(const Rational& module_mm, std::int64_t planet_1,
+                                   std::int64_t planet_2);
+
+/// Wall left behind the ring's root in the given blank. Requires ring_outer_diameter_mm.
+ConstraintReport ring_wall(const Problem& problem, const Rational& module_mm, std::string_view gear,
+                           std::int64_t teeth);
+
+/// The ring's tip circle lies outside its base circle.
+ConstraintReport ring_tip(const Rational& module_mm, std::string_view gear, std::int64_t teeth);
+
+/// The wall behind a ring's root that the problem asks for [mm]; one tooth height by default.
+Rational ring_wall_mm(const Problem& problem, const Rational& module_mm);
+
+}  // namespace torquewright::gearbox

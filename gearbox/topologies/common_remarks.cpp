@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "gearbox/assembly.hpp"
+#include "gearbox/constraints/meshing.hpp"
+#include "gearbox/shifted_mesh.hpp"
+#include "gearbox/topologies/report_parts.hpp"
+
+namespace torquewright::gearbox {
+
+namespace {
+
+const char* phasing_text(Phasing value) {
+  switch (value) {
+    case Phasing::kInPhase:
+      return "all planets mesh in phase: torque ripple, no sideways force on the rings";
+    case Phasing::kSequential:
+      return "the planets mesh one after the other: little torque ripple, a rotating sideways "
+             "force";
+    case Phasing::kCounter:
+      return "the planets mesh in counter phase: torque and sideways forces cancel";
+  }
+  return "";
+}
+
+Remark phasing_remark(std::int64_t held_ring, std::int64_t planet_count) {
+  return {"phasing",
+          fmt::format("phasing: {} teeth at the held ring and {} planets: {}.", held_ring,
+                      planet_count, phasing_text(phasing(held_ring, planet_count)))};
+}
+
+}  // namespace
+
+std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& report,
+                                   std::int64_t sun, std::int64_t held_ring) {
+  std::vector<Remark> list;
+  list.push_back(
+      {"ring_blank", fmt::format("ring_blank: the largest ring needs a blank of {:.4g} mm{}.",
+                                 report.ring_blank_diameter_mm,
+                                 problem.ring_outer_diameter_mm
+                                     ? fmt::format(", {:.4g} mm are given",
+                                                   problem.ring_outer_diameter_mm->get_d())
+                                     : ", the limit is not given and so not enforced")});
+  if (report.hollow_shaft_diameter_mm <= 0.0) {
+    list.push_back({"hollow_shaft", "hollow_shaft: no hollow shaft fits through this sun."});
+  }
+  if (spacing_remainder(sun, held_ring, report.design.planet_count) == 0) {
+    list.push_back(phasing_remark(held_ring, report.design.planet_count));
+  }
+  list.push_back(
+      {"planet_positions",
+       fmt::format("planet_positions: planets can stand at whole multiples of {:.4g} rad, "
+                   "equally spaced or not.",
+                   spacing_unit_rad(sun, held_ring))});
+  return list;
+}
+
+Remark trimming_remark(const std::string& mesh, std::int64_t planet, std::int64_t ring) {
+  const CutPair cut{{MeshKind::kInternal, static_cast<double>(planet), static_cast<double>(ring)},
+                    kReferenceAngle_rad,
+                    static_cast<double>(planet) + 2.0,
+                    static_cast<double>(ring) - 2.0};
+  const std::optional<double> margin = ring > planet ? trimming_margin(cut) : std::nullopt;
+  const std::string name = "trimming." + mesh;
+  if (!margin || *margin < 0.0) {
+    return {name, name + ": this planet goes into its ring along the axis only."};
+  }
+  return {name,
+          fmt::format("{}: this planet can be pushed into its ring radially, {:.3g} rad to spare.",
+                      name, *margin)};
+}
+
+std::optional<Remark> hunting_remark(const std::string& mesh, std::int64_t teeth_1,
+                                     std::int64_t teeth_2) {
+  if (is_hunting(teeth_1, teeth_2)) return std::nullopt;
+  const std::string name = "hunting_tooth." + mesh;
+  return Remark{name,
+                fmt::format("{}: {} and {} teeth share the divisor {}, so the same teeth keep "
+                            "meeting and wear does not even out.",
+                            name, teeth_1, teeth_2, std::gcd(teeth_1, teeth_2))};
+}
+
+}  // namespace torquewright::gearbox

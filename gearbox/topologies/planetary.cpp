@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/topologies/planetary.hpp"
+
+#include "gearbox/backlash.hpp"
+#include "gearbox/constraints/meshing.hpp"
+#include "gearbox/constraints/spacing.hpp"
+#include "gearbox/constraints/teeth.hpp"
+#include "gearbox/inertia.hpp"
+#include "gearbox/loads.hpp"
+#include "gearbox/power_flow.hpp"
+#include "gearbox/topologies/report_parts.hpp"
+
+namespace torquewright::gearbox::planetary {
+
+namespace {
+
+struct Stage {
+  const Problem& problem;
+  PlanetaryTeeth<std::int64_t> teeth;
+  std::int64_t planet_count;
+  Rational module_mm;
+
+  PlanetaryTeeth<double> real_teeth() const {
+    return {static_cast<double>(teeth.sun), static_cast<double>(teeth.planet),
+            static_cast<double>(teeth.ring)};
+  }
+};
+
+void describe_gears(const Stage& stage, DesignReport& report) {
+  const PlanetaryTeeth<double> teeth = stage.real_teeth();
+  const Rational& module = stage.module_mm;
+  const double planet = planet_speed_per_sun(teeth.sun, teeth.planet, teeth.ring);
+  report.carrier_speed_per_input = carrier_speed_per_sun(teeth.sun, teeth.ring);
+  report.gears = {describe_gear("sun", stage.teeth.sun, "layer_1", false, module, 1.0),
+                  describe_gear("planet", stage.teeth.planet, "layer_1", false, module, planet),
+                  describe_gear("ring", stage.teeth.ring, "layer_1", true, module, 0.0)};
+}
+
+void describe_meshes(const Stage& stage, DesignReport& report) {
+  const PlanetaryTeeth<double> teeth = stage.real_teeth();
+  const auto sun_path = external_path_of(stage.teeth.sun, stage.teeth.planet);
+  const auto ring_path = internal_path_of(stage.teeth.planet, stage.teeth.ring);
+  const std::vector<double> losses{
+      loss_per_friction(sun_path, 1.0 / teeth.sun + 1.0 / teeth.planet),
+      loss_per_friction(ring_path, 1.0 / teeth.planet - 1.0 / teeth.ring)};
+  const auto& friction = stage.problem.friction_coefficient;
+  report.meshes = {describe_mesh("sun_planet", sun_path, losses[0], friction),
+                   describe_mesh("planet_ring", ring_path, losses[1], friction)};
+  share_losses({1.0, 1.0}, losses, report.meshes);
+  const double base_mm = stage.module_mm.get_d() / 2.0 * kReferenceCosine;
+  const double backlash = planetary_backlash(base_mm * teeth.sun, base_mm * teeth.ring);
+  report.output_backlash_rad_per_mm = share_backlash({backlash, backlash}, report.meshes);
+}
+
+void describe_efficiency(const Stage& stage, DesignReport& report) {
+  const TrainEfficiency efficiency = planetary_efficiency(
+      static_cast<double>(stage.teeth.ring) / static_cast<double>(stage.teeth.sun),
+      {report.meshes[0].efficiency, report.meshes[1].efficiency});
+  report.forward_efficiency = efficiency.forward;
+  report.backward_efficiency = efficiency.backward;
+  report.self_locking = false;
+}
+
+void describe_loads(const Stage& stage, DesignReport& report) {
+  if (!stage.problem.load_output_torque_Nm) return;
+  const double sun_radius_m =
+      stage.module_mm.get_d() * static_cast<double>(stage.teeth.sun) / 2.0 * 1e-3;
+  const PlanetaryLoads loads =
+      planetary_loads(stage.problem.load_output_torque_Nm->get_d(), report.ratio.get_d(),
+                      stage.planet_count, sun_radius_m);
+  report.input_torque_Nm = loads.sun_torque_Nm;
+  report.fixed_ring_torque_Nm = loads.ring_torque_Nm;
+  for (MeshReport& mesh : report.meshes) mesh.tangential_force_N = loads.tooth_force_N;
+}
+
+void describe_bodies(const Stage& stage, DesignReport& report) {
+  const Problem& problem = stage.problem;
+  report.hollow_shaft_diameter_mm = hollow_shaft_mm(problem, stage.module_mm, stage.teeth.sun);
+  report.ring_blank_diameter_mm = ring_blank_mm(problem, stage.module_mm, stage.teeth.ring);
+  const auto blank = blank_of(problem, stage.module_mm, {"layer_1"});
+  if (!blank) return;
+  const PlanetaryTeeth<double> teeth = stage.real_teeth();
+  report.mass_kg = planetary_mass_kg(*blank, stage.planet_count, teeth);
+  report.reflected_inertia_kg_m2 = reflected_inertia_kg_m2(
+      planetary_reduction(teeth),
+      planetary_inertia_at_sun_kg_m2(*blank, problem.rotor_inertia_kg_m2.get_d(),
+                                     stage.planet_count, teeth));
+}
+
+std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational& reduction) {
+  const Problem& problem = stage.problem;
+  const PlanetaryTeeth<std::int64_t>& teeth = stage.teeth;
+  const PlanetCircle circle{teeth.sun, teeth.planet, stage.planet_count, stage.module_mm};
+  std::vector<ConstraintReport> list{
+      ratio_window(problem, reduction, true),
+      minimum_teeth(problem, "sun", teeth.sun),
+      minimum_teeth(problem, "planet", teeth.planet),
+      carrier_clearance(circle, problem.min_carrier_clearance_rad),
+      rotor_bore(problem, stage.module_mm, teeth.ring),
+      equal_spacing(teeth.sun, teeth.ring, stage.planet_count),
+      neighbour_clearance(circle, "layer_1", teeth.planet, problem.min_neighbour_clearance_mm),
+      undercut("sun", teeth.sun),
+      undercut("planet", teeth.planet)};
+  if (problem.ring_outer_diameter_mm) {
+    list.push_back(ring_wall(problem, stage.module_mm, "ring", teeth.ring));
+  }
+  list.push_back(ring_tip(stage.module_mm, "ring", teeth.ring));
+  list.push_back(involute_interference("planet_ring", teeth.planet, teeth.ring));
+  list.push_back(trochoid_interference("planet_ring", teeth.planet, teeth.ring));
+  list.push_back(
+      contact_ratio_limit(problem, "sun_planet", external_path_of(teeth.sun, teeth.planet)));
+  list.push_back(
+      contact_ratio_limit(problem, "planet_ring", internal_path_of(teeth.planet, teeth.ring)));
+  if (teeth.ring != teeth.sun + 2 * teeth.planet) {
+    list.push_back(coaxiality("ring", teeth.planet, teeth.ring, teeth.sun + teeth.planet));
+  }
+  return list;
+}
+
+std::vector<Remark> remarks(const Stage& stage, const DesignReport& report) {
+  const PlanetaryTeeth<std::int64_t>& teeth = stage.teeth;
+  std::vector<Remark> list = common_remarks(stage.problem, report, teeth.sun, teeth.ring);
+  if (report.forward_efficiency == 0.0) {
+    list.push_back({"efficiency", "efficiency: does not exist, a mesh passes no power."});
+  } else if (!stage.problem.friction_coefficient) {
+    list.push_back(
+        {"efficiency", "efficiency: no friction coefficient is given, so losses are left out."});
+  }
+  list.push_back(trimming_remark("planet_ring", teeth.planet, teeth.ring));
+  if (auto remark = hunting_remark("sun_planet", teeth.sun, teeth.planet)) list.push_back(*remark);
+  if (auto remark = hunting_remark("planet_ring", teeth.planet, teeth.ring))
+    list.push_back(*remark);
+  return list;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> complete(std::span<const std::int64_t> free_teeth) {
+  return {free_teeth[0], free_teeth[1], free_teeth[0] + 2 * free_teeth[1]};
+}
+
+DesignReport evaluate(const Problem& problem, const Design& design) {
+  DesignReport report;
+  report.design = design;
+  if (report.design.teeth.size() == 2) report.design.teeth = complete(design.teeth);
+  const std::vector<std::int64_t>& z = report.design.teeth;
+  const Stage stage{problem, {z[0], z[1], z[2]}, design.planet_count, design.module_mm};
+  report.ratio = planetary_reduction<Rational>({z[0], z[1], z[2]});
+  describe_gears(stage, report);
+  describe_meshes(stage, report);
+  describe_efficiency(stage, report);
+  describe_loads(stage, report);
+  describe_bodies(stage, report);
+  state_objective(problem, 0.0, report);
+  report.constraints = constraints_of(stage, report.ratio);
+  report.remarks = remarks(stage, report);
+  return report;
+}
+
+}  // namespace torquewright::gearbox::planetary

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearbox/design_report.hpp"
+#include "gearbox/mass.hpp"
+#include "gearbox/mesh.hpp"
+
+namespace torquewright::gearbox {
+
+// Parts of a report that all topologies share. No profile shift.
+
+/// Diameters of a gear.
+GearReport describe_gear(const std::string& name, std::int64_t teeth, const std::string& layer,
+                         bool internal, const Rational& module_mm, double speed_per_input);
+
+/// Contact ratios and basic efficiency of a mesh, given its loss per unit of friction. A contact
+/// ratio below 1 does not run: efficiency 0.
+MeshReport describe_mesh(const std::string& name, const ContactPath<double>& path,
+                         double loss_per_friction, const std::optional<Rational>& friction);
+
+/// Loss of a mesh per unit of friction coefficient; 0 where its contact ratio is below 1.
+/// curvature: 1/z1 + 1/z2, or the difference for a ring.
+double loss_per_friction(const ContactPath<double>& path, double curvature);
+
+/// Sets every loss_share to weight times loss over their sum.
+void share_losses(const std::vector<double>& weights, const std::vector<double>& losses,
+                  std::vector<MeshReport>& meshes);
+
+/// Sets every backlash_share and returns the sum of the coefficients.
+double share_backlash(const std::vector<double>& coefficients, std::vector<MeshReport>& meshes);
+
+/// The hollow shaft's diameter m (S - 2.5) - 2 wall [mm]; negative where none fits.
+double hollow_shaft_mm(const Problem& problem, const Rational& module_mm, std::int64_t sun);
+
+/// The ring's root circle plus two walls [mm].
+double ring_blank_mm(const Problem& problem, const Rational& module_mm, std::int64_t ring);
+
+/// Face widths and density as the mass formulas need them; nothing where the problem lacks one.
+std::optional<Blank> blank_of(const Problem& problem, const Rational& module_mm,
+                              const std::vector<std::string>& layers);
+
+/// Sets objective and objective_unit from the report's own fields; paper_cost is the value of
+/// equation (1), where the topology has it.
+void state_objective(const Problem& problem, double paper_cost, DesignReport& report);
+
+/// Remarks on held-ring phasing, gears that share divisors, unequal spacing and the ring's blank.
+std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& report,
+                                   std::int64_t sun, std::int64_t held_ring);
+
+/// A remark whether the planet could be pushed into its ring radially.
+Remark trimming_remark(const std::string& mesh, std::int64_t planet, std::int64_t ring);
+
+/// A remark on two gears in mesh whose counts have a common divisor; nothing if they have none.
+std::optional<Remark> hunting_remark(const std::string& mesh, std::int64_t teeth_1,
+                                     std::int64_t teeth_2);
+
+}  // namespace torquewright::gearbox

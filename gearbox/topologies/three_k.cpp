@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/topologies/three_k.hpp"
+
+#include <algorithm>
+
+#include "gearbox/assembly.hpp"
+#include "gearbox/backlash.hpp"
+#include "gearbox/constraints/meshing.hpp"
+#include "gearbox/inertia.hpp"
+#include "gearbox/power_flow.hpp"
+#include "gearbox/topologies/report_parts.hpp"
+#include "gearbox/topologies/three_k_design.hpp"
+
+namespace torquewright::gearbox::three_k {
+
+namespace {
+
+/// Each gear's own radius, pitch or base, in millimetres.
+ThreeKRadii radii_mm(const ThreeKTeeth<double>& teeth, double radius_per_tooth_mm) {
+  return {radius_per_tooth_mm * teeth.sun, radius_per_tooth_mm * teeth.fixed_ring,
+          radius_per_tooth_mm * teeth.output_ring};
+}
+
+void describe_gears(const ThreeKDesign& design, DesignReport& report) {
+  const ThreeKTeeth<double> teeth = design.real_teeth();
+  const Rational& module = design.module_mm;
+  const double planet = planet_speed_per_sun(teeth.sun, teeth.planet_1, teeth.fixed_ring);
+  const double output = report.ratio == 0 ? 0.0 : Rational(1 / report.ratio).get_d();
+  const std::vector<std::int64_t>& counts = report.design.teeth;
+  report.carrier_speed_per_input = carrier_speed_per_sun(teeth.sun, teeth.fixed_ring);
+  report.gears = {describe_gear("sun", counts[0], "layer_1", false, module, 1.0),
+                  describe_gear("planet_1", counts[1], "layer_1", false, module, planet),
+                  describe_gear("planet_2", counts[2], "layer_2", false, module, planet),
+                  describe_gear("fixed_ring", counts[3], "layer_1", true, module, 0.0),
+                  describe_gear("output_ring", counts[4], "layer_2", true, module, output)};
+}
+
+void describe_meshes(const ThreeKDesign& design, DesignReport& report) {
+  const ThreeKTeeth<double> teeth = design.real_teeth();
+  const auto& counts = design.teeth;
+  const auto sun_path = external_path_of(counts.sun, counts.planet_1);
+  const auto fixed_path = internal_path_of(counts.planet_1, counts.fixed_ring);
+  const auto output_path = internal_path_of(counts.planet_2, counts.output_ring);
+  const std::vector<double> losses{
+      loss_per_friction(sun_path, 1.0 / teeth.sun + 1.0 / teeth.planet_1),
+      loss_per_friction(fixed_path, 1.0 / teeth.planet_1 - 1.0 / teeth.fixed_ring),
+      loss_per_friction(output_path, 1.0 / teeth.planet_2 - 1.0 / teeth.output_ring)};
+  const auto& friction = design.problem.friction_coefficient;
+  report.meshes = {describe_mesh("sun_planet_1", sun_path, losses[0], friction),
+                   describe_mesh("planet_1_fixed_ring", fixed_path, losses[1], friction),
+                   describe_mesh("planet_2_output_ring", output_path, losses[2], friction)};
+
+  const double ratio_1 = basic_ratio_1(teeth);
+  const double ratio_2 = basic_ratio_2(teeth);
+  const LossWeights weights = three_k_loss_weights(ratio_1, ratio_2);
+  share_losses({weights.sun_planet_1, weights.planet_1_fixed_ring, weights.planet_2_output_ring},
+               losses, report.meshes);
+  const ThreeKBacklash backlash = three_k_backlash(
+      ratio_1, ratio_2, radii_mm(teeth, design.module_mm.get_d() / 2.0 * kReferenceCosine));
+  report.output_backlash_rad_per_mm = share_backlash(
+      {backlash.sun_planet_1, backlash.planet_1_fixed_ring, backlash.planet_2_output_ring},
+      report.meshes);
+}
+
+void describe_efficiency(const ThreeKDesign& design, DesignReport& report) {
+  const ThreeKTeeth<double> teeth = design.real_teeth();
+  // The exact test decides whether the output moves, not the rounded I2.
+  const double ratio_2 = design.stands_still() ? 1.0 : basic_ratio_2(teeth);
+  const TrainEfficiency efficiency = three_k_efficiency(
+      basic_ratio_1(teeth), ratio_2,
+      {report.meshes[0].efficiency, report.meshes[1].efficiency, report.meshes[2].efficiency});
+  report.forward_efficiency = efficiency.forward;
+  report.backward_efficiency = efficiency.backward;
+  report.self_locking = efficiency.flow == PowerFlow::kSelfLocking;
+}
+
+void describe_loads(const ThreeKDesign& design, DesignReport& report) {
+  if (!design.problem.load_output_torque_Nm || design.stands_still()) return;
+  const ThreeKRadii pitch_mm = radii_mm(design.real_teeth(), design.module_mm.get_d() / 2.0);
+  const ThreeKRadii pitch_m{pitch_mm.sun_m * 1e-3, pitch_mm.fixed_ring_m * 1e-3,
+                            pitch_mm.output_ring_m * 1e-3};
+  const ThreeKLoads loads = three_k_loads(design.problem.load_output_torque_Nm->get_d(),
+                                          report.ratio.get_d(), design.planet_count, pitch_m);
+  report.input_torque_Nm = loads.sun_torque_Nm;
+  report.fixed_ring_torque_Nm = loads.fixed_ring_torque_Nm;
+  report.planet_tilting_force_N = loads.tilting_force_N();
+  report.meshes[0].tangential_force_N = loads.sun_force_N;
+  report.meshes[1].tangential_force_N = loads.fixed_ring_force_N;
+  report.meshes[2].tangential_force_N = loads.output_ring_force_N;
+}
+
+void describe_bodies(const ThreeKDesign& design, DesignReport& report) {
+  const Problem& problem = design.problem;
+  const std::int64_t largest = std::max(design.teeth.fixed_ring, design.teeth.output_ring);
+  report.hollow_shaft_diameter_mm = hollow_shaft_mm(problem, design.module_mm, design.teeth.sun);
+  report.ring_blank_diameter_mm = ring_blank_mm(problem, design.module_mm, largest);
+  const auto blank = blank_of(problem, design.module_mm, {"layer_1", "layer_2"});
+  if (!blank) return;
+  const ThreeKTeeth<double> teeth = design.real_teeth();
+  report.mass_kg = three_k_mass_kg(*blank, design.planet_count, teeth);
+  if (design.stands_still()) return;
+  report.reflected_inertia_kg_m2 = reflected_inertia_kg_m2(
+      three_k_reduction(teeth),
+      three_k_inertia_at_sun_kg_m2(*blank, problem.rotor_inertia_kg_m2.get_d(), design.planet_count,
+                                   teeth));
+}
+
+/// Equation (1) of seed 001 with Z_P3 read as Z_P2, exact until the last rounding.
+double paper_cost(const ThreeKDesign& design) {
+  const auto square = [](const Rational& x) { return Rational(x * x); };
+  const Rational bore = design.problem.rotor_inner_diameter_mm / design.module_mm;
+  const Rational cost = 1 / square(design.teeth.sun) + square(design.teeth.fixed_ring - bore) +
+                        square(design.teeth.planet_1) + square(design.teeth.planet_2) +
+                        square(design.teeth.output_ring);
+  return cost.get_d();
+}
+
+std::vector<ConstraintReport> constraints_of(const ThreeKDesign& design) {
+  std::vector<ConstraintReport> list = paper_constraints(design);
+  if (design.problem.constraints == ConstraintSet::kBuildable) {
+    for (ConstraintReport& report : further_constraints(design)) list.push_back(std::move(report));
+  }
+  for (ConstraintReport& report : coaxiality_constraints(design)) list.push_back(std::move(report));
+  return list;
+}
+
+}  // namespace
+
+ThreeKTeeth<double> ThreeKDesign::real_teeth() const {
+  return {static_cast<double>(teeth.sun), static_cast<double>(teeth.planet_1),
+          static_cast<double>(teeth.planet_2), static_cast<double>(teeth.fixed_ring),
+          static_cast<double>(teeth.output_ring)};
+}
+
+bool ThreeKDesign::stands_still() const {
+  return Rational(teeth.output_ring) * teeth.planet_1 ==
+         Rational(teeth.fixed_ring) * teeth.planet_2;
+}
+
+std::vector<std::int64_t> complete(std::span<const std::int64_t> free_teeth) {
+  const std::int64_t sun = free_teeth[0];
+  const std::int64_t planet_1 = free_teeth[1];
+  const std::int64_t planet_2 = free_teeth[2];
+  return {sun, planet_1, planet_2, sun + 2 * planet_1, sun + planet_1 + planet_2};
+}
+
+DesignReport evaluate(const Problem& problem, const Design& design) {
+  DesignReport report;
+  report.design = design;
+  if (report.design.teeth.size() == 3) report.design.teeth = complete(design.teeth);
+  const std::vector<std::int64_t>& z = report.design.teeth;
+  const ThreeKDesign train{
+      problem, {z[0], z[1], z[2], z[3], z[4]}, design.planet_count, design.module_mm};
+  report.planet_types = planet_type_count(train.teeth, design.planet_count);
+  if (!train.stands_still()) {
+    report.ratio = three_k_reduction<Rational>({z[0], z[1], z[2], z[3], z[4]});
+  }
+  describe_gears(train, report);
+  describe_meshes(train, report);
+  describe_efficiency(train, report);
+  describe_loads(train, report);
+  describe_bodies(train, report);
+  state_objective(problem, paper_cost(train), report);
+  report.constraints = constraints_of(train);
+  report.remarks = remarks(train, report);
+  return report;
+}
+
+}  // namespace torquewright::gearbox::three_k

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/design_drawing.hpp"
+
+#include "gearbox/topology.hpp"
+#include "src/report/gearbox_drawing.hpp"
+
+namespace torquewright::cli {
+
+std::string drawing_of(const gearbox::Problem& problem, const gearbox::Design& design) {
+  const gearbox::DesignReport report =
+      gearbox::find_topology(problem.topology)->evaluate(problem, design);
+  report::GearboxDrawing drawing;
+  drawing.name = problem.name;
+  drawing.topology = problem.topology;
+  drawing.teeth = report.design.teeth;
+  drawing.planet_count = design.planet_count;
+  drawing.module_mm = design.module_mm.get_d();
+  drawing.ratio = report.ratio.get_str();
+  drawing.hollow_shaft_diameter_mm = report.hollow_shaft_diameter_mm;
+  if (problem.ring_wall_mm) drawing.ring_wall_mm = problem.ring_wall_mm->get_d();
+  return report::gearbox_drawing(drawing);
+}
+
+}  // namespace torquewright::cli

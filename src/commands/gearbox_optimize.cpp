@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "gearbox/problem_spec.hpp"
+#include "gearbox/result_spec.hpp"
+#include "gearbox/synthesis.hpp"
+#include "io/atomic_file.hpp"
+#include "io/provenance.hpp"
+#include "src/commands/design_drawing.hpp"
+#include "src/commands/gearbox_commands.hpp"
+#include "src/commands/proof_check.hpp"
+#include "src/interrupt.hpp"
+#include "src/report/gearbox_text.hpp"
+#include "src/report/progress_line.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using optimization::RelaxationUse;
+
+const std::map<std::string, RelaxationUse> kRelaxationUses{{"auto", RelaxationUse::kAuto},
+                                                           {"always", RelaxationUse::kAlways},
+                                                           {"never", RelaxationUse::kNever}};
+
+struct OptimizeOptions {
+  std::string problem_file;
+  std::string result_file;
+  std::string drawing_file;
+  std::size_t top = 1;
+  std::string relaxation = "auto";
+  std::int64_t max_nodes = 0;
+  bool verify = false;
+  bool json = false;
+  bool timing = false;
+};
+
+nlohmann::ordered_json non_default_options(const OptimizeOptions& options) {
+  nlohmann::ordered_json changed = nlohmann::ordered_json::object();
+  if (options.top != 1) changed["top"] = options.top;
+  if (options.relaxation != "auto") changed["relaxation"] = options.relaxation;
+  if (options.max_nodes != 0) changed["max_nodes"] = options.max_nodes;
+  return changed;
+}
+
+gearbox::SynthesisOptions synthesis_options(const OptimizeOptions& options,
+                                            report::ProgressLine& line) {
+  gearbox::SynthesisOptions result;
+  result.top = options.top;
+  result.relaxation = kRelaxationUses.at(options.relaxation);
+  if (options.max_nodes > 0) result.max_nodes = options.max_nodes;
+  result.should_stop = is_interrupted;
+  result.report = [&line](const optimization::Progress& progress) {
+    line.show(fmt::format("{} boxes done, {} open, {} designs kept, best {:.8g}, bound {:.8g}",
+                          progress.nodes, progress.open, progress.found, progress.best_cost,
+                          progress.bound));
+  };
+  return result;
+}
+
+ExitCode exit_code(gearbox::SynthesisStatus status) {
+  switch (status) {
+    case gearbox::SynthesisStatus::kOptimal:
+      return ExitCode::kPasses;
+    case gearbox::SynthesisStatus::kInfeasible:
+      return ExitCode::kFails;
+    case gearbox::SynthesisStatus::kLimit:
+      break;
+  }
+  return ExitCode::kUndecided;
+}
+
+ExitCode run_optimize(const OptimizeOptions& options) {
+  const io::Document document = io::read_document(options.problem_file, "gearbox_problem");
+  const gearbox::Problem problem = gearbox::read_problem(document);
+  catch_interrupt();
+  const auto start = std::chrono::steady_clock::now();
+  gearbox::SynthesisResult found;
+  {
+    report::ProgressLine line;
+    found = gearbox::optimize(problem, synthesis_options(options, line));
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+
+  nlohmann::ordered_json result = gearbox::result_json(problem, found);
+  if (options.timing) result["search"]["seconds"] = seconds.count();
+  result["problem"] = document.root;
+  result["tool"] = io::tool_provenance();
+  result["inputs"] = io::input_provenance({&document, 1});
+  result["options"] = non_default_options(options);
+
+  const std::string json_text = result.dump(1) + "\n";
+  ExitCode code = exit_code(found.status);
+  std::string text = report::optimization_text(problem, found);
+  if (options.timing) text += fmt::format("Search time: {:.4f} s\n", seconds.count());
+  if (options.verify) {
+    const ProofCheck check = check_proof(problem, nlohmann::json::parse(json_text));
+    text += check.text;
+    if (!check.is_accepted) code = ExitCode::kFails;
+  }
+  if (!options.drawing_file.empty() && !found.designs.empty()) {
+    io::write_whole_file(options.drawing_file, drawing_of(problem, found.designs.front()));
+  }
+  if (!options.result_file.empty()) io::write_whole_file(options.result_file, json_text);
+  std::fputs((options.json ? json_text : text).c_str(), stdout);
+  return code;
+}
+
+}  // namespace
+
+void add_optimize_command(CLI::App& gearbox, ExitCode& result) {
+  auto options = std::make_shared<OptimizeOptions>();
+  CLI::App* command = gearbox.add_subcommand("optimize", "The best gearbox of a problem, proved");
+  command->add_option("problem", options->problem_file, "Document of kind gearbox_problem")
+      ->required();
+  command->add_option("-o,--output", options->result_file, "Write the result with its proof here");
+  command->add_option("--draw", options->drawing_file, "Draw the best design to this SVG file");
+  command->add_option("--top", options->top, "How many of the best designs (default 1)")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--relaxation", options->relaxation, "When Ipopt is asked (default auto)")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+  command->add_option("--max-nodes", options->max_nodes, "End the search after so many boxes")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 60));
+  command->add_flag("--verify", options->verify, "Check the proof with the independent checker");
+  command->add_flag("--json", options->json, "Print the result as JSON");
+  command->add_flag("--timing", options->timing, "State the seconds (runs then differ in bytes)");
+  command->footer("Example:\n  torquewright gearbox optimize specs/gearbox/d151_knee.json --verify");
+  command->callback([options, &result] { result = run_optimize(*options); });
+}
+
+}  // namespace torquewright::cli

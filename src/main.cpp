@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "io/atomic_file.hpp"
+#include "io/provenance.hpp"
+#include "io/spec_error.hpp"
+#include "src/commands/gearbox_commands.hpp"
+#include "src/exit_code.hpp"
+
+namespace {
+
+using torquewright::cli::ExitCode;
+
+int as_int(ExitCode code) { return static_cast<int>(code); }
+
+int run(int argc, char** argv) {
+  CLI::App app{"Design tool for actuators and gearboxes of jumping robots", "torquewright"};
+  app.set_version_flag("--version", std::string(torquewright::io::tool_version()));
+  app.require_subcommand(1);
+  ExitCode result = ExitCode::kPasses;
+  CLI::App* gearbox = app.add_subcommand("gearbox", "Which teeth?");
+  gearbox->require_subcommand(1);
+  torquewright::cli::add_optimize_command(*gearbox, result);
+  torquewright::cli::add_evaluate_command(*gearbox, result);
+  torquewright::cli::add_verify_command(*gearbox, result);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // --help and --version come this way too, with exit code 0.
+    return app.exit(error) == 0 ? 0 : as_int(ExitCode::kBadInput);
+  }
+  return as_int(result);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  torquewright::io::ignore_file_size_signal();
+  try {
+    return run(argc, argv);
+  } catch (const torquewright::io::SpecError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return as_int(ExitCode::kBadInput);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "internal error: %s\n", error.what());
+    return 70;  // EX_SOFTWARE: no statement about the input
+  }
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "gearbox/ranking.hpp"
+#include "gearbox/synthesis.hpp"
+#include "gearbox/topology.hpp"
+
+namespace torquewright::report {
+
+/// What `gearbox optimize` prints: status, designs, proof; or the conflict and what would help.
+std::string optimization_text(const gearbox::Problem& problem,
+                              const gearbox::SynthesisResult& result);
+
+/// What `gearbox evaluate` prints: everything about one design and where it stands.
+std::string evaluation_text(const gearbox::Problem& problem, const gearbox::DesignReport& report,
+                            const gearbox::Standing& standing);
+
+}  // namespace torquewright::report

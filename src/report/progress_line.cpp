@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/progress_line.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace torquewright::report {
+
+ProgressLine::ProgressLine() : is_watched_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::~ProgressLine() { show(""); }
+
+void ProgressLine::show(const std::string& text) {
+  if (is_watched_) std::fprintf(stderr, "\r\033[K%s", text.c_str());
+}
+
+}  // namespace torquewright::report

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/tooth_outline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "gearbox/root_fillet.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Half the width of a hob's tooth at a depth below its middle line; negative beyond its tip.
+double hob_half_width(double depth, double tip_radius) {
+  const double tangent = std::tan(kPressureAngle_rad);
+  const double sine = std::sin(kPressureAngle_rad);
+  const double arc_start = 1.25 - tip_radius * (1.0 - sine);
+  if (depth > 1.25) return -1.0;
+  if (depth <= arc_start) return 0.25 * kPi - depth * tangent;
+  const double arc_center =
+      0.25 * kPi - arc_start * tangent - tip_radius * std::cos(kPressureAngle_rad);
+  const double below_center = depth - (1.25 - tip_radius);
+  return arc_center +
+         std::sqrt(std::max(0.0, tip_radius * tip_radius - below_center * below_center));
+}
+
+// How far the hob's tooth, rolling over the gear, gets into a point of the gear at most.
+double deepest_cut(const ToothForm& form, const Point& point) {
+  const double pitch_radius = 0.5 * static_cast<double>(form.teeth);
+  const double half_pitch_rad = kPi / static_cast<double>(form.teeth);
+  // The hob's tooth stands in the space clockwise of the tooth on the x axis, which is turned up.
+  const Point start = turned(point, 0.5 * kPi + half_pitch_rad);
+  double deepest = -1.0;
+  for (double roll = -6.0; roll <= 6.0; roll += 1e-4) {
+    const Point rolled = turned(start, -roll / pitch_radius);
+    const double depth = pitch_radius + form.profile_shift - rolled.y;
+    const double width = hob_half_width(depth, form.fillet_radius);
+    if (width < 0.0) continue;
+    deepest = std::max(deepest, width - std::abs(rolled.x - roll));
+  }
+  return deepest;
+}
+
+// Oracle: the hob itself, as an area rolled in small steps. What it leaves must be the outline: no
+// point is cut into, and each is touched. Step 1e-4 leaves out at most 1e-8 / (2 * 0.03 radius).
+TEST(ToothOutline, IsWhatTheHobLeaves) {
+  for (const auto& [teeth, shift] : {std::pair<std::int64_t, double>{9, 0.0},
+                                     {12, 0.0},
+                                     {12, 0.476},
+                                     {18, 0.0},
+                                     {44, 0.0},
+                                     {39, 0.762}}) {
+    const ToothForm form = external_gear(teeth, shift);
+    const std::vector<OutlineCurve> curves = half_pitch_curves(form);
+    for (const OutlineCurve& curve : {curves.at(1), curves.at(2)}) {  // Flank and fillet.
+      for (int i = 1; i < 12; ++i) {
+        const Point point = curve.point(curve.from + (curve.to - curve.from) * i / 12.0);
+        // Mirrored, so that the point's flank faces the hob's tooth.
+        const double cut = deepest_cut(form, {point.x, -point.y});
+        EXPECT_NEAR(cut, 0.0, 2e-6) << teeth << " teeth, radius " << std::hypot(point.x, point.y);
+      }
+    }
+  }
+}
+
+// Oracle: half a pitch on the pitch circle, for every gear without profile shift.
+TEST(ToothOutline, IsHalfAPitchThickOnThePitchCircle) {
+  for (std::int64_t teeth = 7; teeth < 200; ++teeth) {
+    const double pitch_radius = 0.5 * static_cast<double>(teeth);
+    EXPECT_NEAR(2.0 * pitch_radius * half_angle_rad(external_gear(teeth), pitch_radius), 0.5 * kPi,
+                1e-12);
+  }
+}
+
+// Oracle: neighbouring curves share their end points, and the radius never turns back.
+TEST(ToothOutline, IsConnectedAndMonotone) {
+  for (std::int64_t teeth = 7; teeth < 200; ++teeth) {
+    for (const ToothForm& form : {external_gear(teeth), internal_gear(teeth)}) {
+      const auto curves = half_pitch_curves(form);
+      for (std::size_t i = 0; i + 1 < curves.size(); ++i) {
+        const Point end = curves[i].point(curves[i].to);
+        const Point start = curves[i + 1].point(curves[i + 1].from);
+        EXPECT_NEAR(end.x, start.x, 1e-9) << teeth << (form.internal ? " ring" : " gear");
+        EXPECT_NEAR(end.y, start.y, 1e-9) << teeth << (form.internal ? " ring" : " gear");
+      }
+      const std::vector<Point> points = sample(curves, 1e-5);
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        EXPECT_LE(std::hypot(points[i].x, points[i].y),
+                  std::hypot(points[i - 1].x, points[i - 1].y) + 1e-12);
+        EXPECT_GE(points[i].y, -1e-12) << teeth;
+      }
+    }
+  }
+}
+
+TEST(ToothOutline, RefusesWhatCannotBeCut) {
+  EXPECT_THROW((void)external_gear(6), std::invalid_argument);
+  EXPECT_THROW((void)internal_gear(6), std::invalid_argument);
+  EXPECT_THROW((void)external_gear(20, NAN), std::invalid_argument);
+  EXPECT_THROW((void)external_gear(8, 1.0), std::invalid_argument);  // Pointed.
+}
+
+}  // namespace
+}  // namespace torquewright::gearbox

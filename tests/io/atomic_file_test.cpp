@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <iterator>
+
+#include "io/file_bytes.hpp"
+#include "io/spec_error.hpp"
+#include "tests/io/scratch_folder.hpp"
+
+namespace torquewright::io {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ScratchFolder;
+
+std::ptrdiff_t entries_in(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+/// What writing there is refused with; empty if it is not.
+std::string refusal(const fs::path& file, std::string_view content = "new") {
+  try {
+    write_whole_file(file, content);
+    return "";
+  } catch (const SpecError& error) {
+    EXPECT_EQ(error.faults().size(), 1u);
+    return error.faults().front().message;
+  }
+}
+
+/// Lets the process write files of no more than so many bytes, for as long as it lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    ignore_file_size_signal();
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST(WriteWholeFile, WritesAndReplaces) {
+  const ScratchFolder folder;
+  const fs::path file = folder.path() / "result.json";
+  write_whole_file(file, std::string(100000, 'a'));
+  EXPECT_EQ(read_file_bytes(file), std::string(100000, 'a'));
+  write_whole_file(file, "short");
+  EXPECT_EQ(read_file_bytes(file), "short");
+  write_whole_file(file, "");
+  EXPECT_EQ(read_file_bytes(file), "");
+  EXPECT_EQ(entries_in(folder.path()), 1);
+}
+
+TEST(WriteWholeFile, GivesTheRightsOfAnyNewFile) {
+  const ScratchFolder folder;
+  const mode_t before = ::umask(022);
+  write_whole_file(folder.path() / "a", "x");
+  ::umask(before);
+  EXPECT_EQ(static_cast<int>(fs::status(folder.path() / "a").permissions()), 0644);
+}
+
+TEST(WriteWholeFile, RefusesWithOneLine) {
+  const ScratchFolder folder;
+  folder.write("file", "x");
+  EXPECT_EQ(refusal(folder.path()), "cannot be written: it is a folder");
+  EXPECT_EQ(refusal(folder.path() / ""), "cannot be written: a file's name is missing");
+  EXPECT_EQ(refusal(folder.path() / "none" / "a"), "cannot be written: its folder does not exist");
+  EXPECT_EQ(refusal(folder.path() / "file" / "a"), "cannot be written: Not a directory");
+  EXPECT_EQ(refusal("/proc/a"),
+            "cannot be written: its folder does not exist");  // read-only to all
+}
+
+/// Root may write anywhere; so nobody does it, for as long as this lives.
+class WithoutPrivileges {
+ public:
+  WithoutPrivileges() : is_lowered_(::geteuid() == 0 && ::seteuid(kNobody) == 0) {}
+  ~WithoutPrivileges() {
+    if (is_lowered_ && ::seteuid(0) != 0) ADD_FAILURE() << "still nobody";
+  }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+  bool is_lowered_;
+};
+
+TEST(WriteWholeFile, RefusesAReadOnlyFolder) {
+  const ScratchFolder folder;
+  fs::permissions(folder.path(), static_cast<fs::perms>(0555));
+  {
+    const WithoutPrivileges nobody;
+    EXPECT_EQ(refusal(folder.path() / "a"), "cannot be written: Permission denied");
+  }
+  fs::permissions(folder.path(), fs::perms::owner_all);
+  EXPECT_EQ(entries_in(folder.path()), 0);
+}
+
+TEST(WriteWholeFile, KeepsTheOldFileIfThereIsNoRoom) {
+  const ScratchFolder folder;
+  const fs::path file = folder.write("result.json", "old");
+  {
+    const FileSizeLimit limit(4096);
+    EXPECT_EQ(refusal(file, std::string(4096, 'a')), "");  // just fits
+    EXPECT_EQ(refusal(file, std::string(4097, 'b')), "cannot be written: File too large");
+  }
+  EXPECT_EQ(read_file_bytes(file), std::string(4096, 'a'));
+  EXPECT_EQ(entries_in(folder.path()), 1);  // no temporary file
+}
+
+TEST(WriteWholeFile, FollowsALink) {
+  const ScratchFolder folder;
+  fs::create_directory(folder.path() / "there");
+  const fs::path target = folder.write("there/target", "old");
+  fs::create_symlink(target, folder.path() / "link");
+  write_whole_file(folder.path() / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+  EXPECT_EQ(read_file_bytes(target), "new");
+}
+
+// A rename would put a plain file in its place. A pipe of the test's own stands for every device:
+// with a real one, a mistake in the code under test would break the machine for everybody.
+TEST(WriteWholeFile, WritesToAPipeDirectly) {
+  const ScratchFolder folder;
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);  // so that no end waits
+  ASSERT_GE(reader, 0);
+  EXPECT_EQ(refusal(pipe, "content"), "");
+  std::string content(20, '\0');
+  const ssize_t count = ::read(reader, content.data(), content.size());
+  ::close(reader);
+  EXPECT_EQ(content.substr(0, count < 0 ? 0 : static_cast<std::size_t>(count)), "content");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(entries_in(folder.path()), 1);
+}
+
+}  // namespace
+}  // namespace torquewright::io

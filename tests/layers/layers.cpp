@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/layers/layers.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace torquewright::layers {
+namespace {
+
+namespace fs = std::filesystem;
+using Folders = std::set<std::string, std::less<>>;
+
+/// Which folders the files of each may include, besides its own:
+/// src -> hopper, identification -> actuator, dynamics -> gearbox -> optimization; io for all.
+const std::map<std::string, Folders, std::less<>> kMayInclude = {
+    {"io", {}},
+    {"optimization", {"io"}},
+    {"gearbox", {"io", "optimization"}},
+    {"actuator", {"io", "optimization", "gearbox"}},
+    {"dynamics", {"io", "optimization", "gearbox"}},
+    {"hopper", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
+    {"identification", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
+    {"src", {"io", "optimization", "gearbox", "actuator", "dynamics", "hopper", "identification"}},
+};
+
+std::string folder_of(std::string_view name) {
+  const std::size_t slash = name.find('/');
+  return slash == std::string_view::npos ? "" : std::string(name.substr(0, slash));
+}
+
+bool is_solver(std::string_view header) {
+  std::string lower(header);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char letter) { return std::tolower(letter); });
+  return lower.starts_with("ip") || lower.starts_with("coin") || lower.starts_with("nlopt");
+}
+
+bool is_shared_with_the_checker(std::string_view name) {
+  return name.starts_with("gearbox/proof/") || name.starts_with("io/") ||
+         (name.starts_with("gearbox/problem") && name.ends_with(".hpp"));
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+bool is_source(const fs::path& file) {
+  return file.extension() == ".cpp" || file.extension() == ".hpp";
+}
+
+}  // namespace
+
+std::string objection(std::string_view file, std::string_view included) {
+  const std::string from = folder_of(file);
+  const std::string to = folder_of(included);
+  if (!kMayInclude.contains(to)) {
+    const bool may_solve = from == "optimization" || !is_solver(included);
+    return may_solve ? "" : "only optimization/ includes a solver";
+  }
+  if (file.starts_with("gearbox/proof/") && !is_shared_with_the_checker(included)) {
+    return "the checker of proofs shares only the reader of problems with the search";
+  }
+  if (from == to || kMayInclude.at(from).contains(to)) return "";
+  return from + "/ does not stand above " + to + "/";
+}
+
+std::vector<std::string> included_names(std::string_view text) {
+  static const std::regex kDirective(R"re((?:^|\n)[ \t]*#[ \t]*include[ \t]*["<]([^">\n]*)[">])re");
+  std::vector<std::string> names;
+  using Iterator = std::regex_iterator<std::string_view::const_iterator>;
+  for (Iterator found(text.begin(), text.end(), kDirective); found != Iterator(); ++found) {
+    names.push_back((*found)[1].str());
+  }
+  return names;
+}
+
+std::vector<std::string> find_objections(const fs::path& root) {
+  std::vector<std::string> sentences;
+  for (const auto& [folder, others] : kMayInclude) {
+    if (!fs::is_directory(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!is_source(entry.path())) continue;
+      const std::string file = entry.path().lexically_relative(root).generic_string();
+      for (const std::string& name : included_names(text_of(entry.path()))) {
+        const std::string why = objection(file, name);
+        if (!why.empty()) sentences.push_back(file + " includes " + name + ": " + why);
+      }
+    }
+  }
+  std::sort(sentences.begin(), sentences.end());
+  return sentences;
+}
+
+}  // namespace torquewright::layers

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/layers/layers.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/io/scratch_folder.hpp"
+
+namespace torquewright::layers {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Sources, IncludeOnlyDownward) {
+  for (const std::string& sentence : find_objections(TORQUEWRIGHT_SOURCE_DIR)) {
+    ADD_FAILURE() << sentence;
+  }
+}
+
+TEST(Objection, IsRaisedUpwardAndSideways) {
+  EXPECT_EQ(objection("io/a.cpp", "gearbox/b.hpp"), "io/ does not stand above gearbox/");
+  for (const auto& [file, included] :
+       std::vector<std::pair<std::string, std::string>>{{"io/a.cpp", "optimization/b.hpp"},
+                                                        {"optimization/a.cpp", "gearbox/b.hpp"},
+                                                        {"gearbox/a.cpp", "src/b.hpp"},
+                                                        {"gearbox/a.cpp", "actuator/b.hpp"},
+                                                        {"actuator/a.cpp", "dynamics/b.hpp"},
+                                                        {"dynamics/a.cpp", "actuator/b.hpp"},
+                                                        {"hopper/a.cpp", "identification/b.hpp"},
+                                                        {"identification/a.cpp", "hopper/b.hpp"},
+                                                        {"hopper/a.cpp", "src/b.hpp"}}) {
+    EXPECT_NE(objection(file, included), "") << file << " " << included;
+  }
+}
+
+TEST(Objection, IsNotRaisedDownward) {
+  for (const auto& [file, included] : std::vector<std::pair<std::string, std::string>>{
+           {"io/a.cpp", "io/b.hpp"},
+           {"io/a.cpp", "vector"},
+           {"io/a.cpp", "nlohmann/json.hpp"},
+           {"gearbox/a.cpp", "optimization/b.hpp"},
+           {"gearbox/a.cpp", "gearbox/topologies/b.hpp"},
+           {"hopper/a.cpp", "actuator/b.hpp"},
+           {"hopper/a.cpp", "dynamics/b.hpp"},
+           {"src/report/a.cpp", "gearbox/proof/b.hpp"}}) {
+    EXPECT_EQ(objection(file, included), "") << file << " " << included;
+  }
+}
+
+TEST(Objection, KeepsTheCheckerOfProofsApart) {
+  EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/proof/b.hpp"), "");
+  EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem.hpp"), "");
+  EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem_spec.hpp"), "");
+  EXPECT_EQ(objection("gearbox/proof/a.cpp", "io/rational.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/efficiency.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/a.cpp", "optimization/interval.hpp"), "");
+}
+
+TEST(Objection, KeepsSolversInOptimization) {
+  for (const char* solver : {"IpTNLP.hpp", "coin/IpTNLP.hpp", "coin-or/IpTNLP.hpp", "nlopt.hpp"}) {
+    EXPECT_EQ(objection("optimization/a.cpp", solver), "") << solver;
+    EXPECT_EQ(objection("gearbox/a.cpp", solver), "only optimization/ includes a solver") << solver;
+  }
+}
+
+TEST(IncludedNames, AreFoundHoweverTheyAreSpaced) {
+  EXPECT_EQ(included_names("#include \"a/b.hpp\"\n  #  include <c>\nint x;\n// #include \"d\"\n"),
+            (std::vector<std::string>{"a/b.hpp", "c"}));
+}
+
+TEST(FindObjections, CatchesAnUpwardIncludeInATree) {
+  const test::ScratchFolder folder;
+  fs::create_directories(folder.path() / "io" / "deep");
+  folder.write("io/fine.cpp", "#include \"io/fine.hpp\"\n");
+  EXPECT_TRUE(find_objections(folder.path()).empty());
+  folder.write("io/deep/bad.hpp", "#pragma once\n#include \"src/main.hpp\"\n");
+  EXPECT_EQ(find_objections(folder.path()),
+            std::vector<std::string>{
+                "io/deep/bad.hpp includes src/main.hpp: io/ does not stand above src/"});
+}
+
+}  // namespace
+}  // namespace torquewright::layers

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace torquewright::oracles {
+
+/// Reference pressure angle of 20 degrees.
+long double pressure_angle_rad();
+
+/// The path of contact in base pitches from the pitch point, for gears without profile shift and
+/// with addenda of one module. NaN where a ring's tip circle lies inside its base circle.
+struct ContactPath {
+  long double approach = 0;  ///< epsilon_A, ended by the second gear's tip.
+  long double recess = 0;    ///< epsilon_R, ended by the first gear's tip.
+  long double ratio() const { return approach + recess; }
+};
+
+ContactPath external_path(std::int64_t first, std::int64_t second);
+ContactPath internal_path(std::int64_t planet, std::int64_t ring);
+
+/// P/R - 1 + tan(alpha_a2)/tan(alpha); NaN as above.
+long double involute_margin(std::int64_t planet, std::int64_t ring);
+
+/// theta_1 P/R + inv(alpha) - inv(alpha_a2) - theta_2, in rad; NaN as above.
+long double trochoid_margin_rad(std::int64_t planet, std::int64_t ring);
+
+/// Lambda = 2 * integral of |x|/k(x) along the path, k pairs being in contact at once.
+long double loss_factor(const ContactPath& path);
+
+/// Basic efficiency of a mesh with the carrier held: 1 - mu pi (1/z1 +- 1/z2) Lambda.
+long double external_efficiency(std::int64_t first, std::int64_t second, long double friction);
+long double internal_efficiency(std::int64_t planet, std::int64_t ring, long double friction);
+
+}  // namespace torquewright::oracles

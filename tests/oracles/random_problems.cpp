@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/oracles/random_problems.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "tests/oracles/dice.hpp"
+#include "tests/oracles/gearbox_rules.hpp"
+#include "tests/oracles/named_problems.hpp"
+
+namespace torquewright::oracles {
+namespace {
+
+using gearbox::ConstraintSet;
+using gearbox::Objective;
+using gearbox::Problem;
+
+Rational tenths(std::int64_t count) { return Rational(count) / 10; }
+Rational hundredths(std::int64_t count) { return Rational(count) / 100; }
+Rational thousandths(std::int64_t count) { return Rational(count) / 1000; }
+
+// A design that the problem is built around; it need not satisfy everything.
+struct Model {
+  Teeth teeth;
+  std::int64_t planets = 0;
+  Rational ratio;
+};
+
+Rational as_rational(const WideFraction& value) {
+  return Rational(static_cast<std::int64_t>(value.numerator)) /
+         static_cast<std::int64_t>(value.denominator);
+}
+
+bool is_short_decimal(const Rational& value) {
+  const Rational scaled = value * 1000;
+  return scaled.get_den() == 1 && scaled < 1000000;
+}
+
+Model draw_model(Dice& dice, const Problem& problem, std::int64_t bore) {
+  const bool three_k = problem.topology == "3k";
+  const std::int64_t least = problem.constraints == ConstraintSet::kBuildable ? 18 : 12;
+  const std::int64_t n = dice.one_of(problem.planet_count);
+  const std::int64_t sun = dice.between(least, std::max(least, bore / 2));
+  const std::int64_t first = dice.between(least + n, std::max(least + n, (bore - sun) / 2));
+  const std::int64_t second = dice.between(least, first - n);
+  Model model{three_k ? complete_3k(sun, first, second) : complete_planetary(sun, first), n, 0};
+  model.ratio = as_rational(three_k ? ratio_3k(model.teeth) : ratio_planetary(model.teeth));
+  return model;
+}
+
+// What must hold for the model to be worth building a problem around.
+bool is_promising(const Model& model, const Problem& problem, std::int64_t bore) {
+  const Teeth& z = model.teeth;
+  const bool distinct = z.planet_2 == 0 || problem.constraints == ConstraintSet::kPaper ||
+                        (z.output_ring * z.planet_1 - z.fixed_ring * z.planet_2) %
+                                (model.planets * std::gcd(z.planet_1, z.planet_2)) ==
+                            0;
+  const double sine = std::sin(std::numbers::pi / static_cast<double>(model.planets));
+  return z.fixed_ring <= bore && (z.sun + z.fixed_ring) % model.planets == 0 && distinct &&
+         static_cast<double>(z.sun + z.planet_1) * sine > static_cast<double>(z.planet_1 + 2);
+}
+
+Model draw_good_model(Dice& dice, const Problem& problem, std::int64_t bore, bool exact) {
+  Model model;
+  for (int attempt = 0; attempt < 2000; ++attempt) {
+    model = draw_model(dice, problem, bore);
+    if (is_promising(model, problem, bore) && (!exact || is_short_decimal(model.ratio))) break;
+  }
+  return model;
+}
+
+void draw_ratio(Dice& dice, Problem& problem, const Model& model, bool exact) {
+  problem.target_ratio = exact && is_short_decimal(model.ratio)
+                             ? model.ratio
+                             : tenths(static_cast<std::int64_t>(model.ratio.get_d() * 10 + 0.5));
+  if (dice.chance(8)) problem.target_ratio = dice.between(20, 240) * Rational(1, 4);
+  problem.ratio_tolerance = 0;
+  if (!exact)
+    problem.ratio_tolerance = thousandths(dice.one_of<std::int64_t>({1, 2, 5, 10, 20, 30}));
+}
+
+// Mostly a little below the model's count, now and then a little above it.
+std::int64_t draw_minimum(Dice& dice, std::int64_t teeth) {
+  return std::max<std::int64_t>(12, teeth - dice.between(dice.chance(12) ? -8 : 0, 25));
+}
+
+void draw_limits(Dice& dice, Problem& problem, const Model& model) {
+  const Teeth& z = model.teeth;
+  problem.min_teeth["sun"] = draw_minimum(dice, z.sun);
+  if (problem.topology == "3k") {
+    problem.min_teeth["planet_1"] = draw_minimum(dice, z.planet_1);
+    problem.min_teeth["planet_2"] = draw_minimum(dice, z.planet_2);
+  } else {
+    problem.min_teeth["planet"] = draw_minimum(dice, z.planet_1);
+  }
+  const double angle_rad =
+      std::numbers::pi / static_cast<double>(model.planets) -
+      std::asin(static_cast<double>(z.planet_1) / static_cast<double>(z.sun + z.planet_1));
+  const auto available = static_cast<std::int64_t>(std::floor(angle_rad * 100));
+  problem.min_carrier_clearance_rad = 0;
+  if (dice.chance(60)) {
+    problem.min_carrier_clearance_rad =
+        hundredths(std::max<std::int64_t>(0, available - dice.between(-2, 12)));
+  }
+}
+
+void draw_building(Dice& dice, Problem& problem) {
+  problem.min_contact_ratio = tenths(dice.one_of<std::int64_t>({10, 11, 12, 12, 12, 13, 15, 16}));
+  problem.min_neighbour_clearance_mm = tenths(dice.one_of<std::int64_t>({0, 0, 0, 1, 3, 5, 10}));
+  problem.sun_under_second_layer = dice.chance(75);
+  if (dice.chance(25)) problem.ring_wall_mm = tenths(dice.between(5, 40));
+  if (dice.chance(30)) {
+    problem.ring_outer_diameter_mm =
+        problem.rotor_inner_diameter_mm + tenths(dice.between(-20, 120));
+  }
+}
+
+void draw_materials(Dice& dice, Problem& problem) {
+  problem.friction_coefficient = hundredths(dice.between(2, 25));
+  problem.density_kg_m3 = dice.one_of<std::int64_t>({1140, 2700, 7850});
+  problem.face_width_mm["layer_1"] = tenths(dice.between(40, 150));
+  if (problem.topology == "3k") problem.face_width_mm["layer_2"] = tenths(dice.between(40, 150));
+  problem.hollow_shaft_wall_mm = tenths(dice.between(0, 70));
+  problem.rotor_inertia_kg_m2 = Rational(dice.between(0, 2000)) / 1000000;
+}
+
+void draw_kind(Dice& dice, Problem& problem) {
+  const bool three_k = dice.chance(80);
+  problem.topology = three_k ? "3k" : "planetary";
+  problem.constraints =
+      three_k && dice.chance(50) ? ConstraintSet::kPaper : ConstraintSet::kBuildable;
+  std::vector<Objective> objectives{Objective::kMass, Objective::kHollowShaft,
+                                    Objective::kForwardEfficiency, Objective::kBackwardEfficiency,
+                                    Objective::kReflectedInertia};
+  if (three_k) objectives.insert(objectives.end(), {Objective::kPaperCost, Objective::kPaperCost});
+  problem.objective = dice.one_of(objectives);
+}
+
+Problem draw_problem(Dice& dice) {
+  Problem problem;
+  draw_kind(dice, problem);
+  problem.module_mm = dice.one_or_more_of<Rational>(
+      {tenths(4), tenths(5), tenths(6), tenths(7), tenths(8), tenths(10)});
+  problem.planet_count = dice.one_or_more_of<std::int64_t>({3, 4, 5, 6});
+  const std::int64_t bore = dice.chance(92) ? dice.between(60, 180) : dice.between(181, 260);
+  const Rational& module = dice.one_of(problem.module_mm);
+  problem.rotor_inner_diameter_mm = bore * module + tenths(dice.between(0, 3));
+  const bool exact = dice.chance(50);
+  const Model model = draw_good_model(dice, problem, bore, exact);
+  draw_ratio(dice, problem, model, exact);
+  draw_limits(dice, problem, model);
+  draw_building(dice, problem);
+  draw_materials(dice, problem);
+  return problem;
+}
+
+}  // namespace
+
+std::vector<Problem> random_problems(std::uint64_t seed, std::size_t count) {
+  std::vector<Problem> problems{d151_problem()};
+  for (const HardProblem& hard : hard_problems()) problems.push_back(hard.problem);
+  problems.resize(std::min(problems.size(), count));
+  Dice dice(seed);
+  while (problems.size() < count) {
+    problems.push_back(draw_problem(dice));
+    problems.back().name = "random " + std::to_string(problems.size());
+  }
+  return problems;
+}
+
+}  // namespace torquewright::oracles

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
+
+#include "tests/oracles/involute_meshes.hpp"
+#include "tests/oracles/rule_families.hpp"
+
+namespace torquewright::oracles {
+namespace {
+
+constexpr long double kPi = std::numbers::pi_v<long double>;
+
+using Count = std::int64_t Teeth::*;
+using Margin = long double (*)(std::int64_t, std::int64_t);
+using Path = ContactPath (*)(std::int64_t, std::int64_t);
+
+long double real(std::int64_t teeth) { return static_cast<long double>(teeth); }
+
+// A margin that is not a number (a ring's tip inside its base circle) fails.
+Judgement not_negative(long double margin) {
+  return {margin >= 0, std::fabs(margin) < kNearTie, margin};
+}
+
+Judgement positive(long double margin) {
+  return {margin > 0, std::fabs(margin) < kNearTie, margin};
+}
+
+Rule carrier_clearance(const Setting& setting) {
+  const std::int64_t planets = setting.planet_count;
+  const long double half_pitch_rad = kPi / real(planets);
+  const long double least_rad = to_long_double(setting.problem.min_carrier_clearance_rad);
+  return {"carrier_clearance", [=](const Teeth& teeth) {
+            // Without a clearance this is sin(pi/n) >= P1/(S + P1), and by Niven's theorem the only
+            // equality is sin(pi/6) = 1/2. With one there is none: e^(i x) is transcendental.
+            if (least_rad == 0 && planets == 6 && teeth.sun == teeth.planet_1) {
+              return Judgement{true, false, 0};
+            }
+            const long double angle_rad =
+                std::asin(real(teeth.planet_1) / real(teeth.sun + teeth.planet_1));
+            return not_negative(half_pitch_rad - angle_rad - least_rad);
+          }};
+}
+
+// 2 a sin(pi/n) - m (P + 2) - limit as a fraction, for the counts whose sine is one.
+Rational clearance_of_six(const Teeth& teeth, Count planet, const Rational& module,
+                          const Rational& limit) {
+  return module * Rational(teeth.sun + teeth.planet_1) / 2 - module * (teeth.*planet + 2) - limit;
+}
+
+Rule neighbour_clearance(const Setting& setting, std::string name, Count planet) {
+  const Rational module = setting.module_mm;
+  const Rational limit = setting.problem.min_neighbour_clearance_mm;
+  const long double module_mm = to_long_double(module);
+  const long double limit_mm = to_long_double(limit);
+  const long double sine = std::sin(kPi / real(setting.planet_count));
+  const bool rational_sine = setting.planet_count == 6;
+  return {std::move(name), [=](const Teeth& teeth) {
+            const long double distance_mm = module_mm * real(teeth.sun + teeth.planet_1) / 2;
+            const long double margin_mm =
+                2 * distance_mm * sine - module_mm * real(teeth.*planet + 2) - limit_mm;
+            if (rational_sine && std::fabs(margin_mm) < kNearTie) {
+              return Judgement{clearance_of_six(teeth, planet, module, limit) > 0, false, 0};
+            }
+            return positive(margin_mm);
+          }};
+}
+
+Rule undercut(std::string name, Count gear) {
+  const long double sine = std::sin(pressure_angle_rad());
+  const long double least = 2 / (sine * sine);
+  return {std::move(name),
+          [=](const Teeth& teeth) { return not_negative(real(teeth.*gear) - least); }};
+}
+
+Rule ring_tip(const Setting& setting, std::string name, Count ring) {
+  const long double module_mm = to_long_double(setting.module_mm);
+  const long double cosine = std::cos(pressure_angle_rad());
+  return {std::move(name), [=](const Teeth& teeth) {
+            const long double z = real(teeth.*ring);
+            return positive(module_mm * (z - 2 - z * cosine) / 2);
+          }};
+}
+
+Rule interference(std::string name, Margin margin, Count planet, Count ring) {
+  return {std::move(name),
+          [=](const Teeth& teeth) { return not_negative(margin(teeth.*planet, teeth.*ring)); }};
+}
+
+Rule contact_ratio(const Setting& setting, std::string name, Path path, Count first, Count second) {
+  const long double least = to_long_double(setting.problem.min_contact_ratio);
+  return {std::move(name), [=](const Teeth& teeth) {
+            return not_negative(path(teeth.*first, teeth.*second).ratio() - least);
+          }};
+}
+
+std::vector<Rule> rules_of_3k(const Setting& setting) {
+  const auto S = &Teeth::sun, P1 = &Teeth::planet_1, P2 = &Teeth::planet_2;
+  const auto F = &Teeth::fixed_ring, O = &Teeth::output_ring;
+  return {
+      neighbour_clearance(setting, "neighbour_clearance.layer_1", P1),
+      neighbour_clearance(setting, "neighbour_clearance.layer_2", P2),
+      undercut("undercut.sun", S),
+      undercut("undercut.planet_1", P1),
+      undercut("undercut.planet_2", P2),
+      ring_tip(setting, "ring_tip.fixed_ring", F),
+      ring_tip(setting, "ring_tip.output_ring", O),
+      interference("interference.involute.planet_1_fixed_ring", involute_margin, P1, F),
+      interference("interference.involute.planet_2_output_ring", involute_margin, P2, O),
+      interference("interference.trochoid.planet_1_fixed_ring", trochoid_margin_rad, P1, F),
+      interference("interference.trochoid.planet_2_output_ring", trochoid_margin_rad, P2, O),
+      contact_ratio(setting, "contact_ratio.sun_planet_1", external_path, S, P1),
+      contact_ratio(setting, "contact_ratio.planet_1_fixed_ring", internal_path, P1, F),
+      contact_ratio(setting, "contact_ratio.planet_2_output_ring", internal_path, P2, O),
+  };
+}
+
+std::vector<Rule> rules_of_planetary(const Setting& setting) {
+  const auto S = &Teeth::sun, P = &Teeth::planet_1, R = &Teeth::fixed_ring;
+  return {
+      neighbour_clearance(setting, "neighbour_clearance.layer_1", P),
+      undercut("undercut.sun", S),
+      undercut("undercut.planet", P),
+      ring_tip(setting, "ring_tip.ring", R),
+      interference("interference.involute.planet_ring", involute_margin, P, R),
+      interference("interference.trochoid.planet_ring", trochoid_margin_rad, P, R),
+      contact_ratio(setting, "contact_ratio.sun_planet", external_path, S, P),
+      contact_ratio(setting, "contact_ratio.planet_ring", internal_path, P, R),
+  };
+}
+
+}  // namespace
+
+std::vector<Rule> real_rules(const Setting& setting) {
+  std::vector<Rule> list{carrier_clearance(setting)};
+  if (!is_buildable(setting.problem)) return list;
+  const auto buildable = is_3k(setting.problem) ? rules_of_3k : rules_of_planetary;
+  for (Rule& rule : buildable(setting)) list.push_back(std::move(rule));
+  return list;
+}
+
+}  // namespace torquewright::oracles
