@@ -1,9 +1,4 @@
-// MAINTAINER'S NOTE (delete when done): the specification has changed, docs/certificate.md in this
-// worktree is the new one: READ IT AGAIN ("The domain", "The tree", "Relaxation leaves"). The
-// proof's variables for 3k are now sun, planet_1 and difference (d = P1 - P2, 1 <= d), because the
-// ratio is monotone in these; planet_2 = P1 - d is derived; there is a condition `positive_teeth`
-// (P1 - d >= 1). Cuts, splits and relaxation points name "difference" instead of "planet_2".
-// Designs are unchanged. SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <string>

@@ -53,7 +53,7 @@ TEST(GearboxResult, HasTreesOfNodes) {
                 "r#" +
                 nodes +
                 "/0/cuts/0/1: \"moon\" is not one of \"sun\", \"planet_1\", "
-                "\"planet_2\", \"planet\"");
+                "\"difference\", \"planet\"");
   EXPECT_EQ(refusal_with((nodes + "/0/split/1").c_str(), 1.5),
             "r#" + nodes + "/0/split/1: 1.5 is not whole, must be a whole number");
   EXPECT_EQ(refusal_with((nodes + "/2/multipliers/ratio_min").c_str(), -1),
