@@ -129,14 +129,6 @@ class GearboxProgram : public Bonmin::TMINLP {
   Index variables() const { return static_cast<Index>(program_.least.size()); }
   const BoundedRow& row(Index i) const { return program_.rows[static_cast<std::size_t>(i)]; }
 
-  // Lower triangle by rows.
-  static void add_hessian(const Quadratic& form, double weight, Number* values) {
-    for (const auto& [i, j, factor] : form.terms) {
-      const std::size_t high = std::max(i, j), low = std::min(i, j);
-      values[high * (high + 1) / 2 + low] += weight * factor * (i == j ? 2 : 1);
-    }
-  }
-
   IntegerProgram program_;
   double start_;
 };

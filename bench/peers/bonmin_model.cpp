@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/peers/bonmin_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -131,6 +132,13 @@ void add_gradient(const Quadratic& form, const double* x, double* gradient) {
   for (const auto& [i, j, factor] : form.terms) {
     gradient[i] += factor * x[j];
     gradient[j] += factor * x[i];
+  }
+}
+
+void add_hessian(const Quadratic& form, double weight, double* values) {
+  for (const auto& [i, j, factor] : form.terms) {
+    const std::size_t high = std::max(i, j), low = std::min(i, j);
+    values[high * (high + 1) / 2 + low] += weight * factor * (i == j ? 2 : 1);
   }
 }
 

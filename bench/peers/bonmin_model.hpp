@@ -44,5 +44,7 @@ IntegerProgram formulate(const gearbox::Problem& problem, Formulation formulatio
 
 double value(const Quadratic& form, const double* x);
 void add_gradient(const Quadratic& form, const double* x, double* gradient);
+/// Into the lower triangle by rows, times weight.
+void add_hessian(const Quadratic& form, double weight, double* values);
 
 }  // namespace torquewright::bench
