@@ -38,7 +38,7 @@ ThreeKTeeth<std::int64_t> teeth_at(Point point) {
 
 // The difference at which the ratio is exactly G: 2 P1 (S + 2 P1)/(G S + 2 P1), written as
 // (2/G) P1 + 4 (G-1)/G P1^2/(G S + 2 P1): a square over a linear form, which is convex for G >= 1.
-// It grows with P1 and falls with S. docs/certificate.md, "The tree".
+// It grows with P1 and, for G >= 1, falls with S. docs/certificate.md, "The tree".
 Expression difference_for(const Rational& ratio, const Variables& x) {
   const Rational c = 4 * (ratio - 1) / ratio;
   return Expression(2 / ratio) * x.planet_1 +
@@ -51,10 +51,10 @@ std::vector<Condition> ratio_conditions(const Problem& problem, const Variables&
   using enum Direction;
   Condition greatest{"ratio_max", "ratio", "/ratio_tolerance",
                      x.difference - difference_for(greatest_ratio(problem), x)};
-  greatest.directions = {kGrows, kFalls, kGrows};
+  greatest.directions = {greatest_ratio(problem) >= 1 ? kGrows : kUnknown, kFalls, kGrows};
   Condition least{"ratio_min", "ratio", "/ratio_tolerance",
                   difference_for(least_ratio(problem), x) - x.difference};
-  least.directions = {kFalls, kGrows, kFalls};
+  least.directions = {least_ratio(problem) >= 1 ? kFalls : kUnknown, kGrows, kFalls};
   return {greatest, least};
 }
 
