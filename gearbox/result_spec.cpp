@@ -187,6 +187,10 @@ ordered_json evaluation_json(const Problem& problem, const DesignReport& report,
   for (const OptimalWhen& when : standing.optimal_when) {
     result["optimal_when"].push_back(standing_json(topology, when));
   }
+  // Of a search there is nothing, and so no proof; empty, so that whatever reads results reads this.
+  result["search"] = {{"nodes", 0}, {"relaxations", 0}};
+  result["conflict"] = ordered_json::array();
+  result["would_be_feasible_with"] = ordered_json::array();
   result["certificate"] = ordered_json::object();
   return result;
 }
