@@ -110,8 +110,7 @@ void add_evaluate_command(CLI::App& gearbox, ExitCode& result) {
       ->check(CLI::Range(2, 20));
   command->add_option("--module", options->module_mm, "In mm, where the problem lists several")
       ->check(CLI::Range(0.05, 25.0) & kNotNaN);
-  command->add_option("-o,--output", options->outputs.result, "Write the evaluation as JSON here");
-  command->add_option("--draw", options->outputs.drawing, "Draw the design to this SVG file");
+  add_output_options(*command, options->outputs);
   command->add_flag("--json", options->json, "Print the evaluation as JSON");
   command->footer(
       "Example:\n  torquewright gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32");

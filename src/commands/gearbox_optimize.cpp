@@ -121,9 +121,7 @@ void add_optimize_command(CLI::App& gearbox, ExitCode& result) {
   CLI::App* command = gearbox.add_subcommand("optimize", "The best gearbox of a problem, proved");
   command->add_option("problem", options->problem_file, "Document of kind gearbox_problem")
       ->required();
-  command->add_option("-o,--output", options->outputs.result,
-                      "Write the result with its proof here");
-  command->add_option("--draw", options->outputs.drawing, "Draw the best design to this SVG file");
+  add_output_options(*command, options->outputs);
   command->add_option("--top", options->top, "How many of the best designs (default 1)")
       ->check(CLI::Range(1, 1000000));
   command->add_option("--relaxation", options->relaxation, "When Ipopt is asked (default auto)")

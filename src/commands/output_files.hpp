@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,9 @@ struct OutputFiles {
   std::string result;
   std::string drawing;
 };
+
+/// Adds -o and --draw, which say where to.
+void add_output_options(CLI::App& command, OutputFiles& files);
 
 /// For before the work. Throws SpecError if a file cannot be written or is the input.
 void check_outputs(const OutputFiles& files, const std::string& input_file);
