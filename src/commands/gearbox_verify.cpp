@@ -13,10 +13,10 @@ namespace {
 
 ExitCode run_verify(const std::string& result_file, bool json) {
   const io::Document result = io::read_document(result_file, "gearbox_result");
-  if (result.root.at("certificate").empty()) {
+  if (result.root.at("certificate").value("claims", nlohmann::json()).empty()) {
     throw io::SpecError({{result_file, "/certificate",
-                          "is empty, must be the proof that `gearbox optimize` writes; what "
-                          "`gearbox evaluate` writes proves nothing"}});
+                          "claims nothing, must be the proof that `gearbox optimize` writes; "
+                          "`gearbox evaluate` writes none"}});
   }
   const io::Document document =
       io::check_document(result.root.at("problem"), "gearbox_problem", result.file, "/problem");

@@ -74,8 +74,8 @@ TEST(Verify, RefusesAnEvaluation) {
   place.write("knee.json", knee());
   place.run({"gearbox", "evaluate", "knee.json", "--teeth", "44,44,32", "-o", "evaluation.json"});
   EXPECT_EQ(refusal(place, "evaluation.json"),
-            "evaluation.json#/certificate: is empty, must be the proof that `gearbox optimize` "
-            "writes; what `gearbox evaluate` writes proves nothing\n");
+            "evaluation.json#/certificate: claims nothing, must be the proof that `gearbox "
+            "optimize` writes; `gearbox evaluate` writes none\n");
 }
 
 TEST(Verify, RefusesWhatIsNoResult) {
