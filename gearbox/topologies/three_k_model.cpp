@@ -137,7 +137,7 @@ Expression allowed_ratio(const Problem& problem) {
 // place of I2: the enclosure stays narrow on wide boxes. docs/derivations/efficiency.md.
 Expression enclosed_efficiency(const Problem& problem, const Variables& x, bool forward) {
   const Teeth teeth = teeth_with_planet_2(x);
-  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression first = mesh.sun_planet_1 * mesh.planet_1_fixed_ring;
   const Expression second = mesh.planet_1_fixed_ring * mesh.planet_2_output_ring;
   const Expression carrier = 1.0 / (1.0 + basic_ratio_1(teeth));  // 1/(1 + I1)
@@ -151,7 +151,7 @@ Expression enclosed_efficiency(const Problem& problem, const Variables& x, bool 
 
 Goal efficiency(const Problem& problem, const Variables& x, bool forward) {
   const Teeth teeth = teeth_of(x);
-  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression i1 = basic_ratio_1(teeth), i2 = basic_ratio_2(teeth);
   Goal goal{forward ? "forward_efficiency" : "backward_efficiency", "",
             forward ? three_k_forward_efficiency(i1, i2, mesh)
@@ -165,7 +165,7 @@ Goal efficiency(const Problem& problem, const Variables& x, bool forward) {
 Goal inertia(const Problem& problem, std::int64_t planet_count, const Rational& module_mm,
              const Variables& x) {
   const Blank bodies = blank(problem, module_mm);
-  const double rotor_kg_m2 = problem.rotor_inertia_kg_m2.get_d();
+  const double rotor_kg_m2 = io::nearest(problem.rotor_inertia_kg_m2);
   const Teeth teeth = teeth_of(x), enclosing = teeth_with_planet_2(x);
   Goal goal = inertia_goal(reflected_inertia_kg_m2(
       three_k_reduction(teeth),
