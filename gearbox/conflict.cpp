@@ -35,8 +35,8 @@ Alternatives restricted(const Problem& problem, const Names& names) {
 
 // What is known of a set of constraints.
 struct Trial {
-  VisitStatus status;             ///< kAll: no design satisfies them.
-  std::optional<Design> design;   ///< One that does.
+  VisitStatus status;            ///< kAll: no design satisfies them.
+  std::optional<Design> design;  ///< One that does.
 };
 
 Trial try_without(const Problem& problem, const Names& names, const SynthesisOptions& options) {
@@ -55,10 +55,16 @@ std::string teeth_text(const Design& design) {
   return fmt::format("{} with n = {}", fmt::join(design.teeth, "/"), design.planet_count);
 }
 
+ConflictMember unsettled(const std::string& name, const SynthesisOptions& options) {
+  const std::string until = options.should_stop() ? "before the search was ended"
+                                                  : fmt::format("within {} boxes", kMaxBoxes);
+  return {name, std::nullopt,
+          fmt::format("Whether {} is needed for the conflict was not settled {}.", name, until)};
+}
+
 // Constraints are dropped one after the other, the geometric ones first and those that a user sets
 // last, as long as what is left has no design: the rest is irreducible.
-std::vector<ConflictMember> irreducible_set(const Problem& problem,
-                                            std::vector<std::string> order,
+std::vector<ConflictMember> irreducible_set(const Problem& problem, std::vector<std::string> order,
                                             const SynthesisOptions& options) {
   Names kept(order.begin(), order.end());
   std::vector<ConflictMember> members;
@@ -70,19 +76,19 @@ std::vector<ConflictMember> irreducible_set(const Problem& problem,
       kept = std::move(without);
       continue;
     }
-    const std::string sentence =
-        trial.design
-            ? fmt::format("Without {} there is {}.", *name, teeth_text(*trial.design))
-            : fmt::format("Whether {} is needed for the conflict was not settled within {} boxes.",
-                          *name, kMaxBoxes);
-    members.push_back({*name, trial.design, sentence});
+    members.push_back(trial.design ? ConflictMember{*name, trial.design,
+                                                    fmt::format("Without {} there is {}.", *name,
+                                                                teeth_text(*trial.design))}
+                                   : unsettled(*name, options));
   }
   std::reverse(members.begin(), members.end());
   return members;
 }
 
-Claim infeasibility_claim(const Problem& problem, const std::vector<ConflictMember>& members,
-                          const SynthesisOptions& options, bool& is_complete) {
+// Absent if the search was ended.
+std::optional<Claim> infeasibility_claim(const Problem& problem,
+                                         const std::vector<ConflictMember>& members,
+                                         const SynthesisOptions& options) {
   Names names;
   Claim claim;
   claim.kind = "infeasible";
@@ -96,7 +102,7 @@ Claim infeasibility_claim(const Problem& problem, const std::vector<ConflictMemb
   search.relaxation = options.relaxation;
   search.should_stop = options.should_stop;
   optimization::SearchResult found = optimization::minimise(alternatives.judges(), search);
-  is_complete = found.status == optimization::SearchStatus::kComplete;
+  if (found.status != optimization::SearchStatus::kComplete) return std::nullopt;
   claim.alternatives = alternatives.proofs(std::move(found.proofs));
   return claim;
 }
@@ -104,12 +110,17 @@ Claim infeasibility_claim(const Problem& problem, const std::vector<ConflictMemb
 }  // namespace
 
 void explain_infeasibility(const Problem& problem, const SynthesisOptions& options,
-                           SynthesisResult& result) {
-  result.conflict =
-      irreducible_set(problem, Alternatives(problem).constraints(), options);
-  bool is_complete = false;
-  result.claims = {infeasibility_claim(problem, result.conflict, options, is_complete)};
-  result.status = is_complete ? SynthesisStatus::kInfeasible : SynthesisStatus::kLimit;
+                           std::vector<AlternativeProof> proofs, SynthesisResult& result) {
+  result.status = SynthesisStatus::kInfeasible;
+  const std::vector<std::string> all = Alternatives(problem).constraints();
+  result.conflict = irreducible_set(problem, all, options);
+  std::optional<Claim> claim = infeasibility_claim(problem, result.conflict, options);
+  if (!claim) {  // then what is proved is that all of them conflict
+    result.conflict.clear();
+    for (const std::string& name : all) result.conflict.push_back(unsettled(name, options));
+    claim = {"infeasible", all, "", std::nullopt, "", std::nullopt, std::move(proofs)};
+  }
+  result.claims = {std::move(*claim)};
   for (const std::string& key : keys_of(problem, result.conflict)) {
     if (auto found = least_change(problem, key, options)) {
       result.would_be_feasible_with.push_back(std::move(found->bound));

@@ -8,18 +8,25 @@
 
 namespace torquewright::gearbox {
 
+/// Lambda of a path without profile shift, a mean of distances below 2: the limits cut off nothing,
+/// but keep enclosures over wide ranges of teeth useful. docs/derivations/efficiency.md, "Limits".
+template <class T>
+T limited_loss_factor(const ContactPath<T>& path) {
+  return max(min(sliding_loss_factor(path), 2.0), 0.0);
+}
+
 /// Share of the rolling power that a mesh loses per unit of friction coefficient, carrier held.
 /// docs/derivations/efficiency.md eq. (4). Dimensionless.
 template <class T>
 T external_loss_per_friction(const T& teeth_1, const T& teeth_2) {
   return std::numbers::pi * (1.0 / teeth_1 + 1.0 / teeth_2) *
-         sliding_loss_factor(external_path(teeth_1, teeth_2));
+         limited_loss_factor<T>(external_path(teeth_1, teeth_2));
 }
 
 template <class T>
 T internal_loss_per_friction(const T& planet, const T& ring) {
   return std::numbers::pi * (1.0 / planet - 1.0 / ring) *
-         sliding_loss_factor(internal_path(planet, ring));
+         limited_loss_factor<T>(internal_path(planet, ring));
 }
 
 /// Basic efficiencies of the meshes S-P1, P1-F, P2-O, carrier held.

@@ -41,11 +41,10 @@ T planet_inertia_at_sun_kg_m2(const Blank& blank, const T& mass_kg, const T& ine
          inertia_kg_m2 * square(planet_speed_per_sun(sun, planet, held_ring));
 }
 
-/// Inertia of motor and gears seen from the sun, carrier left out [kg m^2].
-/// docs/gearbox_constraints.md, "Objectives".
+/// Inertia of all that turns before the output ring, seen from the sun, carrier left out [kg m^2].
 template <class T>
-T three_k_inertia_at_sun_kg_m2(const Blank& blank, double rotor_kg_m2, std::int64_t planet_count,
-                               const ThreeKTeeth<T>& teeth) {
+T three_k_input_inertia_kg_m2(const Blank& blank, double rotor_kg_m2, std::int64_t planet_count,
+                              const ThreeKTeeth<T>& teeth) {
   const double width_1 = blank.face_width_1_m;
   const double width_2 = blank.face_width_2_m;
   const T mass =
@@ -55,8 +54,17 @@ T three_k_inertia_at_sun_kg_m2(const Blank& blank, double rotor_kg_m2, std::int6
   const T planet = planet_inertia_at_sun_kg_m2(blank, mass, inertia, teeth.sun, teeth.planet_1,
                                                teeth.fixed_ring);
   return rotor_kg_m2 + sun_inertia_kg_m2(blank, teeth.sun) +
-         static_cast<double>(planet_count) * planet +
-         ring_inertia_kg_m2(blank, width_2, teeth.output_ring) / square(three_k_reduction(teeth));
+         static_cast<double>(planet_count) * planet;
+}
+
+/// Inertia of motor and gears seen from the sun, carrier left out [kg m^2].
+/// docs/gearbox_constraints.md, "Objectives".
+template <class T>
+T three_k_inertia_at_sun_kg_m2(const Blank& blank, double rotor_kg_m2, std::int64_t planet_count,
+                               const ThreeKTeeth<T>& teeth) {
+  return three_k_input_inertia_kg_m2(blank, rotor_kg_m2, planet_count, teeth) +
+         ring_inertia_kg_m2(blank, blank.face_width_2_m, teeth.output_ring) /
+             square(three_k_reduction(teeth));
 }
 
 template <class T>

@@ -22,20 +22,26 @@ T contact_ratio(const ContactPath<T>& path) {
   return path.approach + path.recess;
 }
 
+/// An end of a path without profile shift, from the difference of its tangents times teeth. It lies
+/// in [0, 2) whatever the teeth (docs/derivations/efficiency.md, "Limits"); this cuts off nothing,
+/// but keeps an enclosure over a wide range of teeth, where the difference is poor, finite.
+template <class T>
+T path_end(const T& tangents_times_teeth) {
+  return max(min(tangents_times_teeth / (2.0 * std::numbers::pi), 2.0), 0.0);
+}
+
 /// Two external gears without profile shift. docs/derivations/efficiency.md eq. (1).
 template <class T>
 ContactPath<T> external_path(const T& teeth_1, const T& teeth_2) {
-  const double turn = 2.0 * std::numbers::pi;
-  return {(external_tip_tangent_times_teeth(teeth_2) - kReferenceTangent * teeth_2) / turn,
-          (external_tip_tangent_times_teeth(teeth_1) - kReferenceTangent * teeth_1) / turn};
+  return {path_end<T>(external_tip_tangent_times_teeth(teeth_2) - kReferenceTangent * teeth_2),
+          path_end<T>(external_tip_tangent_times_teeth(teeth_1) - kReferenceTangent * teeth_1)};
 }
 
 /// A planet in a ring without profile shift. docs/derivations/efficiency.md eq. (2).
 template <class T>
 ContactPath<T> internal_path(const T& planet, const T& ring) {
-  const double turn = 2.0 * std::numbers::pi;
-  return {(kReferenceTangent * ring - ring_tip_tangent_times_teeth(ring)) / turn,
-          (external_tip_tangent_times_teeth(planet) - kReferenceTangent * planet) / turn};
+  return {path_end<T>(kReferenceTangent * ring - ring_tip_tangent_times_teeth(ring)),
+          path_end<T>(external_tip_tangent_times_teeth(planet) - kReferenceTangent * planet)};
 }
 
 /// Lambda, the mean of |path coordinate| over the pairs that share the load, for contact ratios in

@@ -60,11 +60,12 @@ const char* status_name(SynthesisStatus status) {
   return "limit";
 }
 
-// Of the objective; null where one of the two is not known.
+// |objective - bound| / |objective|; null where one of the two is not known, or the objective is 0.
 ordered_json gap(const ordered_json& objective, const ordered_json& bound) {
   if (objective.is_null() || bound.is_null()) return {};
   const double a = objective.get<double>(), b = bound.get<double>();
-  return a == b ? 0.0 : std::abs(a - b) / std::max(std::abs(a), std::abs(b));
+  if (a == b) return 0.0;
+  return a == 0.0 ? ordered_json() : ordered_json(std::abs((a - b) / a));
 }
 
 ordered_json conflict_json(const Topology& topology, const std::vector<ConflictMember>& members) {

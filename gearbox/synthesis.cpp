@@ -58,7 +58,7 @@ SynthesisResult optimize(const Problem& problem, const SynthesisOptions& options
   list_solutions(found.solutions, options.top, alternatives, result);
   result.bound = bound_as_read(found, result, alternatives.goal());
   if (found.status == SearchStatus::kComplete && result.designs.empty()) {
-    explain_infeasibility(problem, options, result);
+    explain_infeasibility(problem, options, alternatives.proofs(std::move(found.proofs)), result);
     return result;
   }
   result.status = found.status == SearchStatus::kComplete ? SynthesisStatus::kOptimal

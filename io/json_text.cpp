@@ -18,6 +18,10 @@ JsonText read_json_text(std::string_view text, const std::string& file) {
   return builder.finish(complete);
 }
 
+std::string json_text(const nlohmann::ordered_json& document) {
+  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 std::string child_path(const std::string& path, std::string_view key) {
   std::string child = path + '/';
   for (const char character : key) {

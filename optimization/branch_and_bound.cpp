@@ -67,7 +67,16 @@ class Search {
     const Box& domain = alternatives_[alternative].problem().domain;
     if (point_count(domain) == 0.0) return;
     result_.proofs[alternative].emplace_back();
-    open_.push({alternative, 0, domain, -HUGE_VAL, made_++});
+    Node root{alternative, 0, domain, -HUGE_VAL, made_++};
+    if (narrow(root)) {
+      ++result_.nodes;
+      options_.on_close(alternative, root.box, incumbents_.ceiling());
+      return;
+    }
+    // Over the domain as it stands a cost may have no bound, and then a search that is ended before
+    // it comes here has none.
+    bound(root);
+    open_.push(std::move(root));
   }
 
   bool is_over() const {
@@ -81,16 +90,20 @@ class Search {
     return node;
   }
 
-  // Shrinks the box, then asks Ipopt about what is left of it, where that pays.
-  void relax(Node& node) {
+  // Shrinks the box. Returns true if that closed it.
+  bool narrow(Node& node) {
     ProofNode& proof_node = proof(node);
     const auto refuting =
         propagate(judge(node), incumbents_.ceiling(), node.box, proof_node.cuts);
-    if (refuting) {
-      proof_node.leaf = Leaf::kEmpty;
-      proof_node.condition = *refuting;
-      return;
-    }
+    if (!refuting) return false;
+    proof_node.leaf = Leaf::kEmpty;
+    proof_node.condition = *refuting;
+    return true;
+  }
+
+  // Shrinks the box, then asks Ipopt about what is left of it, where that pays.
+  void relax(Node& node) {
+    if (narrow(node)) return;
     const bool is_worth_a_solve = pays_to_relax(node);
     if (!is_worth_a_solve && node.dual == nullptr) return;
     const Relaxation relaxation = relax_box(judge(node), node.box);

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
@@ -15,13 +16,21 @@ using torquewright::cli::ExitCode;
 
 int as_int(ExitCode code) { return static_cast<int>(code); }
 
+[[noreturn]] void refuse_command_line(const CLI::ParseError& error) {
+  throw torquewright::io::SpecError(
+      {{"command line", "", std::string(error.what()) + "; --help shows what is allowed"}});
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Design tool for actuators and gearboxes of jumping robots", "torquewright"};
   app.set_version_flag("--version", std::string(torquewright::io::tool_version()));
   app.require_subcommand(1);
+  app.footer("Example:\n  torquewright gearbox optimize specs/gearbox/d151_knee.json");
   ExitCode result = ExitCode::kPasses;
   CLI::App* gearbox = app.add_subcommand("gearbox", "Which teeth?");
   gearbox->require_subcommand(1);
+  gearbox->footer(
+      "Example:\n  torquewright gearbox optimize specs/gearbox/d110a_ankle.json --top 3");
   torquewright::cli::add_optimize_command(*gearbox, result);
   torquewright::cli::add_evaluate_command(*gearbox, result);
   torquewright::cli::add_verify_command(*gearbox, result);
@@ -29,7 +38,8 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // --help and --version come this way too, with exit code 0.
-    return app.exit(error) == 0 ? 0 : as_int(ExitCode::kBadInput);
+    if (error.get_exit_code() == 0) return app.exit(error);
+    refuse_command_line(error);
   }
   return as_int(result);
 }

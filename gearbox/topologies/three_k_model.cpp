@@ -123,15 +123,25 @@ Goal paper_cost(const Problem& problem, const Rational& module_mm, const Teeth& 
           /*maximise=*/false, /*exact=*/true};
 }
 
+// A box may reach where planet 2 has no teeth. Nothing feasible lies there, and there may be no
+// finite bound: for enclosures it has one tooth at least.
+Teeth teeth_with_planet_2(const Variables& x) {
+  return coaxial_three_k<Expression>(x.sun, x.planet_1, max(x.planet_1 - x.difference, 1.0));
+}
+
+Expression allowed_ratio(const Problem& problem) {
+  return Expression::between(least_ratio(problem), greatest_ratio(problem));
+}
+
 // With 1/(1 - I2) = i/(1 + I1) the efficiencies need the ratio i, known within its tolerance, in
 // place of I2: the enclosure stays narrow on wide boxes. docs/derivations/efficiency.md.
-Expression enclosed_efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
+Expression enclosed_efficiency(const Problem& problem, const Variables& x, bool forward) {
+  const Teeth teeth = teeth_with_planet_2(x);
   const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression first = mesh.sun_planet_1 * mesh.planet_1_fixed_ring;
   const Expression second = mesh.planet_1_fixed_ring * mesh.planet_2_output_ring;
   const Expression carrier = 1.0 / (1.0 + basic_ratio_1(teeth));  // 1/(1 + I1)
-  const Expression ratio = Expression::between(least_ratio(problem), greatest_ratio(problem));
-  const Expression stepped = ratio * carrier;  // 1/(1 - I2)
+  const Expression stepped = allowed_ratio(problem) * carrier;  // 1/(1 - I2)
   if (forward) return (carrier + first * (1.0 - carrier)) / (1.0 + (1.0 - second) * (stepped - 1.0));
   // (eta_b eta_c - I2)/(1 - I2) = 1 - (1 - eta_b eta_c)/(1 - I2)
   const Expression back = mesh.sun_planet_1 * (1.0 - (1.0 - second) * stepped) /
@@ -139,36 +149,51 @@ Expression enclosed_efficiency(const Problem& problem, const Teeth& teeth, bool 
   return max(back, 0.0);
 }
 
-Goal efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
+Goal efficiency(const Problem& problem, const Variables& x, bool forward) {
+  const Teeth teeth = teeth_of(x);
   const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression i1 = basic_ratio_1(teeth), i2 = basic_ratio_2(teeth);
   Goal goal{forward ? "forward_efficiency" : "backward_efficiency", "",
             forward ? three_k_forward_efficiency(i1, i2, mesh)
                     : max(three_k_backward_efficiency(i1, i2, mesh), 0.0),
             /*maximise=*/true};
-  goal.enclosure = enclosed_efficiency(problem, teeth, forward);
+  goal.enclosure = enclosed_efficiency(problem, x, forward);
+  return goal;
+}
+
+// As with the efficiencies, the ratio is known better than its formula's enclosure tells.
+Goal inertia(const Problem& problem, std::int64_t planet_count, const Rational& module_mm,
+             const Variables& x) {
+  const Blank bodies = blank(problem, module_mm);
+  const double rotor_kg_m2 = io::nearest(problem.rotor_inertia_kg_m2);
+  const Teeth teeth = teeth_of(x), enclosing = teeth_with_planet_2(x);
+  Goal goal = inertia_goal(reflected_inertia_kg_m2(
+      three_k_reduction(teeth),
+      three_k_inertia_at_sun_kg_m2(bodies, rotor_kg_m2, planet_count, teeth)));
+  goal.enclosure =
+      reflected_inertia_kg_m2(
+          allowed_ratio(problem),
+          three_k_input_inertia_kg_m2(bodies, rotor_kg_m2, planet_count, enclosing)) +
+      ring_inertia_kg_m2(bodies, bodies.face_width_2_m, enclosing.output_ring);
   return goal;
 }
 
 Goal goal_of(const Problem& problem, std::int64_t planet_count, const Rational& module_mm,
-             const Teeth& teeth) {
+             const Variables& x) {
+  const Teeth teeth = teeth_of(x);
   switch (problem.objective) {
     case Objective::kPaperCost:
       return paper_cost(problem, module_mm, teeth);
     case Objective::kHollowShaft:
       return hollow_shaft(problem, module_mm, teeth.sun);
     case Objective::kForwardEfficiency:
-      return efficiency(problem, teeth, true);
+      return efficiency(problem, x, true);
     case Objective::kBackwardEfficiency:
-      return efficiency(problem, teeth, false);
+      return efficiency(problem, x, false);
     case Objective::kMass:
       return mass_goal(three_k_mass_kg(blank(problem, module_mm), planet_count, teeth));
-    case Objective::kReflectedInertia: {
-      const Expression at_sun =
-          three_k_inertia_at_sun_kg_m2(blank(problem, module_mm),
-                                       io::nearest(problem.rotor_inertia_kg_m2), planet_count, teeth);
-      return inertia_goal(reflected_inertia_kg_m2(three_k_reduction(teeth), at_sun));
-    }
+    case Objective::kReflectedInertia:
+      return inertia(problem, planet_count, module_mm, x);
   }
   throw std::logic_error("unknown objective");
 }
@@ -203,12 +228,11 @@ std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_co
 optimization::Problem model(const Problem& problem, std::int64_t planet_count,
                             const Rational& module_mm, std::int64_t ring_limit) {
   const Variables x;
-  const Teeth teeth = teeth_of(x);
   optimization::Problem result{{"sun", "planet_1", "difference"},
                                {{1, ring_limit}, {1, ring_limit / 2}, {1, ring_limit / 2}},
                                {},
                                predicates(problem, planet_count),
-                               goal_of(problem, planet_count, module_mm, teeth),
+                               goal_of(problem, planet_count, module_mm, x),
                                loosenings(problem, planet_count, module_mm, x)};
   add_paper_conditions(problem, planet_count, module_mm, x, result.conditions);
   if (problem.constraints == ConstraintSet::kBuildable) {

@@ -2,22 +2,24 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/result_spec.hpp"
 #include "gearbox/synthesis.hpp"
-#include "io/atomic_file.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/design_drawing.hpp"
 #include "src/commands/gearbox_commands.hpp"
+#include "src/commands/output_files.hpp"
 #include "src/commands/proof_check.hpp"
 #include "src/interrupt.hpp"
 #include "src/report/gearbox_text.hpp"
 #include "src/report/progress_line.hpp"
+#include "src/standard_output.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -30,8 +32,7 @@ const std::map<std::string, RelaxationUse> kRelaxationUses{{"auto", RelaxationUs
 
 struct OptimizeOptions {
   std::string problem_file;
-  std::string result_file;
-  std::string drawing_file;
+  OutputFiles outputs;
   std::size_t top = 1;
   std::string relaxation = "auto";
   std::int64_t max_nodes = 0;
@@ -78,6 +79,7 @@ ExitCode exit_code(gearbox::SynthesisStatus status) {
 ExitCode run_optimize(const OptimizeOptions& options) {
   const io::Document document = io::read_document(options.problem_file, "gearbox_problem");
   const gearbox::Problem problem = gearbox::read_problem(document);
+  check_outputs(options.outputs, options.problem_file);
   catch_interrupt();
   const auto start = std::chrono::steady_clock::now();
   gearbox::SynthesisResult found;
@@ -94,7 +96,7 @@ ExitCode run_optimize(const OptimizeOptions& options) {
   result["inputs"] = io::input_provenance({&document, 1});
   result["options"] = non_default_options(options);
 
-  const std::string json_text = result.dump(1) + "\n";
+  const std::string json_text = io::json_text(result);
   ExitCode code = exit_code(found.status);
   std::string text = report::optimization_text(problem, found);
   if (options.timing) text += fmt::format("Search time: {:.4f} s\n", seconds.count());
@@ -103,11 +105,12 @@ ExitCode run_optimize(const OptimizeOptions& options) {
     text += check.text;
     if (!check.is_accepted) code = ExitCode::kFails;
   }
-  if (!options.drawing_file.empty() && !found.designs.empty()) {
-    io::write_whole_file(options.drawing_file, drawing_of(problem, found.designs.front()));
+  std::optional<std::string> drawing;
+  if (!options.outputs.drawing.empty() && !found.designs.empty()) {
+    drawing = drawing_of(problem, found.designs.front());
   }
-  if (!options.result_file.empty()) io::write_whole_file(options.result_file, json_text);
-  std::fputs((options.json ? json_text : text).c_str(), stdout);
+  write_outputs(options.outputs, json_text, drawing);
+  print_result(options.json ? json_text : text);
   return code;
 }
 
@@ -118,8 +121,7 @@ void add_optimize_command(CLI::App& gearbox, ExitCode& result) {
   CLI::App* command = gearbox.add_subcommand("optimize", "The best gearbox of a problem, proved");
   command->add_option("problem", options->problem_file, "Document of kind gearbox_problem")
       ->required();
-  command->add_option("-o,--output", options->result_file, "Write the result with its proof here");
-  command->add_option("--draw", options->drawing_file, "Draw the best design to this SVG file");
+  add_output_options(*command, options->outputs);
   command->add_option("--top", options->top, "How many of the best designs (default 1)")
       ->check(CLI::Range(1, 1000000));
   command->add_option("--relaxation", options->relaxation, "When Ipopt is asked (default auto)")
@@ -129,7 +131,8 @@ void add_optimize_command(CLI::App& gearbox, ExitCode& result) {
   command->add_flag("--verify", options->verify, "Check the proof with the independent checker");
   command->add_flag("--json", options->json, "Print the result as JSON");
   command->add_flag("--timing", options->timing, "State the seconds (runs then differ in bytes)");
-  command->footer("Example:\n  torquewright gearbox optimize specs/gearbox/d151_knee.json --verify");
+  command->footer(
+      "Example:\n  torquewright gearbox optimize specs/gearbox/d151_knee.json --verify");
   command->callback([options, &result] { result = run_optimize(*options); });
 }
 

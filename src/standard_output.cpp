@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/standard_output.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "io/spec_error.hpp"
+
+namespace torquewright::cli {
+
+void print_result(const std::string& text) {
+  // A full disk may show as late as when the buffer is emptied.
+  if (std::fputs(text.c_str(), stdout) != EOF && std::fflush(stdout) == 0) return;
+  const std::string reason = std::generic_category().message(errno);
+  throw io::SpecError({{"standard output", "", "cannot be written: " + reason}});
+}
+
+}  // namespace torquewright::cli

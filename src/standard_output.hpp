@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace torquewright::cli {
+
+/// Writes a command's result to stdout. Throws SpecError if not all of it gets there.
+void print_result(const std::string& text);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Command lines that are not understood: exit 2, one line that says what and what is allowed.
+#include <gtest/gtest.h>
+
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+struct BadArguments {
+  std::vector<std::string> arguments;
+  std::string refusal;  ///< Before "; --help shows what is allowed" where that follows.
+};
+
+const std::vector<std::string> kOptimize = {"gearbox", "optimize", "knee.json"};
+const std::vector<std::string> kEvaluate = {"gearbox", "evaluate", "knee.json"};
+
+std::vector<std::string> after(std::vector<std::string> command,
+                               const std::vector<std::string>& more) {
+  command.insert(command.end(), more.begin(), more.end());
+  return command;
+}
+
+std::vector<BadArguments> bad_arguments() {
+  const auto optimize = [](const std::vector<std::string>& more) { return after(kOptimize, more); };
+  const auto teeth = [](const std::string& list) { return after(kEvaluate, {"--teeth", list}); };
+  const std::string in_teeth = "command line: --teeth: Value ";
+  return {
+      {{}, "command line: A subcommand is required"},
+      {{"gearbox"}, "command line: A subcommand is required"},
+      {{"gearbox", "optimize"}, "command line: problem is required"},
+      {optimize({"other.json"}),
+       "command line: The following argument was not expected: other.json"},
+      {optimize({"--nonsense"}),
+       "command line: The following argument was not expected: --nonsense"},
+      {optimize({"--relaxation", "often"}),
+       "command line: --relaxation: often not in {auto,always,never}"},
+      {optimize({"--top", "0"}), "command line: --top: Value 0 not in range 1 to 1000000"},
+      {optimize({"--top", "-1"}), "command line: --top: Value -1 not in range 1 to 1000000"},
+      {optimize({"--top", "1000000000"}),
+       "command line: --top: Value 1000000000 not in range 1 to 1000000"},
+      {optimize({"--top", "two\nlines"}),
+       "command line: --top: Value two\\u000alines not in range 1 to 1000000"},
+      {optimize({"--max-nodes", "0"}),
+       "command line: --max-nodes: Value 0 not in range 1 to 1152921504606846976"},
+      {optimize({"-o", ""}), "command line: --output: a file's name is missing"},
+      {kEvaluate, "command line: --teeth is required"},
+      {teeth("44,44"),
+       "knee.json: --teeth has 2 numbers; 3k takes 3 or 5: "
+       "sun,planet_1,planet_2,fixed_ring,output_ring"},
+      {teeth("44,44,32,132"),
+       "knee.json: --teeth has 4 numbers; 3k takes 3 or 5: "
+       "sun,planet_1,planet_2,fixed_ring,output_ring"},
+      {teeth("a,b,c"), in_teeth + "a not in range 1 to 1000000"},
+      {teeth("1e9,44,32"), in_teeth + "1e9 not in range 1 to 1000000"},
+      {teeth("-44,44,32"), in_teeth + "-44 not in range 1 to 1000000"},
+      {teeth("44,44,0"), in_teeth + "0 not in range 1 to 1000000"},
+      {teeth("44,44,32.5"), in_teeth + "32.5 not in range 1 to 1000000"},
+      {teeth("99999999999999999999,44,32"), in_teeth + "99999999999999999999 not in range 1 to "
+                                                       "1000000"},
+      {teeth(""), in_teeth + " not in range 1 to 1000000"},
+      {teeth("500000,500000,400000"),
+       "knee.json: --teeth 500000,500000,400000 makes rings of "
+       "500000,500000,400000,1500000,1400000 teeth; at most 1000000 are allowed"},
+      {after(teeth("44,44,32"), {"--planet-count", "1"}),
+       "command line: --planet-count: Value 1 not in range 2 to 20"},
+      {after(teeth("44,44,32"), {"--module", "nan"}),
+       "command line: --module: nan is not a number"},
+      {after(teeth("44,44,32"), {"--module", "1e400"}),
+       "command line: --module: Value 1e400 not in range 0.050000 to 25.000000"},
+  };
+}
+
+class Arguments : public testing::TestWithParam<BadArguments> {};
+
+TEST_P(Arguments, AreRefusedInOneLine) {
+  const Workplace place;
+  place.write("knee.json", knee());
+  const Outcome outcome = place.run(GetParam().arguments);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  const bool is_of_the_line = GetParam().refusal.starts_with("command line: ");
+  EXPECT_EQ(outcome.err,
+            GetParam().refusal + (is_of_the_line ? "; --help shows what is allowed\n" : "\n"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Arguments, testing::ValuesIn(bad_arguments()));
+
+TEST(Arguments, MayComeInAnyOrder) {
+  const Workplace place;
+  place.write("knee.json", knee());
+  EXPECT_EQ(place.run({"gearbox", "evaluate", "--teeth", "44,44,32", "knee.json"}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The help of every command holds one example, and the example works where the README says that
+// commands are run: in the repository's root.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+Words words_of(const std::string& line) {
+  std::istringstream stream(line);
+  Words words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::string help_of(Words command) {
+  command.push_back("--help");
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  return outcome.out;
+}
+
+/// The words that stand first in the lines below "Subcommands:".
+Words subcommands(const std::string& help) {
+  Words names;
+  bool is_listed = false;
+  for (const std::string& line : lines_of(help)) {
+    const Words words = words_of(line);
+    if (is_listed && words.empty()) break;
+    if (is_listed) names.push_back(words.front());
+    if (line == "Subcommands:") is_listed = true;
+  }
+  return names;
+}
+
+/// The app, its groups and their commands, as the help lists them.
+std::vector<Words> all_commands(const Words& from = {}) {
+  std::vector<Words> commands{from};
+  for (const std::string& name : subcommands(help_of(from))) {
+    Words command = from;
+    command.push_back(name);
+    for (const Words& each : all_commands(command)) commands.push_back(each);
+  }
+  return commands;
+}
+
+/// The lines below "Example:".
+std::vector<Words> examples(const std::string& help) {
+  std::vector<Words> examples;
+  bool is_listed = false;
+  for (const std::string& line : lines_of(help)) {
+    if (is_listed && !words_of(line).empty()) examples.push_back(words_of(line));
+    if (line == "Example:") is_listed = true;
+  }
+  return examples;
+}
+
+TEST(Help, FindsTheCommands) {
+  const std::vector<Words> commands = all_commands();
+  for (const Words& known : {Words{}, Words{"gearbox"}, Words{"gearbox", "optimize"},
+                             Words{"gearbox", "evaluate"}, Words{"gearbox", "verify"}}) {
+    EXPECT_NE(std::find(commands.begin(), commands.end(), known), commands.end());
+  }
+}
+
+TEST(Help, HoldsAnExampleThatRuns) {
+  Workplace place;
+  fs::copy(in_repository("specs"), place.path("specs"), fs::copy_options::recursive);
+  for (const Words& command : all_commands()) {
+    const std::vector<Words> found = examples(help_of(command));
+    ASSERT_EQ(found.size(), 1u) << "of " << testing::PrintToString(command);
+    const Words& example = found.front();
+    ASSERT_GT(example.size(), command.size());
+    EXPECT_EQ(example.front(), "torquewright");
+    EXPECT_TRUE(std::equal(command.begin(), command.end(), example.begin() + 1));
+    const Outcome outcome = place.run({example.begin() + 1, example.end()});
+    EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(example) << outcome.out;
+    EXPECT_EQ(outcome.err, "") << testing::PrintToString(example);
+    EXPECT_NE(outcome.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/cli/process.hpp"
+
+#include <fcntl.h>
+#include <grp.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+namespace torquewright::cli_test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr std::chrono::seconds kPatience{120};
+constexpr milliseconds kLookAgain{20};
+constexpr uid_t kNobody = 65534;
+
+struct Pipe {
+  std::array<int, 2> ends{};
+  Pipe() {
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  }
+};
+
+bool limit(int resource, const std::optional<rlim_t>& most) {
+  if (!most) return true;
+  const rlimit limits{*most, *most};
+  return ::setrlimit(static_cast<__rlimit_resource>(resource), &limits) == 0;
+}
+
+bool become_nobody() {
+  return ::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0;
+}
+
+/// In the child: never returns.
+[[noreturn]] void become_program(std::vector<std::string> arguments,
+                                 const Circumstances& circumstances, const Pipe& out,
+                                 const Pipe& err) {
+  arguments.insert(arguments.begin(), TORQUEWRIGHT_PROGRAM);
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+  int to = out.ends[1];
+  if (!circumstances.stdout_file.empty()) {
+    to = ::open(circumstances.stdout_file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  }
+  const bool is_ready = ::chdir(circumstances.folder.c_str()) == 0 &&
+                        ::dup2(to, STDOUT_FILENO) >= 0 && ::dup2(err.ends[1], STDERR_FILENO) >= 0 &&
+                        limit(RLIMIT_FSIZE, circumstances.file_size_limit) &&
+                        limit(RLIMIT_AS, circumstances.memory_limit) &&
+                        (!circumstances.as_nobody || become_nobody());
+  if (is_ready) ::execv(words.front(), words.data());
+  ::_exit(kNotStarted);
+}
+
+/// Whether a process has installed a handler for Ctrl-C.
+bool listens_for_interrupt(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with("SigCgt:")) continue;
+    const auto caught = std::stoull(line.substr(line.find('\t') + 1), nullptr, 16);
+    return (caught >> (SIGINT - 1) & 1U) != 0;
+  }
+  return false;
+}
+
+/// Sends Ctrl-C when its time has come.
+class Interrupter {
+ public:
+  Interrupter(pid_t process, std::optional<milliseconds> delay)
+      : process_(process), delay_(delay) {}
+
+  void look() {
+    if (!delay_) return;
+    if (!listening_since_ && listens_for_interrupt(process_)) listening_since_ = Clock::now();
+    if (!listening_since_ || Clock::now() - *listening_since_ < *delay_) return;
+    ::kill(process_, SIGINT);
+    delay_.reset();
+  }
+
+ private:
+  pid_t process_;
+  std::optional<milliseconds> delay_;
+  std::optional<Clock::time_point> listening_since_;
+};
+
+/// Reads both pipes until the program has closed them. False: it took too long.
+bool collect(int out, int err, Interrupter interrupter, Outcome& outcome) {
+  const auto deadline = Clock::now() + kPatience;
+  std::array<pollfd, 2> open{{{out, POLLIN, 0}, {err, POLLIN, 0}}};
+  std::array<std::string*, 2> texts{&outcome.out, &outcome.err};
+  std::array<char, 1 << 16> chunk;
+  while (open[0].fd >= 0 || open[1].fd >= 0) {
+    if (Clock::now() > deadline) return false;
+    ::poll(open.data(), open.size(), static_cast<int>(kLookAgain.count()));
+    interrupter.look();
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (open[i].fd < 0 || open[i].revents == 0) continue;
+      const ssize_t count = ::read(open[i].fd, chunk.data(), chunk.size());
+      if (count > 0) texts[i]->append(chunk.data(), static_cast<std::size_t>(count));
+      if (count == 0) open[i].fd = -1;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
+  const Pipe out, err;
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error("no process");
+  if (child == 0) become_program(arguments, circumstances, out, err);
+  ::close(out.ends[1]);
+  ::close(err.ends[1]);
+  Outcome outcome;
+  Interrupter interrupter(child, circumstances.interrupt_after);
+  if (!collect(out.ends[0], err.ends[0], interrupter, outcome)) ::kill(child, SIGKILL);
+  ::close(out.ends[0]);
+  ::close(err.ends[0]);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+  return outcome;
+}
+
+}  // namespace torquewright::cli_test

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace torquewright::cli_test {
+
+/// Under what circumstances the program runs.
+struct Circumstances {
+  std::filesystem::path folder = ".";       ///< Its working directory.
+  std::optional<rlim_t> file_size_limit{};  ///< Of files it writes, as on a full disk [bytes].
+  std::optional<rlim_t> memory_limit{};     ///< Of its address space [bytes].
+  /// Ctrl-C so long after it has begun to listen for it.
+  std::optional<std::chrono::milliseconds> interrupt_after{};
+  bool as_nobody = false;               ///< Without root's rights. Requires root.
+  std::filesystem::path stdout_file{};  ///< Instead of a pipe; then `out` stays empty.
+};
+
+/// What came of it.
+struct Outcome {
+  int exit_code = -1;  ///< -1: ended by a signal, or did not end within two minutes.
+  std::string out;
+  std::string err;
+};
+
+/// Exit code of the child where the program cannot be started.
+constexpr int kNotStarted = 126;
+
+/// Runs build/.../torquewright with these arguments, without a shell.
+Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
+
+}  // namespace torquewright::cli_test
