@@ -160,7 +160,9 @@ class Search {
   void offer(std::size_t alternative, std::span<const std::int64_t> point) {
     const Judge& judge = alternatives_[alternative];
     if (judge.least_cost_at(point) > incumbents_.ceiling() || !judge.is_feasible(point)) return;
-    incumbents_.offer({alternative, {point.begin(), point.end()}, judge.cost_at(point)});
+    const PreciseInterval cost = judge.cost_at(point);
+    if (cost.is_nowhere()) return;
+    incumbents_.offer({alternative, {point.begin(), point.end()}, cost});
   }
 
   // A first guess at a good point: one variable after the other is fixed near the relaxation's point

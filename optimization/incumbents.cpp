@@ -6,11 +6,18 @@
 
 namespace torquewright::optimization {
 
-bool Incumbents::precedes(const Solution& a, const Solution& b) const {
-  const int order = judge_.compare(a.cost, b.cost);
-  if (order != 0) return order < 0;
+namespace {
+
+// Not Judge::compare, whose ties are no order: of three costs the outer two may differ by more than
+// a tie although each equals the middle one.
+bool precedes(const Solution& a, const Solution& b) {
+  const PreciseInterval difference = a.cost - b.cost;
+  if (difference.is_negative()) return true;
+  if (difference.is_positive()) return false;
   return std::tie(a.alternative, a.point) < std::tie(b.alternative, b.point);
 }
+
+}  // namespace
 
 void Incumbents::offer(Solution solution) {
   const auto is_same = [&](const Solution& known) {

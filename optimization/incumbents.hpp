@@ -16,9 +16,9 @@ struct Solution {
   PreciseInterval cost;
 };
 
-/// The best points found so far, best first; equally good ones in the order of alternatives and
-/// values, so that the list does not depend on the order of finding. Holds every point that is as
-/// good as the last one wanted: the list may be longer than `wanted`.
+/// The best points found so far, best first; those of one cost in the order of alternatives and
+/// values, so that the list does not depend on the order of finding. Holds every point that counts as
+/// good as the last one wanted (Judge::compare): the list may be longer than `wanted`.
 class Incumbents {
  public:
   Incumbents(const Judge& judge, std::size_t wanted) : judge_(judge), wanted_(wanted) {}
@@ -29,7 +29,6 @@ class Incumbents {
   double ceiling() const { return ceiling_; }
 
  private:
-  bool precedes(const Solution& a, const Solution& b) const;
   const Judge& judge_;
   std::size_t wanted_;
   std::vector<Solution> solutions_;

@@ -9,13 +9,15 @@ namespace torquewright::optimization {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kGreatest = std::numeric_limits<double>::max();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // Basic operations round to nearest, an error of half a unit in the last place (2^-53 relative);
 // four times that also covers the rounding of the correction itself. The least normal number covers
-// underflow.
+// underflow. Infinity is what overflows: the true value may be any number beyond the greatest double.
 double down(double value) {
-  return std::isfinite(value) ? value - (std::abs(value) * 0x1p-51 + 0x1p-1022) : value;
+  if (std::isfinite(value)) return value - (std::abs(value) * 0x1p-51 + 0x1p-1022);
+  return value > 0.0 ? kGreatest : value;
 }
 double up(double value) { return -down(-value); }
 

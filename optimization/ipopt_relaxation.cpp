@@ -34,10 +34,7 @@ class ElasticProblem final : public Ipopt::TNLP {
         ceiling_(ceiling),
         count_(static_cast<Index>(relaxation.box.size())) {
     for (const Range& range : relaxation.box) best_.point.push_back(range.interval().middle());
-    for (const RelaxedCondition& condition : relaxation.conditions) {
-      condition_count_ = std::max(condition_count_, condition.condition + 1);
-    }
-    best_.multipliers.assign(condition_count_, 0.0);
+    best_.multipliers.assign(relaxation.condition_count, 0.0);
   }
 
   DualPoint take() { return std::move(best_); }
@@ -181,7 +178,7 @@ class ElasticProblem final : public Ipopt::TNLP {
 
   // Keeps the dual point if it is the best so far. True when more steps would teach nothing.
   bool is_enough(const Number* x, const Number* lambda) {
-    DualPoint trial{{x, x + relaxation_.box.size()}, std::vector<double>(condition_count_, 0.0)};
+    DualPoint trial{{x, x + relaxation_.box.size()}, std::vector<double>(relaxation_.condition_count, 0.0)};
     if (!std::all_of(trial.point.begin(), trial.point.end(),
                      [](double value) { return std::isfinite(value); })) {
       return false;
@@ -204,7 +201,6 @@ class ElasticProblem final : public Ipopt::TNLP {
   const Relaxation& relaxation_;
   double ceiling_;
   Index count_;
-  std::size_t condition_count_ = 0;
   DualPoint best_;
   double best_bound_ = -HUGE_VAL;
 };

@@ -35,7 +35,7 @@ struct Predicate {
   std::function<bool(std::span<const std::int64_t>)> holds;
 };
 
-/// What is compared between points.
+/// What is compared between points. One at which the value does not exist is no solution.
 struct Goal {
   std::string name;
   std::string unit;

@@ -55,7 +55,7 @@ void add(ValueAndSlope& sum, const ValueAndSlope& part, double factor) {
 }  // namespace
 
 Relaxation relax_box(const Judge& judge, const Box& box) {
-  Relaxation result{box, {}, relaxed_gain(judge, box), 1.0};
+  Relaxation result{box, {}, relaxed_gain(judge, box), 1.0, judge.condition_count()};
   for (std::size_t i = 0; i < judge.condition_count(); ++i) {
     if (!judge.on_boxes(i)) continue;
     ConcaveForm form = concave_above(judge.condition(i).body, box);

@@ -23,6 +23,7 @@ struct Relaxation {
   std::vector<RelaxedCondition> conditions;
   ConcaveForm gain;   ///< >= -cost
   double gain_scale;  ///< How much it varies on the box; > 0.
+  std::size_t condition_count;  ///< Of the problem: parts of the box may relax more than the box.
 };
 
 Relaxation relax_box(const Judge& judge, const Box& box);

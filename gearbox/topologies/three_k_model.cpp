@@ -38,7 +38,7 @@ ThreeKTeeth<std::int64_t> teeth_at(Point point) {
 
 // The difference at which the ratio is exactly G: 2 P1 (S + 2 P1)/(G S + 2 P1), written as
 // (2/G) P1 + 4 (G-1)/G P1^2/(G S + 2 P1): a square over a linear form, which is convex for G >= 1.
-// It grows with P1 and falls with S. docs/certificate.md, "The tree".
+// It grows with P1 and, for G >= 1, falls with S. docs/certificate.md, "The tree".
 Expression difference_for(const Rational& ratio, const Variables& x) {
   const Rational c = 4 * (ratio - 1) / ratio;
   return Expression(2 / ratio) * x.planet_1 +
@@ -50,10 +50,10 @@ std::vector<Condition> ratio_conditions(const Problem& problem, const Variables&
   using enum Direction;
   Condition greatest{"ratio_max", "ratio", "/ratio_tolerance",
                      x.difference - difference_for(greatest_ratio(problem), x)};
-  greatest.directions = {kGrows, kFalls, kGrows};
+  greatest.directions = {greatest_ratio(problem) >= 1 ? kGrows : kUnknown, kFalls, kGrows};
   Condition least{"ratio_min", "ratio", "/ratio_tolerance",
                   difference_for(least_ratio(problem), x) - x.difference};
-  least.directions = {kFalls, kGrows, kFalls};
+  least.directions = {least_ratio(problem) >= 1 ? kFalls : kUnknown, kGrows, kFalls};
   return {greatest, least};
 }
 
@@ -136,7 +136,7 @@ Expression transmission(const Teeth& teeth, const ThreeKMeshEfficiencies<Express
 // With 1/(1 - I2) = i/(1 + I1) the efficiencies need the ratio i, known within its tolerance, in
 // place of I2: the enclosure stays narrow on wide boxes. docs/derivations/efficiency.md.
 Expression enclosed_efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
-  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression first = mesh.sun_planet_1 * mesh.planet_1_fixed_ring;
   const Expression second = mesh.planet_1_fixed_ring * mesh.planet_2_output_ring;
   const Expression carrier = 1.0 / (1.0 + basic_ratio_1(teeth));  // 1/(1 + I1)
@@ -150,7 +150,7 @@ Expression enclosed_efficiency(const Problem& problem, const Teeth& teeth, bool 
 }
 
 Goal efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
-  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression i1 = basic_ratio_1(teeth), i2 = basic_ratio_2(teeth);
   const auto transmitted = [&](const Expression& value) {
     // Buildable gears have at least 18 teeth, and rings with their tips outside their base circles.
@@ -179,8 +179,9 @@ Goal goal_of(const Problem& problem, std::int64_t planet_count, const Rational& 
     case Objective::kMass:
       return mass_goal(three_k_mass_kg(blank(problem, module_mm), planet_count, teeth));
     case Objective::kReflectedInertia: {
-      const Expression at_sun = three_k_inertia_at_sun_kg_m2(
-          blank(problem, module_mm), problem.rotor_inertia_kg_m2.get_d(), planet_count, teeth);
+      const Expression at_sun =
+          three_k_inertia_at_sun_kg_m2(blank(problem, module_mm),
+                                       io::nearest(problem.rotor_inertia_kg_m2), planet_count, teeth);
       return inertia_goal(reflected_inertia_kg_m2(three_k_reduction(teeth), at_sun));
     }
   }
