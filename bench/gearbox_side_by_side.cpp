@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 
 #include "bench/timed_answer.hpp"
@@ -29,6 +30,9 @@ struct Solver {
   std::string name;
   std::function<std::optional<TimedAnswer>(const Problem&)> run;
 };
+
+// What the others' times are divided by.
+constexpr const char* kReference = "torquewright, auto";
 
 Problem wide_problem(std::int64_t bore, const Rational& tolerance) {
   Problem problem = oracles::paper_problem({12, 12, 12}, 0);
@@ -60,11 +64,15 @@ std::vector<Solver> solvers(const Options& options) {
       return run_bonmin(problem, BONMIN_DRIVER, settings, timeout_s);
     };
   };
-  return {{"torquewright",
-           [options](const Problem& problem) -> std::optional<TimedAnswer> {
-             if (options.ours.empty()) return std::nullopt;
-             return run_ours(problem, options.ours, options.timeout_s);
-           }},
+  const auto ours = [options](const std::string& relaxation) {
+    return [=](const Problem& problem) -> std::optional<TimedAnswer> {
+      if (options.ours.empty()) return std::nullopt;
+      return run_ours(problem, options.ours, relaxation, options.timeout_s);
+    };
+  };
+  return {{kReference, ours("auto")},
+          {"torquewright, always", ours("always")},
+          {"torquewright, never", ours("never")},
           {"Bonmin, rings kept", bonmin({false, 0})},
           {"Bonmin, rings eliminated", bonmin({true, 0})},
           {"Bonmin, rings kept, 3 re-solves", bonmin({false, 3})},
@@ -92,50 +100,54 @@ std::string teeth(const Answer& answer) {
   return fmt::format("{}/{}/{}", answer.teeth[0], answer.teeth[1], answer.teeth[2]);
 }
 
-std::string times(double seconds, double ours_s) {
-  return ours_s > 0 ? fmt::format("{:.3g}", seconds / ours_s) : "-";
+// In CPU seconds: on a busy machine they vary least.
+std::string times(double cpu_s, double ours_cpu_s) {
+  return ours_cpu_s > 0 ? fmt::format("{:.3g}", cpu_s / ours_cpu_s) : "-";
 }
 
 void print_row(const std::string& problem, const std::string& solver, const std::string& seconds,
                const std::string& cpu_seconds, const std::string& ratio, const std::string& answer,
-               const std::string& judgement) {
-  fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", problem, solver, seconds, cpu_seconds, ratio,
-             answer, judgement);
+               const std::string& judgement, const std::string& effort) {
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} |\n", problem, solver, seconds, cpu_seconds,
+             ratio, answer, judgement, effort);
   std::fflush(stdout);
 }
 
 void print_answer(const Problem& problem, const Solver& solver,
                   const std::optional<TimedAnswer>& run, const oracles::Enumeration& truth,
-                  double ours_s) {
+                  double ours_cpu_s) {
   if (!run) {
-    print_row(problem.name, solver.name, "-", "-", "-", "-", "not run");
+    print_row(problem.name, solver.name, "-", "-", "-", "-", "not run", "");
   } else if (run->timed_out) {
     print_row(problem.name, solver.name, fmt::format("> {:.3g}", run->seconds),
               fmt::format("> {:.3g}", run->cpu_seconds),
-              ours_s > 0 ? "> " + times(run->seconds, ours_s) : "-", "-", "time-out");
+              ours_cpu_s > 0 ? "> " + times(run->cpu_seconds, ours_cpu_s) : "-", "-", "time-out",
+              "");
   } else {
     print_row(problem.name, solver.name, fmt::format("{:.3g}", run->seconds),
-              fmt::format("{:.3g}", run->cpu_seconds), times(run->seconds, ours_s),
-              teeth(run->answer), verdict(run->answer, truth));
+              fmt::format("{:.3g}", run->cpu_seconds), times(run->cpu_seconds, ours_cpu_s),
+              teeth(run->answer), verdict(run->answer, truth), run->effort);
   }
 }
 
 void compare(const Problem& problem, const Options& options) {
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start_cpu = std::clock();
   const oracles::Enumeration truth = oracles::enumerate(problem);
   const double enumeration_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  double ours_s = 0;
+  const double enumeration_cpu_s = static_cast<double>(std::clock() - start_cpu) / CLOCKS_PER_SEC;
+  double ours_cpu_s = 0;
   for (const Solver& solver : solvers(options)) {
     const std::optional<TimedAnswer> run = median(solver, problem, options.repeats);
-    if (ours_s == 0 && run && !run->timed_out && solver.name == "torquewright") {
-      ours_s = run->seconds;
+    if (ours_cpu_s == 0 && run && !run->timed_out && solver.name == kReference) {
+      ours_cpu_s = run->cpu_seconds;
     }
-    print_answer(problem, solver, run, truth, ours_s);
+    print_answer(problem, solver, run, truth, ours_cpu_s);
   }
-  print_row(problem.name, "enumeration (in process)", fmt::format("{:.3g}", enumeration_s), "",
-            times(enumeration_s, ours_s), fmt::format("{} feasible", truth.feasible.size()),
-            "reference");
+  print_row(problem.name, "enumeration (in process)", fmt::format("{:.3g}", enumeration_s),
+            fmt::format("{:.3g}", enumeration_cpu_s), times(enumeration_cpu_s, ours_cpu_s),
+            fmt::format("{} feasible", truth.feasible.size()), "reference", "");
 }
 
 }  // namespace
@@ -151,7 +163,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 99));
   app.add_option("--largest-bore", options.largest_bore, "Leave out problems with a larger D/M");
   CLI11_PARSE(app, argc, argv);
-  print_row("problem", "solver", "seconds", "CPU seconds", "times ours", "answer", "verdict");
-  print_row("---", "---", "---", "---", "---", "---", "---");
+  print_row("problem", "solver", "seconds", "CPU seconds", "times ours", "answer", "verdict",
+            "effort");
+  print_row("---", "---", "---", "---", "---", "---", "---", "---");
   for (const auto& problem : problems(options.largest_bore)) compare(problem, options);
 }

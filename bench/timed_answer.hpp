@@ -15,12 +15,15 @@ struct TimedAnswer {
   double cpu_seconds = 0;
   bool timed_out = false;
   Answer answer;
+  std::string effort = {};  ///< What the solver says of its own work; only ours does.
 };
 
 /// Our search: the installed program as a whole process,
-/// `PROGRAM gearbox optimize FILE --json --timing`. Nothing if the program cannot be run.
+/// `PROGRAM gearbox optimize FILE --json --timing --relaxation WHEN`. Nothing if the program cannot
+/// be run.
 std::optional<TimedAnswer> run_ours(const gearbox::Problem& problem,
-                                    const std::filesystem::path& program, double timeout_s);
+                                    const std::filesystem::path& program,
+                                    const std::string& relaxation, double timeout_s);
 
 struct BonminSettings {
   bool rings_eliminated = false;

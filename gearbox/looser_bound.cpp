@@ -36,7 +36,28 @@ SearchResult search(const Alternatives& alternatives, const SynthesisOptions& op
 struct Found {
   Alternatives alternatives;
   SearchResult result;
+
+  Design best() const { return alternatives.design(result.solutions.front()); }
 };
+
+Rational ring_mm(const Design& design) {
+  return design.module_mm * Rational(*std::max_element(design.teeth.begin(), design.teeth.end()));
+}
+
+// The domain limits sun and planets, not their ring: a design whose ring is the smallest in it may
+// be beaten by one with larger planets. Searching up to the ring just found either confirms it or
+// finds a smaller one, and its domain is the one the proof has to be made for.
+Found with_smallest_ring(const Problem& problem, Found found, const SynthesisOptions& options) {
+  for (;;) {
+    const Rational known_mm = ring_mm(found.best());
+    Alternatives alternatives = loosened(problem, kBoreKey, [&](const Rational& module_mm) {
+      return floor_of(known_mm / module_mm);
+    });
+    SearchResult result = search(alternatives, options);
+    found = {std::move(alternatives), std::move(result)};
+    if (found.result.solutions.empty() || ring_mm(found.best()) == known_mm) return found;
+  }
+}
 
 // With the bore out of the way the rings have no bound: they are let grow until a design is found,
 // and the proof is then made for rings that would be smaller than its own.
@@ -56,26 +77,21 @@ Found find(const Problem& problem, const std::string& key, const SynthesisOption
     SearchResult result = search(grown, options);
     if (result.solutions.empty() && growth < kMostGrowth) continue;
     if (result.solutions.empty()) return {std::move(grown), std::move(result)};
-    const Design best = grown.design(result.solutions.front());
-    const Rational ring_mm = best.module_mm * Rational(*std::max_element(best.teeth.begin(),
-                                                                         best.teeth.end()));
-    Alternatives exact = loosened(problem, key, [&](const Rational& module_mm) {
-      return floor_of(ring_mm / module_mm);
-    });
-    SearchResult proof = search(exact, options);
-    return {std::move(exact), std::move(proof)};
+    return with_smallest_ring(problem, {std::move(grown), std::move(result)}, options);
   }
 }
 
+// Neighbours have to be further apart than the limit: a limit of what there is would not do.
+bool must_be_exceeded(const std::string& key) { return key == "/min_neighbour_clearance_mm"; }
+
 // The double next to the quantity whose shortest decimal is a bound that the quantity meets.
-double safe_decimal(const PreciseInterval& quantity, bool is_minimum) {
+double safe_decimal(const PreciseInterval& quantity, bool is_minimum, bool is_strict) {
   double value = quantity.nearest();
   const double inwards = is_minimum ? -HUGE_VAL : HUGE_VAL;
   const auto misses = [&] {
-    const PreciseInterval spare =
-        is_minimum ? quantity - PreciseInterval(io::exact(value))
-                   : PreciseInterval(io::exact(value)) - quantity;
-    return spare.is_negative();
+    const PreciseInterval spare = is_minimum ? quantity - PreciseInterval(io::exact(value))
+                                             : PreciseInterval(io::exact(value)) - quantity;
+    return is_strict ? !spare.is_positive() : spare.is_negative();
   };
   while (misses()) value = std::nextafter(value, inwards);
   return value;
@@ -94,19 +110,22 @@ double bound_as_it_stands(const Problem& problem, const std::string& key) {
   return io::nearest(problem.ring_outer_diameter_mm.value_or(0));
 }
 
-// Four digits, rounded to the side on which the bound is met.
-double four_digits(double value, bool is_minimum) {
+// Four digits, rounded to the side on which the bound is met. A value of four digits stays as it
+// is, unless the bound has to be exceeded: then it lies just inside of them.
+double four_digits(double value, bool is_minimum, bool is_strict) {
   if (value == 0.0) return 0.0;
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3.0);
-  return (is_minimum ? std::floor(value / unit * (1 + 1e-15))
-                     : std::ceil(value / unit * (1 - 1e-15))) * unit;
+  const double slack = is_strict ? -1e-15 : 1e-15;
+  return (is_minimum ? std::floor(value / unit * (1 + slack))
+                     : std::ceil(value / unit * (1 - slack))) *
+         unit;
 }
 
 std::string sentence(const LooserBound& bound, bool is_minimum) {
   const std::string unit = bound.unit.empty() ? "" : " " + bound.unit;
   return fmt::format("{} = {:g}{} is too {}: {:.4g}{} would do ({} with n = {}, module {:g} mm).",
                      bound.key.substr(1), bound.limit, unit, is_minimum ? "much" : "little",
-                     four_digits(bound.needed, is_minimum), unit,
+                     four_digits(bound.needed, is_minimum, must_be_exceeded(bound.key)), unit,
                      fmt::join(bound.design.teeth, "/"), bound.design.planet_count,
                      io::nearest(bound.design.module_mm));
 }
@@ -138,11 +157,17 @@ std::optional<ProvedBound> least_change(const Problem& problem, const std::strin
   const optimization::Solution& best = found.result.solutions.front();
   const PreciseInterval quantity = goal.maximise ? -best.cost : best.cost;
   ProvedBound proved;
-  proved.bound = {key, bound_as_it_stands(problem, key), safe_decimal(quantity, goal.maximise),
-                  goal.unit, found.alternatives.design(best), ""};
+  const double needed = safe_decimal(quantity, goal.maximise, must_be_exceeded(key));
+  if (needed < 0.0) return std::nullopt;  // Gears that overlap: no document may ask for that.
+  proved.bound = {key,       bound_as_it_stands(problem, key), needed,
+                  goal.unit, found.alternatives.design(best),  ""};
   proved.bound.sentence = sentence(proved.bound, goal.maximise);
-  proved.claim = {"least_relaxation", found.alternatives.constraints(), goal.name,
-                  proved.bound.design, key, std::nullopt,
+  proved.claim = {"least_relaxation",
+                  found.alternatives.constraints(),
+                  goal.name,
+                  proved.bound.design,
+                  key,
+                  std::nullopt,
                   found.alternatives.proofs(std::move(found.result.proofs))};
   return proved;
 }

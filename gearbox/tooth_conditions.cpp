@@ -56,8 +56,7 @@ Condition neighbour_clearance(const Problem& problem, const std::string& layer,
 
 Expression neighbour_clearance_mm(std::int64_t planet_count, const Rational& module_mm,
                                   const Expression& tooth_sum, const Expression& planet) {
-  return Expression(module_mm) *
-         (sin(half_pitch_angle(planet_count)) * tooth_sum - (planet + 2.0));
+  return Expression(module_mm) * (sin(half_pitch_angle(planet_count)) * tooth_sum - (planet + 2.0));
 }
 
 Condition undercut(const std::string& gear, const Expression& teeth) {
@@ -86,13 +85,25 @@ std::vector<Condition> interference(const std::string& mesh, const Expression& p
   const std::string involute = "interference.involute." + mesh;
   const std::string trochoid = "interference.trochoid." + mesh;
   return {{involute, involute, "", involute_interference_margin(planet, ring), false, false},
-          {trochoid, trochoid, "", trochoid_interference_margin(planet, ring), false, false}};
+          {trochoid, trochoid, "",
+           min(trochoid_interference_margin(planet, ring), ring_tip_margin(ring)), false, false}};
 }
 
 Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& ratio) {
   const std::string name = "contact_ratio." + mesh;
-  return {name, name, "/min_contact_ratio", ratio - Expression(problem.min_contact_ratio), false,
+  return {name,
+          name,
+          "/min_contact_ratio",
+          ratio - Expression(problem.min_contact_ratio),
+          false,
           /*on_boxes=*/false};
+}
+
+Condition contact_ratio_in_ring(const Problem& problem, const std::string& mesh,
+                                const Expression& planet, const Expression& ring) {
+  Condition condition = contact_ratio(problem, mesh, contact_ratio(internal_path(planet, ring)));
+  condition.body = min(condition.body, ring_tip_margin(ring));
+  return condition;
 }
 
 }  // namespace torquewright::gearbox

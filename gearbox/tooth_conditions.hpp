@@ -48,5 +48,8 @@ Rational ring_wall_mm(const Problem& problem, const Rational& module_mm);
 std::vector<Condition> interference(const std::string& mesh, const Expression& planet,
                                     const Expression& ring);
 Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& ratio);
+/// There is no contact in a ring whose tip circle lies inside its base circle.
+Condition contact_ratio_in_ring(const Problem& problem, const std::string& mesh,
+                                const Expression& planet, const Expression& ring);
 
 }  // namespace torquewright::gearbox

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gearbox/proof/contact_ratio.hpp"
+#include "gearbox/proof/tooth_path.hpp"
 
 namespace torquewright::gearbox::proof {
 namespace {
@@ -32,6 +33,8 @@ Interval end_share(const Interval& part, const Interval& triple, const Interval&
 
 struct Meshes {
   Interval sun, fixed, output;  ///< Efficiencies with the carrier at rest.
+  bool may_pass;                ///< Power through all of them, somewhere in the box.
+  bool pass;                    ///< Everywhere.
 };
 
 /// 1/z1 + 1/z2, or 1/P - 1/R. The latter grows with S (and with P1 in layer 2) and falls with the
@@ -56,16 +59,44 @@ Interval curvature(const TeethRange& range, int mesh) {
   return hull(at(least), at(greatest));
 }
 
-Interval mesh_efficiency(const Alternative& alternative, const TeethRange& range, int mesh) {
+struct Mesh {
+  Interval efficiency;  ///< Clamped to what is at least 0.
+  bool may_pass;        ///< Power, somewhere in the range.
+  bool passes;          ///< Everywhere.
+};
+
+/// Power passes where the ring's tip lies outside its base circle, a tooth pair is always in
+/// contact, and friction does not take all of it: docs/derivations/efficiency.md.
+Mesh mesh_in(const Alternative& alternative, const TeethRange& range, int mesh) {
   const ContactPath path = contact_path(range, mesh);
   const Rational friction = alternative.problem->friction_coefficient.value_or(Rational(0));
-  return 1 - friction * pi() * curvature(range, mesh) * loss_integral(path.first, path.mate);
+  const Interval efficiency =
+      1 - friction * pi() * curvature(range, mesh) * loss_integral(path.first, path.mate);
+  const Interval excess = path.first + path.mate - 1;
+  const bool may_pass = (mesh == 0 || has_tip_outside_base(ring(range.most, mesh))) &&
+                        !excess.certainly_negative() && !efficiency.certainly_negative();
+  const bool passes = (mesh == 0 || has_tip_outside_base(ring(range.least, mesh))) &&
+                      excess.certainly_positive() && efficiency.certainly_positive();
+  return {max(efficiency, 0), may_pass, passes};
 }
 
-Meshes mesh_efficiencies(const Alternative& alternative, const Box& box) {
+Meshes meshes_in(const Alternative& alternative, const Box& box) {
   const TeethRange range = teeth_in(box);
-  return {mesh_efficiency(alternative, range, 0), mesh_efficiency(alternative, range, 1),
-          alternative.planetary ? Interval(1) : mesh_efficiency(alternative, range, 2)};
+  Meshes result{{}, {}, 1, true, true};
+  Interval* const efficiencies[] = {&result.sun, &result.fixed, &result.output};
+  for (int mesh = 0; mesh < (alternative.planetary ? 2 : 3); ++mesh) {
+    const Mesh each = mesh_in(alternative, range, mesh);
+    *efficiencies[mesh] = each.efficiency;
+    result.may_pass = result.may_pass && each.may_pass;
+    result.pass = result.pass && each.passes;
+  }
+  return result;
+}
+
+/// 0 where no power passes, `value` where it does.
+Interval transmitted(const Meshes& mesh, const Interval& value) {
+  if (!mesh.may_pass) return 0;
+  return mesh.pass ? max(value, 0) : hull(max(value, 0), 0);
 }
 
 /// 1/(1 + I1) = S / (2 (S + P1)): the carrier's speed per input, grows with S, falls with P1.
@@ -103,27 +134,27 @@ Interval loss_integral(const Interval& approach, const Interval& recess) {
 }
 
 Interval forward_efficiency(const Alternative& alternative, const Box& box, const Interval& ratio) {
-  const Meshes mesh = mesh_efficiencies(alternative, box);
+  const Meshes mesh = meshes_in(alternative, box);
   // (1 + eta_a eta_b I1)/(1 + I1) = 1 - (1 - eta_a eta_b) I1/(1 + I1)
   const Interval first_stage = 1 - (1 - mesh.sun * mesh.fixed) * (1 - carrier_share(box));
-  if (alternative.planetary) return first_stage;
+  if (alternative.planetary) return transmitted(mesh, first_stage);
   // (1 - I2)/(1 - e I2) = 1/(1 + (1 - e)(1/(1 - I2) - 1)), e = eta_b eta_c
   const Interval loss = 1 - mesh.fixed * mesh.output;
-  return first_stage / (1 + loss * (carrier_per_output(box, ratio) - 1));
+  return transmitted(mesh, first_stage / (1 + loss * (carrier_per_output(box, ratio) - 1)));
 }
 
 Interval backward_efficiency(const Alternative& alternative, const Box& box,
                              const Interval& ratio) {
-  const Meshes mesh = mesh_efficiencies(alternative, box);
+  const Meshes mesh = meshes_in(alternative, box);
   const Interval share = carrier_share(box);
   const Interval product = mesh.sun * mesh.fixed;
   // planetary: (1 + I)/(1 + I/(eta_a eta_b)) = eta_a eta_b / (1 - (1 - eta_a eta_b)/(1 + I))
   const Interval first_stage = 1 - (1 - product) * share;
-  if (alternative.planetary) return product / first_stage;
+  if (alternative.planetary) return transmitted(mesh, product / first_stage);
   // (e - I2)/(1 - I2) = 1 - (1 - e)/(1 - I2)
   const Interval loss = 1 - mesh.fixed * mesh.output;
   const Interval second_stage = 1 - loss * carrier_per_output(box, ratio);
-  return max(mesh.sun * second_stage / (mesh.output * first_stage), 0);
+  return transmitted(mesh, mesh.sun * second_stage / (mesh.output * first_stage));
 }
 
 }  // namespace torquewright::gearbox::proof

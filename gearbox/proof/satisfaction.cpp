@@ -67,6 +67,12 @@ bool has_ring_tip_outside_base(std::int64_t teeth) {
   return sign(number(teeth) * (1 - cos(pressure_angle())) - 2) > 0;
 }
 
+/// Where a ring's tip circle lies inside its base circle there is no contact at all.
+bool has_contact_ratio(const Alternative& alternative, const Teeth& teeth, int mesh) {
+  if (mesh > 0 && !has_ring_tip_outside_base(ring(teeth, mesh))) return false;
+  return sign(contact_ratio({teeth, teeth}, mesh) - alternative.problem->min_contact_ratio) >= 0;
+}
+
 }  // namespace
 
 bool satisfies(const Constraint& constraint, const Alternative& alternative, const Teeth& teeth) {
@@ -102,10 +108,10 @@ bool satisfies(const Constraint& constraint, const Alternative& alternative, con
     case Family::kInvoluteInterference:
       return is_free_of_involute_interference(planet(teeth, place), ring(teeth, place));
     case Family::kTrochoidInterference:
-      return is_free_of_trochoid_interference(planet(teeth, place), ring(teeth, place));
+      return has_ring_tip_outside_base(ring(teeth, place)) &&
+             is_free_of_trochoid_interference(planet(teeth, place), ring(teeth, place));
     case Family::kContactRatio:
-      return sign(contact_ratio({teeth, teeth}, place) - alternative.problem->min_contact_ratio) >=
-             0;
+      return has_contact_ratio(alternative, teeth, place);
   }
   return false;
 }

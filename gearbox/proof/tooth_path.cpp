@@ -30,6 +30,8 @@ Interval tip_tangent(std::int64_t teeth, std::int64_t tip) {
 
 const Interval& pressure_angle() { return profile().angle; }
 
+bool has_tip_outside_base(std::int64_t ring) { return ring > kMostTeethInsideBase; }
+
 Interval involute(const Interval& angle) { return tan(angle) - angle; }
 
 Interval external_tip_angle(std::int64_t teeth) {

@@ -11,6 +11,9 @@ const Interval& pressure_angle();
 /// tan x - x
 Interval involute(const Interval& angle);
 
+/// Whether the tip circle of a ring lies outside its base circle; where not, nothing meshes with it.
+bool has_tip_outside_base(std::int64_t ring);
+
 /// Pressure angles at the tip circles of a gear with external teeth (always defined) and of a ring.
 /// Where a ring's tip circle lies inside its base circle the flank ends there: 0.
 Interval external_tip_angle(std::int64_t teeth);

@@ -48,8 +48,7 @@ std::vector<Condition> conditions(const Problem& problem, std::int64_t planet_co
   add({ring_tip("ring", module_mm, teeth.ring)});
   add(interference("planet_ring", teeth.planet, teeth.ring));
   add({contact_ratio(problem, "sun_planet", contact_ratio(external_path(teeth.sun, teeth.planet))),
-       contact_ratio(problem, "planet_ring",
-                     contact_ratio(internal_path(teeth.planet, teeth.ring)))});
+       contact_ratio_in_ring(problem, "planet_ring", teeth.planet, teeth.ring)});
   return result;
 }
 

@@ -42,8 +42,7 @@ ThreeKTeeth<std::int64_t> teeth_at(Point point) {
 Expression difference_for(const Rational& ratio, const Variables& x) {
   const Rational c = 4 * (ratio - 1) / ratio;
   return Expression(2 / ratio) * x.planet_1 +
-         Expression(c) *
-             square_over(x.planet_1, Expression(ratio) * x.sun + 2.0 * x.planet_1);
+         Expression(c) * square_over(x.planet_1, Expression(ratio) * x.sun + 2.0 * x.planet_1);
 }
 
 // The ratio falls as the difference grows.
@@ -97,20 +96,18 @@ void add_buildable_conditions(const Problem& problem, std::int64_t planet_count,
   add(interference("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
   add({contact_ratio(problem, "sun_planet_1",
                      contact_ratio(external_path(teeth.sun, teeth.planet_1))),
-       contact_ratio(problem, "planet_1_fixed_ring",
-                     contact_ratio(internal_path(teeth.planet_1, teeth.fixed_ring))),
-       contact_ratio(problem, "planet_2_output_ring",
-                     contact_ratio(internal_path(teeth.planet_2, teeth.output_ring)))});
+       contact_ratio_in_ring(problem, "planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring),
+       contact_ratio_in_ring(problem, "planet_2_output_ring", teeth.planet_2, teeth.output_ring)});
 }
 
 std::vector<Predicate> predicates(const Problem& problem, std::int64_t planet_count) {
   std::vector<Predicate> result{{"equal_spacing", "", [planet_count](Point point) {
-    return 2 * (point[0] + point[1]) % planet_count == 0;
-  }}};
+                                   return 2 * (point[0] + point[1]) % planet_count == 0;
+                                 }}};
   if (problem.constraints == ConstraintSet::kBuildable) {
     result.push_back({"identical_planets", "", [planet_count](Point point) {
-      return has_identical_planets(teeth_at(point), planet_count);
-    }});
+                        return has_identical_planets(teeth_at(point), planet_count);
+                      }});
   }
   return result;
 }
@@ -133,6 +130,19 @@ Expression allowed_ratio(const Problem& problem) {
   return Expression::between(least_ratio(problem), greatest_ratio(problem));
 }
 
+// 1 where power passes every mesh, else 0: the rings' tips lie outside their base circles, and
+// friction leaves something. With such rings every contact ratio exceeds 1. The ramp between is far
+// narrower than the margins are at whole teeth. docs/derivations/efficiency.md, "What transmits
+// nothing".
+Expression transmission(const Teeth& teeth, const ThreeKMeshEfficiencies<Expression>& mesh) {
+  constexpr double kSteep = 0x1p40;
+  const Expression tips =
+      min(ring_tip_margin(teeth.fixed_ring), ring_tip_margin(teeth.output_ring));
+  const Expression left =
+      min(mesh.sun_planet_1, min(mesh.planet_1_fixed_ring, mesh.planet_2_output_ring));
+  return min(max(kSteep * min(tips, left), 0.0), 1.0);
+}
+
 // With 1/(1 - I2) = i/(1 + I1) the efficiencies need the ratio i, known within its tolerance, in
 // place of I2: the enclosure stays narrow on wide boxes. docs/derivations/efficiency.md.
 Expression enclosed_efficiency(const Problem& problem, const Variables& x, bool forward) {
@@ -142,22 +152,30 @@ Expression enclosed_efficiency(const Problem& problem, const Variables& x, bool 
   const Expression second = mesh.planet_1_fixed_ring * mesh.planet_2_output_ring;
   const Expression carrier = 1.0 / (1.0 + basic_ratio_1(teeth));  // 1/(1 + I1)
   const Expression stepped = allowed_ratio(problem) * carrier;  // 1/(1 - I2)
-  if (forward) return (carrier + first * (1.0 - carrier)) / (1.0 + (1.0 - second) * (stepped - 1.0));
+  if (forward) {
+    return (carrier + first * (1.0 - carrier)) / (1.0 + (1.0 - second) * (stepped - 1.0));
+  }
   // (eta_b eta_c - I2)/(1 - I2) = 1 - (1 - eta_b eta_c)/(1 - I2)
-  const Expression back = mesh.sun_planet_1 * (1.0 - (1.0 - second) * stepped) /
-                          (mesh.planet_2_output_ring * (1.0 - carrier + first * carrier));
-  return max(back, 0.0);
+  return mesh.sun_planet_1 * (1.0 - (1.0 - second) * stepped) /
+         (mesh.planet_2_output_ring * (1.0 - carrier + first * carrier));
 }
 
 Goal efficiency(const Problem& problem, const Variables& x, bool forward) {
   const Teeth teeth = teeth_of(x);
-  const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
+  const double friction = io::nearest(*problem.friction_coefficient);
+  const auto mesh = mesh_efficiencies(teeth, friction);
   const Expression i1 = basic_ratio_1(teeth), i2 = basic_ratio_2(teeth);
+  const auto transmitted = [&](const Teeth& gears, const Expression& value) {
+    // Buildable gears have at least 18 teeth, and rings with their tips outside their base circles.
+    if (problem.constraints == ConstraintSet::kBuildable) return max(value, 0.0);
+    return max(transmission(gears, mesh_efficiencies(gears, friction)) * value, 0.0);
+  };
   Goal goal{forward ? "forward_efficiency" : "backward_efficiency", "",
-            forward ? three_k_forward_efficiency(i1, i2, mesh)
-                    : max(three_k_backward_efficiency(i1, i2, mesh), 0.0),
+            transmitted(teeth, forward ? three_k_forward_efficiency(i1, i2, mesh)
+                                       : three_k_backward_efficiency(i1, i2, mesh)),
             /*maximise=*/true};
-  goal.enclosure = enclosed_efficiency(problem, x, forward);
+  goal.enclosure =
+      transmitted(teeth_with_planet_2(x), enclosed_efficiency(problem, x, forward));
   return goal;
 }
 
@@ -202,7 +220,8 @@ std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_co
                                   const Rational& module_mm, const Variables& x) {
   const Teeth teeth = teeth_of(x);
   const Expression ratio = 2.0 * x.planet_1 * teeth.output_ring / (x.sun * x.difference);
-  std::vector<Loosening> result{most_teeth("sun", teeth.sun), most_teeth("planet_1", teeth.planet_1),
+  std::vector<Loosening> result{most_teeth("sun", teeth.sun),
+                                most_teeth("planet_1", teeth.planet_1),
                                 most_teeth("planet_2", teeth.planet_2),
                                 most_carrier_clearance(planet_count, teeth.sun, teeth.planet_1),
                                 least_ring(module_mm, teeth.fixed_ring),
@@ -211,12 +230,12 @@ std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_co
   const auto clearance = [&](const Expression& planet) {
     return neighbour_clearance_mm(planet_count, module_mm, teeth.sun + teeth.planet_1, planet);
   };
-  result.push_back(most_neighbour_clearance(min(clearance(teeth.planet_1),
-                                                clearance(teeth.planet_2))));
-  result.push_back(most_contact(
-      min(contact_ratio(external_path(teeth.sun, teeth.planet_1)),
-          min(contact_ratio(internal_path(teeth.planet_1, teeth.fixed_ring)),
-              contact_ratio(internal_path(teeth.planet_2, teeth.output_ring))))));
+  result.push_back(
+      most_neighbour_clearance(min(clearance(teeth.planet_1), clearance(teeth.planet_2))));
+  result.push_back(
+      most_contact(min(contact_ratio(external_path(teeth.sun, teeth.planet_1)),
+                       min(contact_ratio(internal_path(teeth.planet_1, teeth.fixed_ring)),
+                           contact_ratio(internal_path(teeth.planet_2, teeth.output_ring))))));
   if (problem.ring_outer_diameter_mm) {
     result.push_back(least_blank(problem, module_mm, teeth.fixed_ring));
   }

@@ -12,9 +12,9 @@ namespace {
 
 long double real(std::int64_t teeth) { return static_cast<long double>(teeth); }
 
-long double hollow_shaft_mm(const Setting& setting, const Teeth& teeth) {
-  return to_long_double(setting.module_mm * (teeth.sun - Rational(5, 2)) -
-                        2 * setting.problem.hollow_shaft_wall_mm);
+Rational hollow_shaft_mm(const Setting& setting, const Teeth& teeth) {
+  return setting.module_mm * (teeth.sun - Rational(5, 2)) -
+         2 * setting.problem.hollow_shaft_wall_mm;
 }
 
 long double paper_cost_rounded(const Setting& setting, const Teeth& teeth) {
@@ -44,6 +44,25 @@ Efficiencies of_planetary(const Teeth& teeth, long double a, long double b) {
   return {(1 + a * b * i) / (1 + i), (1 + i) / (1 + i / (a * b))};
 }
 
+struct Mesh {
+  bool transmits;
+  long double efficiency;
+};
+
+Mesh mesh(const ContactPath& path, long double efficiency) {
+  // What is not a number does not compare.
+  return {path.ratio() >= 1 && efficiency > 0, efficiency};
+}
+
+Mesh sun_mesh(const Teeth& teeth, long double friction) {
+  return mesh(external_path(teeth.sun, teeth.planet_1),
+              external_efficiency(teeth.sun, teeth.planet_1, friction));
+}
+
+Mesh ring_mesh(std::int64_t planet, std::int64_t ring, long double friction) {
+  return mesh(internal_path(planet, ring), internal_efficiency(planet, ring, friction));
+}
+
 }  // namespace
 
 bool greater_is_better(gearbox::Objective objective) {
@@ -68,6 +87,17 @@ Rational paper_cost(const Setting& setting, const Teeth& teeth) {
                   teeth.output_ring * teeth.output_ring);
 }
 
+std::optional<Rational> exact_objective(const Setting& setting, const Teeth& teeth) {
+  switch (setting.problem.objective) {
+    case gearbox::Objective::kPaperCost:
+      return paper_cost(setting, teeth);
+    case gearbox::Objective::kHollowShaft:
+      return hollow_shaft_mm(setting, teeth);
+    default:
+      return std::nullopt;
+  }
+}
+
 Efficiencies efficiencies(bool three_k, const Teeth& teeth, long double sun_mesh,
                           long double fixed_mesh, long double output_mesh) {
   return three_k ? of_3k(teeth, sun_mesh, fixed_mesh, output_mesh)
@@ -77,10 +107,12 @@ Efficiencies efficiencies(bool three_k, const Teeth& teeth, long double sun_mesh
 Efficiencies efficiencies(const gearbox::Problem& problem, const Teeth& teeth) {
   const long double friction = to_long_double(problem.friction_coefficient.value());
   const bool three_k = is_3k(problem);
-  const long double output_mesh =
-      three_k ? internal_efficiency(teeth.planet_2, teeth.output_ring, friction) : 1;
-  return efficiencies(three_k, teeth, external_efficiency(teeth.sun, teeth.planet_1, friction),
-                      internal_efficiency(teeth.planet_1, teeth.fixed_ring, friction), output_mesh);
+  const Mesh sun = sun_mesh(teeth, friction);
+  const Mesh fixed = ring_mesh(teeth.planet_1, teeth.fixed_ring, friction);
+  const Mesh output =
+      three_k ? ring_mesh(teeth.planet_2, teeth.output_ring, friction) : Mesh{true, 1};
+  if (!sun.transmits || !fixed.transmits || !output.transmits) return {0, 0};
+  return efficiencies(three_k, teeth, sun.efficiency, fixed.efficiency, output.efficiency);
 }
 
 long double objective_value(const Setting& setting, const Teeth& teeth) {
@@ -90,7 +122,7 @@ long double objective_value(const Setting& setting, const Teeth& teeth) {
     case gearbox::Objective::kMass:
       return mass_kg(setting, teeth);
     case gearbox::Objective::kHollowShaft:
-      return hollow_shaft_mm(setting, teeth);
+      return to_long_double(hollow_shaft_mm(setting, teeth));
     case gearbox::Objective::kForwardEfficiency:
       return efficiencies(setting.problem, teeth).forward;
     case gearbox::Objective::kBackwardEfficiency:

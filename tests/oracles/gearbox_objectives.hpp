@@ -16,10 +16,15 @@ long double objective_value(const Setting& setting, const Teeth& teeth);
 /// Equation (1) with Z_P3 read as Z_P2, as a fraction.
 Rational paper_cost(const Setting& setting, const Teeth& teeth);
 
+/// The objective as a fraction, where it is one.
+std::optional<Rational> exact_objective(const Setting& setting, const Teeth& teeth);
+
 struct Efficiencies {
   long double forward = 0;
   long double backward = 0;  ///< At most 0: self-locking.
 };
+/// Both are 0 where a mesh does not exist (a ring whose tip circle lies inside its base circle),
+/// loses contact (contact ratio below 1), or loses all power by friction.
 Efficiencies efficiencies(const gearbox::Problem& problem, const Teeth& teeth);
 
 /// The same, from the basic efficiencies of the meshes sun-planet, planet 1-fixed ring, planet

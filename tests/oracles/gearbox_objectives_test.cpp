@@ -48,6 +48,22 @@ TEST(GearboxObjectives, EfficiencyOfCompactsTrain) {
   EXPECT_NEAR(static_cast<double>(eta.backward), .5372, 5e-5);
 }
 
+// Oracle: docs/derivations/efficiency.md, "What transmits nothing". A ring's tip lies inside its base
+// circle below 33.16 teeth. Sun 40, planet 1: e_A + e_R = .784 + .425, so Lambda > 1/2, and .9 pi
+// (1 + 1/40) Lambda > 1: friction takes all power.
+TEST(GearboxObjectives, EfficiencyIsZeroWhereAMeshPassesNothing) {
+  Problem problem = d151_problem();
+  problem.friction_coefficient = Rational(1, 10);
+  EXPECT_EQ(efficiencies(problem, complete_3k(9, 12, 11)).forward, 0);   // F = 33
+  EXPECT_EQ(efficiencies(problem, complete_3k(10, 12, 11)).forward, 0);  // O = 33
+  EXPECT_GT(efficiencies(problem, complete_3k(11, 12, 11)).forward, 0);
+  problem.topology = "planetary";
+  EXPECT_EQ(efficiencies(problem, complete_planetary(2, 2)).backward, 0);
+  EXPECT_GT(efficiencies(problem, complete_planetary(40, 1)).backward, 0);
+  problem.friction_coefficient = Rational(9, 10);
+  EXPECT_EQ(efficiencies(problem, complete_planetary(40, 1)).backward, 0);
+}
+
 // Oracle: single stage 25/65/155 at mu = .3: .9595 (gearbox.md section 12; short Lambda, whose
 // difference to the general one stays below the published table's 1e-3).
 TEST(GearboxObjectives, EfficiencyOfASingleStage) {

@@ -38,9 +38,16 @@ bool is_short_decimal(const Rational& value) {
   return scaled.get_den() == 1 && scaled < 1000000;
 }
 
-Model draw_model(Dice& dice, const Problem& problem, std::int64_t bore) {
+// How large the gears are that a problem is about.
+struct Size {
+  std::int64_t least_teeth;
+  std::int64_t bore;  // D/m
+};
+
+Model draw_model(Dice& dice, const Problem& problem, const Size& size) {
   const bool three_k = problem.topology == "3k";
-  const std::int64_t least = problem.constraints == ConstraintSet::kBuildable ? 18 : 12;
+  const std::int64_t bore = size.bore;
+  const std::int64_t least = size.least_teeth;
   const std::int64_t n = dice.one_of(problem.planet_count);
   const std::int64_t sun = dice.between(least, std::max(least, bore / 2));
   const std::int64_t first = dice.between(least + n, std::max(least + n, (bore - sun) / 2));
@@ -58,15 +65,16 @@ bool is_promising(const Model& model, const Problem& problem, std::int64_t bore)
                                 (model.planets * std::gcd(z.planet_1, z.planet_2)) ==
                             0;
   const double sine = std::sin(std::numbers::pi / static_cast<double>(model.planets));
-  return z.fixed_ring <= bore && (z.sun + z.fixed_ring) % model.planets == 0 && distinct &&
+  return z.fixed_ring <= bore && z.planet_2 >= 0 && (z.sun + z.fixed_ring) % model.planets == 0 &&
+         distinct &&
          static_cast<double>(z.sun + z.planet_1) * sine > static_cast<double>(z.planet_1 + 2);
 }
 
-Model draw_good_model(Dice& dice, const Problem& problem, std::int64_t bore, bool exact) {
+Model draw_good_model(Dice& dice, const Problem& problem, const Size& size, bool exact) {
   Model model;
   for (int attempt = 0; attempt < 2000; ++attempt) {
-    model = draw_model(dice, problem, bore);
-    if (is_promising(model, problem, bore) && (!exact || is_short_decimal(model.ratio))) break;
+    model = draw_model(dice, problem, size);
+    if (is_promising(model, problem, size.bore) && (!exact || is_short_decimal(model.ratio))) break;
   }
   return model;
 }
@@ -82,18 +90,19 @@ void draw_ratio(Dice& dice, Problem& problem, const Model& model, bool exact) {
 }
 
 // Mostly a little below the model's count, now and then a little above it.
-std::int64_t draw_minimum(Dice& dice, std::int64_t teeth) {
-  return std::max<std::int64_t>(12, teeth - dice.between(dice.chance(12) ? -8 : 0, 25));
+std::int64_t draw_minimum(Dice& dice, std::int64_t least, std::int64_t teeth) {
+  return std::max(std::min<std::int64_t>(12, least),
+                  teeth - dice.between(dice.chance(12) ? -8 : 0, 25));
 }
 
-void draw_limits(Dice& dice, Problem& problem, const Model& model) {
+void draw_limits(Dice& dice, Problem& problem, const Size& size, const Model& model) {
   const Teeth& z = model.teeth;
-  problem.min_teeth["sun"] = draw_minimum(dice, z.sun);
+  problem.min_teeth["sun"] = draw_minimum(dice, size.least_teeth, z.sun);
   if (problem.topology == "3k") {
-    problem.min_teeth["planet_1"] = draw_minimum(dice, z.planet_1);
-    problem.min_teeth["planet_2"] = draw_minimum(dice, z.planet_2);
+    problem.min_teeth["planet_1"] = draw_minimum(dice, size.least_teeth, z.planet_1);
+    problem.min_teeth["planet_2"] = draw_minimum(dice, size.least_teeth, z.planet_2);
   } else {
-    problem.min_teeth["planet"] = draw_minimum(dice, z.planet_1);
+    problem.min_teeth["planet"] = draw_minimum(dice, size.least_teeth, z.planet_1);
   }
   const double angle_rad =
       std::numbers::pi / static_cast<double>(model.planets) -
@@ -118,7 +127,8 @@ void draw_building(Dice& dice, Problem& problem) {
 }
 
 void draw_materials(Dice& dice, Problem& problem) {
-  problem.friction_coefficient = hundredths(dice.between(2, 25));
+  problem.friction_coefficient =
+      hundredths(dice.chance(92) ? dice.between(2, 25) : dice.between(26, 90));
   problem.density_kg_m3 = dice.one_of<std::int64_t>({1140, 2700, 7850});
   problem.face_width_mm["layer_1"] = tenths(dice.between(40, 150));
   if (problem.topology == "3k") problem.face_width_mm["layer_2"] = tenths(dice.between(40, 150));
@@ -138,19 +148,28 @@ void draw_kind(Dice& dice, Problem& problem) {
   problem.objective = dice.one_of(objectives);
 }
 
+// Only on paper are there gears of very few teeth: rings whose tip circle lies inside the base
+// circle, meshes that lose contact.
+Size draw_size(Dice& dice, const Problem& problem) {
+  const bool on_paper = problem.constraints == ConstraintSet::kPaper;
+  if (on_paper && dice.chance(25)) return {1, dice.between(9, 60)};
+  const std::int64_t bore = dice.chance(92) ? dice.between(60, 180) : dice.between(181, 260);
+  return {on_paper ? 12 : 18, bore};
+}
+
 Problem draw_problem(Dice& dice) {
   Problem problem;
   draw_kind(dice, problem);
   problem.module_mm = dice.one_or_more_of<Rational>(
       {tenths(4), tenths(5), tenths(6), tenths(7), tenths(8), tenths(10)});
   problem.planet_count = dice.one_or_more_of<std::int64_t>({3, 4, 5, 6});
-  const std::int64_t bore = dice.chance(92) ? dice.between(60, 180) : dice.between(181, 260);
+  const Size size = draw_size(dice, problem);
   const Rational& module = dice.one_of(problem.module_mm);
-  problem.rotor_inner_diameter_mm = bore * module + tenths(dice.between(0, 3));
+  problem.rotor_inner_diameter_mm = size.bore * module + tenths(dice.between(0, 3));
   const bool exact = dice.chance(50);
-  const Model model = draw_good_model(dice, problem, bore, exact);
+  const Model model = draw_good_model(dice, problem, size, exact);
   draw_ratio(dice, problem, model, exact);
-  draw_limits(dice, problem, model);
+  draw_limits(dice, problem, size, model);
   draw_building(dice, problem);
   draw_materials(dice, problem);
   return problem;
