@@ -92,7 +92,18 @@ double mesh_efficiency(const Choice& c, const Gears& g, int mesh) {
                  loss_integral(path_external(z1), mate);
 }
 
+/// Power passes a mesh whose ring has its tip outside its base circle, where a pair is always in
+/// contact, and where friction leaves something.
+bool passes(const Choice& c, const Gears& g, int mesh) {
+  const long ring = mesh == 1 ? ring_1(g) : ring_2(g);
+  const bool has_involute = mesh == 0 || real(ring) / 2 - 1 > real(ring) / 2 * std::cos(kAlpha);
+  return has_involute && contact_ratio(mesh, g) >= 1 && mesh_efficiency(c, g, mesh) > 0;
+}
+
 double efficiency(const Choice& c, const Gears& g, bool forward) {
+  for (int mesh = 0; mesh < (is_planetary(*c.problem) ? 2 : 3); ++mesh) {
+    if (!passes(c, g, mesh)) return 0;
+  }
   const double a = mesh_efficiency(c, g, 0), b = mesh_efficiency(c, g, 1);
   const double i1 = real(ring_1(g)) / real(g.sun);
   if (is_planetary(*c.problem)) {
