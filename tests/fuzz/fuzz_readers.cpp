@@ -1,59 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
-// Feeds mutated documents to the readers for so many seconds: fuzz_documents SECONDS [SEED]. Every
-// one has to be accepted or refused with sentences; anything else ends the program with status 1.
+// Feeds mutated files to all readers: fuzz_readers [SECONDS [SEED]]. Every one has to be accepted
+// or refused with sentences, and soon; anything else ends the program with status 1. Without
+// SECONDS the environment variable TORQUEWRIGHT_FUZZ_SECONDS counts, or else 60.
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <functional>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "gearbox/problem_spec.hpp"
-#include "io/document.hpp"
 #include "io/file_bytes.hpp"
-#include "io/schema.hpp"
+#include "io/spec_error.hpp"
 #include "tests/fuzz/mutation.hpp"
+#include "tests/fuzz/readers.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-using Reader = std::function<void(const fs::path&)>;
 
-/// All that reads documents from outside. A further reader is one more line here.
-std::vector<Reader> readers() {
-  std::vector<Reader> readers;
-  for (const std::string& kind : io::document_kinds()) {
-    readers.push_back([kind](const fs::path& file) { io::read_document(file, kind); });
-  }
-  readers.push_back([](const fs::path& file) {
-    gearbox::read_problem(io::read_document(file, "gearbox_problem"));
-  });
-  return readers;
-}
+constexpr double kDefaultSeconds = 60.0;
+/// For one file: two orders of magnitude above the slowest, for slow machines and sanitizers.
+constexpr unsigned kMostSecondsPerFile = 100;
 
-std::vector<std::string> corpus() {
+using Corpus = std::map<std::string, std::vector<std::string>>;  ///< Texts by the files' ending.
+
+Corpus read_corpus() {
   std::vector<fs::path> files;
   for (const char* folder : {"specs", "tests/fuzz/corpus"}) {
     for (const auto& entry :
          fs::recursive_directory_iterator(fs::path(TORQUEWRIGHT_SOURCE_DIR) / folder)) {
-      if (entry.path().extension() == ".json") files.push_back(entry.path());
+      if (entry.is_regular_file()) files.push_back(entry.path());
     }
   }
   std::sort(files.begin(), files.end());
-  std::vector<std::string> texts;
-  for (const fs::path& file : files) texts.push_back(io::read_file_bytes(file));
-  return texts;
+  Corpus corpus;
+  for (const fs::path& file : files) {
+    corpus[file.extension()].push_back(io::read_file_bytes(file));
+  }
+  return corpus;
 }
 
-/// Empty if the text is accepted or properly refused.
-std::string misbehaviour(const Reader& read, const fs::path& file) {
+struct Counts {
+  long files = 0;
+  std::map<std::string, long> accepted;  ///< By the reader's name.
+};
+
+/// Empty if the file is accepted or properly refused.
+std::string misbehaviour(const Reader& reader, const fs::path& file, Counts& counts) {
   try {
-    read(file);
+    reader.read(file);
+    ++counts.accepted[reader.name];
   } catch (const io::SpecError& error) {
     const std::string lines = error.what();
     const auto breaks = static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
@@ -61,10 +66,18 @@ std::string misbehaviour(const Reader& read, const fs::path& file) {
     for (const io::Fault& fault : error.faults()) {
       if (fault.message.empty()) return "a fault without a sentence";
     }
+  } catch (const Misbehaviour& error) {
+    return error.what();
   } catch (const std::exception& error) {
     return std::string("another exception: ") + error.what();
   }
   return "";
+}
+
+extern "C" void on_alarm(int) {
+  constexpr std::string_view kMessage = "a reader does not come to an end\n";
+  if (::write(STDOUT_FILENO, kMessage.data(), kMessage.size()) < 0) ::_exit(2);
+  ::_exit(EXIT_FAILURE);
 }
 
 int run(double seconds, std::uint64_t seed) {
@@ -72,34 +85,49 @@ int run(double seconds, std::uint64_t seed) {
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  const std::vector<std::string> texts = corpus();
+  const Corpus corpus = read_corpus();
   const std::vector<Reader> all = readers();
   const test::ScratchFolder folder;
   Random random(seed);
-  long executions = 0;
-  for (; elapsed() < seconds; ++executions) {
-    const std::string text = mutated(texts, random);
-    const fs::path file = folder.write("document.json", text);
-    for (const Reader& read : all) {
-      const std::string what = misbehaviour(read, file);
-      if (what.empty()) continue;
-      std::printf("execution %ld of seed %lu: %s\n%s\n", executions, seed, what.c_str(),
-                  text.c_str());
-      return EXIT_FAILURE;
+  Counts counts;
+  // Who ends this by a crash leaves the file behind.
+  std::printf("seed %lu, each file in turn is %s\n", seed, (folder.path() / "file*").c_str());
+  std::fflush(stdout);
+  for (; elapsed() < seconds; ++counts.files) {
+    for (const auto& [ending, texts] : corpus) {
+      const std::string text = mutated(texts, random);
+      const fs::path file = folder.write("file" + ending, text);
+      for (const Reader& reader : all) {
+        if (reader.ending != ending) continue;
+        ::alarm(kMostSecondsPerFile);
+        const std::string what = misbehaviour(reader, file, counts);
+        ::alarm(0);
+        if (what.empty()) continue;
+        std::printf("%s, file %ld of seed %lu: %s\n%s\n", reader.name.c_str(), counts.files, seed,
+                    what.c_str(), text.c_str());
+        return EXIT_FAILURE;
+      }
     }
   }
-  std::printf("%ld executions in %.1f s, seed %lu\n", executions, elapsed(), seed);
-  return executions > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  std::printf("%ld files in %.1f s; accepted by:\n", counts.files, elapsed());
+  for (const Reader& reader : all) {
+    std::printf("  %-26s %ld\n", reader.name.c_str(), counts.accepted[reader.name]);
+  }
+  return counts.files > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+double default_seconds() {
+  const char* text = std::getenv("TORQUEWRIGHT_FUZZ_SECONDS");
+  return text == nullptr ? kDefaultSeconds : std::strtod(text, nullptr);
 }
 
 }  // namespace
 }  // namespace torquewright::fuzz
 
 int main(int count, char** arguments) {
-  if (count < 2) {
-    std::fputs("usage: fuzz_documents SECONDS [SEED]\n", stderr);
-    return 2;
-  }
+  std::signal(SIGALRM, torquewright::fuzz::on_alarm);
+  const double seconds =
+      count > 1 ? std::strtod(arguments[1], nullptr) : torquewright::fuzz::default_seconds();
   const std::uint64_t seed = count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1;
-  return torquewright::fuzz::run(std::strtod(arguments[1], nullptr), seed);
+  return torquewright::fuzz::run(seconds, seed);
 }
