@@ -12,6 +12,8 @@ struct BadArguments {
   std::string refusal;  ///< Before "; --help shows what is allowed" where that follows.
 };
 
+void PrintTo(const BadArguments& bad, std::ostream* stream) { *stream << bad.refusal; }
+
 const std::vector<std::string> kOptimize = {"gearbox", "optimize", "knee.json"};
 const std::vector<std::string> kEvaluate = {"gearbox", "evaluate", "knee.json"};
 

@@ -17,6 +17,8 @@ struct BadPlace {
   std::vector<std::string> faults;  ///< The lines, each without "knee.json" in front.
 };
 
+void PrintTo(const BadPlace& place, std::ostream* stream) { *stream << place.to; }
+
 const std::vector<BadPlace> kBadPlaces = {
     {"\"kind\": \"gearbox_problem\"",
      "\"kind\": \"gearbox\"",
@@ -68,9 +70,9 @@ const std::vector<BadPlace> kBadPlaces = {
     {"\"3k\"", "\"3K\"", {"#/topology: \"3K\" is not one of \"3k\", \"planetary\""}},
     // Several at once.
     {"\"target_ratio\": 20,\n  \"ratio_tolerance\": 0",
-     "\"target_ratio\": 0,\n  \"ratio_tol\": 0",
-     {"#/target_ratio: 0 is outside [1, 10000]",
-      "#/ratio_tol: unknown key; did you mean \"target_ratio\"?"}},
+     "\"target_ratio\": 0,\n  \"ratio_tolerence\": 0",
+     {"#/ratio_tolerence: unknown key; did you mean \"ratio_tolerance\"?",
+      "#/target_ratio: 0 is outside [1, 10000]"}},
 };
 
 /// Runs every command that reads such a document, and asks for all outputs there are.

@@ -20,7 +20,7 @@ TEST(ExitCode, IsZeroForTheBestGearbox) {
   EXPECT_TRUE(
       outcome.out.starts_with("optimal: proved, nothing is better.\n"
                               "1. sun 44, planet_1 44, planet_2 32, fixed_ring 132, "
-                              "output_ring 120; 4 planets, module 0.6 mm;"))
+                              "output_ring 120; 4 planets, module 0.6 mm\n"))
       << outcome.out;
   EXPECT_TRUE(outcome.out.ends_with("without the search: accepted.\n")) << outcome.out;
 }

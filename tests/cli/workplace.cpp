@@ -20,7 +20,26 @@ std::string with(std::string text, std::string_view from, std::string_view to) {
   return text.replace(place, from.size(), to);
 }
 
-std::string knee() { return text_of(in_repository("specs/gearbox/d151_knee.json")); }
+std::string knee() {
+  return R"({
+  "kind": "gearbox_problem",
+  "version": 1,
+  "name": "D151 knee",
+  "topology": "3k",
+  "target_ratio": 20,
+  "ratio_tolerance": 0,
+  "rotor_inner_diameter_mm": 79.4,
+  "module_mm": 0.6,
+  "planet_count": 4,
+  "min_teeth": {"sun": 40, "planet_1": 40, "planet_2": 30},
+  "min_carrier_clearance_rad": 0.26,
+  "constraints": "paper",
+  "objective": "paper_cost",
+  "friction_coefficient": 0.08,
+  "assumed": ["/min_teeth", "/min_carrier_clearance_rad", "/friction_coefficient"]
+}
+)";
+}
 
 std::string knee_with(std::string_view from, std::string_view to) { return with(knee(), from, to); }
 

@@ -21,7 +21,7 @@ fs::path in_repository(std::string_view file);
 /// `text` with the one place that reads `from` replaced; throws where there is none.
 std::string with(std::string text, std::string_view from, std::string_view to);
 
-/// The document of the D151's knee, with one place changed.
+/// A problem document: the D151's knee. And the same with one place changed.
 std::string knee();
 std::string knee_with(std::string_view from, std::string_view to);
 

@@ -74,6 +74,31 @@ json& any_place(json& root, Random& random) {
   return *place;
 }
 
+json& any_leaf(json& root, Random& random) {
+  json* place = &root;
+  while (place->is_structured() && !place->empty()) {
+    place = &*std::next(place->begin(), static_cast<std::ptrdiff_t>(below(place->size(), random)));
+  }
+  return *place;
+}
+
+/// A value near the one that stands there, of the same type: what a schema lets pass.
+void nudge(json& root, Random& random) {
+  json& leaf = any_leaf(root, random);
+  if (leaf.is_number_integer()) {
+    // Unsigned, since that may run over.
+    leaf = static_cast<std::int64_t>(leaf.get<std::uint64_t>() + below(5, random) - 2);
+  } else if (leaf.is_number_float()) {
+    const double factors[] = {1 + 1e-6, 1 - 1e-6, 0.99, 1.01, 0.5, 2, -1};
+    leaf = leaf.get<double>() * any_of(factors, random);
+  } else if (leaf.is_boolean()) {
+    leaf = !leaf.get<bool>();
+  } else if (leaf.is_string()) {
+    const json& other = any_leaf(root, random);
+    if (other.is_string()) leaf = std::string(other);
+  }
+}
+
 void change_structure(json& root, Random& random) {
   json& place = any_place(root, random);
   const bool is_filled = place.is_structured() && !place.empty();
@@ -105,9 +130,10 @@ void change_structure(json& root, Random& random) {
 std::string mutated(const std::vector<std::string>& corpus, Random& random) {
   std::string text = corpus[below(corpus.size(), random)];
   json root = json::parse(text, nullptr, false);
-  if (!root.is_discarded() && below(2, random) == 0) {
-    for (std::size_t count = 1 + below(4, random); count > 0; --count) {
-      change_structure(root, random);
+  if (!root.is_discarded() && below(3, random) != 0) {
+    const bool gently = below(2, random) == 0;
+    for (std::size_t count = 1 + below(gently ? 2 : 4, random); count > 0; --count) {
+      gently ? nudge(root, random) : change_structure(root, random);
     }
     text = root.dump(-1, ' ', false, json::error_handler_t::replace);
     if (below(4, random) != 0) return text;
