@@ -70,23 +70,19 @@ std::vector<ConflictMember> irreducible_set(const Problem& problem,
       kept = std::move(without);
       continue;
     }
-    const std::string sentence =
-        trial.design
-            ? fmt::format("Without {} there is {}.", *name, teeth_text(*trial.design))
-            : fmt::format("Whether {} is needed for the conflict was not settled within {} boxes.",
-                          *name, kMaxBoxes);
-    members.push_back({*name, trial.design, sentence});
+    members.push_back({*name, trial.design, conflict_sentence(*name, trial.design)});
   }
   std::reverse(members.begin(), members.end());
   return members;
 }
 
-Claim infeasibility_claim(const Problem& problem, const std::vector<ConflictMember>& members,
-                          const SynthesisOptions& options, bool& is_complete) {
+// Adds the claim and its search. Returns whether it is proved.
+bool claim_infeasibility(const Problem& problem, const SynthesisOptions& options,
+                         SynthesisResult& result) {
   Names names;
   Claim claim;
   claim.kind = "infeasible";
-  for (const ConflictMember& member : members) {
+  for (const ConflictMember& member : result.conflict) {
     names.insert(member.constraint);
     claim.constraints.push_back(member.constraint);
   }
@@ -96,24 +92,32 @@ Claim infeasibility_claim(const Problem& problem, const std::vector<ConflictMemb
   search.relaxation = options.relaxation;
   search.should_stop = options.should_stop;
   optimization::SearchResult found = optimization::minimise(alternatives.judges(), search);
-  is_complete = found.status == optimization::SearchStatus::kComplete;
+  add_to(result.search, found);
   claim.alternatives = alternatives.proofs(std::move(found.proofs));
-  return claim;
+  result.claims.push_back(std::move(claim));
+  return found.status == optimization::SearchStatus::kComplete;
 }
 
 }  // namespace
+
+std::string conflict_sentence(const std::string& constraint,
+                              const std::optional<Design>& without_it) {
+  if (without_it) return fmt::format("Without {} there is {}.", constraint, teeth_text(*without_it));
+  return fmt::format("Whether {} is needed for the conflict was not settled within {} boxes.",
+                     constraint, kMaxBoxes);
+}
 
 void explain_infeasibility(const Problem& problem, const SynthesisOptions& options,
                            SynthesisResult& result) {
   result.conflict =
       irreducible_set(problem, Alternatives(problem).constraints(), options);
-  bool is_complete = false;
-  result.claims = {infeasibility_claim(problem, result.conflict, options, is_complete)};
-  result.status = is_complete ? SynthesisStatus::kInfeasible : SynthesisStatus::kLimit;
+  const bool is_proved = claim_infeasibility(problem, options, result);
+  result.status = is_proved ? SynthesisStatus::kInfeasible : SynthesisStatus::kLimit;
   for (const std::string& key : keys_of(problem, result.conflict)) {
     if (auto found = least_change(problem, key, options)) {
       result.would_be_feasible_with.push_back(std::move(found->bound));
       result.claims.push_back(std::move(found->claim));
+      add_to(result.search, found->search);
     }
   }
 }

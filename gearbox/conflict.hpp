@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "gearbox/problem.hpp"
 #include "gearbox/synthesis.hpp"
 
 namespace torquewright::gearbox {
+
+/// What is said of a member of a conflict: the design that there is without it, if one is known.
+std::string conflict_sentence(const std::string& constraint,
+                              const std::optional<Design>& without_it);
 
 /// Fills `result` of a problem that was proved to have no design: an irreducible set of constraints
 /// that no design satisfies together, with its proof and with a design for every set that lacks one

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "gearbox/alternatives.hpp"
 
@@ -128,6 +129,20 @@ std::vector<std::string> keys_of(const Problem& problem,
   return keys;
 }
 
+LooserBound looser_bound(const Problem& problem, const std::string& key, double needed,
+                         const Design& design) {
+  const optimization::Problem model = find_topology(problem.topology)
+                                          ->model(problem, design.planet_count, design.module_mm,
+                                                  ring_limit_of_bore(problem, design.module_mm));
+  const auto loosening = std::find_if(model.loosenings.begin(), model.loosenings.end(),
+                                      [&](const auto& each) { return each.key == key; });
+  if (loosening == model.loosenings.end()) throw std::logic_error("not a bound: " + key);
+  const optimization::Goal& goal = loosening->quantity;
+  LooserBound bound{key, bound_as_it_stands(problem, key), needed, goal.unit, design, ""};
+  bound.sentence = sentence(bound, goal.maximise);
+  return bound;
+}
+
 std::optional<ProvedBound> least_change(const Problem& problem, const std::string& key,
                                         const SynthesisOptions& options) {
   Found found = find(problem, key, options);
@@ -138,12 +153,12 @@ std::optional<ProvedBound> least_change(const Problem& problem, const std::strin
   const optimization::Solution& best = found.result.solutions.front();
   const PreciseInterval quantity = goal.maximise ? -best.cost : best.cost;
   ProvedBound proved;
-  proved.bound = {key, bound_as_it_stands(problem, key), safe_decimal(quantity, goal.maximise),
-                  goal.unit, found.alternatives.design(best), ""};
-  proved.bound.sentence = sentence(proved.bound, goal.maximise);
+  proved.bound = looser_bound(problem, key, safe_decimal(quantity, goal.maximise),
+                              found.alternatives.design(best));
   proved.claim = {"least_relaxation", found.alternatives.constraints(), goal.name,
                   proved.bound.design, key, std::nullopt,
                   found.alternatives.proofs(std::move(found.result.proofs))};
+  proved.search = std::move(found.result);
   return proved;
 }
 
