@@ -102,7 +102,9 @@ bool claim_infeasibility(const Problem& problem, const SynthesisOptions& options
 
 std::string conflict_sentence(const std::string& constraint,
                               const std::optional<Design>& without_it) {
-  if (without_it) return fmt::format("Without {} there is {}.", constraint, teeth_text(*without_it));
+  if (without_it) {
+    return fmt::format("Without {} there is {}.", constraint, teeth_text(*without_it));
+  }
   return fmt::format("Whether {} is needed for the conflict was not settled within {} boxes.",
                      constraint, kMaxBoxes);
 }

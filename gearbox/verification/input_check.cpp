@@ -56,8 +56,8 @@ InputCheck check_input(const Json& result, proof::Faults& faults) {
   }
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    return {false, fmt::format("{} is not here: this is about the problem as the result gives it",
-                               file)};
+    return {false,
+            fmt::format("{} is not here: this is about the problem as the result gives it", file)};
   }
   const std::size_t before = faults.count();
   check_file(result["problem"], file, sha256, faults);

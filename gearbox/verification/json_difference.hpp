@@ -9,8 +9,8 @@ namespace torquewright::gearbox {
 
 /// Where a document is not as it should be.
 struct Difference {
-  std::string pointer;  ///< JSON pointer of the first place; empty: the whole document.
-  std::string sentence; ///< "is 3, expected 4"
+  std::string pointer;   ///< JSON pointer of the first place; empty: the whole document.
+  std::string sentence;  ///< "is 3, expected 4"
 };
 
 /// The first difference, keys in alphabetical order; empty if there is none. Fractions are equal

@@ -54,8 +54,8 @@ Json restated(const Problem& problem, const Json& result, const proof::Counts& c
     proved.conflict.push_back({constraint, without_it, conflict_sentence(constraint, without_it)});
   }
   for (const Json& json : list(result, "would_be_feasible_with")) {
-    proved.would_be_feasible_with.push_back(looser_bound(
-        problem, json["key"], json["needed"], design_from(topology, json["design"])));
+    proved.would_be_feasible_with.push_back(
+        looser_bound(problem, json["key"], json["needed"], design_from(topology, json["design"])));
   }
   // A box that is left open was not taken from the queue.
   proved.search = {counts.nodes - counts.open_leaves, 0, counts.relaxation_leaves,

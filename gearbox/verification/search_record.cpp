@@ -18,9 +18,9 @@ void check_solves(const Json& search, const Json& options, const proof::Counts& 
   const std::int64_t most = never ? 0 : counts.nodes - counts.open_leaves;
   const Json& solves = search["relaxations"];
   if (!solves.is_number_integer() || solves < least || solves > most) {
-    faults.add("/search/relaxations",
-               fmt::format("is no number between {} and {}, which this proof calls for", least,
-                           most));
+    faults.add(
+        "/search/relaxations",
+        fmt::format("is no number between {} and {}, which this proof calls for", least, most));
   }
 }
 
@@ -40,9 +40,8 @@ void check_top(const Json& result, const Json& options, proof::Faults& faults) {
   const std::size_t shown = result["designs"].size();
   const bool is_full = !result["certificate"]["claims"][0]["reference"].is_null();
   if (is_full ? top != shown : top <= shown) {
-    faults.add("/options/top",
-               fmt::format("does not go with {} designs, which the proof calls {}", shown,
-                           is_full ? "the best" : "all there are"));
+    faults.add("/options/top", fmt::format("does not go with {} designs, which the proof calls {}",
+                                           shown, is_full ? "the best" : "all there are"));
   }
 }
 
@@ -51,7 +50,8 @@ void check_max_nodes(const Json& result, const Json& options, const proof::Count
   if (!options.contains("max_nodes")) return;
   const Json& most = options["max_nodes"];
   // Without a design the search that ended is not in the proof, which is about the conflict.
-  const std::int64_t taken = result["status"] == "infeasible" ? 1 : counts.nodes - counts.open_leaves;
+  const std::int64_t taken =
+      result["status"] == "infeasible" ? 1 : counts.nodes - counts.open_leaves;
   if (!most.is_number_integer() || most < taken) {
     faults.add("/options/max_nodes", fmt::format("is less than the {} boxes of the proof", taken));
   }

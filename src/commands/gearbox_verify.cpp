@@ -48,10 +48,12 @@ void add_verify_command(CLI::App& gearbox, ExitCode& result) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       gearbox.add_subcommand("verify", "Check a result's certificate without the solver");
-  command->add_option("result", options->result_file, "Document of kind gearbox_result")->required();
+  command->add_option("result", options->result_file, "Document of kind gearbox_result")
+      ->required();
   command->add_flag("--json", options->json, "Print the verdict as JSON");
   command->footer("Example:\n  torquewright gearbox verify result.json");
-  command->callback([options, &result] { result = run_verify(options->result_file, options->json); });
+  command->callback(
+      [options, &result] { result = run_verify(options->result_file, options->json); });
 }
 
 }  // namespace torquewright::cli

@@ -12,7 +12,8 @@ using gearbox::Verification;
 
 std::string counts_text(const gearbox::proof::Counts& counts) {
   return fmt::format(
-      "  {} boxes, {} cuts, {} splits; leaves: {} empty, {} enumerated ({} points), {} by relaxation, "
+      "  {} boxes, {} cuts, {} splits; leaves: {} empty, {} enumerated ({} points), {} by "
+      "relaxation, "
       "{} open\n",
       counts.nodes, counts.cuts, counts.splits, counts.empty_leaves, counts.enumerated_leaves,
       counts.enumerated_points, counts.relaxation_leaves, counts.open_leaves);
@@ -20,10 +21,10 @@ std::string counts_text(const gearbox::proof::Counts& counts) {
 
 std::string verdict_text(const Verification& found) {
   if (found.is_accepted) {
-    return fmt::format("accepted{}: {}\nChecked with exact fractions and intervals, without the "
-                       "search:\n{}",
-                       found.is_undecided ? ", as undecided" : "", found.claim,
-                       counts_text(found.counts));
+    return fmt::format(
+        "accepted{}: {}\nChecked with exact fractions and intervals, without the "
+        "search:\n{}",
+        found.is_undecided ? ", as undecided" : "", found.claim, counts_text(found.counts));
   }
   if (found.is_proved) {
     return "rejected: the proof is valid, but what the result says beside it is not so:\n";
@@ -43,10 +44,10 @@ nlohmann::ordered_json counts_json(const gearbox::proof::Counts& counts) {
 }
 
 nlohmann::ordered_json verdict_json(const Verification& found) {
-  return {{"accepted", found.is_accepted},   {"undecided", found.is_undecided},
-          {"proved", found.is_proved},       {"claim", found.claim},
+  return {{"accepted", found.is_accepted},       {"undecided", found.is_undecided},
+          {"proved", found.is_proved},           {"claim", found.claim},
           {"counts", counts_json(found.counts)}, {"checked", found.checked},
-          {"unchecked", found.unchecked},    {"faults", found.faults}};
+          {"unchecked", found.unchecked},        {"faults", found.faults}};
 }
 
 }  // namespace
