@@ -30,6 +30,13 @@ std::int64_t floor_of(const Rational& value) {
   return whole.fits_slong_p() ? whole.get_si() : kMostRingTeeth;
 }
 
+void add_to(SearchCounts& counts, const optimization::SearchResult& search) {
+  counts.nodes += search.nodes;
+  counts.relaxations += search.relaxations;
+  counts.refuted_by_relaxation += search.refuted_by_relaxation;
+  counts.points_enumerated += search.points_enumerated;
+}
+
 std::int64_t ring_limit_of_bore(const Problem& problem, const Rational& module_mm) {
   return std::min(kMostRingTeeth, floor_of(problem.rotor_inner_diameter_mm / module_mm));
 }

@@ -43,6 +43,9 @@ class Alternatives {
   std::vector<optimization::Judge> judges_;
 };
 
+/// Counts in what a search did.
+void add_to(SearchCounts& counts, const optimization::SearchResult& search);
+
 /// floor(D/m): the largest ring whose pitch circle fits the rotor's bore.
 std::int64_t ring_limit_of_bore(const Problem& problem, const Rational& module_mm);
 

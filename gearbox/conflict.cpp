@@ -55,13 +55,6 @@ std::string teeth_text(const Design& design) {
   return fmt::format("{} with n = {}", fmt::join(design.teeth, "/"), design.planet_count);
 }
 
-ConflictMember unsettled(const std::string& name, const SynthesisOptions& options) {
-  const std::string until = options.should_stop() ? "before the search was ended"
-                                                  : fmt::format("within {} boxes", kMaxBoxes);
-  return {name, std::nullopt,
-          fmt::format("Whether {} is needed for the conflict was not settled {}.", name, until)};
-}
-
 // Constraints are dropped one after the other, the geometric ones first and those that a user sets
 // last, as long as what is left has no design: the rest is irreducible.
 std::vector<ConflictMember> irreducible_set(const Problem& problem, std::vector<std::string> order,
@@ -76,19 +69,21 @@ std::vector<ConflictMember> irreducible_set(const Problem& problem, std::vector<
       kept = std::move(without);
       continue;
     }
-    members.push_back(trial.design ? ConflictMember{*name, trial.design,
-                                                    fmt::format("Without {} there is {}.", *name,
-                                                                teeth_text(*trial.design))}
-                                   : unsettled(*name, options));
+    members.push_back({*name, trial.design, conflict_sentence(*name, trial.design)});
   }
   std::reverse(members.begin(), members.end());
   return members;
 }
 
-// Absent if the search was ended.
-std::optional<Claim> infeasibility_claim(const Problem& problem,
-                                         const std::vector<ConflictMember>& members,
-                                         const SynthesisOptions& options) {
+// The claim that they conflict, with its search. Absent if that was ended.
+struct ProvedConflict {
+  Claim claim;
+  optimization::SearchResult search;
+};
+
+std::optional<ProvedConflict> prove_conflict(const Problem& problem,
+                                             const std::vector<ConflictMember>& members,
+                                             const SynthesisOptions& options) {
   Names names;
   Claim claim;
   claim.kind = "infeasible";
@@ -104,27 +99,42 @@ std::optional<Claim> infeasibility_claim(const Problem& problem,
   optimization::SearchResult found = optimization::minimise(alternatives.judges(), search);
   if (found.status != optimization::SearchStatus::kComplete) return std::nullopt;
   claim.alternatives = alternatives.proofs(std::move(found.proofs));
-  return claim;
+  return ProvedConflict{std::move(claim), std::move(found)};
 }
 
 }  // namespace
 
+std::string conflict_sentence(const std::string& constraint,
+                              const std::optional<Design>& without_it) {
+  if (without_it) {
+    return fmt::format("Without {} there is {}.", constraint, teeth_text(*without_it));
+  }
+  return fmt::format("Whether {} is needed for the conflict was not settled.", constraint);
+}
+
 void explain_infeasibility(const Problem& problem, const SynthesisOptions& options,
-                           std::vector<AlternativeProof> proofs, SynthesisResult& result) {
+                           std::vector<AlternativeProof> proofs,
+                           const optimization::SearchResult& first, SynthesisResult& result) {
   result.status = SynthesisStatus::kInfeasible;
   const std::vector<std::string> all = Alternatives(problem).constraints();
   result.conflict = irreducible_set(problem, all, options);
-  std::optional<Claim> claim = infeasibility_claim(problem, result.conflict, options);
-  if (!claim) {  // then what is proved is that all of them conflict
+  if (auto proved = prove_conflict(problem, result.conflict, options)) {
+    add_to(result.search, proved->search);
+    result.claims = {std::move(proved->claim)};
+  } else {  // then what is proved is that all of them conflict
+    add_to(result.search, first);
     result.conflict.clear();
-    for (const std::string& name : all) result.conflict.push_back(unsettled(name, options));
-    claim = {"infeasible", all, "", std::nullopt, "", std::nullopt, std::move(proofs)};
+    for (const std::string& name : all) {
+      result.conflict.push_back({name, std::nullopt, conflict_sentence(name, std::nullopt)});
+    }
+    result.claims = {
+        {"infeasible", all, "", std::nullopt, "", std::nullopt, std::move(proofs)}};
   }
-  result.claims = {std::move(*claim)};
   for (const std::string& key : keys_of(problem, result.conflict)) {
     if (auto found = least_change(problem, key, options)) {
       result.would_be_feasible_with.push_back(std::move(found->bound));
       result.claims.push_back(std::move(found->claim));
+      add_to(result.search, found->search);
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "gearbox/alternatives.hpp"
 
@@ -147,6 +148,20 @@ std::vector<std::string> keys_of(const Problem& problem,
   return keys;
 }
 
+LooserBound looser_bound(const Problem& problem, const std::string& key, double needed,
+                         const Design& design) {
+  const optimization::Problem model = find_topology(problem.topology)
+                                          ->model(problem, design.planet_count, design.module_mm,
+                                                  ring_limit_of_bore(problem, design.module_mm));
+  const auto loosening = std::find_if(model.loosenings.begin(), model.loosenings.end(),
+                                      [&](const auto& each) { return each.key == key; });
+  if (loosening == model.loosenings.end()) throw std::logic_error("not a bound: " + key);
+  const optimization::Goal& goal = loosening->quantity;
+  LooserBound bound{key, bound_as_it_stands(problem, key), needed, goal.unit, design, ""};
+  bound.sentence = sentence(bound, goal.maximise);
+  return bound;
+}
+
 std::optional<ProvedBound> least_change(const Problem& problem, const std::string& key,
                                         const SynthesisOptions& options) {
   Found found = find(problem, key, options);
@@ -159,16 +174,11 @@ std::optional<ProvedBound> least_change(const Problem& problem, const std::strin
   ProvedBound proved;
   const double needed = safe_decimal(quantity, goal.maximise, must_be_exceeded(key));
   if (needed < 0.0) return std::nullopt;  // Gears that overlap: no document may ask for that.
-  proved.bound = {key,       bound_as_it_stands(problem, key), needed,
-                  goal.unit, found.alternatives.design(best),  ""};
-  proved.bound.sentence = sentence(proved.bound, goal.maximise);
-  proved.claim = {"least_relaxation",
-                  found.alternatives.constraints(),
-                  goal.name,
-                  proved.bound.design,
-                  key,
-                  std::nullopt,
+  proved.bound = looser_bound(problem, key, needed, found.alternatives.design(best));
+  proved.claim = {"least_relaxation", found.alternatives.constraints(), goal.name,
+                  proved.bound.design, key, std::nullopt,
                   found.alternatives.proofs(std::move(found.result.proofs))};
+  proved.search = std::move(found.result);
   return proved;
 }
 

@@ -53,14 +53,14 @@ SynthesisResult optimize(const Problem& problem, const SynthesisOptions& options
   optimization::SearchResult found =
       optimization::minimise(alternatives.judges(), search_options(options));
   SynthesisResult result;
-  result.search = {found.nodes, found.relaxations, found.refuted_by_relaxation,
-                   found.points_enumerated};
   list_solutions(found.solutions, options.top, alternatives, result);
   result.bound = bound_as_read(found, result, alternatives.goal());
   if (found.status == SearchStatus::kComplete && result.designs.empty()) {
-    explain_infeasibility(problem, options, alternatives.proofs(std::move(found.proofs)), result);
+    explain_infeasibility(problem, options, alternatives.proofs(std::move(found.proofs)), found,
+                          result);
     return result;
   }
+  add_to(result.search, found);
   result.status = found.status == SearchStatus::kComplete ? SynthesisStatus::kOptimal
                                                           : SynthesisStatus::kLimit;
   const bool is_full = result.designs.size() >= options.top;

@@ -63,6 +63,7 @@ void check_optimum(const Problem& problem, const Json& result, bool is_optimal, 
   // Ties are designs for which there was no room: then the last design is the K-th.
   claim.reference_is_open = listed.ties.empty();
   claim.listed = listed.all();
+  claim.may_be_open = !is_optimal;
   if (!is_optimal) claim.open_bound = decimal(member(result, "bound"));
   check_claims(problem, {claim}, result, account);
   if (!is_optimal && faults.count() == 0 && account.counts.open_leaves == 0) {

@@ -33,7 +33,8 @@ struct Claim {
   std::optional<Value> threshold;      ///< The reference's quantity.
   std::optional<Rational> ring_limit;  ///< Teeth; where the rotor's bore is no hypothesis.
   std::vector<Candidate> listed;
-  std::optional<Rational> open_bound;  ///< Of open leaves; empty: no leaf may be open.
+  bool may_be_open = false;            ///< Leaves may be left open.
+  std::optional<Rational> open_bound;  ///< Holds in open leaves; empty: nothing is said of them.
 
   bool holds(Family family) const;
 };

@@ -74,9 +74,10 @@ void enumerate(Node& node, const Json& json) {
 void leave_open(Node& node, const Json& json) {
   ++node.account.counts.open_leaves;
   check_keys(json, {"cuts", "closed"}, node.place, node.account.faults);
-  if (!node.claim.open_bound) {
+  if (!node.claim.may_be_open) {
     node.fault("/closed", "is open, which only a result of status limit may hold");
-  } else if (!respects_bound(node.claim, node.alternative, *node.claim.open_bound, node.box,
+  } else if (node.claim.open_bound &&
+             !respects_bound(node.claim, node.alternative, *node.claim.open_bound, node.box,
                              node.account.budget)) {
     node.fault("/closed", "is open, and the bound is not shown to hold in it");
   }

@@ -38,6 +38,7 @@ struct DemandedClaim {
   std::optional<Candidate> reference;
   bool reference_is_open = false;  ///< Or null, if all designs are listed.
   std::vector<Candidate> listed;
+  bool may_be_open = false;
   std::optional<Rational> open_bound;
 };
 

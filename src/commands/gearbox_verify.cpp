@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "gearbox/problem_spec.hpp"
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/proof_check.hpp"
@@ -11,19 +13,27 @@
 namespace torquewright::cli {
 namespace {
 
+/// A result of `evaluate` has the same kind, but claims nothing that could be proved.
+void refuse_evaluation(const nlohmann::json& result, const std::string& file) {
+  if (!result.is_object() || !result.contains("rank")) return;
+  throw io::SpecError({{file, "/certificate",
+                        "holds no claims: this is what `gearbox evaluate` says of one design; "
+                        "`gearbox verify` checks the proof in a result of `gearbox optimize`"}});
+}
+
+io::Document read_result(const std::string& file) {
+  io::JsonText text = io::read_json_text(io::read_file_bytes(file), file);
+  if (!text.faults.empty()) throw io::SpecError(std::move(text.faults));
+  refuse_evaluation(text.root, file);
+  return io::check_document(std::move(text.root), "gearbox_result", file, "");
+}
+
 ExitCode run_verify(const std::string& result_file, bool json) {
-  const io::Document result = io::read_document(result_file, "gearbox_result");
-  if (result.root.at("certificate").value("claims", nlohmann::json()).empty()) {
-    throw io::SpecError({{result_file, "/certificate",
-                          "claims nothing, must be the proof that `gearbox optimize` writes; "
-                          "`gearbox evaluate` writes none"}});
-  }
+  const io::Document result = read_result(result_file);
   const io::Document document =
       io::check_document(result.root.at("problem"), "gearbox_problem", result.file, "/problem");
   const ProofCheck check = check_proof(gearbox::read_problem(document), result.root);
-  const nlohmann::ordered_json verdict{
-      {"accepted", check.is_accepted}, {"undecided", check.is_undecided}, {"text", check.text}};
-  print_result(json ? io::json_text(verdict) : check.text);
+  print_result(json ? io::json_text(check.json) : check.text);
   if (!check.is_accepted) return ExitCode::kFails;
   return check.is_undecided ? ExitCode::kUndecided : ExitCode::kPasses;
 }

@@ -52,7 +52,10 @@ TEST(Objection, KeepsTheCheckerOfProofsApart) {
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem_spec.hpp"), "");
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "io/rational.hpp"), "");
   EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/efficiency.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/verification/verification.hpp"), "");
   EXPECT_NE(objection("gearbox/proof/a.cpp", "optimization/interval.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/a.cpp", "../efficiency.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/proof/../efficiency.hpp"), "");
 }
 
 TEST(Objection, KeepsSolversInOptimization) {

@@ -17,6 +17,7 @@ class Mutator {
   void mutate(Json& json, const std::string& pointer) {
     if (json.is_number()) mutate_number(json, pointer);
     if (json.is_string()) mutate_string(json, pointer);
+    if (json.is_boolean()) try_value(json, !json.get<bool>(), pointer, "flip");
     if (json.is_null()) try_value(json, 1, pointer, "replace null");
     if (json.is_array()) mutate_array(json, pointer);
     if (json.is_object()) mutate_object(json, pointer);
@@ -92,6 +93,9 @@ class Mutator {
       removed.erase(key);
       try_value(json, removed, pointer + "/" + key, "remove key");
     }
+    Json enlarged = json;
+    enlarged["unknown"] = 1;
+    try_value(json, enlarged, pointer, "add key");
   }
 
   const std::vector<std::string>& words_;

@@ -16,8 +16,8 @@ struct Mutation {
 
 /// Changes the document in every way in turn, calls `visit` with each changed document, and leaves
 /// it as it was. Every number: plus and minus one, one millionth more, zero, negated. Every
-/// null: 1. Every string: each of `words` that fits its place. Every array element: dropped,
-/// doubled, swapped with the next. Every key: removed.
+/// null: 1. Every flag: flipped. Every string: each of `words` that fits its place. Every array
+/// element: dropped, doubled, swapped with the next. Every key: removed. Every object: a key added.
 void for_each_mutation(nlohmann::json& document, const std::vector<std::string>& words,
                        const std::function<void(const Mutation&)>& visit);
 

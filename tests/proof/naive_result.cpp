@@ -197,7 +197,7 @@ Json naive_limit(const Problem& problem, double share, const ProofStyle& style) 
   const double bound = objective * share;
   result["status"] = "limit";
   result["bound"] = bound;
-  result["gap"] = std::abs((objective - bound) / objective);
+  result["gap"] = std::abs(objective - bound) / std::max(std::abs(objective), std::abs(bound));
   for (Json& alternative : result["certificate"]["claims"][0]["alternatives"]) {
     for (Json& node : alternative["nodes"]) {
       if (node.value("closed", "") != "enumerated") continue;

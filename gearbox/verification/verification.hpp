@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "gearbox/problem.hpp"
+#include "gearbox/proof/verdict.hpp"
+
+namespace torquewright::gearbox {
+
+/// What `gearbox verify` finds out about a result.
+struct Verification {
+  bool is_accepted = false;   ///< Proved, and all that is said beside the proof is so.
+  bool is_undecided = false;  ///< Status "limit": a bound is proved, the optimum is not.
+  bool is_proved = false;     ///< The certificate alone.
+  std::string claim;          ///< What is proved, in words; empty unless accepted.
+  proof::Counts counts;
+  std::vector<std::string> checked;    ///< Sentences, beside the proof.
+  std::vector<std::string> unchecked;  ///< What could not be compared, and why.
+  std::vector<std::string> faults;     ///< `JSON pointer: sentence`
+};
+
+/// Checks the certificate, without the search; then compares everything else in the result with a
+/// fresh evaluation of the proved designs, the counts with the proof, and the problem with the file
+/// it was read from, if that is there. Requires a document of the shape of a `gearbox_result`, and
+/// its problem.
+[[nodiscard]] Verification verify(const Problem& problem, const nlohmann::json& result);
+
+}  // namespace torquewright::gearbox
