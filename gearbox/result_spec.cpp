@@ -60,12 +60,11 @@ const char* status_name(SynthesisStatus status) {
   return "limit";
 }
 
-// |objective - bound| / |objective|; null where one of the two is not known, or the objective is 0.
+// |objective - bound| over the greater of the two; null where one of them is not known.
 ordered_json gap(const ordered_json& objective, const ordered_json& bound) {
   if (objective.is_null() || bound.is_null()) return {};
   const double a = objective.get<double>(), b = bound.get<double>();
-  if (a == b) return 0.0;
-  return a == 0.0 ? ordered_json() : ordered_json(std::abs((a - b) / a));
+  return a == b ? 0.0 : std::abs(a - b) / std::max(std::abs(a), std::abs(b));
 }
 
 ordered_json conflict_json(const Topology& topology, const std::vector<ConflictMember>& members) {

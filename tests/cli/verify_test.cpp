@@ -56,7 +56,7 @@ TEST(Verify, FailsATamperedResult) {
     place.write("lie.json", with(honest, from, to));
     const Outcome verdict = place.run({"gearbox", "verify", "lie.json"});
     EXPECT_EQ(verdict.exit_code, 1) << to;
-    EXPECT_TRUE(verdict.out.starts_with("Proof rejected:\n  /")) << verdict.out;
+    EXPECT_TRUE(verdict.out.starts_with("rejected: the result is not proved:\n  /")) << verdict.out;
     EXPECT_EQ(verdict.err, "");
   }
 }
@@ -74,8 +74,8 @@ TEST(Verify, RefusesAnEvaluation) {
   place.write("knee.json", knee());
   place.run({"gearbox", "evaluate", "knee.json", "--teeth", "44,44,32", "-o", "evaluation.json"});
   EXPECT_EQ(refusal(place, "evaluation.json"),
-            "evaluation.json#/certificate: claims nothing, must be the proof that `gearbox "
-            "optimize` writes; `gearbox evaluate` writes none\n");
+            "evaluation.json#/certificate: holds no claims: this is what `gearbox evaluate` says of "
+            "one design; `gearbox verify` checks the proof in a result of `gearbox optimize`\n");
 }
 
 TEST(Verify, RefusesWhatIsNoResult) {

@@ -75,7 +75,7 @@ TEST(WriteWholeFile, RefusesWithOneLine) {
   EXPECT_EQ(refusal(folder.path()), "cannot be written: it is a folder");
   EXPECT_EQ(refusal(folder.path() / ""), "cannot be written: a file's name is missing");
   EXPECT_EQ(refusal(folder.path() / "none" / "a"), "cannot be written: its folder does not exist");
-  EXPECT_EQ(refusal(folder.path() / "file" / "a"), "cannot be written: Not a directory");
+  EXPECT_EQ(refusal(folder.path() / "file" / "a"), "cannot be written: its folder is a file");
   EXPECT_EQ(refusal("/proc/a"),
             "cannot be written: its folder does not exist");  // read-only to all
 }
