@@ -82,7 +82,7 @@ ordered_json claim_json(const Topology& topology, const Claim& claim) {
   result["alternatives"] = ordered_json::array();
   for (const AlternativeProof& proof : claim.alternatives) {
     result["alternatives"].push_back({{"planet_count", proof.planet_count},
-                                      {"module_mm", proof.module_mm.get_d()},
+                                      {"module_mm", io::nearest(proof.module_mm)},
                                       {"nodes", nodes_json(proof)}});
   }
   return result;
@@ -97,7 +97,7 @@ ordered_json design_json(const Topology& topology, const Design& design) {
   }
   return {{"teeth", teeth},
           {"planet_count", design.planet_count},
-          {"module_mm", design.module_mm.get_d()}};
+          {"module_mm", io::nearest(design.module_mm)}};
 }
 
 ordered_json certificate_json(const Topology& topology, const std::vector<Claim>& claims) {

@@ -46,7 +46,9 @@ struct MeshReport {
   double contact_ratio = 0.0;
   double approach_ratio = 0.0;          ///< epsilon_A: path beyond the pitch point at the mate's tip.
   double recess_ratio = 0.0;            ///< epsilon_R
-  double loss_share = 0.0;              ///< Of the forward loss, first order; the shares sum to 1.
+  double forward_loss = 0.0;            ///< Share of the input power, sun driving; sum 1 - efficiency.
+  double backward_loss = 0.0;           ///< The same, output driving; all 0 if self-locking.
+  double loss_share = 0.0;              ///< Of the forward loss; without friction of its limit. Sum 1.
   double backlash_share = 0.0;          ///< Of the output backlash for equal mesh backlash; sum 1.
   double tangential_force_N = 0.0;      ///< Per planet at the load; 0 if no load is given.
 };
@@ -68,7 +70,10 @@ struct DesignReport {
   double ring_blank_diameter_mm = 0.0;  ///< Largest ring's root circle plus two walls.
   std::optional<double> mass_kg;                            ///< Needs face widths and density.
   std::optional<double> reflected_inertia_kg_m2;            ///< At the output; needs the same.
+  std::optional<double> rotor_inertia_at_output_kg_m2;      ///< The motor's share, if it is given.
   std::optional<double> input_torque_Nm;                    ///< Lossless, at the given load.
+  std::optional<double> driving_torque_Nm;      ///< At the sun, to deliver the load in spite of losses.
+  std::optional<double> backdriven_torque_Nm;   ///< At the sun, when the load drives; 0: self-locking.
   std::optional<double> fixed_ring_torque_Nm;               ///< Lossless, at the given load.
   std::optional<double> planet_tilting_force_N;             ///< Force in each layer that tilts a planet.
   double output_backlash_rad_per_mm = 0.0;  ///< For the same normal backlash in every mesh.

@@ -74,7 +74,7 @@ std::vector<OptimalWhen> optimal_when(const std::vector<std::int64_t>& free_teet
   });
   std::vector<OptimalWhen> ranges;
   double above = 0.0;
-  for (std::size_t excluded = 0; above < clearance_rad; ++excluded) {
+  for (std::size_t excluded = 0; ranges.empty() || above < clearance_rad; ++excluded) {
     // alpha_min just above the clearance of the first `excluded` designs leaves the others.
     const bool is_last = excluded == better.size();
     const double up_to =

@@ -86,12 +86,12 @@ double bound_as_it_stands(const Problem& problem, const std::string& key) {
   if (key.starts_with(gear_prefix)) {
     return static_cast<double>(problem.min_teeth.at(key.substr(gear_prefix.size())));
   }
-  if (key == "/min_carrier_clearance_rad") return problem.min_carrier_clearance_rad.get_d();
-  if (key == kBoreKey) return problem.rotor_inner_diameter_mm.get_d();
-  if (key == "/ratio_tolerance") return problem.ratio_tolerance.get_d();
-  if (key == "/min_contact_ratio") return problem.min_contact_ratio.get_d();
-  if (key == "/min_neighbour_clearance_mm") return problem.min_neighbour_clearance_mm.get_d();
-  return problem.ring_outer_diameter_mm.value_or(0).get_d();
+  if (key == "/min_carrier_clearance_rad") return io::nearest(problem.min_carrier_clearance_rad);
+  if (key == kBoreKey) return io::nearest(problem.rotor_inner_diameter_mm);
+  if (key == "/ratio_tolerance") return io::nearest(problem.ratio_tolerance);
+  if (key == "/min_contact_ratio") return io::nearest(problem.min_contact_ratio);
+  if (key == "/min_neighbour_clearance_mm") return io::nearest(problem.min_neighbour_clearance_mm);
+  return io::nearest(problem.ring_outer_diameter_mm.value_or(0));
 }
 
 // Four digits, rounded to the side on which the bound is met.
@@ -108,7 +108,7 @@ std::string sentence(const LooserBound& bound, bool is_minimum) {
                      bound.key.substr(1), bound.limit, unit, is_minimum ? "much" : "little",
                      four_digits(bound.needed, is_minimum), unit,
                      fmt::join(bound.design.teeth, "/"), bound.design.planet_count,
-                     bound.design.module_mm.get_d());
+                     io::nearest(bound.design.module_mm));
 }
 
 }  // namespace

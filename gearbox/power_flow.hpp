@@ -35,4 +35,30 @@ struct LossWeights {
 };
 LossWeights three_k_loss_weights(double ratio_1, double ratio_2);
 
+/// What every mesh loses, as a share of the power that goes into the train: the sum is 1 minus the
+/// efficiency, exactly. docs/derivations/efficiency.md eq. (20).
+struct ThreeKLosses {
+  double sun_planet_1 = 0.0;
+  double planet_1_fixed_ring = 0.0;
+  double planet_2_output_ring = 0.0;
+};
+/// The efficiency is that of the same ratios and meshes; all are 0 where nothing turns.
+ThreeKLosses three_k_forward_losses(double ratio_1, double ratio_2,
+                                    const ThreeKMeshEfficiencies<double>& mesh,
+                                    const TrainEfficiency& efficiency);
+ThreeKLosses three_k_backward_losses(double ratio_1, double ratio_2,
+                                     const ThreeKMeshEfficiencies<double>& mesh,
+                                     const TrainEfficiency& efficiency);
+
+struct PlanetaryLosses {
+  double sun_planet = 0.0;
+  double planet_ring = 0.0;
+};
+PlanetaryLosses planetary_forward_losses(double ratio,
+                                         const PlanetaryMeshEfficiencies<double>& mesh,
+                                         const TrainEfficiency& efficiency);
+PlanetaryLosses planetary_backward_losses(double ratio,
+                                          const PlanetaryMeshEfficiencies<double>& mesh,
+                                          const TrainEfficiency& efficiency);
+
 }  // namespace torquewright::gearbox

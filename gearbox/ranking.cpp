@@ -33,15 +33,15 @@ struct Field {
 };
 
 Field gather(const Problem& problem, const std::function<bool()>& should_stop) {
-  Field field{Alternatives(
-                  problem,
-                  [](const std::string& constraint, const std::string&) {
-                    return !is_minimum_or_clearance(constraint);
-                  },
-                  [&](const Rational& module_mm) { return ring_limit_of_bore(problem, module_mm); },
-                  ""),
-              {},
-              false};
+  Field field{
+      Alternatives(
+          problem,
+          [](const std::string& constraint, const std::string&) {
+            return !is_minimum_or_clearance(constraint);
+          },
+          [&](const Rational& module_mm) { return ring_limit_of_bore(problem, module_mm); }, ""),
+      {},
+      false};
   optimization::VisitOptions options;
   options.should_stop = should_stop;
   const VisitStatus status = optimization::for_each_feasible(
@@ -54,24 +54,26 @@ Field gather(const Problem& problem, const std::function<bool()>& should_stop) {
   return field;
 }
 
-// pi/n - asin(P1/(S + P1)), for comparisons between designs.
+// pi/n - asin(P1/(S + P1)), for comparisons between designs; exact where it is zero.
 double clearance_rad(const Design& design) {
+  if (design.planet_count == 6 && design.teeth[0] == design.teeth[1]) return 0.0;
   const double sun = static_cast<double>(design.teeth[0]);
   const double planet = static_cast<double>(design.teeth[1]);
   return std::numbers::pi / static_cast<double>(design.planet_count) -
          std::asin(planet / (sun + planet));
 }
 
-// The rivals that beat a design, by the problem's objective.
+// How rivals compare with a design by the problem's objective.
 class Comparison {
  public:
   Comparison(const Judge& judge, std::span<const std::int64_t> point)
       : cost_(judge.cost_at(point)), nearest_(cost_.nearest()) {}
 
-  bool is_beaten_by(const Judge& judge, const Rival& rival) const {
+  /// -1, 0, 1: the rival is better, as good, worse.
+  int order_of(const Judge& judge, const Rival& rival) const {
     const double least = judge.least_cost_at(rival.point);
-    if (least > nearest_ + kFar * std::abs(nearest_)) return false;
-    return judge.compare(judge.cost_at(rival.point), cost_) < 0;
+    if (least > nearest_ + kFar * std::abs(nearest_)) return 1;
+    return judge.compare(judge.cost_at(rival.point), cost_);
   }
 
  private:
@@ -94,8 +96,8 @@ void find_best(const Judge& judge, const Rival& rival, Standing& standing) {
   const double cost = judge.cost_at(rival.point).nearest();
   const bool maximise = judge.problem().goal.maximise;
   const double objective = maximise ? -cost : cost;
-  if (!standing.best_objective || (maximise ? objective > *standing.best_objective
-                                            : objective < *standing.best_objective)) {
+  if (!standing.best_objective ||
+      (maximise ? objective > *standing.best_objective : objective < *standing.best_objective)) {
     standing.best_objective = objective;
   }
 }
@@ -110,7 +112,8 @@ Standing standing_of(const Problem& problem, const Design& design,
   const auto own = std::find_if(field.rivals.begin(), field.rivals.end(), [&](const Rival& rival) {
     return field.alternatives.design(rival.alternative, rival.point) == design;
   });
-  Standing standing{field.is_complete, 0, std::nullopt, std::nullopt, {}};
+  Standing standing;
+  standing.is_complete = field.is_complete;
   std::optional<Comparison> comparison;
   if (own != field.rivals.end()) {
     comparison.emplace(field.alternatives.judges()[own->alternative], own->point);
@@ -124,15 +127,25 @@ Standing standing_of(const Problem& problem, const Design& design,
       ++standing.feasible_count;
       find_best(judge, rival, standing);
     }
-    if (!comparison || !comparison->is_beaten_by(judge, rival)) continue;
-    better += is_feasible ? 1 : 0;
+    if (!comparison || &rival == &*own) continue;
+    const int order = comparison->order_of(judge, rival);
+    if (order > 0) continue;
     Design beating = field.alternatives.design(rival.alternative, rival.point);
+    if (order == 0) {
+      if (is_feasible) standing.ties.push_back(std::move(beating));
+      continue;
+    }
+    better += is_feasible ? 1 : 0;
     const double clearance = clearance_rad(beating);
     beating.teeth.resize(free_gears);
     all_better.push_back({std::move(beating.teeth), clearance});
   }
   if (!comparison || !standing.is_complete) return standing;
-  if (satisfies_problem(whole, *own)) standing.rank = better + 1;
+  if (satisfies_problem(whole, *own)) {
+    standing.rank = better + 1;
+  } else {
+    standing.ties.clear();
+  }
   std::vector<std::int64_t> free_teeth = design.teeth;
   free_teeth.resize(free_gears);
   standing.optimal_when = optimal_when(free_teeth, clearance_rad(design), std::move(all_better));

@@ -25,6 +25,7 @@ struct Standing {
   bool is_complete = false;          ///< All designs were seen; else there were too many.
   std::int64_t feasible_count = 0;   ///< Designs that satisfy the whole problem.
   std::optional<std::int64_t> rank;  ///< 1 + feasible designs that are better; absent: it is not one.
+  std::vector<Design> ties;          ///< Feasible designs that are just as good.
   std::optional<double> best_objective;
   std::vector<OptimalWhen> optimal_when;  ///< Empty where it breaks more than minima and clearance.
 };

@@ -37,6 +37,8 @@ ordered_json mesh_json(const MeshReport& mesh) {
   return {{"name", mesh.name},
           {"approach_ratio", mesh.approach_ratio},
           {"recess_ratio", mesh.recess_ratio},
+          {"forward_loss", mesh.forward_loss},
+          {"backward_loss", mesh.backward_loss},
           {"loss_share", mesh.loss_share},
           {"backlash_share", mesh.backlash_share},
           {"tangential_force_N", mesh.tangential_force_N}};
@@ -111,7 +113,7 @@ ordered_json report_json(const Topology& topology, const DesignReport& report) {
   result["planet_types"] = report.planet_types;
   result["ratio"] = {{"numerator", whole_number(report.ratio.get_num())},
                      {"denominator", whole_number(report.ratio.get_den())},
-                     {"value", report.ratio.get_d()}};
+                     {"value", io::nearest(report.ratio)}};
   result["objective"] = report.objective;
   result["objective_unit"] = report.objective_unit;
   result["forward_efficiency"] = report.forward_efficiency;
@@ -129,7 +131,10 @@ ordered_json report_json(const Topology& topology, const DesignReport& report) {
   result["output_backlash_rad_per_mm"] = report.output_backlash_rad_per_mm;
   result["mass_kg"] = or_null(report.mass_kg);
   result["reflected_inertia_kg_m2"] = or_null(report.reflected_inertia_kg_m2);
+  result["rotor_inertia_at_output_kg_m2"] = or_null(report.rotor_inertia_at_output_kg_m2);
   result["input_torque_Nm"] = or_null(report.input_torque_Nm);
+  result["driving_torque_Nm"] = or_null(report.driving_torque_Nm);
+  result["backdriven_torque_Nm"] = or_null(report.backdriven_torque_Nm);
   result["fixed_ring_torque_Nm"] = or_null(report.fixed_ring_torque_Nm);
   result["planet_tilting_force_N"] = or_null(report.planet_tilting_force_N);
   result["constraints"] = ordered_json::array();
@@ -180,13 +185,19 @@ ordered_json evaluation_json(const Problem& problem, const DesignReport& report,
   result["gap"] = gap(result["objective"], result["bound"]);
   result["designs"] = ordered_json::array({report_json(topology, report)});
   result["rank"] = standing.rank ? ordered_json(*standing.rank) : ordered_json();
+  result["ties"] = ordered_json::array();
+  for (const Design& tie : standing.ties) result["ties"].push_back(design_json(topology, tie));
   result["feasible_count"] =
       standing.is_complete ? ordered_json(standing.feasible_count) : ordered_json();
   result["optimal_when"] = ordered_json::array();
   for (const OptimalWhen& when : standing.optimal_when) {
     result["optimal_when"].push_back(standing_json(topology, when));
   }
-  result["certificate"] = ordered_json::object();
+  // Every design was looked at, none of it is a proof that can be handed on.
+  result["conflict"] = ordered_json::array();
+  result["would_be_feasible_with"] = ordered_json::array();
+  result["search"] = {{"nodes", 0}, {"relaxations", 0}};
+  result["certificate"] = certificate_json(topology, {});
   return result;
 }
 

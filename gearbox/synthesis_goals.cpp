@@ -12,11 +12,11 @@ using optimization::Loosening;
 Blank blank(const Problem& problem, const Rational& module_mm) {
   const auto width_m = [&](const char* layer) {
     const auto found = problem.face_width_mm.find(layer);
-    return found == problem.face_width_mm.end() ? 0.0 : found->second.get_d() / 1000.0;
+    return found == problem.face_width_mm.end() ? 0.0 : io::nearest(found->second) / 1000.0;
   };
-  return {module_mm.get_d() / 1000.0, problem.density_kg_m3.value_or(0).get_d(),
+  return {io::nearest(module_mm) / 1000.0, io::nearest(problem.density_kg_m3.value_or(0)),
           width_m("layer_1"), width_m("layer_2"),
-          ring_wall_mm(problem, module_mm).get_d() / 1000.0};
+          io::nearest(ring_wall_mm(problem, module_mm)) / 1000.0};
 }
 
 Goal hollow_shaft(const Problem& problem, const Rational& module_mm, const Expression& sun) {

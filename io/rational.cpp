@@ -2,7 +2,10 @@
 #include "io/rational.hpp"
 
 #include <array>
+#include <bit>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -83,6 +86,16 @@ Rational rational_from_numeral(std::string_view numeral) {
     value *= scale;
   }
   return negative ? Rational(-value) : value;
+}
+
+double nearest(const Rational& value) {
+  const double inner = value.get_d();
+  if (!std::isfinite(inner)) return inner;
+  const double outer = std::nextafter(inner, std::copysign(HUGE_VAL, sgn(value)));
+  if (!std::isfinite(outer)) return inner;
+  const int order = cmp(abs(Rational(outer) - value), abs(value - Rational(inner)));
+  const bool inner_is_odd = (std::bit_cast<std::uint64_t>(inner) & 1u) != 0;
+  return order < 0 || (order == 0 && inner_is_odd) ? outer : inner;
 }
 
 }  // namespace torquewright::io

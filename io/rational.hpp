@@ -19,4 +19,8 @@ Rational exact(double value);
 /// anything that is no JSON number.
 Rational rational_from_numeral(std::string_view numeral);
 
+/// The double nearest to a fraction, of two equally near ones the even one. GMP's own
+/// get_d rounds towards zero: it makes 0.19999999999999998 of 1/5.
+double nearest(const Rational& value);
+
 }  // namespace torquewright::io

@@ -20,8 +20,9 @@ std::string_view wording(Sense sense) {
 }
 
 std::string with_unit_to(int digits, const Rational& value, const std::string& unit) {
-  const std::string number = value.get_den() == 1 ? value.get_num().get_str()
-                                                  : fmt::format("{:.{}g}", value.get_d(), digits);
+  const std::string number = value.get_den() == 1
+                                 ? value.get_num().get_str()
+                                 : fmt::format("{:.{}g}", io::nearest(value), digits);
   if (unit == "1") return number;
   if (unit == "teeth" && abs(value) == 1) return number + " tooth";
   return fmt::format("{} {}", number, unit);
@@ -69,16 +70,16 @@ ConstraintReport judge(const Condition& condition) {
   const bool satisfied = condition.sense == Sense::kMoreThan ? margin > 0 : margin >= 0;
   return {condition.name,
           condition.key,
-          condition.value.get_d(),
-          condition.limit.get_d(),
-          margin.get_d(),
+          io::nearest(condition.value),
+          io::nearest(condition.limit),
+          io::nearest(margin),
           condition.unit,
           satisfied,
           sentence_of(condition, margin, satisfied)};
 }
 
 ConstraintReport violated_without_value(const Condition& condition, const std::string& reason) {
-  return {condition.name, condition.key,  0.0,   condition.limit.get_d(),
+  return {condition.name, condition.key,  0.0,   io::nearest(condition.limit),
           -1.0,           condition.unit, false, condition.name + ": " + reason};
 }
 

@@ -46,7 +46,7 @@ std::int64_t clearing_count(PlanetCircle circle, const Rational& minimum_rad) {
 /// Largest planet at this sun and count that clears, 0 if none does: P <= k S/(1 - k).
 std::int64_t clearing_planet(PlanetCircle circle, const Rational& minimum_rad) {
   const double angle =
-      std::numbers::pi / static_cast<double>(circle.planet_count) - minimum_rad.get_d();
+      std::numbers::pi / static_cast<double>(circle.planet_count) - io::nearest(minimum_rad);
   if (angle <= 0.0) return 0;
   const double share = std::sin(std::min(angle, std::numbers::pi / 2.0));
   const double largest = share * static_cast<double>(circle.sun) / (1.0 - share);
@@ -89,7 +89,8 @@ ConstraintReport carrier_clearance(const PlanetCircle& circle, const Rational& m
   Condition condition{"carrier_clearance", "/min_carrier_clearance_rad", "rad"};
   condition.value = clearance_rad(circle);
   condition.limit = minimum_rad;
-  condition.meaning = "between neighbouring planets' pitch circles and the carrier's half gap";
+  condition.meaning =
+      "from a planet's pitch circle to the middle between two planets, seen from the sun's axis";
   if (condition.value < condition.limit) {
     condition.remedy = clearance_remedy(circle, minimum_rad);
   }
@@ -136,7 +137,7 @@ ConstraintReport neighbour_clearance(const PlanetCircle& circle, std::string_vie
   condition.value = circle.module_mm * (chord - planet_in_layer - 2);
   condition.limit = minimum_mm;
   condition.meaning = "between the tips of neighbouring planets";
-  const double largest = Rational(chord - minimum_mm / circle.module_mm).get_d() - 2.0;
+  const double largest = io::nearest(Rational(chord - minimum_mm / circle.module_mm)) - 2.0;
   condition.remedy =
       largest >= 1.0
           ? fmt::format("needs fewer planets or, at this centre distance, fewer than {:.4g} teeth",

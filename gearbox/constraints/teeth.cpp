@@ -23,17 +23,18 @@ std::string ratio_sentence(const Problem& problem, const Rational& reduction,
       problem.ratio_tolerance == 0
           ? fmt::format("exactly {} is asked for", with_unit(problem.target_ratio, "1"))
           : fmt::format("{} within {:.4g} % is asked for", with_unit(problem.target_ratio, "1"),
-                        problem.ratio_tolerance.get_d() * 100.0);
+                        io::nearest(problem.ratio_tolerance) * 100.0);
   const std::string value =
-      reduction.get_den() == 1 ? reduction.get_str()
-                               : fmt::format("{} = {:.6g}", reduction.get_str(), reduction.get_d());
+      reduction.get_den() == 1
+          ? reduction.get_str()
+          : fmt::format("{} = {:.6g}", reduction.get_str(), io::nearest(reduction));
   const std::string head =
       fmt::format("ratio: {} turns of the sun per turn of the output; {}", value, window);
   if (margin == 0) return head + ": met exactly.";
-  if (margin > 0) return head + fmt::format(": {:.3g} to spare.", margin.get_d());
+  if (margin > 0) return head + fmt::format(": {:.3g} to spare.", io::nearest(margin));
   const Rational error = (reduction - problem.target_ratio) / abs(problem.target_ratio);
   return head + fmt::format(": off by {:.3g} %; needs a tolerance of {:.4g} or other teeth.",
-                            error.get_d() * 100.0, Rational(abs(error)).get_d());
+                            io::nearest(error) * 100.0, io::nearest(Rational(abs(error))));
 }
 
 }  // namespace
@@ -52,9 +53,9 @@ ConstraintReport ratio_window(const Problem& problem, const Rational& reduction,
   }
   const Rational margin =
       abs(problem.target_ratio) * problem.ratio_tolerance - abs(reduction - problem.target_ratio);
-  report.value = reduction.get_d();
-  report.limit = window_edge(problem, reduction).get_d();
-  report.margin = margin.get_d();
+  report.value = io::nearest(reduction);
+  report.limit = io::nearest(window_edge(problem, reduction));
+  report.margin = io::nearest(margin);
   report.satisfied = margin >= 0;
   report.sentence = ratio_sentence(problem, reduction, margin);
   return report;

@@ -25,13 +25,13 @@ const char* phasing_text(Phasing value) {
   return "";
 }
 
-Remark phasing_remark(std::int64_t held_ring, std::int64_t planet_count) {
-  return {"phasing",
-          fmt::format("phasing: {} teeth at the held ring and {} planets: {}.", held_ring,
-                      planet_count, phasing_text(phasing(held_ring, planet_count)))};
-}
-
 }  // namespace
+
+Remark phasing_remark(const std::string& ring_name, std::int64_t ring, std::int64_t planet_count) {
+  return {"phasing." + ring_name,
+          fmt::format("phasing.{}: {} teeth and {} planets: {}.", ring_name, ring, planet_count,
+                      phasing_text(phasing(ring, planet_count)))};
+}
 
 std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& report,
                                    std::int64_t sun, std::int64_t held_ring) {
@@ -41,13 +41,16 @@ std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& r
                                  report.ring_blank_diameter_mm,
                                  problem.ring_outer_diameter_mm
                                      ? fmt::format(", {:.4g} mm are given",
-                                                   problem.ring_outer_diameter_mm->get_d())
+                                                   io::nearest(*problem.ring_outer_diameter_mm))
                                      : ", the limit is not given and so not enforced")});
   if (report.hollow_shaft_diameter_mm <= 0.0) {
     list.push_back({"hollow_shaft", "hollow_shaft: no hollow shaft fits through this sun."});
   }
   if (spacing_remainder(sun, held_ring, report.design.planet_count) == 0) {
-    list.push_back(phasing_remark(held_ring, report.design.planet_count));
+    for (const GearReport& gear : report.gears) {
+      if (!gear.internal) continue;
+      list.push_back(phasing_remark(gear.name, gear.teeth, report.design.planet_count));
+    }
   }
   list.push_back(
       {"planet_positions",

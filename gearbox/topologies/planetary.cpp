@@ -47,26 +47,31 @@ void describe_meshes(const Stage& stage, DesignReport& report) {
   report.meshes = {describe_mesh("sun_planet", sun_path, losses[0], friction),
                    describe_mesh("planet_ring", ring_path, losses[1], friction)};
   share_losses({1.0, 1.0}, losses, report.meshes);
-  const double base_mm = stage.module_mm.get_d() / 2.0 * kReferenceCosine;
+  const double base_mm = io::nearest(stage.module_mm) / 2.0 * kReferenceCosine;
   const double backlash = planetary_backlash(base_mm * teeth.sun, base_mm * teeth.ring);
   report.output_backlash_rad_per_mm = share_backlash({backlash, backlash}, report.meshes);
 }
 
 void describe_efficiency(const Stage& stage, DesignReport& report) {
-  const TrainEfficiency efficiency = planetary_efficiency(
-      static_cast<double>(stage.teeth.ring) / static_cast<double>(stage.teeth.sun),
-      {report.meshes[0].efficiency, report.meshes[1].efficiency});
+  const double ratio = static_cast<double>(stage.teeth.ring) / static_cast<double>(stage.teeth.sun);
+  const PlanetaryMeshEfficiencies<double> mesh{report.meshes[0].efficiency,
+                                               report.meshes[1].efficiency};
+  const TrainEfficiency efficiency = planetary_efficiency(ratio, mesh);
   report.forward_efficiency = efficiency.forward;
   report.backward_efficiency = efficiency.backward;
   report.self_locking = false;
+  const PlanetaryLosses forward = planetary_forward_losses(ratio, mesh, efficiency);
+  const PlanetaryLosses backward = planetary_backward_losses(ratio, mesh, efficiency);
+  state_losses({forward.sun_planet, forward.planet_ring},
+               {backward.sun_planet, backward.planet_ring}, report.meshes);
 }
 
 void describe_loads(const Stage& stage, DesignReport& report) {
   if (!stage.problem.load_output_torque_Nm) return;
   const double sun_radius_m =
-      stage.module_mm.get_d() * static_cast<double>(stage.teeth.sun) / 2.0 * 1e-3;
+      io::nearest(stage.module_mm) * static_cast<double>(stage.teeth.sun) / 2.0 * 1e-3;
   const PlanetaryLoads loads =
-      planetary_loads(stage.problem.load_output_torque_Nm->get_d(), report.ratio.get_d(),
+      planetary_loads(io::nearest(*stage.problem.load_output_torque_Nm), io::nearest(report.ratio),
                       stage.planet_count, sun_radius_m);
   report.input_torque_Nm = loads.sun_torque_Nm;
   report.fixed_ring_torque_Nm = loads.ring_torque_Nm;
@@ -83,7 +88,7 @@ void describe_bodies(const Stage& stage, DesignReport& report) {
   report.mass_kg = planetary_mass_kg(*blank, stage.planet_count, teeth);
   report.reflected_inertia_kg_m2 = reflected_inertia_kg_m2(
       planetary_reduction(teeth),
-      planetary_inertia_at_sun_kg_m2(*blank, problem.rotor_inertia_kg_m2.get_d(),
+      planetary_inertia_at_sun_kg_m2(*blank, io::nearest(problem.rotor_inertia_kg_m2),
                                      stage.planet_count, teeth));
 }
 
@@ -114,6 +119,8 @@ std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational&
   if (teeth.ring != teeth.sun + 2 * teeth.planet) {
     list.push_back(coaxiality("ring", teeth.planet, teeth.ring, teeth.sun + teeth.planet));
   }
+  const Design chosen{{}, stage.planet_count, stage.module_mm};
+  for (ConstraintReport& report : choices(problem, chosen)) list.push_back(std::move(report));
   return list;
 }
 
@@ -150,6 +157,8 @@ DesignReport evaluate(const Problem& problem, const Design& design) {
   describe_meshes(stage, report);
   describe_efficiency(stage, report);
   describe_loads(stage, report);
+  state_input_torques(problem, report);
+  state_rotor(problem, report);
   describe_bodies(stage, report);
   state_objective(problem, 0.0, report);
   report.constraints = constraints_of(stage, report.ratio);

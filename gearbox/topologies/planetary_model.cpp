@@ -54,7 +54,7 @@ std::vector<Condition> conditions(const Problem& problem, std::int64_t planet_co
 }
 
 Goal efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
-  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression ratio = teeth.ring / teeth.sun;
   return {forward ? "forward_efficiency" : "backward_efficiency", "",
           forward ? planetary_forward_efficiency(ratio, mesh)
@@ -77,7 +77,7 @@ Goal goal_of(const Problem& problem, std::int64_t planet_count, const Rational& 
       return inertia_goal(reflected_inertia_kg_m2(
           planetary_reduction(teeth),
           planetary_inertia_at_sun_kg_m2(blank(problem, module_mm),
-                                         problem.rotor_inertia_kg_m2.get_d(), planet_count,
+                                         io::nearest(problem.rotor_inertia_kg_m2), planet_count,
                                          teeth)));
     case Objective::kPaperCost:
       break;  // refused by the reader: the paper's cost needs five gears
@@ -93,8 +93,8 @@ std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_co
       most_carrier_clearance(planet_count, teeth.sun, teeth.planet),
       least_ring(module_mm, teeth.ring),
       least_ratio_error(problem, 2.0 * (teeth.sun + teeth.planet) / teeth.sun),
-      most_neighbour_clearance(neighbour_clearance_mm(planet_count, module_mm,
-                                                      teeth.sun + teeth.planet, teeth.planet)),
+      most_neighbour_clearance(
+          neighbour_clearance_mm(planet_count, module_mm, teeth.sun + teeth.planet, teeth.planet)),
       most_contact(min(contact_ratio(external_path(teeth.sun, teeth.planet)),
                        contact_ratio(internal_path(teeth.planet, teeth.ring))))};
   if (problem.ring_outer_diameter_mm) {

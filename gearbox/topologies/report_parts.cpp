@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/topologies/report_parts.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "gearbox/constraints/condition.hpp"
 #include "gearbox/constraints/teeth.hpp"
 #include "gearbox/tooth_geometry.hpp"
 
@@ -19,7 +24,7 @@ constexpr double kMetresPerMillimetre = 1e-3;
 GearReport describe_gear(const std::string& name, std::int64_t teeth, const std::string& layer,
                          bool internal, const Rational& module_mm, double speed_per_input) {
   const double sign = internal ? -1.0 : 1.0;
-  const double module = module_mm.get_d();
+  const double module = io::nearest(module_mm);
   const auto count = static_cast<double>(teeth);
   GearReport gear;
   gear.name = name;
@@ -46,7 +51,7 @@ MeshReport describe_mesh(const std::string& name, const ContactPath<double>& pat
   mesh.contact_ratio = contact_ratio(path);
   mesh.approach_ratio = path.approach;
   mesh.recess_ratio = path.recess;
-  mesh.efficiency = friction ? 1.0 - friction->get_d() * loss_per_friction : 1.0;
+  mesh.efficiency = friction ? 1.0 - io::nearest(*friction) * loss_per_friction : 1.0;
   if (mesh.contact_ratio < 1.0 || mesh.efficiency < 0.0) mesh.efficiency = 0.0;
   return mesh;
 }
@@ -57,6 +62,59 @@ void share_losses(const std::vector<double>& weights, const std::vector<double>&
   for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
     meshes[mesh].loss_share = sum > 0.0 ? weights[mesh] * losses[mesh] / sum : 0.0;
   }
+}
+
+void state_losses(const std::vector<double>& forward, const std::vector<double>& backward,
+                  std::vector<MeshReport>& meshes) {
+  const double sum = std::accumulate(forward.begin(), forward.end(), 0.0);
+  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
+    meshes[mesh].forward_loss = forward[mesh];
+    meshes[mesh].backward_loss = backward[mesh];
+    if (sum > 0.0) meshes[mesh].loss_share = forward[mesh] / sum;
+  }
+}
+
+void state_input_torques(const Problem& problem, DesignReport& report) {
+  if (!report.input_torque_Nm || !problem.friction_coefficient) return;
+  if (!(report.forward_efficiency > 0.0)) return;
+  report.driving_torque_Nm = *report.input_torque_Nm / report.forward_efficiency;
+  report.backdriven_torque_Nm = *report.input_torque_Nm * report.backward_efficiency;
+}
+
+void state_rotor(const Problem& problem, DesignReport& report) {
+  if (problem.rotor_inertia_kg_m2 == 0 || report.ratio == 0) return;
+  report.rotor_inertia_at_output_kg_m2 =
+      io::nearest(report.ratio * report.ratio * problem.rotor_inertia_kg_m2);
+}
+
+std::vector<ConstraintReport> choices(const Problem& problem, const Design& design) {
+  std::vector<ConstraintReport> list;
+  const auto offers = [](const auto& offered, const auto& chosen) {
+    return std::find(offered.begin(), offered.end(), chosen) != offered.end();
+  };
+  if (!offers(problem.planet_count, design.planet_count)) {
+    Condition condition{"planet_count", "/planet_count", "1"};
+    condition.limit = Rational(problem.planet_count.front());
+    list.push_back(violated_without_value(
+        condition, fmt::format("{} planets; the problem offers {}; needs one of these.",
+                               design.planet_count, fmt::join(problem.planet_count, ", "))));
+    list.back().value = static_cast<double>(design.planet_count);
+    list.back().margin = -std::abs(list.back().value - list.back().limit);
+  }
+  if (!offers(problem.module_mm, design.module_mm)) {
+    Condition condition{"module", "/module_mm", "mm"};
+    condition.limit = problem.module_mm.front();
+    std::string offered;
+    for (const Rational& module_mm : problem.module_mm) {
+      offered += (offered.empty() ? "" : ", ") + with_unit(module_mm, "mm");
+    }
+    list.push_back(violated_without_value(
+        condition, fmt::format("{}; the problem offers {}; needs one of these.",
+                               with_unit(design.module_mm, "mm"), offered)));
+    list.back().value = io::nearest(design.module_mm);
+    list.back().margin = -std::abs(list.back().value - list.back().limit);
+  }
+  return list;
 }
 
 double share_backlash(const std::vector<double>& coefficients, std::vector<MeshReport>& meshes) {
@@ -70,13 +128,13 @@ double share_backlash(const std::vector<double>& coefficients, std::vector<MeshR
 double hollow_shaft_mm(const Problem& problem, const Rational& module_mm, std::int64_t sun) {
   const Rational diameter_mm =
       module_mm * (Rational(sun) - Rational(5, 2)) - 2 * problem.hollow_shaft_wall_mm;
-  return diameter_mm.get_d();
+  return io::nearest(diameter_mm);
 }
 
 double ring_blank_mm(const Problem& problem, const Rational& module_mm, std::int64_t ring) {
   const Rational diameter_mm =
       module_mm * (Rational(ring) + Rational(5, 2)) + 2 * ring_wall_mm(problem, module_mm);
-  return diameter_mm.get_d();
+  return io::nearest(diameter_mm);
 }
 
 std::optional<Blank> blank_of(const Problem& problem, const Rational& module_mm,
@@ -86,14 +144,14 @@ std::optional<Blank> blank_of(const Problem& problem, const Rational& module_mm,
   for (const std::string& layer : layers) {
     const auto width = problem.face_width_mm.find(layer);
     if (width == problem.face_width_mm.end()) return std::nullopt;
-    widths_m.push_back(width->second.get_d() * kMetresPerMillimetre);
+    widths_m.push_back(io::nearest(width->second) * kMetresPerMillimetre);
   }
   Blank blank;
-  blank.module_m = module_mm.get_d() * kMetresPerMillimetre;
-  blank.density_kg_m3 = problem.density_kg_m3->get_d();
+  blank.module_m = io::nearest(module_mm) * kMetresPerMillimetre;
+  blank.density_kg_m3 = io::nearest(*problem.density_kg_m3);
   blank.face_width_1_m = widths_m[0];
   blank.face_width_2_m = widths_m.size() > 1 ? widths_m[1] : 0.0;
-  blank.wall_m = ring_wall_mm(problem, module_mm).get_d() * kMetresPerMillimetre;
+  blank.wall_m = io::nearest(ring_wall_mm(problem, module_mm)) * kMetresPerMillimetre;
   return blank;
 }
 

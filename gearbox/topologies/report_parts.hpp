@@ -30,6 +30,20 @@ double loss_per_friction(const ContactPath<double>& path, double curvature);
 void share_losses(const std::vector<double>& weights, const std::vector<double>& losses,
                   std::vector<MeshReport>& meshes);
 
+/// Sets losses of both directions, and every loss_share to the forward loss over its sum. Where
+/// nothing is lost, the shares are those to first order, weight times loss per friction.
+void state_losses(const std::vector<double>& forward, const std::vector<double>& backward,
+                  std::vector<MeshReport>& meshes);
+
+/// Torques at the sun with losses, once ratio, load and efficiencies are known.
+void state_input_torques(const Problem& problem, DesignReport& report);
+
+/// What depends on the motor alone: its inertia seen from the output.
+void state_rotor(const Problem& problem, DesignReport& report);
+
+/// Planet count and module where the problem does not offer this choice.
+std::vector<ConstraintReport> choices(const Problem& problem, const Design& design);
+
 /// Sets every backlash_share and returns the sum of the coefficients.
 double share_backlash(const std::vector<double>& coefficients, std::vector<MeshReport>& meshes);
 
@@ -50,6 +64,9 @@ void state_objective(const Problem& problem, double paper_cost, DesignReport& re
 /// Remarks on held-ring phasing, gears that share divisors, unequal spacing and the ring's blank.
 std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& report,
                                    std::int64_t sun, std::int64_t held_ring);
+
+/// How the planets' meshes with a ring follow each other, for equally spaced planets.
+Remark phasing_remark(const std::string& ring_name, std::int64_t ring, std::int64_t planet_count);
 
 /// A remark whether the planet could be pushed into its ring radially.
 Remark trimming_remark(const std::string& mesh, std::int64_t planet, std::int64_t ring);

@@ -25,7 +25,7 @@ void describe_gears(const ThreeKDesign& design, DesignReport& report) {
   const ThreeKTeeth<double> teeth = design.real_teeth();
   const Rational& module = design.module_mm;
   const double planet = planet_speed_per_sun(teeth.sun, teeth.planet_1, teeth.fixed_ring);
-  const double output = report.ratio == 0 ? 0.0 : Rational(1 / report.ratio).get_d();
+  const double output = report.ratio == 0 ? 0.0 : io::nearest(Rational(1 / report.ratio));
   const std::vector<std::int64_t>& counts = report.design.teeth;
   report.carrier_speed_per_input = carrier_speed_per_sun(teeth.sun, teeth.fixed_ring);
   report.gears = {describe_gear("sun", counts[0], "layer_1", false, module, 1.0),
@@ -56,7 +56,7 @@ void describe_meshes(const ThreeKDesign& design, DesignReport& report) {
   share_losses({weights.sun_planet_1, weights.planet_1_fixed_ring, weights.planet_2_output_ring},
                losses, report.meshes);
   const ThreeKBacklash backlash = three_k_backlash(
-      ratio_1, ratio_2, radii_mm(teeth, design.module_mm.get_d() / 2.0 * kReferenceCosine));
+      ratio_1, ratio_2, radii_mm(teeth, io::nearest(design.module_mm) / 2.0 * kReferenceCosine));
   report.output_backlash_rad_per_mm = share_backlash(
       {backlash.sun_planet_1, backlash.planet_1_fixed_ring, backlash.planet_2_output_ring},
       report.meshes);
@@ -66,21 +66,27 @@ void describe_efficiency(const ThreeKDesign& design, DesignReport& report) {
   const ThreeKTeeth<double> teeth = design.real_teeth();
   // The exact test decides whether the output moves, not the rounded I2.
   const double ratio_2 = design.stands_still() ? 1.0 : basic_ratio_2(teeth);
-  const TrainEfficiency efficiency = three_k_efficiency(
-      basic_ratio_1(teeth), ratio_2,
-      {report.meshes[0].efficiency, report.meshes[1].efficiency, report.meshes[2].efficiency});
+  const ThreeKMeshEfficiencies<double> mesh{
+      report.meshes[0].efficiency, report.meshes[1].efficiency, report.meshes[2].efficiency};
+  const double ratio_1 = basic_ratio_1(teeth);
+  const TrainEfficiency efficiency = three_k_efficiency(ratio_1, ratio_2, mesh);
   report.forward_efficiency = efficiency.forward;
   report.backward_efficiency = efficiency.backward;
   report.self_locking = efficiency.flow == PowerFlow::kSelfLocking;
+  const auto listed = [](const ThreeKLosses& losses) -> std::vector<double> {
+    return {losses.sun_planet_1, losses.planet_1_fixed_ring, losses.planet_2_output_ring};
+  };
+  state_losses(listed(three_k_forward_losses(ratio_1, ratio_2, mesh, efficiency)),
+               listed(three_k_backward_losses(ratio_1, ratio_2, mesh, efficiency)), report.meshes);
 }
 
 void describe_loads(const ThreeKDesign& design, DesignReport& report) {
   if (!design.problem.load_output_torque_Nm || design.stands_still()) return;
-  const ThreeKRadii pitch_mm = radii_mm(design.real_teeth(), design.module_mm.get_d() / 2.0);
+  const ThreeKRadii pitch_mm = radii_mm(design.real_teeth(), io::nearest(design.module_mm) / 2.0);
   const ThreeKRadii pitch_m{pitch_mm.sun_m * 1e-3, pitch_mm.fixed_ring_m * 1e-3,
                             pitch_mm.output_ring_m * 1e-3};
-  const ThreeKLoads loads = three_k_loads(design.problem.load_output_torque_Nm->get_d(),
-                                          report.ratio.get_d(), design.planet_count, pitch_m);
+  const ThreeKLoads loads = three_k_loads(io::nearest(*design.problem.load_output_torque_Nm),
+                                          io::nearest(report.ratio), design.planet_count, pitch_m);
   report.input_torque_Nm = loads.sun_torque_Nm;
   report.fixed_ring_torque_Nm = loads.fixed_ring_torque_Nm;
   report.planet_tilting_force_N = loads.tilting_force_N();
@@ -101,8 +107,8 @@ void describe_bodies(const ThreeKDesign& design, DesignReport& report) {
   if (design.stands_still()) return;
   report.reflected_inertia_kg_m2 = reflected_inertia_kg_m2(
       three_k_reduction(teeth),
-      three_k_inertia_at_sun_kg_m2(*blank, problem.rotor_inertia_kg_m2.get_d(), design.planet_count,
-                                   teeth));
+      three_k_inertia_at_sun_kg_m2(*blank, io::nearest(problem.rotor_inertia_kg_m2),
+                                   design.planet_count, teeth));
 }
 
 /// Equation (1) of seed 001 with Z_P3 read as Z_P2, exact until the last rounding.
@@ -112,7 +118,7 @@ double paper_cost(const ThreeKDesign& design) {
   const Rational cost = 1 / square(design.teeth.sun) + square(design.teeth.fixed_ring - bore) +
                         square(design.teeth.planet_1) + square(design.teeth.planet_2) +
                         square(design.teeth.output_ring);
-  return cost.get_d();
+  return io::nearest(cost);
 }
 
 std::vector<ConstraintReport> constraints_of(const ThreeKDesign& design) {
@@ -121,6 +127,9 @@ std::vector<ConstraintReport> constraints_of(const ThreeKDesign& design) {
     for (ConstraintReport& report : further_constraints(design)) list.push_back(std::move(report));
   }
   for (ConstraintReport& report : coaxiality_constraints(design)) list.push_back(std::move(report));
+  const Design chosen{{}, design.planet_count, design.module_mm};
+  for (ConstraintReport& report : choices(design.problem, chosen))
+    list.push_back(std::move(report));
   return list;
 }
 
@@ -159,6 +168,8 @@ DesignReport evaluate(const Problem& problem, const Design& design) {
   describe_meshes(train, report);
   describe_efficiency(train, report);
   describe_loads(train, report);
+  state_input_torques(problem, report);
+  state_rotor(problem, report);
   describe_bodies(train, report);
   state_objective(problem, paper_cost(train), report);
   report.constraints = constraints_of(train);

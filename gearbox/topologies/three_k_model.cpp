@@ -126,7 +126,7 @@ Goal paper_cost(const Problem& problem, const Rational& module_mm, const Teeth& 
 // With 1/(1 - I2) = i/(1 + I1) the efficiencies need the ratio i, known within its tolerance, in
 // place of I2: the enclosure stays narrow on wide boxes. docs/derivations/efficiency.md.
 Expression enclosed_efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
-  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression first = mesh.sun_planet_1 * mesh.planet_1_fixed_ring;
   const Expression second = mesh.planet_1_fixed_ring * mesh.planet_2_output_ring;
   const Expression carrier = 1.0 / (1.0 + basic_ratio_1(teeth));  // 1/(1 + I1)
@@ -140,7 +140,7 @@ Expression enclosed_efficiency(const Problem& problem, const Teeth& teeth, bool 
 }
 
 Goal efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
-  const auto mesh = mesh_efficiencies(teeth, problem.friction_coefficient->get_d());
+  const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression i1 = basic_ratio_1(teeth), i2 = basic_ratio_2(teeth);
   Goal goal{forward ? "forward_efficiency" : "backward_efficiency", "",
             forward ? three_k_forward_efficiency(i1, i2, mesh)
@@ -166,7 +166,7 @@ Goal goal_of(const Problem& problem, std::int64_t planet_count, const Rational& 
     case Objective::kReflectedInertia: {
       const Expression at_sun =
           three_k_inertia_at_sun_kg_m2(blank(problem, module_mm),
-                                       problem.rotor_inertia_kg_m2.get_d(), planet_count, teeth);
+                                       io::nearest(problem.rotor_inertia_kg_m2), planet_count, teeth);
       return inertia_goal(reflected_inertia_kg_m2(three_k_reduction(teeth), at_sun));
     }
   }

@@ -46,11 +46,19 @@ std::optional<Remark> efficiency_remark(const ThreeKDesign& design, const Design
 /// What the paper's own conditions let pass although it cannot be cut or assembled.
 void append_unbuildable(const ThreeKDesign& design, std::vector<Remark>& list) {
   if (design.problem.constraints != ConstraintSet::kPaper) return;
-  for (const ConstraintReport& constraint : further_constraints(design)) {
-    if (!constraint.satisfied) {
+  const std::vector<ConstraintReport> further = further_constraints(design);
+  std::size_t met = 0;
+  for (const ConstraintReport& constraint : further) {
+    if (constraint.satisfied) {
+      ++met;
+    } else {
       list.push_back({constraint.name, "not asked for: " + constraint.sentence});
     }
   }
+  list.push_back({"buildable", fmt::format("buildable: of the {} further constraints of a "
+                                           "buildable train, not asked for, {} hold.",
+                                           further.size(),
+                                           met == further.size() ? "all" : std::to_string(met))});
 }
 
 void append_if(std::optional<Remark> remark, std::vector<Remark>& list) {

@@ -14,10 +14,10 @@ std::string drawing_of(const gearbox::Problem& problem, const gearbox::Design& d
   drawing.topology = problem.topology;
   drawing.teeth = report.design.teeth;
   drawing.planet_count = design.planet_count;
-  drawing.module_mm = design.module_mm.get_d();
+  drawing.module_mm = io::nearest(design.module_mm);
   drawing.ratio = report.ratio.get_str();
   drawing.hollow_shaft_diameter_mm = report.hollow_shaft_diameter_mm;
-  if (problem.ring_wall_mm) drawing.ring_wall_mm = problem.ring_wall_mm->get_d();
+  if (problem.ring_wall_mm) drawing.ring_wall_mm = io::nearest(*problem.ring_wall_mm);
   return report::gearbox_drawing(drawing);
 }
 

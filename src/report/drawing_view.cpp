@@ -146,7 +146,7 @@ std::string bore_dimension(const View& view) {
   if (view.bore_mm() > 12.0) return diameter_inside(view.center, view.bore_mm(), text);
   const double free_rad = free_direction_rad(view);
   return leader(on_circle(view.center, view.bore_mm(), free_rad),
-                on_circle(view.center, view.blank_mm() + 6.0, free_rad), text + " hollow shaft");
+                on_circle(view.center, view.blank_mm() + 6.0, free_rad), text + " bore");
 }
 
 std::string sun_label(const View& view) {

@@ -15,6 +15,7 @@ Problem stage() {
   problem.objective = Objective::kForwardEfficiency;
   problem.target_ratio = Rational(36, 5);
   problem.rotor_inner_diameter_mm = 100;
+  problem.planet_count = {3};
   problem.min_teeth = {{"sun", 20}, {"planet", 20}};
   problem.min_carrier_clearance_rad = 0;
   return problem;

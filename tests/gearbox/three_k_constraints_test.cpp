@@ -25,8 +25,9 @@ Problem buildable() {
 TEST(CarrierClearance, SaysHowMuchIsToSpare) {
   const auto report = constraint_of(test::knee(), {44, 44, 32}, 4, "carrier_clearance");
   EXPECT_EQ(report.sentence,
-            "carrier_clearance: 0.2618 rad between neighbouring planets' pitch circles and the "
-            "carrier's half gap; at least 0.26 rad are asked for: 0.0018 rad to spare.");
+            "carrier_clearance: 0.2618 rad from a planet's pitch circle to the middle between two "
+            "planets, seen from the sun's axis; at least 0.26 rad are asked for: 0.0018 rad to "
+            "spare.");
   EXPECT_EQ(report.key, "/min_carrier_clearance_rad");
   EXPECT_EQ(report.unit, "rad");
 }

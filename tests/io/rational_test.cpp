@@ -42,6 +42,23 @@ TEST(Exact, KeepsFifteenDigits) {
   }
 }
 
+// Oracle: the C library's reading of the same numeral, correctly rounded.
+TEST(NearestDouble, IsTheDoubleThatTheNumeralStandsFor) {
+  for (const char* numeral : {"0.1", "0.2", "0.3", "0.4", "0.6", "0.7", "0.8", "-0.2", "79.4", "0",
+                              "5e-324", "1.7976931348623157e308"}) {
+    EXPECT_EQ(nearest(rational_from_numeral(numeral)), std::strtod(numeral, nullptr)) << numeral;
+  }
+  std::mt19937_64 random(2);
+  std::uniform_int_distribution<std::int64_t> digits(-999999999999999999, 999999999999999999);
+  std::uniform_int_distribution<int> exponent(-200, 200);
+  for (int i = 0; i < 5000; ++i) {
+    const std::string numeral =
+        std::to_string(digits(random)) + "e" + std::to_string(exponent(random));
+    EXPECT_EQ(nearest(rational_from_numeral(numeral)), std::strtod(numeral.c_str(), nullptr))
+        << numeral;
+  }
+}
+
 TEST(RationalFromNumeral, ReadsTheGrammarOfJson) {
   EXPECT_EQ(rational_from_numeral("-12.5e-3"), Rational(-1, 80));
   EXPECT_EQ(rational_from_numeral("0"), 0);

@@ -104,6 +104,19 @@ TEST(PublishedAnswers, CountsAndCheapestDesigns) {
   }
 }
 
+// Reference section 11: a few dozen designs of exactly 20:1 for three to six planets (minima 12, as
+// in its table), and the published one has the greatest printed cost of all.
+TEST(PublishedAnswers, ThePublishedDesignIsTheLastByItsOwnCost) {
+  Problem problem = paper_problem({12, 12, 12}, 0);
+  problem.planet_count = {3, 4, 5, 6};
+  const Enumeration all = enumerate(problem);
+  EXPECT_TRUE(all.near_ties.empty());
+  EXPECT_EQ(all.feasible.size(), 39u);  // counted by a separate program too
+  long double greatest = 0;
+  for (const Found& found : all.feasible) greatest = std::max(greatest, found.objective);
+  EXPECT_NEAR(static_cast<double>(greatest), 17360.112, 5e-4);
+}
+
 // Four printed decimals.
 constexpr double kPrinted = 5e-5;
 

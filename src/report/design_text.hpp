@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "gearbox/design_report.hpp"
+
+namespace torquewright::report {
+
+/// "24.9 mm", or the bare number where the unit is 1.
+std::string with_unit(double value, const std::string& unit);
+
+/// The objective's name as in documents.
+const char* objective_name(gearbox::Objective objective);
+
+/// Teeth, objective, ratio, assembly, efficiency, sizes, inertia and torques, a line each.
+std::string design_summary(const gearbox::Problem& problem, const gearbox::DesignReport& report);
+
+/// The summary, then tables of gears and meshes, every constraint and every remark.
+std::string design_text(const gearbox::Problem& problem, const gearbox::DesignReport& report);
+
+}  // namespace torquewright::report
