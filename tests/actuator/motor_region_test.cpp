@@ -239,6 +239,8 @@ TEST(MotorRange, LosesTheDeadTimesVoltage) {
   actuator.effects.push_back(effect("inverter_dead_time", {2.0}));
   const MotorRange range = motor_range(machine_at(actuator, {}), 80.0);
   EXPECT_NEAR(range.greatest.torque_Nm, 0.5 * (50.0 - 2.0 - 40.0) / 0.5, 1e-10);
+  // At full voltage the bus delivers V i, bridge included.
+  EXPECT_NEAR(range.greatest.bus_power_W, 50.0 * 16.0, 1e-9);
 }
 
 }  // namespace
