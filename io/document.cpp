@@ -84,15 +84,41 @@ std::vector<Fault> find_faults(const Document& document, std::string_view kind) 
 
 }  // namespace
 
-Document read_document(const std::filesystem::path& file, std::string_view kind) {
-  const std::string bytes = read_file_bytes(file);
-  JsonText text = read_json_text(bytes, file.string());
+namespace {
+
+JsonText read_complete_text(const std::string& bytes, const std::string& file) {
+  JsonText text = read_json_text(bytes, file);
   if (!text.complete) throw SpecError(std::move(text.faults));
-  Document document{file.string(), "", std::move(text.root), sha256(bytes)};
+  return text;
+}
+
+Document checked(JsonText text, const std::string& bytes, const std::string& file,
+                 std::string_view kind) {
+  Document document{file, "", std::move(text.root), sha256(bytes)};
   std::vector<Fault> faults = std::move(text.faults);
   for (Fault& fault : find_faults(document, kind)) faults.push_back(std::move(fault));
   if (!faults.empty()) throw SpecError(std::move(faults));
   return document;
+}
+
+}  // namespace
+
+Document read_document(const std::filesystem::path& file, std::string_view kind) {
+  const std::string bytes = read_file_bytes(file);
+  return checked(read_complete_text(bytes, file.string()), bytes, file.string(), kind);
+}
+
+Document read_document(const std::filesystem::path& file,
+                       std::initializer_list<std::string_view> kinds) {
+  const std::string bytes = read_file_bytes(file);
+  JsonText text = read_complete_text(bytes, file.string());
+  const json stated = text.root.is_object() ? text.root.value("kind", json()) : json();
+  for (const std::string_view kind : kinds) {
+    if (stated == kind) return checked(std::move(text), bytes, file.string(), kind);
+  }
+  throw SpecError({{file.string(), "/kind",
+                    as_written(stated) + " is not what is needed here; must be " +
+                        either({kinds.begin(), kinds.end()})}});
 }
 
 Document check_document(json root, std::string_view kind, std::string file, std::string path) {

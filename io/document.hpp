@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -24,6 +25,11 @@ struct Document {
 /// unreadable, larger than 64 MiB, not JSON, duplicate keys, wrong kind or version, shape, ranges,
 /// unknown keys (with the nearest known one).
 Document read_document(const std::filesystem::path& file, std::string_view kind);
+
+/// The same for a document that may be of several kinds: it is checked against the kind that it
+/// says it is. Requires at least one kind.
+Document read_document(const std::filesystem::path& file,
+                       std::initializer_list<std::string_view> kinds);
 
 /// The same checks for a document that stands inside another one (a result's "problem"). `file`
 /// and `path` say where it stands, for the messages.

@@ -7,6 +7,7 @@
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
 #include "io/spec_error.hpp"
+#include "src/commands/actuator_commands.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/exit_code.hpp"
 
@@ -34,6 +35,9 @@ int run(int argc, char** argv) {
   torquewright::cli::add_optimize_command(*gearbox, result);
   torquewright::cli::add_evaluate_command(*gearbox, result);
   torquewright::cli::add_verify_command(*gearbox, result);
+  CLI::App* actuator = app.add_subcommand("actuator", "What can the actuator do?");
+  actuator->require_subcommand(1);
+  torquewright::cli::add_mor_command(*actuator, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

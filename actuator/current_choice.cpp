@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/current_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "actuator/search.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr double kCurrentTolerance = 1e-10;  // of the current limit; golden section's own floor 1e-8
+
+bool is_salient(const Machine& machine) {
+  return machine.inductance_d_H != machine.inductance_q_H;
+}
+
+double tolerance_A(const Machine& machine) { return kCurrentTolerance * machine.current_limit_A; }
+
+double least_d_A(const Machine& machine) {
+  return -std::min(machine.demagnetisation_current_A, machine.current_limit_A);
+}
+
+/// The d current down to which the limits allow weakening at that torque; at most `from_A`.
+double weakest_d_A(const Machine& machine, double torque_Nm, double from_A) {
+  const double limit_A = machine.current_limit_A;
+  const auto room = [&](double d_A) {
+    const double q_A = q_current_A(machine, torque_Nm, d_A);
+    return limit_A * limit_A - d_A * d_A - q_A * q_A;
+  };
+  const double floor_A = least_d_A(machine);
+  if (floor_A >= from_A || room(floor_A) >= 0.0) return std::min(floor_A, from_A);
+  if (room(from_A) < 0.0) return from_A;
+  if (is_salient(machine)) return last_nonnegative(room, from_A, floor_A, tolerance_A(machine));
+  const double q_A = q_current_A(machine, torque_Nm, 0.0);
+  return std::max(floor_A, -std::sqrt(std::max(0.0, limit_A * limit_A - q_A * q_A)));
+}
+
+/// Where |v|^2, a parabola in i_d, is least, whatever i_q, if L_d = L_q and the supply is stiff:
+/// d/di_d gives (R^2 + (w L)^2) i_d + w L e = 0. Eq. (9).
+double vertex_d_A(const Machine& machine, double speed_rad_s) {
+  const double R = machine.resistance_ohm;
+  const double wL = machine.pole_pairs * speed_rad_s * machine.inductance_d_H;
+  const double back_emf_V = machine.back_emf_V_s_rad * speed_rad_s;
+  const double square = R * R + wL * wL;
+  return square == 0.0 ? 0.0 : -wL * back_emf_V / square;
+}
+
+Current with_d(const Machine& machine, double torque_Nm, double d_A) {
+  return {d_A, q_current_A(machine, torque_Nm, d_A)};
+}
+
+}  // namespace
+
+double greatest_torque_Nm(const Machine& machine) {
+  const double limit_A = machine.current_limit_A;
+  if (!is_salient(machine)) return torque_Nm(machine, {0.0, limit_A});
+  const auto torque_at = [&](double d_A) {
+    return torque_Nm(machine, {d_A, std::sqrt(std::max(0.0, limit_A * limit_A - d_A * d_A))});
+  };
+  return torque_at(greatest_point(torque_at, least_d_A(machine), limit_A, tolerance_A(machine)));
+}
+
+Current least_current(const Machine& machine, double torque_Nm) {
+  if (!is_salient(machine)) return with_d(machine, torque_Nm, 0.0);
+  const auto saved_A = [&](double d_A) {
+    return -std::hypot(d_A, q_current_A(machine, torque_Nm, d_A));
+  };
+  const double limit_A = machine.current_limit_A;
+  const double d_A =
+      greatest_point(saved_A, least_d_A(machine), limit_A, tolerance_A(machine));
+  return with_d(machine, torque_Nm, d_A);
+}
+
+Current gentlest_current(const Machine& machine, double torque_Nm, double speed_rad_s) {
+  const Current least = least_current(machine, torque_Nm);
+  if (!machine.field_weakening) return least;
+  const double floor_A = weakest_d_A(machine, torque_Nm, least.d_A);
+  if (floor_A >= least.d_A) return least;
+  const bool is_parabola = !is_salient(machine) && machine.supply.resistance_ohm == 0.0 &&
+                           machine.dead_time_V == 0.0;
+  if (is_parabola) {
+    const double d_A = vertex_d_A(machine, speed_rad_s);
+    return {std::clamp(d_A, floor_A, least.d_A), least.q_A};
+  }
+  const auto margin_V = [&](double d_A) {
+    return voltage_margin_V(machine, with_d(machine, torque_Nm, d_A), speed_rad_s);
+  };
+  return with_d(machine, torque_Nm,
+                greatest_point(margin_V, floor_A, least.d_A, tolerance_A(machine)));
+}
+
+Current chosen_current(const Machine& machine, double torque_Nm, double speed_rad_s) {
+  const Current least = least_current(machine, torque_Nm);
+  const auto margin_V = [&](double d_A) {
+    return voltage_margin_V(machine, with_d(machine, torque_Nm, d_A), speed_rad_s);
+  };
+  if (!machine.field_weakening || margin_V(least.d_A) >= 0.0) return least;
+  const Current gentlest = gentlest_current(machine, torque_Nm, speed_rad_s);
+  if (margin_V(gentlest.d_A) < 0.0) return gentlest;
+  return with_d(machine, torque_Nm,
+                last_nonnegative(margin_V, gentlest.d_A, least.d_A, tolerance_A(machine)));
+}
+
+}  // namespace torquewright::actuator

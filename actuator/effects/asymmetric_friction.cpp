@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include "actuator/effects/every_effect.hpp"
+
+namespace torquewright::actuator::effects {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr Parameter kParameters[] = {
+    {"coulomb_positive_Nm", 0.0, kInfinity, 0.0, "Dry friction while the output moves forward."},
+    {"coulomb_negative_Nm", 0.0, kInfinity, 0.0, "Dry friction while it moves backward."},
+    {"viscous_positive_Nm_s_rad", 0.0, kInfinity, 0.0, "Viscous friction while it moves forward."},
+    {"viscous_negative_Nm_s_rad", 0.0, kInfinity, 0.0,
+     "Viscous friction while it moves backward."},
+};
+constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
+
+double law(const Effect& effect, const Instant& at) {
+  const std::size_t side = at.direction < 0.0 ? 1 : 0;
+  return -effect.values[side] * at.direction - effect.values[side + 2] * at.speed_rad_s;
+}
+
+void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
+  const std::size_t side = at.direction < 0.0 ? 1 : 0;
+  for (double& entry : derivative) entry = 0.0;
+  derivative[side] = -at.direction;
+  derivative[side + 2] = -at.speed_rad_s;
+}
+
+}  // namespace
+
+const EffectKind asymmetric_friction = {
+    .name = "asymmetric_friction",
+    .acts = Acts::kDrag,
+    .sentence = "Dry and viscous friction with values of their own in each direction of motion.",
+    .parameters = kParameters,
+    .has_harmonics = false,
+    .needs = kNeeds,
+    .law = law,
+    .gradient = gradient,
+    .state_rate = nullptr,
+    .state = "",
+};
+
+}  // namespace torquewright::actuator::effects

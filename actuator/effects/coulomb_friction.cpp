@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include "actuator/effects/every_effect.hpp"
+
+namespace torquewright::actuator::effects {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr Parameter kParameters[] = {
+    {"coulomb_Nm", 0.0, kInfinity, 0.0, "Torque at the output."},
+};
+constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
+
+double law(const Effect& effect, const Instant& at) {
+  return -effect.values[0] * at.direction;
+}
+
+void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
+  derivative[0] = -at.direction;
+}
+
+}  // namespace
+
+const EffectKind coulomb_friction = {
+    .name = "coulomb_friction",
+    .acts = Acts::kDrag,
+    .sentence =
+        "Dry friction of seals, bearings and teeth: the same at every speed, against the "
+        "motion.",
+    .parameters = kParameters,
+    .has_harmonics = false,
+    .needs = kNeeds,
+    .law = law,
+    .gradient = gradient,
+    .state_rate = nullptr,
+    .state = "",
+};
+
+}  // namespace torquewright::actuator::effects

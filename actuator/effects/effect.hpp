@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace torquewright::actuator {
+
+/// Where an effect acts, and so what its law returns.
+enum class Acts {
+  kDrag,              ///< Friction that does not depend on load: torque on the output, in Nm.
+  kDragFactor,        ///< Factor on all drag.
+  kLoadFriction,      ///< Friction in proportion to the load: torque on the output, in Nm.
+  kTorqueFactor,      ///< Factor on the torque constant, at the current that flows.
+  kFluxFactor,        ///< Factor on the magnet's flux: torque constant and back-EMF alike.
+  kResistanceFactor,  ///< Factor on the winding's resistance.
+  kWindingVoltage,    ///< Voltage lost between drive and winding, in the winding's convention.
+  kBusVoltage,        ///< Change of the bus voltage, in V.
+  kMotorSideTorque,   ///< Periodic torque before the gear's losses, referred to the output, in Nm.
+  kOutputTorque,      ///< Periodic torque at the output, in Nm.
+  kInertialTorque,    ///< Torque on the output that follows acceleration, in Nm.
+  kDynamics,          ///< Has a state; no static region can hold it.
+};
+
+/// The instant at which a law is asked. Output side unless said; torque is what acts on the load.
+struct Instant {
+  double speed_rad_s = 0.0;
+  double direction = 0.0;         ///< Sign of the motion, also at rest: -1, 0 or 1.
+  double acceleration_rad_s2 = 0.0;
+  double load_torque_Nm = 0.0;    ///< On the load; driving where its sign is that of the motion.
+  double current_A = 0.0;         ///< In the actuator's convention.
+  double bus_current_A = 0.0;
+  double output_angle_rad = 0.0;
+  double motor_angle_rad = 0.0;   ///< Mechanical.
+  double winding_temperature_K = 298.15;
+  double reference_temperature_K = 298.15;
+  double twist_rad = 0.0;         ///< Motor angle over ratio, less output angle.
+  double twist_rate_rad_s = 0.0;
+  double input = 0.0;             ///< What a lag follows: the torque that was asked for.
+  double state = 0.0;             ///< Of an effect that has one.
+};
+
+/// One parameter: its unit is the end of its name (dimensionless where there is none).
+struct Parameter {
+  std::string_view name;
+  double lowest;       ///< Physically possible bounds.
+  double highest;
+  double neutral;      ///< At which the effect changes nothing; may be infinite.
+  std::string_view meaning;
+};
+
+/// A sum of A sin(order angle + phase). `amplitude` is in Nm, or dimensionless where the ripple is
+/// proportional to the load.
+struct Harmonic {
+  double order = 1.0;
+  double amplitude = 0.0;
+  double phase_rad = 0.0;
+};
+
+struct Effect;
+
+/// A kind of effect: its law, written once. One file each in this folder, one line in library.cpp.
+/// The laws and names are the contract (docs/effects.md).
+struct EffectKind {
+  std::string_view name;
+  Acts acts;
+  std::string_view sentence;               ///< The physics, for a person.
+  std::span<const Parameter> parameters;   ///< The scalar ones.
+  bool has_harmonics = false;              ///< Parameters are a list of harmonics besides.
+  std::span<const std::string_view> needs; ///< Quantities a log must hold to show it.
+  double (*law)(const Effect&, const Instant&);
+  /// d law / d parameter: the scalar ones, then amplitude and phase of each harmonic. Orders are
+  /// not fitted.
+  void (*gradient)(const Effect&, const Instant&, std::span<double> derivative);
+  /// d state / dt; null: no state.
+  double (*state_rate)(const Effect&, const Instant&) = nullptr;
+  std::string_view state;                  ///< What the state is, with its unit.
+};
+
+/// An effect as a document states it.
+struct Effect {
+  const EffectKind* kind = nullptr;
+  std::vector<double> values;        ///< In the order of kind->parameters.
+  std::vector<Harmonic> harmonics;
+  bool proportional = false;         ///< gear_ripple: amplitudes are ratios of the load.
+  std::string provenance;            ///< As written: "assumed", "measured", "identified", ...
+};
+
+/// Parameters that a gradient covers.
+inline std::size_t gradient_size(const Effect& effect) {
+  return effect.kind->parameters.size() + 2 * effect.harmonics.size();
+}
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include "actuator/effects/every_effect.hpp"
+
+namespace torquewright::actuator::effects {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr Parameter kParameters[] = {
+    {"coulomb_Nm", 0.0, kInfinity, 0.0, "Friction once it slips, at the output."},
+    {"stiffness_Nm_rad", 0.0, kInfinity, kInfinity,
+     "Slope before slip, at the output; infinite: it slips at once."},
+};
+constexpr std::string_view kNeeds[] = {"output_position_rad", "output_velocity_rad_s", "output_torque_Nm"};
+
+double law(const Effect& /*effect*/, const Instant& at) {
+  return -at.state;
+}
+
+void gradient(const Effect& /*effect*/, const Instant& /*at*/, std::span<double> derivative) {
+  // The state holds all of it; how the state depends on the parameters is found by simulation.
+  for (double& entry : derivative) entry = 0.0;
+}
+
+double state_rate(const Effect& effect, const Instant& at) {
+  const double coulomb_Nm = effect.values[0];
+  if (coulomb_Nm == 0.0) return 0.0;
+  const double stiffness_Nm_rad = effect.values[1];
+  const double slip = at.state / coulomb_Nm * at.direction;  // 1 once it slips
+  return stiffness_Nm_rad * (1.0 - slip) * at.speed_rad_s;
+}
+
+}  // namespace
+
+const EffectKind presliding_friction = {
+    .name = "presliding_friction",
+    .acts = Acts::kDynamics,
+    .sentence = "Dry friction that first gives way elastically: hysteresis before slip (Dahl).",
+    .parameters = kParameters,
+    .has_harmonics = false,
+    .needs = kNeeds,
+    .law = law,
+    .gradient = gradient,
+    .state_rate = state_rate,
+    .state = "friction torque at the output, in Nm",
+};
+
+}  // namespace torquewright::actuator::effects

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <limits>
+
+#include "actuator/effects/every_effect.hpp"
+
+namespace torquewright::actuator::effects {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr Parameter kParameters[] = {
+    {"coulomb_Nm", 0.0, kInfinity, 0.0, "Sliding friction, at the output."},
+    {"breakaway_Nm", 0.0, kInfinity, 0.0,
+     "Friction at the onset of motion; at least the sliding one."},
+    {"stribeck_velocity_rad_s", 0.0, kInfinity, 1.0,
+     "Output speed at which the excess has fallen to 1/e."},
+};
+constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
+
+/// exp(-(w/v)^2); at v = 0 the excess exists at rest only.
+double fading_at(const Effect& effect, const Instant& at) {
+  const double v_rad_s = effect.values[2];
+  if (v_rad_s == 0.0) return at.speed_rad_s == 0.0 ? 1.0 : 0.0;
+  const double ratio = at.speed_rad_s / v_rad_s;
+  return std::exp(-ratio * ratio);
+}
+
+double law(const Effect& effect, const Instant& at) {
+  const double fading = fading_at(effect, at);
+  return -(effect.values[0] + (effect.values[1] - effect.values[0]) * fading) * at.direction;
+}
+
+void gradient(const Effect& effect, const Instant& at, std::span<double> derivative) {
+  const double fading = fading_at(effect, at);
+  const double v_rad_s = effect.values[2];
+  const double w_rad_s = at.speed_rad_s;
+  derivative[0] = -(1.0 - fading) * at.direction;
+  derivative[1] = -fading * at.direction;
+  derivative[2] = v_rad_s == 0.0 ? 0.0
+                                 : -(effect.values[1] - effect.values[0]) * fading * 2.0 * w_rad_s *
+                                       w_rad_s / (v_rad_s * v_rad_s * v_rad_s) * at.direction;
+}
+
+}  // namespace
+
+const EffectKind stribeck_friction = {
+    .name = "stribeck_friction",
+    .acts = Acts::kDrag,
+    .sentence =
+        "Dry friction that falls from breakaway to its sliding value as the lubricant takes "
+        "over.",
+    .parameters = kParameters,
+    .has_harmonics = false,
+    .needs = kNeeds,
+    .law = law,
+    .gradient = gradient,
+    .state_rate = nullptr,
+    .state = "",
+};
+
+}  // namespace torquewright::actuator::effects

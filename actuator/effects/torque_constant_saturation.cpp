@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <limits>
+
+#include "actuator/effects/every_effect.hpp"
+
+namespace torquewright::actuator::effects {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr Parameter kParameters[] = {
+    {"saturation_current_A", 0.0, kInfinity, kInfinity,
+     "Current at which it sets in, in the actuator's convention."},
+    {"exponent", 1.0, kInfinity, 2.0, "How sharply it sets in."},
+};
+constexpr std::string_view kNeeds[] = {"motor_current_A", "output_torque_Nm"};
+
+double law(const Effect& effect, const Instant& at) {
+  const double x = std::abs(at.current_A) / effect.values[0];
+  const double p = effect.values[1];
+  return std::pow(1.0 + std::pow(x, p), -1.0 / p);
+}
+
+void gradient(const Effect& effect, const Instant& at, std::span<double> derivative) {
+  const double saturation_A = effect.values[0];
+  const double p = effect.values[1];
+  const double x = std::abs(at.current_A) / saturation_A;
+  if (x == 0.0) {
+    derivative[0] = derivative[1] = 0.0;
+    return;
+  }
+  const double power = std::pow(x, p);
+  const double factor = std::pow(1.0 + power, -1.0 / p);
+  const double share = power / (1.0 + power);
+  derivative[0] = factor * share / saturation_A;
+  derivative[1] = factor * (std::log1p(power) / p - share * std::log(x)) / p;
+}
+
+}  // namespace
+
+const EffectKind torque_constant_saturation = {
+    .name = "torque_constant_saturation",
+    .acts = Acts::kTorqueFactor,
+    .sentence = "The iron saturates: each further ampere yields less torque.",
+    .parameters = kParameters,
+    .has_harmonics = false,
+    .needs = kNeeds,
+    .law = law,
+    .gradient = gradient,
+    .state_rate = nullptr,
+    .state = "",
+};
+
+}  // namespace torquewright::actuator::effects

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/effects/every_effect.hpp"
+
+namespace torquewright::actuator::effects {
+namespace {
+
+constexpr Parameter kParameters[] = {
+    {"coefficient_1_K", -0.01, 0.02, 0.0, "Relative change per kelvin."},
+};
+constexpr std::string_view kNeeds[] = {"winding_voltage_V", "motor_current_A", "winding_temperature_K"};
+
+double law(const Effect& effect, const Instant& at) {
+  return 1.0 + effect.values[0] * (at.winding_temperature_K - at.reference_temperature_K);
+}
+
+void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
+  derivative[0] = at.winding_temperature_K - at.reference_temperature_K;
+}
+
+}  // namespace
+
+const EffectKind winding_resistance_temperature = {
+    .name = "winding_resistance_temperature",
+    .acts = Acts::kResistanceFactor,
+    .sentence =
+        "The winding's resistance grows as it warms; takes the place of copper's 0.0039 "
+        "1/K.",
+    .parameters = kParameters,
+    .has_harmonics = false,
+    .needs = kNeeds,
+    .law = law,
+    .gradient = gradient,
+    .state_rate = nullptr,
+    .state = "",
+};
+
+}  // namespace torquewright::actuator::effects

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "actuator/actuator_spec.hpp"
+#include "actuator/mor_table_spec.hpp"
+#include "actuator/need.hpp"
+#include "io/atomic_file.hpp"
+#include "io/provenance.hpp"
+#include "src/commands/actuator_commands.hpp"
+#include "src/commands/operating_options.hpp"
+#include "src/report/actuator_text.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+constexpr std::size_t kRatiosInSweep = 25;
+
+struct MorOptions {
+  std::string actuator_file;
+  OperatingOptions operating;
+  std::string side = "joint";
+  std::string format = "csv";
+  std::vector<double> speeds_rad_s;
+  std::string need;
+  std::string ratios;
+  std::string output_file;
+  bool json = false;
+};
+
+[[noreturn]] void refuse(const std::string& option, const std::string& message) {
+  throw io::SpecError({{option, "", message}});
+}
+
+/// Two finite numbers with a mark between them: 100@5, 4:40.
+std::pair<double, double> number_pair(const std::string& option, const std::string& text,
+                                      char mark) {
+  const std::size_t place = text.find(mark);
+  double numbers[2] = {0.0, 0.0};
+  bool is_read = place != std::string::npos;
+  for (int i = 0; i < 2 && is_read; ++i) {
+    const char* begin = text.data() + (i == 0 ? 0 : place + 1);
+    const char* end = text.data() + (i == 0 ? place : text.size());
+    const auto [rest, error] = std::from_chars(begin, end, numbers[i]);
+    is_read = error == std::errc() && rest == end && std::isfinite(numbers[i]);
+  }
+  if (!is_read) refuse(option, fmt::format("\"{}\" must be two numbers, A{}B", text, mark));
+  return {numbers[0], numbers[1]};
+}
+
+std::optional<actuator::Need> need_of(const MorOptions& options) {
+  if (options.need.empty()) return std::nullopt;
+  const auto [torque_Nm, speed_rad_s] = number_pair("--need", options.need, '@');
+  return actuator::Need{torque_Nm, speed_rad_s};
+}
+
+void deliver(const MorOptions& options, const std::string& text) {
+  if (options.output_file.empty()) {
+    std::fputs(text.c_str(), stdout);
+  } else {
+    io::write_whole_file(options.output_file, text);
+  }
+}
+
+std::string with_provenance(nlohmann::ordered_json document, const actuator::ReadActuator& read) {
+  document["tool"] = io::tool_provenance();
+  document["inputs"] = io::input_provenance(read.documents);
+  return document.dump(1) + "\n";
+}
+
+ExitCode run_sweep(const MorOptions& options, const actuator::ReadActuator& read,
+                   const actuator::Conditions& conditions) {
+  const auto [low, high] = number_pair("--ratio", options.ratios, ':');
+  if (!(low >= 0.01 && high >= low && high <= 10000.0)) {
+    refuse("--ratio", fmt::format("\"{}\" must ascend, from 0.01 to 10000", options.ratios));
+  }
+  const auto rows = actuator::ratio_sweep(read.actuator, conditions, low, high, kRatiosInSweep,
+                                          need_of(options));
+  deliver(options, options.json ? with_provenance(report::sweep_json(rows), read)
+                                : report::sweep_text(rows));
+  return ExitCode::kPasses;
+}
+
+ExitCode run_need(const MorOptions& options, const actuator::ReadActuator& read,
+                  const actuator::Conditions& conditions) {
+  const actuator::Need need = *need_of(options);
+  const actuator::NeedAnswer answer = actuator::answer(read.actuator, conditions, need);
+  deliver(options, options.json ? with_provenance(report::need_json(need, answer), read)
+                                : report::need_text(read.actuator, need, answer));
+  return answer.is_reached ? ExitCode::kPasses : ExitCode::kFails;
+}
+
+ExitCode run_mor(const MorOptions& options) {
+  const actuator::ReadActuator read = actuator::read_actuator(options.actuator_file);
+  const actuator::Conditions conditions = conditions_of(options.operating, read);
+  if (!options.ratios.empty()) return run_sweep(options, read, conditions);
+  if (!options.need.empty()) return run_need(options, read, conditions);
+
+  const auto side = options.side == "motor" ? actuator::Side::kMotor : actuator::Side::kJoint;
+  const actuator::Region region(read.actuator, conditions, side);
+  const actuator::MorTable table = options.speeds_rad_s.empty()
+                                       ? actuator::mor_table(region)
+                                       : actuator::mor_rows(region, options.speeds_rad_s);
+  const actuator::MorHeader header{&read.actuator, conditions, side};
+  const bool as_json = options.json || options.format == "json";
+  deliver(options, as_json ? with_provenance(actuator::mor_table_json(header, table), read)
+                           : actuator::mor_table_csv(header, table));
+  return ExitCode::kPasses;
+}
+
+}  // namespace
+
+void add_mor_command(CLI::App& actuator, ExitCode& result) {
+  auto options = std::make_shared<MorOptions>();
+  CLI::App* command = actuator.add_subcommand("mor", "The motor operating region");
+  command->add_option("actuator", options->actuator_file, "Document of kind actuator")->required();
+  add_operating_options(*command, options->operating);
+  command->add_option("--side", options->side, "joint, or motor: at the rotor, before friction")
+      ->check(CLI::IsMember({"joint", "motor"}));
+  command->add_option("--format", options->format, "csv or json")
+      ->check(CLI::IsMember({"csv", "json"}));
+  command->add_option("--at-speed", options->speeds_rad_s, "Rows at these speeds only, in rad/s")
+      ->delimiter(',')
+      ->check(CLI::Range(-1e6, 1e6));
+  command->add_option("--need", options->need,
+                      "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do");
+  command->add_option("--ratio", options->ratios,
+                      "LOW:HIGH: what these gear ratios would make of the motor");
+  command->add_option("-o,--output", options->output_file, "Write to this file");
+  command->add_flag("--json", options->json, "The same as JSON");
+  command->footer("Example:\n  torquewright actuator mor specs/actuator/d151_knee.json --at-speed 0,5,10");
+  command->callback([options, &result] { result = run_mor(*options); });
+}
+
+}  // namespace torquewright::cli

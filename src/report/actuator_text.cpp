@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/actuator_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace torquewright::report {
+namespace {
+
+using namespace actuator;
+using nlohmann::ordered_json;
+
+std::string range_sentence(const JointRange& range) {
+  if (range.is_empty) {
+    return fmt::format("the region is empty there ({})", name_of(range.why_empty));
+  }
+  return fmt::format("the region there is {:.6g} to {:.6g} Nm (limited by {} and {})",
+                     range.least.torque_Nm, range.greatest.torque_Nm, name_of(range.least.limiter),
+                     name_of(range.greatest.limiter));
+}
+
+std::string remedy(const char* what, const std::optional<double>& value, const char* unit) {
+  if (!value) {
+    return fmt::format("  {}: none up to {:g} times the present one would do\n", what,
+                       kGreatestChange);
+  }
+  return fmt::format("  {}: {:.6g}{} would do\n", what, *value, unit);
+}
+
+ordered_json or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json();
+}
+
+}  // namespace
+
+std::string need_text(const Actuator& actuator, const Need& need, const NeedAnswer& answer) {
+  std::string text = fmt::format("{} Nm at {} rad/s: {}; {}", need.torque_Nm, need.speed_rad_s,
+                                 answer.is_reached ? "reached" : "not reached",
+                                 range_sentence(answer.range));
+  if (answer.is_reached) {
+    text += fmt::format("; margin {:.6g} Nm to {}\n", answer.margin_Nm, name_of(answer.limiter));
+  } else {
+    if (std::isfinite(answer.margin_Nm)) text += fmt::format("; {:.6g} Nm are missing", -answer.margin_Nm);
+    text += "\nAlone, with everything else as it is:\n";
+    text += remedy("bus voltage", answer.least_bus_voltage_V, " V");
+    text += remedy("current", answer.least_current_A, " A");
+    text += remedy("gear ratio", answer.nearest_ratio, "");
+  }
+  if (!actuator.assumed.empty()) {
+    text += fmt::format("Assumed, neither published nor measured: {}.\n",
+                        fmt::join(actuator.assumed, ", "));
+  }
+  return text;
+}
+
+ordered_json need_json(const Need& need, const NeedAnswer& answer) {
+  ordered_json range;
+  if (!answer.range.is_empty) {
+    range = {{"torque_min_Nm", answer.range.least.torque_Nm},
+             {"torque_max_Nm", answer.range.greatest.torque_Nm}};
+  }
+  return {{"torque_Nm", need.torque_Nm},
+          {"speed_rad_s", need.speed_rad_s},
+          {"reached", answer.is_reached},
+          {"margin_Nm", or_null(answer.margin_Nm)},
+          {"limiter", name_of(answer.limiter)},
+          {"region", range},
+          {"would_be_reached_with",
+           {{"bus_voltage_V", or_null(answer.least_bus_voltage_V)},
+            {"current_A", or_null(answer.least_current_A)},
+            {"ratio", or_null(answer.nearest_ratio)}}}};
+}
+
+std::string sweep_text(const std::vector<RatioRow>& rows) {
+  const bool has_need = !rows.empty() && rows.front().margin_Nm.has_value();
+  std::string text =
+      "   ratio  stall Nm  no-load rad/s  power W  at rad/s  reflected kg m^2";
+  text += has_need ? "  margin Nm\n" : "\n";
+  for (const RatioRow& row : rows) {
+    text += fmt::format("{:>8.4g}{:>10.4g}{:>15.4g}{:>9.4g}{:>10.4g}{:>18.4g}", row.ratio,
+                        row.stall_torque_Nm, row.no_load_speed_rad_s, row.greatest_power_W,
+                        row.power_speed_rad_s, row.reflected_inertia_kg_m2);
+    if (!has_need) {
+      text += "\n";
+    } else if (std::isfinite(*row.margin_Nm)) {
+      text += fmt::format("{:>11.4g}\n", *row.margin_Nm);
+    } else {
+      text += "  no torque\n";
+    }
+  }
+  return text;
+}
+
+ordered_json sweep_json(const std::vector<RatioRow>& rows) {
+  ordered_json list = ordered_json::array();
+  for (const RatioRow& row : rows) {
+    ordered_json json{{"ratio", row.ratio},
+                      {"stall_torque_Nm", row.stall_torque_Nm},
+                      {"no_load_speed_rad_s", row.no_load_speed_rad_s},
+                      {"greatest_power_W", row.greatest_power_W},
+                      {"power_speed_rad_s", row.power_speed_rad_s},
+                      {"reflected_inertia_kg_m2", row.reflected_inertia_kg_m2}};
+    if (row.margin_Nm) json["margin_Nm"] = or_null(row.margin_Nm);
+    list.push_back(json);
+  }
+  return {{"ratios", list}};
+}
+
+}  // namespace torquewright::report

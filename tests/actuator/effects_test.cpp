@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "actuator/effects/effect_spec.hpp"
+#include "actuator/effects/harmonics.hpp"
+#include "tests/actuator/example_actuator.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+/// A parameter well inside its bounds.
+double some_value(const Parameter& parameter, std::mt19937& random) {
+  const double low = std::max(parameter.lowest, -0.009);
+  const double high = std::min(parameter.highest, low + 3.0);
+  return std::uniform_real_distribution(low + 0.1 * (high - low), high)(random);
+}
+
+Effect some_effect(const EffectKind& kind, std::mt19937& random) {
+  Effect effect = neutral(kind);
+  for (std::size_t i = 0; i < effect.values.size(); ++i) {
+    effect.values[i] = some_value(kind.parameters[i], random);
+  }
+  if (kind.has_harmonics) {
+    std::uniform_real_distribution uniform(0.1, 1.0);
+    for (const double order : {1.0, 7.0}) {
+      effect.harmonics.push_back({order, uniform(random), uniform(random)});
+    }
+  }
+  return effect;
+}
+
+Instant some_instant(std::mt19937& random) {
+  std::uniform_real_distribution uniform(0.2, 2.0);
+  std::bernoulli_distribution coin;
+  const auto signed_value = [&] { return uniform(random) * (coin(random) ? 1.0 : -1.0); };
+  Instant at;
+  at.speed_rad_s = signed_value();
+  at.direction = std::copysign(1.0, at.speed_rad_s);
+  at.acceleration_rad_s2 = signed_value();
+  at.load_torque_Nm = signed_value();
+  at.current_A = signed_value();
+  at.bus_current_A = signed_value();
+  at.output_angle_rad = signed_value();
+  at.motor_angle_rad = signed_value();
+  at.winding_temperature_K = 298.15 + 40.0 * uniform(random);
+  at.twist_rad = 5.0 * signed_value();
+  at.twist_rate_rad_s = signed_value();
+  at.input = signed_value();
+  at.state = 0.1 * signed_value();
+  return at;
+}
+
+/// The i-th of the values that a gradient covers.
+double& fitted_value(Effect& effect, std::size_t i) {
+  if (i < effect.values.size()) return effect.values[i];
+  Harmonic& wave = effect.harmonics[(i - effect.values.size()) / 2];
+  return (i - effect.values.size()) % 2 == 0 ? wave.amplitude : wave.phase_rad;
+}
+
+// Oracle: central differences with a step of cbrt(eps) max(1, |x|), whose error is of order h^2:
+// 1e-8 times the third derivative, which stays below 100 for the values drawn.
+constexpr double kDifferenceTolerance = 1e-6;
+
+TEST(Effects, HaveTheGradientOfTheirLaw) {
+  std::mt19937 random(1);
+  for (const EffectKind* kind : effect_library()) {
+    if (!kind->state.empty()) continue;  // the state carries the dependence
+    for (int repetition = 0; repetition < 50; ++repetition) {
+      Effect effect = some_effect(*kind, random);
+      effect.proportional = kind->name == "gear_ripple" && repetition % 2 == 1;
+      const Instant at = some_instant(random);
+      std::vector<double> gradient(gradient_size(effect));
+      kind->gradient(effect, at, gradient);
+      for (std::size_t i = 0; i < gradient.size(); ++i) {
+        double& value = fitted_value(effect, i);
+        const double centre = value;
+        const double step = std::cbrt(2.2e-16) * std::max(1.0, std::abs(centre));
+        value = centre + step;
+        const double above = kind->law(effect, at);
+        value = centre - step;
+        const double below = kind->law(effect, at);
+        value = centre;
+        EXPECT_NEAR(gradient[i], (above - below) / (2.0 * step), kDifferenceTolerance)
+            << kind->name << " by value " << i;
+      }
+    }
+  }
+}
+
+// A neutral effect changes nothing: no torque, or a factor of one.
+TEST(Effects, ChangeNothingAtTheirNeutralParameters) {
+  std::mt19937 random(2);
+  for (const EffectKind* kind : effect_library()) {
+    const Effect effect = neutral(*kind);
+    for (int repetition = 0; repetition < 20; ++repetition) {
+      Instant at = some_instant(random);
+      at.twist_rad = at.twist_rate_rad_s = 0.0;  // backlash and compliance: nothing is twisted
+      if (!kind->state.empty()) at.state = kind->name == "torque_lag" ? at.input : 0.0;
+      const bool is_factor = kind->acts == Acts::kTorqueFactor || kind->acts == Acts::kFluxFactor ||
+                             kind->acts == Acts::kResistanceFactor ||
+                             kind->acts == Acts::kDragFactor;
+      EXPECT_EQ(kind->law(effect, at), is_factor ? 1.0 : 0.0) << kind->name;
+    }
+  }
+}
+
+// Drag takes energy out of every motion.
+TEST(Effects, OfDragOpposeTheMotion) {
+  std::mt19937 random(3);
+  for (const EffectKind* kind : effect_library()) {
+    const bool is_drag = kind->acts == Acts::kDrag || kind->acts == Acts::kLoadFriction;
+    if (!is_drag || kind->has_harmonics) continue;
+    for (int repetition = 0; repetition < 50; ++repetition) {
+      const Effect effect = some_effect(*kind, random);
+      Effect physical = effect;
+      if (kind->name == "stribeck_friction") physical.values[1] += physical.values[0];
+      const Instant at = some_instant(random);
+      EXPECT_LT(kind->law(physical, at) * at.direction, 0.0) << kind->name;
+    }
+  }
+}
+
+TEST(Effects, AreNamedOnceWithUnitsAndSentences) {
+  std::set<std::string_view> names;
+  for (const EffectKind* kind : effect_library()) {
+    EXPECT_TRUE(names.insert(kind->name).second) << kind->name;
+    EXPECT_GT(kind->sentence.size(), 20u) << kind->name;
+    EXPECT_FALSE(kind->needs.empty()) << kind->name;
+    EXPECT_EQ(kind->state_rate == nullptr, kind->state.empty()) << kind->name;
+    for (const Parameter& parameter : kind->parameters) {
+      EXPECT_LE(parameter.lowest, parameter.neutral) << kind->name << " " << parameter.name;
+      EXPECT_GE(parameter.highest, parameter.neutral) << kind->name << " " << parameter.name;
+    }
+  }
+  EXPECT_EQ(names.size(), 21u);  // the actuator family of the contract, section 1.2
+}
+
+// Oracle: Dahl's closed form for motion at constant speed from rest: F = c (1 - exp(-sigma x / c)).
+TEST(PreslidingFriction, FollowsDahlsClosedForm) {
+  const Effect friction = effect("presliding_friction", {2.0, 100.0});
+  Instant at;
+  at.speed_rad_s = 0.5;
+  at.direction = 1.0;
+  const int steps = 20000;
+  const double step_s = 0.1 / steps;
+  for (int i = 0; i < steps; ++i) {  // midpoint rule: error of order step^2
+    const double half = at.state + 0.5 * step_s * friction.kind->state_rate(friction, at);
+    Instant middle = at;
+    middle.state = half;
+    at.state += step_s * friction.kind->state_rate(friction, middle);
+  }
+  EXPECT_NEAR(at.state, 2.0 * (1.0 - std::exp(-100.0 * 0.05 / 2.0)), 1e-7);
+}
+
+// Oracle: for a slow sum of sines the extremes are found on a grid 1000 times finer.
+TEST(HarmonicRange, HoldsEveryAngleAndIsTight) {
+  const std::vector<Harmonic> waves{{1.0, 0.7, 0.3}, {3.0, 0.5, -1.0}, {12.0, 0.2, 2.0}};
+  const HarmonicRange range = harmonic_range(waves);
+  double smallest = 0.0;
+  double largest = 0.0;
+  for (int i = 0; i < 768000; ++i) {
+    const double value = harmonic_sum(waves, 2.0 * 3.14159265358979323846 * i / 768000.0);
+    smallest = std::min(smallest, value);
+    largest = std::max(largest, value);
+  }
+  EXPECT_LE(range.smallest, smallest);
+  EXPECT_GE(range.largest, largest);
+  // The allowance is curvature h^2 / 8 with h = 2 pi/768.
+  const double allowance = (0.7 + 0.5 * 9.0 + 0.2 * 144.0) * std::pow(2.0 * 3.1416 / 768.0, 2) / 4.0;
+  EXPECT_NEAR(range.largest, largest, allowance);
+}
+
+TEST(HarmonicRange, OfOrdersThatNeverMeetIsTheSumOfAmplitudes) {
+  const HarmonicRange range = harmonic_range(std::vector<Harmonic>{{1.0, 1.0, 0.0}, {1.5, 2.0, 0.0}});
+  EXPECT_EQ(range.largest, 3.0);
+  EXPECT_EQ(range.smallest, -3.0);
+}
+
+TEST(EffectSpec, ReadsBackWhatItWrites) {
+  std::mt19937 random(4);
+  for (const EffectKind* kind : effect_library()) {
+    Effect written = some_effect(*kind, random);
+    if (kind->name == "stribeck_friction") written.values[1] += written.values[0];
+    std::vector<io::Fault> faults;
+    const nlohmann::json json = nlohmann::json::parse(effect_json(written).dump());
+    const std::optional<Effect> read = read_effect(json, "f", "/effects/0", faults);
+    ASSERT_TRUE(read) << (faults.empty() ? "" : faults.front().message);
+    EXPECT_EQ(read->kind, written.kind);
+    EXPECT_EQ(read->values, written.values);
+    EXPECT_EQ(read->harmonics.size(), written.harmonics.size());
+  }
+}
+
+TEST(EffectSpec, NamesTheNearestEffectAndTheMissingParameter) {
+  std::vector<io::Fault> faults;
+  read_effect({{"effect", "coulomb_fricton"}, {"parameters", nlohmann::json::object()}}, "f",
+              "/effects/0", faults);
+  read_effect({{"effect", "coulomb_friction"}, {"parameters", {{"coulomb", 1.0}}}}, "f",
+              "/effects/1", faults);
+  read_effect({{"effect", "stribeck_friction"},
+               {"parameters",
+                {{"coulomb_Nm", 2.0}, {"breakaway_Nm", 1.0}, {"stribeck_velocity_rad_s", 0.1}}}},
+              "f", "/effects/2", faults);
+  ASSERT_EQ(faults.size(), 4u);
+  EXPECT_NE(faults[0].message.find("did you mean \"coulomb_friction\""), std::string::npos);
+  EXPECT_EQ(faults[1].path, "/effects/1/parameters/coulomb");
+  EXPECT_EQ(faults[2].path, "/effects/1/parameters/coulomb_Nm");
+  EXPECT_EQ(faults[3].path, "/effects/2/parameters/breakaway_Nm");
+}
+
+}  // namespace
+}  // namespace torquewright::actuator

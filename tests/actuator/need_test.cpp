@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/need.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/actuator/example_actuator.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+// Oracle: the quasi-static line in closed form. 150 Nm at 9 rad/s: 15 Nm and 90 rad/s at the rotor,
+// 30 A; there is 0.5 (50 - 45)/0.5 = 5 Nm. V = R i + K w = 15 + 45 = 60 V would do.
+TEST(Need, NamesTheLeastVoltageThatWouldDo) {
+  const NeedAnswer result = answer(round_actuator(), {}, {150.0, 9.0});
+  EXPECT_FALSE(result.is_reached);
+  EXPECT_NEAR(result.margin_Nm, 50.0 - 150.0, 1e-9);
+  EXPECT_EQ(result.limiter, Limiter::kVoltage);
+  ASSERT_TRUE(result.least_bus_voltage_V);
+  EXPECT_NEAR(*result.least_bus_voltage_V, 60.0, 1e-6);
+  EXPECT_FALSE(result.least_current_A);  // no current helps against the voltage
+}
+
+// 300 Nm at 1 rad/s: 30 Nm is 60 A at the rotor; R i + K w = 30 + 5 <= 50 V.
+TEST(Need, NamesTheLeastCurrentThatWouldDo) {
+  const NeedAnswer result = answer(round_actuator(), {}, {300.0, 1.0});
+  EXPECT_EQ(result.limiter, Limiter::kCurrent);
+  ASSERT_TRUE(result.least_current_A);
+  EXPECT_NEAR(*result.least_current_A, 60.0, 1e-6);
+  // A ratio of 15 gives 300 Nm at 40 A and 15 rad/s at the rotor.
+  ASSERT_TRUE(result.nearest_ratio);
+  EXPECT_NEAR(*result.nearest_ratio, 15.0, 1e-6);
+}
+
+// 150 Nm at 9 rad/s by ratio: 0.5 i N = 150 and 0.5 i + 4.5 N = 50 have no common solution with
+// i <= 40: N >= 7.5, and (50 - 4.5 N) N >= 150 holds for 5 <= N <= 6.1 only.
+TEST(Need, SaysWhereNoRatioWouldDo) {
+  EXPECT_FALSE(answer(round_actuator(), {}, {150.0, 9.0}).nearest_ratio);
+}
+
+TEST(Need, GivesTheMarginWhereItIsReached) {
+  const NeedAnswer result = answer(round_actuator(), {}, {-150.0, 9.0});
+  EXPECT_TRUE(result.is_reached);
+  EXPECT_NEAR(result.margin_Nm, 50.0, 1e-9);
+  EXPECT_EQ(result.limiter, Limiter::kCurrent);
+}
+
+// Oracle: a lossless motor's stall torque N K i, no-load speed V/(K N), and power: 60 rad/s at 20 Nm
+// is 1200 W, beyond the corner T w = (50 - 0.5 w) w falls from w = 50 on; so the corner has it.
+TEST(RatioSweep, GivesTheClosedFormsOfTheLine) {
+  const auto rows = ratio_sweep(round_actuator(), {}, 5.0, 20.0, 3, Need{100.0, 5.0});
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_NEAR(rows[1].ratio, 10.0, 1e-12);
+  for (const RatioRow& row : rows) {
+    EXPECT_NEAR(row.stall_torque_Nm, 20.0 * row.ratio, 1e-9);
+    EXPECT_NEAR(row.no_load_speed_rad_s, 100.0 / row.ratio, 1e-6);
+    EXPECT_NEAR(row.greatest_power_W, 1200.0, 1e-2);
+  }
+  EXPECT_NEAR(*rows[1].margin_Nm, 100.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace torquewright::actuator
