@@ -27,12 +27,11 @@ std::optional<Term> back_emf_expected(const Reading& reading) {
 
 /// Kv = 60 / (2 pi Ke), Ke line to line unless read otherwise.
 std::optional<Term> velocity_constant_expected(const Reading& reading) {
-  return derive(
-      [](double back_emf, double volts_per_volt, double turns) {
-        return kRpmPerRad_s / (back_emf * volts_per_volt * turns);
-      },
-      phase_back_emf_of_torque_constant(reading.document),
-      exact(volts_per_phase_volt(reading.speed_constant_measure)), sheet_ratio(reading.document));
+  return derive([](double back_emf, double volts_per_volt,
+                   double turns) { return kRpmPerRad_s / (back_emf * volts_per_volt * turns); },
+                phase_back_emf_of_torque_constant(reading.document),
+                exact(volts_per_phase_volt(reading.speed_constant_measure)),
+                sheet_ratio(reading.document));
 }
 
 }  // namespace
@@ -40,7 +39,7 @@ std::optional<Term> velocity_constant_expected(const Reading& reading) {
 const Check back_emf_constant = {
     .rule = "back-emf-constant",
     .unit = "V s/rad",
-    .equation = "Kt by its convention",
+    .equation = "Kt in its convention",
     .demand = Demand::kEqual,
     .weight = Weight::kContradiction,
     .stated = back_emf_stated,

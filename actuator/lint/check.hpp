@@ -47,7 +47,8 @@ struct Check {
   std::vector<ReadingFamily> families;  ///< Other readings that are tried on a contradiction.
   bool below_is_load = false;           ///< A smaller number may be a loaded or capped one.
   /// Explanations that are no reading of the document.
-  std::vector<Explanation> (*further)(const Term& stated, const Term& expected) = nullptr;
+  std::vector<Explanation> (*further)(const Actuator& document, const Term& stated,
+                                      const Term& expected) = nullptr;
 };
 
 /// Every check there is.

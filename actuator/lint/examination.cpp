@@ -12,9 +12,11 @@ std::vector<std::string> assumed_among(const Actuator& document,
                                        const std::vector<std::string>& pointers) {
   std::vector<std::string> assumed;
   for (const std::string& pointer : document.assumed) {
-    const bool is_used = std::any_of(pointers.begin(), pointers.end(), [&](const std::string& used) {
-      return used == pointer || used.starts_with(pointer + "/") || pointer.starts_with(used + "/");
-    });
+    const bool is_used =
+        std::any_of(pointers.begin(), pointers.end(), [&](const std::string& used) {
+          return used == pointer || used.starts_with(pointer + "/") ||
+                 pointer.starts_with(used + "/");
+        });
     if (is_used) assumed.push_back(pointer);
   }
   return assumed;
@@ -22,7 +24,7 @@ std::vector<std::string> assumed_among(const Actuator& document,
 
 /// How far apart the nearest ends of both intervals are, in percent of what is expected.
 std::string distance(const Term& stated, const Term& expected) {
-  if (expected.value == 0.0) return "";
+  if (expected.low <= 0.0) return "";
   const bool is_above = lies_above(stated, expected);
   const double nearest = is_above ? stated.low / expected.high : stated.high / expected.low;
   return fmt::format(", {} by {:.1f} %, rounding allowed for", is_above ? "too much" : "too little",
@@ -31,9 +33,12 @@ std::string distance(const Term& stated, const Term& expected) {
 
 std::string_view wording(Demand demand) {
   switch (demand) {
-    case Demand::kAtMost: return "must be at most";
-    case Demand::kAtLeast: return "must be at least";
-    case Demand::kEqual: break;
+    case Demand::kAtMost:
+      return "must be at most";
+    case Demand::kAtLeast:
+      return "must be at least";
+    case Demand::kEqual:
+      break;
   }
   return "follows as";
 }
@@ -139,9 +144,8 @@ Report examine_all(std::span<const Actuator> documents) {
 }
 
 bool has_contradiction(const Report& report) {
-  return std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
-    return finding.severity != Severity::kNote;
-  });
+  return std::any_of(report.findings.begin(), report.findings.end(),
+                     [](const Finding& finding) { return finding.severity != Severity::kNote; });
 }
 
 }  // namespace torquewright::actuator::lint

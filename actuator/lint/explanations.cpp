@@ -18,7 +18,9 @@ Fit fit_of(const Check& check, const Term& stated, const Term& expected) {
   return may_be_loaded ? Fit::kAdmits : Fit::kExcludes;
 }
 
-bool is_same(const Term& one, const Term& other) { return one.low == other.low && one.high == other.high; }
+bool is_same(const Term& one, const Term& other) {
+  return one.low == other.low && one.high == other.high;
+}
 
 /// The reading that is the document's own may still be a load: a speed that is not the no-load one.
 void add_load(const Check& check, const Term& stated, const Term& expected,
@@ -63,7 +65,8 @@ std::vector<Explanation> explanations(const Check& check, const Actuator& docume
     }
   }
   if (check.further) {
-    for (Explanation& more : check.further(*stated, *expected)) list.push_back(std::move(more));
+    for (Explanation& more : check.further(document, *stated, *expected))
+      list.push_back(std::move(more));
   }
   add_round_number(check, *stated, *expected, list);
   return list;

@@ -49,11 +49,14 @@ std::vector<FactorCandidate> bare_candidates() {
   std::vector<FactorCandidate> list{
       {kDc, "Kt = Ke (dc ampere)", factor_of(kDc, Modulation::kSvpwm), {}, Fit::kExcludes}};
   for (const CurrentConvention convention : {kPeakPhase, kRmsPhase}) {
-    for (const Modulation modulation : {Modulation::kSvpwm, Modulation::kSine, Modulation::kSixStep}) {
+    for (const Modulation modulation :
+         {Modulation::kSvpwm, Modulation::kSine, Modulation::kSixStep}) {
       list.push_back({convention,
-                      fmt::format("Nm per {} ampere, {}",
-                                  convention == kPeakPhase ? "peak" : "rms", name_of(modulation)),
-                      factor_of(convention, modulation), {}, Fit::kExcludes});
+                      fmt::format("Nm per {} ampere, {}", convention == kPeakPhase ? "peak" : "rms",
+                                  name_of(modulation)),
+                      factor_of(convention, modulation),
+                      {},
+                      Fit::kExcludes});
     }
   }
   return list;
@@ -61,9 +64,9 @@ std::vector<FactorCandidate> bare_candidates() {
 
 Fit fit_of(const CommonFactor& common, double factor) {
   if (factor >= common.low && factor <= common.high) return Fit::kFits;
-  const bool exceeds_all = std::all_of(
-      common.required.begin(), common.required.end(),
-      [factor](const RequiredFactor& one) { return factor >= one.factor.low; });
+  const bool exceeds_all =
+      std::all_of(common.required.begin(), common.required.end(),
+                  [factor](const RequiredFactor& one) { return factor >= one.factor.low; });
   return exceeds_all ? Fit::kAdmits : Fit::kExcludes;
 }
 
@@ -90,12 +93,14 @@ std::string sentence_of(const CommonFactor& common) {
     sentence += fmt::format("no single factor fits {} as printed",
                             common.required.size() == 2 ? "both" : "all");
     sentence += common.low <= common.high
-                    ? fmt::format(", and with rounding only c = {:.3f} to {:.3f}, where no "
-                                  "convention lies",
-                                  common.low, common.high)
+                    ? fmt::format(
+                          ", and with rounding only c = {:.3f} to {:.3f}, where no "
+                          "convention lies",
+                          common.low, common.high)
                     : ", nor with rounding";
   }
-  return sentence + ": ask the maker which ampere and which speed (no-load, loaded, capped) is meant.";
+  return sentence +
+         ": ask the maker which ampere and which speed (no-load, loaded, capped) is meant.";
 }
 
 /// A stated current per rms ampere is larger in amplitude: what the drive would have to deliver.

@@ -16,8 +16,8 @@ namespace torquewright::actuator::lint {
 struct RequiredFactor {
   std::string actuator;
   Term factor;
-  Term speed_rad_s;              ///< As stated.
-  double peak_current_A = 0.0;   ///< The drive's.
+  Term speed_rad_s;             ///< As stated.
+  double peak_current_A = 0.0;  ///< The drive's.
 };
 
 /// What one convention and modulation make of c, and of each actuator's speed.

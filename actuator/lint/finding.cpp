@@ -9,9 +9,12 @@ namespace torquewright::actuator::lint {
 
 std::string_view name_of(Severity severity) {
   switch (severity) {
-    case Severity::kWarning: return "warning";
-    case Severity::kViolation: return "violation";
-    case Severity::kNote: break;
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kViolation:
+      return "violation";
+    case Severity::kNote:
+      break;
   }
   return "note";
 }

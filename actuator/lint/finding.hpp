@@ -30,11 +30,11 @@ struct Comparison {
 struct Finding {
   Severity severity = Severity::kNote;
   std::string rule;
-  std::string actuator;            ///< Name, or names.
+  std::string actuator;  ///< Name, or names.
   std::string unit;
   std::string sentence;
-  Term stated;                     ///< Its pointers: what is stated.
-  Term expected;                   ///< Its pointers: what that follows from.
+  Term stated;                       ///< Its pointers: what is stated.
+  Term expected;                     ///< Its pointers: what that follows from.
   std::vector<std::string> assumed;  ///< Those of the pointers that the document assumes.
   std::vector<Explanation> explanations;
 };

@@ -64,11 +64,10 @@ const Check motor_against_gear = {
     .equation = "N Kt I at the drive's peak current",
     .demand = Demand::kAtLeast,
     .weight = Weight::kPlausibility,
-    .stated =
-        [](const Actuator& document) -> std::optional<Term> {
-          if (document.transmission.peak_torque_Nm == kUnlimited) return std::nullopt;
-          return rounded(document.transmission.peak_torque_Nm, "/gearbox/peak_torque_Nm");
-        },
+    .stated = [](const Actuator& document) -> std::optional<Term> {
+      if (document.transmission.peak_torque_Nm == kUnlimited) return std::nullopt;
+      return rounded(document.transmission.peak_torque_Nm, "/gearbox/peak_torque_Nm");
+    },
     .expected = [](const Reading& reading) { return motor_peak(reading.document); },
     .families = {},
 };
@@ -76,7 +75,8 @@ const Check motor_against_gear = {
 const Check backward_efficiency = {
     .rule = "backward-efficiency",
     .unit = "",
-    .equation = "2 - 1 / eta_f (equal friction both ways), at most eta_f, at least with 1.5 times the loss",
+    .equation =
+        "2 - 1 / eta_f (equal friction both ways), at most eta_f, at least with 1.5 times the loss",
     .demand = Demand::kEqual,
     .weight = Weight::kPlausibility,
     .stated =

@@ -32,9 +32,9 @@ std::optional<Term> steady_current(const Reading& reading) {
   const Term ohms = phase_resistance(document);
   const double scale_A = *nominal_A / reading.current_factor /
                          std::sqrt(room_K.value / (resistance_K_W.value * ohms.value));
-  return derive([scale_A](double kelvin, double kelvin_W, double ohm) {
-    return scale_A * std::sqrt(kelvin / (kelvin_W * ohm));
-  }, room_K, resistance_K_W, ohms);
+  return derive([scale_A](double kelvin, double kelvin_W,
+                          double ohm) { return scale_A * std::sqrt(kelvin / (kelvin_W * ohm)); },
+                room_K, resistance_K_W, ohms);
 }
 
 std::vector<Reading> cooled_readings(const Reading& stated) {
@@ -53,11 +53,10 @@ const Check continuous_current = {
     .equation = "root of (T_limit - T_ambient) / (R_th R), R at T_limit",
     .demand = Demand::kAtMost,
     .weight = Weight::kContradiction,
-    .stated =
-        [](const Actuator& document) -> std::optional<Term> {
-          if (!document.drive.continuous_current_A) return std::nullopt;
-          return rounded(*document.drive.continuous_current_A, "/drive/continuous_current_A");
-        },
+    .stated = [](const Actuator& document) -> std::optional<Term> {
+      if (!document.drive.continuous_current_A) return std::nullopt;
+      return rounded(*document.drive.continuous_current_A, "/drive/continuous_current_A");
+    },
     .expected = steady_current,
     .families = {cooled_readings, ampere_readings, ohm_readings},
 };

@@ -7,19 +7,22 @@
 namespace torquewright::actuator::lint {
 namespace {
 
+Term gear_inertia(const Transmission& gear) {
+  if (gear.inertia_kg_m2 == 0.0) return exact(0.0);
+  return gear.source.empty() ? rounded(gear.inertia_kg_m2, "/gearbox/inertia_kg_m2")
+                             : exact(gear.inertia_kg_m2, "/gearbox/file");
+}
+
 /// N^2 J + J_gear.
 std::optional<Term> expected(const Reading& reading) {
   const Actuator& document = reading.document;
   if (document.motor.rotor_inertia_kg_m2 == 0.0) return std::nullopt;
   const int power = reading.ratio_power_of_inertia;
-  return derive(
-      [power](double turns, double rotor, double gears) {
-        return std::pow(turns, power) * rotor + gears;
-      },
-      ratio(document), rounded(document.motor.rotor_inertia_kg_m2, "/motor/rotor_inertia_kg_m2"),
-      document.transmission.source.empty()
-          ? rounded(document.transmission.inertia_kg_m2, "/gearbox/inertia_kg_m2")
-          : exact(document.transmission.inertia_kg_m2, "/gearbox/file"));
+  return derive([power](double turns, double rotor,
+                        double gears) { return std::pow(turns, power) * rotor + gears; },
+                ratio(document),
+                rounded(document.motor.rotor_inertia_kg_m2, "/motor/rotor_inertia_kg_m2"),
+                gear_inertia(document.transmission));
 }
 
 std::vector<Reading> inertia_readings(const Reading& stated) {
@@ -36,7 +39,8 @@ std::vector<Reading> inertia_readings(const Reading& stated) {
 }
 
 /// More than the rotor's: what the gears would have to add.
-std::vector<Explanation> further(const Term& stated, const Term& expected) {
+std::vector<Explanation> further(const Actuator& /*document*/, const Term& stated,
+                                 const Term& expected) {
   if (!lies_above(stated, expected) || stated.low > 2.0 * expected.high) return {};
   Term missing = derive([](double all, double rotor) { return all - rotor; }, stated, expected);
   return {{"inertia of the gears beyond what is stated, of", missing, Fit::kFits}};

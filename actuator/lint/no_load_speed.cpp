@@ -50,11 +50,14 @@ std::optional<Term> expected(const Reading& reading) {
   return speed;
 }
 
-/// The share by which the field would have to be weakened.
-std::vector<Explanation> further(const Term& printed, const Term& reached) {
+/// The share by which the field would have to be weakened; with field weakening stated, what it can
+/// do is in `reached` already.
+std::vector<Explanation> further(const Actuator& document, const Term& printed,
+                                 const Term& reached) {
+  if (document.drive.field_weakening || reached.low <= 0.0) return {};
   if (!lies_above(printed, reached)) return {};
-  const Term share = derive([](double is, double was) { return 100.0 * (is / was - 1.0); },
-                            printed, reached);
+  const Term share =
+      derive([](double is, double was) { return 100.0 * (is / was - 1.0); }, printed, reached);
   return {{fmt::format("field weakening by {:.1f} % ({:.1f} to {:.1f} %)", share.value, share.low,
                        share.high),
            std::nullopt, Fit::kFits}};

@@ -9,8 +9,9 @@
 namespace torquewright::actuator::lint {
 
 /// The numbers of a document as terms of the checks' equations. Electrical ones are amplitudes of
-/// one phase. What is a condition (voltages and currents at which something else is stated) and what
-/// is counted (whole ratios, ratios of gearboxes with known teeth, efficiencies of 0 and 1) is exact.
+/// one phase. What is a condition (voltages and currents at which something else is stated) and
+/// what is counted (whole ratios, ratios of gearboxes with known teeth, efficiencies of 0 and 1) is
+/// exact.
 
 using SheetKey = std::optional<double> Datasheet::*;
 
@@ -27,9 +28,9 @@ Term sheet_ratio(const Actuator& document);
 Term sheet_efficiency(const Actuator& document);
 Term efficiency(double value, const char* pointer);
 
-Term torque_constant(const Actuator& document);         ///< As printed, Nm/A.
-Term phase_torque_constant(const Actuator& document);   ///< Per ampere of phase amplitude.
-Term phase_back_emf(const Reading& reading);            ///< V s/rad; from Kt where it is not stated.
+Term torque_constant(const Actuator& document);        ///< As printed, Nm/A.
+Term phase_torque_constant(const Actuator& document);  ///< Per ampere of phase amplitude.
+Term phase_back_emf(const Reading& reading);           ///< V s/rad; from Kt where it is not stated.
 Term phase_resistance(const Actuator& document);
 /// Largest phase amplitude at the data sheet's voltage, or else the drive's.
 Term phase_voltage(const Actuator& document);

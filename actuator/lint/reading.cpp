@@ -8,17 +8,20 @@
 namespace torquewright::actuator::lint {
 namespace {
 
-constexpr CurrentConvention kConventions[] = {
-    CurrentConvention::kDc, CurrentConvention::kPeakPhase, CurrentConvention::kRmsPhase};
+constexpr CurrentConvention kConventions[] = {CurrentConvention::kDc, CurrentConvention::kPeakPhase,
+                                              CurrentConvention::kRmsPhase};
 constexpr Modulation kModulations[] = {Modulation::kSvpwm, Modulation::kSine, Modulation::kSixStep};
 constexpr EmfMeasure kMeasures[] = {EmfMeasure::kLinePeak, EmfMeasure::kPhasePeak,
                                     EmfMeasure::kLineRms, EmfMeasure::kPhaseRms};
 
 std::string_view ampere_of(CurrentConvention convention) {
   switch (convention) {
-    case CurrentConvention::kPeakPhase: return "peak ampere";
-    case CurrentConvention::kRmsPhase: return "rms ampere";
-    case CurrentConvention::kDc: break;
+    case CurrentConvention::kPeakPhase:
+      return "peak ampere";
+    case CurrentConvention::kRmsPhase:
+      return "rms ampere";
+    case CurrentConvention::kDc:
+      break;
   }
   return "dc ampere";
 }
@@ -36,8 +39,8 @@ std::vector<Reading> convention_readings(const Reading& stated) {
       }
       Reading reading = stated;
       reading.sentence = fmt::format("torque constant per {}", ampere_of(convention));
-      reading.sentence += is_dc ? std::string(" (Kt = Ke)")
-                                : fmt::format(", {} modulation", name_of(modulation));
+      reading.sentence +=
+          is_dc ? std::string(" (Kt = Ke)") : fmt::format(", {} modulation", name_of(modulation));
       reading.document.motor.torque_constant_convention = convention;
       reading.document.drive.modulation = modulation;
       readings.push_back(reading);
@@ -62,20 +65,28 @@ std::vector<Reading> measure_readings(const Reading& stated) {
 
 std::string_view name_of(EmfMeasure measure) {
   switch (measure) {
-    case EmfMeasure::kPhasePeak: return "phase peak";
-    case EmfMeasure::kLineRms: return "line-to-line rms";
-    case EmfMeasure::kPhaseRms: return "phase rms";
-    case EmfMeasure::kLinePeak: break;
+    case EmfMeasure::kPhasePeak:
+      return "phase peak";
+    case EmfMeasure::kLineRms:
+      return "line-to-line rms";
+    case EmfMeasure::kPhaseRms:
+      return "phase rms";
+    case EmfMeasure::kLinePeak:
+      break;
   }
   return "line-to-line peak";
 }
 
 double volts_per_phase_volt(EmfMeasure measure) {
   switch (measure) {
-    case EmfMeasure::kPhasePeak: return 1.0;
-    case EmfMeasure::kLineRms: return std::sqrt(1.5);
-    case EmfMeasure::kPhaseRms: return std::sqrt(0.5);
-    case EmfMeasure::kLinePeak: break;
+    case EmfMeasure::kPhasePeak:
+      return 1.0;
+    case EmfMeasure::kLineRms:
+      return std::sqrt(1.5);
+    case EmfMeasure::kPhaseRms:
+      return std::sqrt(0.5);
+    case EmfMeasure::kLinePeak:
+      break;
   }
   return std::sqrt(3.0);
 }

@@ -23,9 +23,9 @@ double volts_per_phase_volt(EmfMeasure measure);
 struct Reading {
   std::string sentence;  ///< What is read differently; empty: nothing.
   Actuator document;
-  EmfMeasure emf_measure = EmfMeasure::kLinePeak;    ///< Of back_emf_constant_V_s_rad.
+  EmfMeasure emf_measure = EmfMeasure::kLinePeak;             ///< Of back_emf_constant_V_s_rad.
   EmfMeasure speed_constant_measure = EmfMeasure::kLinePeak;  ///< Of 1 / velocity_constant_rpm_V.
-  double current_factor = 1.0;     ///< Amperes of the torque constant per ampere stated elsewhere.
+  double current_factor = 1.0;  ///< Amperes of the torque constant per ampere stated elsewhere.
   bool stalls_at_peak_current = false;  ///< The drive's, instead of V / R.
   bool power_is_electrical = false;
   int ratio_power_of_inertia = 2;

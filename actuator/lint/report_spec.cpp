@@ -21,18 +21,24 @@ ordered_json term_json(const Term& term) {
 
 const char* name_of(Demand demand) {
   switch (demand) {
-    case Demand::kAtMost: return "at_most";
-    case Demand::kAtLeast: return "at_least";
-    case Demand::kEqual: break;
+    case Demand::kAtMost:
+      return "at_most";
+    case Demand::kAtLeast:
+      return "at_least";
+    case Demand::kEqual:
+      break;
   }
   return "equal";
 }
 
 const char* name_of(Fit fit) {
   switch (fit) {
-    case Fit::kFits: return "fits";
-    case Fit::kAdmits: return "admits";
-    case Fit::kExcludes: break;
+    case Fit::kFits:
+      return "fits";
+    case Fit::kAdmits:
+      return "admits";
+    case Fit::kExcludes:
+      break;
   }
   return "excludes";
 }
@@ -61,7 +67,8 @@ ordered_json comparison_json(const Comparison& comparison) {
 }
 
 ordered_json examination_json(const Examination& examination) {
-  return {{"name", examination.actuator}, {"comparisons", list_json(examination.comparisons, comparison_json)}};
+  return {{"name", examination.actuator},
+          {"comparisons", list_json(examination.comparisons, comparison_json)}};
 }
 
 ordered_json finding_json(const Finding& finding) {
@@ -86,7 +93,8 @@ ordered_json required_json(const RequiredFactor& required) {
 
 ordered_json candidate_json(const FactorCandidate& candidate) {
   ordered_json speeds = ordered_json::array();
-  for (const Term& speed_rad_s : candidate.speeds_rad_s) speeds.push_back(number(speed_rad_s.value));
+  for (const Term& speed_rad_s : candidate.speeds_rad_s)
+    speeds.push_back(number(speed_rad_s.value));
   return {{"sentence", candidate.sentence},
           {"factor", candidate.factor},
           {"fit", name_of(candidate.fit)},

@@ -33,13 +33,14 @@ const AtRotor kNumbers[] = {
            scaled(document, &Datasheet::peak_torque_Nm, "peak_torque_Nm",
                   [](double torque_Nm, double turns) { return torque_Nm / turns; });
        if (!torque) return torque;
-       return std::optional(derive([](double after, double efficiency) { return after / efficiency; },
-                                   *torque, sheet_efficiency(document)));
+       return std::optional(
+           derive([](double after, double efficiency) { return after / efficiency; }, *torque,
+                  sheet_efficiency(document)));
      }},
     {"same-motor-inertia", "kg m^2",
      [](const Actuator& document) -> std::optional<Term> {
-       const auto inertia = sheet_number(document, &Datasheet::reflected_inertia_kg_m2,
-                                         "reflected_inertia_kg_m2");
+       const auto inertia =
+           sheet_number(document, &Datasheet::reflected_inertia_kg_m2, "reflected_inertia_kg_m2");
        if (!inertia) return std::nullopt;
        return derive([](double joint, double turns) { return joint / (turns * turns); }, *inertia,
                      ratio(document));
@@ -83,7 +84,8 @@ std::optional<Finding> compare(const AtRotor& number, const Actuator& one, const
   if (finding.rule == "same-motor-inertia") finding.explanations = gear_inertia(one, other);
   finding.severity = contradiction(finding.explanations);
   finding.sentence = fmt::format(
-      "{} and {} state one motor on two ratios, but {} gives {} at the rotor of the first and {} at "
+      "{} and {} state one motor on two ratios, but {} gives {} at the rotor of the first and {} "
+      "at "
       "that of the second: correct one, or state what differs between the motors.",
       one.name, other.name, first->pointers.front(), with_interval(*first, number.unit),
       with_interval(*second, number.unit));
@@ -98,7 +100,8 @@ std::vector<Finding> same_motor(std::span<const Actuator> documents) {
     for (std::size_t j = i + 1; j < documents.size(); ++j) {
       if (!is_same_motor(documents[i], documents[j])) continue;
       for (const AtRotor& number : kNumbers) {
-        if (auto finding = compare(number, documents[i], documents[j])) findings.push_back(*finding);
+        if (auto finding = compare(number, documents[i], documents[j]))
+          findings.push_back(*finding);
       }
     }
   }

@@ -40,7 +40,8 @@ const Check stall_current = {
     .demand = Demand::kEqual,
     .weight = Weight::kContradiction,
     .stated = stated_current,
-    .expected = [](const Reading& reading) { return std::optional(current_of_resistance(reading)); },
+    .expected =
+        [](const Reading& reading) { return std::optional(current_of_resistance(reading)); },
     .families = {ohm_readings, speed_readings, ampere_readings, limited_readings},
 };
 

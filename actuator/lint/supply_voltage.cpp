@@ -33,6 +33,19 @@ std::vector<Reading> charge_readings(const Reading& stated) {
   return readings;
 }
 
+/// A cell that is neither empty nor full: the bus may be stated for its nominal voltage.
+constexpr double kEmptyCell_V = 2.5;
+constexpr double kFullCell_V = 4.4;
+
+std::vector<Explanation> nominal_cell(const Actuator& document, const Term& stated,
+                                      const Term& /*expected*/) {
+  const double cell_V = stated.value / document.battery->series_cells;
+  const bool is_cell = cell_V >= kEmptyCell_V && cell_V <= kFullCell_V;
+  return {
+      {fmt::format("a bus stated for cells of {:.4g} V (nominal, or at another charge)", cell_V),
+       std::nullopt, is_cell ? Fit::kFits : Fit::kExcludes}};
+}
+
 }  // namespace
 
 const Check bus_voltage = {
@@ -47,6 +60,7 @@ const Check bus_voltage = {
         },
     .expected = [](const Reading& reading) { return full_pack(reading.document); },
     .families = {charge_readings},
+    .further = nominal_cell,
 };
 
 const Check charge_voltage = {
@@ -55,13 +69,12 @@ const Check charge_voltage = {
     .equation = "open-circuit voltage of the full pack",
     .demand = Demand::kAtLeast,
     .weight = Weight::kContradiction,
-    .stated =
-        [](const Actuator& document) -> std::optional<Term> {
-          if (!document.battery || document.battery->maximum_voltage_V == kUnlimited) {
-            return std::nullopt;
-          }
-          return rounded(document.battery->maximum_voltage_V, "/battery/maximum_voltage_V");
-        },
+    .stated = [](const Actuator& document) -> std::optional<Term> {
+      if (!document.battery || document.battery->maximum_voltage_V == kUnlimited) {
+        return std::nullopt;
+      }
+      return rounded(document.battery->maximum_voltage_V, "/battery/maximum_voltage_V");
+    },
     .expected = [](const Reading& reading) { return full_pack(reading.document); },
     .families = {charge_readings},
 };

@@ -20,7 +20,8 @@ double slack(double one, double other) {
 double half_unit(double value) {
   if (value == 0.0) return 0.0;
   char digits[512];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed).ptr;
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed).ptr;
   const std::string_view text(digits, static_cast<std::size_t>(end - digits));
   const std::size_t point = text.find('.');
   const std::size_t decimals = point == std::string_view::npos ? 0 : text.size() - point - 1;

@@ -20,8 +20,8 @@ struct Term {
 };
 
 /// Half a unit of the last decimal of the shortest decimal fraction that reads back as the value:
-/// 0.32 -> 0.005, 10 -> 0.5. A JSON reader drops trailing zeros: 20.0 is 20 here, so the interval may
-/// be wider than what was printed, never narrower. 0 is exact: it says that there is none.
+/// 0.32 -> 0.005, 10 -> 0.5. A JSON reader drops trailing zeros: 20.0 is 20 here, so the interval
+/// may be wider than what was printed, never narrower. 0 is exact: it says that there is none.
 double half_unit(double value);
 
 /// As printed: within half a unit of its last decimal. Requires value >= 0.

@@ -50,22 +50,22 @@ std::optional<Term> braking_expected(const Reading& reading) {
 }  // namespace
 
 Term sheet_torque(const Reading& reading, const Term& current_A) {
-  return derive(
-      [](double efficiency, double turns, double constant_Nm_A, double amperes, double factor) {
-        return efficiency * turns * constant_Nm_A * amperes * factor;
-      },
-      sheet_efficiency(reading.document), sheet_ratio(reading.document),
-      torque_constant(reading.document), current_A, exact(reading.current_factor));
+  return derive([](double efficiency, double turns, double constant_Nm_A, double amperes,
+                   double factor) { return efficiency * turns * constant_Nm_A * amperes * factor; },
+                sheet_efficiency(reading.document), sheet_ratio(reading.document),
+                torque_constant(reading.document), current_A, exact(reading.current_factor));
 }
 
-std::vector<Explanation> losses(const Term& stated, const Term& expected) {
+std::vector<Explanation> losses(const Actuator& /*document*/, const Term& stated,
+                                const Term& expected) {
   if (!lies_above(expected, stated)) return {};
-  const Term share = derive([](double is, double was) { return 100.0 * (1.0 - is / was); }, stated,
-                            expected);
+  const Term share =
+      derive([](double is, double was) { return 100.0 * (1.0 - is / was); }, stated, expected);
   if (share.low > kGreatestLoss_percent) return {};
-  return {{fmt::format("friction, gear losses or saturation that take {:.1f} % ({:.1f} to {:.1f} %)",
-                       share.value, share.low, share.high),
-           std::nullopt, Fit::kFits}};
+  return {
+      {fmt::format("friction, gear losses or saturation that take {:.1f} % ({:.1f} to {:.1f} %)",
+                   share.value, share.low, share.high),
+       std::nullopt, Fit::kFits}};
 }
 
 const Check peak_torque = {
@@ -87,10 +87,11 @@ const Check peak_torque_current = {
     .demand = Demand::kAtMost,
     .weight = Weight::kPlausibility,
     .stated = stated_peak_current,
-    .expected = [](const Reading& reading) {
-      return std::optional(derive(product, peak_current(reading.document),
-                                  exact(1.0 / reading.current_factor)));
-    },
+    .expected =
+        [](const Reading& reading) {
+          return std::optional(
+              derive(product, peak_current(reading.document), exact(1.0 / reading.current_factor)));
+        },
     .families = {ampere_readings},
 };
 

@@ -9,7 +9,7 @@ namespace torquewright::actuator::lint {
 Term sheet_torque(const Reading& reading, const Term& current_A);
 
 /// The share that losses or saturation would have to take, where less is stated than follows.
-std::vector<Explanation> losses(const Term& stated, const Term& expected);
+std::vector<Explanation> losses(const Actuator& document, const Term& stated, const Term& expected);
 constexpr double kGreatestLoss_percent = 30.0;  ///< Above it this explains nothing.
 
 }  // namespace torquewright::actuator::lint

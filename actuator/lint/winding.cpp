@@ -50,11 +50,12 @@ bool weakens(const Actuator& document) {
 std::optional<Term> least_useful_current(const Reading& reading) {
   const Motor& motor = reading.document.motor;
   if (!weakens(reading.document)) return std::nullopt;
-  return derive([](double back_emf, double pole_pairs, double henry,
-                   double amperes) { return kUsefulShare * back_emf / (pole_pairs * henry * amperes); },
-                phase_back_emf(reading), exact(motor.pole_pairs, "/motor/pole_pairs"),
-                rounded(motor.inductance_d_H, "/motor/inductance_d_H"),
-                phase_current(reading, exact(1.0)));
+  return derive(
+      [](double back_emf, double pole_pairs, double henry, double amperes) {
+        return kUsefulShare * back_emf / (pole_pairs * henry * amperes);
+      },
+      phase_back_emf(reading), exact(motor.pole_pairs, "/motor/pole_pairs"),
+      rounded(motor.inductance_d_H, "/motor/inductance_d_H"), phase_current(reading, exact(1.0)));
 }
 
 }  // namespace
@@ -95,11 +96,10 @@ const Check winding_inductance = {
     .equation = "R of one phase times 20 us to 20 ms",
     .demand = Demand::kEqual,
     .weight = Weight::kPlausibility,
-    .stated =
-        [](const Actuator& document) -> std::optional<Term> {
-          if (document.motor.inductance_q_H == 0.0) return std::nullopt;
-          return rounded(document.motor.inductance_q_H, "/motor/inductance_q_H");
-        },
+    .stated = [](const Actuator& document) -> std::optional<Term> {
+      if (document.motor.inductance_q_H == 0.0) return std::nullopt;
+      return rounded(document.motor.inductance_q_H, "/motor/inductance_q_H");
+    },
     .expected = plausible_inductance,
     .families = {ohm_readings},
 };
@@ -121,12 +121,10 @@ const Check magnet_limit = {
     .equation = "the drive's peak current, which field weakening would turn against the magnets",
     .demand = Demand::kAtLeast,
     .weight = Weight::kPlausibility,
-    .stated =
-        [](const Actuator& document) -> std::optional<Term> {
-          if (document.motor.demagnetisation_current_A == kUnlimited) return std::nullopt;
-          return rounded(document.motor.demagnetisation_current_A,
-                         "/motor/demagnetisation_current_A");
-        },
+    .stated = [](const Actuator& document) -> std::optional<Term> {
+      if (document.motor.demagnetisation_current_A == kUnlimited) return std::nullopt;
+      return rounded(document.motor.demagnetisation_current_A, "/motor/demagnetisation_current_A");
+    },
     .expected = [](const Reading& reading) -> std::optional<Term> {
       if (!weakens(reading.document)) return std::nullopt;
       return peak_current(reading.document);

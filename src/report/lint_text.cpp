@@ -10,41 +10,49 @@ namespace {
 using namespace actuator::lint;
 
 constexpr const char* kRounding =
-    "An interval is what rounding leaves open: half a unit of the last decimal (10 is 9.5 to 10.5).\n"
-    "Zeros at the end of decimals are lost on reading, so that 20.0 counts as 20. Whole gear ratios,\n"
+    "An interval is what rounding leaves open: half a unit of the last decimal (10 is 9.5 to "
+    "10.5).\n"
+    "Zeros at the end of decimals are lost on reading, so that 20.0 counts as 20. Whole gear "
+    "ratios,\n"
     "efficiencies of 1, and voltages and currents at which something is stated count as exact.\n";
 
 std::string_view mark(Fit fit) {
   switch (fit) {
-    case Fit::kFits: return "fits";
-    case Fit::kAdmits: return "if loaded or capped";
-    case Fit::kExcludes: break;
+    case Fit::kFits:
+      return "fits";
+    case Fit::kAdmits:
+      return "if loaded or capped";
+    case Fit::kExcludes:
+      break;
   }
   return "no";
 }
 
 std::string_view sign(Demand demand) {
   switch (demand) {
-    case Demand::kAtMost: return "<=";
-    case Demand::kAtLeast: return ">=";
-    case Demand::kEqual: break;
+    case Demand::kAtMost:
+      return "<=";
+    case Demand::kAtLeast:
+      return ">=";
+    case Demand::kEqual:
+      break;
   }
   return "=";
 }
 
 std::string comparison_row(const Comparison& row) {
-  return fmt::format("  {:<26}{:>28} {:<2} {:<34} {}\n", row.rule,
+  return fmt::format("  {:<26}{:>34} {:<2} {:<42} {}\n", row.rule,
                      with_interval(row.stated, row.unit), sign(row.demand),
-                     with_interval(row.expected, row.unit),
-                     row.agrees ? "agrees" : "DISAGREES");
+                     with_interval(row.expected, row.unit), row.agrees ? "agrees" : "DISAGREES");
 }
 
 std::string examination_text(const Examination& examination) {
   std::string text = examination.actuator + "\n";
   if (examination.comparisons.empty()) {
-    return text + "  nothing is stated twice: a \"datasheet\" block would give the lint its numbers\n";
+    return text +
+           "  nothing is stated twice: a \"datasheet\" block would give the lint its numbers\n";
   }
-  text += fmt::format("  {:<26}{:>28}    {}\n", "rule", "stated", "follows from others");
+  text += fmt::format("  {:<26}{:>34}    {}\n", "rule", "stated", "follows from others");
   for (const Comparison& row : examination.comparisons) text += comparison_row(row);
   return text;
 }
@@ -69,16 +77,19 @@ std::string finding_text(const Finding& finding) {
 }
 
 std::string common_text(const CommonFactor& common) {
-  std::string text = fmt::format("\nno-load speed c V / (Kt N) by convention, rad/s\n  {:<29}{:>6}", "", "c");
+  std::string text =
+      fmt::format("\nno-load speed c V / (Kt N) by convention, rad/s\n  {:<29}{:>6}", "", "c");
   for (const RequiredFactor& one : common.required) text += fmt::format("{:>16}", one.actuator);
   text += "\n";
   for (const FactorCandidate& row : common.candidates) {
     text += fmt::format("  {:<29}{:>6.3f}", row.sentence, row.factor);
-    for (const Term& speed_rad_s : row.speeds_rad_s) text += fmt::format("{:>16.2f}", speed_rad_s.value);
+    for (const Term& speed_rad_s : row.speeds_rad_s)
+      text += fmt::format("{:>16.2f}", speed_rad_s.value);
     text += fmt::format("  {}\n", mark(row.fit));
   }
   text += fmt::format("  {:<29}{:>6}", "stated", "");
-  for (const RequiredFactor& one : common.required) text += fmt::format("{:>16g}", one.speed_rad_s.value);
+  for (const RequiredFactor& one : common.required)
+    text += fmt::format("{:>16g}", one.speed_rad_s.value);
   text += fmt::format("\n  {:<29}{:>6}", "c that the stated needs", "");
   for (const RequiredFactor& one : common.required) {
     text += fmt::format("{:>16}", fmt::format("{:.3f}...{:.3f}", one.factor.low, one.factor.high));

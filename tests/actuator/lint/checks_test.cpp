@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every check, just inside and just outside of what rounding allows. The oracles are the extremes of
-// the closed forms over Kt 0.1245...0.1255, R 0.245...0.255, eta 0.945...0.955, worked out by hand
-// beside each row.
+// Every check, just inside and just outside of what rounding allows. The oracles are the extremes
+// of the closed forms over Kt 0.1245...0.1255, R 0.245...0.255, eta 0.945...0.955, worked out by
+// hand beside each row.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -234,7 +234,8 @@ TEST(Library, HasACaseHereForEveryRule) {
 }
 
 TEST(Sample, StatesNothingTwice) {
-  for (const Comparison& one : examine(sample()).comparisons) EXPECT_EQ(one.rule, "backward-efficiency");
+  for (const Comparison& one : examine(sample()).comparisons)
+    EXPECT_EQ(one.rule, "backward-efficiency");
 }
 
 TEST(Sample, NeedsNoDataSheet) {

@@ -58,15 +58,16 @@ INSTANTIATE_TEST_SUITE_P(Wpilib, FreeMotors,
                                          FreeMotor{"775pro", 0.71, 134, 0.7, 18730, 0.87}),
                          [](const auto& row) { return "motor_" + std::to_string(row.index); });
 
-/// LKTech MG series, maker's table on a shop page: torque constant over ratio, speed constant of the
-/// bare motor. Oracle: Kt / Ke, computed apart; sqrt(3) is Nm per rms ampere over line-to-line rms.
+/// LKTech MG series, maker's table on a shop page: torque constant over ratio, speed constant of
+/// the bare motor. Oracle: Kt / Ke, computed apart; sqrt(3) is Nm per rms ampere over line-to-line
+/// rms.
 struct ShopMotor {
   const char* name;
   double torque_constant_Nm_A, speed_constant_rpm_V, ratio_of_constants;
 };
 constexpr ShopMotor kShopMotors[] = {
-    {"MG6012-8", 0.165, 58, 1.00}, {"MG8008-9", 0.23, 42, 1.01},  {"MG10015-10", 0.385, 28, 1.13},
-    {"MG6010-6", 0.22, 58, 1.34},  {"MG8010-6", 0.5, 32, 1.68},   {"MG8016-6", 0.55, 30, 1.73},
+    {"MG6012-8", 0.165, 58, 1.00}, {"MG8008-9", 0.23, 42, 1.01}, {"MG10015-10", 0.385, 28, 1.13},
+    {"MG6010-6", 0.22, 58, 1.34},  {"MG8010-6", 0.5, 32, 1.68},  {"MG8016-6", 0.55, 30, 1.73},
 };
 
 Actuator document_of(const ShopMotor& motor) {
@@ -118,8 +119,8 @@ TEST(RaisimDocument, IsConsistent) {
 }
 
 /// GO-M8010-6 at 24 V as digitised by a third party: rotor rpm = 1746.5 - 200.2 torque, 6.33:1; so
-/// no-load 28.9 rad/s and stall 55.2 Nm at the joint. The maker's own model of the robot that uses it
-/// extrapolates to 36.7 Nm.
+/// no-load 28.9 rad/s and stall 55.2 Nm at the joint. The maker's own model of the robot that uses
+/// it extrapolates to 36.7 Nm.
 TEST(GoMotor, AgreesWithItsOwnLineOnly) {
   Actuator document = bare_motor("GO-M8010-6", 24);
   const double no_load_rad_s = 1746.5 * kRadPerRpm_s;

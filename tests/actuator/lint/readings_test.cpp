@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each other reading makes of a number. Oracle: the conversions of a sinusoidal machine of flux
-// linkage times pole pairs k: Kt = sqrt(3) k, 1.5 k, 1.5 sqrt(2) k per dc, peak and rms ampere; Ke =
-// sqrt(3) k, k, sqrt(3/2) k, sqrt(1/2) k line peak, phase peak, line rms, phase rms.
+// What each other reading makes of a number. Oracle: the conversions of a sinusoidal machine of
+// flux linkage times pole pairs k: Kt = sqrt(3) k, 1.5 k, 1.5 sqrt(2) k per dc, peak and rms
+// ampere; Ke = sqrt(3) k, k, sqrt(3/2) k, sqrt(1/2) k line peak, phase peak, line rms, phase rms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -118,6 +119,18 @@ TEST(ChargeReadings, FindTheStateOfChargeOfTheBus) {
   EXPECT_EQ(voltage->severity, Severity::kWarning);
 }
 
+TEST(ChargeReadings, NameTheCellVoltageThatTheBusWouldBe) {
+  Actuator document = sample();
+  document.battery = Battery{};
+  document.battery->cell_open_circuit = {{1.0, 4.2}};
+  document.battery->series_cells = 6;
+  EXPECT_EQ(finding(document, "bus-voltage")->severity, Severity::kWarning);  // 4 V
+  document.battery->series_cells = 9;                                         // 2.67 V
+  EXPECT_EQ(finding(document, "bus-voltage")->severity, Severity::kWarning);
+  document.battery->series_cells = 10;  // 2.4 V
+  EXPECT_EQ(finding(document, "bus-voltage")->severity, Severity::kViolation);
+}
+
 TEST(Explanations, CallALowSpeedLoadedDownToHalf) {
   Actuator document = sample();  // 19.2 rad/s, from 19.1235
   document.datasheet->no_load_speed_rad_s = 9.52;
@@ -127,6 +140,35 @@ TEST(Explanations, CallALowSpeedLoadedDownToHalf) {
   EXPECT_NE(half->explanations.front().sentence, kLoaded);
   document.datasheet->no_load_speed_rad_s = 9.57;
   EXPECT_EQ(finding(document, "no-load-speed")->explanations.front().sentence, kLoaded);
+}
+
+// Weakened to a fifth of Ke the field allows at most 99.58 rad/s; without field weakening 110 rad/s
+// are 19.2 and 473 % of it.
+TEST(Explanations, OfferFieldWeakeningOnlyWhereItIsNotCountedYet) {
+  Actuator document = sample();
+  document.datasheet->no_load_speed_rad_s = 110;
+  const auto offers = [&document] {
+    const Finding speed = finding(document, "no-load-speed").value();
+    return std::any_of(speed.explanations.begin(), speed.explanations.end(),
+                       [](const Explanation& one) {
+                         return one.sentence.starts_with("field weakening by 472.9 %");
+                       });
+  };
+  EXPECT_TRUE(offers());
+  document.drive.field_weakening = true;
+  document.motor.inductance_d_H = 0.000125;
+  EXPECT_FALSE(offers());
+}
+
+// A no-load current that takes the whole voltage leaves no speed: a finding, no share of anything.
+TEST(Explanations, StandANoLoadCurrentBeyondStall) {
+  Actuator document = sample();
+  document.datasheet->no_load_current_A = 120;
+  document.datasheet->no_load_speed_rad_s = 19;
+  const auto speed = finding(document, "no-load-speed");
+  ASSERT_TRUE(speed);
+  EXPECT_EQ(speed->sentence.find("nan"), std::string::npos);
+  EXPECT_EQ(speed->sentence.find("rounding allowed for"), std::string::npos) << speed->sentence;
 }
 
 TEST(Readings, NeverTouchTheDocumentsOwnNumbers) {

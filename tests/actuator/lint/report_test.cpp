@@ -53,7 +53,8 @@ TEST(LintReport, HasEveryRuleInItsPage) {
   const std::string page =
       io::read_file_bytes(std::filesystem::path(TORQUEWRIGHT_SOURCE_DIR) / "docs/lint.md");
   for (const Check* check : library()) {
-    EXPECT_NE(page.find("| `" + std::string(check->rule) + "` |"), std::string::npos) << check->rule;
+    EXPECT_NE(page.find("| `" + std::string(check->rule) + "` |"), std::string::npos)
+        << check->rule;
   }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Table II of the paper on the hopper with the optimised gearbox: D151 and D110A.
 // Oracle: the candidate table of the convention factors (0.866 = sqrt(3)/2, 0.75, 0.955 = 3/pi, and
-// those times sqrt(2)) on c V / (Kt N), and its rounding intervals, computed apart from this program.
+// those times sqrt(2)) on c V / (Kt N), and its rounding intervals, computed apart from this
+// program.
 #include <gtest/gtest.h>
 
 #include "tests/actuator/lint/sample.hpp"
@@ -9,7 +10,7 @@
 namespace torquewright::actuator::lint {
 namespace {
 
-constexpr double kPrinted = 0.005;       ///< Half a unit of the oracle's last decimal.
+constexpr double kPrinted = 0.005;  ///< Half a unit of the oracle's last decimal.
 constexpr double kPrintedFactor = 5e-4;
 
 class TableII : public testing::Test {
@@ -125,10 +126,10 @@ TEST_F(TableII, HasNoSingleFactorForBoth) {
   EXPECT_NE(both.sentence.find("no single factor fits both as printed"), std::string::npos);
   EXPECT_EQ(explanation(both, "Nm per rms ampere, sine: then 50 A are 70.7 A of amplitude").fit,
             Fit::kAdmits);
-  EXPECT_EQ(explanation(both,
-                        "Kt = Ke (dc ampere), and field weakening only on ankle D110A by 4.8 %")
-                .fit,
-            Fit::kFits);
+  EXPECT_EQ(
+      explanation(both, "Kt = Ke (dc ampere), and field weakening only on ankle D110A by 4.8 %")
+          .fit,
+      Fit::kFits);
 }
 
 }  // namespace

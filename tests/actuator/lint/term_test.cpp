@@ -20,8 +20,8 @@ TEST(HalfUnit, IsReadFromTheShortestDecimal) {
 }
 
 TEST(Derive, TakesTheExtremesOverAllCornersAndEachPointerOnce) {
-  const Term one = rounded(0.5, "/a");   // 0.45 to 0.55
-  const Term other = rounded(2, "/b");   // 1.5 to 2.5
+  const Term one = rounded(0.5, "/a");  // 0.45 to 0.55
+  const Term other = rounded(2, "/b");  // 1.5 to 2.5
   const Term result = derive([](double x, double y, double z) { return x / y - z; }, one, other,
                              rounded(0.1, "/a"));
   constexpr double kRoundOff = 1e-15;  // a few roundings of numbers below 1
