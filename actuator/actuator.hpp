@@ -89,10 +89,13 @@ struct Datasheet {
   std::optional<double> stall_current_A;
   std::optional<double> peak_torque_Nm;
   std::optional<double> peak_torque_current_A;
+  std::optional<double> peak_braking_torque_Nm;  ///< The joint driven back at the peak current.
   std::optional<double> rated_torque_Nm;
   std::optional<double> peak_power_W;
   std::optional<double> velocity_constant_rpm_V;
   std::optional<double> reflected_inertia_kg_m2;
+  std::optional<double> electrical_time_constant_s;
+  std::optional<double> mechanical_time_constant_s;  ///< Of the rotor alone.
 };
 
 /// A document of kind `actuator`.

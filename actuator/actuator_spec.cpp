@@ -166,10 +166,13 @@ class Reader {
     sheet.stall_current_A = find(keys, "stall_current_A");
     sheet.peak_torque_Nm = find(keys, "peak_torque_Nm");
     sheet.peak_torque_current_A = find(keys, "peak_torque_current_A");
+    sheet.peak_braking_torque_Nm = find(keys, "peak_braking_torque_Nm");
     sheet.rated_torque_Nm = find(keys, "rated_torque_Nm");
     sheet.peak_power_W = find(keys, "peak_power_W");
     sheet.velocity_constant_rpm_V = find(keys, "velocity_constant_rpm_V");
     sheet.reflected_inertia_kg_m2 = find(keys, "reflected_inertia_kg_m2");
+    sheet.electrical_time_constant_s = find(keys, "electrical_time_constant_s");
+    sheet.mechanical_time_constant_s = find(keys, "mechanical_time_constant_s");
     actuator_.datasheet = sheet;
   }
 

@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   torquewright::cli::add_verify_command(*gearbox, result);
   CLI::App* actuator = app.add_subcommand("actuator", "What can the actuator do?");
   actuator->require_subcommand(1);
+  torquewright::cli::add_lint_command(*actuator, result);
   torquewright::cli::add_mor_command(*actuator, result);
   try {
     app.parse(argc, argv);

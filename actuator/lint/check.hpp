@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "actuator/lint/reading.hpp"
+#include "actuator/lint/term.hpp"
+
+namespace torquewright::actuator::lint {
+
+/// How a stated number has to stand to what the others say.
+enum class Demand { kEqual, kAtMost, kAtLeast };
+
+/// What it is worth if it does not.
+enum class Weight {
+  kContradiction,
+  kPlausibility,  ///< Possible, but worth a look: a note.
+};
+
+/// How well an explanation would do.
+enum class Fit {
+  kFits,
+  kAdmits,  ///< The stated speed stays below what is possible: loaded or capped.
+  kExcludes,
+};
+
+/// One way in which the numbers would agree, or would not.
+struct Explanation {
+  std::string sentence;
+  std::optional<Term> expected;  ///< What the others would then say.
+  Fit fit = Fit::kExcludes;
+};
+
+/// One thing that is stated twice: a number, and the others that it follows from. One of these per
+/// rule, one line in library.cpp. The rules are listed in docs/lint.md.
+struct Check {
+  std::string_view rule;
+  std::string_view unit;
+  std::string_view equation;  ///< For a person, in the symbols of docs/lint.md.
+  Demand demand = Demand::kEqual;
+  Weight weight = Weight::kContradiction;
+  std::optional<Term> (*stated)(const Actuator& document) = nullptr;
+  std::optional<Term> (*expected)(const Reading& reading) = nullptr;
+  std::vector<ReadingFamily> families;  ///< Other readings that are tried on a contradiction.
+  bool below_is_load = false;           ///< A smaller number may be a loaded or capped one.
+  /// Explanations that are no reading of the document.
+  std::vector<Explanation> (*further)(const Actuator& document, const Term& stated,
+                                      const Term& expected) = nullptr;
+};
+
+/// Every check there is.
+std::span<const Check* const> library();
+
+/// True if the two terms meet the demand, within their rounding.
+bool is_met(Demand demand, const Term& stated, const Term& expected);
+
+/// The candidate table of a check for one document: each reading that changes what is expected.
+std::vector<Explanation> explanations(const Check& check, const Actuator& document);
+
+}  // namespace torquewright::actuator::lint

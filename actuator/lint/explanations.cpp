@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "actuator/lint/check.hpp"
+
+namespace torquewright::actuator::lint {
+namespace {
+
+/// A loaded or capped speed is at least this part of the no-load speed; less is another matter.
+constexpr double kLeastLoadedShare = 0.5;
+
+Fit fit_of(const Check& check, const Term& stated, const Term& expected) {
+  if (is_met(check.demand, stated, expected)) return Fit::kFits;
+  const bool may_be_loaded = check.below_is_load && lies_above(expected, stated) &&
+                             stated.high >= kLeastLoadedShare * expected.low;
+  return may_be_loaded ? Fit::kAdmits : Fit::kExcludes;
+}
+
+bool is_same(const Term& one, const Term& other) {
+  return one.low == other.low && one.high == other.high;
+}
+
+/// The reading that is the document's own may still be a load: a speed that is not the no-load one.
+void add_load(const Check& check, const Term& stated, const Term& expected,
+              std::vector<Explanation>& list) {
+  if (fit_of(check, stated, expected) != Fit::kAdmits) return;
+  list.push_back({"a loaded or capped speed, not the no-load speed", expected, Fit::kAdmits});
+}
+
+/// Whole numbers that end in zeros may be targets of fewer figures: 20 as 15 to 25.
+void add_round_number(const Check& check, const Term& stated, const Term& expected,
+                      std::vector<Explanation>& list) {
+  if (stated.low == stated.high || std::fmod(stated.value, 10.0) != 0.0) return;
+  double unit = 10.0;
+  while (std::fmod(stated.value, 10.0 * unit) == 0.0) unit *= 10.0;
+  const Term target{stated.value, stated.value - 0.5 * unit, stated.value + 0.5 * unit, {}};
+  if (!is_met(check.demand, target, expected)) return;
+  list.push_back({fmt::format("a round number: {:g} printed for {:g} to {:g}", stated.value,
+                              target.low, target.high),
+                  std::nullopt, Fit::kFits});
+}
+
+}  // namespace
+
+bool is_met(Demand demand, const Term& stated, const Term& expected) {
+  const bool is_too_high = lies_above(stated, expected);
+  const bool is_too_low = lies_above(expected, stated);
+  return !(is_too_high && demand != Demand::kAtLeast) && !(is_too_low && demand != Demand::kAtMost);
+}
+
+std::vector<Explanation> explanations(const Check& check, const Actuator& document) {
+  const Reading own = as_stated(document);
+  const std::optional<Term> stated = check.stated(document);
+  const std::optional<Term> expected = check.expected(own);
+  if (!stated || !expected) return {};
+  std::vector<Explanation> list;
+  add_load(check, *stated, *expected, list);
+  for (const ReadingFamily family : check.families) {
+    for (const Reading& reading : family(own)) {
+      const std::optional<Term> then = check.expected(reading);
+      if (!then || is_same(*then, *expected)) continue;
+      list.push_back({reading.sentence, then, fit_of(check, *stated, *then)});
+    }
+  }
+  if (check.further) {
+    for (Explanation& more : check.further(document, *stated, *expected))
+      list.push_back(std::move(more));
+  }
+  add_round_number(check, *stated, *expected, list);
+  return list;
+}
+
+}  // namespace torquewright::actuator::lint

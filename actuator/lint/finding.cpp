@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/lint/finding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace torquewright::actuator::lint {
+
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kViolation:
+      return "violation";
+    case Severity::kNote:
+      break;
+  }
+  return "note";
+}
+
+double limit(const Finding& finding) {
+  return std::clamp(finding.stated.value, finding.expected.low, finding.expected.high);
+}
+
+std::string with_interval(const Term& term, std::string_view unit) {
+  std::string text = fmt::format("{:.4g}", term.value);
+  if (term.low != term.high) text += fmt::format(" ({:.4g} to {:.4g})", term.low, term.high);
+  return unit.empty() ? text : fmt::format("{} {}", text, unit);
+}
+
+Severity contradiction(const std::vector<Explanation>& explanations) {
+  const bool is_reconciled =
+      std::any_of(explanations.begin(), explanations.end(),
+                  [](const Explanation& one) { return one.fit != Fit::kExcludes; });
+  return is_reconciled ? Severity::kWarning : Severity::kViolation;
+}
+
+}  // namespace torquewright::actuator::lint

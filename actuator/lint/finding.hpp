@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "actuator/lint/check.hpp"
+
+namespace torquewright::actuator::lint {
+
+enum class Severity {
+  kNote,       ///< No contradiction, but worth a look.
+  kWarning,    ///< A contradiction beyond rounding that another reading would reconcile.
+  kViolation,  ///< A contradiction that no known reading reconciles.
+};
+std::string_view name_of(Severity severity);
+
+/// A number that is stated twice, and whether both statements agree within their rounding.
+struct Comparison {
+  std::string rule;
+  std::string unit;
+  std::string equation;
+  Demand demand = Demand::kEqual;
+  Term stated;
+  Term expected;
+  bool agrees = true;
+};
+
+struct Finding {
+  Severity severity = Severity::kNote;
+  std::string rule;
+  std::string actuator;  ///< Name, or names.
+  std::string unit;
+  std::string sentence;
+  Term stated;                       ///< Its pointers: what is stated.
+  Term expected;                     ///< Its pointers: what that follows from.
+  std::vector<std::string> assumed;  ///< Those of the pointers that the document assumes.
+  std::vector<Explanation> explanations;
+};
+
+/// The bound of what is expected that is nearest to what is stated.
+double limit(const Finding& finding);
+
+/// A number with its interval and unit: 20 (19.5 to 20.5) rad/s.
+std::string with_interval(const Term& term, std::string_view unit);
+
+/// Warning if an explanation fits or admits, violation if none does.
+Severity contradiction(const std::vector<Explanation>& explanations);
+
+}  // namespace torquewright::actuator::lint

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/lint/every_check.hpp"
+#include "actuator/lint/quantities.hpp"
+
+namespace torquewright::actuator::lint {
+namespace {
+
+/// Greatest power at the shaft, 1.5 i (V - R i): at the current limit, or at half the stall current
+/// V / 2R where that is less. Electrical: what the bus delivers at that point, 1.5 V i.
+double greatest_power_W(double volts, double ohms, double limit_A, bool is_electrical) {
+  const double amperes = std::min(limit_A, 0.5 * volts / ohms);
+  return 1.5 * amperes * (is_electrical ? volts : volts - ohms * amperes);
+}
+
+std::optional<Term> expected(const Reading& reading) {
+  const bool is_electrical = reading.power_is_electrical;
+  const Term gears = is_electrical ? exact(1.0) : sheet_efficiency(reading.document);
+  return derive(
+      [is_electrical](double volts, double ohms, double limit_A, double efficiency) {
+        return efficiency * greatest_power_W(volts, ohms, limit_A, is_electrical);
+      },
+      phase_voltage(reading.document), phase_resistance(reading.document),
+      phase_current(reading, peak_current(reading.document)), gears);
+}
+
+std::vector<Reading> electrical_readings(const Reading& stated) {
+  Reading reading = stated;
+  reading.power_is_electrical = true;
+  reading.sentence = "power drawn from the bus, not at the shaft";
+  return {reading};
+}
+
+}  // namespace
+
+const Check peak_power = {
+    .rule = "peak-power",
+    .unit = "W",
+    .equation = "eta I (V - R I), I the peak current, at most V / 2R",
+    .demand = Demand::kEqual,
+    .weight = Weight::kContradiction,
+    .stated =
+        [](const Actuator& document) {
+          return sheet_number(document, &Datasheet::peak_power_W, "peak_power_W");
+        },
+    .expected = expected,
+    .families = {electrical_readings, loss_readings, ohm_readings, speed_readings, ampere_readings},
+};
+
+}  // namespace torquewright::actuator::lint

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/lint/torque.hpp"
+
+#include <fmt/format.h>
+
+#include "actuator/lint/every_check.hpp"
+#include "actuator/lint/quantities.hpp"
+
+namespace torquewright::actuator::lint {
+namespace {
+
+std::optional<Term> stated_peak(const Actuator& document) {
+  return sheet_number(document, &Datasheet::peak_torque_Nm, "peak_torque_Nm");
+}
+
+std::optional<Term> stated_peak_current(const Actuator& document) {
+  return sheet_condition(document, &Datasheet::peak_torque_current_A, "peak_torque_current_A");
+}
+
+std::optional<Term> peak_expected(const Reading& reading) {
+  return sheet_torque(
+      reading, stated_peak_current(reading.document).value_or(peak_current(reading.document)));
+}
+
+std::optional<Term> stated_rated(const Actuator& document) {
+  return sheet_number(document, &Datasheet::rated_torque_Nm, "rated_torque_Nm");
+}
+
+std::optional<Term> rated_expected(const Reading& reading) {
+  const std::optional<double>& current_A = reading.document.drive.continuous_current_A;
+  if (!current_A) return std::nullopt;
+  return sheet_torque(reading, exact(*current_A, "/drive/continuous_current_A"));
+}
+
+std::optional<Term> stated_braking(const Actuator& document) {
+  return sheet_number(document, &Datasheet::peak_braking_torque_Nm, "peak_braking_torque_Nm");
+}
+
+/// Driving: eta_f N tau. Driven back: N tau / eta_b. So their ratio is 1 / (eta_f eta_b).
+std::optional<Term> braking_expected(const Reading& reading) {
+  const Transmission& gear = reading.document.transmission;
+  const std::optional<Term> driving = stated_peak(reading.document);
+  if (!driving || !(gear.backward_efficiency > 0.0)) return std::nullopt;
+  return derive([](double torque_Nm, double forward,
+                   double backward) { return torque_Nm / (forward * backward); },
+                *driving, efficiency(gear.forward_efficiency, "/gearbox/forward_efficiency"),
+                efficiency(gear.backward_efficiency, "/gearbox/backward_efficiency"));
+}
+
+}  // namespace
+
+Term sheet_torque(const Reading& reading, const Term& current_A) {
+  return derive([](double efficiency, double turns, double constant_Nm_A, double amperes,
+                   double factor) { return efficiency * turns * constant_Nm_A * amperes * factor; },
+                sheet_efficiency(reading.document), sheet_ratio(reading.document),
+                torque_constant(reading.document), current_A, exact(reading.current_factor));
+}
+
+std::vector<Explanation> losses(const Actuator& /*document*/, const Term& stated,
+                                const Term& expected) {
+  if (!lies_above(expected, stated)) return {};
+  const Term share =
+      derive([](double is, double was) { return 100.0 * (1.0 - is / was); }, stated, expected);
+  if (share.low > kGreatestLoss_percent) return {};
+  return {
+      {fmt::format("friction, gear losses or saturation that take {:.1f} % ({:.1f} to {:.1f} %)",
+                   share.value, share.low, share.high),
+       std::nullopt, Fit::kFits}};
+}
+
+const Check peak_torque = {
+    .rule = "peak-torque",
+    .unit = "Nm",
+    .equation = "eta N Kt I",
+    .demand = Demand::kEqual,
+    .weight = Weight::kContradiction,
+    .stated = stated_peak,
+    .expected = peak_expected,
+    .families = {loss_readings, side_readings, ampere_readings},
+    .further = losses,
+};
+
+const Check peak_torque_current = {
+    .rule = "peak-torque-current",
+    .unit = "A",
+    .equation = "the drive's peak current",
+    .demand = Demand::kAtMost,
+    .weight = Weight::kPlausibility,
+    .stated = stated_peak_current,
+    .expected =
+        [](const Reading& reading) {
+          return std::optional(
+              derive(product, peak_current(reading.document), exact(1.0 / reading.current_factor)));
+        },
+    .families = {ampere_readings},
+};
+
+const Check rated_torque = {
+    .rule = "rated-torque",
+    .unit = "Nm",
+    .equation = "eta N Kt I, I the continuous current",
+    .demand = Demand::kEqual,
+    .weight = Weight::kContradiction,
+    .stated = stated_rated,
+    .expected = rated_expected,
+    .families = {loss_readings, side_readings, ampere_readings},
+    .further = losses,
+};
+
+const Check peak_braking_torque = {
+    .rule = "peak-braking-torque",
+    .unit = "Nm",
+    .equation = "peak torque / (eta_f eta_b)",
+    .demand = Demand::kEqual,
+    .weight = Weight::kContradiction,
+    .stated = stated_braking,
+    .expected = braking_expected,
+    .families = {loss_readings},
+};
+
+}  // namespace torquewright::actuator::lint

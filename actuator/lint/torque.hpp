@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "actuator/lint/check.hpp"
+
+namespace torquewright::actuator::lint {
+
+/// eta N Kt I at the data sheet's side, I as stated there.
+Term sheet_torque(const Reading& reading, const Term& current_A);
+
+/// The share that losses or saturation would have to take, where less is stated than follows.
+std::vector<Explanation> losses(const Actuator& document, const Term& stated, const Term& expected);
+constexpr double kGreatestLoss_percent = 30.0;  ///< Above it this explains nothing.
+
+}  // namespace torquewright::actuator::lint

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/lint/every_check.hpp"
+#include "actuator/lint/quantities.hpp"
+
+namespace torquewright::actuator::lint {
+namespace {
+
+/// Electrical time constants of servo motors, from coreless to large slow ones.
+constexpr double kShortest_s = 2e-5;
+constexpr double kLongest_s = 2e-2;
+/// Less than this part of the characteristic current weakens the field by less than 5 %.
+constexpr double kUsefulShare = 0.05;
+
+/// L / R of one phase, the longer of both axes.
+std::optional<Term> electrical_expected(const Reading& reading) {
+  const Motor& motor = reading.document.motor;
+  const bool is_q = motor.inductance_q_H >= motor.inductance_d_H;
+  const double inductance_H = is_q ? motor.inductance_q_H : motor.inductance_d_H;
+  if (inductance_H == 0.0) return std::nullopt;
+  return derive([](double henry, double ohms) { return henry / ohms; },
+                rounded(inductance_H, is_q ? "/motor/inductance_q_H" : "/motor/inductance_d_H"),
+                phase_resistance(reading.document));
+}
+
+/// J R / (Kt Ke), of the rotor alone.
+std::optional<Term> mechanical_expected(const Reading& reading) {
+  const double inertia_kg_m2 = reading.document.motor.rotor_inertia_kg_m2;
+  if (inertia_kg_m2 == 0.0) return std::nullopt;
+  return derive([](double inertia, double ohms, double torque_constant,
+                   double back_emf) { return inertia * ohms / (torque_constant * back_emf); },
+                rounded(inertia_kg_m2, "/motor/rotor_inertia_kg_m2"),
+                phase_resistance(reading.document), phase_torque_constant(reading.document),
+                phase_back_emf(reading));
+}
+
+std::optional<Term> plausible_inductance(const Reading& reading) {
+  const Term ohms = phase_resistance(reading.document);
+  Term expected = ohms;
+  expected.value = 1e-3 * ohms.value;
+  expected.low = kShortest_s * ohms.low;
+  expected.high = kLongest_s * ohms.high;
+  return expected;
+}
+
+bool weakens(const Actuator& document) {
+  return document.drive.field_weakening && document.motor.inductance_d_H > 0.0;
+}
+
+/// Ke / (p L_d), in the amperes of the drive's peak current, times the useful share.
+std::optional<Term> least_useful_current(const Reading& reading) {
+  const Motor& motor = reading.document.motor;
+  if (!weakens(reading.document)) return std::nullopt;
+  return derive(
+      [](double back_emf, double pole_pairs, double henry, double amperes) {
+        return kUsefulShare * back_emf / (pole_pairs * henry * amperes);
+      },
+      phase_back_emf(reading), exact(motor.pole_pairs, "/motor/pole_pairs"),
+      rounded(motor.inductance_d_H, "/motor/inductance_d_H"), phase_current(reading, exact(1.0)));
+}
+
+}  // namespace
+
+const Check electrical_time_constant = {
+    .rule = "electrical-time-constant",
+    .unit = "s",
+    .equation = "L / R of one phase",
+    .demand = Demand::kEqual,
+    .weight = Weight::kContradiction,
+    .stated =
+        [](const Actuator& document) {
+          return sheet_number(document, &Datasheet::electrical_time_constant_s,
+                              "electrical_time_constant_s");
+        },
+    .expected = electrical_expected,
+    .families = {ohm_readings},
+};
+
+const Check mechanical_time_constant = {
+    .rule = "mechanical-time-constant",
+    .unit = "s",
+    .equation = "J R / (Kt Ke)",
+    .demand = Demand::kEqual,
+    .weight = Weight::kContradiction,
+    .stated =
+        [](const Actuator& document) {
+          return sheet_number(document, &Datasheet::mechanical_time_constant_s,
+                              "mechanical_time_constant_s");
+        },
+    .expected = mechanical_expected,
+    .families = {ohm_readings, speed_readings},
+};
+
+const Check winding_inductance = {
+    .rule = "winding-inductance",
+    .unit = "H",
+    .equation = "R of one phase times 20 us to 20 ms",
+    .demand = Demand::kEqual,
+    .weight = Weight::kPlausibility,
+    .stated = [](const Actuator& document) -> std::optional<Term> {
+      if (document.motor.inductance_q_H == 0.0) return std::nullopt;
+      return rounded(document.motor.inductance_q_H, "/motor/inductance_q_H");
+    },
+    .expected = plausible_inductance,
+    .families = {ohm_readings},
+};
+
+const Check characteristic_current = {
+    .rule = "characteristic-current",
+    .unit = "A",
+    .equation = "5 % of the characteristic current Ke / (p L_d): less hardly weakens the field",
+    .demand = Demand::kAtLeast,
+    .weight = Weight::kPlausibility,
+    .stated = [](const Actuator& document) { return std::optional(peak_current(document)); },
+    .expected = least_useful_current,
+    .families = {},
+};
+
+const Check magnet_limit = {
+    .rule = "magnet-limit",
+    .unit = "A",
+    .equation = "the drive's peak current, which field weakening would turn against the magnets",
+    .demand = Demand::kAtLeast,
+    .weight = Weight::kPlausibility,
+    .stated = [](const Actuator& document) -> std::optional<Term> {
+      if (document.motor.demagnetisation_current_A == kUnlimited) return std::nullopt;
+      return rounded(document.motor.demagnetisation_current_A, "/motor/demagnetisation_current_A");
+    },
+    .expected = [](const Reading& reading) -> std::optional<Term> {
+      if (!weakens(reading.document)) return std::nullopt;
+      return peak_current(reading.document);
+    },
+    .families = {},
+};
+
+}  // namespace torquewright::actuator::lint

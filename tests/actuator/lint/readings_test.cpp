@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each other reading makes of a number. Oracle: the conversions of a sinusoidal machine of
+// flux linkage times pole pairs k: Kt = sqrt(3) k, 1.5 k, 1.5 sqrt(2) k per dc, peak and rms
+// ampere; Ke = sqrt(3) k, k, sqrt(3/2) k, sqrt(1/2) k line peak, phase peak, line rms, phase rms.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "tests/actuator/lint/sample.hpp"
+
+namespace torquewright::actuator::lint {
+namespace {
+
+constexpr double kRoundOff = 1e-12;
+
+void expect_reading(const Finding& finding, const std::string& sentence, double expected) {
+  const Explanation one = explanation(finding, sentence);
+  ASSERT_TRUE(one.expected);
+  EXPECT_NEAR(one.expected->value, expected, kRoundOff * expected) << sentence;
+}
+
+TEST(EmfReadings, CoverTwelvePairsOfConstants) {
+  Actuator document = sample();
+  document.motor.back_emf_constant_V_s_rad = 0.9;
+  const auto emf = finding(document, "back-emf-constant");
+  ASSERT_TRUE(emf);
+  const std::map<std::string, double> kTorque{
+      {"dc", std::sqrt(3.0)}, {"peak", 1.5}, {"rms", 1.5 * std::sqrt(2.0)}};
+  const std::map<std::string, double> kEmf{{"line-to-line peak", std::sqrt(3.0)},
+                                           {"phase peak", 1.0},
+                                           {"line-to-line rms", std::sqrt(1.5)},
+                                           {"phase rms", std::sqrt(0.5)}};
+  for (const auto& [ampere, torque] : kTorque) {
+    for (const auto& [measure, volts] : kEmf) {
+      if (ampere == "dc" && measure == "line-to-line peak") continue;  // the document's own
+      expect_reading(*emf, "torque constant per " + ampere + " ampere, back-EMF as " + measure,
+                     0.125 / torque * volts);
+    }
+  }
+}
+
+TEST(SpeedReadings, UseTheStatedBackEmfWhereThereIsOne) {
+  Actuator document = sample();
+  document.motor.torque_constant_convention = CurrentConvention::kPeakPhase;
+  document.motor.back_emf_constant_V_s_rad = 0.0833;
+  document.datasheet->no_load_speed_rad_s = 29;
+  const auto speed = finding(document, "no-load-speed");
+  ASSERT_TRUE(speed);
+  EXPECT_NEAR(speed->expected.value, 24 / std::sqrt(3.0) / 0.833, 1e-12 * 20);
+  expect_reading(*speed, "back-EMF constant as line-to-line peak", 24 / 0.833);
+  EXPECT_EQ(explanation(*speed, "back-EMF constant as line-to-line peak").fit, Fit::kFits);
+}
+
+TEST(StallReadings, ExchangeTerminalsAmperesAndLimits) {
+  Actuator document = sample();
+  document.datasheet->stall_current_A = 40;
+  const auto stall = finding(document, "stall-current");
+  ASSERT_TRUE(stall);
+  expect_reading(*stall, "resistance of one phase", 48);
+  expect_reading(*stall, "current in peak amperes, torque constant per dc ampere",
+                 96 * 2 / std::sqrt(3.0));
+  expect_reading(*stall, "stall at the drive's peak current", 40);
+  EXPECT_EQ(explanation(*stall, "stall at the drive's peak current").fit, Fit::kFits);
+}
+
+TEST(TorqueReadings, ExchangeSidesLossesAndAmperes) {
+  Actuator document = sample();
+  document.datasheet->peak_torque_Nm = 5;
+  const auto torque = finding(document, "peak-torque");
+  ASSERT_TRUE(torque);
+  expect_reading(*torque, "data sheet at the motor", 5);
+  expect_reading(*torque, "without the gears' losses", 50);
+  expect_reading(*torque, "current in rms amperes, torque constant per dc ampere",
+                 47.5 * std::sqrt(2.0) * std::sqrt(3.0) / 2.0);
+}
+
+TEST(TorqueReadings, AllowForLossesUpToAShare) {
+  Actuator document = sample();
+  document.datasheet->peak_torque_Nm = 40;  // 47.5 less 15.8 %
+  const auto torque = finding(document, "peak-torque");
+  ASSERT_TRUE(torque);
+  const Explanation& losses = torque->explanations.back();
+  EXPECT_NE(losses.sentence.find("take 15.8 % ("), std::string::npos) << losses.sentence;
+  document.datasheet->peak_torque_Nm = 33;  // 33.5 of 47.06: 28.8 % at least
+  EXPECT_EQ(finding(document, "peak-torque")->severity, Severity::kWarning);
+  document.datasheet->peak_torque_Nm = 32;  // 32.5 of 47.06: 30.9 % at least
+  EXPECT_EQ(finding(document, "peak-torque")->severity, Severity::kViolation);
+}
+
+TEST(PowerReadings, TellShaftFromBus) {
+  Actuator document = sample();
+  document.datasheet->peak_power_W = 961;
+  const auto power = finding(document, "peak-power");
+  ASSERT_TRUE(power);
+  expect_reading(*power, "power drawn from the bus, not at the shaft", 24 * 40);
+}
+
+TEST(InertiaReadings, TellRotorFromJoint) {
+  Actuator document = sample();
+  document.datasheet->reflected_inertia_kg_m2 = 0.0045;
+  const auto inertia = finding(document, "reflected-inertia");
+  ASSERT_TRUE(inertia);
+  expect_reading(*inertia, "the rotor's own inertia, not carried to the joint", 0.00045);
+  expect_reading(*inertia, "carried over by the ratio instead of its square", 0.0045);
+}
+
+TEST(ChargeReadings, FindTheStateOfChargeOfTheBus) {
+  Actuator document = sample();
+  document.battery = Battery{};
+  document.battery->series_cells = 16;
+  document.battery->cell_open_circuit = {{0.0, 3.0}, {0.5, 3.6}, {1.0, 4.2}};
+  document.drive.bus_voltage_V = 57.6;
+  const auto voltage = finding(document, "bus-voltage");
+  ASSERT_TRUE(voltage);
+  expect_reading(*voltage, "the battery at a state of charge of 0.5", 57.6);
+  EXPECT_EQ(voltage->severity, Severity::kWarning);
+}
+
+TEST(ChargeReadings, NameTheCellVoltageThatTheBusWouldBe) {
+  Actuator document = sample();
+  document.battery = Battery{};
+  document.battery->cell_open_circuit = {{1.0, 4.2}};
+  document.battery->series_cells = 6;
+  EXPECT_EQ(finding(document, "bus-voltage")->severity, Severity::kWarning);  // 4 V
+  document.battery->series_cells = 9;                                         // 2.67 V
+  EXPECT_EQ(finding(document, "bus-voltage")->severity, Severity::kWarning);
+  document.battery->series_cells = 10;  // 2.4 V
+  EXPECT_EQ(finding(document, "bus-voltage")->severity, Severity::kViolation);
+}
+
+TEST(Explanations, CallALowSpeedLoadedDownToHalf) {
+  Actuator document = sample();  // 19.2 rad/s, from 19.1235
+  document.datasheet->no_load_speed_rad_s = 9.52;
+  const char* kLoaded = "a loaded or capped speed, not the no-load speed";
+  const auto half = finding(document, "no-load-speed");
+  ASSERT_TRUE(half);
+  EXPECT_NE(half->explanations.front().sentence, kLoaded);
+  document.datasheet->no_load_speed_rad_s = 9.57;
+  EXPECT_EQ(finding(document, "no-load-speed")->explanations.front().sentence, kLoaded);
+}
+
+// Weakened to a fifth of Ke the field allows at most 99.58 rad/s; without field weakening 110 rad/s
+// are 19.2 and 473 % of it.
+TEST(Explanations, OfferFieldWeakeningOnlyWhereItIsNotCountedYet) {
+  Actuator document = sample();
+  document.datasheet->no_load_speed_rad_s = 110;
+  const auto offers = [&document] {
+    const Finding speed = finding(document, "no-load-speed").value();
+    return std::any_of(speed.explanations.begin(), speed.explanations.end(),
+                       [](const Explanation& one) {
+                         return one.sentence.starts_with("field weakening by 472.9 %");
+                       });
+  };
+  EXPECT_TRUE(offers());
+  document.drive.field_weakening = true;
+  document.motor.inductance_d_H = 0.000125;
+  EXPECT_FALSE(offers());
+}
+
+// A no-load current that takes the whole voltage leaves no speed: a finding, no share of anything.
+TEST(Explanations, StandANoLoadCurrentBeyondStall) {
+  Actuator document = sample();
+  document.datasheet->no_load_current_A = 120;
+  document.datasheet->no_load_speed_rad_s = 19;
+  const auto speed = finding(document, "no-load-speed");
+  ASSERT_TRUE(speed);
+  EXPECT_EQ(speed->sentence.find("nan"), std::string::npos);
+  EXPECT_EQ(speed->sentence.find("rounding allowed for"), std::string::npos) << speed->sentence;
+}
+
+TEST(Readings, NeverTouchTheDocumentsOwnNumbers) {
+  const Actuator document = sample();
+  for (const ReadingFamily family :
+       {speed_readings, emf_readings, ampere_readings, ohm_readings, side_readings}) {
+    for (const Reading& reading : family(as_stated(document))) {
+      EXPECT_EQ(reading.document.motor.torque_constant_Nm_A, document.motor.torque_constant_Nm_A);
+      EXPECT_EQ(reading.document.motor.resistance_ohm, document.motor.resistance_ohm);
+      EXPECT_FALSE(reading.sentence.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::actuator::lint
