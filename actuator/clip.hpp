@@ -9,6 +9,7 @@
  */
 #pragma once
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -16,7 +17,7 @@
 extern "C" {
 #endif
 
-/* The torques from least to greatest. */
+/* From least to greatest torque. */
 typedef struct torquewright_interval {
   double least_Nm;
   double greatest_Nm;
@@ -30,16 +31,25 @@ typedef struct torquewright_parallelogram {
   double greatest_torque_Nm;
 } torquewright_parallelogram;
 
-/* Rows of ascending speed, interpolated linearly; beyond the ends the end rows hold. Two rows of
- * the same speed are a jump; at speed 0 itself `rest` holds. Requires rows >= 2. */
+/* The region from one speed to the next: linear bounds. Made by torquewright_make_rows. */
+typedef struct torquewright_row {
+  double speed_rad_s;
+  double next_speed_rad_s;
+  double least_Nm; /* at speed_rad_s */
+  double least_slope_Nm_s_rad;
+  double greatest_Nm;
+  double greatest_slope_Nm_s_rad;
+} torquewright_row;
+
+/* Rows of ascending speed; beyond the ends the end points hold. A row of no width is a jump; at
+ * speed 0 itself `rest` holds. */
 typedef struct torquewright_table {
-  const double* speed_rad_s;
-  const double* least_Nm;
-  const double* greatest_Nm;
+  const torquewright_row* row;
   size_t rows;
   torquewright_interval rest;
-  /* The last row at or before the start of each of `cells` equal cells from the first speed to the
-   * last: finds the row at once. Null: it is searched for by bisection. */
+  /* The row at the start of each of `cells` equal cells from the first speed to the last, or one
+   * before it where rounding may put a speed into the next cell; then the last row: cells + 1
+   * entries, which find a row at once. Null: rows are searched for by bisection. */
   const uint32_t* first_row;
   size_t cells;
   double cells_per_rad_s;
@@ -80,52 +90,60 @@ static inline void torquewright_parallelogram_clip_all(const torquewright_parall
   }
 }
 
-/* The last row whose speed is at most the given one. Requires first speed <= speed < last speed. */
-static inline size_t torquewright_table_row(const torquewright_table* table, double speed_rad_s) {
-  const double* speeds = table->speed_rad_s;
+/* Fills `row`, which has room for `count`, from points of ascending speed; the last row is the end
+ * point. Requires count >= 1. */
+static inline void torquewright_make_rows(const double* speed_rad_s, const double* least_Nm,
+                                          const double* greatest_Nm, size_t count,
+                                          torquewright_row* row) {
+  for (size_t i = 0; i < count; ++i) {
+    const int is_last = i + 1 == count;
+    const double width_rad_s = is_last ? 0.0 : speed_rad_s[i + 1] - speed_rad_s[i];
+    const double per_width = width_rad_s > 0.0 ? 1.0 / width_rad_s : 0.0;
+    row[i].speed_rad_s = speed_rad_s[i];
+    row[i].next_speed_rad_s = is_last ? HUGE_VAL : speed_rad_s[i + 1];
+    row[i].least_Nm = least_Nm[i];
+    row[i].greatest_Nm = greatest_Nm[i];
+    row[i].least_slope_Nm_s_rad = is_last ? 0.0 : per_width * (least_Nm[i + 1] - least_Nm[i]);
+    row[i].greatest_slope_Nm_s_rad =
+        is_last ? 0.0 : per_width * (greatest_Nm[i + 1] - greatest_Nm[i]);
+  }
+}
+
+/* The last row that begins at or before the speed. Requires first speed <= speed <= last speed. */
+static inline const torquewright_row* torquewright_row_at(const torquewright_table* table,
+                                                          double speed_rad_s) {
   if (table->first_row != NULL) {
-    size_t cell = (size_t)((speed_rad_s - speeds[0]) * table->cells_per_rad_s);
-    if (cell >= table->cells) cell = table->cells - 1;
-    size_t row = table->first_row[cell];
-    while (speeds[row] > speed_rad_s) --row; /* rounding put it one cell too far */
-    while (speeds[row + 1] <= speed_rad_s) ++row;
+    const double cells = (speed_rad_s - table->row[0].speed_rad_s) * table->cells_per_rad_s;
+    size_t cell = (size_t)(int64_t)cells; /* signed: one instruction */
+    cell = cell < table->cells ? cell : table->cells;
+    const torquewright_row* row = table->row + table->first_row[cell];
+    while (row->next_speed_rad_s <= speed_rad_s) ++row;
     return row;
   }
   size_t low = 0;
-  size_t high = table->rows - 1;
+  size_t high = table->rows;
   while (high - low > 1) {
     const size_t middle = low + (high - low) / 2;
-    if (speeds[middle] <= speed_rad_s) {
+    if (table->row[middle].speed_rad_s <= speed_rad_s) {
       low = middle;
     } else {
       high = middle;
     }
   }
-  return low;
+  return table->row + low;
 }
 
 static inline torquewright_interval torquewright_table_limits(const torquewright_table* table,
                                                               double speed_rad_s) {
-  const size_t last = table->rows - 1;
-  torquewright_interval limits;
   if (speed_rad_s == 0.0) return table->rest;
-  if (!(speed_rad_s > table->speed_rad_s[0])) {
-    limits.least_Nm = table->least_Nm[0];
-    limits.greatest_Nm = table->greatest_Nm[0];
-    return limits;
-  }
-  if (speed_rad_s >= table->speed_rad_s[last]) {
-    limits.least_Nm = table->least_Nm[last];
-    limits.greatest_Nm = table->greatest_Nm[last];
-    return limits;
-  }
-  const size_t row = torquewright_table_row(table, speed_rad_s);
-  const double share = (speed_rad_s - table->speed_rad_s[row]) /
-                       (table->speed_rad_s[row + 1] - table->speed_rad_s[row]);
-  limits.least_Nm =
-      table->least_Nm[row] + share * (table->least_Nm[row + 1] - table->least_Nm[row]);
-  limits.greatest_Nm =
-      table->greatest_Nm[row] + share * (table->greatest_Nm[row + 1] - table->greatest_Nm[row]);
+  const torquewright_interval ends = {table->row[0].speed_rad_s,
+                                      table->row[table->rows - 1].speed_rad_s};
+  const double within = torquewright_clamp(speed_rad_s, ends);
+  const torquewright_row* row = torquewright_row_at(table, within);
+  const double past_rad_s = within - row->speed_rad_s;
+  torquewright_interval limits;
+  limits.least_Nm = row->least_Nm + past_rad_s * row->least_slope_Nm_s_rad;
+  limits.greatest_Nm = row->greatest_Nm + past_rad_s * row->greatest_slope_Nm_s_rad;
   return limits;
 }
 

@@ -11,6 +11,7 @@ namespace torquewright::actuator {
 namespace {
 
 constexpr double kExact = 1e-9;       // of the peak torque: rounding, not a difference of shape
+constexpr std::size_t kStride = 8;    // every which sample the squares are summed over
 constexpr double kNearlyRest = 1e-6;  // of the greatest speed: bounds may jump at rest itself
 
 struct Sample {
@@ -66,14 +67,15 @@ class Judge {
       return std::numeric_limits<double>::infinity();
     }
     double sum = 0.0;
-    for (const Sample& sample : samples_) {
+    for (std::size_t i = 0; i < samples_.size(); i += kStride) {
+      const Sample& sample = samples_[i];
       const TorqueLimits limits = exporter_.law(shape, sample.speed_rad_s);
       const double outside = excess_Nm(limits, sample) / peak_Nm_;
       const double least = (limits.least_Nm - sample.least_Nm) / peak_Nm_;
       const double greatest = (limits.greatest_Nm - sample.greatest_Nm) / peak_Nm_;
       sum += least * least + greatest * greatest + price * outside * outside;
     }
-    return sum / static_cast<double>(samples_.size());
+    return sum * kStride / static_cast<double>(samples_.size());
   }
 
   bool is_inside(const Shape& shape) const {
@@ -105,16 +107,22 @@ Shape least_cost(const Judge& judge, Shape shape, double price) {
   return shape;
 }
 
-/// The largest image of the shape, scaled about the origin, that lies inside.
+/// The largest image of the shape, scaled about the origin, that lies inside. (Not every smaller
+/// one does: past its own overspeed a law may leave the region again.)
 Shape largest_inside(const Judge& judge, const Shape& shape) {
   if (judge.is_inside(shape)) return shape;
-  double inside = 0.0;
-  double outside = 1.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (inside + outside);
-    (judge.is_inside(judge.scaled(shape, middle)) ? inside : outside) = middle;
+  constexpr int kSteps = 200;
+  for (int step = kSteps - 1; step > 0; --step) {
+    double inside = static_cast<double>(step) / kSteps;
+    if (!judge.is_inside(judge.scaled(shape, inside))) continue;
+    double outside = static_cast<double>(step + 1) / kSteps;
+    while (outside - inside > 1e-12) {
+      const double middle = 0.5 * (inside + outside);
+      (judge.is_inside(judge.scaled(shape, middle)) ? inside : outside) = middle;
+    }
+    return judge.scaled(shape, inside);
   }
-  return judge.scaled(shape, inside);
+  return judge.scaled(shape, 1.0 / kSteps);  // the error report says what remains
 }
 
 }  // namespace

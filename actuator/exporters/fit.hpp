@@ -10,6 +10,6 @@ namespace torquewright::actuator {
 /// by scaling the law about the origin until it lies inside at every speed looked at (kFitSpeeds on
 /// each side of rest and every corner of the table).
 Shape fitted(const Subject& subject, const Exporter& exporter, const Shape& start);
-constexpr int kFitSpeeds = 300;
+constexpr int kFitSpeeds = 2000;
 
 }  // namespace torquewright::actuator

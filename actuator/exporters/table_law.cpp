@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "actuator/clip_table.hpp"
 
@@ -23,35 +24,48 @@ std::string array(std::string_view name, std::span<const double> values) {
 }  // namespace
 
 Shape table_shape(const Subject& subject) {
-  const ClipTable table(subject.table);
+  const ClipPoints points = clip_points(subject.table);
   const double inset_Nm =
       subject.fit == Fit::kConservative ? subject.table.interpolation_error_Nm : 0.0;
-  Shape shape = table.speeds_rad_s();
+  Shape shape = points.speeds_rad_s;
   const std::size_t rows = shape.size();
+  const auto middle_Nm = [&](std::size_t i) {
+    return 0.5 * (points.least_Nm[i] + points.greatest_Nm[i]);
+  };
   for (std::size_t i = 0; i < rows; ++i) {
-    shape.push_back(std::min(table.least_Nm()[i] + inset_Nm,
-                             0.5 * (table.least_Nm()[i] + table.greatest_Nm()[i])));
+    shape.push_back(std::min(points.least_Nm[i] + inset_Nm, middle_Nm(i)));
   }
   for (std::size_t i = 0; i < rows; ++i) {
-    shape.push_back(std::max(table.greatest_Nm()[i] - inset_Nm,
-                             0.5 * (table.least_Nm()[i] + table.greatest_Nm()[i])));
+    shape.push_back(std::max(points.greatest_Nm[i] - inset_Nm, middle_Nm(i)));
   }
   return shape;
 }
 
 TorqueLimits table_law(std::span<const double> shape, double speed_rad_s) {
   const std::size_t rows = shape.size() / 3;
-  TableView table{shape.data(), shape.data() + rows, shape.data() + 2 * rows, rows, {}, nullptr, 0,
-                  0.0};
-  if (speed_rad_s == 0.0) {
-    const auto block = [&](std::size_t i) {
-      const std::span<const double> part = shape.subspan(i * rows, rows);
-      return std::vector<double>(part.begin(), part.end());
-    };
-    table.rest = at_rest(block(0), block(1), block(2));
+  const auto speeds_rad_s = shape.subspan(0, rows);
+  const auto least_Nm = shape.subspan(rows, rows);
+  const auto greatest_Nm = shape.subspan(2 * rows, rows);
+  // Points before the speed, and points up to and with it.
+  const auto place = [&](auto end) { return static_cast<std::size_t>(end - speeds_rad_s.begin()); };
+  const std::size_t before =
+      place(std::lower_bound(speeds_rad_s.begin(), speeds_rad_s.end(), speed_rad_s));
+  const std::size_t through =
+      place(std::upper_bound(speeds_rad_s.begin(), speeds_rad_s.end(), speed_rad_s));
+  if (before < through) {  // at a point; at a jump the union of both sides
+    TorqueLimits limits{least_Nm[before], greatest_Nm[before]};
+    for (std::size_t i = before + 1; i < through; ++i) {
+      limits.least_Nm = std::min(limits.least_Nm, least_Nm[i]);
+      limits.greatest_Nm = std::max(limits.greatest_Nm, greatest_Nm[i]);
+    }
+    return limits;
   }
-  const Interval interval = limits(table, speed_rad_s);
-  return {interval.least_Nm, interval.greatest_Nm};
+  if (before == 0) return {least_Nm.front(), greatest_Nm.front()};
+  if (before == rows) return {least_Nm.back(), greatest_Nm.back()};
+  const double share =
+      (speed_rad_s - speeds_rad_s[before - 1]) / (speeds_rad_s[before] - speeds_rad_s[before - 1]);
+  return {std::lerp(least_Nm[before - 1], least_Nm[before], share),
+          std::lerp(greatest_Nm[before - 1], greatest_Nm[before], share)};
 }
 
 std::string table_function(std::string_view name, std::span<const double> shape) {
