@@ -14,6 +14,7 @@
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
+#include "src/commands/actuator_export.hpp"
 #include "src/commands/operating_options.hpp"
 #include "src/report/actuator_text.hpp"
 
@@ -27,6 +28,7 @@ struct MorOptions {
   OperatingOptions operating;
   std::string side = "joint";
   std::string format = "csv";
+  std::string fit = "conservative";
   std::vector<double> speeds_rad_s;
   std::string need;
   std::string ratios;
@@ -104,6 +106,13 @@ ExitCode run_mor(const MorOptions& options) {
 
   const auto side = options.side == "motor" ? actuator::Side::kMotor : actuator::Side::kJoint;
   const actuator::Region region(read.actuator, conditions, side);
+  if (const actuator::Exporter* exporter = actuator::find_exporter(options.format)) {
+    if (!options.speeds_rad_s.empty()) refuse("--at-speed", "rows are for csv and json");
+    const auto fit = options.fit == "best" ? actuator::Fit::kBest : actuator::Fit::kConservative;
+    const Exported exported = exported_file(read, conditions, region, *exporter, fit);
+    deliver(options, options.json ? with_provenance(exported.json, read) : exported.text);
+    return ExitCode::kPasses;
+  }
   const actuator::MorTable table = options.speeds_rad_s.empty()
                                        ? actuator::mor_table(region)
                                        : actuator::mor_rows(region, options.speeds_rad_s);
@@ -123,8 +132,13 @@ void add_mor_command(CLI::App& actuator, ExitCode& result) {
   add_operating_options(*command, options->operating);
   command->add_option("--side", options->side, "joint, or motor: at the rotor, before friction")
       ->check(CLI::IsMember({"joint", "motor"}));
-  command->add_option("--format", options->format, "csv or json")
-      ->check(CLI::IsMember({"csv", "json"}));
+  command->add_option("--format", options->format, "csv, json or a simulator's file")
+      ->check(CLI::IsMember(mor_formats()));
+  command
+      ->add_option("--fit", options->fit,
+                   "Of a simulator's law that cannot take the region's shape: conservative (inside "
+                   "it) or best (least squares)")
+      ->check(CLI::IsMember({"conservative", "best"}));
   command->add_option("--at-speed", options->speeds_rad_s, "Rows at these speeds only, in rad/s")
       ->delimiter(',')
       ->check(CLI::Range(-1e6, 1e6));

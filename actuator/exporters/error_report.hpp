@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "actuator/exporters/exporter.hpp"
+
+namespace torquewright::actuator {
+
+/// The greatest difference of one kind, and the speed at which it is. 0 at 0: there is none.
+struct WorstError {
+  double torque_Nm = 0.0;
+  double speed_rad_s = 0.0;
+};
+
+/// One bound in one direction of motion.
+struct QuadrantError {
+  int direction;          ///< Sign of the speed.
+  bool is_upper;          ///< Of the greatest torque; else of the least.
+  WorstError optimistic;  ///< The simulator gives torque that the actuator does not.
+  WorstError cautious;    ///< The actuator gives torque that the simulator does not.
+};
+
+/// What a simulator does with a shape, against the region, over every speed up to the region's
+/// greatest. Where its law contradicts itself or sets no limit, a sentence says so, and the speeds
+/// count in no number; so where the region is empty.
+struct ErrorReport {
+  double greatest_speed_rad_s = 0.0;
+  std::array<QuadrantError, 4> quadrants;
+  /// Of the area of torque and speed that the law allows, the part that is not in the region.
+  double share_outside = 0.0;
+  std::vector<std::string> sentences;
+};
+
+ErrorReport error_report(const Subject& subject, const Exporter& exporter,
+                         std::span<const double> shape);
+
+/// As a table, a line each.
+std::vector<std::string> error_lines(const ErrorReport& report);
+
+}  // namespace torquewright::actuator

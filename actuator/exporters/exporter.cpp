@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/exporters/exporter.hpp"
+
+#include "actuator/exporters/every_exporter.hpp"
+
+namespace torquewright::actuator {
+
+std::string_view name_of(Fit fit) { return fit == Fit::kBest ? "best" : "conservative"; }
+
+double Subject::ratio() const {
+  return region.side() == Side::kMotor ? 1.0 : actuator.transmission.ratio;
+}
+
+double Subject::armature_kg_m2() const {
+  const double rotor_kg_m2 = actuator.motor.rotor_inertia_kg_m2;
+  if (region.side() == Side::kMotor) return rotor_kg_m2;
+  return ratio() * ratio() * rotor_kg_m2 + actuator.transmission.inertia_kg_m2;
+}
+
+double Subject::bus_voltage_V() const { return open_circuit_voltage_V(actuator, conditions); }
+
+std::span<const Exporter* const> exporter_library() {
+#define LIST(name) &exporters::name,
+  static constexpr const Exporter* kExporters[] = {TORQUEWRIGHT_EVERY_EXPORTER(LIST)};
+#undef LIST
+  return kExporters;
+}
+
+const Exporter* find_exporter(std::string_view name) {
+  for (const Exporter* exporter : exporter_library()) {
+    if (exporter->name == name) return exporter;
+  }
+  return nullptr;
+}
+
+}  // namespace torquewright::actuator

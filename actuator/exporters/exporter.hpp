@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "actuator/joint_region.hpp"
+#include "actuator/mor_table.hpp"
+
+namespace torquewright::actuator {
+
+/// How the numbers of a law are chosen that cannot take the shape of the region: by least squares
+/// of both bounds over every speed up to the region's greatest.
+enum class Fit {
+  /// Among the laws that lie inside the region wherever it holds zero torque. (Past those speeds
+  /// the
+  /// region leaves zero and ends in a point: no law that narrows down to zero can stay inside it.)
+  kConservative,
+  kBest,  ///< Among all.
+};
+std::string_view name_of(Fit fit);
+
+/// What a file is written about.
+struct Subject {
+  const Actuator& actuator;
+  Conditions conditions;
+  const Region& region;
+  const MorTable& table;  ///< Of the region.
+  Fit fit = Fit::kConservative;
+
+  /// Rotor speed over the speed of the side that is exported; 1 on the motor's side.
+  double ratio() const;
+  /// Inertia of rotor and gears on that side: N^2 J and the gears' (motor's side: J alone).
+  double armature_kg_m2() const;
+  double bus_voltage_V() const;
+};
+
+/// What a simulator allows at a speed. Least above greatest: its law contradicts itself there.
+/// Infinite: it sets no limit.
+struct TorqueLimits {
+  double least_Nm = 0.0;
+  double greatest_Nm = 0.0;
+};
+
+/// How a number of a law changes when its whole region is scaled about the origin.
+enum class Scales { kWithRegion, kNot };
+
+struct ShapeParameter {
+  std::string_view name;  ///< Its unit is the end of its name.
+  Scales scales = Scales::kWithRegion;
+};
+
+/// The numbers of a law, in the order of its parameters. All positive.
+using Shape = std::vector<double>;
+
+/// A simulator's way to limit an actuator. One file each in this folder, one line in
+/// every_exporter.hpp.
+struct Exporter {
+  std::string_view name;       ///< As in --format.
+  std::string_view simulator;  ///< And the version whose documentation was followed.
+  std::string_view source;     ///< Where its fields, their units and its law are documented.
+  std::string_view advice;     ///< What its users have to know; a sentence or more.
+  /// Empty: the shape is a table, three blocks of equal length (speeds, least, greatest).
+  std::span<const ShapeParameter> parameters;
+  Shape (*shape)(const Subject&);
+  /// What the simulator does with the shape. Plain: no state, any finite speed.
+  TorqueLimits (*law)(std::span<const double> shape, double speed_rad_s);
+  /// The file's text; `note` is put into it as comment lines.
+  std::string (*write)(const Subject&, std::span<const double> shape,
+                       const std::vector<std::string>& note);
+};
+
+/// Every exporter, in the order of every_exporter.hpp.
+std::span<const Exporter* const> exporter_library();
+
+/// The exporter of that name; nullptr if there is none.
+const Exporter* find_exporter(std::string_view name);
+
+}  // namespace torquewright::actuator

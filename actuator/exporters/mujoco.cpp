@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fields: MuJoCo's XML reference, "actuator/general" and "body/joint" (mujoco.readthedocs.io,
+// XMLreference), as of 2.2.2 and unchanged in meaning since. force = gainprm[0] ctrl + biasprm[0] +
+// biasprm[1] length + biasprm[2] velocity, ctrl clamped to ctrlrange first, force to forcerange
+// last. Radians and SI by <compiler angle="radian">.
+#include <fmt/format.h>
+
+#include "actuator/exporters/every_exporter.hpp"
+#include "actuator/exporters/fit.hpp"
+#include "actuator/exporters/line_law.hpp"
+#include "actuator/exporters/text.hpp"
+
+namespace torquewright::actuator::exporters {
+namespace {
+
+Shape shape(const Subject& subject) { return fitted(subject, mujoco, line_start(subject)); }
+
+std::string write(const Subject& subject, std::span<const double> shape,
+                  const std::vector<std::string>& note) {
+  const Parallelogram line = parallelogram_of(shape);
+  const double bus_V = subject.bus_voltage_V();
+  const double gain_Nm_V = line.stall_torque_Nm / bus_V;
+  const double bias_Nm_s_rad = -line.stall_torque_Nm / line.no_load_speed_rad_s;
+  return xml_comment(note) + fmt::format(R"(<mujoco model={0}>
+  <compiler angle="radian"/>
+  <worldbody>
+    <body name="link">
+      <joint name="joint" type="hinge" axis="0 0 1" armature="{1}" damping="0" frictionloss="0"/>
+      <geom type="sphere" size="0.05" mass="1"/>
+    </body>
+  </worldbody>
+  <actuator>
+    <general name={0} joint="joint" gear="1" gaintype="fixed" gainprm="{2}" biastype="affine"
+      biasprm="0 0 {3}" ctrllimited="true" ctrlrange="{4} {5}" forcelimited="true" forcerange="{6} {7}"/>
+  </actuator>
+</mujoco>
+)",
+                                         xml_quoted(subject.actuator.name),
+                                         subject.armature_kg_m2(), gain_Nm_V, bias_Nm_s_rad, -bus_V,
+                                         bus_V, -line.greatest_torque_Nm, line.greatest_torque_Nm);
+}
+
+}  // namespace
+
+const Exporter mujoco = {
+    .name = "mujoco",
+    .simulator = "MuJoCo 2.2.2 and later, <general>",
+    .source = "https://mujoco.readthedocs.io/en/stable/XMLreference.html#actuator-general",
+    .advice =
+        "ctrl is the voltage in V. The link is a stand-in: take over the joint's attributes and "
+        "the "
+        "actuator.",
+    .parameters = kLineParameters,
+    .shape = shape,
+    .law = line_law,
+    .write = write,
+};
+
+}  // namespace torquewright::actuator::exporters

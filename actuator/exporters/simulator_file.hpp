@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "actuator/exporters/error_report.hpp"
+#include "actuator/exporters/exporter.hpp"
+
+namespace torquewright::actuator {
+
+/// A file for a simulator, and what is known of it.
+struct SimulatorFile {
+  const Exporter* exporter = nullptr;
+  Shape shape;
+  ErrorReport errors;
+  std::vector<std::string> note;  ///< As it stands in the file's comment.
+  std::string text;
+};
+
+/// `origin` lines head the note: the tool and its inputs. Requires that the region is not empty at
+/// rest.
+SimulatorFile simulator_file(const Subject& subject, const Exporter& exporter,
+                             const std::vector<std::string>& origin);
+
+/// A document of kind `simulator_file` without its provenance.
+nlohmann::ordered_json simulator_file_json(const Subject& subject, const SimulatorFile& file);
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fields and law: unitree_rl_lab, UnitreeActuator(Cfg) and the README's figure; the same law in
+// mjlab (UnitreeActuatorCfg), whose test gives the numbers ours is tested with. Effort is limited
+// to Y1 where speed times effort is positive, else (also at rest) to Y2; from X1 on both fall
+// linearly to zero at X2. rad/s, N m, kg m^2.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "actuator/exporters/every_exporter.hpp"
+#include "actuator/exporters/fit.hpp"
+#include "actuator/exporters/plateau_start.hpp"
+#include "actuator/exporters/text.hpp"
+
+namespace torquewright::actuator::exporters {
+namespace {
+
+constexpr ShapeParameter kParameters[] = {
+    {"knee_speed_rad_s"}, {"no_load_speed_rad_s"}, {"drive_torque_Nm"}, {"brake_torque_Nm"}};
+
+Shape shape(const Subject& subject) {
+  const Plateaus start = plateaus_of(subject);
+  return fitted(subject, unitree_xy,
+                {start.knee_rad_s, start.no_load_rad_s, start.drive_Nm, start.brake_Nm});
+}
+
+TorqueLimits law(std::span<const double> shape, double speed_rad_s) {
+  const double knee_rad_s = shape[0];
+  const double no_load_rad_s = shape[1];
+  if (!(knee_rad_s < no_load_rad_s)) {  // the slope has no meaning
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, -kInfinity};
+  }
+  const double fall = (std::abs(speed_rad_s) - knee_rad_s) / (no_load_rad_s - knee_rad_s);
+  const double share = std::clamp(1.0 - fall, 0.0, 1.0);
+  const double drive_Nm = share * shape[2];
+  const double brake_Nm = share * shape[3];
+  return {speed_rad_s < 0.0 ? -drive_Nm : -brake_Nm, speed_rad_s > 0.0 ? drive_Nm : brake_Nm};
+}
+
+std::string write(const Subject& subject, std::span<const double> shape,
+                  const std::vector<std::string>& note) {
+  return line_comment(note, "# ") +
+         fmt::format(
+             R"(from unitree_rl_lab.assets.robots.unitree_actuators import UnitreeActuatorCfg
+
+{0} = UnitreeActuatorCfg(
+    joint_names_expr=["joint"],  # yours
+    X1={1},
+    X2={2},
+    Y1={3},
+    Y2={4},
+    Fs=0.0,
+    Fd=0.0,
+    armature={5},
+    stiffness=0.0,  # yours
+    damping=0.0,  # yours
+)
+)",
+             identifier(subject.actuator.name), shape[0], shape[1], shape[2], shape[3],
+             subject.armature_kg_m2());
+}
+
+}  // namespace
+
+const Exporter unitree_xy = {
+    .name = "unitree-xy",
+    .simulator = "Unitree RL Lab, UnitreeActuatorCfg",
+    .source = "https://github.com/unitreerobotics/unitree_rl_lab README.md, UnitreeActuatorCfg",
+    .advice =
+        "Braking falls with driving from X1 on and ends at X2, where a motor brakes fully. mjlab's "
+        "names: X1 velocity_at_full_effort, X2 velocity_at_zero_effort, Y1 drive_effort_limit, Y2 "
+        "brake_effort_limit, Fs static_friction, Fd dynamic_friction.",
+    .parameters = kParameters,
+    .shape = shape,
+    .law = law,
+    .write = write,
+};
+
+}  // namespace torquewright::actuator::exporters

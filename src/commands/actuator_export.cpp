@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/actuator_export.hpp"
+
+#include <fmt/format.h>
+
+#include "actuator/exporters/simulator_file.hpp"
+#include "io/provenance.hpp"
+
+namespace torquewright::cli {
+
+std::vector<std::string> mor_formats() {
+  std::vector<std::string> names{"csv", "json"};
+  for (const actuator::Exporter* exporter : actuator::exporter_library()) {
+    names.emplace_back(exporter->name);
+  }
+  return names;
+}
+
+Exported exported_file(const actuator::ReadActuator& read, const actuator::Conditions& conditions,
+                       const actuator::Region& region, const actuator::Exporter& exporter,
+                       actuator::Fit fit) {
+  if (region.at(0.0).is_empty) {
+    throw io::SpecError({{read.documents.front().file, "",
+                          fmt::format("no torque is possible at rest (limiter {}): there is no "
+                                      "region to write",
+                                      actuator::name_of(region.at(0.0).why_empty))}});
+  }
+  const actuator::MorTable table = actuator::mor_table(region);
+  const actuator::Subject subject{read.actuator, conditions, region, table, fit};
+  std::vector<std::string> origin{
+      fmt::format("Written by torquewright {}, actuator mor, from:", io::tool_version())};
+  for (const io::Document& document : read.documents) {
+    for (const auto& input : io::input_provenance({&document, 1})) {
+      origin.push_back(fmt::format("{} sha256 {}", input.at("path").get<std::string>(),
+                                   input.at("sha256").get<std::string>()));
+    }
+  }
+  const actuator::SimulatorFile file = actuator::simulator_file(subject, exporter, origin);
+  return {file.text, actuator::simulator_file_json(subject, file)};
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/exporters/fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "actuator/exporters/downhill_simplex.hpp"
+#include "actuator/exporters/error_report.hpp"
+#include "actuator/exporters/every_exporter.hpp"
+#include "actuator/exporters/line_law.hpp"
+#include "tests/actuator/exporters/example_actuators.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+const Exporter* const kLines[] = {&exporters::mujoco,    &exporters::mujoco_dcmotor,
+                                  &exporters::isaac_lab, &exporters::mjlab,
+                                  &exporters::newton,    &exporters::raisim2};
+
+// Oracle: Rosenbrock's valley, whose least value is 0 at (1, 1).
+TEST(Downhill, FindsTheEndOfRosenbrocksValley) {
+  const auto valley = [](const std::vector<double>& at) {
+    return 100.0 * std::pow(at[1] - at[0] * at[0], 2.0) + std::pow(1.0 - at[0], 2.0);
+  };
+  const std::vector<double> end = downhill(valley, {-1.2, 1.1}, 0.1, 1e-14, 5000);
+  EXPECT_NEAR(end[0], 1.0, 1e-5);
+  EXPECT_NEAR(end[1], 1.0, 1e-5);
+}
+
+// Oracle: closed forms of the lossless knee, in example_actuators.hpp.
+TEST(Fit, OfALosslessActuatorIsItsParallelogram) {
+  const Example example(knee());
+  for (const Fit fit : {Fit::kConservative, Fit::kBest}) {
+    for (const Exporter* exporter : kLines) {
+      const Shape shape = exporter->shape(example.subject(fit));
+      EXPECT_NEAR(shape[0], 1536.0, 1e-9);
+      EXPECT_NEAR(shape[1], 10.5, 1e-12);
+      EXPECT_NEAR(shape[2], 320.0, 1e-9);
+    }
+  }
+}
+
+TEST(Fit, OnTheMotorsSideIsTheRotors) {
+  const Example example(knee(), Side::kMotor);
+  const Shape shape = exporters::isaac_lab.shape(example.subject(Fit::kBest));
+  EXPECT_NEAR(shape[0], 76.8, 1e-10);
+  EXPECT_NEAR(shape[1], 210.0, 1e-10);
+  EXPECT_NEAR(shape[2], 16.0, 1e-10);
+  EXPECT_NEAR(example.subject(Fit::kBest).armature_kg_m2(), 0.000922, 1e-15);
+}
+
+/// The greatest part of the law outside the region, where that holds zero torque: at speeds that
+/// the fit does not look at.
+double greatest_excess_Nm(const Example& example, const Exporter& exporter, const Shape& shape) {
+  double excess_Nm = 0.0;
+  std::mt19937 dice(3);
+  const double end_rad_s = example.region.greatest_speed_rad_s();
+  std::uniform_real_distribution<double> speed(-end_rad_s, end_rad_s);
+  for (int i = 0; i < 3000; ++i) {
+    const double speed_rad_s = speed(dice);
+    const JointRange range = example.region.at(speed_rad_s);
+    if (range.is_empty || range.least.torque_Nm > 0.0 || range.greatest.torque_Nm < 0.0) continue;
+    const TorqueLimits at = exporter.law(shape, speed_rad_s);
+    if (std::isinf(at.greatest_Nm)) continue;
+    excess_Nm = std::max({excess_Nm, at.greatest_Nm - range.greatest.torque_Nm,
+                          range.least.torque_Nm - at.least_Nm});
+  }
+  return excess_Nm;
+}
+
+double mean_square_Nm2(const Example& example, const Exporter& exporter, const Shape& shape) {
+  double sum = 0.0;
+  const double end_rad_s = example.region.greatest_speed_rad_s();
+  constexpr int kCount = 1000;
+  for (int i = 0; i < kCount; ++i) {
+    const double speed_rad_s = end_rad_s * (2.0 * (i + 0.5) / kCount - 1.0);
+    const JointRange range = example.region.at(speed_rad_s);
+    const TorqueLimits at = exporter.law(shape, speed_rad_s);
+    sum += std::pow(at.greatest_Nm - range.greatest.torque_Nm, 2.0) +
+           std::pow(at.least_Nm - range.least.torque_Nm, 2.0);
+  }
+  return sum / kCount;
+}
+
+TEST(Fit, ConservativeStaysInsideAndBestIsNearerInTheMean) {
+  std::mt19937 dice(20);
+  for (int i = 0; i < 4; ++i) {
+    const Example example(i == 0 ? lossy_knee() : random_actuator(dice));
+    // Between the speeds that the fit looks at a curved bound may bulge inward by this much.
+    const double tolerance_Nm = 1e-3 * example.table.peak_torque_Nm;
+    for (const Exporter* exporter : exporter_library()) {
+      SCOPED_TRACE(exporter->name);
+      const Shape careful = exporter->shape(example.subject(Fit::kConservative));
+      EXPECT_LE(greatest_excess_Nm(example, *exporter, careful), tolerance_Nm);
+      EXPECT_TRUE(std::all_of(careful.begin(), careful.end(),
+                              [](double value) { return std::isfinite(value); }));
+      if (exporter->parameters.empty() || exporter == &exporters::urdf) continue;
+      const Shape best = exporter->shape(example.subject(Fit::kBest));
+      EXPECT_LT(mean_square_Nm2(example, *exporter, best),
+                mean_square_Nm2(example, *exporter, careful));
+      EXPECT_GT(greatest_excess_Nm(example, *exporter, best), tolerance_Nm);
+    }
+  }
+}
+
+// A conservative law that is needlessly small would pass the test above.
+TEST(Fit, ConservativeIsNotSmallerThanItMustBe) {
+  const Example example(lossy_knee());
+  for (const Exporter* exporter : exporter_library()) {
+    if (exporter->parameters.empty()) continue;
+    SCOPED_TRACE(exporter->name);
+    Shape shape = exporter->shape(example.subject(Fit::kConservative));
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      if (exporter->parameters[i].scales == Scales::kWithRegion) shape[i] *= 1.01;
+    }
+    EXPECT_GT(greatest_excess_Nm(example, *exporter, shape), 1e-3 * example.table.peak_torque_Nm);
+  }
+}
+
+TEST(ErrorReport, OfTheRightLawIsNone) {
+  const Example example(knee());
+  const Subject subject = example.subject(Fit::kConservative);
+  for (const Exporter* exporter : {&exporters::mujoco, &exporters::drake, &exporters::raisim2}) {
+    const ErrorReport report = error_report(subject, *exporter, exporter->shape(subject));
+    for (const QuadrantError& quadrant : report.quadrants) {
+      EXPECT_EQ(quadrant.optimistic.torque_Nm, 0.0);
+      EXPECT_EQ(quadrant.cautious.torque_Nm, 0.0);
+    }
+    EXPECT_EQ(report.share_outside, 0.0);
+    EXPECT_TRUE(report.sentences.empty());
+  }
+}
+
+// Oracle: closed forms. The box of peak torque and no-load speed exceeds the knee's region by two
+// triangles: (w0 - wc) / (4 w0) = 2.1875 / 42 of its area, and by 320 Nm at 10.5 rad/s.
+TEST(ErrorReport, OfTheBoxIsTwoTriangles) {
+  const Example example(knee());
+  const Subject subject = example.subject(Fit::kBest);
+  const ErrorReport report = error_report(subject, exporters::urdf, exporters::urdf.shape(subject));
+  EXPECT_NEAR(report.share_outside, 2.1875 / 42.0, 1e-6);
+  const auto& [forward_upper, forward_lower, backward_upper, backward_lower] = report.quadrants;
+  EXPECT_NEAR(forward_upper.optimistic.torque_Nm, 320.0, 1e-6);
+  EXPECT_NEAR(forward_upper.optimistic.speed_rad_s, 10.5, 1e-6);
+  EXPECT_EQ(forward_lower.optimistic.torque_Nm, 0.0);
+  EXPECT_EQ(backward_upper.optimistic.torque_Nm, 0.0);
+  EXPECT_NEAR(backward_lower.optimistic.torque_Nm, 320.0, 1e-6);
+  EXPECT_NEAR(backward_lower.optimistic.speed_rad_s, -10.5, 1e-6);
+  ASSERT_EQ(report.sentences.size(), 2u);
+  EXPECT_NE(report.sentences[0].find("> 10.5 rad/s the format sets no limit"), std::string::npos);
+}
+
+// Oracle: closed forms. With the knee's own numbers PhysX gives no braking at the no-load speed,
+// where the motor brakes with 320 Nm, and no forced braking at the overspeed, where it cannot but.
+TEST(ErrorReport, OfTheSymmetricEnvelope) {
+  const Example example(knee());
+  const Subject subject = example.subject(Fit::kConservative);
+  const ErrorReport report =
+      error_report(subject, exporters::physx, Shape{320.0, 10.5, 10.5 / 1536.0});
+  const QuadrantError& upper = report.quadrants[0];
+  const QuadrantError& lower = report.quadrants[1];
+  EXPECT_NEAR(upper.optimistic.torque_Nm, 320.0, 1e-6);
+  EXPECT_NEAR(upper.optimistic.speed_rad_s, 12.6875, 1e-6);
+  EXPECT_EQ(upper.cautious.torque_Nm, 0.0);
+  EXPECT_NEAR(lower.cautious.torque_Nm, 320.0, 1e-6);
+  EXPECT_GE(lower.cautious.speed_rad_s, 10.5 - 1e-6);
+  EXPECT_EQ(lower.optimistic.torque_Nm, 0.0);
+}
+
+TEST(ErrorReport, SaysWhereNewtonContradictsItself) {
+  const Example example(knee());
+  const Subject subject = example.subject(Fit::kConservative);
+  const ErrorReport right =
+      error_report(subject, exporters::newton, exporters::newton.shape(subject));
+  ASSERT_EQ(right.sentences.size(), 2u);
+  EXPECT_NE(right.sentences[0].find("> 12.6875 rad/s the law contradicts itself"),
+            std::string::npos)
+      << right.sentences[0];
+  // A smaller motor contradicts itself inside the region; what lies past it is in no number.
+  const ErrorReport small = error_report(subject, exporters::newton, Shape{1000.0, 9.0, 200.0});
+  EXPECT_NE(small.sentences[0].find("> 10.8 rad/s"), std::string::npos) << small.sentences[0];
+  for (const QuadrantError& quadrant : small.quadrants) {
+    EXPECT_LE(std::abs(quadrant.optimistic.speed_rad_s), 10.8 + 1e-6);
+    EXPECT_LE(std::abs(quadrant.cautious.speed_rad_s), 10.8 + 1e-6);
+  }
+}
+
+TEST(ErrorReport, TellsTooMuchFromTooLittle) {
+  const Example example(knee());
+  const Subject subject = example.subject(Fit::kConservative);
+  const ErrorReport more = error_report(subject, exporters::isaac_lab, Shape{1536.0, 10.5, 330.0});
+  const ErrorReport less = error_report(subject, exporters::isaac_lab, Shape{1536.0, 10.5, 310.0});
+  for (const QuadrantError& quadrant : more.quadrants) {
+    EXPECT_NEAR(quadrant.optimistic.torque_Nm, 10.0, 1e-6);
+  }
+  for (const QuadrantError& quadrant : less.quadrants) {
+    EXPECT_NEAR(quadrant.cautious.torque_Nm, 10.0, 1e-6);
+  }
+  EXPECT_GT(more.share_outside, 0.01);
+  // Past its smaller overspeed it brakes with 310 Nm where the motor cannot do with less than 320.
+  EXPECT_LT(less.share_outside, 1e-9);
+}
+
+TEST(ErrorReport, SaysThatTheRegionIsEmptySomewhere) {
+  Actuator actuator = knee();
+  actuator.drive.regeneration = false;
+  const Example example(actuator);
+  const Subject subject = example.subject(Fit::kConservative);
+  const ErrorReport report = error_report(subject, exporters::mujoco, line_start(subject));
+  const bool is_said = std::any_of(
+      report.sentences.begin(), report.sentences.end(), [](const std::string& sentence) {
+        return sentence.find("the region is empty") != std::string::npos;
+      });
+  const bool has_empty_row = std::any_of(example.table.rows.begin(), example.table.rows.end(),
+                                         [](const MorRow& row) { return row.range.is_empty; });
+  EXPECT_EQ(is_said, has_empty_row);
+}
+
+}  // namespace
+}  // namespace torquewright::actuator
