@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   CLI::App* actuator = app.add_subcommand("actuator", "What can the actuator do?");
   actuator->require_subcommand(1);
   torquewright::cli::add_mor_command(*actuator, result);
+  torquewright::cli::add_check_command(*actuator, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -14,6 +14,7 @@
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
+#include "src/commands/mor_plot.hpp"
 #include "src/commands/operating_options.hpp"
 #include "src/report/actuator_text.hpp"
 
@@ -31,6 +32,7 @@ struct MorOptions {
   std::string need;
   std::string ratios;
   std::string output_file;
+  MorPlotOptions plot;
   bool json = false;
 };
 
@@ -103,6 +105,10 @@ ExitCode run_mor(const MorOptions& options) {
   if (!options.need.empty()) return run_need(options, read, conditions);
 
   const auto side = options.side == "motor" ? actuator::Side::kMotor : actuator::Side::kJoint;
+  if (!options.plot.file.empty()) {
+    draw_region(options.plot, read.actuator, conditions, side);
+    return ExitCode::kPasses;
+  }
   const actuator::Region region(read.actuator, conditions, side);
   const actuator::MorTable table = options.speeds_rad_s.empty()
                                        ? actuator::mor_table(region)
@@ -133,6 +139,7 @@ void add_mor_command(CLI::App& actuator, ExitCode& result) {
   command->add_option("--ratio", options->ratios,
                       "LOW:HIGH: what these gear ratios would make of the motor");
   command->add_option("-o,--output", options->output_file, "Write to this file");
+  add_mor_plot_options(*command, options->plot);
   command->add_flag("--json", options->json, "The same as JSON");
   command->footer("Example:\n  torquewright actuator mor specs/actuator/d151_knee.json --at-speed 0,5,10");
   command->callback([options, &result] { result = run_mor(*options); });
