@@ -48,8 +48,8 @@ void write_motion(const fs::path& file, long rows, const actuator::RegionLookup&
     const double w = speed_rad_s * std::sin(2.0 * t);
     const double tau = at_bound ? lookup.near(w).greatest_Nm * (1.0 + 1e-4 * std::sin(31.0 * t))
                                 : torque_Nm * std::sin(3.7 * t);
-    const std::string line =
-        fmt::format("{:.3f},{:.7g},{:.7g},{:.7g}\n", t, -0.5 * speed_rad_s * std::cos(2.0 * t), w, tau);
+    const std::string line = fmt::format("{:.3f},{:.7g},{:.7g},{:.7g}\n", t,
+                                         -0.5 * speed_rad_s * std::cos(2.0 * t), w, tau);
     std::fputs(line.c_str(), stream);
   }
   std::fclose(stream);
@@ -66,11 +66,12 @@ int run(const fs::path& document, long rows, const fs::path& folder, bool at_bou
   const Clock::time_point start = Clock::now();
   const actuator::CheckReport report = actuator::check(request);
   const double seconds = seconds_since(start);
-  fmt::print("{} rows ({:.0f} MiB): {:.2f} s, {:.3g} rows/s, max RSS {:.1f} MiB ({:.1f} before the "
-             "check), {} clipped\n",
-             rows, static_cast<double>(fs::file_size(request.trajectory)) / 1048576.0, seconds,
-             static_cast<double>(rows) / seconds, peak_MiB(), before_MiB,
-             report.drives[0].reading.clipped_samples);
+  fmt::print(
+      "{} rows ({:.0f} MiB): {:.2f} s, {:.3g} rows/s, max RSS {:.1f} MiB ({:.1f} before the "
+      "check), {} clipped\n",
+      rows, static_cast<double>(fs::file_size(request.trajectory)) / 1048576.0, seconds,
+      static_cast<double>(rows) / seconds, peak_MiB(), before_MiB,
+      report.drives[0].reading.clipped_samples);
   fs::remove(request.trajectory);
   return 0;
 }

@@ -99,8 +99,8 @@ std::string_view LineReader::cleaned(std::string_view line) const {
   if (line_number_ == 1 && line.starts_with(kByteOrderMark)) line.remove_prefix(3);
   const bool is_utf16 = line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF");
   if (is_utf16 || line.find('\0') != std::string_view::npos) {
-    refuse(file_, fmt::format("line {}: holds bytes that are no text; save it as UTF-8",
-                              line_number_));
+    refuse(file_,
+           fmt::format("line {}: holds bytes that are no text; save it as UTF-8", line_number_));
   }
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;

@@ -28,7 +28,7 @@ class LineReader {
 
   const std::string& file() const { return file_; }
   std::size_t line_number() const { return line_number_; }  ///< Of the last line; from 1.
-  std::string sha256() { return hash_.digest(); }  ///< Of the file; at its end, once.
+  std::string sha256() { return hash_.digest(); }           ///< Of the file; at its end, once.
   double share_read() const;  ///< 0...1; 0 where the length is not known (a pipe).
 
  private:

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t kRowsBetweenProgress = 20000;
 
-/// One pass over the trajectory: rows of joints, velocities filled in; rows of drives, accelerations
-/// filled in; each drive's check.
+/// One pass over the trajectory: rows of joints, velocities filled in; rows of drives,
+/// accelerations filled in; each drive's check.
 class Pass {
  public:
   explicit Pass(const CheckRequest& request)
@@ -54,7 +54,7 @@ class Pass {
   [[noreturn]] void refuse_empty() const {
     throw io::SpecError({{reader_.file(), "",
                           reader_.has_read_rows() ? "no rows lie between --from and --until"
-                                             : "holds a header and no rows"}});
+                                                  : "holds a header and no rows"}});
   }
 
   std::vector<SlopeFilter::Pair> position_slopes() const {

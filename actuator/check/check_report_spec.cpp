@@ -65,13 +65,11 @@ void add_reading(const Reading& reading, std::size_t samples, ordered_json& json
 void add_unknown_reading(const DriveReport& drive, ordered_json& json) {
   const bool is_impossible = drive.impossible_speeds > 0;
   json["clipped_samples"] = is_impossible ? ordered_json(drive.impossible_speeds) : ordered_json();
-  json["clipped_share"] = is_impossible
-                              ? ordered_json(share(drive.impossible_speeds, drive.samples))
-                              : ordered_json();
-  for (const char* key :
-       {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s", "voltage_margin_V",
-        "peak_torque_Nm", "rms_torque_Nm", "peak_current_A", "rms_current_A", "energy_drawn_J",
-        "energy_returned_J", "winding"}) {
+  json["clipped_share"] =
+      is_impossible ? ordered_json(share(drive.impossible_speeds, drive.samples)) : ordered_json();
+  for (const char* key : {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s",
+                          "voltage_margin_V", "peak_torque_Nm", "rms_torque_Nm", "peak_current_A",
+                          "rms_current_A", "energy_drawn_J", "energy_returned_J", "winding"}) {
     json[key] = nullptr;
   }
 }
@@ -85,20 +83,20 @@ ordered_json reading_json(const Reading& reading, std::size_t samples, bool incl
 
 ordered_json inertia_json(const DriveReport& drive) {
   switch (drive.inertia) {
-    case InertiaConvention::kIncluded: return true;
-    case InertiaConvention::kExcluded: return false;
-    case InertiaConvention::kUnstated: break;
+    case InertiaConvention::kIncluded:
+      return true;
+    case InertiaConvention::kExcluded:
+      return false;
+    case InertiaConvention::kUnstated:
+      break;
   }
   return nullptr;
 }
 
 ordered_json joint_json(const DriveReport& drive) {
-  ordered_json json{{"name", drive.name},
-                    {"actuator", drive.actuator},
-                    {"verdict", name_of(drive.verdict)},
-                    {"samples", drive.samples},
-                    {"from_s", drive.from_s},
-                    {"until_s", drive.until_s}};
+  ordered_json json{
+      {"name", drive.name},       {"actuator", drive.actuator}, {"verdict", name_of(drive.verdict)},
+      {"samples", drive.samples}, {"from_s", drive.from_s},     {"until_s", drive.until_s}};
   if (drive.has_torque) {
     add_reading(drive.reading, drive.samples, json);
   } else {

@@ -33,8 +33,8 @@ std::optional<Demand> demand_at(const Actuator& actuator, const Machine& machine
   Demand demand;
   demand.phase_current_A = current.amplitude_A();
   if (!std::isfinite(demand.phase_current_A)) return std::nullopt;
-  demand.current_A = demand.phase_current_A /
-                     phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
+  demand.current_A =
+      demand.phase_current_A / phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
   demand.bus_power_W = bus_power_W(machine, current, motor_rad_s);
   const Current gentlest = gentlest_current(machine, motor_Nm, motor_rad_s);
   demand.voltage_margin_V =

@@ -110,8 +110,8 @@ void DriveRows::convert_pair(const Pair& pair, const Row& joints, Row& drives) c
   }
   const auto torques_Nm = actuator_torques(*jacobian, both(kTorqueAt));
   if (!torques_Nm) {
-    refuse(file_, fmt::format("the Jacobian \"{}\" is singular {}", pair.parallel.name,
-                              at_angles()));
+    refuse(file_,
+           fmt::format("the Jacobian \"{}\" is singular {}", pair.parallel.name, at_angles()));
   }
   const std::array<double, 2> speeds_rad_s = actuator_speeds(*jacobian, both(kVelocityAt));
   for (std::size_t i = 0; i < 2; ++i) {

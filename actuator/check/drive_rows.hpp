@@ -31,8 +31,8 @@ class DriveRows {
   /// Throws io::SpecError where a Jacobian over angles lacks the positions of its joints.
   void require_positions(const TrajectoryReader& reader) const;
 
-  /// A row of drives, accelerations left at 0. Throws io::SpecError where a Jacobian's table ends or
-  /// is singular.
+  /// A row of drives, accelerations left at 0. Throws io::SpecError where a Jacobian's table ends
+  /// or is singular.
   void convert(const Row& joints, Row& drives) const;
 
  private:

@@ -49,8 +49,9 @@ Finding region_violation(const DriveReport& drive, const Reading& reading, Sever
 }
 
 std::string in_brief(const DriveReport& drive, const Reading& reading) {
-  std::string text = fmt::format("{} ({} clipped, margin {:.6g} Nm)", fails(reading) ? "fails" : "passes",
-                     percent(reading.clipped_samples, drive.samples), reading.margin_Nm);
+  std::string text =
+      fmt::format("{} ({} clipped, margin {:.6g} Nm)", fails(reading) ? "fails" : "passes",
+                  percent(reading.clipped_samples, drive.samples), reading.margin_Nm);
   return text;
 }
 
@@ -60,21 +61,25 @@ void add_inertia(const DriveReport& drive, std::vector<Finding>& findings) {
   };
   if (drive.armature_kg_m2 == 0.0) {
     add(Severity::kNote, fmt::format("{}: the actuator states no rotor inertia; torque that the "
-                                     "rotor itself takes is left out", drive.name));
+                                     "rotor itself takes is left out",
+                                     drive.name));
   } else if (drive.inertia == InertiaConvention::kIncluded) {
     add(Severity::kNote, fmt::format("{}: torque is said to include that of the reflected inertia, "
-                                     "{:.6g} kg m^2", drive.name, drive.armature_kg_m2));
-  } else if (drive.inertia == InertiaConvention::kExcluded) {
-    add(Severity::kNote, fmt::format("{}: torque of the reflected inertia, {:.6g} kg m^2, was added",
+                                     "{:.6g} kg m^2",
                                      drive.name, drive.armature_kg_m2));
+  } else if (drive.inertia == InertiaConvention::kExcluded) {
+    add(Severity::kNote,
+        fmt::format("{}: torque of the reflected inertia, {:.6g} kg m^2, was added", drive.name,
+                    drive.armature_kg_m2));
   } else if (drive.with_inertia) {
     const bool is_open = drive.verdict == Verdict::kUndecided;
     add(is_open ? Severity::kWarning : Severity::kNote,
-        fmt::format("{}: nothing says whether torque includes that of the reflected inertia, {:.6g} "
-                    "kg m^2. If it does, the joint {}; if it does not, it {}{}",
-                    drive.name, drive.armature_kg_m2, in_brief(drive, drive.reading),
-                    in_brief(drive, *drive.with_inertia),
-                    is_open ? "; say --torque-includes-inertia or --torque-excludes-inertia" : ""));
+        fmt::format(
+            "{}: nothing says whether torque includes that of the reflected inertia, {:.6g} "
+            "kg m^2. If it does, the joint {}; if it does not, it {}{}",
+            drive.name, drive.armature_kg_m2, in_brief(drive, drive.reading),
+            in_brief(drive, *drive.with_inertia),
+            is_open ? "; say --torque-includes-inertia or --torque-excludes-inertia" : ""));
   }
 }
 
@@ -89,9 +94,9 @@ void add_winding(const DriveReport& drive, std::vector<Finding>& findings) {
   if (result.value && !std::isfinite(*result.value)) result.value.reset();
   result.limit = winding.limit_K;
   result.unit = "K";
-  result.sentence = fmt::format(
-      "{}: the winding passes its limit of {:.6g} K in run {}", drive.name, winding.limit_K,
-      winding.runs_to_limit.value_or(winding.runs));
+  result.sentence =
+      fmt::format("{}: the winding passes its limit of {:.6g} K in run {}", drive.name,
+                  winding.limit_K, winding.runs_to_limit.value_or(winding.runs));
   findings.push_back(std::move(result));
 }
 
@@ -116,8 +121,8 @@ void add_agreement(const DriveReport& drive, std::vector<Finding>& findings) {
   const double factor = drive.velocity_over_slope;
   const bool is_plain = factor <= kPlainFactor && factor >= 1.0 / kPlainFactor;
   if (is_plain || drive.velocity_correlation < kAgreement) return;
-  std::string sentence = fmt::format("{}: the velocity is {:.4g} times d(position)/dt", drive.name,
-                                     factor);
+  std::string sentence =
+      fmt::format("{}: the velocity is {:.4g} times d(position)/dt", drive.name, factor);
   const auto is_about = [factor](double known) {
     return std::abs(factor / known - 1.0) < kFactorTolerance;
   };
@@ -141,15 +146,18 @@ void add_torque(const DriveReport& drive, std::vector<Finding>& findings) {
     }
     return;
   }
-  Finding result = finding(drive, Severity::kWarning, "torque-missing",
-                           fmt::format("{}: the trajectory holds no torque of this joint, so only its "
-                                       "speeds can be checked", drive.name));
+  Finding result =
+      finding(drive, Severity::kWarning, "torque-missing",
+              fmt::format("{}: the trajectory holds no torque of this joint, so only its "
+                          "speeds can be checked",
+                          drive.name));
   if (drive.limiting_speed_rad_s) {
     result.severity = Severity::kViolation;
     result.rule = "motor-operating-region";
-    result.sentence = fmt::format("{}: at {:.6g} rad/s (t = {:.6g} s) the actuator can hold no torque "
-                                  "at all, whatever the motion needs", drive.name,
-                                  *drive.limiting_speed_rad_s, *drive.limiting_time_s);
+    result.sentence = fmt::format(
+        "{}: at {:.6g} rad/s (t = {:.6g} s) the actuator can hold no torque "
+        "at all, whatever the motion needs",
+        drive.name, *drive.limiting_speed_rad_s, *drive.limiting_time_s);
     result.time_s = drive.limiting_time_s;
     result.value = drive.limiting_speed_rad_s;
     result.unit = "rad/s";
@@ -170,7 +178,8 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
     findings.push_back(finding(
         drive, Severity::kNote, "velocity-differentiated",
         fmt::format("{}: no velocity in the file; it is the slope of the parabola through each "
-                    "position and its two neighbours (second order, uneven steps too)", drive.name)));
+                    "position and its two neighbours (second order, uneven steps too)",
+                    drive.name)));
   }
   return findings;
 }

@@ -45,8 +45,8 @@ bool ReadingCheck::add(double time_s, double speed_rad_s, double torque_Nm) {
     reading_.worst = {time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
   }
   if (lookup.has_less_speed_margin(speed_rad_s, torque_Nm, speed_margin_rad_s_)) {
-    speed_margin_rad_s_ = std::min(speed_margin_rad_s_,
-                                   lookup.speed_margin_rad_s(speed_rad_s, torque_Nm));
+    speed_margin_rad_s_ =
+        std::min(speed_margin_rad_s_, lookup.speed_margin_rad_s(speed_rad_s, torque_Nm));
   }
   reading_.peak_torque_Nm = std::max(reading_.peak_torque_Nm, std::abs(torque_Nm));
   torque_square_.add(time_s, torque_Nm * torque_Nm);
@@ -65,8 +65,8 @@ void ReadingCheck::add_demand(double time_s, double speed_rad_s, double torque_N
   std::optional<Demand> demand = demand_of(torque_Nm);
   if (!demand) {
     ++reading_.unreachable_samples;
-    demand = demand_of(range.is_empty ? 0.0
-                                      : std::clamp(torque_Nm, range.least_Nm, range.greatest_Nm));
+    demand =
+        demand_of(range.is_empty ? 0.0 : std::clamp(torque_Nm, range.least_Nm, range.greatest_Nm));
   }
   if (!demand) return;
   reading_.peak_current_A = std::max(reading_.peak_current_A, demand->current_A);
@@ -94,8 +94,8 @@ WorstSample ReadingCheck::worst() const {
   const bool is_upper =
       worst.torque_Nm - range.greatest.torque_Nm >= range.least.torque_Nm - worst.torque_Nm;
   const JointBound& bound = is_upper ? range.greatest : range.least;
-  const double excess_Nm = is_upper ? worst.torque_Nm - bound.torque_Nm
-                                    : bound.torque_Nm - worst.torque_Nm;
+  const double excess_Nm =
+      is_upper ? worst.torque_Nm - bound.torque_Nm : bound.torque_Nm - worst.torque_Nm;
   worst.limit_Nm = bound.torque_Nm;
   worst.limiter = bound.limiter;
   worst.excess_Nm = excess_Nm > basis_.lookup.round_off_Nm() ? excess_Nm : 0.0;

@@ -11,9 +11,9 @@ namespace {
 
 /// The table's error is what was found at some places between its rows; be this much more careful.
 constexpr double kDoubtOverTableAccuracy = 4.0;
-constexpr double kRoundOff = 1e-9;         // of the peak torque
-constexpr double kSpeedTolerance = 1e-9;   // of the greatest speed
-constexpr int kSpeedsTried = 200;          // between rest and the greatest speed
+constexpr double kRoundOff = 1e-9;        // of the peak torque
+constexpr double kSpeedTolerance = 1e-9;  // of the greatest speed
+constexpr int kSpeedsTried = 200;         // between rest and the greatest speed
 
 TorqueRange range_of(const JointRange& range) {
   return {range.is_empty, range.least.torque_Nm, range.greatest.torque_Nm};

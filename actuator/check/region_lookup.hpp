@@ -39,9 +39,9 @@ class RegionLookup {
     return range.is_empty || range.excess_Nm(torque_Nm) > round_off_Nm_;
   }
 
-  /// How much faster, the way it moves, a joint could go with that torque (negative: how much slower
-  /// it would have to go), by the table; minus infinity where no speed of that direction has the
-  /// torque.
+  /// How much faster, the way it moves, a joint could go with that torque (negative: how much
+  /// slower it would have to go), by the table; minus infinity where no speed of that direction has
+  /// the torque.
   double speed_margin_rad_s(double speed_rad_s, double torque_Nm) const;
 
   /// True if that margin is less than `margin_rad_s`; much cheaper than the margin itself.

@@ -21,15 +21,16 @@ std::string_view name_of(Severity severity);
 struct Finding {
   Severity severity = Severity::kNote;
   std::string rule;
-  std::string joint;              ///< Empty: not of one joint.
-  std::optional<double> time_s;   ///< Where it is worst.
-  std::optional<double> value;    ///< In the same unit as the limit.
+  std::string joint;             ///< Empty: not of one joint.
+  std::optional<double> time_s;  ///< Where it is worst.
+  std::optional<double> value;   ///< In the same unit as the limit.
   std::optional<double> limit;
   std::string unit;
   std::string sentence;
 };
 
-/// The sample whose torque lies furthest outside the region, or, if none does, nearest to its bound.
+/// The sample whose torque lies furthest outside the region, or, if none does, nearest to its
+/// bound.
 struct WorstSample {
   double time_s = 0.0;
   double speed_rad_s = 0.0;
@@ -44,9 +45,9 @@ struct Reading {
   std::size_t clipped_samples = 0;
   double clipped_time_s = 0.0;  ///< By the trapezoidal rule, like all integrals over time.
   WorstSample worst;
-  double margin_Nm = 0.0;                     ///< To the nearer bound, the least; negative: missing.
-  std::optional<double> speed_margin_rad_s;   ///< Empty: some torque is there at no speed.
-  std::optional<double> voltage_margin_V;     ///< At the bus; empty: the supply gives out.
+  double margin_Nm = 0.0;                    ///< To the nearer bound, the least; negative: missing.
+  std::optional<double> speed_margin_rad_s;  ///< Empty: some torque is there at no speed.
+  std::optional<double> voltage_margin_V;    ///< At the bus; empty: the supply gives out.
   double peak_torque_Nm = 0.0;
   double rms_torque_Nm = 0.0;
   double peak_current_A = 0.0;  ///< Of the torque that is asked for, clipped or not.
@@ -70,17 +71,17 @@ struct DriveReport {
   double until_s = 0.0;
   double peak_speed_rad_s = 0.0;
   double no_load_speed_rad_s = 0.0;
-  double armature_kg_m2 = 0.0;       ///< Rotor and gears, at the joint.
+  double armature_kg_m2 = 0.0;  ///< Rotor and gears, at the joint.
   bool has_torque = true;
   bool is_speed_differentiated = false;
   std::optional<double> limiting_speed_rad_s;  ///< Without torque: a speed that no torque holds.
   std::optional<double> limiting_time_s;
   std::size_t impossible_speeds = 0;  ///< Samples at speeds where the region is empty.
   InertiaConvention inertia = InertiaConvention::kUnstated;
-  Reading reading;                     ///< As the file has it, or as the user says it is.
+  Reading reading;                      ///< As the file has it, or as the user says it is.
   std::optional<Reading> with_inertia;  ///< Where that is open: with the rotor's torque added.
-  double velocity_over_slope = 1.0;    ///< Logged velocity over d(position)/dt, least squares.
-  double velocity_correlation = 0.0;   ///< Of the two, squared; 0: not compared.
+  double velocity_over_slope = 1.0;     ///< Logged velocity over d(position)/dt, least squares.
+  double velocity_correlation = 0.0;    ///< Of the two, squared; 0: not compared.
   std::vector<std::string> left_out;
   std::vector<std::string> assumed;
 };
@@ -98,7 +99,7 @@ struct CheckReport {
   std::vector<DriveReport> drives;
   std::vector<Finding> findings;
   std::vector<std::vector<TracePoint>> traces;  ///< One a drive, if asked for; thinned out.
-  std::string sha256;                            ///< Of the trajectory.
+  std::string sha256;                           ///< Of the trajectory.
 };
 
 /// A reading fails where a sample is clipped or the winding passes its limit in the runs asked for.

@@ -21,11 +21,10 @@ void Trace::add(const TracePoint& point) { (point.is_outside ? outside_ : inside
 
 std::vector<TracePoint> Trace::points() const {
   std::vector<TracePoint> all;
-  std::merge(inside_.points().begin(), inside_.points().end(), outside_.points().begin(),
-             outside_.points().end(), std::back_inserter(all),
-             [](const TracePoint& one, const TracePoint& other) {
-               return one.time_s < other.time_s;
-             });
+  std::merge(
+      inside_.points().begin(), inside_.points().end(), outside_.points().begin(),
+      outside_.points().end(), std::back_inserter(all),
+      [](const TracePoint& one, const TracePoint& other) { return one.time_s < other.time_s; });
   return all;
 }
 

@@ -148,8 +148,7 @@ WindingReport WindingHeat::report(std::size_t runs, double pause_s) const {
   report.first_peak_K = peak_K(1);
   report.peak_K = peak_K(runs);
   report.end_K = ambient_K + run(start_of_run(runs - 1, pause_s)).end[0];
-  report.resolution_s =
-      steps_a_block_ == 1 || blocks_.empty() ? 0.0 : blocks_.front().duration_s;
+  report.resolution_s = steps_a_block_ == 1 || blocks_.empty() ? 0.0 : blocks_.front().duration_s;
   HeatStep cycle = whole();
   if (pause_s > 0.0) cycle = then(cycle, model_.step(0.0, pause_s));
   if (const std::optional<Warmth> steady = fixed_point(cycle)) {

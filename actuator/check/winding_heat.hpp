@@ -40,27 +40,28 @@ class HeatModel {
 
  private:
   Thermal thermal_;
-  double resistance_ohm_;        ///< Of a phase, at the ambient.
+  double resistance_ohm_;  ///< Of a phase, at the ambient.
   double resistance_ohm_per_K_;
 };
 
 /// How warm the winding gets over repeated runs, the first from the ambient.
 struct WindingReport {
   double limit_K = 0.0;
-  double first_peak_K = 0.0;              ///< In the first run.
-  double peak_K = 0.0;                    ///< In the last run asked for.
-  double end_K = 0.0;                     ///< When it ends.
+  double first_peak_K = 0.0;  ///< In the first run.
+  double peak_K = 0.0;        ///< In the last run asked for.
+  double end_K = 0.0;         ///< When it ends.
   std::size_t runs = 1;
-  std::optional<double> steady_peak_K;    ///< After very many; empty: it never settles.
+  std::optional<double> steady_peak_K;        ///< After very many; empty: it never settles.
   std::optional<std::size_t> runs_to_steady;  ///< Until the peak is within kSteady_K of it.
-  std::optional<std::size_t> runs_to_limit;   ///< The first run in which the limit is passed, if any.
+  std::optional<std::size_t>
+      runs_to_limit;          ///< The first run in which the limit is passed, if any.
   double resolution_s = 0.0;  ///< Times between which the peak was not looked for; 0: every sample.
 };
 constexpr double kSteady_K = 1.0;
 constexpr std::size_t kMostRuns = 1000000000;
 
-/// The heat of one run in flat memory: its steps, of which neighbours are joined when there are more
-/// than kMostBlocks.
+/// The heat of one run in flat memory: its steps, of which neighbours are joined when there are
+/// more than kMostBlocks.
 class WindingHeat {
  public:
   explicit WindingHeat(const HeatModel& model) : model_(model) {}

@@ -34,9 +34,10 @@ const QuantityWords& words_of(Quantity quantity) {
 }
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
-  throw io::SpecError(
-      {{"--column", "", fmt::format("\"{}\": {}; the form is "
-                                    "NAME=JOINT.QUANTITY[:unit][*factor]", text, why)}});
+  throw io::SpecError({{"--column", "",
+                        fmt::format("\"{}\": {}; the form is "
+                                    "NAME=JOINT.QUANTITY[:unit][*factor]",
+                                    text, why)}});
 }
 
 /// Cuts off what follows the last mark; empty where there is no mark.
@@ -71,9 +72,9 @@ Quantity read_quantity(const std::string& text, const std::string& name) {
   std::vector<std::string> names;
   for (const QuantityWords& words : kQuantities) names.emplace_back(words.name);
   const std::optional<std::string> near = io::nearest(name, names);
-  refuse(text, fmt::format("\"{}\" is no quantity{}; they are {}", name,
-                           near ? fmt::format(" (did you mean \"{}\"?)", *near) : "",
-                           io::either(names)));
+  refuse(text,
+         fmt::format("\"{}\" is no quantity{}; they are {}", name,
+                     near ? fmt::format(" (did you mean \"{}\"?)", *near) : "", io::either(names)));
 }
 
 }  // namespace

@@ -11,10 +11,14 @@ namespace {
 
 io::Dimension dimension_of(Quantity quantity) {
   switch (quantity) {
-    case Quantity::kTime: return io::Dimension::kTime;
-    case Quantity::kPosition: return io::Dimension::kAngle;
-    case Quantity::kVelocity: return io::Dimension::kAngularVelocity;
-    case Quantity::kTorque: break;
+    case Quantity::kTime:
+      return io::Dimension::kTime;
+    case Quantity::kPosition:
+      return io::Dimension::kAngle;
+    case Quantity::kVelocity:
+      return io::Dimension::kAngularVelocity;
+    case Quantity::kTorque:
+      break;
   }
   return io::Dimension::kTorque;
 }
@@ -45,9 +49,9 @@ std::vector<ColumnMapping> read_columns(const io::Document& document) {
       if (unit && unit->dimension == dimension) {
         mapping.factor *= unit->in_SI;
       } else {
-        report("/unit", fmt::format("\"{}\" is no unit of {}, which must be {}", name,
-                                    name_of(mapping.quantity),
-                                    io::either(io::unit_names(dimension))));
+        report("/unit",
+               fmt::format("\"{}\" is no unit of {}, which must be {}", name,
+                           name_of(mapping.quantity), io::either(io::unit_names(dimension))));
       }
     }
     mappings.push_back(std::move(mapping));

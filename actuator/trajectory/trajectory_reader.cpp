@@ -48,15 +48,15 @@ std::vector<ColumnMapping> complete(const io::CsvReader& csv,
   for (std::size_t i = 0; i < stated.size(); ++i) {
     const ColumnMapping& mapping = stated[i];
     if (!csv.find(mapping.column)) {
-      refuse(csv.file(), fmt::format("no column \"{}\"{}", mapping.column,
-                                     hint(mapping.column, csv.header())));
+      refuse(csv.file(),
+             fmt::format("no column \"{}\"{}", mapping.column, hint(mapping.column, csv.header())));
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (!same_quantity(stated[j], mapping)) continue;
-      refuse(csv.file(),
-             fmt::format("\"{}\" and \"{}\" are both mapped to {}{}", stated[j].column,
-                         mapping.column, mapping.joint.empty() ? "" : mapping.joint + ".",
-                         name_of(mapping.quantity)));
+      refuse(
+          csv.file(),
+          fmt::format("\"{}\" and \"{}\" are both mapped to {}{}", stated[j].column, mapping.column,
+                      mapping.joint.empty() ? "" : mapping.joint + ".", name_of(mapping.quantity)));
     }
   }
   std::vector<ColumnMapping> all = stated;
@@ -104,8 +104,8 @@ void TrajectoryReader::require_complete(const std::vector<ColumnMapping>& found,
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const JointColumns& columns = joints_[i];
     if (!columns.position && !columns.velocity && !columns.torque) {
-      refuse(csv_.file(), fmt::format("no joint \"{}\"{}", joints[i],
-                                      hint(joints[i], joints_of(found))));
+      refuse(csv_.file(),
+             fmt::format("no joint \"{}\"{}", joints[i], hint(joints[i], joints_of(found))));
     }
     if (!columns.position && !columns.velocity) {
       refuse(csv_.file(),

@@ -65,8 +65,8 @@ void plot(const CheckOptions& options, const PreparedCheck& prepared,
                        actuator::mor_table(region), report.traces[i]});
   }
   const std::filesystem::path trajectory(options.trajectory_file);
-  const std::string title = fmt::format("{}: {}", trajectory.filename().string(),
-                                        actuator::name_of(report.verdict));
+  const std::string title =
+      fmt::format("{}: {}", trajectory.filename().string(), actuator::name_of(report.verdict));
   report::draw_with_gnuplot(
       report::motion_plot(report::plot_format(options.plot_file), title, motions),
       options.plot_file);
@@ -74,9 +74,12 @@ void plot(const CheckOptions& options, const PreparedCheck& prepared,
 
 ExitCode exit_code_of(actuator::Verdict verdict) {
   switch (verdict) {
-    case actuator::Verdict::kPass: return ExitCode::kPasses;
-    case actuator::Verdict::kFail: return ExitCode::kFails;
-    case actuator::Verdict::kUndecided: break;
+    case actuator::Verdict::kPass:
+      return ExitCode::kPasses;
+    case actuator::Verdict::kFail:
+      return ExitCode::kFails;
+    case actuator::Verdict::kUndecided:
+      break;
   }
   return ExitCode::kUndecided;
 }
@@ -146,7 +149,8 @@ void add_check_command(CLI::App& actuator, ExitCode& result) {
       ->allow_extra_args(false);
   add_reading_options(*command, *options);
   add_operating_options(*command, options->operating);
-  command->add_option("--repeat", options->runs, "Runs of the motion, for the winding's temperature")
+  command
+      ->add_option("--repeat", options->runs, "Runs of the motion, for the winding's temperature")
       ->check(CLI::Range(1, 1000000000));
   command->add_option("--pause", options->pause_s, "Between runs, in s")
       ->check(CLI::Range(0.0, 1e9));
@@ -154,7 +158,8 @@ void add_check_command(CLI::App& actuator, ExitCode& result) {
   command->add_option("-o,--output", options->output_file, "Write to this file");
   command->add_flag("--json", options->json, "The report as JSON");
   command->footer(
-      "Example:\n  torquewright actuator check jump.csv --joint knee=specs/actuator/d151_knee.json");
+      "Example:\n  torquewright actuator check jump.csv --joint "
+      "knee=specs/actuator/d151_knee.json");
   command->callback([options, &result] { result = run_check(*options); });
 }
 

@@ -31,8 +31,7 @@ const actuator::ReadActuator& actuator_in(const std::string& file, PreparedCheck
   }
   prepared.actuators.push_back(actuator::read_actuator(file));
   const actuator::ReadActuator& read = prepared.actuators.back();
-  prepared.documents.insert(prepared.documents.end(), read.documents.begin(),
-                            read.documents.end());
+  prepared.documents.insert(prepared.documents.end(), read.documents.begin(), read.documents.end());
   return read;
 }
 

@@ -14,11 +14,11 @@ namespace torquewright::cli {
 /// The options of `actuator check`, as given.
 struct CheckOptions {
   std::string trajectory_file;
-  std::vector<std::string> joints;     ///< NAME=FILE
-  std::vector<std::string> columns;    ///< NAME=JOINT.QUANTITY[:unit][*factor]
+  std::vector<std::string> joints;   ///< NAME=FILE
+  std::vector<std::string> columns;  ///< NAME=JOINT.QUANTITY[:unit][*factor]
   std::vector<std::string> columns_files;
   std::vector<std::string> jacobian_files;
-  std::vector<double> from_s;          ///< At most one.
+  std::vector<double> from_s;  ///< At most one.
   std::vector<double> until_s;
   OperatingOptions operating;
   bool torque_includes_inertia = false;

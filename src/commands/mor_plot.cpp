@@ -66,14 +66,14 @@ void draw_region(const MorPlotOptions& options, const actuator::Actuator& actuat
   const report::PlotFormat format = report::plot_format(options.file);
   std::vector<report::PlottedRegion> regions;
   for (const Overlay& overlay : overlays(options, actuator, conditions)) {
-    const std::vector<std::string> objections =
-        actuator::objections(actuator, overlay.conditions);
+    const std::vector<std::string> objections = actuator::objections(actuator, overlay.conditions);
     if (!objections.empty()) throw io::SpecError({{"--plot", "", objections.front()}});
-    regions.push_back({overlay.label,
-                       actuator::mor_table(actuator::Region(actuator, overlay.conditions, side))});
+    regions.push_back(
+        {overlay.label, actuator::mor_table(actuator::Region(actuator, overlay.conditions, side))});
   }
   const char* place = side == actuator::Side::kMotor ? "motor" : "joint";
-  const std::string title = fmt::format("{}: motor operating region at the {}", actuator.name, place);
+  const std::string title =
+      fmt::format("{}: motor operating region at the {}", actuator.name, place);
   report::draw_with_gnuplot(report::region_plot(format, title, regions), options.file);
 }
 

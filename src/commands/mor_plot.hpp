@@ -12,7 +12,7 @@ namespace torquewright::cli {
 /// The options by which `actuator mor` draws.
 struct MorPlotOptions {
   std::string file;
-  std::vector<double> voltages_V;      ///< Drawn over the region that was asked for.
+  std::vector<double> voltages_V;  ///< Drawn over the region that was asked for.
   std::vector<double> temperatures_K;
 };
 

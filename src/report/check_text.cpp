@@ -61,7 +61,8 @@ std::string reading_lines(const DriveReport& drive, const Reading& reading) {
 
 std::string joint_text(const DriveReport& drive) {
   std::string text = fmt::format(
-      "\n{} ({}): {}\n  samples  {}, {:.6g} to {:.6g} s, speeds up to {:.4g} rad/s (no load {:.4g})\n",
+      "\n{} ({}): {}\n  samples  {}, {:.6g} to {:.6g} s, speeds up to {:.4g} rad/s (no load "
+      "{:.4g})\n",
       drive.name, drive.actuator, name_of(drive.verdict), drive.samples, drive.from_s,
       drive.until_s, drive.peak_speed_rad_s, drive.no_load_speed_rad_s);
   if (!drive.has_torque) return text;

@@ -72,8 +72,9 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
   posix_spawn_file_actions_destroy(&actions);
   if (error == 0) return child;
   if (error == ENOENT) {
-    throw io::SpecError({{"--plot", "", "gnuplot, which draws the picture, is not installed "
-                                        "(Debian: gnuplot-nox)"}});
+    throw io::SpecError({{"--plot", "",
+                          "gnuplot, which draws the picture, is not installed "
+                          "(Debian: gnuplot-nox)"}});
   }
   throw std::system_error(error, std::generic_category(), "gnuplot");
 }
@@ -83,8 +84,8 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
 PlotFormat plot_format(const std::filesystem::path& file) {
   if (file.extension() == ".svg") return PlotFormat::kSvg;
   if (file.extension() == ".png") return PlotFormat::kPng;
-  throw io::SpecError({{"--plot", "", fmt::format("\"{}\" must end with .svg or .png",
-                                                  file.string())}});
+  throw io::SpecError(
+      {{"--plot", "", fmt::format("\"{}\" must end with .svg or .png", file.string())}});
 }
 
 std::string gnuplot_quoted(std::string_view text) {

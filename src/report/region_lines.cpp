@@ -17,14 +17,22 @@ using namespace actuator;
 /// Told apart by the colour-blind as well (after Okabe and Ito's set).
 const char* colour_of(Limiter limiter) {
   switch (limiter) {
-    case Limiter::kCurrent: return "#0072b2";
-    case Limiter::kVoltage: return "#d55e00";
-    case Limiter::kFieldWeakening: return "#cc79a7";
-    case Limiter::kRegeneration: return "#009e73";
-    case Limiter::kBatteryPower: return "#b8a100";
-    case Limiter::kGear: return "#555555";
-    case Limiter::kThermal: return "#a00020";
-    case Limiter::kDemagnetisation: break;
+    case Limiter::kCurrent:
+      return "#0072b2";
+    case Limiter::kVoltage:
+      return "#d55e00";
+    case Limiter::kFieldWeakening:
+      return "#cc79a7";
+    case Limiter::kRegeneration:
+      return "#009e73";
+    case Limiter::kBatteryPower:
+      return "#b8a100";
+    case Limiter::kGear:
+      return "#555555";
+    case Limiter::kThermal:
+      return "#a00020";
+    case Limiter::kDemagnetisation:
+      break;
   }
   return "#7030a0";
 }
@@ -57,8 +65,7 @@ void RegionLines::add_bound(const MorTable& table, bool is_upper) {
       continue;
     }
     const Limiter limiter = bound_of(row, is_upper).limiter;
-    const bool goes_on =
-        previous != nullptr && bound_of(*previous, is_upper).limiter == limiter;
+    const bool goes_on = previous != nullptr && bound_of(*previous, is_upper).limiter == limiter;
     if (!goes_on) {
       if (previous != nullptr) stretches_.back().points += point(row, is_upper);
       stretches_.push_back({limiter, ""});

@@ -56,9 +56,7 @@ struct Extent {
       include(row.speed_rad_s, row.range.greatest.torque_Nm);
     }
   }
-  std::string as_ranges() const {
-    return ranges(speed_low, speed_high, torque_low, torque_high);
-  }
+  std::string as_ranges() const { return ranges(speed_low, speed_high, torque_low, torque_high); }
 };
 
 void append(std::vector<std::string>& plots, std::vector<std::string> more) {
@@ -99,11 +97,13 @@ std::string motion_panel(const PlottedMotion& motion, std::size_t panel) {
   if (!motion.trace.empty()) {
     script += trace_data(motion.trace, panel);
     const std::string data = fmt::format("$trace{}", panel);
-    plots.push_back(data + " using 1:2:3 with linespoints pointtype 7 pointsize 0.28 linewidth 0.8 "
-                           "linecolor palette notitle");
+    plots.push_back(data +
+                    " using 1:2:3 with linespoints pointtype 7 pointsize 0.28 linewidth 0.8 "
+                    "linecolor palette notitle");
     if (outside > 0) {
-      plots.push_back(data + " using ($4 == 1 ? $1 : NaN):2 with points pointtype 6 pointsize 0.8 "
-                             "linewidth 1.2 linecolor rgb '#d00000' title 'outside the region'");
+      plots.push_back(data +
+                      " using ($4 == 1 ? $1 : NaN):2 with points pointtype 6 pointsize 0.8 "
+                      "linewidth 1.2 linecolor rgb '#d00000' title 'outside the region'");
     }
   }
   append(plots, limiter_key({{"", motion.region}}));
@@ -143,20 +143,22 @@ std::string motion_plot(PlotFormat format, const std::string& title,
   const int height = count == 1 ? kHeight : rows * kPanelHeight + 40;
   std::string script = gnuplot_terminal(format, width, height) + axes();
   script +=
-      "set palette defined (0 '#30123b', 0.25 '#3e9bfe', 0.5 '#46f884', 0.75 '#e1dd37', 1 '#f05b12')\n"
+      "set palette defined (0 '#30123b', 0.25 '#3e9bfe', 0.5 '#46f884', 0.75 '#e1dd37', 1 "
+      "'#f05b12')\n"
       "set cblabel 'time in s'\nset key below horizontal samplen 2\nset bmargin 5\n";
   double first_s = 0.0;
   double last_s = 0.0;
   bool has_times = false;
   for (const PlottedMotion& motion : motions) {
     if (motion.trace.empty()) continue;
-    first_s = has_times ? std::min(first_s, motion.trace.front().time_s) : motion.trace.front().time_s;
+    first_s =
+        has_times ? std::min(first_s, motion.trace.front().time_s) : motion.trace.front().time_s;
     last_s = std::max(last_s, motion.trace.back().time_s);
     has_times = true;
   }
   if (last_s > first_s) script += fmt::format("set cbrange [{:.9g}:{:.9g}]\n", first_s, last_s);
-  script += fmt::format("set multiplot layout {},{} title {}\n", rows, columns,
-                        gnuplot_quoted(title));
+  script +=
+      fmt::format("set multiplot layout {},{} title {}\n", rows, columns, gnuplot_quoted(title));
   for (std::size_t i = 0; i < motions.size(); ++i) script += motion_panel(motions[i], i);
   return script + "unset multiplot\n";
 }

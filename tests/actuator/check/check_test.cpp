@@ -70,9 +70,10 @@ double turning_5(double t) { return 5.0 * t; }
 double rest(double) { return 0.0; }
 double ramp_40(double t) { return 40.0 * t; }
 
-// Oracle: closed forms at constant 5 rad/s under a torque 40 t over 1 s, the cap being 30 Nm: of the
-// 1001 samples those of t = 0.751 ... 1 are outside; rms 40/sqrt(3); current tau / 1 Nm/A; energy
-// 5 * 20 + 0.5 * 1600 / 3 J. The trapezoidal rule's error is h^2/12 f'' = 1e-6 relative or less.
+// Oracle: closed forms at constant 5 rad/s under a torque 40 t over 1 s, the cap being 30 Nm: of
+// the 1001 samples those of t = 0.751 ... 1 are outside; rms 40/sqrt(3); current tau / 1 Nm/A;
+// energy 5 * 20 + 0.5 * 1600 / 3 J. The trapezoidal rule's error is h^2/12 f'' = 1e-6 relative or
+// less.
 TEST(Check, FiguresOfARamp) {
   Checked checked;
   const CheckReport report = checked.report(motion(1000, nullptr, steady_5, ramp_40));
@@ -125,8 +126,9 @@ double swing(double t) { return std::sin(2.0 * kPi * t); }
 double swing_rate(double t) { return 2.0 * kPi * std::cos(2.0 * kPi * t); }
 double swing_torque(double t) { return -29.8 * std::sin(2.0 * kPi * t); }
 
-// Oracle: closed form. The rotor's torque is 0.01 kg m^2 times -(2 pi)^2 sin(2 pi t): 0.3948 Nm on top
-// of 29.8 Nm, past the cap of 30 Nm. The slope's error is (2 pi h)^2 / 6 relative, 2e-5 at h = 1 ms.
+// Oracle: closed form. The rotor's torque is 0.01 kg m^2 times -(2 pi)^2 sin(2 pi t): 0.3948 Nm on
+// top of 29.8 Nm, past the cap of 30 Nm. The slope's error is (2 pi h)^2 / 6 relative, 2e-5 at h =
+// 1 ms.
 TEST(Check, ReflectedInertiaDecidesAndIsNotDecided) {
   Checked checked;
   const std::string text = motion(1000, swing, swing_rate, swing_torque);
@@ -233,8 +235,8 @@ std::string ankle_motion() {
          "r_torque_Nm\n0,0.1,3,40,0.2,2,6\n0.1,0.4,3,40,0.4,2,6\n0.2,0.7,3,40,0.6,2,6\n";
 }
 
-// Oracle: closed form of the symmetric ankle (jacobian_test.cpp): 26 and 14 Nm at 4 and 2 rad/s; the
-// energy of both is that of the joints, (3 * 40 + 2 * 6) W over 0.2 s, and their copper losses.
+// Oracle: closed form of the symmetric ankle (jacobian_test.cpp): 26 and 14 Nm at 4 and 2 rad/s;
+// the energy of both is that of the joints, (3 * 40 + 2 * 6) W over 0.2 s, and their copper losses.
 TEST(Check, TwoActuatorsMoveOneAnkle) {
   Checked checked;
   CheckRequest& request = checked.request();
@@ -257,12 +259,14 @@ TEST(Check, TwoActuatorsMoveOneAnkle) {
   ankle.second_rad = {0.0, 1.0};
   ankle.matrices.assign(4, ankle.matrices.front());
   request.parallels = {ankle};
-  EXPECT_EQ(checked.refusal(ankle_motion()),
-            "m.csv: the table of the Jacobian \"ankle\" ends before the motion does: at 0.2 s, where "
-            "p is at 0.7 rad and r at 0.6 rad");
+  EXPECT_EQ(
+      checked.refusal(ankle_motion()),
+      "m.csv: the table of the Jacobian \"ankle\" ends before the motion does: at 0.2 s, where "
+      "p is at 0.7 rad and r at 0.6 rad");
   request.parallels[0].matrices.assign(4, {1.0, 1.0, 1.0, 1.0});
-  EXPECT_EQ(checked.refusal(ankle_motion()),
-            "m.csv: the Jacobian \"ankle\" is singular at 0 s, where p is at 0.1 rad and r at 0.2 rad");
+  EXPECT_EQ(
+      checked.refusal(ankle_motion()),
+      "m.csv: the Jacobian \"ankle\" is singular at 0 s, where p is at 0.1 rad and r at 0.2 rad");
   request.parallels[0].actuators = {"a", "other"};
   EXPECT_EQ(checked.refusal(ankle_motion()),
             "--jacobian: its actuator \"other\" has no document; say --joint other=FILE");

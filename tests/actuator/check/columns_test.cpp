@@ -44,12 +44,12 @@ TEST(Columns, RefuseWithTheForm) {
       {"tau=", "no NAME=JOINT.QUANTITY"},
       {"tau=torque", "whose torque? JOINT.torque names it"},
       {"tau=.torque", "whose torque? JOINT.torque names it"},
-      {"tau=knee.torqe", "\"torqe\" is no quantity (did you mean \"torque\"?); they are time, "
-                         "position, velocity or torque"},
+      {"tau=knee.torqe",
+       "\"torqe\" is no quantity (did you mean \"torque\"?); they are time, "
+       "position, velocity or torque"},
       {"tau=knee.torque*0", "the factor \"0\" is not a finite number other than 0"},
       {"tau=knee.torque*nan", "the factor \"nan\" is not a finite number other than 0"},
-      {"q=knee.position:rad/s",
-       "\"rad/s\" is no unit of position, which must be rad, deg or rev"},
+      {"q=knee.position:rad/s", "\"rad/s\" is no unit of position, which must be rad, deg or rev"},
   };
   for (const Mistake& mistake : mistakes) {
     EXPECT_EQ(test::refusal([&] { read_mapping(mistake.text); }),
@@ -68,8 +68,8 @@ std::string faults_of(const std::string& columns) {
 
 TEST(ColumnsDocument, SaysTheSameAsTheOptions) {
   const test::ScratchFolder folder;
-  const auto file = folder.write(
-      "c.json", R"({"kind": "trajectory_columns", "version": 1, "columns": [
+  const auto file =
+      folder.write("c.json", R"({"kind": "trajectory_columns", "version": 1, "columns": [
         {"column": "stamp", "quantity": "time", "unit": "ms"},
         {"column": "tau", "joint": "knee", "quantity": "torque", "factor": 0.6}]})");
   const auto mappings = read_columns(io::read_document(file, "trajectory_columns"));
@@ -86,9 +86,10 @@ TEST(ColumnsDocument, RefusesWithThePath) {
             "c.json#/columns/0/joint: time is no joint's; leave it out");
   EXPECT_EQ(faults_of(R"([{"column": "a", "joint": "k", "quantity": "torque", "factor": 0}])"),
             "c.json#/columns/0/factor: 0 would leave nothing of the column");
-  EXPECT_EQ(faults_of(R"([{"column": "a", "joint": "k", "quantity": "torque", "unit": "deg"}])"),
-            "c.json#/columns/0/unit: \"deg\" is no unit of torque, which must be Nm, mNm, kNm, Ncm, "
-            "lbf_in or lbf_ft");
+  EXPECT_EQ(
+      faults_of(R"([{"column": "a", "joint": "k", "quantity": "torque", "unit": "deg"}])"),
+      "c.json#/columns/0/unit: \"deg\" is no unit of torque, which must be Nm, mNm, kNm, Ncm, "
+      "lbf_in or lbf_ft");
 }
 
 TEST(ColumnsDocument, ExamplesAreGood) {

@@ -33,9 +33,12 @@ class Command : public testing::Test {
 TEST_F(Command, ExitCodesAreTheVerdicts) {
   EXPECT_EQ(run(kMotion, {}).exit_code, 0);
   EXPECT_EQ(run(kMotion, {"--column", "knee_torque_Nm=knee.torque*1.2"}).exit_code, 1);
-  EXPECT_EQ(run(kMotion, {"--column", "knee_torque_Nm=other.torque", "--column",
-                          "knee_velocity_rad_s=other.velocity"},
-                "other").exit_code, 0);  // the same motion, of another name
+  EXPECT_EQ(run(kMotion,
+                {"--column", "knee_torque_Nm=other.torque", "--column",
+                 "knee_velocity_rad_s=other.velocity"},
+                "other")
+                .exit_code,
+            0);  // the same motion, of another name
   EXPECT_EQ(run("time_s,knee_velocity_rad_s\n0,5\n1,5\n", {}).exit_code, 3);
   EXPECT_EQ(run(kMotion, {}, "kneee").exit_code, 2);
   EXPECT_EQ(run(kMotion, {"--from", "2", "--until", "1"}).exit_code, 2);
@@ -51,8 +54,9 @@ TEST_F(Command, JsonHasTheContractsKeys) {
   EXPECT_EQ(json["version"], 1);
   EXPECT_EQ(json["verdict"], "pass");
   const auto& joint = json["joints"][0];
-  for (const char* key : {"name", "samples", "clipped_share", "clipped_time_s", "worst", "margin_Nm",
-                          "peak_torque_Nm", "rms_torque_Nm", "energy_drawn_J", "energy_returned_J"}) {
+  for (const char* key :
+       {"name", "samples", "clipped_share", "clipped_time_s", "worst", "margin_Nm",
+        "peak_torque_Nm", "rms_torque_Nm", "energy_drawn_J", "energy_returned_J"}) {
     EXPECT_TRUE(joint.contains(key)) << key;
   }
   for (const char* key :

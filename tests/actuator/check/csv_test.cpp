@@ -44,7 +44,9 @@ INSTANTIATE_TEST_SUITE_P(
     Csv, AcceptedTable,
     testing::Values(Accepted{"plain", "a,b\n1,-2.5\n3,4e3\n"},
                     Accepted{"carriage returns", "a,b\r\n1,-2.5\r\n3,4e3\r\n"},
-                    Accepted{"byte order mark", "\xEF\xBB\xBF" "a,b\n1,-2.5\n3,4e3\n"},
+                    Accepted{"byte order mark",
+                             "\xEF\xBB\xBF"
+                             "a,b\n1,-2.5\n3,4e3\n"},
                     Accepted{"no final newline", "a,b\n1,-2.5\n3,4e3"},
                     Accepted{"quotes", "\"a\",\"b\"\n\"1\",-2.5\n3,\"4e3\"\n"},
                     Accepted{"blanks", " a , b\n 1 ,\t-2.5\n+3 , 4.0E+3 \n"},
@@ -106,8 +108,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "points"},
         Mistake{"a\tb\n1\t2\n",
                 "line 1: the columns are separated by tabs; must be commas, and decimals points"},
-        Mistake{"a,b\n1;2\n", "line 2: has 1 cells, the header has 2; separated by semicolons? they "
-                              "must be commas, and decimals points"},
+        Mistake{"a,b\n1;2\n",
+                "line 2: has 1 cells, the header has 2; separated by semicolons? they "
+                "must be commas, and decimals points"},
         Mistake{"a,b\n1,2\na,b\n1,2\n",
                 "line 3: the header stands here again; one file holds one table"},
         Mistake{"a,b,a\n1,2,3\n",
@@ -119,7 +122,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"a,b\n1,\"2\"3\n", "line 2, column 2 (b): text stands behind the closing quote"},
         Mistake{std::string("a,b\n1,\0\n", 8),
                 "line 2: holds bytes that are no text; save it as UTF-8"},
-        Mistake{std::string("\xFF\xFE" "a\0,\0", 6),
+        Mistake{std::string("\xFF\xFE"
+                            "a\0,\0",
+                            6),
                 "line 1: holds bytes that are no text; save it as UTF-8"}));
 
 TEST(Csv, RefusesFoldersAndMissingFiles) {
@@ -162,7 +167,9 @@ TEST(LineReader, RefusesALineWithoutEnd) {
 // Oracle: io::sha256 of the same bytes in one piece, itself tested against published vectors.
 TEST(LineReader, HashesWhatItReads) {
   const test::ScratchFolder folder;
-  const std::string text = "\xEF\xBB\xBF" "a,b\r\n1,2";
+  const std::string text =
+      "\xEF\xBB\xBF"
+      "a,b\r\n1,2";
   LineReader lines(folder.write("t", text));
   std::string_view line;
   while (lines.next(line)) {

@@ -30,8 +30,8 @@ TEST(Demand, OfADcMotor) {
   }
 }
 
-// Oracle: conservation. What the bus gives is what the load gets, what the copper takes, and what the
-// gear and the drag take by the contract's order of losses, driving and driven back.
+// Oracle: conservation. What the bus gives is what the load gets, what the copper takes, and what
+// the gear and the drag take by the contract's order of losses, driving and driven back.
 TEST(Demand, BalancesPowerWithGearLossesAndDrag) {
   Actuator actuator = test::simple_actuator();
   actuator.transmission.forward_efficiency = 0.9;
@@ -45,7 +45,8 @@ TEST(Demand, BalancesPowerWithGearLossesAndDrag) {
     const double drag_W = 0.7 * speed_rad_s;
     const double copper_W = 0.5 * found.current_A * found.current_A;
     EXPECT_GT(mesh_loss_W, 0.0);
-    EXPECT_NEAR(found.bus_power_W, torque_Nm * speed_rad_s + mesh_loss_W + drag_W + copper_W, 1e-10);
+    EXPECT_NEAR(found.bus_power_W, torque_Nm * speed_rad_s + mesh_loss_W + drag_W + copper_W,
+                1e-10);
   }
 }
 

@@ -33,8 +33,8 @@ TEST(Jacobian, KeepsPower) {
   }
 }
 
-// Oracle: closed form. Two equal rods at +-b beside the ankle's middle: pitch moves both alike, roll
-// one against the other, so each carries tau_pitch/2 +- tau_roll/(2 b).
+// Oracle: closed form. Two equal rods at +-b beside the ankle's middle: pitch moves both alike,
+// roll one against the other, so each carries tau_pitch/2 +- tau_roll/(2 b).
 TEST(Jacobian, SplitsPitchAndRollOfASymmetricAnkle) {
   const Matrix2 J{1.0, 0.5, 1.0, -0.5};
   const auto Nm = *actuator_torques(J, {40.0, 6.0});
@@ -92,15 +92,18 @@ TEST(JacobianDocument, RefusesWithThePath) {
             "j.json: needs either \"matrix\" (constant) or \"table\" (over both angles)");
   EXPECT_EQ(faults_of(R"("joints": ["p", "p"], "actuators": ["a", "b"], "matrix": [[1,0],[0,1]])"),
             "j.json#/joints/1: \"p\" stands twice");
-  EXPECT_EQ(faults_of(names + R"(, "matrix": [[1,2],[2,4]])"),
-            "j.json#/matrix: is singular: some joint torque could be carried by no actuator torques");
+  EXPECT_EQ(
+      faults_of(names + R"(, "matrix": [[1,2],[2,4]])"),
+      "j.json#/matrix: is singular: some joint torque could be carried by no actuator torques");
   const std::string one = "[[1,0],[0,1]]";
   const std::string four = "[" + one + "," + one + "," + one + "," + one + "]";
   EXPECT_EQ(faults_of(names + R"(, "table": {"first_angle_rad": [0, 0], "second_angle_rad": [0, 1],
-                      "matrices": )" + four + "}"),
+                      "matrices": )" +
+                      four + "}"),
             "j.json#/table/first_angle_rad: must ascend");
   EXPECT_EQ(faults_of(names + R"(, "table": {"first_angle_rad": [0, 1, 2],
-                      "second_angle_rad": [0, 1], "matrices": )" + four + "}"),
+                      "second_angle_rad": [0, 1], "matrices": )" +
+                      four + "}"),
             "j.json#/table/matrices: has 4 entries, the grid has 3 x 2 points");
 }
 

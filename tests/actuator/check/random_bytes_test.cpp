@@ -17,7 +17,10 @@ constexpr int kMutants = 3000;
 std::string mutant(std::mt19937& random) {
   static const std::string kGood =
       "# x\ntime_s,k_position_rad,\"k_velocity_rad_s\",k_torque_Nm\r\n0,1,2,3\r\n0.1,1.5,-2e1,4\n";
-  static const std::string kBytes = std::string(",\"\n\r;#.0e-+\0 \xFF\xEF" "nan", 18);
+  static const std::string kBytes = std::string(
+      ",\"\n\r;#.0e-+\0 \xFF\xEF"
+      "nan",
+      18);
   std::string text = kGood;
   const auto below = [&random](std::size_t count) { return random() % count; };
   for (std::size_t i = 0, edits = 1 + below(4); i < edits; ++i) {

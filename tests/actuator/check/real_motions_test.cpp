@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Published motions of real robots against their actuators. Oracle: the figures in the README of the
-// data, found there by an independent program with the laws of the robots' own simulators.
+// Published motions of real robots against their actuators. Oracle: the figures in the README of
+// the data, found there by an independent program with the laws of the robots' own simulators.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -121,7 +121,8 @@ TEST(Cassie, JumpIsInsideEveryTorqueBoxAndLeavesTheRegionInBothKnees) {
                           {"knee", "cassie_knee.json", 195.2},
                           {"toe", "cassie_toe.json", 45.0}};
   for (const char* side : {"_left", "_right"}) {
-    for (const Joint& joint : joints) jump.add_joint(joint.name + std::string(side), joint.document, 0.0);
+    for (const Joint& joint : joints)
+      jump.add_joint(joint.name + std::string(side), joint.document, 0.0);
   }
   jump.add_columns("cassie_columns.json");
   jump.request.trajectory = motions() / "cassie" / "jump.csv";

@@ -30,8 +30,8 @@ Actuator curved_actuator() {
   return actuator;
 }
 
-// Oracle: the region itself. 10000 samples, half of them within 1e-3 of a bound, where only an exact
-// evaluation can tell inside from outside.
+// Oracle: the region itself. 10000 samples, half of them within 1e-3 of a bound, where only an
+// exact evaluation can tell inside from outside.
 TEST(RegionLookup, JudgesAsTheRegionItselfDoes) {
   for (const Actuator& actuator : {test::simple_actuator(), curved_actuator()}) {
     const RegionLookup lookup(actuator, {});
@@ -66,8 +66,8 @@ TEST(RegionLookup, TakesTheUnionAtRest) {
   EXPECT_GT(rest.greatest_Nm, lookup.near(1e-6).greatest_Nm + 1.0);
 }
 
-// Oracle: closed form. With K = N Kt the torque tau is there up to V/K - R tau / K^2: for the simple
-// actuator 48 - tau / 2 rad/s; above the cap of 30 Nm at no speed.
+// Oracle: closed form. With K = N Kt the torque tau is there up to V/K - R tau / K^2: for the
+// simple actuator 48 - tau / 2 rad/s; above the cap of 30 Nm at no speed.
 TEST(RegionLookup, SpeedMarginIsTheDistanceToTheVoltageLine) {
   const RegionLookup lookup(test::simple_actuator(), {});
   const double tolerance_rad_s = 1e-6;
@@ -91,7 +91,8 @@ TEST(RegionLookup, ComparesSpeedMarginsAsItComputesThem) {
     const double margin_rad_s = lookup.speed_margin_rad_s(speed_rad_s, torque_Nm);
     if (!std::isfinite(margin_rad_s)) continue;
     EXPECT_FALSE(lookup.has_less_speed_margin(speed_rad_s, torque_Nm, margin_rad_s - 1e-3));
-    if (std::abs(speed_rad_s) + margin_rad_s + 1e-3 > lookup.region().greatest_speed_rad_s()) continue;
+    if (std::abs(speed_rad_s) + margin_rad_s + 1e-3 > lookup.region().greatest_speed_rad_s())
+      continue;
     EXPECT_TRUE(lookup.has_less_speed_margin(speed_rad_s, torque_Nm, margin_rad_s + 1e-3));
   }
 }

@@ -5,8 +5,8 @@
 
 namespace torquewright::test {
 
-/// A dc motor at 48 V: 0.1 Nm/A, 0.5 ohm, 30 A, 10:1 without losses. At the joint: stall (were it not
-/// for the current) 96 Nm, cap 30 Nm, no-load 48 rad/s, corner 33 rad/s, N^2 J = 0.01 kg m^2.
+/// A dc motor at 48 V: 0.1 Nm/A, 0.5 ohm, 30 A, 10:1 without losses. At the joint: stall (were it
+/// not for the current) 96 Nm, cap 30 Nm, no-load 48 rad/s, corner 33 rad/s, N^2 J = 0.01 kg m^2.
 inline actuator::Actuator simple_actuator() {
   actuator::Actuator actuator;
   actuator.name = "simple";

@@ -32,9 +32,9 @@ Read read(const std::string& text, const std::vector<std::string>& mappings,
 }
 
 TEST(TrajectoryReader, FindsCanonicalColumnsInAnyOrder) {
-  const Read result = read(
-      "b_torque_Nm,time_s,a_position_rad,b_velocity_rad_s,other\n5,0,1,3,x\n6,0.5,2,4,y\n", {},
-      {"a", "b"});
+  const Read result =
+      read("b_torque_Nm,time_s,a_position_rad,b_velocity_rad_s,other\n5,0,1,3,x\n6,0.5,2,4,y\n", {},
+           {"a", "b"});
   EXPECT_EQ(result.refusal, "");
   ASSERT_EQ(result.rows.size(), 2u);
   EXPECT_EQ(result.rows[1].time_s, 0.5);
@@ -71,21 +71,35 @@ TEST(TrajectoryReader, RefusesWithThePlace) {
   const Mistake mistakes[] = {
       {good, {}, {"left_kne"}, "no joint \"left_kne\"; did you mean \"left_knee\"?"},
       {good, {}, {"ankle"}, "no joint \"ankle\"; there are left_knee"},
-      {good, {"tau=k.torque"}, {"k"},
+      {good,
+       {"tau=k.torque"},
+       {"k"},
        "no column \"tau\"; there are time_s, left_knee_velocity_rad_s, left_knee_torque_Nm"},
       {good, {"times=time"}, {"left_knee"}, "no column \"times\"; did you mean \"time_s\"?"},
-      {"a,b,t\n1,2,3\n", {"a=k.torque", "b=k.torque"}, {"k"},
+      {"a,b,t\n1,2,3\n",
+       {"a=k.torque", "b=k.torque"},
+       {"k"},
        "\"a\" and \"b\" are both mapped to k.torque"},
-      {"time_s,k_torque_Nm\n0,1\n", {}, {"k"},
+      {"time_s,k_torque_Nm\n0,1\n",
+       {},
+       {"k"},
        "joint \"k\" has neither k_position_rad nor k_velocity_rad_s; its torque alone cannot be "
        "checked"},
-      {"stamp,k_velocity_rad_s\n0,1\n", {}, {"k"},
+      {"stamp,k_velocity_rad_s\n0,1\n",
+       {},
+       {"k"},
        "no column time_s; name the time with --column NAME=time[:unit]"},
-      {"time_s,k_velocity_rad_s\n0,1\n0.1,1\n0.1,1\n", {}, {"k"},
+      {"time_s,k_velocity_rad_s\n0,1\n0.1,1\n0.1,1\n",
+       {},
+       {"k"},
        "line 4, column 1 (time_s): time repeats: 0.1 s follows 0.1 s of line 3"},
-      {"time_s,k_velocity_rad_s\n0,1\n0.2,1\n0.1,1\n", {}, {"k"},
+      {"time_s,k_velocity_rad_s\n0,1\n0.2,1\n0.1,1\n",
+       {},
+       {"k"},
        "line 4, column 1 (time_s): time runs backwards: 0.1 s follows 0.2 s of line 3"},
-      {"time_s,k_velocity_rad_s\n0,1e300\n", {"k_velocity_rad_s=k.velocity*1e300"}, {"k"},
+      {"time_s,k_velocity_rad_s\n0,1e300\n",
+       {"k_velocity_rad_s=k.velocity*1e300"},
+       {"k"},
        "line 2, column 2 (k_velocity_rad_s): too large in SI units"},
   };
   for (const Mistake& mistake : mistakes) {

@@ -29,7 +29,8 @@ Actuator heated(double coefficient_1_K) {
 }
 
 /// Warmth of the winding after a time under constant heat, from the ambient: the closed form with
-/// two exponentials. x1 solves x1'' + p x1' + q x1 = r, p = trace, q = determinant of the two nodes.
+/// two exponentials. x1 solves x1'' + p x1' + q x1 = r, p = trace, q = determinant of the two
+/// nodes.
 double two_exponentials_K(double heat_W, double time_s) {
   const double R1 = 0.8, R2 = 2.0, C1 = 30.0, C2 = 400.0;
   const double p = 1.0 / (R1 * C1) + 1.0 / (R1 * C2) + 1.0 / (R2 * C2);
