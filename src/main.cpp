@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   actuator->require_subcommand(1);
   torquewright::cli::add_lint_command(*actuator, result);
   torquewright::cli::add_mor_command(*actuator, result);
+  torquewright::cli::add_check_command(*actuator, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -15,6 +15,7 @@
 #include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/actuator_export.hpp"
+#include "src/commands/mor_plot.hpp"
 #include "src/commands/operating_options.hpp"
 #include "src/report/actuator_text.hpp"
 
@@ -33,6 +34,7 @@ struct MorOptions {
   std::string need;
   std::string ratios;
   std::string output_file;
+  MorPlotOptions plot;
   bool json = false;
 };
 
@@ -105,6 +107,10 @@ ExitCode run_mor(const MorOptions& options) {
   if (!options.need.empty()) return run_need(options, read, conditions);
 
   const auto side = options.side == "motor" ? actuator::Side::kMotor : actuator::Side::kJoint;
+  if (!options.plot.file.empty()) {
+    draw_region(options.plot, read.actuator, conditions, side);
+    return ExitCode::kPasses;
+  }
   const actuator::Region region(read.actuator, conditions, side);
   if (const actuator::Exporter* exporter = actuator::find_exporter(options.format)) {
     if (!options.speeds_rad_s.empty()) refuse("--at-speed", "rows are for csv and json");
@@ -147,6 +153,7 @@ void add_mor_command(CLI::App& actuator, ExitCode& result) {
   command->add_option("--ratio", options->ratios,
                       "LOW:HIGH: what these gear ratios would make of the motor");
   command->add_option("-o,--output", options->output_file, "Write to this file");
+  add_mor_plot_options(*command, options->plot);
   command->add_flag("--json", options->json, "The same as JSON");
   command->footer("Example:\n  torquewright actuator mor specs/actuator/d151_knee.json --at-speed 0,5,10");
   command->callback([options, &result] { result = run_mor(*options); });

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/check/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "actuator/check/drive_rows.hpp"
+#include "actuator/check/findings.hpp"
+#include "actuator/check/velocity_agreement.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr std::size_t kRowsBetweenProgress = 20000;
+
+/// One pass over the trajectory: rows of joints, velocities filled in; rows of drives,
+/// accelerations filled in; each drive's check.
+class Pass {
+ public:
+  explicit Pass(const CheckRequest& request)
+      : request_(request),
+        rows_(request.drives, request.parallels, request.trajectory.string()),
+        reader_(request.trajectory, request.columns, rows_.joints(), request.window),
+        agreements_(rows_.joints().size()),
+        to_velocity_(position_slopes(), [this](const Row& row) { take_joints(row); }),
+        to_acceleration_(speed_slopes(), [this](const Row& row) { take_drives(row); }) {
+    rows_.require_positions(reader_);
+    for (std::size_t i = 0; i < request.drives.size(); ++i) {
+      const DriveOptions options{every_joint_has(i, &JointColumns::torque), request.inertia,
+                                 request.runs, request.pause_s, request.keep_traces};
+      checks_.push_back(std::make_unique<DriveCheck>(request.drives[i], options));
+    }
+  }
+
+  CheckReport run() {
+    Row row;
+    for (std::size_t count = 0; reader_.next(row); ++count) {
+      to_velocity_.push(row);
+      has_rows_ = true;
+      if (request_.on_progress && count % kRowsBetweenProgress == 0) {
+        request_.on_progress(reader_.share_read());
+      }
+    }
+    if (!has_rows_) refuse_empty();
+    to_velocity_.finish();
+    to_acceleration_.finish();
+    return report();
+  }
+
+ private:
+  [[noreturn]] void refuse_empty() const {
+    throw io::SpecError({{reader_.file(), "",
+                          reader_.has_read_rows() ? "no rows lie between --from and --until"
+                                                  : "holds a header and no rows"}});
+  }
+
+  std::vector<SlopeFilter::Pair> position_slopes() const {
+    std::vector<SlopeFilter::Pair> pairs;
+    for (std::size_t i = 0; i < rows_.joints().size(); ++i) {
+      if (!reader_.columns(i).position) continue;
+      pairs.push_back({kPlaces * i + kPositionAt, kPlaces * i + kSlopeAt});
+    }
+    return pairs;
+  }
+
+  std::vector<SlopeFilter::Pair> speed_slopes() const {
+    std::vector<SlopeFilter::Pair> pairs;
+    for (std::size_t i = 0; i < request_.drives.size(); ++i) {
+      pairs.push_back({kDrivePlaces * i + kDriveSpeedAt, kDrivePlaces * i + kDriveAccelerationAt});
+    }
+    return pairs;
+  }
+
+  bool every_joint_has(std::size_t drive,
+                       std::optional<JointColumns::Source> JointColumns::*quantity) const {
+    const std::vector<std::size_t> joints = rows_.joints_of(drive);
+    return std::all_of(joints.begin(), joints.end(), [&](std::size_t joint) {
+      return (reader_.columns(joint).*quantity).has_value();
+    });
+  }
+
+  void take_joints(const Row& row) {
+    joint_row_ = row;
+    for (std::size_t i = 0; i < rows_.joints().size(); ++i) {
+      double* joint = &joint_row_.values[kPlaces * i];
+      if (!reader_.columns(i).velocity) {
+        joint[kVelocityAt] = joint[kSlopeAt];
+      } else if (reader_.columns(i).position) {
+        agreements_[i].add(joint[kVelocityAt], joint[kSlopeAt]);
+      }
+    }
+    rows_.convert(joint_row_, drive_row_);
+    to_acceleration_.push(drive_row_);
+  }
+
+  void take_drives(const Row& row) {
+    for (std::size_t i = 0; i < checks_.size(); ++i) {
+      const double* drive = &row.values[kDrivePlaces * i];
+      checks_[i]->add(row.time_s, drive[kDriveSpeedAt], drive[kDriveTorqueAt],
+                      drive[kDriveAccelerationAt]);
+    }
+  }
+
+  /// The joint of a drive whose velocity least agrees with its position, if it is logged at all.
+  void add_agreement(std::size_t drive, DriveReport& report) const {
+    const std::vector<std::size_t> joints = rows_.joints_of(drive);
+    report.is_speed_differentiated = !every_joint_has(drive, &JointColumns::velocity);
+    if (joints.size() != 1) return;
+    report.velocity_over_slope = agreements_[joints.front()].factor();
+    report.velocity_correlation = agreements_[joints.front()].correlation();
+  }
+
+  CheckReport report() {
+    CheckReport result;
+    for (std::size_t i = 0; i < checks_.size(); ++i) {
+      DriveReport drive = checks_[i]->finish();
+      add_agreement(i, drive);
+      if (request_.keep_traces) result.traces.push_back(checks_[i]->trace());
+      result.drives.push_back(std::move(drive));
+    }
+    result.findings = findings_of(result.drives);
+    const auto some = [&](Verdict verdict) {
+      return std::any_of(result.drives.begin(), result.drives.end(),
+                         [verdict](const DriveReport& drive) { return drive.verdict == verdict; });
+    };
+    result.verdict = some(Verdict::kFail)        ? Verdict::kFail
+                     : some(Verdict::kUndecided) ? Verdict::kUndecided
+                                                 : Verdict::kPass;
+    result.sha256 = reader_.sha256();
+    return result;
+  }
+
+  const CheckRequest& request_;
+  DriveRows rows_;
+  TrajectoryReader reader_;
+  std::vector<VelocityAgreement> agreements_;
+  SlopeFilter to_velocity_;
+  SlopeFilter to_acceleration_;
+  std::vector<std::unique_ptr<DriveCheck>> checks_;
+  Row joint_row_;
+  Row drive_row_;
+  bool has_rows_ = false;
+};
+
+}  // namespace
+
+CheckReport check(const CheckRequest& request) { return Pass(request).run(); }
+
+}  // namespace torquewright::actuator

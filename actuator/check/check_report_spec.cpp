@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/check/check_report_spec.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace torquewright::actuator {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return {};
+  return *value == 0.0 ? 0.0 : *value;  // not -0
+}
+
+ordered_json count(std::optional<std::size_t> value) {
+  return value ? ordered_json(*value) : ordered_json();
+}
+
+double share(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+ordered_json worst_json(const WorstSample& worst) {
+  return {{"time_s", worst.time_s},
+          {"speed_rad_s", number(worst.speed_rad_s)},
+          {"torque_Nm", number(worst.torque_Nm)},
+          {"limit_Nm", number(worst.limit_Nm)},
+          {"excess_Nm", worst.excess_Nm},
+          {"limiter", name_of(worst.limiter)}};
+}
+
+ordered_json winding_json(const WindingReport& winding) {
+  return {{"limit_K", winding.limit_K},
+          {"runs", winding.runs},
+          {"first_run_peak_K", number(winding.first_peak_K)},
+          {"peak_K", number(winding.peak_K)},
+          {"end_K", number(winding.end_K)},
+          {"steady_peak_K", number(winding.steady_peak_K)},
+          {"runs_to_steady", count(winding.runs_to_steady)},
+          {"runs_to_limit", count(winding.runs_to_limit)},
+          {"resolution_s", winding.resolution_s}};
+}
+
+/// The keys of a reading, which are a joint's own, too.
+void add_reading(const Reading& reading, std::size_t samples, ordered_json& json) {
+  json["clipped_samples"] = reading.clipped_samples;
+  json["clipped_share"] = share(reading.clipped_samples, samples);
+  json["clipped_time_s"] = reading.clipped_time_s;
+  json["worst"] = worst_json(reading.worst);
+  json["margin_Nm"] = number(reading.margin_Nm);
+  json["speed_margin_rad_s"] = number(reading.speed_margin_rad_s);
+  json["voltage_margin_V"] = number(reading.voltage_margin_V);
+  json["peak_torque_Nm"] = reading.peak_torque_Nm;
+  json["rms_torque_Nm"] = reading.rms_torque_Nm;
+  json["peak_current_A"] = reading.peak_current_A;
+  json["rms_current_A"] = reading.rms_current_A;
+  json["energy_drawn_J"] = reading.energy_drawn_J;
+  json["energy_returned_J"] = reading.energy_returned_J;
+  json["winding"] = reading.winding ? winding_json(*reading.winding) : ordered_json();
+}
+
+/// A joint without torque has the same keys, with what cannot be told null.
+void add_unknown_reading(const DriveReport& drive, ordered_json& json) {
+  const bool is_impossible = drive.impossible_speeds > 0;
+  json["clipped_samples"] = is_impossible ? ordered_json(drive.impossible_speeds) : ordered_json();
+  json["clipped_share"] =
+      is_impossible ? ordered_json(share(drive.impossible_speeds, drive.samples)) : ordered_json();
+  for (const char* key : {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s",
+                          "voltage_margin_V", "peak_torque_Nm", "rms_torque_Nm", "peak_current_A",
+                          "rms_current_A", "energy_drawn_J", "energy_returned_J", "winding"}) {
+    json[key] = nullptr;
+  }
+}
+
+ordered_json reading_json(const Reading& reading, std::size_t samples, bool includes_inertia) {
+  ordered_json json{{"torque_includes_inertia", includes_inertia},
+                    {"verdict", fails(reading) ? "fail" : "pass"}};
+  add_reading(reading, samples, json);
+  return json;
+}
+
+ordered_json inertia_json(const DriveReport& drive) {
+  switch (drive.inertia) {
+    case InertiaConvention::kIncluded:
+      return true;
+    case InertiaConvention::kExcluded:
+      return false;
+    case InertiaConvention::kUnstated:
+      break;
+  }
+  return nullptr;
+}
+
+ordered_json joint_json(const DriveReport& drive) {
+  ordered_json json{
+      {"name", drive.name},       {"actuator", drive.actuator}, {"verdict", name_of(drive.verdict)},
+      {"samples", drive.samples}, {"from_s", drive.from_s},     {"until_s", drive.until_s}};
+  if (drive.has_torque) {
+    add_reading(drive.reading, drive.samples, json);
+  } else {
+    add_unknown_reading(drive, json);
+  }
+  json["peak_speed_rad_s"] = drive.peak_speed_rad_s;
+  json["no_load_speed_rad_s"] = number(drive.no_load_speed_rad_s);
+  json["armature_kg_m2"] = drive.armature_kg_m2;
+  json["torque_includes_inertia"] = inertia_json(drive);
+  if (drive.with_inertia) {
+    json["readings"] = {reading_json(drive.reading, drive.samples, true),
+                        reading_json(*drive.with_inertia, drive.samples, false)};
+  }
+  json["velocity_differentiated"] = drive.is_speed_differentiated;
+  json["left_out"] = drive.left_out;
+  json["assumed"] = drive.assumed;
+  return json;
+}
+
+ordered_json finding_json(const Finding& finding) {
+  return {{"severity", name_of(finding.severity)},
+          {"rule", finding.rule},
+          {"joint", finding.joint.empty() ? ordered_json() : ordered_json(finding.joint)},
+          {"time_s", number(finding.time_s)},
+          {"value", number(finding.value)},
+          {"limit", number(finding.limit)},
+          {"unit", finding.unit},
+          {"sentence", finding.sentence}};
+}
+
+}  // namespace
+
+ordered_json check_report_json(const CheckReport& report) {
+  ordered_json joints = ordered_json::array();
+  for (const DriveReport& drive : report.drives) joints.push_back(joint_json(drive));
+  ordered_json findings = ordered_json::array();
+  for (const Finding& finding : report.findings) findings.push_back(finding_json(finding));
+  return {{"kind", "check_report"},
+          {"version", 1},
+          {"verdict", name_of(report.verdict)},
+          {"joints", joints},
+          {"findings", findings}};
+}
+
+}  // namespace torquewright::actuator

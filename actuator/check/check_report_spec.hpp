@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "actuator/check/report.hpp"
+
+namespace torquewright::actuator {
+
+/// A document of kind `check_report` without its provenance ("tool", "inputs", "options"). What is
+/// not finite or not known is null.
+nlohmann::ordered_json check_report_json(const CheckReport& report);
+
+}  // namespace torquewright::actuator

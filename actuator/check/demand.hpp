@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "actuator/joint_region.hpp"
+
+namespace torquewright::actuator {
+
+/// What one instant of a motion asks of motor, drive and supply.
+struct Demand {
+  double current_A = 0.0;         ///< Amplitude, in the document's convention.
+  double phase_current_A = 0.0;   ///< Amplitude of one phase.
+  double bus_power_W = 0.0;       ///< Negative: returned.
+  double voltage_margin_V = 0.0;  ///< Still available at the bus; negative: missing; minus
+                                  ///< infinity: the supply cannot deliver the power.
+};
+
+/// The demand of a torque on the load at a joint speed, with the region's order of losses: mesh,
+/// then drag (cogging at no torque: its mean). At rest friction helps to hold, as it does in the
+/// region. Empty where no current yields the torque (saturation). docs/derivations/check.md eq.
+/// (3), (4).
+std::optional<Demand> demand_at(const Actuator& actuator, const Machine& machine,
+                                double temperature_K, double speed_rad_s, double torque_Nm);
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "actuator/check/reading_check.hpp"
+#include "actuator/check/trace.hpp"
+
+namespace torquewright::actuator {
+
+/// An actuator that is held against its part of a trajectory.
+struct CheckedDrive {
+  std::string name;  ///< Of its joint in the trajectory, or of its row in a Jacobian.
+  const Actuator* actuator = nullptr;
+  Conditions conditions;
+};
+
+/// How its samples are to be read.
+struct DriveOptions {
+  bool has_torque = true;
+  InertiaConvention inertia = InertiaConvention::kUnstated;
+  std::size_t runs = 1;
+  double pause_s = 0.0;
+  bool keep_trace = false;
+};
+
+/// Rotor, gears and reflected_inertia effects, at the joint: N^2 J + ...
+double armature_kg_m2(const Actuator& actuator);
+
+/// Checks the samples of one actuator, in flat memory.
+class DriveCheck {
+ public:
+  DriveCheck(const CheckedDrive& drive, const DriveOptions& options);
+  DriveCheck(const DriveCheck&) = delete;
+  DriveCheck& operator=(const DriveCheck&) = delete;
+
+  void add(double time_s, double speed_rad_s, double torque_Nm, double acceleration_rad_s2);
+
+  DriveReport finish() const;
+  std::vector<TracePoint> trace() const { return trace_.points(); }
+
+ private:
+  void note_speed(double time_s, double speed_rad_s);
+
+  std::string name_;
+  DriveOptions options_;
+  CheckBasis basis_;
+  double armature_kg_m2_;
+  ReadingCheck reading_;
+  std::optional<ReadingCheck> with_inertia_;
+  DriveReport report_;
+  Trace trace_;
+};
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/check/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <set>
+
+#include "io/wording.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kFactorTolerance = 0.1;  // relative, for a factor to count as a known one
+
+Finding finding(const DriveReport& drive, Severity severity, const char* rule,
+                std::string sentence) {
+  return {severity, rule, drive.name, {}, {}, {}, "", std::move(sentence)};
+}
+
+std::string percent(std::size_t part, std::size_t whole) {
+  return fmt::format("{:.3g} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+std::string limit_words(const WorstSample& worst) {
+  if (!worst.limit_Nm) return fmt::format("no torque at all ({})", name_of(worst.limiter));
+  return fmt::format("{:.6g} Nm ({})", *worst.limit_Nm, name_of(worst.limiter));
+}
+
+Finding region_violation(const DriveReport& drive, const Reading& reading, Severity severity,
+                         const char* how) {
+  const WorstSample& worst = reading.worst;
+  Finding result = finding(
+      drive, severity, "motor-operating-region",
+      fmt::format("{}{}: {} of {} samples ({}) lie outside the region, the worst at t = {:.6g} s: "
+                  "{:.6g} Nm at {:.6g} rad/s, where the region ends at {}",
+                  drive.name, how, reading.clipped_samples, drive.samples,
+                  percent(reading.clipped_samples, drive.samples), worst.time_s, worst.torque_Nm,
+                  worst.speed_rad_s, limit_words(worst)));
+  result.time_s = worst.time_s;
+  result.value = worst.torque_Nm;
+  result.limit = worst.limit_Nm;
+  result.unit = "Nm";
+  return result;
+}
+
+std::string in_brief(const DriveReport& drive, const Reading& reading) {
+  std::string text =
+      fmt::format("{} ({} clipped, margin {:.6g} Nm)", fails(reading) ? "fails" : "passes",
+                  percent(reading.clipped_samples, drive.samples), reading.margin_Nm);
+  return text;
+}
+
+void add_inertia(const DriveReport& drive, std::vector<Finding>& findings) {
+  const auto add = [&](Severity severity, std::string sentence) {
+    findings.push_back(finding(drive, severity, "reflected-inertia", std::move(sentence)));
+  };
+  if (drive.armature_kg_m2 == 0.0) {
+    add(Severity::kNote, fmt::format("{}: the actuator states no rotor inertia; torque that the "
+                                     "rotor itself takes is left out",
+                                     drive.name));
+  } else if (drive.inertia == InertiaConvention::kIncluded) {
+    add(Severity::kNote, fmt::format("{}: torque is said to include that of the reflected inertia, "
+                                     "{:.6g} kg m^2",
+                                     drive.name, drive.armature_kg_m2));
+  } else if (drive.inertia == InertiaConvention::kExcluded) {
+    add(Severity::kNote,
+        fmt::format("{}: torque of the reflected inertia, {:.6g} kg m^2, was added", drive.name,
+                    drive.armature_kg_m2));
+  } else if (drive.with_inertia) {
+    const bool is_open = drive.verdict == Verdict::kUndecided;
+    add(is_open ? Severity::kWarning : Severity::kNote,
+        fmt::format(
+            "{}: nothing says whether torque includes that of the reflected inertia, {:.6g} "
+            "kg m^2. If it does, the joint {}; if it does not, it {}{}",
+            drive.name, drive.armature_kg_m2, in_brief(drive, drive.reading),
+            in_brief(drive, *drive.with_inertia),
+            is_open ? "; say --torque-includes-inertia or --torque-excludes-inertia" : ""));
+  }
+}
+
+void add_winding(const DriveReport& drive, std::vector<Finding>& findings) {
+  if (!drive.reading.winding) return;
+  const WindingReport& winding = *drive.reading.winding;
+  const bool is_passed = !(winding.peak_K <= winding.limit_K);
+  if (!is_passed && !winding.runs_to_limit) return;
+  Finding result = finding(drive, is_passed ? Severity::kViolation : Severity::kWarning,
+                           "winding-temperature", "");
+  result.value = is_passed ? winding.peak_K : winding.steady_peak_K;
+  if (result.value && !std::isfinite(*result.value)) result.value.reset();
+  result.limit = winding.limit_K;
+  result.unit = "K";
+  result.sentence =
+      fmt::format("{}: the winding passes its limit of {:.6g} K in run {}", drive.name,
+                  winding.limit_K, winding.runs_to_limit.value_or(winding.runs));
+  findings.push_back(std::move(result));
+}
+
+void add_speed(const DriveReport& drive, std::vector<Finding>& findings) {
+  const double no_load_rad_s = drive.no_load_speed_rad_s;
+  if (!(drive.peak_speed_rad_s > kImplausibleSpeed * no_load_rad_s)) return;
+  Finding result = finding(
+      drive, Severity::kWarning, "speed-implausible",
+      fmt::format("{}: speeds reach {:.6g} rad/s, {:.3g} times the no-load speed of {:.6g} rad/s",
+                  drive.name, drive.peak_speed_rad_s, drive.peak_speed_rad_s / no_load_rad_s,
+                  no_load_rad_s));
+  if (drive.peak_speed_rad_s / kDegrees <= kImplausibleSpeed * no_load_rad_s) {
+    result.sentence += "; degrees under a header in rad? --column NAME=JOINT.velocity:deg/s";
+  }
+  result.value = drive.peak_speed_rad_s;
+  result.limit = no_load_rad_s;
+  result.unit = "rad/s";
+  findings.push_back(std::move(result));
+}
+
+void add_agreement(const DriveReport& drive, std::vector<Finding>& findings) {
+  const double factor = drive.velocity_over_slope;
+  const bool is_plain = factor <= kPlainFactor && factor >= 1.0 / kPlainFactor;
+  if (is_plain || drive.velocity_correlation < kAgreement) return;
+  std::string sentence =
+      fmt::format("{}: the velocity is {:.4g} times d(position)/dt", drive.name, factor);
+  const auto is_about = [factor](double known) {
+    return std::abs(factor / known - 1.0) < kFactorTolerance;
+  };
+  if (is_about(kDegrees)) sentence += "; it seems to be in degrees, the position in rad";
+  if (is_about(1.0 / kDegrees)) sentence += "; the position seems to be in degrees";
+  if (is_about(-1.0)) sentence += "; their signs differ";
+  findings.push_back(finding(drive, Severity::kWarning, "velocity-mismatch", sentence));
+}
+
+void add_torque(const DriveReport& drive, std::vector<Finding>& findings) {
+  if (drive.has_torque) {
+    if (drive.reading.clipped_samples > 0) {
+      findings.push_back(region_violation(drive, drive.reading, Severity::kViolation, ""));
+    }
+    if (drive.reading.unreachable_samples > 0) {
+      findings.push_back(finding(
+          drive, Severity::kNote, "saturation",
+          fmt::format("{}: no current yields the torque of {} samples; current, energy and heat "
+                      "count them at the region's bound",
+                      drive.name, drive.reading.unreachable_samples)));
+    }
+    return;
+  }
+  Finding result =
+      finding(drive, Severity::kWarning, "torque-missing",
+              fmt::format("{}: the trajectory holds no torque of this joint, so only its "
+                          "speeds can be checked",
+                          drive.name));
+  if (drive.limiting_speed_rad_s) {
+    result.severity = Severity::kViolation;
+    result.rule = "motor-operating-region";
+    result.sentence = fmt::format(
+        "{}: at {:.6g} rad/s (t = {:.6g} s) the actuator can hold no torque "
+        "at all, whatever the motion needs",
+        drive.name, *drive.limiting_speed_rad_s, *drive.limiting_time_s);
+    result.time_s = drive.limiting_time_s;
+    result.value = drive.limiting_speed_rad_s;
+    result.unit = "rad/s";
+  }
+  findings.push_back(std::move(result));
+}
+
+std::vector<Finding> findings_of(const DriveReport& drive) {
+  std::vector<Finding> findings;
+  add_torque(drive, findings);
+  add_speed(drive, findings);
+  add_agreement(drive, findings);
+  if (drive.has_torque) {
+    add_winding(drive, findings);
+    add_inertia(drive, findings);
+  }
+  if (drive.is_speed_differentiated) {
+    findings.push_back(finding(
+        drive, Severity::kNote, "velocity-differentiated",
+        fmt::format("{}: no velocity in the file; it is the slope of the parabola through each "
+                    "position and its two neighbours (second order, uneven steps too)",
+                    drive.name)));
+  }
+  return findings;
+}
+
+}  // namespace
+
+std::vector<Finding> findings_of(const std::vector<DriveReport>& drives) {
+  std::vector<Finding> findings;
+  std::set<std::string> named;
+  for (const DriveReport& drive : drives) {
+    std::vector<Finding> more = findings_of(drive);
+    std::move(more.begin(), more.end(), std::back_inserter(findings));
+  }
+  // Said once for all joints that have the actuator.
+  for (const DriveReport& drive : drives) {
+    if (drive.assumed.empty() || !named.insert(drive.actuator).second) continue;
+    Finding& assumed = findings.emplace_back();
+    assumed.rule = "assumed";
+    assumed.sentence = fmt::format("{}: assumed, neither published nor measured: {}",
+                                   drive.actuator, io::listed(drive.assumed));
+  }
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& one, const Finding& other) {
+    return one.severity > other.severity;
+  });
+  return findings;
+}
+
+}  // namespace torquewright::actuator

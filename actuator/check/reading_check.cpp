@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/check/reading_check.hpp"
+
+#include <algorithm>
+
+namespace torquewright::actuator {
+namespace {
+
+std::optional<HeatModel> heat_model(const Actuator& actuator, const Conditions& conditions) {
+  if (!actuator.thermal) return std::nullopt;
+  return HeatModel(actuator, conditions);
+}
+
+/// Root mean square over the time, of a single sample its magnitude.
+double rms(const Integral& square, double duration_s, double peak) {
+  return duration_s > 0.0 ? std::sqrt(square.sum() / duration_s) : peak;
+}
+
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+}
+
+}  // namespace
+
+CheckBasis::CheckBasis(const Actuator& checked, const Conditions& conditions)
+    : actuator(&checked),
+      temperature_K(winding_temperature_K(checked, conditions)),
+      lookup(checked, conditions),
+      heat(heat_model(checked, conditions)) {}
+
+ReadingCheck::ReadingCheck(const CheckBasis& basis) : basis_(basis) {
+  if (basis.heat) heat_.emplace(*basis.heat);
+}
+
+bool ReadingCheck::add(double time_s, double speed_rad_s, double torque_Nm) {
+  const RegionLookup& lookup = basis_.lookup;
+  const TorqueRange range = lookup.at(speed_rad_s, torque_Nm);
+  const bool is_outside = lookup.is_outside(range, torque_Nm);
+  if (samples_ == 0) first_s_ = time_s;
+  if (is_outside) ++reading_.clipped_samples;
+  clipped_.add(time_s, is_outside ? 1.0 : 0.0);
+  const double excess_Nm = range.excess_Nm(torque_Nm);
+  if (excess_Nm > worst_excess_Nm_) {
+    worst_excess_Nm_ = excess_Nm;
+    reading_.worst = {time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
+  }
+  if (lookup.has_less_speed_margin(speed_rad_s, torque_Nm, speed_margin_rad_s_)) {
+    speed_margin_rad_s_ =
+        std::min(speed_margin_rad_s_, lookup.speed_margin_rad_s(speed_rad_s, torque_Nm));
+  }
+  reading_.peak_torque_Nm = std::max(reading_.peak_torque_Nm, std::abs(torque_Nm));
+  torque_square_.add(time_s, torque_Nm * torque_Nm);
+  add_demand(time_s, speed_rad_s, torque_Nm, range);
+  ++samples_;
+  last_s_ = time_s;
+  return is_outside;
+}
+
+void ReadingCheck::add_demand(double time_s, double speed_rad_s, double torque_Nm,
+                              const TorqueRange& range) {
+  const auto demand_of = [&](double asked_Nm) {
+    return demand_at(*basis_.actuator, basis_.lookup.region().machine(), basis_.temperature_K,
+                     speed_rad_s, asked_Nm);
+  };
+  std::optional<Demand> demand = demand_of(torque_Nm);
+  if (!demand) {
+    ++reading_.unreachable_samples;
+    demand =
+        demand_of(range.is_empty ? 0.0 : std::clamp(torque_Nm, range.least_Nm, range.greatest_Nm));
+  }
+  if (!demand) return;
+  reading_.peak_current_A = std::max(reading_.peak_current_A, demand->current_A);
+  voltage_margin_V_ = std::min(voltage_margin_V_, demand->voltage_margin_V);
+  current_square_.add(time_s, demand->current_A * demand->current_A);
+  drawn_.add(time_s, std::max(0.0, demand->bus_power_W));
+  returned_.add(time_s, std::max(0.0, -demand->bus_power_W));
+  if (heat_) add_heat(time_s, demand->phase_current_A * demand->phase_current_A);
+}
+
+void ReadingCheck::add_heat(double time_s, double square_A2) {
+  if (samples_ > 0) heat_->add(0.5 * (last_square_A2_ + square_A2), time_s - last_s_);
+  last_square_A2_ = square_A2;
+}
+
+/// The worst sample, with the bound of the region itself.
+WorstSample ReadingCheck::worst() const {
+  WorstSample worst = reading_.worst;
+  const JointRange range = basis_.lookup.exact(worst.speed_rad_s);
+  if (range.is_empty) {
+    worst.limiter = range.why_empty;
+    worst.excess_Nm = std::abs(worst.torque_Nm);
+    return worst;
+  }
+  const bool is_upper =
+      worst.torque_Nm - range.greatest.torque_Nm >= range.least.torque_Nm - worst.torque_Nm;
+  const JointBound& bound = is_upper ? range.greatest : range.least;
+  const double excess_Nm =
+      is_upper ? worst.torque_Nm - bound.torque_Nm : bound.torque_Nm - worst.torque_Nm;
+  worst.limit_Nm = bound.torque_Nm;
+  worst.limiter = bound.limiter;
+  worst.excess_Nm = excess_Nm > basis_.lookup.round_off_Nm() ? excess_Nm : 0.0;
+  return worst;
+}
+
+Reading ReadingCheck::finish(std::size_t runs, double pause_s) const {
+  Reading reading = reading_;
+  const double duration_s = last_s_ - first_s_;
+  reading.clipped_time_s = clipped_.sum();
+  reading.worst = worst();
+  reading.margin_Nm = -reading.worst.excess_Nm;
+  if (reading.worst.excess_Nm == 0.0 && reading.worst.limit_Nm) {
+    reading.margin_Nm = std::abs(*reading.worst.limit_Nm - reading.worst.torque_Nm);
+  }
+  reading.speed_margin_rad_s = finite(speed_margin_rad_s_);
+  reading.voltage_margin_V = finite(voltage_margin_V_);
+  reading.rms_torque_Nm = rms(torque_square_, duration_s, reading.peak_torque_Nm);
+  reading.rms_current_A = rms(current_square_, duration_s, reading.peak_current_A);
+  reading.energy_drawn_J = drawn_.sum();
+  reading.energy_returned_J = returned_.sum();
+  if (heat_) reading.winding = heat_->report(runs, pause_s);
+  return reading;
+}
+
+}  // namespace torquewright::actuator

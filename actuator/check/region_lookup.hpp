@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "actuator/mor_table.hpp"
+
+namespace torquewright::actuator {
+
+/// The ends of a region at one speed.
+struct TorqueRange {
+  bool is_empty = false;
+  double least_Nm = 0.0;
+  double greatest_Nm = 0.0;
+
+  /// By how much a torque lies outside; negative: so far inside. Where the range is empty all of
+  /// the torque is too much.
+  double excess_Nm(double torque_Nm) const;
+};
+
+/// A region at the joint, asked at very many speeds: a table answers, and the region itself where
+/// the table might be wrong. What it says of a torque being inside or outside is exact.
+class RegionLookup {
+ public:
+  RegionLookup(const Actuator& actuator, const Conditions& conditions);
+
+  /// By the table; beyond its rows and beside empty ranges by the region itself.
+  TorqueRange near(double speed_rad_s) const;
+
+  /// As near(), but by the region itself where the torque lies within doubt_Nm() of a bound.
+  TorqueRange at(double speed_rad_s, double torque_Nm) const;
+
+  JointRange exact(double speed_rad_s) const { return region_.at(speed_rad_s); }
+
+  /// Torque past a bound that counts as inside: rounding.
+  double round_off_Nm() const { return round_off_Nm_; }
+  double doubt_Nm() const { return doubt_Nm_; }
+  bool is_outside(const TorqueRange& range, double torque_Nm) const {
+    return range.is_empty || range.excess_Nm(torque_Nm) > round_off_Nm_;
+  }
+
+  /// How much faster, the way it moves, a joint could go with that torque (negative: how much
+  /// slower it would have to go), by the table; minus infinity where no speed of that direction has
+  /// the torque.
+  double speed_margin_rad_s(double speed_rad_s, double torque_Nm) const;
+
+  /// True if that margin is less than `margin_rad_s`; much cheaper than the margin itself.
+  bool has_less_speed_margin(double speed_rad_s, double torque_Nm, double margin_rad_s) const;
+
+  const Region& region() const { return region_; }
+
+ private:
+  bool holds(double speed_rad_s, double torque_Nm) const;
+
+  Region region_;
+  MorTable table_;
+  std::vector<double> speeds_rad_s_;  ///< Of the table's rows.
+  double doubt_Nm_;
+  double round_off_Nm_;
+};
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace torquewright::actuator {
+
+/// What a column of a trajectory holds.
+enum class Quantity { kTime, kPosition, kVelocity, kTorque };
+std::string_view name_of(Quantity quantity);
+std::optional<Quantity> find_quantity(std::string_view name);
+
+/// Which column is which quantity of which joint (none for the time), and the factor that turns its
+/// numbers into s, rad, rad/s or Nm.
+struct ColumnMapping {
+  std::string column;
+  std::string joint;
+  Quantity quantity = Quantity::kTime;
+  double factor = 1.0;
+};
+
+/// NAME=JOINT.QUANTITY[:unit][*factor], or NAME=time[:unit][*factor]: tau_k=knee.torque:Nm*0.5.
+/// Throws io::SpecError.
+ColumnMapping read_mapping(const std::string& text);
+
+/// A header of the canonical form: time_s (also time or t), <joint>_position_rad,
+/// <joint>_velocity_rad_s, <joint>_torque_Nm. Empty for any other.
+std::optional<ColumnMapping> canonical_mapping(const std::string& column);
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/trajectory/columns_spec.hpp"
+
+#include <fmt/format.h>
+
+#include "io/units.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+io::Dimension dimension_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kTime:
+      return io::Dimension::kTime;
+    case Quantity::kPosition:
+      return io::Dimension::kAngle;
+    case Quantity::kVelocity:
+      return io::Dimension::kAngularVelocity;
+    case Quantity::kTorque:
+      break;
+  }
+  return io::Dimension::kTorque;
+}
+
+}  // namespace
+
+std::vector<ColumnMapping> read_columns(const io::Document& document) {
+  std::vector<ColumnMapping> mappings;
+  std::vector<io::Fault> faults;
+  std::size_t index = 0;
+  for (const nlohmann::json& entry : document.root["columns"]) {
+    const std::string path = fmt::format("{}/columns/{}", document.path, index++);
+    const auto report = [&](const char* key, std::string message) {
+      faults.push_back({document.file, path + key, std::move(message)});
+    };
+    ColumnMapping mapping{entry["column"], entry.value("joint", ""),
+                          *find_quantity(entry["quantity"].get<std::string>()),
+                          entry.value("factor", 1.0)};
+    const bool is_time = mapping.quantity == Quantity::kTime;
+    if (is_time != mapping.joint.empty()) {
+      report("/joint", is_time ? "time is no joint's; leave it out" : "missing; whose quantity?");
+    }
+    if (mapping.factor == 0.0) report("/factor", "0 would leave nothing of the column");
+    if (entry.contains("unit")) {
+      const std::string name = entry["unit"];
+      const io::Dimension dimension = dimension_of(mapping.quantity);
+      const std::optional<io::Unit> unit = io::find_unit(name);
+      if (unit && unit->dimension == dimension) {
+        mapping.factor *= unit->in_SI;
+      } else {
+        report("/unit",
+               fmt::format("\"{}\" is no unit of {}, which must be {}", name,
+                           name_of(mapping.quantity), io::either(io::unit_names(dimension))));
+      }
+    }
+    mappings.push_back(std::move(mapping));
+  }
+  if (!faults.empty()) throw io::SpecError(std::move(faults));
+  return mappings;
+}
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "actuator/trajectory/columns.hpp"
+#include "io/document.hpp"
+
+namespace torquewright::actuator {
+
+/// The mappings of a document of kind `trajectory_columns`. Throws io::SpecError for unknown units,
+/// a factor of 0, and a quantity without its joint.
+std::vector<ColumnMapping> read_columns(const io::Document& document);
+
+}  // namespace torquewright::actuator

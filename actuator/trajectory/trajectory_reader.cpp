@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/trajectory/trajectory_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/nearest.hpp"
+#include "io/spec_error.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr std::size_t kMostNamesListed = 20;
+
+[[noreturn]] void refuse(const std::string& file, std::string message) {
+  throw io::SpecError({{file, "", std::move(message)}});
+}
+
+std::string hint(const std::string& word, std::vector<std::string> known) {
+  if (known.empty()) return "";
+  if (const auto near = io::nearest(word, known)) {
+    return fmt::format("; did you mean \"{}\"?", *near);
+  }
+  const bool is_long = known.size() > kMostNamesListed;
+  if (is_long) known.resize(kMostNamesListed);
+  return fmt::format("; there are {}{}", io::listed(known), is_long ? ", ..." : "");
+}
+
+std::vector<std::string> joints_of(const std::vector<ColumnMapping>& mappings) {
+  std::vector<std::string> names;
+  for (const ColumnMapping& mapping : mappings) {
+    const bool is_new = std::find(names.begin(), names.end(), mapping.joint) == names.end();
+    if (!mapping.joint.empty() && is_new) names.push_back(mapping.joint);
+  }
+  return names;
+}
+
+bool same_quantity(const ColumnMapping& one, const ColumnMapping& other) {
+  return one.quantity == other.quantity && one.joint == other.joint;
+}
+
+/// The stated mappings, and the canonical ones for what no mapping is stated.
+std::vector<ColumnMapping> complete(const io::CsvReader& csv,
+                                    const std::vector<ColumnMapping>& stated) {
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    const ColumnMapping& mapping = stated[i];
+    if (!csv.find(mapping.column)) {
+      refuse(csv.file(),
+             fmt::format("no column \"{}\"{}", mapping.column, hint(mapping.column, csv.header())));
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!same_quantity(stated[j], mapping)) continue;
+      refuse(
+          csv.file(),
+          fmt::format("\"{}\" and \"{}\" are both mapped to {}{}", stated[j].column, mapping.column,
+                      mapping.joint.empty() ? "" : mapping.joint + ".", name_of(mapping.quantity)));
+    }
+  }
+  std::vector<ColumnMapping> all = stated;
+  for (const std::string& column : csv.header()) {
+    const std::optional<ColumnMapping> mapping = canonical_mapping(column);
+    if (!mapping) continue;
+    const bool is_taken = std::any_of(all.begin(), all.end(), [&](const ColumnMapping& other) {
+      return same_quantity(other, *mapping);
+    });
+    if (!is_taken) all.push_back(*mapping);
+  }
+  return all;
+}
+
+}  // namespace
+
+TrajectoryReader::TrajectoryReader(const std::filesystem::path& file,
+                                   const std::vector<ColumnMapping>& mappings,
+                                   const std::vector<std::string>& joints, const Window& window)
+    : csv_(file), window_(window), joints_(joints.size()) {
+  const std::vector<ColumnMapping> all = complete(csv_, mappings);
+  assign(all, joints);
+  require_complete(all, joints);
+}
+
+void TrajectoryReader::assign(const std::vector<ColumnMapping>& mappings,
+                              const std::vector<std::string>& joints) {
+  for (const ColumnMapping& mapping : mappings) {
+    const JointColumns::Source source{*csv_.find(mapping.column), mapping.factor};
+    if (mapping.quantity == Quantity::kTime) time_ = source;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (joints[i] != mapping.joint) continue;
+      if (mapping.quantity == Quantity::kPosition) joints_[i].position = source;
+      if (mapping.quantity == Quantity::kVelocity) joints_[i].velocity = source;
+      if (mapping.quantity == Quantity::kTorque) joints_[i].torque = source;
+    }
+  }
+}
+
+void TrajectoryReader::require_complete(const std::vector<ColumnMapping>& found,
+                                        const std::vector<std::string>& joints) const {
+  if (!time_) {
+    refuse(csv_.file(), "no column time_s; name the time with --column NAME=time[:unit]");
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const JointColumns& columns = joints_[i];
+    if (!columns.position && !columns.velocity && !columns.torque) {
+      refuse(csv_.file(),
+             fmt::format("no joint \"{}\"{}", joints[i], hint(joints[i], joints_of(found))));
+    }
+    if (!columns.position && !columns.velocity) {
+      refuse(csv_.file(),
+             fmt::format("joint \"{0}\" has neither {0}_position_rad nor {0}_velocity_rad_s; its "
+                         "torque alone cannot be checked",
+                         joints[i]));
+    }
+  }
+}
+
+double TrajectoryReader::read_time_s() {
+  const double time_s = csv_.number(time_->column) * time_->factor;
+  if (previous_s_ && time_s <= *previous_s_) {
+    csv_.refuse(time_->column, fmt::format("time {}: {} s follows {} s of line {}",
+                                           time_s == *previous_s_ ? "repeats" : "runs backwards",
+                                           time_s, *previous_s_, previous_line_));
+  }
+  previous_s_ = time_s;
+  previous_line_ = csv_.line();
+  return time_s;
+}
+
+bool TrajectoryReader::next(Row& row) {
+  row.values.assign(kPlaces * joints_.size(), 0.0);
+  while (csv_.next()) {
+    row.time_s = read_time_s();
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      const auto read = [&](const std::optional<JointColumns::Source>& source, Place place) {
+        if (!source) return;
+        const double value = csv_.number(source->column) * source->factor;
+        if (!std::isfinite(value)) csv_.refuse(source->column, "too large in SI units");
+        row.values[kPlaces * i + place] = value;
+      };
+      read(joints_[i].position, kPositionAt);
+      read(joints_[i].velocity, kVelocityAt);
+      read(joints_[i].torque, kTorqueAt);
+    }
+    if (row.time_s >= window_.from_s && row.time_s <= window_.until_s) return true;
+  }
+  return false;
+}
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actuator/trajectory/columns.hpp"
+#include "actuator/trajectory/slope_filter.hpp"
+#include "io/csv.hpp"
+
+namespace torquewright::actuator {
+
+/// Rows outside of it are read but not used.
+struct Window {
+  double from_s = -std::numeric_limits<double>::infinity();
+  double until_s = std::numeric_limits<double>::infinity();
+};
+
+/// Where a row holds what of a joint: from kPlaces times the joint's index. What the file does not
+/// hold is 0; the slope of the position is left for a SlopeFilter.
+enum Place : std::size_t { kPositionAt, kVelocityAt, kTorqueAt, kSlopeAt, kPlaces };
+
+/// The columns of one joint.
+struct JointColumns {
+  struct Source {
+    std::size_t column;
+    double factor;
+  };
+  std::optional<Source> position;
+  std::optional<Source> velocity;
+  std::optional<Source> torque;
+};
+
+/// A trajectory in a CSV file, row by row.
+class TrajectoryReader {
+ public:
+  /// Finds the columns of the joints: those that `mappings` say, then those with canonical headers.
+  /// Throws io::SpecError: a mapped column or a joint that is not there (naming the nearest), two
+  /// columns for one quantity, no time, a joint with neither position nor velocity.
+  TrajectoryReader(const std::filesystem::path& file, const std::vector<ColumnMapping>& mappings,
+                   const std::vector<std::string>& joints, const Window& window);
+
+  const JointColumns& columns(std::size_t joint) const { return joints_[joint]; }
+
+  /// The next row inside the window; false at the end. Throws for what CsvReader throws for, and
+  /// where time repeats or runs backwards.
+  bool next(Row& row);
+
+  bool has_read_rows() const { return previous_s_.has_value(); }  ///< Inside the window or not.
+  const std::string& file() const { return csv_.file(); }
+  double share_read() const { return csv_.share_read(); }
+  std::string sha256() { return csv_.sha256(); }  ///< At the end, once.
+
+ private:
+  void assign(const std::vector<ColumnMapping>& mappings, const std::vector<std::string>& joints);
+  void require_complete(const std::vector<ColumnMapping>& found,
+                        const std::vector<std::string>& joints) const;
+  double read_time_s();
+
+  io::CsvReader csv_;
+  Window window_;
+  std::optional<JointColumns::Source> time_;
+  std::vector<JointColumns> joints_;
+  std::optional<double> previous_s_;
+  std::size_t previous_line_ = 0;
+};
+
+}  // namespace torquewright::actuator

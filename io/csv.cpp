@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <system_error>
+
+#include "io/spec_error.hpp"
+
+namespace torquewright::io {
+namespace {
+
+constexpr std::size_t kMostColumns = 10000;
+constexpr std::size_t kLongestQuote = 40;
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+/// The whole text as a double, infinities and NaN included; a number too small for one is 0.
+std::optional<double> number_of(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (rest != end || text.empty()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    const bool is_small = text.find("e-") != text.npos || text.find("E-") != text.npos;
+    return is_small ? 0.0 : HUGE_VAL;
+  }
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+/// 1,5 or -0,25e3: digits on both sides of one comma.
+bool has_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == text.npos) return false;
+  std::string pointed(text);
+  pointed[comma] = '.';
+  return number_of(pointed).has_value();
+}
+
+std::string in_quotes(std::string_view text) {
+  if (text.size() <= kLongestQuote) return fmt::format("\"{}\"", text);
+  return fmt::format("\"{}...\"", text.substr(0, kLongestQuote));
+}
+
+}  // namespace
+
+CsvReader::CsvReader(const std::filesystem::path& file) : lines_(file) {
+  std::string_view line;
+  do {
+    if (!lines_.next(line)) {
+      throw SpecError({{lines_.file(), "", "is empty; the first line must name the columns"}});
+    }
+  } while (line.starts_with('#') || trimmed(line).empty());
+  split(line);
+  header_.assign(cells_.begin(), cells_.end());
+  check_header();
+}
+
+std::optional<std::size_t> CsvReader::find(std::string_view name) const {
+  const auto found = std::find(header_.begin(), header_.end(), name);
+  if (found == header_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header_.begin());
+}
+
+void CsvReader::check_header() const {
+  const std::string& first = header_.front();
+  if (header_.size() == 1 && first.find_first_of(";\t") != std::string::npos) {
+    refuse_row(fmt::format("the columns are separated by {}; must be commas, and decimals points",
+                           first.find(';') != std::string::npos ? "semicolons" : "tabs"));
+  }
+  std::set<std::string_view> seen;
+  for (std::size_t column = 0; column < header_.size(); ++column) {
+    const std::string& name = header_[column];
+    if (number_of(name)) {
+      refuse(column, fmt::format("{} is a number; the first line must name the columns", name));
+    }
+    if (!name.empty() && !seen.insert(name).second) {
+      refuse(column, fmt::format("the name {} stands twice in the header", in_quotes(name)));
+    }
+  }
+}
+
+bool CsvReader::next() {
+  std::string_view line;
+  if (!lines_.next(line)) return false;
+  if (!trimmed(line).empty()) {
+    split(line);
+    check_row();
+    return true;
+  }
+  const std::size_t empty_line = lines_.line_number();
+  while (lines_.next(line)) {
+    if (trimmed(line).empty()) continue;
+    throw SpecError({{file(), "", fmt::format("line {}: empty, between rows", empty_line)}});
+  }
+  return false;
+}
+
+void CsvReader::check_row() const {
+  if (cells_.size() == header_.size()) {
+    if (!number_of(cells_.front()) && std::equal(cells_.begin(), cells_.end(), header_.begin())) {
+      refuse_row("the header stands here again; one file holds one table");
+    }
+    return;
+  }
+  std::string message =
+      fmt::format("has {} cells, the header has {}", cells_.size(), header_.size());
+  if (cells_.size() == 2 * header_.size()) message += "; decimal commas? write 1.5, not 1,5";
+  if (cells_.size() == 1 && cells_.front().find(';') != std::string_view::npos) {
+    message += "; separated by semicolons? they must be commas, and decimals points";
+  }
+  refuse_row(message);
+}
+
+double CsvReader::number(std::size_t column) const {
+  const std::string_view text = cells_[column];
+  const std::optional<double> value = number_of(text);
+  if (value && std::isfinite(*value)) return *value;
+  if (text.empty()) refuse(column, "empty, must be a number");
+  if (value) refuse(column, fmt::format("{} is not a finite number", in_quotes(text)));
+  if (has_decimal_comma(text)) {
+    refuse(column, fmt::format("{} has a decimal comma; write 1.5, not 1,5", in_quotes(text)));
+  }
+  refuse(column, fmt::format("{} is not a number", in_quotes(text)));
+}
+
+void CsvReader::refuse(std::size_t column, const std::string& message) const {
+  const std::string name =
+      column < header_.size() && !header_[column].empty() ? " (" + header_[column] + ")" : "";
+  throw SpecError(
+      {{file(), "", fmt::format("line {}, column {}{}: {}", line(), column + 1, name, message)}});
+}
+
+void CsvReader::refuse_row(const std::string& message) const {
+  throw SpecError({{file(), "", fmt::format("line {}: {}", line(), message)}});
+}
+
+void CsvReader::split(std::string_view line) {
+  cells_.clear();
+  unquoted_.clear();
+  unquoted_.reserve(static_cast<std::size_t>(std::count(line.begin(), line.end(), '"')));
+  std::size_t place = 0;
+  while (true) {
+    if (cells_.size() == kMostColumns) {
+      refuse_row(fmt::format("more than the allowed {} columns", kMostColumns));
+    }
+    while (place < line.size() && line[place] == ' ') ++place;
+    std::size_t end = place;
+    if (place < line.size() && line[place] == '"') {
+      // A quote within quotes is doubled.
+      std::string& cell = unquoted_.emplace_back();
+      for (end = place + 1; end < line.size(); ++end) {
+        if (line[end] == '"' && !(end + 1 < line.size() && line[end + 1] == '"')) break;
+        if (line[end] == '"') ++end;
+        cell += line[end];
+      }
+      if (end == line.size()) refuse(cells_.size(), "a quote opens here and never closes");
+      const std::size_t closed = end + 1;
+      end = std::min(line.find(',', closed), line.size());
+      if (!trimmed(line.substr(closed, end - closed)).empty()) {
+        refuse(cells_.size(), "text stands behind the closing quote");
+      }
+      cells_.push_back(trimmed(cell));
+    } else {
+      end = std::min(line.find(',', place), line.size());
+      cells_.push_back(trimmed(line.substr(place, end - place)));
+    }
+    if (end == line.size()) return;
+    place = end + 1;
+  }
+}
+
+}  // namespace torquewright::io

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace torquewright::io {
+
+enum class Dimension { kTime, kAngle, kAngularVelocity, kTorque };
+
+/// A unit of a column or an option, and how much of the SI unit (s, rad, rad/s, Nm) one of it is.
+struct Unit {
+  std::string_view name;
+  Dimension dimension;
+  double in_SI;
+};
+
+/// By its name: "deg", "deg/s" or "deg_s", "rpm", "mNm", "ms", ... Empty if there is none such.
+std::optional<Unit> find_unit(std::string_view name);
+
+/// The names of a dimension's units, its SI unit first.
+std::vector<std::string> unit_names(Dimension dimension);
+
+}  // namespace torquewright::io

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/mor_plot.hpp"
+
+#include <fmt/format.h>
+
+#include "io/spec_error.hpp"
+#include "src/report/region_plot.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using actuator::Conditions;
+
+struct Overlay {
+  std::string label;
+  Conditions conditions;
+};
+
+/// The region asked for first, then its continuous rating, then the others.
+std::vector<Overlay> overlays(const MorPlotOptions& options, const actuator::Actuator& actuator,
+                              const Conditions& conditions) {
+  const double voltage_V = actuator::open_circuit_voltage_V(actuator, conditions);
+  const double temperature_K = actuator::winding_temperature_K(actuator, conditions);
+  const bool is_peak = conditions.rating == actuator::Rating::kPeak;
+  std::vector<Overlay> all{{fmt::format("{}, {:.4g} V, {:.4g} K", is_peak ? "peak" : "continuous",
+                                        voltage_V, temperature_K),
+                            conditions}};
+  Conditions continuous = conditions;
+  continuous.rating = actuator::Rating::kContinuous;
+  if (is_peak && actuator::objections(actuator, continuous).empty()) {
+    all.push_back({"continuous", continuous});
+  }
+  for (const double other_V : options.voltages_V) {
+    Conditions changed = conditions;
+    changed.bus_voltage_V = other_V;
+    changed.state_of_charge.reset();
+    all.push_back({fmt::format("{:.4g} V", other_V), changed});
+  }
+  for (const double other_K : options.temperatures_K) {
+    Conditions changed = conditions;
+    changed.winding_temperature_K = other_K;
+    all.push_back({fmt::format("{:.4g} K", other_K), changed});
+  }
+  return all;
+}
+
+}  // namespace
+
+void add_mor_plot_options(CLI::App& command, MorPlotOptions& options) {
+  CLI::Option* plot =
+      command.add_option("--plot", options.file, "Draw the region to this SVG or PNG instead");
+  command.add_option("--plot-voltage", options.voltages_V, "Over it, at these bus voltages, in V")
+      ->delimiter(',')
+      ->check(CLI::Range(0.5, 2000.0))
+      ->needs(plot);
+  command
+      .add_option("--plot-temperature", options.temperatures_K,
+                  "Over it, at these winding temperatures, in K")
+      ->delimiter(',')
+      ->check(CLI::Range(200.0, 600.0))
+      ->needs(plot);
+}
+
+void draw_region(const MorPlotOptions& options, const actuator::Actuator& actuator,
+                 const Conditions& conditions, actuator::Side side) {
+  const report::PlotFormat format = report::plot_format(options.file);
+  std::vector<report::PlottedRegion> regions;
+  for (const Overlay& overlay : overlays(options, actuator, conditions)) {
+    const std::vector<std::string> objections = actuator::objections(actuator, overlay.conditions);
+    if (!objections.empty()) throw io::SpecError({{"--plot", "", objections.front()}});
+    regions.push_back(
+        {overlay.label, actuator::mor_table(actuator::Region(actuator, overlay.conditions, side))});
+  }
+  const char* place = side == actuator::Side::kMotor ? "motor" : "joint";
+  const std::string title =
+      fmt::format("{}: motor operating region at the {}", actuator.name, place);
+  report::draw_with_gnuplot(report::region_plot(format, title, regions), options.file);
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/check_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace torquewright::report {
+namespace {
+
+using namespace actuator;
+
+std::string or_none(const std::optional<double>& value, const char* unit, const char* none) {
+  return value ? fmt::format("{:.4g} {}", *value, unit) : none;
+}
+
+std::string clipped_line(const DriveReport& drive, const Reading& reading) {
+  if (reading.clipped_samples == 0) return "  clipped  none\n";
+  const WorstSample& worst = reading.worst;
+  return fmt::format(
+      "  clipped  {:.3g} % of samples ({}), {:.4g} s\n"
+      "  worst    {:.6g} Nm at {:.6g} rad/s, t = {:.6g} s: {:.6g} Nm beyond {} (limiter: {})\n",
+      100.0 * static_cast<double>(reading.clipped_samples) / static_cast<double>(drive.samples),
+      reading.clipped_samples, reading.clipped_time_s, worst.torque_Nm, worst.speed_rad_s,
+      worst.time_s, worst.excess_Nm, or_none(worst.limit_Nm, "Nm", "an empty region"),
+      name_of(worst.limiter));
+}
+
+std::string winding_line(const WindingReport& winding) {
+  std::string text =
+      fmt::format("  winding  {:.4g} K at most in the first run", winding.first_peak_K);
+  if (winding.runs > 1) text += fmt::format(", {:.4g} K in run {}", winding.peak_K, winding.runs);
+  if (winding.steady_peak_K && std::isfinite(*winding.steady_peak_K)) {
+    text += fmt::format(", {:.4g} K when steady", *winding.steady_peak_K);
+    if (winding.runs_to_steady) {
+      text += fmt::format(" (to {:g} K after {} runs)", kSteady_K, *winding.runs_to_steady);
+    }
+  } else {
+    text += ", never steady";
+  }
+  text += fmt::format("; limit {:.4g} K", winding.limit_K);
+  if (winding.runs_to_limit) text += fmt::format(", passed in run {}", *winding.runs_to_limit);
+  return text + "\n";
+}
+
+std::string reading_lines(const DriveReport& drive, const Reading& reading) {
+  std::string text = clipped_line(drive, reading);
+  text += fmt::format(
+      "  margin   torque {:.4g} Nm, speed {}, voltage {}\n"
+      "  torque   peak {:.4g} Nm, rms {:.4g} Nm\n"
+      "  current  peak {:.4g} A, rms {:.4g} A\n"
+      "  energy   {:.4g} J drawn, {:.4g} J returned\n",
+      reading.margin_Nm, or_none(reading.speed_margin_rad_s, "rad/s", "none"),
+      or_none(reading.voltage_margin_V, "V", "none: the supply gives out"), reading.peak_torque_Nm,
+      reading.rms_torque_Nm, reading.peak_current_A, reading.rms_current_A, reading.energy_drawn_J,
+      reading.energy_returned_J);
+  if (reading.winding) text += winding_line(*reading.winding);
+  return text;
+}
+
+std::string joint_text(const DriveReport& drive) {
+  std::string text = fmt::format(
+      "\n{} ({}): {}\n  samples  {}, {:.6g} to {:.6g} s, speeds up to {:.4g} rad/s (no load "
+      "{:.4g})\n",
+      drive.name, drive.actuator, name_of(drive.verdict), drive.samples, drive.from_s,
+      drive.until_s, drive.peak_speed_rad_s, drive.no_load_speed_rad_s);
+  if (!drive.has_torque) return text;
+  text += reading_lines(drive, drive.reading);
+  if (drive.verdict != Verdict::kUndecided || !drive.with_inertia) return text;
+  text += " if the torque of the reflected inertia is to be added:\n";
+  return text + reading_lines(drive, *drive.with_inertia);
+}
+
+}  // namespace
+
+std::string check_text(const std::string& trajectory, const CheckReport& report) {
+  std::string text = fmt::format("{}: {}\n", trajectory, name_of(report.verdict));
+  for (const DriveReport& drive : report.drives) text += joint_text(drive);
+  if (!report.findings.empty()) text += "\n";
+  for (const Finding& finding : report.findings) {
+    text += fmt::format("{} [{}] {}\n", name_of(finding.severity), finding.rule, finding.sentence);
+  }
+  // What the regions leave out is said once for all joints that share it.
+  std::vector<std::string> said;
+  for (const DriveReport& drive : report.drives) {
+    for (const std::string& sentence : drive.left_out) {
+      if (std::find(said.begin(), said.end(), sentence) != said.end()) continue;
+      said.push_back(sentence);
+      text += fmt::format("left out: {}\n", sentence);
+    }
+  }
+  return text;
+}
+
+}  // namespace torquewright::report

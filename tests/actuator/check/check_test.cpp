@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole checks of motions whose every figure has a closed form, and every verdict and finding.
+#include "actuator/check/check.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "actuator/check/check_report_spec.hpp"
+#include "actuator/effects/library.hpp"
+#include "tests/actuator/check/refusal.hpp"
+#include "tests/actuator/check/simple_actuator.hpp"
+#include "tests/io/scratch_folder.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A motion of joint k, checked against one actuator.
+class Checked {
+ public:
+  explicit Checked(Actuator actuator = test::simple_actuator()) : actuator_(std::move(actuator)) {
+    request_.drives = {{"k", &actuator_, {}}};
+  }
+  CheckRequest& request() { return request_; }
+
+  CheckReport report(const std::string& text) {
+    request_.trajectory = folder_.write("m.csv", text);
+    return check(request_);
+  }
+  std::string refusal(const std::string& text) {
+    return test::refusal([&] { report(text); }, folder_.path());
+  }
+
+ private:
+  test::ScratchFolder folder_;
+  Actuator actuator_;
+  CheckRequest request_;
+};
+
+using Function = double (*)(double);
+
+std::string motion(int intervals, Function position, Function velocity, Function torque) {
+  std::string text = "time_s";
+  if (position != nullptr) text += ",k_position_rad";
+  if (velocity != nullptr) text += ",k_velocity_rad_s";
+  if (torque != nullptr) text += ",k_torque_Nm";
+  for (int i = 0; i <= intervals; ++i) {
+    const double t = static_cast<double>(i) / intervals;
+    text += fmt::format("\n{}", t);
+    for (const Function function : {position, velocity, torque}) {
+      if (function != nullptr) text += fmt::format(",{}", function(t));
+    }
+  }
+  return text + "\n";
+}
+
+bool has_finding(const CheckReport& report, const std::string& rule, Severity severity) {
+  for (const Finding& finding : report.findings) {
+    if (finding.rule == rule && finding.severity == severity) return true;
+  }
+  return false;
+}
+
+double steady_5(double) { return 5.0; }
+double turning_5(double t) { return 5.0 * t; }
+double rest(double) { return 0.0; }
+double ramp_40(double t) { return 40.0 * t; }
+
+// Oracle: closed forms at constant 5 rad/s under a torque 40 t over 1 s, the cap being 30 Nm: of
+// the 1001 samples those of t = 0.751 ... 1 are outside; rms 40/sqrt(3); current tau / 1 Nm/A;
+// energy 5 * 20 + 0.5 * 1600 / 3 J. The trapezoidal rule's error is h^2/12 f'' = 1e-6 relative or
+// less.
+TEST(Check, FiguresOfARamp) {
+  Checked checked;
+  const CheckReport report = checked.report(motion(1000, nullptr, steady_5, ramp_40));
+  const DriveReport& drive = report.drives.at(0);
+  const Reading& reading = drive.reading;
+  EXPECT_EQ(report.verdict, Verdict::kFail);
+  EXPECT_EQ(drive.samples, 1001u);
+  EXPECT_EQ(reading.clipped_samples, 250u);
+  EXPECT_NEAR(reading.clipped_time_s, 0.2495, 1e-12);
+  EXPECT_NEAR(reading.worst.time_s, 1.0, 0.0);
+  EXPECT_NEAR(reading.worst.excess_Nm, 10.0, 1e-12);
+  EXPECT_NEAR(*reading.worst.limit_Nm, 30.0, 1e-12);
+  EXPECT_EQ(reading.worst.limiter, Limiter::kCurrent);
+  EXPECT_NEAR(reading.margin_Nm, -10.0, 1e-12);
+  EXPECT_FALSE(reading.speed_margin_rad_s.has_value());
+  EXPECT_NEAR(*reading.voltage_margin_V, 48.0 - 0.5 * 40.0 - 5.0, 1e-12);
+  EXPECT_NEAR(reading.peak_torque_Nm, 40.0, 0.0);
+  EXPECT_NEAR(reading.rms_torque_Nm, 40.0 / std::sqrt(3.0), 1e-5);
+  EXPECT_NEAR(reading.peak_current_A, 40.0, 1e-12);
+  EXPECT_NEAR(reading.rms_current_A, 40.0 / std::sqrt(3.0), 1e-5);
+  EXPECT_NEAR(reading.energy_drawn_J, 100.0 + 0.5 * 1600.0 / 3.0, 1e-3);
+  EXPECT_EQ(reading.energy_returned_J, 0.0);
+  EXPECT_TRUE(has_finding(report, "motor-operating-region", Severity::kViolation));
+}
+
+double braking(double) { return -4.0; }
+
+// Oracle: closed form. -4 Nm at 5 rad/s return 20 W less 0.5 * 16 W of copper loss.
+TEST(Check, CountsReturnedEnergy) {
+  Checked checked;
+  const CheckReport report = checked.report(motion(10, nullptr, steady_5, braking));
+  EXPECT_NEAR(report.drives[0].reading.energy_returned_J, 12.0, 1e-12);
+  EXPECT_EQ(report.drives[0].reading.energy_drawn_J, 0.0);
+  EXPECT_EQ(report.verdict, Verdict::kPass);
+  // The torque bounds are 30 above and below -30 Nm; the speed bound for -4 Nm is 48 + 2 rad/s.
+  EXPECT_NEAR(report.drives[0].reading.margin_Nm, 26.0, 1e-9);
+  EXPECT_NEAR(*report.drives[0].reading.speed_margin_rad_s, 45.0, 1e-6);
+}
+
+double at_the_cap(double) { return 30.0; }
+double above_the_cap(double) { return 30.0 * (1.0 + 1e-8); }
+
+TEST(Check, RoundingIsNoViolationAndMoreIs) {
+  Checked checked;
+  EXPECT_EQ(checked.report(motion(4, nullptr, rest, at_the_cap)).verdict, Verdict::kPass);
+  EXPECT_EQ(checked.report(motion(4, nullptr, rest, above_the_cap)).verdict, Verdict::kFail);
+}
+
+double swing(double t) { return std::sin(2.0 * kPi * t); }
+double swing_rate(double t) { return 2.0 * kPi * std::cos(2.0 * kPi * t); }
+double swing_torque(double t) { return -29.8 * std::sin(2.0 * kPi * t); }
+
+// Oracle: closed form. The rotor's torque is 0.01 kg m^2 times -(2 pi)^2 sin(2 pi t): 0.3948 Nm on
+// top of 29.8 Nm, past the cap of 30 Nm. The slope's error is (2 pi h)^2 / 6 relative, 2e-5 at h =
+// 1 ms.
+TEST(Check, ReflectedInertiaDecidesAndIsNotDecided) {
+  Checked checked;
+  const std::string text = motion(1000, swing, swing_rate, swing_torque);
+  const double peak_Nm = 29.8 + 0.01 * 4.0 * kPi * kPi;
+
+  const CheckReport open = checked.report(text);
+  EXPECT_EQ(open.verdict, Verdict::kUndecided);
+  ASSERT_TRUE(open.drives[0].with_inertia.has_value());
+  EXPECT_EQ(open.drives[0].reading.clipped_samples, 0u);
+  EXPECT_NEAR(open.drives[0].with_inertia->peak_torque_Nm, peak_Nm, 1e-4);
+  EXPECT_TRUE(has_finding(open, "reflected-inertia", Severity::kWarning));
+  const auto json = check_report_json(open);
+  EXPECT_EQ(json["verdict"], "undecided");
+  EXPECT_EQ(json["joints"][0]["readings"][0]["verdict"], "pass");
+  EXPECT_EQ(json["joints"][0]["readings"][1]["verdict"], "fail");
+
+  checked.request().inertia = InertiaConvention::kIncluded;
+  EXPECT_EQ(checked.report(text).verdict, Verdict::kPass);
+  checked.request().inertia = InertiaConvention::kExcluded;
+  const CheckReport added = checked.report(text);
+  EXPECT_EQ(added.verdict, Verdict::kFail);
+  EXPECT_FALSE(added.drives[0].with_inertia.has_value());
+  EXPECT_NEAR(added.drives[0].reading.peak_torque_Nm, peak_Nm, 1e-4);
+}
+
+TEST(Check, BothReadingsAgreeingDecide) {
+  Checked checked;
+  EXPECT_EQ(checked.report(motion(100, swing, swing_rate, steady_5)).verdict, Verdict::kPass);
+  EXPECT_EQ(checked.report(motion(100, nullptr, steady_5, ramp_40)).verdict, Verdict::kFail);
+}
+
+TEST(Check, WithoutRotorInertiaNothingIsOpen) {
+  Actuator actuator = test::simple_actuator();
+  actuator.motor.rotor_inertia_kg_m2 = 0.0;
+  Checked checked(actuator);
+  const CheckReport report = checked.report(motion(100, swing, swing_rate, swing_torque));
+  EXPECT_EQ(report.verdict, Verdict::kPass);
+  EXPECT_TRUE(has_finding(report, "reflected-inertia", Severity::kNote));
+}
+
+TEST(Check, WithoutTorqueIsUndecidedUnlessTheSpeedDecides) {
+  Checked checked;
+  const CheckReport open = checked.report(motion(10, nullptr, steady_5, nullptr));
+  EXPECT_EQ(open.verdict, Verdict::kUndecided);
+  EXPECT_TRUE(has_finding(open, "torque-missing", Severity::kWarning));
+  EXPECT_TRUE(check_report_json(open)["joints"][0]["margin_Nm"].is_null());
+  // The region ends at 48 + 15 rad/s, where the brake current meets its cap.
+  checked.request().columns = {{"k_velocity_rad_s", "k", Quantity::kVelocity, 12.5}};
+  EXPECT_EQ(checked.report(motion(10, nullptr, steady_5, nullptr)).verdict, Verdict::kUndecided);
+  checked.request().columns = {{"k_velocity_rad_s", "k", Quantity::kVelocity, 12.7}};
+  EXPECT_EQ(checked.report(motion(10, nullptr, steady_5, nullptr)).verdict, Verdict::kFail);
+}
+
+// Oracle: the velocity that the file holds in the other run; sin's slope to (2 pi h)^2 / 6.
+TEST(Check, DifferentiatesThePosition) {
+  Checked checked;
+  const CheckReport given = checked.report(motion(1000, swing, swing_rate, steady_5));
+  const CheckReport derived = checked.report(motion(1000, swing, nullptr, steady_5));
+  EXPECT_FALSE(given.drives[0].is_speed_differentiated);
+  EXPECT_TRUE(derived.drives[0].is_speed_differentiated);
+  EXPECT_NEAR(derived.drives[0].peak_speed_rad_s, given.drives[0].peak_speed_rad_s, 1e-4);
+  EXPECT_NEAR(derived.drives[0].reading.energy_drawn_J, given.drives[0].reading.energy_drawn_J,
+              1e-3);
+  EXPECT_TRUE(has_finding(derived, "velocity-differentiated", Severity::kNote));
+}
+
+double in_degrees(double t) { return 180.0 / kPi * swing_rate(t); }
+
+TEST(Check, WarnsOfDegreesUnderAHeaderInRad) {
+  Checked checked;
+  const CheckReport report = checked.report(motion(100, nullptr, in_degrees, steady_5));
+  EXPECT_TRUE(has_finding(report, "speed-implausible", Severity::kWarning));
+  const CheckReport both = checked.report(motion(100, swing, in_degrees, steady_5));
+  EXPECT_TRUE(has_finding(both, "velocity-mismatch", Severity::kWarning));
+  const CheckReport plain = checked.report(motion(100, swing, swing_rate, steady_5));
+  EXPECT_FALSE(has_finding(plain, "speed-implausible", Severity::kWarning));
+  EXPECT_FALSE(has_finding(plain, "velocity-mismatch", Severity::kWarning));
+}
+
+// Oracle: closed form. 20 Nm ask 20 A for ever; 0.5 ohm * 400 A^2 = 200 W (dc) over 0.5 K/W in all
+// settle at 100 K above the ambient, if the resistance does not grow.
+TEST(Check, WindingOverRepeatedRuns) {
+  Actuator actuator = test::simple_actuator();
+  actuator.thermal = Thermal{0.2, 0.3, 20.0, 200.0, 380.0, 300.0};
+  actuator.motor.winding_temperature_K = 300.0;
+  Effect constant{find_effect("winding_resistance_temperature"), {0.0}, {}, false, ""};
+  actuator.effects.push_back(constant);
+  Checked checked(actuator);
+  const auto hold = [](double) { return 20.0; };
+  const std::string text = motion(10, nullptr, rest, hold);
+  const CheckReport once = checked.report(text);
+  EXPECT_EQ(once.verdict, Verdict::kPass);
+  EXPECT_TRUE(has_finding(once, "winding-temperature", Severity::kWarning));
+  EXPECT_NEAR(*once.drives[0].reading.winding->steady_peak_K, 400.0, 1e-6);
+  checked.request().runs = 100000;
+  const CheckReport often = checked.report(text);
+  EXPECT_EQ(often.verdict, Verdict::kFail);
+  EXPECT_TRUE(has_finding(often, "winding-temperature", Severity::kViolation));
+  EXPECT_NEAR(often.drives[0].reading.winding->peak_K, 400.0, 1e-6);
+}
+
+std::string ankle_motion() {
+  return "time_s,p_position_rad,p_velocity_rad_s,p_torque_Nm,r_position_rad,r_velocity_rad_s,"
+         "r_torque_Nm\n0,0.1,3,40,0.2,2,6\n0.1,0.4,3,40,0.4,2,6\n0.2,0.7,3,40,0.6,2,6\n";
+}
+
+// Oracle: closed form of the symmetric ankle (jacobian_test.cpp): 26 and 14 Nm at 4 and 2 rad/s;
+// the energy of both is that of the joints, (3 * 40 + 2 * 6) W over 0.2 s, and their copper losses.
+TEST(Check, TwoActuatorsMoveOneAnkle) {
+  Checked checked;
+  CheckRequest& request = checked.request();
+  const CheckedDrive first = request.drives[0];
+  request.drives = {first, first};
+  request.drives[0].name = "a";
+  request.drives[1].name = "b";
+  ParallelDrive ankle{"ankle", {"p", "r"}, {"a", "b"}, {}, {}, {{1.0, 0.5, 1.0, -0.5}}};
+  request.parallels = {ankle};
+  const CheckReport report = checked.report(ankle_motion());
+  EXPECT_EQ(report.verdict, Verdict::kPass);
+  EXPECT_NEAR(report.drives[0].reading.peak_torque_Nm, 26.0, 1e-12);
+  EXPECT_NEAR(report.drives[1].reading.peak_torque_Nm, 14.0, 1e-12);
+  EXPECT_NEAR(report.drives[0].peak_speed_rad_s, 4.0, 1e-12);
+  EXPECT_NEAR(report.drives[1].peak_speed_rad_s, 2.0, 1e-12);
+  EXPECT_NEAR(report.drives[0].reading.energy_drawn_J + report.drives[1].reading.energy_drawn_J,
+              0.2 * (132.0 + 0.5 * (26.0 * 26.0 + 14.0 * 14.0)), 1e-10);
+
+  ankle.first_rad = {0.0, 0.5};
+  ankle.second_rad = {0.0, 1.0};
+  ankle.matrices.assign(4, ankle.matrices.front());
+  request.parallels = {ankle};
+  EXPECT_EQ(
+      checked.refusal(ankle_motion()),
+      "m.csv: the table of the Jacobian \"ankle\" ends before the motion does: at 0.2 s, where "
+      "p is at 0.7 rad and r at 0.6 rad");
+  request.parallels[0].matrices.assign(4, {1.0, 1.0, 1.0, 1.0});
+  EXPECT_EQ(
+      checked.refusal(ankle_motion()),
+      "m.csv: the Jacobian \"ankle\" is singular at 0 s, where p is at 0.1 rad and r at 0.2 rad");
+  request.parallels[0].actuators = {"a", "other"};
+  EXPECT_EQ(checked.refusal(ankle_motion()),
+            "--jacobian: its actuator \"other\" has no document; say --joint other=FILE");
+}
+
+TEST(Check, RefusesTrajectoriesWithoutRows) {
+  Checked checked;
+  EXPECT_EQ(checked.refusal("time_s,k_velocity_rad_s\n"), "m.csv: holds a header and no rows");
+  checked.request().window = {5.0, 6.0};
+  EXPECT_EQ(checked.refusal(motion(10, nullptr, steady_5, nullptr)),
+            "m.csv: no rows lie between --from and --until");
+}
+
+TEST(Check, ASingleRowIsChecked) {
+  Checked checked;
+  const CheckReport report = checked.report("time_s,k_velocity_rad_s,k_torque_Nm\n0,5,40\n");
+  EXPECT_EQ(report.verdict, Verdict::kFail);
+  EXPECT_EQ(report.drives[0].reading.rms_torque_Nm, 40.0);
+  EXPECT_EQ(report.drives[0].reading.clipped_time_s, 0.0);
+}
+
+TEST(Check, TracesAreThinnedButKeepViolations) {
+  Checked checked;
+  checked.request().keep_traces = true;
+  const CheckReport report = checked.report(motion(50000, turning_5, steady_5, ramp_40));
+  ASSERT_EQ(report.traces.size(), 1u);
+  EXPECT_LE(report.traces[0].size(), Trace::kMostPoints);
+  EXPECT_GT(report.traces[0].size(), Trace::kMostPoints / 4);
+  EXPECT_TRUE(report.traces[0].back().is_outside);
+  for (std::size_t i = 1; i < report.traces[0].size(); ++i) {
+    ASSERT_LE(report.traces[0][i - 1].time_s, report.traces[0][i].time_s);
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::actuator

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables that are read, and the exact sentence for every kind of mistake in one.
+#include "io/csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "io/units.hpp"
+#include "tests/actuator/check/refusal.hpp"
+#include "tests/io/scratch_folder.hpp"
+
+namespace torquewright::io {
+namespace {
+
+std::vector<std::vector<double>> numbers_in(const std::filesystem::path& file) {
+  CsvReader csv(file);
+  std::vector<std::vector<double>> rows;
+  while (csv.next()) {
+    std::vector<double>& row = rows.emplace_back();
+    for (std::size_t i = 0; i < csv.header().size(); ++i) row.push_back(csv.number(i));
+  }
+  return rows;
+}
+
+using Rows = std::vector<std::vector<double>>;
+
+struct Accepted {
+  const char* what;
+  std::string text;
+};
+void PrintTo(const Accepted& accepted, std::ostream* out) { *out << accepted.what; }
+
+class AcceptedTable : public testing::TestWithParam<Accepted> {};
+
+TEST_P(AcceptedTable, HoldsTheSameNumbers) {
+  const test::ScratchFolder folder;
+  const auto file = folder.write("t.csv", GetParam().text);
+  EXPECT_EQ(CsvReader(file).header(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(numbers_in(file), (Rows{{1.0, -2.5}, {3.0, 4000.0}}));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Csv, AcceptedTable,
+    testing::Values(Accepted{"plain", "a,b\n1,-2.5\n3,4e3\n"},
+                    Accepted{"carriage returns", "a,b\r\n1,-2.5\r\n3,4e3\r\n"},
+                    Accepted{"byte order mark",
+                             "\xEF\xBB\xBF"
+                             "a,b\n1,-2.5\n3,4e3\n"},
+                    Accepted{"no final newline", "a,b\n1,-2.5\n3,4e3"},
+                    Accepted{"quotes", "\"a\",\"b\"\n\"1\",-2.5\n3,\"4e3\"\n"},
+                    Accepted{"blanks", " a , b\n 1 ,\t-2.5\n+3 , 4.0E+3 \n"},
+                    Accepted{"comments", "# side: joint\n# x\na,b\n1,-2.5\n3,4e3\n"},
+                    Accepted{"empty lines at the end", "a,b\n1,-2.5\n3,4e3\n\n\r\n  \n"}));
+
+TEST(Csv, ReadsQuotesWithinQuotesAndCommasInNames) {
+  const test::ScratchFolder folder;
+  const CsvReader csv(folder.write("t.csv", "\"a \"\"b\"\"\",\"c,d\"\n1,2\n"));
+  EXPECT_EQ(csv.header(), (std::vector<std::string>{"a \"b\"", "c,d"}));
+}
+
+TEST(Csv, IsNotDisturbedByWordsInColumnsThatNobodyAsksFor) {
+  const test::ScratchFolder folder;
+  CsvReader csv(folder.write("t.csv", "a,limiter\n1,voltage\n"));
+  ASSERT_TRUE(csv.next());
+  EXPECT_EQ(csv.number(0), 1.0);
+}
+
+TEST(Csv, CountsNumbersTooSmallForADoubleAsZero) {
+  const test::ScratchFolder folder;
+  EXPECT_EQ(numbers_in(folder.write("t.csv", "a\n1e-400\n")), (Rows{{0.0}}));
+}
+
+struct Mistake {
+  std::string text;
+  std::string sentence;
+};
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.sentence; }
+
+class MistakenTable : public testing::TestWithParam<Mistake> {};
+
+TEST_P(MistakenTable, IsRefusedWithItsPlace) {
+  const test::ScratchFolder folder;
+  const auto file = folder.write("t.csv", GetParam().text);
+  EXPECT_EQ(test::refusal([&] { numbers_in(file); }, folder.path()),
+            "t.csv: " + GetParam().sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Csv, MistakenTable,
+    testing::Values(
+        Mistake{"", "is empty; the first line must name the columns"},
+        Mistake{"# only words\n\n", "is empty; the first line must name the columns"},
+        Mistake{"a,b\n1,nan\n", "line 2, column 2 (b): \"nan\" is not a finite number"},
+        Mistake{"a,b\n1,2\n-inf,2\n", "line 3, column 1 (a): \"-inf\" is not a finite number"},
+        Mistake{"a,b\n1,1e999\n", "line 2, column 2 (b): \"1e999\" is not a finite number"},
+        Mistake{"a,b\n1,\n", "line 2, column 2 (b): empty, must be a number"},
+        Mistake{"a,b\n1,0x10\n", "line 2, column 2 (b): \"0x10\" is not a number"},
+        Mistake{"a,b\n1,2 3\n", "line 2, column 2 (b): \"2 3\" is not a number"},
+        Mistake{"a,b\n1,2\n3\n", "line 3: has 1 cells, the header has 2"},
+        Mistake{"a,b\n1,2,3\n", "line 2: has 3 cells, the header has 2"},
+        Mistake{"a,b\n1,5,2,5\n",
+                "line 2: has 4 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
+        Mistake{"a,b\n\"1,5\",2\n",
+                "line 2, column 1 (a): \"1,5\" has a decimal comma; write 1.5, not 1,5"},
+        Mistake{"a;b\n1,5;2,5\n",
+                "line 1: the columns are separated by semicolons; must be commas, and decimals "
+                "points"},
+        Mistake{"a\tb\n1\t2\n",
+                "line 1: the columns are separated by tabs; must be commas, and decimals points"},
+        Mistake{"a,b\n1;2\n",
+                "line 2: has 1 cells, the header has 2; separated by semicolons? they "
+                "must be commas, and decimals points"},
+        Mistake{"a,b\n1,2\na,b\n1,2\n",
+                "line 3: the header stands here again; one file holds one table"},
+        Mistake{"a,b,a\n1,2,3\n",
+                "line 1, column 3 (a): the name \"a\" stands twice in the header"},
+        Mistake{"1,2\n3,4\n",
+                "line 1, column 1 (1): 1 is a number; the first line must name the columns"},
+        Mistake{"a,b\n1,2\n\n3,4\n", "line 3: empty, between rows"},
+        Mistake{"a,b\n1,\"2\n", "line 2, column 2 (b): a quote opens here and never closes"},
+        Mistake{"a,b\n1,\"2\"3\n", "line 2, column 2 (b): text stands behind the closing quote"},
+        Mistake{std::string("a,b\n1,\0\n", 8),
+                "line 2: holds bytes that are no text; save it as UTF-8"},
+        Mistake{std::string("\xFF\xFE"
+                            "a\0,\0",
+                            6),
+                "line 1: holds bytes that are no text; save it as UTF-8"}));
+
+TEST(Csv, RefusesFoldersAndMissingFiles) {
+  const test::ScratchFolder folder;
+  EXPECT_EQ(test::refusal([&] { CsvReader csv(folder.path()); }),
+            folder.path().string() + ": is a folder, must be a file");
+  EXPECT_EQ(test::refusal([&] { CsvReader csv(folder.path() / "no"); }, folder.path()),
+            "no: no such file");
+}
+
+// Oracle: the lines as written, at every length around the reader's buffer of 2^18 bytes.
+TEST(LineReader, FindsLinesThatStraddleItsBuffer) {
+  const test::ScratchFolder folder;
+  constexpr std::size_t kBuffer = std::size_t{1} << 18;
+  for (const std::size_t length : {kBuffer - 2, kBuffer - 1, kBuffer, kBuffer + 1, 2 * kBuffer}) {
+    const std::string first(length, 'x');
+    LineReader lines(folder.write("t", first + "\r\nsecond\n\nlast"));
+    std::string_view line;
+    ASSERT_TRUE(lines.next(line));
+    EXPECT_EQ(line, first);
+    ASSERT_TRUE(lines.next(line));
+    EXPECT_EQ(line, "second");
+    ASSERT_TRUE(lines.next(line));
+    EXPECT_EQ(line, "");
+    ASSERT_TRUE(lines.next(line));
+    EXPECT_EQ(line, "last");
+    EXPECT_EQ(lines.line_number(), 4u);
+    EXPECT_FALSE(lines.next(line));
+  }
+}
+
+TEST(LineReader, RefusesALineWithoutEnd) {
+  const test::ScratchFolder folder;
+  LineReader lines(folder.write("t", std::string(3 * LineReader::kLongestLine, 'x')));
+  std::string_view line;
+  EXPECT_EQ(test::refusal([&] { lines.next(line); }, folder.path()),
+            "t: line 1: longer than the allowed 1 MiB; this is no table of numbers");
+}
+
+// Oracle: io::sha256 of the same bytes in one piece, itself tested against published vectors.
+TEST(LineReader, HashesWhatItReads) {
+  const test::ScratchFolder folder;
+  const std::string text =
+      "\xEF\xBB\xBF"
+      "a,b\r\n1,2";
+  LineReader lines(folder.write("t", text));
+  std::string_view line;
+  while (lines.next(line)) {
+  }
+  EXPECT_EQ(lines.sha256(), sha256(text));
+}
+
+// Oracle: definitions. 1 lbf = 0.45359237 kg times 9.80665 m/s^2, 1 in = 0.0254 m (exact).
+TEST(Units, ConvertToSI) {
+  EXPECT_NEAR(find_unit("deg")->in_SI * 180.0, 3.14159265358979323846, 1e-15);
+  EXPECT_NEAR(find_unit("deg_s")->in_SI, find_unit("deg/s")->in_SI, 0.0);
+  EXPECT_NEAR(find_unit("rpm")->in_SI * 60.0, 2.0 * 3.14159265358979323846, 1e-15);
+  EXPECT_NEAR(find_unit("N m")->in_SI, 1.0, 0.0);
+  EXPECT_NEAR(find_unit("lbf_in")->in_SI, 0.1129848290276167, 1e-16);
+  EXPECT_FALSE(find_unit("furlong").has_value());
+  EXPECT_EQ(unit_names(Dimension::kTime).front(), "s");
+}
+
+}  // namespace
+}  // namespace torquewright::io

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/trajectory/trajectory_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/actuator/check/refusal.hpp"
+#include "tests/io/scratch_folder.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+struct Read {
+  std::vector<Row> rows;
+  std::string refusal;
+};
+
+Read read(const std::string& text, const std::vector<std::string>& mappings,
+          const std::vector<std::string>& joints, const Window& window = {}) {
+  const test::ScratchFolder folder;
+  const auto file = folder.write("m.csv", text);
+  Read result;
+  result.refusal = test::refusal(
+      [&] {
+        std::vector<ColumnMapping> columns;
+        for (const std::string& mapping : mappings) columns.push_back(read_mapping(mapping));
+        TrajectoryReader reader(file, columns, joints, window);
+        Row row;
+        while (reader.next(row)) result.rows.push_back(row);
+      },
+      folder.path());
+  return result;
+}
+
+TEST(TrajectoryReader, FindsCanonicalColumnsInAnyOrder) {
+  const Read result =
+      read("b_torque_Nm,time_s,a_position_rad,b_velocity_rad_s,other\n5,0,1,3,x\n6,0.5,2,4,y\n", {},
+           {"a", "b"});
+  EXPECT_EQ(result.refusal, "");
+  ASSERT_EQ(result.rows.size(), 2u);
+  EXPECT_EQ(result.rows[1].time_s, 0.5);
+  EXPECT_EQ(result.rows[1].values, (std::vector<double>{2, 0, 0, 0, 0, 4, 6, 0}));
+}
+
+TEST(TrajectoryReader, PrefersMappingsAndAppliesThem) {
+  const Read result = read("stamp,w,k_velocity_rad_s,tau2\n0,60,9,10\n1000,120,9,20\n",
+                           {"stamp=time:ms", "w=k.velocity:rpm", "tau2=k.torque*0.5"}, {"k"});
+  EXPECT_EQ(result.refusal, "");
+  ASSERT_EQ(result.rows.size(), 2u);
+  EXPECT_EQ(result.rows[1].time_s, 1.0);
+  EXPECT_DOUBLE_EQ(result.rows[0].values[kVelocityAt], 2.0 * 3.14159265358979323846);
+  EXPECT_EQ(result.rows[1].values[kTorqueAt], 10.0);
+}
+
+TEST(TrajectoryReader, WindowIncludesItsEnds) {
+  const std::string text = "t,k_velocity_rad_s\n0,1\n0.1,2\n0.2,3\n0.3,4\n";
+  const Read result = read(text, {}, {"k"}, {0.1, 0.2});
+  ASSERT_EQ(result.rows.size(), 2u);
+  EXPECT_EQ(result.rows[0].time_s, 0.1);
+  EXPECT_EQ(result.rows[1].time_s, 0.2);
+}
+
+struct Mistake {
+  std::string text;
+  std::vector<std::string> mappings;
+  std::vector<std::string> joints;
+  std::string sentence;
+};
+
+TEST(TrajectoryReader, RefusesWithThePlace) {
+  const std::string good = "time_s,left_knee_velocity_rad_s,left_knee_torque_Nm\n0,1,2\n";
+  const Mistake mistakes[] = {
+      {good, {}, {"left_kne"}, "no joint \"left_kne\"; did you mean \"left_knee\"?"},
+      {good, {}, {"ankle"}, "no joint \"ankle\"; there are left_knee"},
+      {good,
+       {"tau=k.torque"},
+       {"k"},
+       "no column \"tau\"; there are time_s, left_knee_velocity_rad_s, left_knee_torque_Nm"},
+      {good, {"times=time"}, {"left_knee"}, "no column \"times\"; did you mean \"time_s\"?"},
+      {"a,b,t\n1,2,3\n",
+       {"a=k.torque", "b=k.torque"},
+       {"k"},
+       "\"a\" and \"b\" are both mapped to k.torque"},
+      {"time_s,k_torque_Nm\n0,1\n",
+       {},
+       {"k"},
+       "joint \"k\" has neither k_position_rad nor k_velocity_rad_s; its torque alone cannot be "
+       "checked"},
+      {"stamp,k_velocity_rad_s\n0,1\n",
+       {},
+       {"k"},
+       "no column time_s; name the time with --column NAME=time[:unit]"},
+      {"time_s,k_velocity_rad_s\n0,1\n0.1,1\n0.1,1\n",
+       {},
+       {"k"},
+       "line 4, column 1 (time_s): time repeats: 0.1 s follows 0.1 s of line 3"},
+      {"time_s,k_velocity_rad_s\n0,1\n0.2,1\n0.1,1\n",
+       {},
+       {"k"},
+       "line 4, column 1 (time_s): time runs backwards: 0.1 s follows 0.2 s of line 3"},
+      {"time_s,k_velocity_rad_s\n0,1e300\n",
+       {"k_velocity_rad_s=k.velocity*1e300"},
+       {"k"},
+       "line 2, column 2 (k_velocity_rad_s): too large in SI units"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    EXPECT_EQ(read(mistake.text, mistake.mappings, mistake.joints).refusal,
+              "m.csv: " + mistake.sentence);
+  }
+}
+
+TEST(TrajectoryReader, ChecksTimeOutsideOfTheWindowToo) {
+  const Read result = read("t,k_velocity_rad_s\n0,1\n1,1\n0.5,1\n", {}, {"k"}, {0.0, 0.1});
+  EXPECT_NE(result.refusal.find("time runs backwards"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace torquewright::actuator
