@@ -158,7 +158,7 @@ void add_check_command(CLI::App& actuator, ExitCode& result) {
   command->add_option("-o,--output", options->output_file, "Write to this file");
   command->add_flag("--json", options->json, "The report as JSON");
   command->footer(
-      "Example:\n  torquewright actuator check jump.csv --joint "
+      "Example:\n  torquewright actuator check specs/trajectory/knee_extension.csv --joint "
       "knee=specs/actuator/d151_knee.json");
   command->callback([options, &result] { result = run_check(*options); });
 }

@@ -51,8 +51,7 @@ void add_lint_command(CLI::App& actuator, ExitCode& result) {
       ->required();
   command->add_flag("--json", options->json, "The same as JSON");
   command->footer(
-      "Example:\n  torquewright actuator lint specs/actuator/d151_knee.json "
-      "specs/actuator/d110a_ankle.json");
+      "Example:\n  torquewright actuator lint specs/actuator/d151_knee.json");
   command->callback([options, &result] { result = run_lint(*options); });
 }
 
