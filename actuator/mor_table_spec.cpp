@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <string>
 
 namespace torquewright::actuator {
 namespace {
@@ -31,8 +31,15 @@ std::string friction_sentence(const MorHeader& header) {
   return sentence;
 }
 
+/// Fourteen digits: what is beyond is the rounding of conversions between conventions, and would
+/// show 320 as 319.99999999999994.
+double rounded(double value) {
+  const double result = std::stod(fmt::format("{:.14g}", value));
+  return result == 0.0 ? 0.0 : result;  // not -0
+}
+
 ordered_json number_or_null(bool is_there, double value) {
-  return is_there ? ordered_json(value == 0.0 ? 0.0 : value) : ordered_json();
+  return is_there ? ordered_json(rounded(value)) : ordered_json();
 }
 
 ordered_json row_json(const MorRow& row) {
@@ -40,7 +47,7 @@ ordered_json row_json(const MorRow& row) {
   const bool is_there = !range.is_empty;
   const Limiter least = is_there ? range.least.limiter : range.why_empty;
   const Limiter greatest = is_there ? range.greatest.limiter : range.why_empty;
-  ordered_json json{{"speed_rad_s", row.speed_rad_s},
+  ordered_json json{{"speed_rad_s", rounded(row.speed_rad_s)},
                     {"torque_min_Nm", number_or_null(is_there, range.least.torque_Nm)},
                     {"torque_max_Nm", number_or_null(is_there, range.greatest.torque_Nm)},
                     {"current_min_A", number_or_null(is_there, range.least.current_A)},
@@ -50,8 +57,8 @@ ordered_json row_json(const MorRow& row) {
                     {"limiter_min", actuator::name_of(least)},
                     {"limiter_max", actuator::name_of(greatest)}};
   if (range.plugging) {
-    json["plugging"] = {{"torque_min_Nm", range.plugging->least_Nm},
-                        {"torque_max_Nm", range.plugging->greatest_Nm}};
+    json["plugging"] = {{"torque_min_Nm", rounded(range.plugging->least_Nm)},
+                        {"torque_max_Nm", rounded(range.plugging->greatest_Nm)}};
   }
   return json;
 }

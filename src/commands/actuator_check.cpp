@@ -15,6 +15,7 @@
 #include "src/report/check_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/report/region_plot.hpp"
+#include "src/standard_output.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -99,7 +100,7 @@ ExitCode run_check(const CheckOptions& options) {
   const std::string text = options.json ? json_text(options, prepared, report)
                                         : report::check_text(options.trajectory_file, report);
   if (options.output_file.empty()) {
-    std::fputs(text.c_str(), stdout);
+    print_result(text);
   } else {
     io::write_whole_file(options.output_file, text);
   }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/report/lint_text.hpp"
+#include "src/standard_output.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -36,7 +36,7 @@ ExitCode run_lint(const LintOptions& options) {
   }
   const actuator::lint::Report report = actuator::lint::examine_all(actuators);
   const std::string text = options.json ? json_text(report, documents) : report::lint_text(report);
-  std::fputs(text.c_str(), stdout);
+  print_result(text);
   return actuator::lint::has_contradiction(report) ? ExitCode::kFails : ExitCode::kPasses;
 }
 

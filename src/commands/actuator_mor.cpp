@@ -18,6 +18,7 @@
 #include "src/commands/mor_plot.hpp"
 #include "src/commands/operating_options.hpp"
 #include "src/report/actuator_text.hpp"
+#include "src/standard_output.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -66,7 +67,7 @@ std::optional<actuator::Need> need_of(const MorOptions& options) {
 
 void deliver(const MorOptions& options, const std::string& text) {
   if (options.output_file.empty()) {
-    std::fputs(text.c_str(), stdout);
+    print_result(text);
   } else {
     io::write_whole_file(options.output_file, text);
   }
