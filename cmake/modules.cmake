@@ -23,5 +23,6 @@ function(add_module_test name)
   target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TORQUEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   torquewright_flags(${name})
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
+  # Values in names would be bytes and addresses; an index is the same in every build.
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
 endfunction()
