@@ -27,7 +27,8 @@ install_missing_packages() {
   apt-get install --yes --no-install-recommends $missing
 }
 
+# Everything, or what is asked for: build [--target NAME].
 build() {
   [ -f build/release/build.ninja ] || cmake --preset release
-  cmake --build --preset release --parallel "$(nproc)"
+  cmake --build --preset release --parallel "$(nproc)" "$@"
 }
