@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/readers.hpp"
 
+#include "actuator/actuator_spec.hpp"
+#include "actuator/joint_region.hpp"
+#include "actuator/trajectory/trajectory_reader.hpp"
 #include "gearbox/problem_spec.hpp"
 #include "io/document.hpp"
 #include "io/schema.hpp"
@@ -15,12 +18,32 @@ void read_problem(const fs::path& file) {
   (void)gearbox::read_problem(io::read_document(file, "gearbox_problem"));
 }
 
+// What is read must have a region, or sentences why not; never NaN, never a hang.
+void read_actuator(const fs::path& file) {
+  const actuator::Actuator read = actuator::read_actuator(file).actuator;
+  if (!actuator::objections(read, {}).empty()) return;
+  const actuator::Region region(read, {});
+  for (const double speed_rad_s : {0.0, 1.0, -100.0}) {
+    const actuator::JointRange range = region.at(speed_rad_s);
+    if (range.is_empty) continue;
+    if (!(range.least.torque_Nm <= range.greatest.torque_Nm)) throw Misbehaviour("a range whose ends are not in order");
+  }
+}
+
+void read_trajectory(const fs::path& file) {
+  actuator::TrajectoryReader reader(file, {}, {"knee"}, {});
+  actuator::Row row;
+  while (reader.next(row)) continue;
+}
+
 }  // namespace
 
 std::vector<Reader> readers() {
   std::vector<Reader> readers = {
       {"gearbox_problem, read", ".json", read_problem},
       {"gearbox_result, verified", ".json", verify_result},
+      {"actuator, with its region", ".json", read_actuator},
+      {"trajectory", ".csv", read_trajectory},
   };
   for (const std::string& kind : io::document_kinds()) {
     readers.push_back(
