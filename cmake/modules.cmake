@@ -7,9 +7,12 @@ function(torquewright_flags target)
 endfunction()
 
 # One static library per module; a module links only what stands before it in CMakeLists.txt.
+# PLUGINS are files of one kind that call their parts by the same names (law, gradient, write): they
+# are compiled one by one, where preset `release` compiles SOURCES several at a time.
 function(add_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
-  add_library(${name} STATIC ${arg_SOURCES})
+  cmake_parse_arguments(arg "" "" "SOURCES;PLUGINS;LINKS" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES} ${arg_PLUGINS})
+  set_source_files_properties(${arg_PLUGINS} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${arg_LINKS})
   torquewright_flags(${name})

@@ -11,8 +11,6 @@ namespace torquewright::gearbox {
 
 namespace {
 
-double involute(double angle_rad) { return std::tan(angle_rad) - angle_rad; }
-
 /// x1 + x2 (external) or x2 - x1 (internal).
 double shift_between_centres(const ShiftedPair& pair) {
   return pair.kind == MeshKind::kExternal ? pair.shift_1 + pair.shift_2

@@ -10,8 +10,6 @@ namespace torquewright::gearbox {
 
 namespace {
 
-double involute(double angle_rad) { return std::tan(angle_rad) - angle_rad; }
-
 struct TipAngles {
   double gear_1_rad;
   double gear_2_rad;

@@ -11,10 +11,6 @@ namespace torquewright::gearbox {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-double involute(double angle_rad) { return std::tan(angle_rad) - angle_rad; }
-
 /// The root fillet where the tangent at 30 degrees touches it, DIN 3990-3, in modules.
 struct RootSection {
   double fillet_offset;     ///< G
@@ -26,15 +22,15 @@ struct RootSection {
 RootSection root_section(double teeth, double shift, const RackTool& tool) {
   const double radius = tool.root_radius;
   const double offset = radius - tool.dedendum + shift;
-  const double flank = kPi / 4.0 - tool.dedendum * kReferenceTangent -
+  const double flank = std::numbers::pi / 4.0 - tool.dedendum * kReferenceTangent -
                        (1.0 - kReferenceSine) * radius / kReferenceCosine;
-  const double start = 2.0 / teeth * (kPi / 2.0 - flank) - kPi / 3.0;
-  double angle = kPi / 6.0;
+  const double start = 2.0 / teeth * (std::numbers::pi / 2.0 - flank) - std::numbers::pi / 3.0;
+  double angle = std::numbers::pi / 6.0;
   // theta = (2 G/z) tan(theta) - H; a contraction, since 2 |G|/z is far below 1.
   for (int step = 0; step < 100; ++step) angle = 2.0 * offset / teeth * std::tan(angle) - start;
   const double cosine = std::cos(angle);
-  const double chord =
-      teeth * std::sin(kPi / 3.0 - angle) + std::numbers::sqrt3 * (offset / cosine - radius);
+  const double chord = teeth * std::sin(std::numbers::pi / 3.0 - angle) +
+                       std::numbers::sqrt3 * (offset / cosine - radius);
   const double fillet =
       radius + 2.0 * square(offset) / (cosine * (teeth * square(cosine) - 2.0 * offset));
   return {offset, angle, chord, fillet};
@@ -45,13 +41,13 @@ RootSection root_section(double teeth, double shift, const RackTool& tool) {
 double outer_single_contact_diameter(double teeth, double tip_diameter, double contact_ratio) {
   const double base = teeth * kReferenceCosine / 2.0;
   const double reach = std::sqrt(square(tip_diameter / 2.0) - square(base)) -
-                       kPi * kReferenceCosine * (contact_ratio - 1.0);
+                       std::numbers::pi * kReferenceCosine * (contact_ratio - 1.0);
   return 2.0 * std::sqrt(square(reach) + square(base));
 }
 
 }  // namespace
 
-double lewis_form_factor(double teeth) { return kPi * (0.154 - 0.912 / teeth); }
+double lewis_form_factor(double teeth) { return std::numbers::pi * (0.154 - 0.912 / teeth); }
 
 double lewis_root_stress_MPa(double tangential_force_N, double face_width_mm, double module_mm,
                              double teeth) {
@@ -63,13 +59,13 @@ RootFactors din3990_root_factors(double teeth, double shift, double tip_diameter
   const RootSection root = root_section(teeth, shift, tool);
   const double load_diameter = outer_single_contact_diameter(teeth, tip_diameter, contact_ratio);
   const double profile_rad = std::acos(teeth * kReferenceCosine / load_diameter);
-  const double half_tooth_rad = (kPi / 2.0 + 2.0 * shift * kReferenceTangent) / teeth +
+  const double half_tooth_rad = (std::numbers::pi / 2.0 + 2.0 * shift * kReferenceTangent) / teeth +
                                 kReferenceInvolute - involute(profile_rad);
   const double load_rad = profile_rad - half_tooth_rad;
   const double lever =
       0.5 *
       ((std::cos(half_tooth_rad) - std::sin(half_tooth_rad) * std::tan(load_rad)) * load_diameter -
-       teeth * std::cos(kPi / 3.0 - root.fillet_angle_rad) -
+       teeth * std::cos(std::numbers::pi / 3.0 - root.fillet_angle_rad) -
        root.fillet_offset / std::cos(root.fillet_angle_rad) + tool.root_radius);
   const double slenderness = root.chord / lever;
   const double notch = root.chord / (2.0 * root.fillet_radius);
@@ -86,8 +82,8 @@ double din3990_root_stress_MPa(double tangential_force_N, double face_width_mm, 
 
 double elasticity_factor(double young_1_MPa, double poisson_1, double young_2_MPa,
                          double poisson_2) {
-  return std::sqrt(1.0 / (kPi * ((1.0 - square(poisson_1)) / young_1_MPa +
-                                 (1.0 - square(poisson_2)) / young_2_MPa)));
+  return std::sqrt(1.0 / (std::numbers::pi * ((1.0 - square(poisson_1)) / young_1_MPa +
+                                              (1.0 - square(poisson_2)) / young_2_MPa)));
 }
 
 double contact_stress_MPa(const ContactPair& pair, double tangential_force_N,
@@ -108,9 +104,10 @@ double single_contact_factor(const ContactPair& pair, double tip_diameter_1,
   const auto tip_tangent = [](double tip_diameter, double teeth) {
     return std::sqrt(square(tip_diameter / (teeth * kReferenceCosine)) - 1.0);
   };
-  const double inner_1 = tip_tangent(tip_diameter_1, pair.teeth_1) - 2.0 * kPi / pair.teeth_1;
+  const double inner_1 =
+      tip_tangent(tip_diameter_1, pair.teeth_1) - 2.0 * std::numbers::pi / pair.teeth_1;
   const double inner_2 = tip_tangent(tip_diameter_2, pair.teeth_2) -
-                         (pair.contact_ratio - 1.0) * 2.0 * kPi / pair.teeth_2;
+                         (pair.contact_ratio - 1.0) * 2.0 * std::numbers::pi / pair.teeth_2;
   return std::max(1.0, std::tan(pair.working_angle_rad) / std::sqrt(inner_1 * inner_2));
 }
 

@@ -6,9 +6,9 @@
 namespace torquewright::gearbox {
 namespace {
 
-Expression whole(std::int64_t number) { return Expression(static_cast<double>(number)); }
+Expression constant(std::int64_t number) { return Expression(static_cast<double>(number)); }
 Expression half_pitch_angle(std::int64_t planet_count) {
-  return Expression::pi() / whole(planet_count);
+  return Expression::pi() / constant(planet_count);
 }
 Expression reference_angle() { return Expression::pi() / 9.0; }
 
@@ -23,7 +23,7 @@ Rational greatest_ratio(const Problem& problem) {
 
 Condition at_least(const std::string& gear, const Expression& teeth, std::int64_t minimum) {
   const std::string name = "min_teeth." + gear;
-  return {name, name, "/min_teeth/" + gear, teeth - whole(minimum)};
+  return {name, name, "/min_teeth/" + gear, teeth - constant(minimum)};
 }
 
 Condition carrier_clearance(const Problem& problem, std::int64_t planet_count,

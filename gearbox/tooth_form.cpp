@@ -6,11 +6,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "gearbox/tooth_geometry.hpp"
+
 namespace torquewright::gearbox {
 namespace {
 
 constexpr double kAddendum = 1.0;
-constexpr double kDedendum = 1.25;
 constexpr double kHobTipRadius = 0.38;     // ISO 53 profile A.
 constexpr double kRingFilletRadius = 0.3;  // Stays clear of a standard planet's tip, eq. (9).
 
@@ -20,8 +21,6 @@ void require_drawable(std::int64_t teeth, double profile_shift) {
 }
 
 }  // namespace
-
-double involute(double angle_rad) { return std::tan(angle_rad) - angle_rad; }
 
 double base_radius(const ToothForm& form) {
   return 0.5 * static_cast<double>(form.teeth) * std::cos(kPressureAngle_rad);

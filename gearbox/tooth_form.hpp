@@ -36,8 +36,6 @@ ToothForm external_gear_in_ring(std::int64_t teeth, double profile_shift, const 
 /// With fewer teeth the flanks of a standard ring's space cross before its root.
 inline constexpr std::int64_t kMinDrawnTeeth = 7;
 
-double involute(double angle_rad);
-
 double base_radius(const ToothForm& form);
 
 /// Half the tooth's (internal: the space's) angle on the base circle [rad], eq. (2).

@@ -19,7 +19,10 @@ inline constexpr double kDedendum = 1.25;  ///< In modules.
 /// Teeth below which a rack undercuts: 2/sin^2 alpha = 17.097.
 inline constexpr double kUndercutLimit_teeth = 2.0 / (kReferenceSine * kReferenceSine);
 
-/// The involute function tan(angle) - angle, given the tangent.
+/// The involute function.
+inline double involute(double angle_rad) { return std::tan(angle_rad) - angle_rad; }
+
+/// The same, given the tangent.
 template <class T>
 T involute_of_tangent(const T& tangent) {
   using std::atan;

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 /// Readable and writable for all whom the process's umask admits, as for any new file.
 constexpr mode_t kNewFileMode = 0666;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+[[noreturn]] void refuse_to_write(const fs::path& file, const std::string& why) {
   throw SpecError({{file.string(), "", "cannot be written: " + why}});
 }
 
@@ -57,10 +57,10 @@ fs::path temporary_beside(const fs::path& file) {
 class StagedFile {
  public:
   StagedFile(const fs::path& file, std::string_view content) : file_(file), content_(content) {
-    if (!file.has_filename()) refuse(file, "a file's name is missing");
+    if (!file.has_filename()) refuse_to_write(file, "a file's name is missing");
     std::error_code unknown;
     const fs::file_status status = fs::status(file, unknown);
-    if (fs::is_directory(status)) refuse(file, "it is a folder");
+    if (fs::is_directory(status)) refuse_to_write(file, "it is a folder");
     is_direct_ = fs::is_other(status);
     if (is_direct_) return;
     const bool is_link = fs::is_symlink(fs::symlink_status(file, unknown)) && fs::exists(status);
@@ -79,7 +79,7 @@ class StagedFile {
 
   void publish() {
     if (is_direct_) return write_directly();
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) refuse(file_, reason(errno));
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) refuse_to_write(file_, reason(errno));
     temporary_.clear();
   }
 
@@ -89,22 +89,22 @@ class StagedFile {
     const int descriptor =
         ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kNewFileMode);
     if (descriptor < 0) {
-      refuse(file_, errno == ENOENT    ? "its folder does not exist"
-                    : errno == ENOTDIR ? "its folder is a file"
-                                       : reason(errno));
+      refuse_to_write(file_, errno == ENOENT    ? "its folder does not exist"
+                             : errno == ENOTDIR ? "its folder is a file"
+                                                : reason(errno));
     }
     const int error = write_and_close(descriptor, content_, true);
     if (error != 0) ::unlink(temporary.c_str());
-    if (error != 0) refuse(file_, reason(error));
+    if (error != 0) refuse_to_write(file_, reason(error));
     temporary_ = temporary;
   }
 
   /// Into a pipe or a device.
   void write_directly() const {
     const int descriptor = ::open(file_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) refuse(file_, reason(errno));
+    if (descriptor < 0) refuse_to_write(file_, reason(errno));
     const int error = write_and_close(descriptor, content_, false);
-    if (error != 0) refuse(file_, reason(error));
+    if (error != 0) refuse_to_write(file_, reason(error));
   }
 
   fs::path file_;       ///< As the user named it.
@@ -146,8 +146,8 @@ void check_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::p
   for (const fs::path& output : outputs) {
     try {
       const StagedFile never_published(output, "");
-      if (contains(inputs, output)) refuse(output, "it is an input, which would be lost");
-      if (contains(seen, output)) refuse(output, "it is named for two outputs");
+      if (contains(inputs, output)) refuse_to_write(output, "it is an input, which would be lost");
+      if (contains(seen, output)) refuse_to_write(output, "it is named for two outputs");
     } catch (const SpecError& error) {
       faults.push_back(error.faults().front());
     }

@@ -15,7 +15,7 @@ namespace torquewright::io {
 namespace {
 
 constexpr std::size_t kMostColumns = 10000;
-constexpr std::size_t kLongestQuote = 40;
+constexpr std::size_t kLongestCell = 40;
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -48,8 +48,8 @@ bool has_decimal_comma(std::string_view text) {
 }
 
 std::string in_quotes(std::string_view text) {
-  if (text.size() <= kLongestQuote) return fmt::format("\"{}\"", text);
-  return fmt::format("\"{}...\"", text.substr(0, kLongestQuote));
+  if (text.size() <= kLongestCell) return fmt::format("\"{}\"", text);
+  return fmt::format("\"{}...\"", text.substr(0, kLongestCell));
 }
 
 }  // namespace
@@ -115,7 +115,12 @@ void CsvReader::check_row() const {
   }
   std::string message =
       fmt::format("has {} cells, the header has {}", cells_.size(), header_.size());
-  if (cells_.size() == 2 * header_.size()) message += "; decimal commas? write 1.5, not 1,5";
+  const bool has_points = std::any_of(cells_.begin(), cells_.end(), [](std::string_view cell) {
+    return cell.find('.') != std::string_view::npos;
+  });
+  if (cells_.size() > header_.size() && cells_.size() <= 2 * header_.size() && !has_points) {
+    message += "; decimal commas? write 1.5, not 1,5";
+  }
   if (cells_.size() == 1 && cells_.front().find(';') != std::string_view::npos) {
     message += "; separated by semicolons? they must be commas, and decimals points";
   }

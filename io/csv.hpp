@@ -32,6 +32,9 @@ class CsvReader {
   /// NaN or infinite, too large, with a decimal comma.
   double number(std::size_t column) const;
 
+  /// A cell of the present row as it stands, without quotes; valid until the next row.
+  std::string_view text(std::size_t column) const { return cells_[column]; }
+
   /// Of the present row; from 1.
   std::size_t line() const { return lines_.line_number(); }
   const std::string& file() const { return lines_.file(); }

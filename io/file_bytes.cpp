@@ -7,28 +7,18 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 
-#include "io/spec_error.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::io {
 namespace {
-
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string message) {
-  throw SpecError({{file.string(), "", std::move(message)}});
-}
-
-[[noreturn]] void refuse_errno(const std::filesystem::path& file, int error) {
-  if (error == ENOENT) refuse(file, "no such file");
-  refuse(file, "cannot be read: " + std::generic_category().message(error));
-}
 
 /// An open file; closes itself.
 class OpenFile {
  public:
   explicit OpenFile(const std::filesystem::path& file)
       : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (descriptor_ < 0) refuse_errno(file, errno);
+    if (descriptor_ < 0) refuse_unreadable(file.string(), errno);
   }
   ~OpenFile() { ::close(descriptor_); }
   OpenFile(const OpenFile&) = delete;
@@ -41,10 +31,11 @@ class OpenFile {
 
 void check_status(const std::filesystem::path& file, const OpenFile& open) {
   struct stat status {};
-  if (::fstat(open.descriptor(), &status) != 0) refuse_errno(file, errno);
-  if (S_ISDIR(status.st_mode)) refuse(file, "is a folder, must be a file");
+  if (::fstat(open.descriptor(), &status) != 0) refuse_unreadable(file.string(), errno);
+  if (S_ISDIR(status.st_mode)) refuse(file.string(), "is a folder, must be a file");
   if (status.st_size > static_cast<off_t>(kMaxFileBytes)) {
-    refuse(file, fmt::format("holds {} bytes, more than the allowed 64 MiB", status.st_size));
+    refuse(file.string(),
+           fmt::format("holds {} bytes, more than the allowed 64 MiB", status.st_size));
   }
 }
 
@@ -58,11 +49,11 @@ std::string read_file_bytes(const std::filesystem::path& file) {
   while (true) {
     const ssize_t count = ::read(open.descriptor(), chunk.data(), chunk.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuse_errno(file, errno);
+    if (count < 0) refuse_unreadable(file.string(), errno);
     if (count == 0) return bytes;
     bytes.append(chunk, 0, static_cast<std::size_t>(count));
     // Pipes and devices do not tell their size beforehand.
-    if (bytes.size() > kMaxFileBytes) refuse(file, "holds more than the allowed 64 MiB");
+    if (bytes.size() > kMaxFileBytes) refuse(file.string(), "holds more than the allowed 64 MiB");
   }
 }
 

@@ -9,23 +9,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <system_error>
 
-#include "io/spec_error.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::io {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
-
-[[noreturn]] void refuse(const std::string& file, std::string message) {
-  throw SpecError({{file, "", std::move(message)}});
-}
-
-[[noreturn]] void refuse_errno(const std::string& file, int error) {
-  if (error == ENOENT) refuse(file, "no such file");
-  refuse(file, "cannot be read: " + std::generic_category().message(error));
-}
 
 }  // namespace
 
@@ -33,7 +23,7 @@ LineReader::LineReader(const std::filesystem::path& file)
     : file_(file.string()),
       descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)),
       buffer_(kBufferBytes) {
-  if (descriptor_ < 0) refuse_errno(file_, errno);
+  if (descriptor_ < 0) refuse_unreadable(file_, errno);
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0 || S_ISDIR(status.st_mode)) {
     ::close(descriptor_);
@@ -61,7 +51,7 @@ bool LineReader::fill() {
   while (true) {
     const ssize_t count = ::read(descriptor_, buffer_.data() + end_, kBufferBytes);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuse_errno(file_, errno);
+    if (count < 0) refuse_unreadable(file_, errno);
     hash_.add({buffer_.data() + end_, static_cast<std::size_t>(count)});
     end_ += static_cast<std::size_t>(count);
     bytes_read_ += static_cast<double>(count);

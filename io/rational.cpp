@@ -16,7 +16,7 @@ namespace {
 /// Beyond any double, and small enough that the power of ten stays a small number.
 constexpr long kMaxExponent = 1000;
 
-[[noreturn]] void refuse(std::string_view numeral) {
+[[noreturn]] void refuse_numeral(std::string_view numeral) {
   throw std::invalid_argument("not a JSON number: " + std::string(numeral.substr(0, 40)));
 }
 
@@ -24,7 +24,7 @@ constexpr long kMaxExponent = 1000;
 std::string take_digits(std::string_view& rest, std::string_view numeral) {
   std::size_t count = 0;
   while (count < rest.size() && rest[count] >= '0' && rest[count] <= '9') ++count;
-  if (count == 0) refuse(numeral);
+  if (count == 0) refuse_numeral(numeral);
   std::string digits(rest.substr(0, count));
   rest.remove_prefix(count);
   return digits;
@@ -42,7 +42,7 @@ long take_exponent(std::string_view& rest, std::string_view numeral) {
   const std::string digits = take_digits(rest, numeral);
   long exponent = 0;
   const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-  if (parsed.ec != std::errc() || exponent > kMaxExponent) refuse(numeral);
+  if (parsed.ec != std::errc() || exponent > kMaxExponent) refuse_numeral(numeral);
   return negative ? -exponent : exponent;
 }
 
@@ -68,7 +68,7 @@ Rational rational_from_numeral(std::string_view numeral) {
   std::string_view rest = numeral;
   const bool negative = take(rest, "-");
   std::string digits = take_digits(rest, numeral);
-  if (digits.size() > 1 && digits.front() == '0') refuse(numeral);
+  if (digits.size() > 1 && digits.front() == '0') refuse_numeral(numeral);
   long exponent = 0;
   if (take(rest, ".")) {
     const std::string decimals = take_digits(rest, numeral);
@@ -76,7 +76,7 @@ Rational rational_from_numeral(std::string_view numeral) {
     exponent -= static_cast<long>(decimals.size());
   }
   if (take(rest, "eE")) exponent += take_exponent(rest, numeral);
-  if (!rest.empty()) refuse(numeral);
+  if (!rest.empty()) refuse_numeral(numeral);
 
   Rational value{mpz_class(digits, 10)};
   const mpz_class scale = power_of_ten(static_cast<unsigned long>(std::abs(exponent)));

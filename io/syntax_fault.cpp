@@ -22,6 +22,15 @@ std::string_view foreign_number(std::string_view text, std::size_t position) {
   return {};
 }
 
+/// `0,32` where the last character read ends a number behind a comma.
+bool is_decimal_comma(std::string_view text, std::size_t position) {
+  const auto is_digit = [&](std::size_t at) { return text[at] >= '0' && text[at] <= '9'; };
+  if (position == 0 || position > text.size()) return false;
+  const std::size_t comma = text.find_last_of(',', position - 1);
+  return comma != std::string_view::npos && comma > 0 && comma + 1 < text.size() &&
+         is_digit(comma - 1) && is_digit(comma + 1);
+}
+
 /// The parser's reason without its exception id, position and copy of the text.
 std::string reason(std::string text) {
   const std::size_t start = text.find(" - ");
@@ -61,6 +70,10 @@ SyntaxFault syntax_fault(std::string_view text, std::size_t position, std::strin
   }
   const std::string why = reason(error.what());
   if (why.find("ill-formed UTF-8") != std::string::npos) return {false, where + ": not UTF-8"};
+  if (why.find("unexpected number literal") != std::string::npos &&
+      is_decimal_comma(text, position)) {
+    return {false, where + ": not JSON: a decimal comma? write 1.5, not 1,5"};
+  }
   return {false, where + ": not JSON: " + why};
 }
 

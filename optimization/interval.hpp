@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
+
 namespace torquewright::optimization {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Closed interval of reals, outward rounded: the true result of an operation on any members lies
 /// inside the result. [NaN, NaN] is the result of a function outside its domain; every comparison

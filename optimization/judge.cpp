@@ -73,7 +73,6 @@ Interval Judge::cost_over(const Box& box) const {
   thread_local std::vector<Interval> ranges;
   ranges.resize(box.size());
   for (std::size_t i = 0; i < box.size(); ++i) ranges[i] = box[i].interval();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Interval value = value_.over(ranges);
   if (std::isnan(value.lower)) value = {-kInfinity, kInfinity};
   if (enclosure_) {

@@ -29,14 +29,15 @@ std::string with_unit_to(int digits, const Rational& value, const std::string& u
 }
 
 /// "at least 0.26 rad are asked for", "at most 1 is allowed".
-std::string limit_clause(const Condition& condition) {
+std::string limit_clause(const DesignCondition& condition) {
   return fmt::format("{} {} {} {}", wording(condition.sense),
                      with_unit(condition.limit, condition.unit),
                      condition.unit == "1" ? "is" : "are",
                      condition.sense == Sense::kAtMost ? "allowed" : "asked for");
 }
 
-std::string margin_clause(const Condition& condition, const Rational& margin, bool satisfied) {
+std::string margin_clause(const DesignCondition& condition, const Rational& margin,
+                          bool satisfied) {
   if (satisfied && margin == 0) return "met exactly.";
   const std::string difference = with_unit_to(3, Rational(abs(margin)), condition.unit);
   if (satisfied) return difference + " to spare.";
@@ -45,7 +46,7 @@ std::string margin_clause(const Condition& condition, const Rational& margin, bo
   return fmt::format("{} {}; {}.", difference, lack, condition.remedy);
 }
 
-std::string sentence_of(const Condition& condition, const Rational& margin, bool satisfied) {
+std::string sentence_of(const DesignCondition& condition, const Rational& margin, bool satisfied) {
   return fmt::format("{}: {} {}; {}: {}", condition.name,
                      with_unit(condition.value, condition.unit), condition.meaning,
                      limit_clause(condition), margin_clause(condition, margin, satisfied));
@@ -63,7 +64,7 @@ Rational fraction_of(long double value) {
   return Rational(head) + Rational(rest);
 }
 
-ConstraintReport judge(const Condition& condition) {
+ConstraintReport judge(const DesignCondition& condition) {
   const Rational margin = condition.sense == Sense::kAtMost
                               ? Rational(condition.limit - condition.value)
                               : Rational(condition.value - condition.limit);
@@ -78,7 +79,8 @@ ConstraintReport judge(const Condition& condition) {
           sentence_of(condition, margin, satisfied)};
 }
 
-ConstraintReport violated_without_value(const Condition& condition, const std::string& reason) {
+ConstraintReport violated_without_value(const DesignCondition& condition,
+                                        const std::string& reason) {
   return {condition.name, condition.key,  0.0,   io::nearest(condition.limit),
           -1.0,           condition.unit, false, condition.name + ": " + reason};
 }

@@ -11,7 +11,7 @@ enum class Sense { kAtLeast, kMoreThan, kAtMost };
 
 /// One constraint at one design before it is judged. Value and limit are fractions, so that
 /// "satisfied" is decided exactly.
-struct Condition {
+struct DesignCondition {
   std::string name;
   std::string key = {};   ///< JSON pointer of the bound; empty: none.
   std::string unit = {};  ///< "teeth" and "1" are printed without a unit of measure.
@@ -23,10 +23,11 @@ struct Condition {
 };
 
 /// Value, limit, margin and sentence of a condition.
-ConstraintReport judge(const Condition& condition);
+ConstraintReport judge(const DesignCondition& condition);
 
 /// A condition whose value does not exist: violated, value 0, margin -1, `reason` as its sentence.
-ConstraintReport violated_without_value(const Condition& condition, const std::string& reason);
+ConstraintReport violated_without_value(const DesignCondition& condition,
+                                        const std::string& reason);
 
 /// The fraction a floating-point number is. Long doubles keep all their digits: angles are judged
 /// against decimals that may agree with them to sixteen digits.

@@ -31,7 +31,7 @@ std::string missing_mesh(std::int64_t planet, std::int64_t ring) {
 }
 
 /// A margin of interference, which has to be at least 0.
-ConstraintReport interference(Condition condition, double margin, std::int64_t planet,
+ConstraintReport interference(DesignCondition condition, double margin, std::int64_t planet,
                               std::int64_t ring) {
   if (!has_mesh(planet, ring)) return violated_without_value(condition, missing_mesh(planet, ring));
   if (!std::isfinite(margin)) {
@@ -48,7 +48,7 @@ ConstraintReport interference(Condition condition, double margin, std::int64_t p
 
 ConstraintReport involute_interference(std::string_view mesh, std::int64_t planet,
                                        std::int64_t ring) {
-  Condition condition{fmt::format("interference.involute.{}", mesh), "", "1"};
+  DesignCondition condition{fmt::format("interference.involute.{}", mesh), "", "1"};
   condition.meaning = "of the ring's size from its tip to the end of the planet's involute";
   condition.remedy = "needs a larger planet, a larger ring or a shorter ring tooth";
   return interference(
@@ -59,7 +59,7 @@ ConstraintReport involute_interference(std::string_view mesh, std::int64_t plane
 
 ConstraintReport trochoid_interference(std::string_view mesh, std::int64_t planet,
                                        std::int64_t ring) {
-  Condition condition{fmt::format("interference.trochoid.{}", mesh), "", "rad"};
+  DesignCondition condition{fmt::format("interference.trochoid.{}", mesh), "", "rad"};
   condition.meaning = "between the tips of planet and ring where they leave each other";
   condition.remedy = fmt::format(
       "needs about 9 teeth between planet and ring, there are {}, or "
@@ -82,7 +82,7 @@ ContactPath<double> internal_path_of(std::int64_t planet, std::int64_t ring) {
 
 ConstraintReport contact_ratio_limit(const Problem& problem, std::string_view mesh,
                                      const ContactPath<double>& path) {
-  Condition condition{fmt::format("contact_ratio.{}", mesh), "/min_contact_ratio", "1"};
+  DesignCondition condition{fmt::format("contact_ratio.{}", mesh), "/min_contact_ratio", "1"};
   condition.limit = problem.min_contact_ratio;
   if (path.approach == 0.0 && path.recess == 0.0) {
     return violated_without_value(condition, "does not exist: the gears do not mesh.");
@@ -96,7 +96,7 @@ ConstraintReport contact_ratio_limit(const Problem& problem, std::string_view me
 ConstraintReport coaxiality(std::string_view ring_name, std::int64_t planet, std::int64_t ring,
                             std::int64_t teeth_between_centres) {
   const std::int64_t excess = ring - planet - teeth_between_centres;
-  Condition condition{fmt::format("coaxial.{}", ring_name), "", "teeth", Sense::kAtMost};
+  DesignCondition condition{fmt::format("coaxial.{}", ring_name), "", "teeth", Sense::kAtMost};
   condition.value = Rational(std::abs(excess));
   condition.limit = 0;
   condition.meaning = "between this ring and the coaxial one without profile shift";

@@ -86,7 +86,7 @@ double clocking_step_rad(const ThreeKTeeth<std::int64_t>& teeth, std::int64_t ty
 }  // namespace
 
 ConstraintReport carrier_clearance(const PlanetCircle& circle, const Rational& minimum_rad) {
-  Condition condition{"carrier_clearance", "/min_carrier_clearance_rad", "rad"};
+  DesignCondition condition{"carrier_clearance", "/min_carrier_clearance_rad", "rad"};
   condition.value = clearance_rad(circle);
   condition.limit = minimum_rad;
   condition.meaning =
@@ -99,7 +99,7 @@ ConstraintReport carrier_clearance(const PlanetCircle& circle, const Rational& m
 
 ConstraintReport equal_spacing(std::int64_t sun, std::int64_t held_ring,
                                std::int64_t planet_count) {
-  Condition condition{"equal_spacing", "", "teeth", Sense::kAtMost};
+  DesignCondition condition{"equal_spacing", "", "teeth", Sense::kAtMost};
   condition.value = Rational(spacing_remainder(sun, held_ring, planet_count));
   condition.limit = 0;
   condition.meaning =
@@ -115,7 +115,7 @@ ConstraintReport equal_spacing(std::int64_t sun, std::int64_t held_ring,
 ConstraintReport identical_planets(const ThreeKTeeth<std::int64_t>& teeth,
                                    std::int64_t planet_count) {
   const std::int64_t types = planet_type_count(teeth, planet_count);
-  Condition condition{"identical_planets", "", "1", Sense::kAtMost};
+  DesignCondition condition{"identical_planets", "", "1", Sense::kAtMost};
   condition.value = Rational(types);
   condition.limit = 1;
   condition.meaning = types == 1 ? "planet part number: all planets are alike"
@@ -130,8 +130,8 @@ ConstraintReport identical_planets(const ThreeKTeeth<std::int64_t>& teeth,
 
 ConstraintReport neighbour_clearance(const PlanetCircle& circle, std::string_view layer,
                                      std::int64_t planet_in_layer, const Rational& minimum_mm) {
-  Condition condition{fmt::format("neighbour_clearance.{}", layer), "/min_neighbour_clearance_mm",
-                      "mm", Sense::kMoreThan};
+  DesignCondition condition{fmt::format("neighbour_clearance.{}", layer),
+                            "/min_neighbour_clearance_mm", "mm", Sense::kMoreThan};
   const Rational chord =
       Rational(circle.sun + circle.planet) * sine_of_half_spacing(circle.planet_count);
   condition.value = circle.module_mm * (chord - planet_in_layer - 2);

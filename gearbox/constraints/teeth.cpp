@@ -45,8 +45,8 @@ ConstraintReport ratio_window(const Problem& problem, const Rational& reduction,
   report.key = std::string("/ratio_tolerance");
   report.unit = std::string("1");
   if (!exists) {
-    const Condition condition{"ratio", "/ratio_tolerance",  "1", Sense::kAtLeast,
-                              0,       problem.target_ratio};
+    const DesignCondition condition{"ratio", "/ratio_tolerance",  "1", Sense::kAtLeast,
+                                    0,       problem.target_ratio};
     return violated_without_value(
         condition,
         "does not exist, the output stands still (O P1 = F P2); needs P1 and P2 to differ.");
@@ -64,8 +64,8 @@ ConstraintReport ratio_window(const Problem& problem, const Rational& reduction,
 ConstraintReport minimum_teeth(const Problem& problem, const std::string& gear,
                                std::int64_t teeth) {
   const auto given = problem.min_teeth.find(gear);
-  Condition condition{fmt::format("min_teeth.{}", gear), fmt::format("/min_teeth/{}", gear),
-                      "teeth"};
+  DesignCondition condition{fmt::format("min_teeth.{}", gear), fmt::format("/min_teeth/{}", gear),
+                            "teeth"};
   condition.value = Rational(teeth);
   condition.limit = Rational(given == problem.min_teeth.end() ? 1 : given->second);
   condition.meaning = "on this gear";
@@ -74,7 +74,7 @@ ConstraintReport minimum_teeth(const Problem& problem, const std::string& gear,
 }
 
 ConstraintReport rotor_bore(const Problem& problem, const Rational& module_mm, std::int64_t ring) {
-  Condition condition{"rotor_bore", "/rotor_inner_diameter_mm", "mm", Sense::kAtMost};
+  DesignCondition condition{"rotor_bore", "/rotor_inner_diameter_mm", "mm", Sense::kAtMost};
   condition.value = module_mm * ring;
   condition.limit = problem.rotor_inner_diameter_mm;
   condition.meaning = "pitch diameter of the held ring inside the rotor";
@@ -86,7 +86,7 @@ ConstraintReport rotor_bore(const Problem& problem, const Rational& module_mm, s
 
 ConstraintReport tooth_difference(std::int64_t planet_1, std::int64_t planet_2,
                                   std::int64_t planet_count) {
-  Condition condition{"tooth_difference", "", "teeth"};
+  DesignCondition condition{"tooth_difference", "", "teeth"};
   condition.value = Rational(planet_1 - planet_2);
   condition.limit = Rational(planet_count);
   condition.meaning = "between planet 1 and planet 2";
@@ -95,7 +95,7 @@ ConstraintReport tooth_difference(std::int64_t planet_1, std::int64_t planet_2,
 }
 
 ConstraintReport undercut(std::string_view gear, std::int64_t teeth) {
-  Condition condition{fmt::format("undercut.{}", gear), "", "teeth"};
+  DesignCondition condition{fmt::format("undercut.{}", gear), "", "teeth"};
   condition.value = Rational(teeth);
   condition.limit = fraction_of(kUndercutLimit_teeth);
   condition.meaning = "on this gear";
@@ -106,7 +106,7 @@ ConstraintReport undercut(std::string_view gear, std::int64_t teeth) {
 
 ConstraintReport sun_under_layer_2(const Rational& module_mm, std::int64_t planet_1,
                                    std::int64_t planet_2) {
-  Condition condition{"sun_under_layer_2", "", "mm", Sense::kMoreThan};
+  DesignCondition condition{"sun_under_layer_2", "", "mm", Sense::kMoreThan};
   condition.value = module_mm * Rational(planet_1 - planet_2 - 4) / 2;
   condition.limit = 0;
   condition.meaning = "between the tips of sun and planet 2, where the sun reaches under it";
@@ -122,7 +122,7 @@ Rational ring_wall_mm(const Problem& problem, const Rational& module_mm) {
 ConstraintReport ring_wall(const Problem& problem, const Rational& module_mm, std::string_view gear,
                            std::int64_t teeth) {
   const Rational root_mm = module_mm * (Rational(teeth) + Rational(5, 2));
-  Condition condition{fmt::format("ring_wall.{}", gear), "/ring_outer_diameter_mm", "mm"};
+  DesignCondition condition{fmt::format("ring_wall.{}", gear), "/ring_outer_diameter_mm", "mm"};
   condition.value = (*problem.ring_outer_diameter_mm - root_mm) / 2;
   condition.limit = ring_wall_mm(problem, module_mm);
   condition.meaning = "of wall behind the ring's root";
@@ -132,7 +132,7 @@ ConstraintReport ring_wall(const Problem& problem, const Rational& module_mm, st
 }
 
 ConstraintReport ring_tip(const Rational& module_mm, std::string_view gear, std::int64_t teeth) {
-  Condition condition{fmt::format("ring_tip.{}", gear), "", "mm", Sense::kMoreThan};
+  DesignCondition condition{fmt::format("ring_tip.{}", gear), "", "mm", Sense::kMoreThan};
   condition.value = module_mm * fraction_of(ring_tip_margin(static_cast<double>(teeth)));
   condition.limit = 0;
   condition.meaning = "from the ring's base circle out to its tip circle";

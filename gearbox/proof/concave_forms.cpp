@@ -6,8 +6,6 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
-Rational whole(std::int64_t value) { return Rational(static_cast<long>(value)); }
-
 /// P1^2 / (G S + 2 P1), jointly convex.
 Linearization perspective(const RealPoint& point, const Rational& ratio) {
   const Rational cone = ratio * point[0] + 2 * point[1];

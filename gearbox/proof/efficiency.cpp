@@ -9,8 +9,6 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
-Interval number(std::int64_t value) { return Interval(static_cast<long>(value)); }
-
 /// x |x|, which grows everywhere; its slope is 2 |x|.
 Interval signed_square(const Interval& x) {
   const Interval low = x.lower();

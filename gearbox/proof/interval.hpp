@@ -3,6 +3,8 @@
 
 #include <mpfi.h>
 
+#include <cstdint>
+
 #include "io/rational.hpp"
 
 namespace torquewright::gearbox::proof {
@@ -60,6 +62,10 @@ class Interval {
  private:
   mpfi_t value_;
 };
+
+/// Tooth counts, as a fraction and as an interval.
+inline Rational whole(std::int64_t value) { return Rational(static_cast<long>(value)); }
+inline Interval number(std::int64_t value) { return Interval(static_cast<long>(value)); }
 
 Interval sqrt(const Interval& x);
 Interval square(const Interval& x);

@@ -10,10 +10,6 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
-Interval number(std::int64_t value) { return Interval(static_cast<long>(value)); }
-
-Rational whole(std::int64_t value) { return Rational(static_cast<long>(value)); }
-
 /// Equation (1) with Z_P3 read as Z_P2; `Number` is Rational at points and Interval on boxes.
 template <typename Number>
 Number paper_cost(const Number& sun, const Number& fixed_ring_gap, const Number& first,

@@ -4,14 +4,14 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
-mpz_class whole(std::int64_t value) { return mpz_class(static_cast<long>(value)); }
+mpz_class integer(std::int64_t value) { return mpz_class(static_cast<long>(value)); }
 
 /// h S d - 2 P1 (S + 2 P1 - d), which has the sign of h - i; planetary h S - 2 S - 2 P.
 Rational excess(const Rational& h, const Alternative& alternative, std::int64_t sun,
                 std::int64_t first, std::int64_t difference) {
-  if (alternative.planetary) return h * whole(sun) - whole(2 * (sun + first));
-  const mpz_class lever = whole(sun) * whole(difference);
-  return h * lever - 2 * whole(first) * whole(sun + 2 * first - difference);
+  if (alternative.planetary) return h * integer(sun) - integer(2 * (sun + first));
+  const mpz_class lever = integer(sun) * integer(difference);
+  return h * lever - 2 * integer(first) * integer(sun + 2 * first - difference);
 }
 
 /// The end of the sun's range at which the excess is greatest. For h > 0 its sign is that of
@@ -31,9 +31,9 @@ std::int64_t sun_of_least_excess(const Rational& h, const Alternative& alternati
 
 Rational ratio_of(const Alternative& alternative, const Teeth& teeth) {
   Rational ratio = alternative.planetary
-                       ? Rational(2 * whole(teeth.sun + teeth.planet_1), whole(teeth.sun))
-                       : Rational(2 * whole(teeth.planet_1) * whole(ring(teeth, 2)),
-                                  whole(teeth.sun) * whole(teeth.planet_1 - teeth.planet_2));
+                       ? Rational(2 * integer(teeth.sun + teeth.planet_1), integer(teeth.sun))
+                       : Rational(2 * integer(teeth.planet_1) * integer(ring(teeth, 2)),
+                                  integer(teeth.sun) * integer(teeth.planet_1 - teeth.planet_2));
   ratio.canonicalize();
   return ratio;
 }

@@ -9,8 +9,6 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
-Interval number(std::int64_t value) { return Interval(static_cast<long>(value)); }
-
 Rational fraction(std::int64_t numerator, std::int64_t denominator) {
   Rational value(static_cast<long>(numerator), static_cast<long>(denominator));
   value.canonicalize();

@@ -18,8 +18,6 @@ const Profile& profile() {
   return value;
 }
 
-Interval number(std::int64_t teeth) { return Interval(static_cast<long>(teeth)); }
-
 /// tan of the pressure angle at a circle of `tip` half modules; cos = teeth cos(alpha) / tip.
 Interval tip_tangent(std::int64_t teeth, std::int64_t tip) {
   const Interval secant = number(tip) / (number(teeth) * profile().cosine);

@@ -93,7 +93,7 @@ std::vector<ConstraintReport> choices(const Problem& problem, const Design& desi
     return std::find(offered.begin(), offered.end(), chosen) != offered.end();
   };
   if (!offers(problem.planet_count, design.planet_count)) {
-    Condition condition{"planet_count", "/planet_count", "1"};
+    DesignCondition condition{"planet_count", "/planet_count", "1"};
     condition.limit = Rational(problem.planet_count.front());
     list.push_back(violated_without_value(
         condition, fmt::format("{} planets; the problem offers {}; needs one of these.",
@@ -102,7 +102,7 @@ std::vector<ConstraintReport> choices(const Problem& problem, const Design& desi
     list.back().margin = -std::abs(list.back().value - list.back().limit);
   }
   if (!offers(problem.module_mm, design.module_mm)) {
-    Condition condition{"module", "/module_mm", "mm"};
+    DesignCondition condition{"module", "/module_mm", "mm"};
     condition.limit = problem.module_mm.front();
     std::string offered;
     for (const Rational& module_mm : problem.module_mm) {

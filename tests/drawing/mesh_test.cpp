@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gearbox/assembly_phase.hpp"
+#include "gearbox/tooth_geometry.hpp"
 #include "tests/drawing/mesh_oracle.hpp"
 
 namespace torquewright::gearbox {

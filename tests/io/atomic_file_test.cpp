@@ -24,7 +24,7 @@ std::ptrdiff_t entries_in(const fs::path& folder) {
 }
 
 /// What writing there is refused with; empty if it is not.
-std::string refusal(const fs::path& file, std::string_view content = "new") {
+std::string refusal_to_write(const fs::path& file, std::string_view content = "new") {
   try {
     write_whole_file(file, content);
     return "";
@@ -72,11 +72,13 @@ TEST(WriteWholeFile, GivesTheRightsOfAnyNewFile) {
 TEST(WriteWholeFile, RefusesWithOneLine) {
   const ScratchFolder folder;
   folder.write("file", "x");
-  EXPECT_EQ(refusal(folder.path()), "cannot be written: it is a folder");
-  EXPECT_EQ(refusal(folder.path() / ""), "cannot be written: a file's name is missing");
-  EXPECT_EQ(refusal(folder.path() / "none" / "a"), "cannot be written: its folder does not exist");
-  EXPECT_EQ(refusal(folder.path() / "file" / "a"), "cannot be written: its folder is a file");
-  EXPECT_EQ(refusal("/proc/a"),
+  EXPECT_EQ(refusal_to_write(folder.path()), "cannot be written: it is a folder");
+  EXPECT_EQ(refusal_to_write(folder.path() / ""), "cannot be written: a file's name is missing");
+  EXPECT_EQ(refusal_to_write(folder.path() / "none" / "a"),
+            "cannot be written: its folder does not exist");
+  EXPECT_EQ(refusal_to_write(folder.path() / "file" / "a"),
+            "cannot be written: its folder is a file");
+  EXPECT_EQ(refusal_to_write("/proc/a"),
             "cannot be written: its folder does not exist");  // read-only to all
 }
 
@@ -98,7 +100,7 @@ TEST(WriteWholeFile, RefusesAReadOnlyFolder) {
   fs::permissions(folder.path(), static_cast<fs::perms>(0555));
   {
     const WithoutPrivileges nobody;
-    EXPECT_EQ(refusal(folder.path() / "a"), "cannot be written: Permission denied");
+    EXPECT_EQ(refusal_to_write(folder.path() / "a"), "cannot be written: Permission denied");
   }
   fs::permissions(folder.path(), fs::perms::owner_all);
   EXPECT_EQ(entries_in(folder.path()), 0);
@@ -109,8 +111,8 @@ TEST(WriteWholeFile, KeepsTheOldFileIfThereIsNoRoom) {
   const fs::path file = folder.write("result.json", "old");
   {
     const FileSizeLimit limit(4096);
-    EXPECT_EQ(refusal(file, std::string(4096, 'a')), "");  // just fits
-    EXPECT_EQ(refusal(file, std::string(4097, 'b')), "cannot be written: File too large");
+    EXPECT_EQ(refusal_to_write(file, std::string(4096, 'a')), "");  // just fits
+    EXPECT_EQ(refusal_to_write(file, std::string(4097, 'b')), "cannot be written: File too large");
   }
   EXPECT_EQ(read_file_bytes(file), std::string(4096, 'a'));
   EXPECT_EQ(entries_in(folder.path()), 1);  // no temporary file
@@ -134,7 +136,7 @@ TEST(WriteWholeFile, WritesToAPipeDirectly) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const int reader = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);  // so that no end waits
   ASSERT_GE(reader, 0);
-  EXPECT_EQ(refusal(pipe, "content"), "");
+  EXPECT_EQ(refusal_to_write(pipe, "content"), "");
   std::string content(20, '\0');
   const ssize_t count = ::read(reader, content.data(), content.size());
   ::close(reader);

@@ -80,7 +80,7 @@ TEST(CheckDocument, RefusesAKindThatNobodyKnows) {
   EXPECT_THROW(check_document(json::object(), "gearbix", "r.json", ""), std::invalid_argument);
 }
 
-std::string refusal(const std::filesystem::path& file) {
+std::string refusal_to_read(const std::filesystem::path& file) {
   try {
     read_document(file, "gearbox_problem");
     return "";
@@ -92,10 +92,11 @@ std::string refusal(const std::filesystem::path& file) {
 TEST(ReadDocument, RefusesWhatIsNoReadableFile) {
   const ScratchFolder folder;
   const std::string name = folder.path().string();
-  EXPECT_EQ(refusal(folder.path() / "none.json"), name + "/none.json: no such file");
-  EXPECT_EQ(refusal(folder.path()), name + ": is a folder, must be a file");
-  EXPECT_EQ(refusal("/proc/self/mem"), "/proc/self/mem: cannot be read: Input/output error");
-  EXPECT_EQ(refusal("/dev/zero"), "/dev/zero: holds more than the allowed 64 MiB");
+  EXPECT_EQ(refusal_to_read(folder.path() / "none.json"), name + "/none.json: no such file");
+  EXPECT_EQ(refusal_to_read(folder.path()), name + ": is a folder, must be a file");
+  EXPECT_EQ(refusal_to_read("/proc/self/mem"),
+            "/proc/self/mem: cannot be read: Input/output error");
+  EXPECT_EQ(refusal_to_read("/dev/zero"), "/dev/zero: holds more than the allowed 64 MiB");
 }
 
 // Just inside and just outside the limit; the file is sparse.
@@ -103,9 +104,10 @@ TEST(ReadDocument, RefusesAHugeFileBeforeReadingIt) {
   const ScratchFolder folder;
   const auto file = folder.write("a", "");
   std::filesystem::resize_file(file, kMaxFileBytes);
-  EXPECT_EQ(refusal(file), file.string() + ": line 1, column 1: not JSON: zero byte");
+  EXPECT_EQ(refusal_to_read(file), file.string() + ": line 1, column 1: not JSON: zero byte");
   std::filesystem::resize_file(file, kMaxFileBytes + 1);
-  EXPECT_EQ(refusal(file), file.string() + ": holds 67108865 bytes, more than the allowed 64 MiB");
+  EXPECT_EQ(refusal_to_read(file),
+            file.string() + ": holds 67108865 bytes, more than the allowed 64 MiB");
 }
 
 /// What so many bytes from a pipe are refused with, without the pipe's name.
@@ -114,7 +116,7 @@ std::string refusal_from_pipe(std::size_t bytes) {
   const std::string pipe = (folder.path() / "pipe").string();
   EXPECT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   std::thread writer([&] { std::ofstream(pipe) << std::string(bytes, ' '); });
-  const std::string why = refusal(pipe);
+  const std::string why = refusal_to_read(pipe);
   writer.join();
   return why.substr(pipe.size());
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tests/optimization/boxes.hpp"
+#include "tests/optimization/random_fraction.hpp"
 
 namespace torquewright::optimization {
 namespace {
@@ -27,15 +28,10 @@ struct Linear {
   }
 };
 
-Rational draw_fraction(Dice& dice) {
-  Rational value(dice.between(-50, 50), dice.between(1, 30));
-  value.canonicalize();
-  return value;
-}
-
 Linear draw_linear(Dice& dice) {
-  Linear linear{draw_fraction(dice), {}};
-  for (std::size_t i = 0; i < kVariables; ++i) linear.coefficients.push_back(draw_fraction(dice));
+  Linear linear{draw_fraction(dice, 50, 30), {}};
+  for (std::size_t i = 0; i < kVariables; ++i)
+    linear.coefficients.push_back(draw_fraction(dice, 50, 30));
   return linear;
 }
 
@@ -78,7 +74,7 @@ TEST(Affine, SumsAndMultiplesAreEnclosed) {
   Dice dice(52);
   for (int trial = 0; trial < 300; ++trial) {
     const Linear a = draw_linear(dice), b = draw_linear(dice);
-    const Rational factor = draw_fraction(dice);
+    const Rational factor = draw_fraction(dice, 50, 30);
     Linear total{a.constant + factor * b.constant, {}};
     for (std::size_t i = 0; i < kVariables; ++i) {
       total.coefficients.push_back(a.coefficients[i] + factor * b.coefficients[i]);

@@ -11,9 +11,9 @@
 namespace torquewright::optimization {
 namespace {
 
-constexpr std::size_t kVariables = 3;
+constexpr std::size_t kShapeVariables = 3;
 
-Box draw_shape_box(Dice& dice) { return draw_box(dice, kVariables, 0, 30, 12); }
+Box draw_shape_box(Dice& dice) { return draw_box(dice, kShapeVariables, 0, 30, 12); }
 
 // Oracle: the formula in exact fractions, at corners and at random points.
 TEST(ConcaveAbove, IsNowhereBelowTheFunction) {
@@ -44,7 +44,7 @@ TEST(ConcaveAbove, IsConcave) {
       const ConcaveForm form = concave_above(shape.expression, box);
       const std::vector<double> a = draw_inside(dice, box), b = draw_inside(dice, box);
       std::vector<double> middle;
-      for (std::size_t i = 0; i < kVariables; ++i) middle.push_back((a[i] + b[i]) / 2);
+      for (std::size_t i = 0; i < kShapeVariables; ++i) middle.push_back((a[i] + b[i]) / 2);
       const Interval at_a = evaluate(form, a).value, at_b = evaluate(form, b).value;
       ASSERT_GE(evaluate(form, middle).value.upper, (at_a.lower + at_b.lower) / 2) << shape.name;
     }
@@ -62,7 +62,7 @@ TEST(ConcaveAbove, SlopesAreThoseOfDifferences) {
       const ConcaveForm form = concave_above(shape.expression, box);
       const std::vector<double> point = draw_inside(dice, box);
       const ValueAndSlope at = evaluate(form, point);
-      for (std::size_t i = 0; i < kVariables; ++i) {
+      for (std::size_t i = 0; i < kShapeVariables; ++i) {
         std::vector<double> ahead = point, behind = point;
         ahead[i] += kStep;
         behind[i] -= kStep;
@@ -79,7 +79,7 @@ TEST(ConcaveAbove, SlopesAreThoseOfDifferences) {
 
 // What has the right sign is kept as it is. Oracle: the formula itself.
 TEST(ConcaveAbove, KeepsConcaveParts) {
-  constexpr double kRounding = 1e-10;  // of values up to 1e4
+  constexpr double kTouching = 1e-10;  // of values up to 1e4
   Dice dice(64);
   for (const std::size_t index : {0u, 1u, 3u}) {
     const Shape shape = shapes()[index];
@@ -88,7 +88,7 @@ TEST(ConcaveAbove, KeepsConcaveParts) {
       const std::vector<double> point = draw_inside(dice, box);
       const Interval above = evaluate(concave_above(shape.expression, box), point).value;
       ASSERT_TRUE(encloses(above, shape.exact(exactly(point)))) << shape.name;
-      ASSERT_LT(above.upper - above.lower, kRounding) << shape.name;
+      ASSERT_LT(above.upper - above.lower, kTouching) << shape.name;
     }
   }
 }

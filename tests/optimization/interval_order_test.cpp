@@ -11,7 +11,6 @@
 namespace torquewright::optimization {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMost = std::numeric_limits<double>::max();
 constexpr Operation kOperations[] = {
     Operation::kNegate,   Operation::kSum,       Operation::kDifference, Operation::kProduct,

@@ -10,8 +10,6 @@
 namespace torquewright::optimization {
 namespace {
 
-const Expression kX = Expression::variable(0), kY = Expression::variable(1);
-
 Problem problem_of(const Expression& goal, const std::vector<Expression>& bodies, const Box& box) {
   Problem problem{{}, box, {}, {}, {"goal", "", goal, false, true}};
   problem.variables.resize(box.size(), "x");

@@ -12,8 +12,6 @@
 namespace torquewright::optimization {
 namespace {
 
-const Expression kX = Expression::variable(0), kY = Expression::variable(1);
-
 Problem problem_of(const Expression& body, bool strict) {
   return {{"x", "y"},
           {{-9, 9}, {-9, 9}},

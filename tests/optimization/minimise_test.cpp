@@ -25,13 +25,6 @@ std::vector<Point> best_of(const Toy& toy, const std::vector<Point>& feasible, s
   return {feasible.begin(), feasible.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-bool lies_in(const Point& point, const Box& box) {
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    if (!box[i].contains(point[i])) return false;
-  }
-  return true;
-}
-
 SearchResult run(const Toy& toy, std::size_t wanted, RelaxationUse use) {
   const std::vector<Judge> judges{Judge(toy.problem)};
   SearchOptions options;

@@ -8,23 +8,18 @@
 #include <limits>
 
 #include "optimization/apply.hpp"
+#include "tests/optimization/random_fraction.hpp"
 #include "tests/optimization/random_intervals.hpp"
 
 namespace torquewright::optimization {
 namespace {
 
-constexpr int kTrials = 500;
-
-Rational draw_fraction(Dice& dice) {
-  Rational value(dice.between(-100000, 100000), dice.between(1, 100000));
-  value.canonicalize();
-  return value;
-}
+constexpr int kPreciseTrials = 500;
 
 TEST(PreciseInterval, ArithmeticAgreesWithFractions) {
   Dice dice(31);
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const Rational x = draw_fraction(dice), y = draw_fraction(dice);
+  for (int trial = 0; trial < kPreciseTrials; ++trial) {
+    const Rational x = draw_fraction(dice, 100000, 100000), y = draw_fraction(dice, 100000, 100000);
     const PreciseInterval a(x), b(y);
     ASSERT_TRUE(agrees(-a, -x));
     ASSERT_TRUE(agrees(a + b, x + y));
@@ -45,8 +40,8 @@ TEST(PreciseInterval, ArithmeticAgreesWithFractions) {
 
 TEST(PreciseInterval, FunctionsAgreeWithMpfr) {
   Dice dice(32);
-  for (int trial = 0; trial < kTrials; ++trial) {
-    Rational x = draw_fraction(dice);
+  for (int trial = 0; trial < kPreciseTrials; ++trial) {
+    Rational x = draw_fraction(dice, 100000, 100000);
     ASSERT_TRUE(agrees(atan(PreciseInterval(x)), true_atan(x)));
     if (x >= 0) {
       ASSERT_TRUE(agrees(sqrt(PreciseInterval(x)), true_sqrt(x)));
@@ -64,7 +59,7 @@ TEST(PreciseInterval, FunctionsAgreeWithMpfr) {
 // Wide intervals: what holds for the members holds for the doubles around the result.
 TEST(PreciseInterval, EnclosesWhatMembersGive) {
   Dice dice(33);
-  for (int trial = 0; trial < kTrials; ++trial) {
+  for (int trial = 0; trial < kPreciseTrials; ++trial) {
     const Interval a = draw_interval(dice, 5), b = draw_interval(dice, 5);
     const PreciseInterval wide_a{PreciseInterval(a.lower), PreciseInterval(a.upper)};
     const PreciseInterval wide_b{PreciseInterval(b.lower), PreciseInterval(b.upper)};
@@ -153,8 +148,8 @@ TEST(PreciseInterval, SignsNeedEveryMember) {
 // Oracle: fractions, which no double hits.
 TEST(PreciseInterval, OutwardGivesTheDoublesAround) {
   Dice dice(34);
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const Rational x = draw_fraction(dice);
+  for (int trial = 0; trial < kPreciseTrials; ++trial) {
+    const Rational x = draw_fraction(dice, 100000, 100000);
     const Interval around = PreciseInterval(x).outward();
     ASSERT_TRUE(encloses(around, x));
     ASSERT_LE(around.upper, std::nextafter(around.lower, HUGE_VAL));

@@ -11,13 +11,6 @@
 namespace torquewright::optimization {
 namespace {
 
-bool lies_in(const Point& point, const Box& box) {
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    if (!box[i].contains(point[i])) return false;
-  }
-  return true;
-}
-
 /// What a cut says: no point beyond it satisfies its condition (or costs no more than the ceiling).
 void expect_valid(const Cut& cut, const Toy& toy, const Judge& judge, double ceiling, Box& box) {
   Range& range = box[cut.variable];

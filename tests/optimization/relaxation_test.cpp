@@ -14,7 +14,6 @@
 namespace torquewright::optimization {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// What is true of a box: a relaxation knows nothing of predicates and of conditions at points.
@@ -98,8 +97,6 @@ Judge judge_of(const Expression& goal, const std::vector<Expression>& bodies, co
   for (const Expression& body : bodies) problem.conditions.push_back({"c", "c", "", body});
   return Judge(problem);
 }
-
-const Expression kX = Expression::variable(0), kY = Expression::variable(1);
 
 // Oracle: by hand. min x^2 + y^2, x + y >= 4: the optimum 8 at (2, 2), multiplier 4.
 TEST(DualBound, IsTightAtTheDualOptimum) {

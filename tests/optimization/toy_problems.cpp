@@ -9,24 +9,21 @@ namespace {
 using Test = std::function<bool(const Point&)>;
 using Value = std::function<Rational(const Point&)>;
 
-const Expression kX = Expression::variable(0);
-const Expression kY = Expression::variable(1);
-
 Condition condition(const std::string& name, const Expression& body, bool strict = false) {
   return {name, name, "", body, strict};
 }
 
 Rational squared(const Rational& value) { return value * value; }
 
-struct Linear {
+struct Body {
   Expression expression;
   Value value;
 };
 
-Linear draw_linear(Dice& dice, std::size_t variables, std::int64_t steepest) {
+Body draw_linear(Dice& dice, std::size_t variables, std::int64_t steepest) {
   Rational constant(dice.between(-40, 60), dice.between(1, 3));
   constant.canonicalize();
-  Linear linear{Expression(constant), [constant](const Point&) { return constant; }};
+  Body linear{Expression(constant), [constant](const Point&) { return constant; }};
   for (std::size_t i = 0; i < variables; ++i) {
     const std::int64_t slope = dice.between(-steepest, steepest);
     if (slope == 0) continue;
@@ -39,7 +36,7 @@ Linear draw_linear(Dice& dice, std::size_t variables, std::int64_t steepest) {
 }
 
 /// At least 1 wherever no variable is below `least`.
-Linear draw_positive(Dice& dice, std::size_t variables, std::int64_t least) {
+Body draw_positive(Dice& dice, std::size_t variables, std::int64_t least) {
   const auto i =
       static_cast<std::size_t>(dice.between(0, static_cast<std::int64_t>(variables) - 1));
   const std::int64_t shift = 1 - least + dice.between(0, 3);
@@ -50,13 +47,13 @@ Linear draw_positive(Dice& dice, std::size_t variables, std::int64_t least) {
 enum Kind { kLinear, kInside, kOutside, kOver, kBelowOver, kProduct, kKinds };
 
 /// One random body, about as often positive as negative.
-Linear draw_body(Dice& dice, Kind kind, const Box& domain) {
+Body draw_body(Dice& dice, Kind kind, const Box& domain) {
   const std::size_t n = domain.size();
-  const Linear u = draw_linear(dice, n, 2), v = draw_linear(dice, n, 2);
+  const Body u = draw_linear(dice, n, 2), v = draw_linear(dice, n, 2);
   const Rational limit(dice.between(50, 900));
   std::int64_t least = 0;
   for (const Range& range : domain) least = std::min(least, range.lower);
-  const Linear d = draw_positive(dice, n, least);
+  const Body d = draw_positive(dice, n, least);
   switch (kind) {
     case kLinear:
       return draw_linear(dice, n, 4);
@@ -99,7 +96,7 @@ class Draft {
   }
 
   void add_condition(Kind kind) {
-    const Linear body = draw_body(dice_, kind, problem_.domain);
+    const Body body = draw_body(dice_, kind, problem_.domain);
     const bool strict = dice_.chance(30);
     problem_.conditions.push_back(
         condition("c" + std::to_string(tests_.size()), body.expression, strict));
@@ -125,7 +122,7 @@ class Draft {
   void set_goal_of_three_squares() {
     goal_ = {Expression(0.0), [](const Point&) -> Rational { return 0; }};
     for (int i = 0; i < 3; ++i) {
-      const Linear u = draw_linear(dice_, problem_.domain.size(), 3);
+      const Body u = draw_linear(dice_, problem_.domain.size(), 3);
       goal_.expression = goal_.expression + square(u.expression);
       goal_.value = [before = goal_.value, u](const Point& p) -> Rational {
         return before(p) + squared(u.value(p));
@@ -155,10 +152,17 @@ class Draft {
   Dice& dice_;
   Problem problem_{{}, {}, {}, {}, {"cost", "", Expression(0.0), false, true}};
   std::vector<Test> tests_;
-  Linear goal_{0.0, {}};
+  Body goal_{0.0, {}};
 };
 
 }  // namespace
+
+bool lies_in(const Point& point, const Box& box) {
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (!box[i].contains(point[i])) return false;
+  }
+  return true;
+}
 
 Toy knapsack() {
   const Expression c = Expression::variable(2), d = Expression::variable(3);

@@ -14,6 +14,10 @@ namespace torquewright::optimization {
 using oracles::Dice;
 using Point = std::vector<std::int64_t>;
 
+/// The first two variables.
+inline const Expression kX = Expression::variable(0);
+inline const Expression kY = Expression::variable(1);
+
 /// A problem that has nothing to do with gears, stated twice: for the search, and in exact
 /// fractions, which share no code with it.
 struct Toy {
@@ -43,6 +47,7 @@ Toy random_toy(Dice& dice, std::int64_t widest);
 /// at.
 Toy convex_toy(Dice& dice, std::int64_t widest);
 
+bool lies_in(const Point& point, const Box& box);
 /// Every whole point of the box, by nested counting.
 std::vector<Point> all_points(const Box& box);
 /// Those of the domain that satisfy everything, cheapest first, then in the order of values.

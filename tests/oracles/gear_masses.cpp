@@ -3,12 +3,11 @@
 #include <numbers>
 
 #include "tests/oracles/gearbox_objectives.hpp"
+#include "tests/oracles/reals.hpp"
 #include "tests/oracles/rule_families.hpp"
 
 namespace torquewright::oracles {
 namespace {
-
-long double real(std::int64_t teeth) { return static_cast<long double>(teeth); }
 
 struct Body {
   long double mass_kg = 0;

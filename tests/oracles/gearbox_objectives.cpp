@@ -5,12 +5,11 @@
 #include <stdexcept>
 
 #include "tests/oracles/involute_meshes.hpp"
+#include "tests/oracles/reals.hpp"
 #include "tests/oracles/rule_families.hpp"
 
 namespace torquewright::oracles {
 namespace {
-
-long double real(std::int64_t teeth) { return static_cast<long double>(teeth); }
 
 Rational hollow_shaft_mm(const Setting& setting, const Teeth& teeth) {
   return setting.module_mm * (teeth.sun - Rational(5, 2)) -

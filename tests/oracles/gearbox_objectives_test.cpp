@@ -4,16 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "tests/oracles/named_problems.hpp"
+#include "tests/oracles/reals.hpp"
 
 namespace torquewright::oracles {
 namespace {
 
 using gearbox::Problem;
 
-constexpr long double kPi = std::numbers::pi_v<long double>;
 constexpr double kRounding = 1e-15;
 
 Efficiencies of_d151(const Rational& friction) {

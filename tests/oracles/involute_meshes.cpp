@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
+
+#include "tests/oracles/reals.hpp"
 
 namespace torquewright::oracles {
 namespace {
-
-constexpr long double kPi = std::numbers::pi_v<long double>;
-
-long double real(std::int64_t teeth) { return static_cast<long double>(teeth); }
 
 // tan of the pressure angle at a circle whose base circle is cos_ratio times as wide.
 long double tan_from_cos(long double cosine) { return std::sqrt(1 - cosine * cosine) / cosine; }

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <numbers>
 
 #include "tests/oracles/involute_meshes.hpp"
+#include "tests/oracles/reals.hpp"
 #include "tests/oracles/rule_families.hpp"
 
 namespace torquewright::oracles {
 namespace {
 
-constexpr long double kPi = std::numbers::pi_v<long double>;
-
 using Count = std::int64_t Teeth::*;
 using Margin = long double (*)(std::int64_t, std::int64_t);
 using Path = ContactPath (*)(std::int64_t, std::int64_t);
-
-long double real(std::int64_t teeth) { return static_cast<long double>(teeth); }
 
 // A margin that is not a number (a ring's tip inside its base circle) fails.
 Judgement not_negative(long double margin) {

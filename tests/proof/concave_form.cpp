@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "tests/proof/naive_proof.hpp"
 
 namespace torquewright::gearbox::proof_test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Real teeth by gear name, from sun, planet_1, difference.
 double teeth(const std::string& gear, const std::array<double, 3>& x) {

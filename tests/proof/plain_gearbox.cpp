@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
 namespace torquewright::gearbox::proof_test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kAlpha = kPi / 9;
 constexpr double kSlack = 1e-9;
 

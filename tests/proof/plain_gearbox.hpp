@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "gearbox/problem.hpp"
 
 namespace torquewright::gearbox::proof_test {
+
+inline constexpr double kPi = std::numbers::pi;
 
 /// One way to choose planets and module, in plain doubles.
 struct Choice {

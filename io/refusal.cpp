@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/refusal.hpp"
+
+#include <cerrno>
+#include <system_error>
+
+#include "io/spec_error.hpp"
+
+namespace torquewright::io {
+
+void refuse(const std::string& file, const std::string& message) {
+  throw SpecError({{file, "", message}});
+}
+
+void refuse_unreadable(const std::string& file, int error) {
+  if (error == ENOENT) refuse(file, "no such file");
+  refuse(file, "cannot be read: " + std::generic_category().message(error));
+}
+
+}  // namespace torquewright::io
