@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "actuator/convention.hpp"
 #include "actuator/effects/effect.hpp"
+#include "actuator/unlimited.hpp"
 
 namespace torquewright::actuator {
 
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kDefaultTemperature_K = 298.15;
 /// Of copper's resistance around room temperature.
 constexpr double kCopperCoefficient_1_K = 0.0039;
@@ -46,6 +45,7 @@ struct Drive {
 struct ChargePoint {
   double state_of_charge;
   double voltage_V;
+  friend bool operator==(const ChargePoint&, const ChargePoint&) = default;
 };
 
 struct Battery {
@@ -57,6 +57,7 @@ struct Battery {
   double discharge_limit_A = kUnlimited;
   double charge_limit_A = kUnlimited;
   double maximum_voltage_V = kUnlimited;  ///< Of the pack while it is charged.
+  friend bool operator==(const Battery&, const Battery&) = default;
 };
 
 /// Two nodes: winding and case. Resistances in K/W, capacities in J/K.

@@ -35,10 +35,9 @@ std::optional<double> find(const json& object, const char* key) {
 }
 
 /// Reads the keys of one document; faults gather until all of it is read.
-class Reader {
+class ActuatorReader {
  public:
-  explicit Reader(const std::filesystem::path& file)
-      : documents_{io::read_document(file, "actuator")} {}
+  explicit ActuatorReader(io::Document document) : documents_{std::move(document)} {}
 
   ReadActuator read() {
     actuator_.name = root().value("name", std::filesystem::path(document().file).stem().string());
@@ -231,6 +230,12 @@ class Reader {
 
 }  // namespace
 
-ReadActuator read_actuator(const std::filesystem::path& file) { return Reader(file).read(); }
+ReadActuator read_actuator(const std::filesystem::path& file) {
+  return ActuatorReader(io::read_document(file, "actuator")).read();
+}
+
+ReadActuator read_actuator(io::Document document) {
+  return ActuatorReader(std::move(document)).read();
+}
 
 }  // namespace torquewright::actuator

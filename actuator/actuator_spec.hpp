@@ -22,4 +22,7 @@ struct ReadActuator {
 /// charge that does not ascend, conflicting limits.
 ReadActuator read_actuator(const std::filesystem::path& file);
 
+/// The same for one that has been read and checked; what it refers to is looked for beside its file.
+ReadActuator read_actuator(io::Document document);
+
 }  // namespace torquewright::actuator

@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/newton_choice.hpp"
 #include "actuator/search.hpp"
+#include "actuator/voltage_disc.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
-constexpr double kCurrentTolerance = 1e-10;  // of the current limit; golden section's own floor 1e-8
+constexpr double kCurrentTolerance =
+    1e-10;  // of the current limit; golden section's own floor 1e-8
 
-bool is_salient(const Machine& machine) {
-  return machine.inductance_d_H != machine.inductance_q_H;
-}
+bool is_salient(const Machine& machine) { return machine.inductance_d_H != machine.inductance_q_H; }
 
 double tolerance_A(const Machine& machine) { return kCurrentTolerance * machine.current_limit_A; }
 
@@ -36,16 +37,6 @@ double weakest_d_A(const Machine& machine, double torque_Nm, double from_A) {
   return std::max(floor_A, -std::sqrt(std::max(0.0, limit_A * limit_A - q_A * q_A)));
 }
 
-/// Where |v|^2, a parabola in i_d, is least, whatever i_q, if L_d = L_q and the supply is stiff:
-/// d/di_d gives (R^2 + (w L)^2) i_d + w L e = 0. Eq. (9).
-double vertex_d_A(const Machine& machine, double speed_rad_s) {
-  const double R = machine.resistance_ohm;
-  const double wL = machine.pole_pairs * speed_rad_s * machine.inductance_d_H;
-  const double back_emf_V = machine.back_emf_V_s_rad * speed_rad_s;
-  const double square = R * R + wL * wL;
-  return square == 0.0 ? 0.0 : -wL * back_emf_V / square;
-}
-
 Current with_d(const Machine& machine, double torque_Nm, double d_A) {
   return {d_A, q_current_A(machine, torque_Nm, d_A)};
 }
@@ -58,17 +49,22 @@ double greatest_torque_Nm(const Machine& machine) {
   const auto torque_at = [&](double d_A) {
     return torque_Nm(machine, {d_A, std::sqrt(std::max(0.0, limit_A * limit_A - d_A * d_A))});
   };
+  if (machine.saturation_current_A == 0.0) return torque_at(greatest_torque_d_A(machine));
   return torque_at(greatest_point(torque_at, least_d_A(machine), limit_A, tolerance_A(machine)));
 }
 
 Current least_current(const Machine& machine, double torque_Nm) {
   if (!is_salient(machine)) return with_d(machine, torque_Nm, 0.0);
+  if (has_smooth_choice(machine)) {
+    const double d_A =
+        least_current_d_A(machine, torque_Nm, least_d_A(machine), machine.current_limit_A);
+    return with_d(machine, torque_Nm, d_A);
+  }
   const auto saved_A = [&](double d_A) {
     return -std::hypot(d_A, q_current_A(machine, torque_Nm, d_A));
   };
   const double limit_A = machine.current_limit_A;
-  const double d_A =
-      greatest_point(saved_A, least_d_A(machine), limit_A, tolerance_A(machine));
+  const double d_A = greatest_point(saved_A, least_d_A(machine), limit_A, tolerance_A(machine));
   return with_d(machine, torque_Nm, d_A);
 }
 
@@ -77,11 +73,12 @@ Current gentlest_current(const Machine& machine, double torque_Nm, double speed_
   if (!machine.field_weakening) return least;
   const double floor_A = weakest_d_A(machine, torque_Nm, least.d_A);
   if (floor_A >= least.d_A) return least;
-  const bool is_parabola = !is_salient(machine) && machine.supply.resistance_ohm == 0.0 &&
-                           machine.dead_time_V == 0.0;
-  if (is_parabola) {
-    const double d_A = vertex_d_A(machine, speed_rad_s);
-    return {std::clamp(d_A, floor_A, least.d_A), least.q_A};
+  if (const auto disc = voltage_disc(machine, speed_rad_s, 0.0)) {
+    return {std::clamp(disc->d_A, floor_A, least.d_A), least.q_A};
+  }
+  if (has_smooth_choice(machine)) {
+    const double d_A = greatest_margin_d_A(machine, torque_Nm, speed_rad_s, floor_A, least.d_A);
+    return with_d(machine, torque_Nm, d_A);
   }
   const auto margin_V = [&](double d_A) {
     return voltage_margin_V(machine, with_d(machine, torque_Nm, d_A), speed_rad_s);
@@ -96,6 +93,10 @@ Current chosen_current(const Machine& machine, double torque_Nm, double speed_ra
     return voltage_margin_V(machine, with_d(machine, torque_Nm, d_A), speed_rad_s);
   };
   if (!machine.field_weakening || margin_V(least.d_A) >= 0.0) return least;
+  if (const auto disc = voltage_disc(machine, speed_rad_s, 0.0)) {
+    const double floor_A = weakest_d_A(machine, torque_Nm, least.d_A);
+    return {nearest_d_A(*disc, least.q_A, floor_A), least.q_A};
+  }
   const Current gentlest = gentlest_current(machine, torque_Nm, speed_rad_s);
   if (margin_V(gentlest.d_A) < 0.0) return gentlest;
   return with_d(machine, torque_Nm,

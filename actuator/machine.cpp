@@ -2,12 +2,11 @@
 #include "actuator/machine.hpp"
 
 #include <cmath>
-#include <limits>
+
+#include "actuator/unlimited.hpp"
 
 namespace torquewright::actuator {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double saturation(const Machine& machine, double q_A) {
   if (machine.saturation_current_A == 0.0) return 1.0;
@@ -45,12 +44,12 @@ double torque_Nm(const Machine& machine, const Current& current) {
 double q_current_A(const Machine& machine, double torque_Nm, double d_A) {
   const double per_ampere = machine.torque_constant_Nm_A + machine.reluctance_Nm_A2() * d_A;
   if (torque_Nm == 0.0) return 0.0;
-  if (per_ampere <= 0.0) return kInfinity;
+  if (per_ampere <= 0.0) return kUnlimited;
   const double linear_A = torque_Nm / per_ampere;
   if (machine.saturation_current_A == 0.0) return linear_A;
   const double p = machine.saturation_exponent;
   const double filled = std::pow(std::abs(linear_A) / machine.saturation_current_A, p);
-  return filled >= 1.0 ? std::copysign(kInfinity, torque_Nm)
+  return filled >= 1.0 ? std::copysign(kUnlimited, torque_Nm)
                        : linear_A * std::pow(1.0 - filled, -1.0 / p);
 }
 
@@ -80,7 +79,7 @@ double phase_voltage_V(const Machine& machine, const Current& current, double sp
 double voltage_margin_V(const Machine& machine, const Current& current, double speed_rad_s) {
   const std::optional<double> bus_V =
       bus_voltage_V(machine.supply, bus_power_W(machine, current, speed_rad_s));
-  if (!bus_V) return -kInfinity;
+  if (!bus_V) return -kUnlimited;
   return machine.phase_volts_per_bus_volt * *bus_V - phase_voltage_V(machine, current, speed_rad_s);
 }
 

@@ -8,9 +8,8 @@ namespace torquewright::actuator {
 namespace {
 
 constexpr int kFirstIntervals = 24;         // of each side, before any refinement
-constexpr int kProbes = 5;                  // between two rows, where the error is looked at
 constexpr double kCornerTolerance = 1e-13;  // of the greatest speed
-constexpr int kDeepestSplit = 20;           // halvings of one interval
+constexpr int kDeepestSplit = 40;  // halvings of one interval: a tip is as steep as a root at 0
 
 /// What stays the same between two corners.
 struct Character {
@@ -36,12 +35,13 @@ class HalfTable {
  public:
   HalfTable(const Region& region, double direction) : region_(region), direction_(direction) {}
 
-  std::vector<MorRow> run(double& peak_Nm, double& error_Nm) {
+  std::vector<MorRow> run(double accuracy, double& peak_Nm, double& error_Nm) {
     const double end_rad_s = region_.greatest_speed_rad_s();
-    for (int i = 0; i <= kFirstIntervals; ++i) rows_.push_back(row(end_rad_s * i / kFirstIntervals));
+    for (int i = 0; i <= kFirstIntervals; ++i)
+      rows_.push_back(row(end_rad_s * i / kFirstIntervals));
     insert_corners();
     for (const MorRow& entry : rows_) peak_Nm = std::max(peak_Nm, magnitude(entry));
-    refine(kTableAccuracy * peak_Nm);
+    refine(accuracy * peak_Nm);
     error_Nm = std::max(error_Nm, error_Nm_);
     return std::move(rows_);
   }
@@ -91,43 +91,55 @@ class HalfTable {
   void refine(double allowed_Nm) {
     std::vector<MorRow> all{rows_.front()};
     for (std::size_t i = 1; i < rows_.size(); ++i) {
-      split(all, all.back(), rows_[i], allowed_Nm, kDeepestSplit);
+      const MorRow near = all.back();
+      const double width_rad_s = std::abs(rows_[i].speed_rad_s - near.speed_rad_s);
+      const bool is_corner = width_rad_s <= 2.0 * kCornerTolerance * region_.greatest_speed_rad_s();
+      if (is_corner) {
+        all.push_back(rows_[i]);
+      } else {
+        split(all, near, middle_of(near, rows_[i]), rows_[i], {allowed_Nm, kDeepestSplit});
+      }
     }
     rows_ = std::move(all);
   }
 
-  void split(std::vector<MorRow>& all, const MorRow near, const MorRow& far, double allowed_Nm,
-             int splits_left) {
-    const double error_Nm = interpolation_error_Nm(near, far);
-    const double width_rad_s = std::abs(far.speed_rad_s - near.speed_rad_s);
-    const bool is_corner =
-        width_rad_s <= 2.0 * kCornerTolerance * region_.greatest_speed_rad_s();
-    if (error_Nm <= allowed_Nm || splits_left == 0 || is_corner) {
-      if (!is_corner) error_Nm_ = std::max(error_Nm_, error_Nm);
+  MorRow middle_of(const MorRow& near, const MorRow& far) const {
+    return row(0.5 * (std::abs(near.speed_rad_s) + std::abs(far.speed_rad_s)));
+  }
+
+  struct Allowance {
+    double error_Nm;
+    int splits_left;
+  };
+
+  /// Adds the rows after `near` up to `far`. The probes at a quarter and three quarters are the
+  /// middles of the halves, if it comes to that.
+  void split(std::vector<MorRow>& all, const MorRow& near, const MorRow& middle, const MorRow& far,
+             Allowance allowed) {
+    const MorRow first = middle_of(near, middle);
+    const MorRow last = middle_of(middle, far);
+    const double error_Nm =
+        std::max({miss_Nm(near, first, far), miss_Nm(near, middle, far), miss_Nm(near, last, far)});
+    if (error_Nm <= allowed.error_Nm || allowed.splits_left == 0) {
+      error_Nm_ = std::max(error_Nm_, error_Nm);
       all.push_back(far);
       return;
     }
-    const MorRow middle = row(0.5 * (std::abs(near.speed_rad_s) + std::abs(far.speed_rad_s)));
-    split(all, near, middle, allowed_Nm, splits_left - 1);
-    split(all, middle, far, allowed_Nm, splits_left - 1);
+    --allowed.splits_left;
+    split(all, near, first, middle, allowed);
+    split(all, middle, last, far, allowed);
   }
 
-  double interpolation_error_Nm(const MorRow& near, const MorRow& far) const {
-    if (near.range.is_empty || far.range.is_empty) return 0.0;
-    double error_Nm = 0.0;
-    for (int probe = 1; probe <= kProbes; ++probe) {
-      const double share = static_cast<double>(probe) / (kProbes + 1);
-      const MorRow there =
-          row(std::abs(between(near.speed_rad_s, far.speed_rad_s, share)));
-      if (there.range.is_empty) continue;
-      const double least_Nm =
-          between(near.range.least.torque_Nm, far.range.least.torque_Nm, share);
-      const double greatest_Nm =
-          between(near.range.greatest.torque_Nm, far.range.greatest.torque_Nm, share);
-      error_Nm = std::max({error_Nm, std::abs(there.range.least.torque_Nm - least_Nm),
-                           std::abs(there.range.greatest.torque_Nm - greatest_Nm)});
-    }
-    return error_Nm;
+  /// By how much the line from `near` to `far` misses the row between them.
+  static double miss_Nm(const MorRow& near, const MorRow& there, const MorRow& far) {
+    if (near.range.is_empty || far.range.is_empty || there.range.is_empty) return 0.0;
+    const double share =
+        (there.speed_rad_s - near.speed_rad_s) / (far.speed_rad_s - near.speed_rad_s);
+    const double least_Nm = between(near.range.least.torque_Nm, far.range.least.torque_Nm, share);
+    const double greatest_Nm =
+        between(near.range.greatest.torque_Nm, far.range.greatest.torque_Nm, share);
+    return std::max(std::abs(there.range.least.torque_Nm - least_Nm),
+                    std::abs(there.range.greatest.torque_Nm - greatest_Nm));
   }
 
   const Region& region_;
@@ -144,12 +156,12 @@ bool jumps(const MorRow& below, const MorRow& above) {
 
 }  // namespace
 
-MorTable mor_table(const Region& region) {
+MorTable mor_table(const Region& region, double accuracy) {
   MorTable table;
   std::vector<MorRow> negative =
-      HalfTable(region, -1.0).run(table.peak_torque_Nm, table.interpolation_error_Nm);
+      HalfTable(region, -1.0).run(accuracy, table.peak_torque_Nm, table.interpolation_error_Nm);
   const std::vector<MorRow> positive =
-      HalfTable(region, 1.0).run(table.peak_torque_Nm, table.interpolation_error_Nm);
+      HalfTable(region, 1.0).run(accuracy, table.peak_torque_Nm, table.interpolation_error_Nm);
   std::reverse(negative.begin(), negative.end());
   negative.back().speed_rad_s = 0.0;  // not -0
   if (!jumps(negative.back(), positive.front())) negative.pop_back();

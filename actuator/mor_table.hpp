@@ -17,14 +17,15 @@ struct MorRow {
 struct MorTable {
   std::vector<MorRow> rows;
   double peak_torque_Nm = 0.0;           ///< Greatest magnitude of a bound.
-  double interpolation_error_Nm = 0.0;   ///< Greatest found between rows, at kProbes points each.
+  double interpolation_error_Nm = 0.0;   ///< Greatest found between rows, at three points each.
 };
 
-/// Linear interpolation stays within this part of the peak torque.
+/// The part of the peak torque within which linear interpolation stays, if nothing else is asked.
 constexpr double kTableAccuracy = 2.5e-4;
+constexpr double kFinestTableAccuracy = 1e-8;  ///< Some 10,000 rows.
 
 /// The whole region, from the greatest negative speed to the greatest positive one.
-MorTable mor_table(const Region& region);
+MorTable mor_table(const Region& region, double accuracy = kTableAccuracy);
 
 /// Single rows, in the order asked for; empty ranges where the region ends.
 MorTable mor_rows(const Region& region, const std::vector<double>& speeds_rad_s);

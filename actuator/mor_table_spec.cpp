@@ -31,6 +31,17 @@ std::string friction_sentence(const MorHeader& header) {
   return sentence;
 }
 
+/// Every effect with where it is from: "coulomb_friction (identified)".
+std::vector<std::string> effects_and_sources(const Actuator& actuator) {
+  std::vector<std::string> list;
+  for (const Effect& effect : actuator.effects) {
+    list.push_back(effect.provenance.empty()
+                       ? std::string(effect.kind->name)
+                       : fmt::format("{} ({})", effect.kind->name, effect.provenance));
+  }
+  return list;
+}
+
 /// Fourteen digits: what is beyond is the rounding of conversions between conventions, and would
 /// show 320 as 319.99999999999994.
 double rounded(double value) {
@@ -47,20 +58,20 @@ ordered_json row_json(const MorRow& row) {
   const bool is_there = !range.is_empty;
   const Limiter least = is_there ? range.least.limiter : range.why_empty;
   const Limiter greatest = is_there ? range.greatest.limiter : range.why_empty;
-  ordered_json json{{"speed_rad_s", rounded(row.speed_rad_s)},
-                    {"torque_min_Nm", number_or_null(is_there, range.least.torque_Nm)},
-                    {"torque_max_Nm", number_or_null(is_there, range.greatest.torque_Nm)},
-                    {"current_min_A", number_or_null(is_there, range.least.current_A)},
-                    {"current_max_A", number_or_null(is_there, range.greatest.current_A)},
-                    {"bus_power_at_min_W", number_or_null(is_there, range.least.bus_power_W)},
-                    {"bus_power_at_max_W", number_or_null(is_there, range.greatest.bus_power_W)},
-                    {"limiter_min", actuator::name_of(least)},
-                    {"limiter_max", actuator::name_of(greatest)}};
+  ordered_json entry{{"speed_rad_s", rounded(row.speed_rad_s)},
+                     {"torque_min_Nm", number_or_null(is_there, range.least.torque_Nm)},
+                     {"torque_max_Nm", number_or_null(is_there, range.greatest.torque_Nm)},
+                     {"current_min_A", number_or_null(is_there, range.least.current_A)},
+                     {"current_max_A", number_or_null(is_there, range.greatest.current_A)},
+                     {"bus_power_at_min_W", number_or_null(is_there, range.least.bus_power_W)},
+                     {"bus_power_at_max_W", number_or_null(is_there, range.greatest.bus_power_W)},
+                     {"limiter_min", actuator::name_of(least)},
+                     {"limiter_max", actuator::name_of(greatest)}};
   if (range.plugging) {
-    json["plugging"] = {{"torque_min_Nm", rounded(range.plugging->least_Nm)},
-                        {"torque_max_Nm", rounded(range.plugging->greatest_Nm)}};
+    entry["plugging"] = {{"torque_min_Nm", rounded(range.plugging->least_Nm)},
+                         {"torque_max_Nm", rounded(range.plugging->greatest_Nm)}};
   }
-  return json;
+  return entry;
 }
 
 std::string cell(const ordered_json& value) {
@@ -84,6 +95,7 @@ ordered_json mor_table_json(const MorHeader& header, const MorTable& table) {
           {"current_convention",
            actuator::name_of(actuator.motor.torque_constant_convention)},
           {"friction_included", friction_sentence(header)},
+          {"effects", effects_and_sources(actuator)},
           {"interpolation_error_Nm", table.interpolation_error_Nm},
           {"left_out", left_out(actuator)},
           {"assumed", actuator.assumed},

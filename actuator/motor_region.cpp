@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "actuator/current_choice.hpp"
 #include "actuator/search.hpp"
+#include "actuator/unlimited.hpp"
+#include "actuator/voltage_disc.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRelativeTolerance = 1e-14;  // of the greatest torque or speed
 constexpr double kPeakTolerance = 1e-9;       // where only the place of a flat top is sought
 constexpr double kVoltageTolerance = 2e-15;   // of the phase voltage: rounding in a square root
@@ -58,11 +60,15 @@ class RangeSearch {
   /// What stands in the way just past a bound that margin_V set.
   Limiter voltage_limiter(double past_Nm) const {
     const Current current = gentlest_current(machine_, past_Nm, speed_rad_s_);
-    if (voltage_margin_V(machine_, current, speed_rad_s_) == -kInfinity) {
+    if (voltage_margin_V(machine_, current, speed_rad_s_) == -kUnlimited) {
       return Limiter::kBatteryPower;
     }
+    return weakening_limiter(current.d_A);
+  }
+
+  Limiter weakening_limiter(double d_A) const {
     if (!machine_.field_weakening) return Limiter::kVoltage;
-    const bool at_floor = current.d_A <= -machine_.demagnetisation_current_A * (1.0 - 1e-9);
+    const bool at_floor = d_A <= -machine_.demagnetisation_current_A * (1.0 - 1e-9);
     return at_floor ? Limiter::kDemagnetisation : Limiter::kFieldWeakening;
   }
 
@@ -77,6 +83,22 @@ class RangeSearch {
   }
 
   void find_by_voltage() {
+    const std::optional<VoltageDisc> disc = voltage_disc(machine_, speed_rad_s_, slack_V_);
+    const std::optional<DiscRange> closed = disc ? disc_range(*disc, machine_) : std::nullopt;
+    if (!closed) return search_by_voltage();
+    if (closed->is_empty) return be_empty(weakening_limiter(0.0));
+    range_.least = end_of(closed->least);
+    range_.greatest = end_of(closed->greatest);
+  }
+
+  MotorBound end_of(const DiscEnd& end) const {
+    const double torque_at_end_Nm = actuator::torque_Nm(machine_, {0.0, end.current.q_A});
+    const Limiter limiter =
+        end.by_current_limit ? machine_.current_limiter : weakening_limiter(end.current.d_A);
+    return {torque_at_end_Nm, {}, 0.0, limiter};
+  }
+
+  void search_by_voltage() {
     double from_Nm = 0.0;
     if (margin_V(0.0) < 0.0) {
       // Beyond no-load speed only braking current, whose drop opposes the back-EMF, is possible.
@@ -92,8 +114,8 @@ class RangeSearch {
   }
 
   void find_by_power() {
-    if (machine_.supply.greatest_power_W < kInfinity) limit_drawn_power();
-    if (machine_.supply.least_power_W > -kInfinity && !range_.is_empty) limit_returned_power();
+    if (machine_.supply.greatest_power_W < kUnlimited) limit_drawn_power();
+    if (machine_.supply.least_power_W > -kUnlimited && !range_.is_empty) limit_returned_power();
   }
 
   /// The torque of the range at which the least power is drawn; driving draws more than none.
@@ -112,8 +134,8 @@ class RangeSearch {
     if (room_W(start_Nm) < 0.0) return be_empty(Limiter::kBatteryPower);
     for (MotorBound* bound : {&range_.least, &range_.greatest}) {
       if (room_W(bound->torque_Nm) >= 0.0) continue;
-      bound->torque_Nm = last_nonnegative(room_W, start_Nm, bound->torque_Nm,
-                                          kRelativeTolerance * cap_Nm_);
+      bound->torque_Nm =
+          last_nonnegative(room_W, start_Nm, bound->torque_Nm, kRelativeTolerance * cap_Nm_);
       bound->limiter = Limiter::kBatteryPower;
     }
   }
@@ -174,7 +196,7 @@ MotorBound motor_point(const Machine& machine, double torque_Nm, double speed_ra
 
 double no_load_speed_rad_s(const Machine& machine) {
   const double voltage_V = machine.phase_volts_per_bus_volt * machine.supply.open_circuit_V;
-  return machine.back_emf_V_s_rad > 0.0 ? voltage_V / machine.back_emf_V_s_rad : kInfinity;
+  return machine.back_emf_V_s_rad > 0.0 ? voltage_V / machine.back_emf_V_s_rad : kUnlimited;
 }
 
 double greatest_speed_rad_s(const Machine& machine, double limit_rad_s) {

@@ -9,9 +9,9 @@
 namespace torquewright::actuator {
 namespace {
 
-constexpr double kRelativeTolerance = 1e-9;  // of what is sought
-constexpr int kRatiosTried = 240;            // per factor of kGreatestChange, each way
-constexpr double kPowerTolerance = 1e-6;     // of the speed range
+constexpr double kNeedTolerance = 1e-9;   // of what is sought
+constexpr int kRatiosTried = 240;         // per factor of kGreatestChange, each way
+constexpr double kPowerTolerance = 1e-6;  // of the speed range
 
 /// Distance of the torque to the nearer bound; negative outside. Minus infinity in an empty range.
 double margin_Nm(const JointRange& range, double torque_Nm) {
@@ -27,7 +27,7 @@ double margin_Nm(const Actuator& actuator, const Conditions& conditions, const N
 template <typename Margin>
 std::optional<double> least_factor(const Margin& margin) {
   if (margin(kGreatestChange) < 0.0) return std::nullopt;
-  return last_nonnegative(margin, kGreatestChange, 1.0, kRelativeTolerance);
+  return last_nonnegative(margin, kGreatestChange, 1.0, kNeedTolerance);
 }
 
 std::optional<double> least_voltage_V(const Actuator& actuator, Conditions conditions,
@@ -75,7 +75,7 @@ std::optional<double> nearest_ratio(const Actuator& actuator, const Conditions& 
       const double there = sign * i * step;
       if (margin(there) < 0.0) continue;
       const double logarithm =
-          last_nonnegative(margin, there, sign * (i - 1) * step, kRelativeTolerance);
+          last_nonnegative(margin, there, sign * (i - 1) * step, kNeedTolerance);
       return present * std::exp(logarithm);
     }
   }
@@ -102,7 +102,7 @@ RatioRow ratio_row(const Actuator& actuator, const Conditions& conditions,
     row.no_load_speed_rad_s =
         drives(end_rad_s) > 0.0
             ? end_rad_s
-            : last_nonnegative(drives, 0.0, end_rad_s, kRelativeTolerance * end_rad_s);
+            : last_nonnegative(drives, 0.0, end_rad_s, kNeedTolerance * end_rad_s);
   }
   const auto power_W = [&](double speed_rad_s) {
     return speed_rad_s * driving_Nm(region, speed_rad_s);

@@ -40,6 +40,18 @@ Actuator knee_with_field_weakening() {
   return actuator;
 }
 
+Actuator knee_with_all() {
+  Actuator actuator = knee_with_field_weakening();
+  actuator.battery = knee_on_battery().battery;
+  return actuator;
+}
+
+Actuator salient_knee() {
+  Actuator actuator = knee_with_field_weakening();
+  actuator.motor.inductance_q_H = 2e-4;
+  return actuator;
+}
+
 void table(benchmark::State& state, const Actuator& actuator) {
   std::size_t rows = 0;
   for (auto _ : state) {
@@ -70,6 +82,8 @@ void csv(benchmark::State& state) {
 BENCHMARK_CAPTURE(table, knee, knee());
 BENCHMARK_CAPTURE(table, knee_on_battery, knee_on_battery());
 BENCHMARK_CAPTURE(table, knee_with_field_weakening, knee_with_field_weakening());
+BENCHMARK_CAPTURE(table, knee_with_field_weakening_on_battery, knee_with_all());
+BENCHMARK_CAPTURE(table, salient_knee_with_field_weakening, salient_knee());
 BENCHMARK(closed_form);
 BENCHMARK(csv);
 

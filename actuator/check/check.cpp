@@ -8,6 +8,7 @@
 
 #include "actuator/check/drive_rows.hpp"
 #include "actuator/check/findings.hpp"
+#include "actuator/check/shared_battery.hpp"
 #include "actuator/check/velocity_agreement.hpp"
 #include "io/spec_error.hpp"
 
@@ -122,6 +123,9 @@ class Pass {
       result.drives.push_back(std::move(drive));
     }
     result.findings = findings_of(result.drives);
+    for (Finding& finding : shared_battery_findings(request_.drives)) {
+      result.findings.push_back(std::move(finding));
+    }
     const auto some = [&](Verdict verdict) {
       return std::any_of(result.drives.begin(), result.drives.end(),
                          [verdict](const DriveReport& drive) { return drive.verdict == verdict; });

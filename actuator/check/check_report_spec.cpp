@@ -44,41 +44,41 @@ ordered_json winding_json(const WindingReport& winding) {
 }
 
 /// The keys of a reading, which are a joint's own, too.
-void add_reading(const Reading& reading, std::size_t samples, ordered_json& json) {
-  json["clipped_samples"] = reading.clipped_samples;
-  json["clipped_share"] = share(reading.clipped_samples, samples);
-  json["clipped_time_s"] = reading.clipped_time_s;
-  json["worst"] = worst_json(reading.worst);
-  json["margin_Nm"] = number(reading.margin_Nm);
-  json["speed_margin_rad_s"] = number(reading.speed_margin_rad_s);
-  json["voltage_margin_V"] = number(reading.voltage_margin_V);
-  json["peak_torque_Nm"] = reading.peak_torque_Nm;
-  json["rms_torque_Nm"] = reading.rms_torque_Nm;
-  json["peak_current_A"] = reading.peak_current_A;
-  json["rms_current_A"] = reading.rms_current_A;
-  json["energy_drawn_J"] = reading.energy_drawn_J;
-  json["energy_returned_J"] = reading.energy_returned_J;
-  json["winding"] = reading.winding ? winding_json(*reading.winding) : ordered_json();
+void add_reading(const Reading& reading, std::size_t samples, ordered_json& entry) {
+  entry["clipped_samples"] = reading.clipped_samples;
+  entry["clipped_share"] = share(reading.clipped_samples, samples);
+  entry["clipped_time_s"] = reading.clipped_time_s;
+  entry["worst"] = worst_json(reading.worst);
+  entry["margin_Nm"] = number(reading.margin_Nm);
+  entry["speed_margin_rad_s"] = number(reading.speed_margin_rad_s);
+  entry["voltage_margin_V"] = number(reading.voltage_margin_V);
+  entry["peak_torque_Nm"] = reading.peak_torque_Nm;
+  entry["rms_torque_Nm"] = reading.rms_torque_Nm;
+  entry["peak_current_A"] = reading.peak_current_A;
+  entry["rms_current_A"] = reading.rms_current_A;
+  entry["energy_drawn_J"] = reading.energy_drawn_J;
+  entry["energy_returned_J"] = reading.energy_returned_J;
+  entry["winding"] = reading.winding ? winding_json(*reading.winding) : ordered_json();
 }
 
 /// A joint without torque has the same keys, with what cannot be told null.
-void add_unknown_reading(const DriveReport& drive, ordered_json& json) {
+void add_unknown_reading(const DriveReport& drive, ordered_json& entry) {
   const bool is_impossible = drive.impossible_speeds > 0;
-  json["clipped_samples"] = is_impossible ? ordered_json(drive.impossible_speeds) : ordered_json();
-  json["clipped_share"] =
+  entry["clipped_samples"] = is_impossible ? ordered_json(drive.impossible_speeds) : ordered_json();
+  entry["clipped_share"] =
       is_impossible ? ordered_json(share(drive.impossible_speeds, drive.samples)) : ordered_json();
   for (const char* key : {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s",
                           "voltage_margin_V", "peak_torque_Nm", "rms_torque_Nm", "peak_current_A",
                           "rms_current_A", "energy_drawn_J", "energy_returned_J", "winding"}) {
-    json[key] = nullptr;
+    entry[key] = nullptr;
   }
 }
 
 ordered_json reading_json(const Reading& reading, std::size_t samples, bool includes_inertia) {
-  ordered_json json{{"torque_includes_inertia", includes_inertia},
-                    {"verdict", fails(reading) ? "fail" : "pass"}};
-  add_reading(reading, samples, json);
-  return json;
+  ordered_json entry{{"torque_includes_inertia", includes_inertia},
+                     {"verdict", fails(reading) ? "fail" : "pass"}};
+  add_reading(reading, samples, entry);
+  return entry;
 }
 
 ordered_json inertia_json(const DriveReport& drive) {
@@ -94,26 +94,26 @@ ordered_json inertia_json(const DriveReport& drive) {
 }
 
 ordered_json joint_json(const DriveReport& drive) {
-  ordered_json json{
+  ordered_json entry{
       {"name", drive.name},       {"actuator", drive.actuator}, {"verdict", name_of(drive.verdict)},
       {"samples", drive.samples}, {"from_s", drive.from_s},     {"until_s", drive.until_s}};
   if (drive.has_torque) {
-    add_reading(drive.reading, drive.samples, json);
+    add_reading(drive.reading, drive.samples, entry);
   } else {
-    add_unknown_reading(drive, json);
+    add_unknown_reading(drive, entry);
   }
-  json["peak_speed_rad_s"] = drive.peak_speed_rad_s;
-  json["no_load_speed_rad_s"] = number(drive.no_load_speed_rad_s);
-  json["armature_kg_m2"] = drive.armature_kg_m2;
-  json["torque_includes_inertia"] = inertia_json(drive);
+  entry["peak_speed_rad_s"] = drive.peak_speed_rad_s;
+  entry["no_load_speed_rad_s"] = number(drive.no_load_speed_rad_s);
+  entry["armature_kg_m2"] = drive.armature_kg_m2;
+  entry["torque_includes_inertia"] = inertia_json(drive);
   if (drive.with_inertia) {
-    json["readings"] = {reading_json(drive.reading, drive.samples, true),
-                        reading_json(*drive.with_inertia, drive.samples, false)};
+    entry["readings"] = {reading_json(drive.reading, drive.samples, true),
+                         reading_json(*drive.with_inertia, drive.samples, false)};
   }
-  json["velocity_differentiated"] = drive.is_speed_differentiated;
-  json["left_out"] = drive.left_out;
-  json["assumed"] = drive.assumed;
-  return json;
+  entry["velocity_differentiated"] = drive.is_speed_differentiated;
+  entry["left_out"] = drive.left_out;
+  entry["assumed"] = drive.assumed;
+  return entry;
 }
 
 ordered_json finding_json(const Finding& finding) {

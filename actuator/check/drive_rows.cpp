@@ -6,14 +6,10 @@
 #include <algorithm>
 
 #include "io/nearest.hpp"
-#include "io/spec_error.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::actuator {
 namespace {
-
-[[noreturn]] void refuse(const std::string& file, std::string message) {
-  throw io::SpecError({{file, "", std::move(message)}});
-}
 
 std::size_t drive_index(const std::vector<CheckedDrive>& drives, const std::string& name) {
   std::vector<std::string> names;
@@ -21,8 +17,9 @@ std::size_t drive_index(const std::vector<CheckedDrive>& drives, const std::stri
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::optional<std::string> near = io::nearest(name, names);
-  refuse("--jacobian", fmt::format("its actuator \"{0}\" has no document; say --joint {0}=FILE{1}",
-                                   name, near ? " (not " + *near + ")" : ""));
+  io::refuse("--jacobian",
+             fmt::format("its actuator \"{0}\" has no document; say --joint {0}=FILE{1}", name,
+                         near ? " (not " + *near + ")" : ""));
 }
 
 }  // namespace
@@ -37,8 +34,9 @@ DriveRows::DriveRows(const std::vector<CheckedDrive>& drives, std::vector<Parall
       pair.drives[i] = drive_index(drives, parallel.actuators[i]);
       pair.joints[i] = joint_index(parallel.joints[i]);
       if (is_taken[pair.drives[i]]) {
-        refuse("--jacobian", fmt::format("two of them move the joints by the same actuator, \"{}\"",
-                                         parallel.actuators[i]));
+        io::refuse("--jacobian",
+                   fmt::format("two of them move the joints by the same actuator, \"{}\"",
+                               parallel.actuators[i]));
       }
       is_taken[pair.drives[i]] = true;
     }
@@ -74,9 +72,10 @@ void DriveRows::require_positions(const TrajectoryReader& reader) const {
     if (pair.parallel.is_constant()) continue;
     for (const std::size_t joint : pair.joints) {
       if (reader.columns(joint).position) continue;
-      refuse(file_, fmt::format("joint \"{0}\" has no {0}_position_rad, which the Jacobian \"{1}\" "
-                                "is a table over",
-                                joints_[joint], pair.parallel.name));
+      io::refuse(file_,
+                 fmt::format("joint \"{0}\" has no {0}_position_rad, which the Jacobian \"{1}\" "
+                             "is a table over",
+                             joints_[joint], pair.parallel.name));
     }
   }
 }
@@ -105,13 +104,14 @@ void DriveRows::convert_pair(const Pair& pair, const Row& joints, Row& drives) c
                        pair.parallel.joints[0], first_rad, pair.parallel.joints[1], second_rad);
   };
   if (!jacobian) {
-    refuse(file_, fmt::format("the table of the Jacobian \"{}\" ends before the motion does: {}",
-                              pair.parallel.name, at_angles()));
+    io::refuse(file_,
+               fmt::format("the table of the Jacobian \"{}\" ends before the motion does: {}",
+                           pair.parallel.name, at_angles()));
   }
   const auto torques_Nm = actuator_torques(*jacobian, both(kTorqueAt));
   if (!torques_Nm) {
-    refuse(file_,
-           fmt::format("the Jacobian \"{}\" is singular {}", pair.parallel.name, at_angles()));
+    io::refuse(file_,
+               fmt::format("the Jacobian \"{}\" is singular {}", pair.parallel.name, at_angles()));
   }
   const std::array<double, 2> speeds_rad_s = actuator_speeds(*jacobian, both(kVelocityAt));
   for (std::size_t i = 0; i < 2; ++i) {

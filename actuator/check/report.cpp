@@ -15,18 +15,6 @@ std::string_view name_of(Verdict verdict) {
   return "undecided";
 }
 
-std::string_view name_of(Severity severity) {
-  switch (severity) {
-    case Severity::kNote:
-      return "note";
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kViolation:
-      break;
-  }
-  return "violation";
-}
-
 bool fails(const Reading& reading) {
   if (reading.clipped_samples > 0) return true;
   return reading.winding && !(reading.winding->peak_K <= reading.winding->limit_K);

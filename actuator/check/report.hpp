@@ -8,14 +8,12 @@
 
 #include "actuator/check/winding_heat.hpp"
 #include "actuator/motor_region.hpp"
+#include "actuator/severity.hpp"
 
 namespace torquewright::actuator {
 
 enum class Verdict { kPass, kFail, kUndecided };
 std::string_view name_of(Verdict verdict);
-
-enum class Severity { kNote, kWarning, kViolation };
-std::string_view name_of(Severity severity);
 
 /// One thing the check noticed; docs/checks.md lists the rules.
 struct Finding {

@@ -33,7 +33,7 @@ class EffectReader {
       return std::nullopt;
     }
     effect_.kind = kind;
-    effect_.provenance = entry_.value("provenance", "");
+    read_provenance();
     check_names();
     for (const Parameter& parameter : kind->parameters) read_value(parameter);
     if (kind->has_harmonics) read_harmonics();
@@ -47,6 +47,14 @@ class EffectReader {
 
   void report(const std::string& path, std::string message) {
     faults_.push_back({file_, path_ + path, std::move(message)});
+  }
+
+  /// A word, or an object whose "source" is the word: what identification writes.
+  void read_provenance() {
+    if (!entry_.contains("provenance")) return;
+    const json& provenance = entry_["provenance"];
+    effect_.provenance = provenance.is_string() ? provenance.get<std::string>()
+                                                : provenance["source"].get<std::string>();
   }
 
   static std::string known_effects(const std::string& name) {

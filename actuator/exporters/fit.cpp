@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kExact = 1e-9;       // of the peak torque: rounding, not a difference of shape
 constexpr std::size_t kStride = 8;    // every which sample the squares are summed over
-constexpr double kNearlyRest = 1e-6;  // of the greatest speed: bounds may jump at rest itself
+constexpr double kFirstShare = 1e-6;  // of the greatest speed: bounds may jump at rest itself
 
 struct Sample {
   double speed_rad_s;
@@ -26,7 +26,7 @@ std::vector<Sample> samples_of(const Subject& subject) {
   std::vector<double> speeds_rad_s;
   for (const double direction : {-1.0, 1.0}) {
     for (int i = 0; i <= kFitSpeeds; ++i) {
-      const double share = i == 0 ? kNearlyRest : static_cast<double>(i) / kFitSpeeds;
+      const double share = i == 0 ? kFirstShare : static_cast<double>(i) / kFitSpeeds;
       speeds_rad_s.push_back(direction * share * end_rad_s);
     }
   }

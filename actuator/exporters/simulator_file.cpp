@@ -77,11 +77,11 @@ ordered_json worst_json(const WorstError& error) {
 }
 
 ordered_json shape_json(const Exporter& exporter, const Shape& shape) {
-  ordered_json json = ordered_json::object();
+  ordered_json entry = ordered_json::object();
   for (std::size_t i = 0; i < exporter.parameters.size(); ++i) {
-    json[std::string(exporter.parameters[i].name)] = shape[i];
+    entry[std::string(exporter.parameters[i].name)] = shape[i];
   }
-  if (!exporter.parameters.empty()) return json;
+  if (!exporter.parameters.empty()) return entry;
   const auto rows = static_cast<std::ptrdiff_t>(shape.size() / 3);
   const auto block = [&](std::ptrdiff_t i) {
     return std::vector<double>(shape.begin() + i * rows, shape.begin() + (i + 1) * rows);
@@ -111,25 +111,25 @@ ordered_json simulator_file_json(const Subject& subject, const SimulatorFile& fi
                       {"optimistic", worst_json(quadrant.optimistic)},
                       {"cautious", worst_json(quadrant.cautious)}});
   }
-  ordered_json json{{"kind", "simulator_file"},
-                    {"version", 1},
-                    {"format", file.exporter->name},
-                    {"simulator", file.exporter->simulator},
-                    {"source", file.exporter->source},
-                    {"fit", name_of(subject.fit)},
-                    {"parameters", shape_json(*file.exporter, file.shape)},
-                    {"armature_kg_m2", subject.armature_kg_m2()}};
+  ordered_json entry{{"kind", "simulator_file"},
+                     {"version", 1},
+                     {"format", file.exporter->name},
+                     {"simulator", file.exporter->simulator},
+                     {"source", file.exporter->source},
+                     {"fit", name_of(subject.fit)},
+                     {"parameters", shape_json(*file.exporter, file.shape)},
+                     {"armature_kg_m2", subject.armature_kg_m2()}};
   for (const auto& item : header.items()) {
     const bool is_of_the_region = item.key() != "kind" && item.key() != "version" &&
                                   item.key() != "rows" && item.key() != "interpolation_error_Nm";
-    if (is_of_the_region) json[item.key()] = item.value();
+    if (is_of_the_region) entry[item.key()] = item.value();
   }
-  json["greatest_speed_rad_s"] = file.errors.greatest_speed_rad_s;
-  json["errors"] = errors;
-  json["share_outside"] = file.errors.share_outside;
-  json["sentences"] = file.errors.sentences;
-  json["file"] = file.text;
-  return json;
+  entry["greatest_speed_rad_s"] = file.errors.greatest_speed_rad_s;
+  entry["errors"] = errors;
+  entry["share_outside"] = file.errors.share_outside;
+  entry["sentences"] = file.errors.sentences;
+  entry["file"] = file.text;
+  return entry;
 }
 
 }  // namespace torquewright::actuator

@@ -30,5 +30,6 @@ extern const Check mechanical_time_constant;
 extern const Check winding_inductance;
 extern const Check characteristic_current;
 extern const Check magnet_limit;
+extern const Check torque_constant_unit;
 
 }  // namespace torquewright::actuator::lint

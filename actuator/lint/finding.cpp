@@ -7,18 +7,6 @@
 
 namespace torquewright::actuator::lint {
 
-std::string_view name_of(Severity severity) {
-  switch (severity) {
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kViolation:
-      return "violation";
-    case Severity::kNote:
-      break;
-  }
-  return "note";
-}
-
 double limit(const Finding& finding) {
   return std::clamp(finding.stated.value, finding.expected.low, finding.expected.high);
 }

@@ -6,15 +6,9 @@
 #include <vector>
 
 #include "actuator/lint/check.hpp"
+#include "actuator/severity.hpp"
 
 namespace torquewright::actuator::lint {
-
-enum class Severity {
-  kNote,       ///< No contradiction, but worth a look.
-  kWarning,    ///< A contradiction beyond rounding that another reading would reconcile.
-  kViolation,  ///< A contradiction that no known reading reconciles.
-};
-std::string_view name_of(Severity severity);
 
 /// A number that is stated twice, and whether both statements agree within their rounding.
 struct Comparison {

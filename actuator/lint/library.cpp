@@ -29,6 +29,7 @@ std::span<const Check* const> library() {
       &winding_inductance,
       &characteristic_current,
       &magnet_limit,
+      &torque_constant_unit,
   };
   return kChecks;
 }

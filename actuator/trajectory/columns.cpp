@@ -33,7 +33,7 @@ const QuantityWords& words_of(Quantity quantity) {
   return kQuantities[static_cast<std::size_t>(quantity)];
 }
 
-[[noreturn]] void refuse(const std::string& text, const std::string& why) {
+[[noreturn]] void refuse_column(const std::string& text, const std::string& why) {
   throw io::SpecError({{"--column", "",
                         fmt::format("\"{}\": {}; the form is "
                                     "NAME=JOINT.QUANTITY[:unit][*factor]",
@@ -54,7 +54,8 @@ double read_factor(const std::string& text, const std::string& factor) {
   const char* end = factor.data() + factor.size();
   const auto [rest, error] = std::from_chars(factor.data(), end, value);
   if (error != std::errc() || rest != end || !std::isfinite(value) || value == 0.0) {
-    refuse(text, fmt::format("the factor \"{}\" is not a finite number other than 0", factor));
+    refuse_column(text,
+                  fmt::format("the factor \"{}\" is not a finite number other than 0", factor));
   }
   return value;
 }
@@ -63,8 +64,8 @@ double read_unit(const std::string& text, const std::string& name, Quantity quan
   const io::Dimension dimension = words_of(quantity).dimension;
   const std::optional<io::Unit> unit = io::find_unit(name);
   if (unit && unit->dimension == dimension) return unit->in_SI;
-  refuse(text, fmt::format("\"{}\" is no unit of {}, which must be {}", name, name_of(quantity),
-                           io::either(io::unit_names(dimension))));
+  refuse_column(text, fmt::format("\"{}\" is no unit of {}, which must be {}", name,
+                                  name_of(quantity), io::either(io::unit_names(dimension))));
 }
 
 Quantity read_quantity(const std::string& text, const std::string& name) {
@@ -72,9 +73,9 @@ Quantity read_quantity(const std::string& text, const std::string& name) {
   std::vector<std::string> names;
   for (const QuantityWords& words : kQuantities) names.emplace_back(words.name);
   const std::optional<std::string> near = io::nearest(name, names);
-  refuse(text,
-         fmt::format("\"{}\" is no quantity{}; they are {}", name,
-                     near ? fmt::format(" (did you mean \"{}\"?)", *near) : "", io::either(names)));
+  refuse_column(text, fmt::format("\"{}\" is no quantity{}; they are {}", name,
+                                  near ? fmt::format(" (did you mean \"{}\"?)", *near) : "",
+                                  io::either(names)));
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ ColumnMapping read_mapping(const std::string& text) {
   ColumnMapping mapping;
   std::string target = cut_behind_last(rest, '=');
   mapping.column = rest;
-  if (target.empty() || rest.empty() || rest == text) refuse(text, "no NAME=JOINT.QUANTITY");
+  if (target.empty() || rest.empty() || rest == text) refuse_column(text, "no NAME=JOINT.QUANTITY");
   const bool has_factor = target.find('*') != std::string::npos;
   const std::string factor = cut_behind_last(target, '*');
   const bool has_unit = target.find(':') != std::string::npos;
@@ -105,7 +106,7 @@ ColumnMapping read_mapping(const std::string& text) {
   if (mapping.quantity == Quantity::kTime) {
     mapping.joint.clear();
   } else if (mapping.joint.empty()) {
-    refuse(text, fmt::format("whose {}? JOINT.{} names it", quantity, quantity));
+    refuse_column(text, fmt::format("whose {}? JOINT.{} names it", quantity, quantity));
   }
   if (has_factor) mapping.factor *= read_factor(text, factor);
   if (has_unit) mapping.factor *= read_unit(text, unit, mapping.quantity);

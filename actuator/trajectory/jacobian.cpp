@@ -8,16 +8,16 @@ namespace torquewright::actuator {
 namespace {
 
 /// The interval of an ascending grid that holds the value, and how far in it lies (0...1).
-struct Place {
+struct GridPlace {
   std::size_t index;
   double share;
 };
 
-std::optional<Place> place_in(const std::vector<double>& grid, double value) {
+std::optional<GridPlace> place_in(const std::vector<double>& grid, double value) {
   if (!(value >= grid.front() && value <= grid.back())) return std::nullopt;
   const auto above = std::upper_bound(grid.begin() + 1, grid.end() - 1, value);
   const auto index = static_cast<std::size_t>(above - grid.begin()) - 1;
-  return Place{index, (value - grid[index]) / (grid[index + 1] - grid[index])};
+  return GridPlace{index, (value - grid[index]) / (grid[index + 1] - grid[index])};
 }
 
 Matrix2 between(const Matrix2& one, const Matrix2& other, double share) {
@@ -31,8 +31,8 @@ Matrix2 between(const Matrix2& one, const Matrix2& other, double share) {
 std::optional<Matrix2> jacobian_at(const ParallelDrive& drive, double first_rad,
                                    double second_rad) {
   if (drive.is_constant()) return drive.matrices.front();
-  const std::optional<Place> first = place_in(drive.first_rad, first_rad);
-  const std::optional<Place> second = place_in(drive.second_rad, second_rad);
+  const std::optional<GridPlace> first = place_in(drive.first_rad, first_rad);
+  const std::optional<GridPlace> second = place_in(drive.second_rad, second_rad);
   if (!first || !second) return std::nullopt;
   const auto along_second = [&](std::size_t row) {
     const std::size_t start = row * drive.second_rad.size() + second->index;

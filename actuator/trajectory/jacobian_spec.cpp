@@ -11,9 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-class Reader {
+class JacobianReader {
  public:
-  explicit Reader(const io::Document& document) : document_(document) {}
+  explicit JacobianReader(const io::Document& document) : document_(document) {}
 
   ParallelDrive read() {
     const json& root = document_.root;
@@ -83,6 +83,8 @@ class Reader {
 
 }  // namespace
 
-ParallelDrive read_parallel_drive(const io::Document& document) { return Reader(document).read(); }
+ParallelDrive read_parallel_drive(const io::Document& document) {
+  return JacobianReader(document).read();
+}
 
 }  // namespace torquewright::actuator

@@ -7,17 +7,13 @@
 #include <cmath>
 
 #include "io/nearest.hpp"
-#include "io/spec_error.hpp"
+#include "io/refusal.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
 constexpr std::size_t kMostNamesListed = 20;
-
-[[noreturn]] void refuse(const std::string& file, std::string message) {
-  throw io::SpecError({{file, "", std::move(message)}});
-}
 
 std::string hint(const std::string& word, std::vector<std::string> known) {
   if (known.empty()) return "";
@@ -48,12 +44,12 @@ std::vector<ColumnMapping> complete(const io::CsvReader& csv,
   for (std::size_t i = 0; i < stated.size(); ++i) {
     const ColumnMapping& mapping = stated[i];
     if (!csv.find(mapping.column)) {
-      refuse(csv.file(),
-             fmt::format("no column \"{}\"{}", mapping.column, hint(mapping.column, csv.header())));
+      io::refuse(csv.file(), fmt::format("no column \"{}\"{}", mapping.column,
+                                         hint(mapping.column, csv.header())));
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (!same_quantity(stated[j], mapping)) continue;
-      refuse(
+      io::refuse(
           csv.file(),
           fmt::format("\"{}\" and \"{}\" are both mapped to {}{}", stated[j].column, mapping.column,
                       mapping.joint.empty() ? "" : mapping.joint + ".", name_of(mapping.quantity)));
@@ -99,19 +95,20 @@ void TrajectoryReader::assign(const std::vector<ColumnMapping>& mappings,
 void TrajectoryReader::require_complete(const std::vector<ColumnMapping>& found,
                                         const std::vector<std::string>& joints) const {
   if (!time_) {
-    refuse(csv_.file(), "no column time_s; name the time with --column NAME=time[:unit]");
+    io::refuse(csv_.file(), "no column time_s; name the time with --column NAME=time[:unit]");
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const JointColumns& columns = joints_[i];
     if (!columns.position && !columns.velocity && !columns.torque) {
-      refuse(csv_.file(),
-             fmt::format("no joint \"{}\"{}", joints[i], hint(joints[i], joints_of(found))));
+      io::refuse(csv_.file(),
+                 fmt::format("no joint \"{}\"{}", joints[i], hint(joints[i], joints_of(found))));
     }
     if (!columns.position && !columns.velocity) {
-      refuse(csv_.file(),
-             fmt::format("joint \"{0}\" has neither {0}_position_rad nor {0}_velocity_rad_s; its "
-                         "torque alone cannot be checked",
-                         joints[i]));
+      io::refuse(
+          csv_.file(),
+          fmt::format("joint \"{0}\" has neither {0}_position_rad nor {0}_velocity_rad_s; its "
+                      "torque alone cannot be checked",
+                      joints[i]));
     }
   }
 }

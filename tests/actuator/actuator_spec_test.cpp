@@ -87,6 +87,21 @@ TEST_F(ActuatorSpec, RefusesWhatIsImplausible) {
   }
 }
 
+TEST_F(ActuatorSpec, ReadsWhatIdentificationWrote) {
+  json document = contract_example();
+  json& effect = document["effects"][0];
+  effect["standard_error"] = {{"coulomb_Nm", 0.01}};
+  effect["provenance"] = {{"source", "identified"},
+                          {"logs", {{{"path", "a.csv"}, {"sha256", "00"}}}},
+                          {"holdout_rms_before", 0.5},
+                          {"holdout_rms_after", nullptr},
+                          {"unit", "Nm"}};
+  EXPECT_EQ(read_actuator(written(document)).actuator.effects[0].provenance, "identified");
+  effect["provenance"].erase("source");
+  ASSERT_EQ(faults_of(document).size(), 1u);
+  EXPECT_EQ(faults_of(document)[0].path, "/effects/0/provenance/source");
+}
+
 TEST_F(ActuatorSpec, RefusesEffectsThatCountTwice) {
   json document = contract_example();
   document["effects"].push_back(document["effects"][0]);

@@ -186,8 +186,8 @@ TEST(EffectSpec, ReadsBackWhatItWrites) {
     Effect written = some_effect(*kind, random);
     if (kind->name == "stribeck_friction") written.values[1] += written.values[0];
     std::vector<io::Fault> faults;
-    const nlohmann::json json = nlohmann::json::parse(effect_json(written).dump());
-    const std::optional<Effect> read = read_effect(json, "f", "/effects/0", faults);
+    const nlohmann::json entry = nlohmann::json::parse(effect_json(written).dump());
+    const std::optional<Effect> read = read_effect(entry, "f", "/effects/0", faults);
     ASSERT_TRUE(read) << (faults.empty() ? "" : faults.front().message);
     EXPECT_EQ(read->kind, written.kind);
     EXPECT_EQ(read->values, written.values);

@@ -100,11 +100,11 @@ TEST(MorTableCsv, HasTheContractsColumnsAndAHeaderBlock) {
 TEST(MorTableJson, IsOfItsKind) {
   const Actuator actuator = round_actuator();
   const MorTable table = mor_rows(Region(actuator, {}), {5.0, 20.0});
-  const auto json = mor_table_json({&actuator, {}, Side::kJoint}, table);
-  EXPECT_EQ(json["kind"], "mor_table");
-  EXPECT_NEAR(json["rows"][0]["torque_max_Nm"].get<double>(), 200.0, 1e-10);
-  EXPECT_TRUE(json["rows"][1]["torque_max_Nm"].is_null());
-  EXPECT_EQ(json["rows"][1]["limiter_max"], "voltage");
+  const auto written = mor_table_json({&actuator, {}, Side::kJoint}, table);
+  EXPECT_EQ(written["kind"], "mor_table");
+  EXPECT_NEAR(written["rows"][0]["torque_max_Nm"].get<double>(), 200.0, 1e-10);
+  EXPECT_TRUE(written["rows"][1]["torque_max_Nm"].is_null());
+  EXPECT_EQ(written["rows"][1]["limiter_max"], "voltage");
 }
 
 }  // namespace

@@ -98,9 +98,9 @@ void compare_with_brute_force(const Machine& machine, double speed_rad_s) {
   constexpr int kRays = 1440;
   const auto brute = oracles::brute_force_range(machine, speed_rad_s, kRings, kRays);
   const MotorRange range = motor_range(machine, speed_rad_s);
-  const double cap_Nm = machine.torque_constant_Nm_A * machine.current_limit_A +
-                        std::abs(machine.reluctance_Nm_A2()) * machine.current_limit_A *
-                            machine.current_limit_A;
+  const double cap_Nm =
+      machine.torque_constant_Nm_A * machine.current_limit_A +
+      std::abs(machine.reluctance_Nm_A2()) * machine.current_limit_A * machine.current_limit_A;
   const double beyond_Nm = 1e-9 * cap_Nm;
   const double short_Nm = 0.02 * cap_Nm;
   if (range.is_empty) {
@@ -140,6 +140,47 @@ TEST(MotorRange, AgreesWithBruteForceForUnequalInductances) {
   }
 }
 
+void expect_same(const MotorRange& one, const MotorRange& other, double tolerance_Nm) {
+  ASSERT_EQ(one.is_empty, other.is_empty);
+  if (one.is_empty) return;
+  EXPECT_NEAR(one.greatest.torque_Nm, other.greatest.torque_Nm, tolerance_Nm);
+  EXPECT_NEAR(one.least.torque_Nm, other.least.torque_Nm, tolerance_Nm);
+  EXPECT_EQ(one.greatest.limiter, other.greatest.limiter);
+  EXPECT_EQ(one.least.limiter, other.least.limiter);
+}
+
+// Oracle: the search by brackets. A trace of battery resistance leaves the circles for Newton's
+// method, a trace of dead time that for bracketing; neither moves a bound. The bound's error where
+// the range is flat in i_d is that of the voltage, 1e-12, over the least slope; 1e-7 leaves room
+// for the top of the disc, where torque falls as the square root of what is missing.
+TEST(MotorRange, IsTheSameByCirclesByNewtonAndByBrackets) {
+  int compared = 0;
+  for (unsigned seed = 0; seed < 150; ++seed) {
+    RandomActuatorOptions options;
+    options.with_effects = false;
+    options.field_weakening = seed % 3 != 0;
+    const Actuator actuator = random_actuator(seed, options);
+    Machine circles = machine_at(actuator, {});
+    circles.supply.resistance_ohm = 0.0;
+    if (seed % 4 == 1) circles.inductance_q_H *= 2.0;  // then only Newton against brackets
+    if (seed % 5 == 2) circles.demagnetisation_current_A = 0.3 * circles.current_limit_A;
+    Machine newton = circles;
+    newton.supply.resistance_ohm = 1e-13 * circles.resistance_ohm;
+    Machine brackets = newton;
+    brackets.dead_time_V = 1e-13 * circles.supply.open_circuit_V;
+    const double cap_Nm = circles.torque_constant_Nm_A * circles.current_limit_A;
+    for (const double share : {0.0, 0.3, 0.7, 0.9, 0.99, 1.03, 1.2, 1.7}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << " at " << share);
+      const double w = share * no_load_speed_rad_s(circles);
+      const MotorRange range = motor_range(circles, w);
+      expect_same(range, motor_range(newton, w), 1e-7 * cap_Nm);
+      expect_same(range, motor_range(brackets, w), 1e-7 * cap_Nm);
+      compared += range.is_empty ? 0 : 1;
+    }
+  }
+  EXPECT_GT(compared, 600);
+}
+
 TEST(MotorRange, NamesDemagnetisationWhereItLimits) {
   Machine machine = reference_machine(3e-5, true);
   machine.demagnetisation_current_A = 5.0;
@@ -148,9 +189,9 @@ TEST(MotorRange, NamesDemagnetisationWhereItLimits) {
   compare_with_brute_force(machine, 260.0);
 }
 
-// Oracle: closed form of the sag. At i amperes (dc) and w, V - R_b P/V = bus with P = K i w + R i^2;
-// at the bound R i + K w = bus, so that with I_bus = P/bus: R i + K w = Voc - R_b i (since
-// P = i (K w + R i) = i bus): i = (Voc - K w)/(R + R_b).
+// Oracle: closed form of the sag. At i amperes (dc) and w, V - R_b P/V = bus with P = K i w + R
+// i^2; at the bound R i + K w = bus, so that with I_bus = P/bus: R i + K w = Voc - R_b i (since P =
+// i (K w + R i) = i bus): i = (Voc - K w)/(R + R_b).
 TEST(MotorRange, SagsAsTheClosedFormSays) {
   Actuator actuator = round_actuator();
   actuator.battery = Battery{};

@@ -301,5 +301,33 @@ TEST(Check, TracesAreThinnedButKeepViolations) {
   }
 }
 
+// The limit of what is checked, said once for each battery.
+TEST(Findings, SayThatJointsOnOneBatteryWereCheckedAlone) {
+  Actuator one = test::simple_actuator();
+  one.battery = Battery{};
+  one.battery->cell_open_circuit = {{1.0, 48.0}};
+  Actuator same = one;
+  Actuator other = one;
+  other.battery->cell_resistance_ohm = 0.01;
+  const Actuator none = test::simple_actuator();
+  const std::string text = "time_s,a_velocity_rad_s,b_velocity_rad_s\n0,1,1\n1,1,1\n";
+  const auto sentences = [&](const Actuator& of_a, const Actuator& of_b) {
+    const test::ScratchFolder folder;
+    CheckRequest request;
+    request.drives = {{"a", &of_a, {}}, {"b", &of_b, {}}};
+    request.trajectory = folder.write("m.csv", text);
+    std::vector<std::string> found;
+    for (const Finding& finding : check(request).findings) {
+      if (finding.rule == "shared-battery") found.push_back(finding.sentence);
+    }
+    return found;
+  };
+  const std::vector<std::string> shared = sentences(one, same);
+  ASSERT_EQ(shared.size(), 1u);
+  EXPECT_TRUE(shared[0].starts_with("a, b state the same battery")) << shared[0];
+  EXPECT_TRUE(sentences(one, other).empty());
+  EXPECT_TRUE(sentences(none, none).empty());
+}
+
 }  // namespace
 }  // namespace torquewright::actuator

@@ -32,13 +32,13 @@ TEST(Columns, ReadUnitsTimesAndCanonicalNames) {
   EXPECT_FALSE(canonical_mapping("knee_torque").has_value());
 }
 
-struct Mistake {
+struct MistakenColumn {
   const char* text;
   const char* why;
 };
 
 TEST(Columns, RefuseWithTheForm) {
-  const Mistake mistakes[] = {
+  const MistakenColumn mistakes[] = {
       {"tau", "no NAME=JOINT.QUANTITY"},
       {"=knee.torque", "no NAME=JOINT.QUANTITY"},
       {"tau=", "no NAME=JOINT.QUANTITY"},
@@ -51,14 +51,14 @@ TEST(Columns, RefuseWithTheForm) {
       {"tau=knee.torque*nan", "the factor \"nan\" is not a finite number other than 0"},
       {"q=knee.position:rad/s", "\"rad/s\" is no unit of position, which must be rad, deg or rev"},
   };
-  for (const Mistake& mistake : mistakes) {
+  for (const MistakenColumn& mistake : mistakes) {
     EXPECT_EQ(test::refusal([&] { read_mapping(mistake.text); }),
               std::string("--column: \"") + mistake.text + "\": " + mistake.why +
                   "; the form is NAME=JOINT.QUANTITY[:unit][*factor]");
   }
 }
 
-std::string faults_of(const std::string& columns) {
+std::string faults_of_columns(const std::string& columns) {
   const test::ScratchFolder folder;
   const auto file = folder.write(
       "c.json", R"({"kind": "trajectory_columns", "version": 1, "columns": )" + columns + "}");
@@ -80,14 +80,15 @@ TEST(ColumnsDocument, SaysTheSameAsTheOptions) {
 }
 
 TEST(ColumnsDocument, RefusesWithThePath) {
-  EXPECT_EQ(faults_of(R"([{"column": "a", "quantity": "torque"}])"),
+  EXPECT_EQ(faults_of_columns(R"([{"column": "a", "quantity": "torque"}])"),
             "c.json#/columns/0/joint: missing; whose quantity?");
-  EXPECT_EQ(faults_of(R"([{"column": "a", "quantity": "time", "joint": "k"}])"),
+  EXPECT_EQ(faults_of_columns(R"([{"column": "a", "quantity": "time", "joint": "k"}])"),
             "c.json#/columns/0/joint: time is no joint's; leave it out");
-  EXPECT_EQ(faults_of(R"([{"column": "a", "joint": "k", "quantity": "torque", "factor": 0}])"),
-            "c.json#/columns/0/factor: 0 would leave nothing of the column");
   EXPECT_EQ(
-      faults_of(R"([{"column": "a", "joint": "k", "quantity": "torque", "unit": "deg"}])"),
+      faults_of_columns(R"([{"column": "a", "joint": "k", "quantity": "torque", "factor": 0}])"),
+      "c.json#/columns/0/factor: 0 would leave nothing of the column");
+  EXPECT_EQ(
+      faults_of_columns(R"([{"column": "a", "joint": "k", "quantity": "torque", "unit": "deg"}])"),
       "c.json#/columns/0/unit: \"deg\" is no unit of torque, which must be Nm, mNm, kNm, Ncm, "
       "lbf_in or lbf_ft");
 }

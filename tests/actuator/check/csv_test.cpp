@@ -71,13 +71,13 @@ TEST(Csv, CountsNumbersTooSmallForADoubleAsZero) {
   EXPECT_EQ(numbers_in(folder.write("t.csv", "a\n1e-400\n")), (Rows{{0.0}}));
 }
 
-struct Mistake {
+struct MistakenText {
   std::string text;
   std::string sentence;
 };
-void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.sentence; }
+void PrintTo(const MistakenText& mistake, std::ostream* out) { *out << mistake.sentence; }
 
-class MistakenTable : public testing::TestWithParam<Mistake> {};
+class MistakenTable : public testing::TestWithParam<MistakenText> {};
 
 TEST_P(MistakenTable, IsRefusedWithItsPlace) {
   const test::ScratchFolder folder;
@@ -89,40 +89,43 @@ TEST_P(MistakenTable, IsRefusedWithItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Csv, MistakenTable,
     testing::Values(
-        Mistake{"", "is empty; the first line must name the columns"},
-        Mistake{"# only words\n\n", "is empty; the first line must name the columns"},
-        Mistake{"a,b\n1,nan\n", "line 2, column 2 (b): \"nan\" is not a finite number"},
-        Mistake{"a,b\n1,2\n-inf,2\n", "line 3, column 1 (a): \"-inf\" is not a finite number"},
-        Mistake{"a,b\n1,1e999\n", "line 2, column 2 (b): \"1e999\" is not a finite number"},
-        Mistake{"a,b\n1,\n", "line 2, column 2 (b): empty, must be a number"},
-        Mistake{"a,b\n1,0x10\n", "line 2, column 2 (b): \"0x10\" is not a number"},
-        Mistake{"a,b\n1,2 3\n", "line 2, column 2 (b): \"2 3\" is not a number"},
-        Mistake{"a,b\n1,2\n3\n", "line 3: has 1 cells, the header has 2"},
-        Mistake{"a,b\n1,2,3\n", "line 2: has 3 cells, the header has 2"},
-        Mistake{"a,b\n1,5,2,5\n",
+        MistakenText{"", "is empty; the first line must name the columns"},
+        MistakenText{"# only words\n\n", "is empty; the first line must name the columns"},
+        MistakenText{"a,b\n1,nan\n", "line 2, column 2 (b): \"nan\" is not a finite number"},
+        MistakenText{"a,b\n1,2\n-inf,2\n", "line 3, column 1 (a): \"-inf\" is not a finite number"},
+        MistakenText{"a,b\n1,1e999\n", "line 2, column 2 (b): \"1e999\" is not a finite number"},
+        MistakenText{"a,b\n1,\n", "line 2, column 2 (b): empty, must be a number"},
+        MistakenText{"a,b\n1,0x10\n", "line 2, column 2 (b): \"0x10\" is not a number"},
+        MistakenText{"a,b\n1,2 3\n", "line 2, column 2 (b): \"2 3\" is not a number"},
+        MistakenText{"a,b\n1,2\n3\n", "line 3: has 1 cells, the header has 2"},
+        MistakenText{"a,b\n1.5,2,3\n", "line 2: has 3 cells, the header has 2"},
+        MistakenText{"a,b\n1,2,3,4,5\n", "line 2: has 5 cells, the header has 2"},
+        MistakenText{"a,b\n1,5,2\n",  // only one of the numbers has a fraction
+                "line 2: has 3 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
+        MistakenText{"a,b\n1,5,2,5\n",
                 "line 2: has 4 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
-        Mistake{"a,b\n\"1,5\",2\n",
+        MistakenText{"a,b\n\"1,5\",2\n",
                 "line 2, column 1 (a): \"1,5\" has a decimal comma; write 1.5, not 1,5"},
-        Mistake{"a;b\n1,5;2,5\n",
+        MistakenText{"a;b\n1,5;2,5\n",
                 "line 1: the columns are separated by semicolons; must be commas, and decimals "
                 "points"},
-        Mistake{"a\tb\n1\t2\n",
+        MistakenText{"a\tb\n1\t2\n",
                 "line 1: the columns are separated by tabs; must be commas, and decimals points"},
-        Mistake{"a,b\n1;2\n",
+        MistakenText{"a,b\n1;2\n",
                 "line 2: has 1 cells, the header has 2; separated by semicolons? they "
                 "must be commas, and decimals points"},
-        Mistake{"a,b\n1,2\na,b\n1,2\n",
+        MistakenText{"a,b\n1,2\na,b\n1,2\n",
                 "line 3: the header stands here again; one file holds one table"},
-        Mistake{"a,b,a\n1,2,3\n",
+        MistakenText{"a,b,a\n1,2,3\n",
                 "line 1, column 3 (a): the name \"a\" stands twice in the header"},
-        Mistake{"1,2\n3,4\n",
+        MistakenText{"1,2\n3,4\n",
                 "line 1, column 1 (1): 1 is a number; the first line must name the columns"},
-        Mistake{"a,b\n1,2\n\n3,4\n", "line 3: empty, between rows"},
-        Mistake{"a,b\n1,\"2\n", "line 2, column 2 (b): a quote opens here and never closes"},
-        Mistake{"a,b\n1,\"2\"3\n", "line 2, column 2 (b): text stands behind the closing quote"},
-        Mistake{std::string("a,b\n1,\0\n", 8),
+        MistakenText{"a,b\n1,2\n\n3,4\n", "line 3: empty, between rows"},
+        MistakenText{"a,b\n1,\"2\n", "line 2, column 2 (b): a quote opens here and never closes"},
+        MistakenText{"a,b\n1,\"2\"3\n", "line 2, column 2 (b): text stands behind the closing quote"},
+        MistakenText{std::string("a,b\n1,\0\n", 8),
                 "line 2: holds bytes that are no text; save it as UTF-8"},
-        Mistake{std::string("\xFF\xFE"
+        MistakenText{std::string("\xFF\xFE"
                             "a\0,\0",
                             6),
                 "line 1: holds bytes that are no text; save it as UTF-8"}));

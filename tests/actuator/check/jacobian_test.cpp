@@ -79,7 +79,7 @@ TEST(Jacobian, InterpolatesInBothAngles) {
   EXPECT_FALSE(jacobian_at(drive, 0.0, 0.501).has_value());
 }
 
-std::string faults_of(const std::string& keys) {
+std::string faults_of_jacobian(const std::string& keys) {
   const test::ScratchFolder folder;
   const auto file = folder.write("j.json", R"({"kind": "jacobian", "version": 1, )" + keys + "}");
   return test::refusal([&] { read_parallel_drive(io::read_document(file, "jacobian")); },
@@ -88,22 +88,24 @@ std::string faults_of(const std::string& keys) {
 
 TEST(JacobianDocument, RefusesWithThePath) {
   const std::string names = R"("joints": ["p", "r"], "actuators": ["a", "b"])";
-  EXPECT_EQ(faults_of(names),
+  EXPECT_EQ(faults_of_jacobian(names),
             "j.json: needs either \"matrix\" (constant) or \"table\" (over both angles)");
-  EXPECT_EQ(faults_of(R"("joints": ["p", "p"], "actuators": ["a", "b"], "matrix": [[1,0],[0,1]])"),
+  EXPECT_EQ(faults_of_jacobian(
+                R"("joints": ["p", "p"], "actuators": ["a", "b"], "matrix": [[1,0],[0,1]])"),
             "j.json#/joints/1: \"p\" stands twice");
   EXPECT_EQ(
-      faults_of(names + R"(, "matrix": [[1,2],[2,4]])"),
+      faults_of_jacobian(names + R"(, "matrix": [[1,2],[2,4]])"),
       "j.json#/matrix: is singular: some joint torque could be carried by no actuator torques");
   const std::string one = "[[1,0],[0,1]]";
   const std::string four = "[" + one + "," + one + "," + one + "," + one + "]";
-  EXPECT_EQ(faults_of(names + R"(, "table": {"first_angle_rad": [0, 0], "second_angle_rad": [0, 1],
+  EXPECT_EQ(faults_of_jacobian(names +
+                               R"(, "table": {"first_angle_rad": [0, 0], "second_angle_rad": [0, 1],
                       "matrices": )" +
-                      four + "}"),
+                               four + "}"),
             "j.json#/table/first_angle_rad: must ascend");
-  EXPECT_EQ(faults_of(names + R"(, "table": {"first_angle_rad": [0, 1, 2],
+  EXPECT_EQ(faults_of_jacobian(names + R"(, "table": {"first_angle_rad": [0, 1, 2],
                       "second_angle_rad": [0, 1], "matrices": )" +
-                      four + "}"),
+                               four + "}"),
             "j.json#/table/matrices: has 4 entries, the grid has 3 x 2 points");
 }
 

@@ -59,7 +59,7 @@ TEST(TrajectoryReader, WindowIncludesItsEnds) {
   EXPECT_EQ(result.rows[1].time_s, 0.2);
 }
 
-struct Mistake {
+struct MistakenRequest {
   std::string text;
   std::vector<std::string> mappings;
   std::vector<std::string> joints;
@@ -68,7 +68,7 @@ struct Mistake {
 
 TEST(TrajectoryReader, RefusesWithThePlace) {
   const std::string good = "time_s,left_knee_velocity_rad_s,left_knee_torque_Nm\n0,1,2\n";
-  const Mistake mistakes[] = {
+  const MistakenRequest mistakes[] = {
       {good, {}, {"left_kne"}, "no joint \"left_kne\"; did you mean \"left_knee\"?"},
       {good, {}, {"ankle"}, "no joint \"ankle\"; there are left_knee"},
       {good,
@@ -102,7 +102,7 @@ TEST(TrajectoryReader, RefusesWithThePlace) {
        {"k"},
        "line 2, column 2 (k_velocity_rad_s): too large in SI units"},
   };
-  for (const Mistake& mistake : mistakes) {
+  for (const MistakenRequest& mistake : mistakes) {
     EXPECT_EQ(read(mistake.text, mistake.mappings, mistake.joints).refusal,
               "m.csv: " + mistake.sentence);
   }

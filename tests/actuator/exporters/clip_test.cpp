@@ -20,17 +20,17 @@ namespace torquewright::actuator {
 namespace {
 
 // A few roundings of the torques' magnitude.
-constexpr double kRounding = 1e-12;
+constexpr double kClipRounding = 1e-12;
 
 // Oracle: RaiSim 2's documentation (docs/sections/Actuators.rst): R 0.2 ohm, Kt 0.1 Nm/A, Kv 10
 // rad/s/V, 24 V, peak 1.5 Nm: no-load speed 240 rad/s; at 238 rad/s 0.1 Nm are left.
 constexpr Parallelogram kRaisimMotor{12.0, 240.0, 1.5};
 
 TEST(ClipToParallelogram, IsRaisimsDocumentedMotor) {
-  EXPECT_NEAR(clip(kRaisimMotor, 0.0, 99.0), 1.5, kRounding);
-  EXPECT_NEAR(clip(kRaisimMotor, 238.0, 99.0), 0.1, kRounding);
-  EXPECT_NEAR(clip(kRaisimMotor, 240.0, 99.0), 0.0, kRounding);
-  EXPECT_NEAR(clip(kRaisimMotor, -238.0, -99.0), -0.1, kRounding);
+  EXPECT_NEAR(clip(kRaisimMotor, 0.0, 99.0), 1.5, kClipRounding);
+  EXPECT_NEAR(clip(kRaisimMotor, 238.0, 99.0), 0.1, kClipRounding);
+  EXPECT_NEAR(clip(kRaisimMotor, 240.0, 99.0), 0.0, kClipRounding);
+  EXPECT_NEAR(clip(kRaisimMotor, -238.0, -99.0), -0.1, kClipRounding);
   EXPECT_EQ(clip(kRaisimMotor, 100.0, 0.7), 0.7);
 }
 
@@ -38,8 +38,8 @@ TEST(ClipToParallelogram, BrakesFullyInTheOtherQuadrants) {
   EXPECT_EQ(clip(kRaisimMotor, 238.0, -99.0), -1.5);
   EXPECT_EQ(clip(kRaisimMotor, -238.0, 99.0), 1.5);
   // Between no-load and overspeed (270 rad/s) it cannot help braking: 12 (1 - 250/240) = -0.5.
-  EXPECT_NEAR(clip(kRaisimMotor, 250.0, 0.0), -0.5, kRounding);
-  EXPECT_NEAR(clip(kRaisimMotor, -250.0, 0.0), 0.5, kRounding);
+  EXPECT_NEAR(clip(kRaisimMotor, 250.0, 0.0), -0.5, kClipRounding);
+  EXPECT_NEAR(clip(kRaisimMotor, -250.0, 0.0), 0.5, kClipRounding);
 }
 
 TEST(ClipToParallelogram, LeavesTheGreatestTorqueAgainstTheMotionPastOverspeed) {

@@ -9,7 +9,7 @@
 namespace torquewright::actuator {
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kRounding_Nm = 1e-12;
 
 TEST(ExporterLibrary, HasEachTargetOnceByName) {
   const std::vector<std::string_view> names{"mujoco",     "mujoco-dcmotor", "isaac-lab", "mjlab",
@@ -32,15 +32,15 @@ TEST(UnitreeLaw, PassesMjlabsTest) {
     return exporters::unitree_xy.law(shape, speed).greatest_Nm;
   };
   const auto lower = [&](double speed) { return exporters::unitree_xy.law(shape, speed).least_Nm; };
-  EXPECT_NEAR(upper(5.0), 100.0, kRounding);
-  EXPECT_NEAR(upper(15.0), 50.0, kRounding);
-  EXPECT_NEAR(lower(15.0), -60.0, kRounding);
-  EXPECT_NEAR(upper(20.0), 0.0, kRounding);
-  EXPECT_NEAR(lower(-15.0), -50.0, kRounding);
-  EXPECT_NEAR(upper(-15.0), 60.0, kRounding);
+  EXPECT_NEAR(upper(5.0), 100.0, kRounding_Nm);
+  EXPECT_NEAR(upper(15.0), 50.0, kRounding_Nm);
+  EXPECT_NEAR(lower(15.0), -60.0, kRounding_Nm);
+  EXPECT_NEAR(upper(20.0), 0.0, kRounding_Nm);
+  EXPECT_NEAR(lower(-15.0), -50.0, kRounding_Nm);
+  EXPECT_NEAR(upper(-15.0), 60.0, kRounding_Nm);
   // At rest speed times effort is not positive: the braking limit, both ways.
-  EXPECT_NEAR(upper(0.0), 120.0, kRounding);
-  EXPECT_NEAR(lower(0.0), -120.0, kRounding);
+  EXPECT_NEAR(upper(0.0), 120.0, kRounding_Nm);
+  EXPECT_NEAR(lower(0.0), -120.0, kRounding_Nm);
 }
 
 // Oracle: the numbers of RaiSim 2's documentation at the joint: gear 10, 15 Nm at rest, no-load
@@ -48,12 +48,12 @@ TEST(UnitreeLaw, PassesMjlabsTest) {
 TEST(Raisim2Law, IsTheDocumentedMotor) {
   const Shape shape{120.0, 24.0, 15.0};
   const auto at = [&](double speed) { return exporters::raisim2.law(shape, speed); };
-  EXPECT_NEAR(at(0.0).greatest_Nm, 15.0, kRounding);
+  EXPECT_NEAR(at(0.0).greatest_Nm, 15.0, kRounding_Nm);
   EXPECT_NEAR(at(23.8).greatest_Nm, 1.0, 1e-11);
-  EXPECT_NEAR(at(23.8).least_Nm, -15.0, kRounding);
-  EXPECT_NEAR(at(30.0).greatest_Nm, -30.0, kRounding);
-  EXPECT_NEAR(at(30.0).least_Nm, -30.0, kRounding);
-  EXPECT_NEAR(at(-30.0).least_Nm, 30.0, kRounding);
+  EXPECT_NEAR(at(23.8).least_Nm, -15.0, kRounding_Nm);
+  EXPECT_NEAR(at(30.0).greatest_Nm, -30.0, kRounding_Nm);
+  EXPECT_NEAR(at(30.0).least_Nm, -30.0, kRounding_Nm);
+  EXPECT_NEAR(at(-30.0).least_Nm, 30.0, kRounding_Nm);
 }
 
 // Oracle: the formulas printed in Isaac Lab's DCMotor and in Newton's ClampingDCMotor.
@@ -65,24 +65,24 @@ TEST(LineLaws, DifferPastTheOverspeedOnly) {
     for (const Exporter* exporter : {&exporters::isaac_lab, &exporters::mjlab, &exporters::mujoco,
                                      &exporters::mujoco_dcmotor, &exporters::newton}) {
       const TorqueLimits at = exporter->law(shape, speed);
-      EXPECT_NEAR(at.greatest_Nm, upper_Nm, kRounding) << exporter->name << " " << speed;
-      EXPECT_NEAR(at.least_Nm, lower_Nm, kRounding) << exporter->name << " " << speed;
+      EXPECT_NEAR(at.greatest_Nm, upper_Nm, kRounding_Nm) << exporter->name << " " << speed;
+      EXPECT_NEAR(at.least_Nm, lower_Nm, kRounding_Nm) << exporter->name << " " << speed;
     }
   }
   const TorqueLimits isaac = exporters::isaac_lab.law(shape, 17.0);
   EXPECT_EQ(isaac.greatest_Nm, -50.0);
   EXPECT_EQ(isaac.least_Nm, -50.0);
   const TorqueLimits newton = exporters::newton.law(shape, 17.0);
-  EXPECT_NEAR(newton.greatest_Nm, -70.0, kRounding);
+  EXPECT_NEAR(newton.greatest_Nm, -70.0, kRounding_Nm);
   EXPECT_EQ(newton.least_Nm, -50.0);
 }
 
 // Oracle: PxPerformanceEnvelope's two inequalities: 0.1 rad/s less per Nm from 20 rad/s on.
 TEST(PhysxLaw, IsBothInequalities) {
   const Shape shape{60.0, 20.0, 0.1};
-  EXPECT_NEAR(exporters::physx.law(shape, 13.0).greatest_Nm, 60.0, kRounding);
-  EXPECT_NEAR(exporters::physx.law(shape, 15.0).greatest_Nm, 50.0, kRounding);
-  EXPECT_NEAR(exporters::physx.law(shape, -15.0).least_Nm, -50.0, kRounding);
+  EXPECT_NEAR(exporters::physx.law(shape, 13.0).greatest_Nm, 60.0, kRounding_Nm);
+  EXPECT_NEAR(exporters::physx.law(shape, 15.0).greatest_Nm, 50.0, kRounding_Nm);
+  EXPECT_NEAR(exporters::physx.law(shape, -15.0).least_Nm, -50.0, kRounding_Nm);
   EXPECT_EQ(exporters::physx.law(shape, 21.0).greatest_Nm, 0.0);
 }
 

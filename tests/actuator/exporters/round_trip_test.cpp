@@ -23,7 +23,7 @@ namespace torquewright::actuator {
 namespace {
 
 // Of the peak torque: some roundings of the conversions (degrees, gear ratio, gains).
-constexpr double kRounding = 1e-11;
+constexpr double kPrinted = 1e-11;
 
 void expect_near(double value, double expected, double tolerance) {
   if (std::isinf(expected)) {
@@ -40,7 +40,7 @@ void expect_round_trip(const Example& example, Fit fit) {
     const SimulatorFile file = simulator_file(subject, *exporter, {"origin"});
     const auto law = law_of_file(std::string(exporter->name), file.text);
     const double end_rad_s = 1.5 * example.region.greatest_speed_rad_s();
-    const double tolerance_Nm = kRounding * example.table.peak_torque_Nm;
+    const double tolerance_Nm = kPrinted * example.table.peak_torque_Nm;
     for (int i = -600; i <= 600; ++i) {
       const double speed_rad_s = end_rad_s * i / 600;
       const TorqueLimits read = law(speed_rad_s);
@@ -240,7 +240,7 @@ int main() {
   double speed, least, greatest, drake_least, drake_greatest;
   while (lines >> speed >> least >> greatest >> drake_least >> drake_greatest) {
     const TorqueLimits meant = exporters::raisim1.law(shape, speed);
-    const double tolerance_Nm = kRounding * example.table.peak_torque_Nm;
+    const double tolerance_Nm = kPrinted * example.table.peak_torque_Nm;
     EXPECT_NEAR(least, meant.least_Nm, tolerance_Nm);
     EXPECT_NEAR(greatest, meant.greatest_Nm, tolerance_Nm);
     EXPECT_NEAR(drake_least, meant.least_Nm, tolerance_Nm);

@@ -227,8 +227,21 @@ INSTANTIATE_TEST_SUITE_P(Lint, EachCheck, testing::ValuesIn(kRows), [](const aut
   return name;
 });
 
+// By hand: 24 V / (5 rad/s) = 4.8 Nm/A. Within it nothing is said: the document states no limit.
+TEST(TorqueConstantUnit, IsDoubtedWhereNoMotorHasSoMuch) {
+  Actuator document = sample();
+  document.motor.torque_constant_Nm_A = 4.7;
+  EXPECT_FALSE(comparison(document, "torque-constant-unit"));
+  document.motor.torque_constant_Nm_A = 4.9;
+  const std::optional<Finding> found = finding(document, "torque-constant-unit");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->severity, Severity::kWarning);
+  ASSERT_EQ(found->explanations.size(), 1u);
+  EXPECT_NEAR(found->explanations[0].expected->value, 0.0049, 1e-15);
+}
+
 TEST(Library, HasACaseHereForEveryRule) {
-  std::set<std::string> tested;
+  std::set<std::string> tested{"torque-constant-unit"};
   for (const Row& row : kRows) tested.insert(row.rule);
   for (const Check* check : library()) EXPECT_TRUE(tested.contains(std::string(check->rule)));
 }

@@ -1,0 +1,111 @@
+// origin
+// knee D151 for Drake, C++ LeafSystem.
+// Fields as in https://drake.mit.edu/doxygen_cxx/classdrake_1_1systems_1_1_leaf_system.html
+// Fit: conservative (the region's table, drawn in by its interpolation error).
+// Side: joint. Rating: peak. Bus voltage: 67.2 V. Winding temperature: 298.15 K.
+// Friction included: gearbox efficiencies 1 driving, 1 back-driven. Do not also apply friction or an efficiency.
+// Armature: 0.3688 kg m^2 = N^2 J, N = 20, J = 0.000922 kg m^2. Do not add the rotor to a link as well.
+// Leave the JointActuator's effort_limit at least as large as the greatest torque; give it rotor inertia and gear ratio instead of an armature.
+// Left out: battery: none stated; the bus voltage is stiff
+// Left out: thermal: none stated; the winding stays at its temperature
+// Left out: inductance: none stated; voltage is lost over the resistance alone
+// Left out: friction: no effects stated; losses are the gearbox's efficiencies
+// Assumed: /motor/torque_constant_convention
+// Assumed: /motor/resistance_ohm
+// Assumed: /motor/pole_pairs
+// Assumed: /motor/winding_temperature_K
+// Assumed: /drive/continuous_current_A
+// Assumed: /drive/modulation
+// Assumed: /gearbox/forward_efficiency
+// Assumed: /gearbox/backward_efficiency
+// Worst torque error of the simulator with this file, |speed| up to 12.6875 rad/s:
+//              bound               too optimistic                 too cautious
+//   speed > 0, upper                         none                         none
+//   speed > 0, lower                         none                         none
+//   speed < 0, upper                         none                         none
+//   speed < 0, lower                         none                         none
+// 0 % of the torque-speed area that the simulator allows lies outside the region
+#pragma once
+
+#include <algorithm>
+#include <drake/systems/framework/leaf_system.h>
+#include <utility>
+
+/// Least and greatest torque [Nm] at a speed [rad/s].
+inline std::pair<double, double> knee_D151_torque_limits(double speed) {
+  static constexpr double kSpeed[] = {
+      -12.687499999999801, -12.158854166666478, -11.630208333333151, -11.101562499999824,
+      -10.5729166666665, -10.500000000000298, -10.499999999999337, -10.044270833333176,
+      -9.51562499999985, -8.986979166666526, -8.4583333333332, -8.312500000000798,
+      -8.312499999999837, -7.929687499999876, -7.401041666666551, -6.872395833333226,
+      -6.3437499999999005, -5.8151041666665755, -5.28645833333325, -4.757812499999925,
+      -4.2291666666666, -3.7005208333332753, -3.1718749999999503, -2.643229166666625,
+      -2.1145833333333, -1.5859374999999751, -1.05729166666665, -0.528645833333325,
+      0, 0.528645833333325, 1.05729166666665, 1.5859374999999751,
+      2.1145833333333, 2.643229166666625, 3.1718749999999503, 3.7005208333332753,
+      4.2291666666666, 4.757812499999925, 5.28645833333325, 5.8151041666665755,
+      6.3437499999999005, 6.872395833333226, 7.401041666666551, 7.929687499999876,
+      8.312499999999837, 8.312500000000798, 8.4583333333332, 8.986979166666526,
+      9.51562499999985, 10.044270833333176, 10.499999999999337, 10.500000000000298,
+      10.5729166666665, 11.101562499999824, 11.630208333333151, 12.158854166666478,
+      12.687499999999801,};
+  static constexpr double kLeast[] = {
+      319.9999999999684, 242.66666666663656, 165.33333333330404, 87.99999999997154,
+      10.666666666639667, 4.111146684888538e-11, -9.971955147319075e-11, -66.66666666669252,
+      -144.0000000000244, -221.33333333335662, -298.6666666666886, -319.9999999998859,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995, -319.9999999999995, -319.9999999999995, -319.9999999999995,
+      -319.9999999999995,};
+  static constexpr double kGreatest[] = {
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999999995, 319.9999999999995, 319.9999999999995,
+      319.9999999999995, 319.9999999998859, 298.6666666666886, 221.33333333335662,
+      144.0000000000244, 66.66666666669252, 9.971955147319075e-11, -4.111146684888538e-11,
+      -10.666666666639667, -87.99999999997154, -165.33333333330404, -242.66666666663656,
+      -319.9999999999684,};
+  constexpr int kRows = 57;
+  if (speed == 0.0) return {-319.9999999999995, 319.9999999999995};
+  const auto row = std::upper_bound(kSpeed, kSpeed + kRows, speed) - kSpeed;
+  if (row == 0) return {kLeast[0], kGreatest[0]};
+  if (row == kRows) return {kLeast[kRows - 1], kGreatest[kRows - 1]};
+  const double share = (speed - kSpeed[row - 1]) / (kSpeed[row] - kSpeed[row - 1]);
+  return {kLeast[row - 1] + share * (kLeast[row] - kLeast[row - 1]),
+          kGreatest[row - 1] + share * (kGreatest[row] - kGreatest[row - 1])};
+}
+
+/// Commanded torque and joint speed in, deliverable torque out: between controller and plant.
+class knee_D151_limiter final : public drake::systems::LeafSystem<double> {
+ public:
+  knee_D151_limiter() {
+    this->DeclareVectorInputPort("commanded_torque", 1);
+    this->DeclareVectorInputPort("joint_speed", 1);
+    this->DeclareVectorOutputPort("torque", 1, &knee_D151_limiter::CalcTorque);
+  }
+
+ private:
+  void CalcTorque(const drake::systems::Context<double>& context,
+                  drake::systems::BasicVector<double>* output) const {
+    const double torque = this->get_input_port(0).Eval(context)[0];
+    const double speed = this->get_input_port(1).Eval(context)[0];
+    const auto [least, greatest] = knee_D151_torque_limits(speed);
+    output->SetAtIndex(0, std::clamp(torque, least, greatest));
+  }
+};

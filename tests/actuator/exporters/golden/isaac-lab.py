@@ -1,0 +1,45 @@
+# origin
+# knee D151 for Isaac Lab 3, DCMotorCfg.
+# Fields as in https://github.com/isaac-sim/IsaacLab docs/source/concepts/actuators.rst @ 0120677c
+# Fit: conservative (inside the region wherever that holds zero torque).
+# Side: joint. Rating: peak. Bus voltage: 67.2 V. Winding temperature: 298.15 K.
+# Friction included: gearbox efficiencies 1 driving, 1 back-driven. Do not also apply friction or an efficiency.
+# Armature: 0.3688 kg m^2 = N^2 J, N = 20, J = 0.000922 kg m^2. Do not add the rotor to a link as well.
+# Before Isaac Lab 3 the fields are effort_limit and velocity_limit; before pull request 2300 (April 2025) braking past the no-load speed was forced to zero.
+# Left out: battery: none stated; the bus voltage is stiff
+# Left out: thermal: none stated; the winding stays at its temperature
+# Left out: inductance: none stated; voltage is lost over the resistance alone
+# Left out: friction: no effects stated; losses are the gearbox's efficiencies
+# Assumed: /motor/torque_constant_convention
+# Assumed: /motor/resistance_ohm
+# Assumed: /motor/pole_pairs
+# Assumed: /motor/winding_temperature_K
+# Assumed: /drive/continuous_current_A
+# Assumed: /drive/modulation
+# Assumed: /gearbox/forward_efficiency
+# Assumed: /gearbox/backward_efficiency
+# stall_torque_Nm = 1536
+# no_load_speed_rad_s = 10.5
+# greatest_torque_Nm = 320
+# Worst torque error of the simulator with this file, |speed| up to 12.6875 rad/s:
+#              bound               too optimistic                 too cautious
+#   speed > 0, upper                         none                         none
+#   speed > 0, lower                         none                         none
+#   speed < 0, upper                         none                         none
+#   speed < 0, lower                         none                         none
+# 0 % of the torque-speed area that the simulator allows lies outside the region
+from isaaclab.actuators import DCMotorCfg
+
+knee_D151 = DCMotorCfg(
+    joint_names_expr=["joint"],  # yours
+    saturation_effort=1536,
+    actuator_velocity_limit=10.5,
+    actuator_effort_limit=319.99999999999994,
+    joint_effort_limit=319.99999999999994,
+    armature=0.36879999999999996,
+    friction=0.0,
+    dynamic_friction=0.0,
+    viscous_friction=0.0,
+    stiffness=0.0,  # yours
+    damping=0.0,  # yours
+)

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files as they were read beside each simulator's documentation: golden/, whose fields
+// docs/simulator_formats.md lists with unit, source and the number worked out by hand. The texts
+// must be the same, the numbers to rounding.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <regex>
+
+#include "actuator/exporters/simulator_file.hpp"
+#include "io/file_bytes.hpp"
+#include "tests/actuator/exporters/example_actuators.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr double kRounding = 1e-6;  // what the fit of unitree-xy leaves open
+
+const std::regex kNumber(R"([-+]?\d+(\.\d+)?([eE][-+]?\d+)?)");
+
+std::vector<double> numbers_in(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::sregex_iterator match(text.begin(), text.end(), kNumber), end; match != end; ++match) {
+    numbers.push_back(std::stod(match->str()));
+  }
+  return numbers;
+}
+
+std::string without_numbers(const std::string& text) {
+  return std::regex_replace(text, kNumber, "#");
+}
+
+std::filesystem::path golden_file(std::string_view format) {
+  const auto folder =
+      std::filesystem::path(TORQUEWRIGHT_SOURCE_DIR) / "tests/actuator/exporters/golden";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().stem() == format) return entry.path();
+  }
+  return {};
+}
+
+TEST(Golden, EveryFormatIsAsItWasReadBesideItsDocumentation) {
+  const Example example(knee());
+  for (const Exporter* exporter : exporter_library()) {
+    SCOPED_TRACE(exporter->name);
+    const std::filesystem::path file = golden_file(exporter->name);
+    ASSERT_FALSE(file.empty());
+    const std::string golden = io::read_file_bytes(file);
+    const std::string text =
+        simulator_file(example.subject(Fit::kConservative), *exporter, {"origin"}).text;
+    EXPECT_EQ(without_numbers(text), without_numbers(golden));
+    const std::vector<double> numbers = numbers_in(text);
+    const std::vector<double> expected = numbers_in(golden);
+    ASSERT_EQ(numbers.size(), expected.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      EXPECT_NEAR(numbers[i], expected[i], kRounding * (1.0 + std::abs(expected[i])));
+    }
+  }
+}
+
+// Every format has its section.
+TEST(Golden, EveryFormatsFieldsAreListed) {
+  const std::string page = io::read_file_bytes(std::filesystem::path(TORQUEWRIGHT_SOURCE_DIR) /
+                                               "docs/simulator_formats.md");
+  for (const Exporter* exporter : exporter_library()) {
+    EXPECT_NE(page.find("\n## `" + std::string(exporter->name) + "`"), std::string::npos)
+        << exporter->name;
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::actuator
