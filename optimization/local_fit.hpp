@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace torquewright::optimization {
+
+/// A quantity that a fit may choose, within bounds that are both finite. Equal bounds: it is fixed.
+struct FitVariable {
+  double lowest = 0.0;
+  double highest = 1.0;
+  double start = 0.5;        ///< Of the first start; moved into the bounds.
+  bool logarithmic = false;  ///< Searched over its logarithm; lowest > 0.
+};
+
+enum class FitMethod {
+  kQuadraticModels,  ///< BOBYQA: few evaluations where the objective is smooth.
+  kSubspaces,        ///< SBPLX: a simplex in subspaces, for objectives with kinks.
+};
+
+enum class FitStop {
+  kConverged,  ///< Neither point nor value change beyond the tolerance.
+  kEvaluationLimit,
+  kRoundOff,  ///< Round-off forbade further progress: as good as converged, and said.
+  kFailed,    ///< The solver gave up, or no value was finite.
+};
+std::string_view name_of(FitStop stop);
+
+struct FitOptions {
+  FitMethod method = FitMethod::kQuadraticModels;
+  std::size_t starts = 5;               ///< The first as stated, the rest spread over the box.
+  std::size_t most_evaluations = 2000;  ///< Of each start.
+  double tolerance = 1e-6;  ///< Of the point, in shares of the box; of the value, relative.
+  /// Two starts found the same value if they differ by no more than this share of the best.
+  double same_value = 1e-3;
+};
+
+/// Where one start led.
+struct StartOutcome {
+  std::vector<double> start;
+  std::vector<double> point;
+  double value = 0.0;
+  std::size_t evaluations = 0;
+  FitStop stop = FitStop::kFailed;
+};
+
+struct LocalFit {
+  FitStop stop = FitStop::kFailed;  ///< Of the best start.
+  std::vector<double> point;
+  double value = 0.0;
+  std::size_t evaluations = 0;       ///< Of all starts.
+  std::vector<StartOutcome> starts;  ///< In their order.
+  std::size_t agreeing = 0;          ///< Starts that found the best value.
+  double value_spread = 0.0;         ///< Worst less best value over the starts that did not fail.
+  /// By variable: largest less smallest value over the agreeing starts. Wide: a valley, the
+  /// objective does not determine the variable.
+  std::vector<double> point_spread;
+};
+
+/// Minimises a black box over a box, from several starts. Values that are not finite count as worse
+/// than every other. The same question gives the same answer: nothing is random. A local method:
+/// no bound is proven. Throws std::invalid_argument for bounds that are not ordered and finite;
+/// what the objective throws passes through.
+LocalFit fit_locally(const std::function<double(std::span<const double>)>& objective,
+                     const std::vector<FitVariable>& variables, const FitOptions& options = {});
+
+}  // namespace torquewright::optimization
