@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/tree_state.hpp"
+
+namespace torquewright::dynamics {
+
+/// Forces that make the tree accelerate so, per element of the velocity: at joints Nm or N, at a
+/// floating base N in the world's axes and Nm in those of the velocity. Nothing else acts but
+/// gravity; other forces are subtracted by the caller (add_point_force()).
+/// Recursive Newton-Euler, docs/derivations/rigid_body.md eqs. (4)-(8).
+void inverse_dynamics(TreeState& state, const VectorIn& acceleration, VectorOut force);
+
+/// The forces that hold accelerations at zero: Coriolis, centrifugal, gravity.
+void bias(TreeState& state, VectorOut force);
+
+}  // namespace torquewright::dynamics

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/tree_state.hpp"
+
+namespace torquewright::dynamics {
+
+/// Where the tree is after duration_s at constant velocity (that of a spatial base's rotation is
+/// constant in the base's axes): exact, not a step of an integrator. The result's quaternion is a
+/// unit one. std::invalid_argument on wrong sizes. out may be the position itself.
+void step_position(const Tree& tree, const VectorIn& position, const VectorIn& velocity,
+                   double duration_s, VectorOut out);
+
+}  // namespace torquewright::dynamics
