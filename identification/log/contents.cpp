@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/log/contents.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "identification/log/channel.hpp"
+#include "identification/log/stretch.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+/// One block of the evidence (reference, section 2, step 5); a shorter stretch holds none.
+constexpr double kBlock_s = 1.5;
+constexpr std::size_t kFewestSamples = 30;
+constexpr std::size_t kFewestOfMap = 20;
+/// A fit needs two blocks to compare, the held-out part one.
+constexpr double kLeastTrain_s = 2.0 * kBlock_s;
+constexpr double kLeastHoldout_s = kBlock_s;
+/// Less than this between the ends of its way is no motion: a few counts of a fair encoder.
+constexpr double kLeastTravel_rad = 2e-3;
+constexpr double kLeastTravel_m = 2e-5;
+constexpr double kLeastSpeed_rad_s = 1e-2;
+constexpr double kLeastSpeed_m_s = 1e-4;
+constexpr double kMuchMasked = 0.3;
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+  bool is_empty() const { return least > greatest; }
+  double width() const { return greatest - least; }
+  double magnitude() const { return std::max(std::abs(least), std::abs(greatest)); }
+};
+
+Range range_of(const Log& log, const ChannelKey& key) {
+  Range range;
+  for (const Run& run : log.runs) {
+    for (const double value : run.joints[key.first][key.second]) {
+      range.least = std::min(range.least, value);
+      range.greatest = std::max(range.greatest, value);
+    }
+  }
+  return range;
+}
+
+/// What a rig may well hold constant.
+bool may_stand_still(Quantity quantity) {
+  constexpr std::array kSteady = {Quantity::kBusVoltage,      Quantity::kWindingTemperature,
+                                  Quantity::kCaseTemperature, Quantity::kEnabled,
+                                  Quantity::kCommandedTorque, Quantity::kCommandedPosition};
+  return std::find(kSteady.begin(), kSteady.end(), quantity) != kSteady.end();
+}
+
+void report_constant(Log& log, const Rig& rig) {
+  for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
+    for (std::size_t i = 0; i < kQuantityCount; ++i) {
+      const ChannelKey key{joint, static_cast<Quantity>(i)};
+      const Range range = range_of(log, key);
+      if (range.is_empty() || range.width() > 0.0) continue;
+      log.findings.push_back(
+          {may_stand_still(key.second) ? Weight::kNote : Weight::kWarning,
+           fmt::format("{} is {} {}{}all through the log; nothing can be learned "
+                       "from it",
+                       describe(key, rig), range.least, unit_of(key.second),
+                       unit_of(key.second).empty() ? "" : " ")});
+    }
+  }
+}
+
+struct MotionSense {
+  Quantity quantity;
+  double least;  ///< Of travel, or of speed.
+  bool is_speed;
+};
+/// In the order in which they are believed.
+constexpr std::array<MotionSense, 6> kMotionSenses = {
+    {{Quantity::kOutputPosition, kLeastTravel_rad, false},
+     {Quantity::kMotorPosition, kLeastTravel_rad, false},
+     {Quantity::kLinearPosition, kLeastTravel_m, false},
+     {Quantity::kOutputVelocity, kLeastSpeed_rad_s, true},
+     {Quantity::kMotorVelocity, kLeastSpeed_rad_s, true},
+     {Quantity::kLinearVelocity, kLeastSpeed_m_s, true}}};
+
+void report_motionless(Log& log, const Rig& rig) {
+  for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
+    for (const MotionSense& sense : kMotionSenses) {
+      const Range range = range_of(log, {joint, sense.quantity});
+      if (range.is_empty()) continue;
+      const double moved = sense.is_speed ? range.magnitude() : range.width();
+      if (moved < sense.least) {
+        log.findings.push_back(
+            {Weight::kError,
+             fmt::format("the joint{} never moves: {} {} {:.3g} {}; friction, inertia and whatever "
+                         "else moves with it cannot be told",
+                         rig.joints[joint].empty() ? "" : " \"" + rig.joints[joint] + "\"",
+                         name_of(sense.quantity), sense.is_speed ? "stays below" : "changes by",
+                         moved, unit_of(sense.quantity))});
+      }
+      break;
+    }
+  }
+}
+
+bool is_short(const Run& run) {
+  if (run.time_s.empty()) return sample_count(run) < kFewestOfMap;
+  return sample_count(run) < kFewestSamples || run.time_s.back() - run.time_s.front() < kBlock_s;
+}
+
+void report_short(Log& log) {
+  std::vector<std::string> names;
+  std::size_t count = 0;
+  for (const Run& run : log.runs) {
+    if (!is_short(run)) continue;
+    ++count;
+    if (names.empty() || names.back() != run.name) names.push_back(run.name);
+  }
+  if (count == 0) return;
+  log.findings.push_back(
+      {Weight::kWarning,
+       fmt::format("{} stretch{} shorter than {} s ({} samples; {} in a map) in {}: too short to "
+                   "weigh evidence",
+                   count, count == 1 ? " is" : "es are", kBlock_s, kFewestSamples, kFewestOfMap,
+                   describe_runs(names))});
+}
+
+/// Seconds, or samples of a map, in stretches of these runs that are not too short.
+double usable(const Log& log, const std::vector<std::string>& names, bool is_map) {
+  double sum = 0.0;
+  for (const Run& run : log.runs) {
+    if (is_short(run) || std::find(names.begin(), names.end(), run.name) == names.end()) continue;
+    sum += is_map ? static_cast<double>(sample_count(run)) : run.time_s.back() - run.time_s.front();
+  }
+  return sum;
+}
+
+void report_too_little(Log& log) {
+  const bool is_map = log.runs.front().time_s.empty();
+  const auto check = [&](const std::vector<std::string>& names, double least, const char* what) {
+    const double there = usable(log, names, is_map);
+    if (there >= least) return;
+    log.findings.push_back(
+        {Weight::kError, fmt::format("the runs {} hold {:.3g} {} of use, less than the {:.3g} "
+                                     "needed: the log cannot tell",
+                                     what, there, is_map ? "samples" : "s", least)});
+  };
+  const auto map_samples = static_cast<double>(kFewestOfMap);
+  check(log.train_runs, is_map ? map_samples : kLeastTrain_s, "to fit");
+  check(log.holdout_runs, is_map ? map_samples : kLeastHoldout_s, "held out");
+}
+
+void report_masked(Log& log) {
+  double masked = 0.0;
+  double samples = 0.0;
+  for (const Run& run : log.runs) {
+    masked += static_cast<double>(std::count(run.masked.begin(), run.masked.end(), 1));
+    samples += static_cast<double>(run.masked.size());
+  }
+  if (masked <= kMuchMasked * samples) return;
+  log.findings.push_back(
+      {Weight::kWarning, fmt::format("{:.0f} % of the samples are masked; what is "
+                                     "left may not stand for the whole",
+                                     100.0 * masked / samples)});
+}
+
+}  // namespace
+
+void check_contents(Log& log, const Rig& rig) {
+  report_constant(log, rig);
+  report_motionless(log, rig);
+  report_short(log);
+  report_too_little(log);
+  report_masked(log);
+}
+
+}  // namespace torquewright::identification

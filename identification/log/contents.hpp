@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/log.hpp"
+
+namespace torquewright::identification {
+
+/// Findings on what the log is too poor to tell: constant channels, joints that never move
+/// (kError), runs too short to be of use, too little to fit or to hold out (kError), much of it
+/// masked. Requires the hold-out to be chosen.
+void check_contents(Log& log, const Rig& rig);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/log/holdout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "identification/log/stretch.hpp"
+#include "io/nearest.hpp"
+#include "io/spec_error.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr std::size_t kMostHeldOutListed = 20;
+
+Names names_of(const std::vector<Run>& runs) {
+  Names names;
+  for (const Run& run : runs) {
+    if (std::find(names.begin(), names.end(), run.name) == names.end()) names.push_back(run.name);
+  }
+  return names;
+}
+
+std::string abridged(Names names) {
+  const bool is_long = names.size() > kMostHeldOutListed;
+  if (is_long) names.resize(kMostHeldOutListed);
+  return io::listed(names) + (is_long ? ", ..." : "");
+}
+
+void check_stated(const Names& names, const Rig& rig) {
+  std::vector<io::Fault> faults;
+  for (std::size_t i = 0; i < rig.holdout_runs.size(); ++i) {
+    const std::string& stated = rig.holdout_runs[i];
+    if (std::find(names.begin(), names.end(), stated) != names.end()) continue;
+    const auto near = io::nearest(stated, names);
+    faults.push_back({rig.file, fmt::format("/holdout_runs/{}", i),
+                      fmt::format("no run \"{}\"; {}", stated,
+                                  near ? fmt::format("did you mean \"{}\"?", *near)
+                                       : "there are " + abridged(names))});
+  }
+  if (faults.empty() && rig.holdout_runs.size() == names.size()) {
+    faults.push_back({rig.file, "/holdout_runs", "holds out every run; nothing is left to fit"});
+  }
+  if (!faults.empty()) throw io::SpecError(std::move(faults));
+}
+
+/// Where two thirds of the samples lie before; the stretch and the sample in it.
+struct Place {
+  std::size_t run;
+  std::size_t sample;
+};
+
+Place two_thirds(const std::vector<Run>& runs) {
+  std::size_t total = 0;
+  for (const Run& run : runs) total += sample_count(run);
+  std::size_t left = total - total / 3;
+  std::size_t index = 0;
+  while (left > sample_count(runs[index])) left -= sample_count(runs[index++]);
+  return {index, left};
+}
+
+void hold_out_last_third(Log& log) {
+  const std::string name = log.runs.front().name;
+  const auto [index, sample] = two_thirds(log.runs);
+  const std::string first = name + " (first two thirds)";
+  const std::string last = name + " (last third)";
+  Run& whole = log.runs[index];
+  Run rest = part_of(whole, sample, sample_count(whole));
+  whole = part_of(whole, 0, sample);
+  for (std::size_t i = 0; i < log.runs.size(); ++i) log.runs[i].name = i <= index ? first : last;
+  rest.name = last;
+  if (sample_count(rest) > 0) {
+    log.runs.insert(log.runs.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
+  }
+  log.train_runs = {first};
+  log.holdout_runs = {last};
+  log.findings.push_back({Weight::kNote, fmt::format("the rig names no holdout_runs and \"{}\" is "
+                                                     "the only run: its last third is held out",
+                                                     name)});
+}
+
+}  // namespace
+
+void choose_holdout(Log& log, const Rig& rig) {
+  Names names = names_of(log.runs);
+  check_stated(names, rig);
+  if (rig.holdout_runs.empty() && names.size() == 1) return hold_out_last_third(log);
+  if (rig.holdout_runs.empty()) {
+    const auto count = static_cast<std::ptrdiff_t>((names.size() + 2) / 3);
+    log.holdout_runs.assign(names.end() - count, names.end());
+    log.findings.push_back(
+        {Weight::kNote,
+         fmt::format("the rig names no holdout_runs: the last {} of {} runs {} "
+                     "held out: {}",
+                     count, names.size(), count == 1 ? "is" : "are", abridged(log.holdout_runs))});
+  } else {
+    log.holdout_runs = rig.holdout_runs;
+  }
+  std::copy_if(names.begin(), names.end(), std::back_inserter(log.train_runs),
+               [&](const std::string& name) {
+                 return std::find(log.holdout_runs.begin(), log.holdout_runs.end(), name) ==
+                        log.holdout_runs.end();
+               });
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/log.hpp"
+
+namespace torquewright::identification {
+
+/// Says which runs no fit may see: those that the rig names, else the last third of the runs (one
+/// at least), else the last third of the only run, which is cut there. The latter two are findings.
+/// Throws io::SpecError for a name that no run has (with the nearest), and where nothing is left.
+void choose_holdout(Log& log, const Rig& rig);
+
+}  // namespace torquewright::identification

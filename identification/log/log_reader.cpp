@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/log/log_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/spec_error.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+/// Requires two times or more.
+double median_step_s(const std::vector<double>& time_s) {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < time_s.size(); ++i) steps_s.push_back(time_s[i] - time_s[i - 1]);
+  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+  std::nth_element(steps_s.begin(), middle, steps_s.end());
+  return *middle;
+}
+
+}  // namespace
+
+LogReader::LogReader(std::vector<std::filesystem::path> files, const Rig& rig)
+    : files_(std::move(files)), rig_(rig) {}
+
+bool LogReader::next_stretch(Stretch& stretch) {
+  while (ready_.empty()) {
+    if (!csv_) {
+      if (file_ == files_.size()) return false;
+      open_file();
+    }
+    if (csv_->next()) {
+      read_row();
+    } else {
+      close_file();
+    }
+  }
+  stretch = std::move(ready_.front());
+  ready_.pop_front();
+  return true;
+}
+
+void LogReader::open_file() {
+  csv_ = std::make_unique<io::CsvReader>(files_[file_]);
+  columns_ = find_columns(*csv_, rig_);
+  names_in_file_.clear();
+}
+
+void LogReader::close_file() {
+  if (!is_in_run_) {
+    throw io::SpecError({{csv_->file(), "", "holds no samples, only the names of columns"}});
+  }
+  end_run();
+  files_read_.push_back({csv_->file(), csv_->sha256()});
+  csv_.reset();
+  ++file_;
+}
+
+void LogReader::read_row() {
+  if (!is_in_run_) {
+    begin_run(columns_.run ? csv_->text(*columns_.run) : "");
+  } else if (columns_.run && csv_->text(*columns_.run) != run_.name) {
+    end_run();
+    begin_run(csv_->text(*columns_.run));
+  }
+  double time_s = 0.0;
+  if (columns_.time) {
+    time_s = csv_->number(columns_.time->column) * columns_.time->scale + columns_.time->offset;
+    if (!std::isfinite(time_s)) csv_->refuse(columns_.time->column, "too large in SI units");
+    check_time(time_s);
+  }
+  append(time_s);
+}
+
+void LogReader::begin_run(std::string_view name) {
+  if (columns_.run) {
+    if (name.empty()) csv_->refuse(*columns_.run, "empty, must name the run");
+    if (!names_in_file_.emplace(name).second) {
+      csv_->refuse(*columns_.run, fmt::format("run \"{}\" stands in two places; the rows of a run "
+                                              "must follow one another",
+                                              name));
+    }
+    run_.name = name;
+  } else {
+    run_.name = files_[file_].stem().string();
+  }
+  run_.joints.assign(rig_.joints.size(), {});
+  is_in_run_ = true;
+  median_s_.reset();
+}
+
+void LogReader::check_time(double time_s) {
+  const std::size_t here = run_.time_s.size();
+  const bool is_first = here == 0;
+  if (!is_first && time_s <= previous_s_) {
+    const bool repeats = time_s == previous_s_;
+    const bool may_be_runs = !repeats && !columns_.run;
+    csv_->refuse(
+        columns_.time->column,
+        fmt::format("time {}: {} s follows {} s of line {}{}",
+                    repeats ? "repeats" : "runs backwards", time_s, previous_s_, previous_line_,
+                    may_be_runs ? "; if another run begins here, add a column that names "
+                                  "the runs (\"run\")"
+                                : ""));
+  }
+  if (!is_first && median_s_ && time_s - previous_s_ > kGapFactor * *median_s_) {
+    hand_over(0, here);
+    gap_ = {previous_s_, time_s - previous_s_, *median_s_};
+  }
+  previous_s_ = time_s;
+  previous_line_ = csv_->line();
+}
+
+void LogReader::append(double time_s) {
+  if (columns_.time) run_.time_s.push_back(time_s);
+  for (const Source& source : columns_.channels) {
+    const double value = csv_->number(source.column) * source.scale + source.offset;
+    if (!std::isfinite(value)) csv_->refuse(source.column, "too large in SI units");
+    if (source.joint) {
+      run_.joints[*source.joint][source.quantity].push_back(value);
+      continue;
+    }
+    for (Channels& channels : run_.joints) channels[source.quantity].push_back(value);
+  }
+  run_.masked.push_back(0);
+  if (!median_s_ && run_.time_s.size() == kStepsForMedian + 1) learn_step();
+}
+
+/// From the steps so far; hands over what lies before a gap among them.
+void LogReader::learn_step() {
+  median_s_ = median_step_s(run_.time_s);
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < run_.time_s.size(); ++i) {
+    const double step_s = run_.time_s[i] - run_.time_s[i - 1];
+    if (step_s <= kGapFactor * *median_s_) continue;
+    hand_over(begin, i);
+    gap_ = {run_.time_s[i - 1], step_s, *median_s_};
+    begin = i;
+  }
+  if (begin > 0) run_ = part_of(run_, begin, run_.masked.size());
+}
+
+void LogReader::end_run() {
+  if (!median_s_ && run_.time_s.size() > 1) learn_step();
+  hand_over(0, run_.masked.size());
+  run_ = {};
+  gap_.reset();
+  is_in_run_ = false;
+}
+
+void LogReader::hand_over(std::size_t begin, std::size_t end) {
+  const bool is_whole = begin == 0 && end == run_.masked.size();
+  const std::string name = run_.name;
+  ready_.push_back({is_whole ? std::move(run_) : part_of(run_, begin, end), file_, gap_});
+  if (!is_whole) return;
+  run_ = {};
+  run_.name = name;
+  run_.joints.assign(rig_.joints.size(), {});
+}
+
+}  // namespace torquewright::identification

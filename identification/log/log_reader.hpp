@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "identification/log.hpp"
+#include "identification/log/columns.hpp"
+#include "identification/log/stretch.hpp"
+#include "io/csv.hpp"
+
+namespace torquewright::identification {
+
+/// Reads logs stretch by stretch, as they stand in the files: nothing is repaired yet. It holds no
+/// more than a stretch at a time.
+class LogReader {
+ public:
+  LogReader(std::vector<std::filesystem::path> files, const Rig& rig);
+
+  /// The next stretch; false at the end. Throws io::SpecError for what cannot be read: columns that
+  /// do not fit the rig, cells that are no finite number, time that does not ascend within a run,
+  /// rows of one run in two places, a file without samples.
+  bool next_stretch(Stretch& stretch);
+
+  /// Of what was read so far.
+  const std::vector<Log::File>& files_read() const { return files_read_; }
+
+  /// A step longer than this many times the median of the run's first steps cuts it.
+  static constexpr double kGapFactor = 5.0;
+  static constexpr std::size_t kStepsForMedian = 1000;
+
+ private:
+  void open_file();
+  void close_file();
+  void read_row();
+  void begin_run(std::string_view name);
+  void end_run();
+  void check_time(double time_s);
+  void append(double time_s);
+  void learn_step();
+  void hand_over(std::size_t begin, std::size_t end);
+
+  std::vector<std::filesystem::path> files_;
+  const Rig& rig_;
+  std::size_t file_ = 0;
+  std::unique_ptr<io::CsvReader> csv_;
+  Columns columns_;
+  std::set<std::string, std::less<>> names_in_file_;
+  Run run_;  ///< Of the present run, what was not handed over yet.
+  bool is_in_run_ = false;
+  std::optional<double> median_s_;  ///< Of the present run's steps, once there are enough.
+  double previous_s_ = 0.0;
+  std::size_t previous_line_ = 0;
+  std::optional<Gap> gap_;  ///< Before what is read now.
+  std::deque<Stretch> ready_;
+  std::vector<Log::File> files_read_;
+};
+
+}  // namespace torquewright::identification

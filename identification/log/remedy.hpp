@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "identification/log/channel.hpp"
+
+namespace torquewright::identification {
+
+/// Where the rig names the channel: /columns/...; /columns where it does not.
+std::string path_of(const ChannelKey& key, const Rig& rig);
+
+/// What to write into the rig so that the column's numbers are taken `factor` times as large:
+/// write {"quantity": "...", "scale": 0.0174533} for the column "q".
+std::string remedy(const ChannelKey& key, const Rig& rig, double factor);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "identification/log.hpp"
+#include "identification/log/channel.hpp"
+
+namespace torquewright::identification {
+
+/// What was repaired or masked, by channel.
+struct Repairs {
+  Tally wraps;      ///< Jumps joined.
+  Tally isolated;   ///< Samples replaced and masked.
+  Tally saturated;  ///< Samples masked.
+  Tally crowds;     ///< Samples that leave and return, left as they are.
+};
+
+/// Repairs the unambiguous faults of a stretch: joins wrapped angles, replaces and masks isolated
+/// samples, masks saturated ones. Throws io::SpecError for a wrapped angle that turns so fast that
+/// its direction cannot be told.
+void repair(Run& run, const Rig& rig, Repairs& repairs);
+
+void report(const Repairs& repairs, const Rig& rig, std::vector<DataFinding>& findings);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/log/stretch.hpp"
+
+namespace torquewright::identification {
+
+std::size_t sample_count(const Run& run) { return run.masked.size(); }
+
+Run part_of(const Run& run, std::size_t begin, std::size_t end) {
+  const auto cut = [&](const auto& values) {
+    using Values = std::decay_t<decltype(values)>;
+    if (values.empty()) return Values();
+    return Values(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                  values.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  Run part{run.name, cut(run.time_s), std::vector<Channels>(run.joints.size()), cut(run.masked)};
+  for (std::size_t joint = 0; joint < run.joints.size(); ++joint) {
+    for (std::size_t i = 0; i < kQuantityCount; ++i) {
+      part.joints[joint].of[i] = cut(run.joints[joint].of[i]);
+    }
+  }
+  return part;
+}
+
+}  // namespace torquewright::identification

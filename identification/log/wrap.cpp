@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/log/wrap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/log/channel.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+/// Isolated samples may lie anywhere; so many of the outermost are not looked at, on each side.
+constexpr double kOutermost = 0.002;
+/// Of a turn: sensors that reach a little beyond it.
+constexpr double kSlack = 0.01;
+/// Of a turn: what starts anew comes near both its ends.
+constexpr double kLeastRange = 0.9;
+
+}  // namespace
+
+bool is_wrapped(const std::vector<double>& values, double turn) {
+  bool jumps = false;
+  for (std::size_t i = 1; i < values.size() && !jumps; ++i) {
+    jumps = std::abs(values[i] - values[i - 1]) > 0.5 * turn;
+  }
+  if (!jumps) return false;
+  const double range = quantile(values, 1.0 - kOutermost) - quantile(values, kOutermost);
+  return range > kLeastRange * turn && range < (1.0 + kSlack) * turn;
+}
+
+std::size_t unwrap(std::vector<double>& values, double turn) {
+  std::size_t count = 0;
+  double turns = 0.0;
+  double previous = values.front();
+  for (double& value : values) {
+    const double jumped = std::round((value - previous) / turn);
+    if (jumped != 0.0) ++count;
+    turns -= jumped;
+    previous = value;
+    value += turns * turn;
+  }
+  return count;
+}
+
+std::optional<std::size_t> find_ambiguous_step(const std::vector<double>& values, double turn) {
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (std::abs(std::remainder(values[i] - values[i - 1], turn)) > 0.25 * turn) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/document.hpp"
+
+namespace torquewright::identification {
+
+/// The keys of a rig's "columns" in the order of its file; the document itself keeps them in
+/// alphabetical order. Nothing where the file cannot be read again (a document made in memory).
+std::optional<std::vector<std::string>> columns_as_written(const io::Document& document);
+
+/// Why an entry of "uncertain" leads to nothing that a fit could correct; empty: it leads to a
+/// number that a load (/load/...) or an actuator (/motor/..., /gearbox/...) may state. Whether this
+/// one states it is seen when all are together.
+std::string objection_to_pointer(const std::string& pointer, const nlohmann::json& rig);
+
+}  // namespace torquewright::identification

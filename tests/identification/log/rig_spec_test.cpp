@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "identification/rig.hpp"
+#include "io/document.hpp"
+#include "tests/identification/log/written_log.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using nlohmann::json;
+
+Rig read_file(const std::filesystem::path& file) {
+  return read_rig(io::read_document(file, "rig"));
+}
+
+std::string refusal_of(const json& rig) {
+  return test::refusal([&] { test::rig_of(rig); });
+}
+
+json plain() { return test::rig_json({{"t_s", "time_s"}, {"q_rad", "output_position_rad"}}); }
+
+// The document of the contract (reference, 1.1), word for word.
+TEST(ReadRig, ReadsTheContractsExample) {
+  const Rig rig =
+      test::rig_of(json::parse(R"({"kind": "rig", "version": 1, "name": "knee on the bench",
+ "columns": {"t_s": "time_s", "i_A": "motor_current_A", "q_rad": "output_position_rad", "tau_Nm": "output_torque_Nm"},
+ "ignore": ["note"],
+ "load": {"type": "dynamometer"},
+ "holdout_runs": ["step_70"],
+ "uncertain": ["/load/inertia_kg_m2"]})"));
+  EXPECT_EQ(rig.name, "knee on the bench");
+  EXPECT_EQ(rig.columns.size(), 4u);
+  EXPECT_EQ(rig.load.type, LoadType::kDynamometer);
+  // A dynamometer has no such value: there is nothing to correct, and the log's findings say so.
+  EXPECT_EQ(rig.uncertain, std::vector<std::string>{"/load/inertia_kg_m2"});
+  EXPECT_EQ(rig.joints, std::vector<std::string>{""});
+  EXPECT_EQ(rig.holdout_runs, std::vector<std::string>{"step_70"});
+}
+
+TEST(ReadRig, ReadsTheExamples) {
+  const std::filesystem::path folder = TORQUEWRIGHT_SOURCE_DIR "/specs/rig";
+  EXPECT_EQ(read_file(folder / "pendulum.json").load.type, LoadType::kPendulum);
+  EXPECT_EQ(read_file(folder / "dynamometer_knee.json").load.type, LoadType::kDynamometer);
+  EXPECT_EQ(read_file(folder / "free_flywheel.json").load.type, LoadType::kFree);
+  const Rig arm = read_file(folder / "serial_arm.json");
+  EXPECT_EQ(arm.joints, (std::vector<std::string>{"shoulder", "elbow"}));
+  EXPECT_FALSE(arm.joints_by_columns);
+}
+
+json arm() {
+  json rig = test::rig_json({{"t_s", "time_s"}});
+  const json link = {
+      {"mass_kg", 1}, {"length_m", 1}, {"center_of_mass_m", 0.5}, {"inertia_kg_m2", 0.1}};
+  rig["load"] = {{"type", "serial_arm"}, {"links", {link, link}}};
+  rig["columns"]["z"] = {{"quantity", "output_position_rad"}, {"joint", "shoulder"}};
+  rig["columns"]["a"] = {{"quantity", "output_position_rad"}, {"joint", "elbow"}};
+  return rig;
+}
+
+// The contract's links bear no names: the columns' order in the file tells which is which, and a
+// JSON object in memory has forgotten it.
+TEST(ReadRig, TakesJointsInTheOrderOfTheFilesColumns) {
+  const test::ScratchFolder folder;
+  const auto file = folder.write("arm.json", R"({"kind": "rig", "version": 1, "columns":
+    {"t_s": "time_s", "z": {"quantity": "output_position_rad", "joint": "shoulder"},
+     "a": {"quantity": "output_position_rad", "joint": "elbow"}},
+    "load": {"type": "serial_arm", "links": [
+     {"mass_kg": 1, "length_m": 1, "center_of_mass_m": 0.5, "inertia_kg_m2": 0.1},
+     {"mass_kg": 2, "length_m": 1, "center_of_mass_m": 0.5, "inertia_kg_m2": 0.1}]}})");
+  const Rig rig = read_file(file);
+  EXPECT_EQ(rig.joints, (std::vector<std::string>{"shoulder", "elbow"}));
+  EXPECT_TRUE(rig.joints_by_columns);
+  EXPECT_NE(refusal_of(arm()).find("which joint moves each?"), std::string::npos);
+}
+
+TEST(ReadRig, RefusesJointsAndLinksThatDoNotMeet) {
+  json rig = arm();
+  rig["load"]["links"][0]["joint"] = "shoulder";
+  EXPECT_NE(refusal_of(rig).find("some links name their \"joint\""), std::string::npos);
+  rig["load"]["links"][1]["joint"] = "elbov";
+  EXPECT_NE(refusal_of(rig).find("no link's joint is named \"elbow\"; did you mean \"elbov\"?"),
+            std::string::npos);
+  rig["load"]["links"][1]["joint"] = "shoulder";
+  EXPECT_NE(refusal_of(rig).find("\"shoulder\" stands twice"), std::string::npos);
+  rig["load"]["links"][1]["joint"] = "elbow";
+  EXPECT_EQ(refusal_of(rig), "");
+  rig["columns"]["i_A"] = "motor_current_A";
+  EXPECT_NE(refusal_of(rig).find("which joint's?"), std::string::npos);
+  rig["columns"]["i_A"] = "bus_voltage_V";
+  EXPECT_EQ(refusal_of(rig), "");
+}
+
+struct Mistake {
+  const char* patch;  ///< JSON merge patch on plain().
+  std::string sentence;
+};
+
+TEST(ReadRig, RefusesWithThePlace) {
+  for (
+      const Mistake& mistake : std::vector<Mistake>{
+          {R"({"columns": {"q_rad": "output_positon_rad"}})",
+           R"(/columns/q_rad: "output_positon_rad" is no quantity; did you mean "output_position_rad"?)"},
+          {R"({"columns": {"a/b": {"quantity": "speed"}}})", "/columns/a~1b/quantity: \"speed\""},
+          {R"({"columns": {"q2": "output_position_rad"}})",
+           R"(is output_position_rad as "q2" is; name one)"},
+          {R"({"columns": {"q_rad": {"quantity": "output_position_rad", "scale": 0}}})",
+           "/columns/q_rad/scale: 0 would leave nothing"},
+          {R"({"columns": {"q_rad": {"quantity": "output_position_rad", "joint": "a"}}})",
+           "only a serial_arm has several joints"},
+          {R"({"columns": {"t_s": {"quantity": "time_s", "scale": -1}}})", "is negative; time"},
+          {R"({"columns": {"r": {"quantity": "run", "offset": 1}}})", "neither scale nor offset"},
+          {R"({"columns": {"q_rad": null, "t_s": null}})", "/columns: is empty"},
+          {R"({"columns": {"t_s": null, "w": "output_velocity_rad_s"}})", "but one is a velocity"},
+          {R"({"columns": {"t_s": null, "q_rad": "motor_current_A"}})", "and none is a position"},
+          {R"({"ignore": ["q_rad"]})", "/ignore/0: \"q_rad\" stands under \"columns\" too"},
+          {R"({"ignore": ["x", "x"]})", "/ignore/1: \"x\" stands twice"},
+          {R"({"holdout_runs": ["x", "x"]})", "/holdout_runs/1: \"x\" stands twice"},
+          {R"({"load": {"type": "pendulum", "mass_kg": 1, "inertia_kg_m2": 0}})",
+           "/load/length_m: missing; a load of type \"pendulum\" needs it"},
+          {R"({"load": {"mass_kg": 1}})",
+           "/load/mass_kg: has no meaning for a load of type \"dynamometer\""},
+          {R"({"load": {"type": "crane"}})", "/load/type: \"crane\" is not one of"},
+          {R"({"load": {"type": "linear_axis", "mass_kg": 1}, "uncertain": ["/load/mass"]})",
+           R"(/uncertain/0: "/load/mass" leads to no value; did you mean /load/mass_kg?)"},
+          {R"({"uncertain": ["/motor/torque_constant_Nm"]})",
+           "did you mean /motor/torque_constant_Nm_A?"},
+          {R"({"uncertain": ["/motor/torque_constant_convention"]})", "leads to no value"},
+          {R"({"uncertain": ["motor"]})", "leads to no value; must be a number of this rig's"},
+      }) {
+    json rig = plain();
+    rig.merge_patch(json::parse(mistake.patch));
+    const std::string refusal = refusal_of(rig);
+    EXPECT_NE(refusal.find(mistake.sentence), std::string::npos) << mistake.patch << "\n"
+                                                                 << refusal;
+    EXPECT_EQ(refusal.find('\n'), std::string::npos) << mistake.patch << "\n" << refusal;
+  }
+}
+
+TEST(ReadRig, AcceptsPointersIntoRigAndActuator) {
+  json rig = plain();
+  rig["load"] = {{"type", "pendulum"}, {"mass_kg", 1}, {"length_m", 1}, {"inertia_kg_m2", 0}};
+  rig["uncertain"] = {"/load/mass_kg", "/motor/torque_constant_Nm_A", "/motor/resistance_ohm",
+                      "/gearbox/ratio", "/gearbox/forward_efficiency"};
+  EXPECT_EQ(refusal_of(rig), "");
+}
+
+TEST(ReadRig, SaysAllFaultsAtOnce) {
+  json rig = plain();
+  rig["columns"]["q_rad"] = "nothing";
+  rig["ignore"] = {"t_s"};
+  rig["uncertain"] = {"/load/x"};
+  const std::string refusal = refusal_of(rig);
+  EXPECT_EQ(std::count(refusal.begin(), refusal.end(), '\n'), 2) << refusal;
+}
+
+// A holding map has no time: positions and what holds them.
+TEST(ReadRig, NeedsNoTimeForAMap) {
+  EXPECT_EQ(refusal_of(test::rig_json({{"q", "motor_position_rad"}, {"i", "motor_current_A"}})),
+            "");
+}
+
+}  // namespace
+}  // namespace torquewright::identification
