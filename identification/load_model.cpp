@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/load_model.hpp"
+
+#include <cmath>
+
+#include "dynamics/serial_arm.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+std::vector<double> arm_load_Nm(const Rig& rig, std::size_t joint, const Signals& signals) {
+  std::vector<dynamics::SerialLink> links;
+  for (const Link& link : rig.load.links) {
+    links.push_back({link.mass_kg, link.length_m, link.center_of_mass_m, link.inertia_kg_m2});
+  }
+  dynamics::SerialArm arm(std::move(links), kGravity_m_s2);
+  const Eigen::Index joints = arm.joint_count();
+  Eigen::VectorXd q(joints), v(joints), a(joints), torque(joints);
+  std::vector<double> load_Nm(signals.size());
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    for (Eigen::Index j = 0; j < joints; ++j) {
+      const JointMotion& motion = signals.arm[static_cast<std::size_t>(j)];
+      q[j] = motion.position_rad[i];
+      v[j] = motion.velocity_rad_s[i];
+      a[j] = motion.acceleration_rad_s2[i];
+    }
+    arm.inverse_dynamics(q, v, a, torque);
+    load_Nm[i] = torque[static_cast<Eigen::Index>(joint)];
+  }
+  return load_Nm;
+}
+
+}  // namespace
+
+Winding winding_of(const actuator::Actuator& actuator) {
+  const actuator::Motor& motor = actuator.motor;
+  const auto convention = motor.torque_constant_convention;
+  const double amperes = actuator::phase_amperes_per_ampere(convention);
+  // V [winding] per phase volt, and the phase's line R i + Ke w in the document's convention.
+  const double volts = actuator::phase_volts_per_winding_volt(convention);
+  const double phase_ohm =
+      motor.resistance_ohm * actuator::phase_ohms_per_ohm(motor.resistance_convention);
+  const double stated = motor.back_emf_constant_V_s_rad.value_or(
+      motor.torque_constant_Nm_A * actuator::back_emf_per_torque_constant(convention));
+  return {phase_ohm * amperes / volts, stated};
+}
+
+double resistance_coefficient_1_K(const actuator::Actuator& actuator) {
+  for (const actuator::Effect& effect : actuator.effects) {
+    if (effect.kind->name == "winding_resistance_temperature") return effect.values[0];
+  }
+  return actuator::kCopperCoefficient_1_K;
+}
+
+double resistance_ohm(const actuator::Actuator& actuator, const Winding& winding,
+                      const actuator::Instant& at) {
+  return winding.resistance_ohm *
+         (1.0 + resistance_coefficient_1_K(actuator) *
+                    (at.winding_temperature_K - at.reference_temperature_K));
+}
+
+double load_inertia_column(const Rig& /*rig*/, const actuator::Instant& at) {
+  return at.acceleration_rad_s2;
+}
+
+double load_mass_column(const Rig& rig, const actuator::Instant& at) {
+  const Load& load = rig.load;
+  if (load.type == LoadType::kLinearAxis) return at.acceleration_rad_s2;
+  return load.length_m * load.length_m * at.acceleration_rad_s2 +
+         kGravity_m_s2 * load.length_m * std::sin(at.output_angle_rad);
+}
+
+std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signals& signals) {
+  const Load& load = rig.load;
+  if (load.type == LoadType::kSerialArm) return arm_load_Nm(rig, joint, signals);
+  std::vector<double> load_Nm(signals.size(), 0.0);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    const actuator::Instant& at = signals.at[i];
+    switch (load.type) {
+      case LoadType::kFree:
+        load_Nm[i] = load.inertia_kg_m2 * load_inertia_column(rig, at);
+        break;
+      case LoadType::kLinearAxis:
+        load_Nm[i] = load.mass_kg * load_mass_column(rig, at);
+        break;
+      case LoadType::kPendulum:
+        load_Nm[i] = load.inertia_kg_m2 * load_inertia_column(rig, at) +
+                     load.mass_kg * load_mass_column(rig, at);
+        break;
+      case LoadType::kDynamometer:
+      case LoadType::kSerialArm:
+        break;
+    }
+  }
+  return load_Nm;
+}
+
+}  // namespace torquewright::identification

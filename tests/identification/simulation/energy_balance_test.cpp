@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle: conservation of energy. What is put in less what is lost is stored, up to the scheme's
+// order, with every mechanism at once.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/identification/simulation/simple_drive.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+std::vector<actuator::Effect> everything() {
+  return {effect("viscous_friction", {0.02}),
+          effect("stribeck_friction", {0.1, 0.2, 0.3}),
+          effect("load_dependent_friction", {0.1, 0.08}),
+          harmonic_effect("cogging_torque", {{4.0, 0.05, 0.3}}),
+          harmonic_effect("gear_ripple", {{3.0, 0.05, 0.1}}, true),
+          effect("torque_lag", {0.01})};
+}
+
+double imbalance_J(const SimulatedRun& run) {
+  const WorkAccount& work = run.work;
+  return work.motor_J + work.load_J + work.periodic_J - work.friction_J - work.mesh_J -
+         work.damper_J - work.stored_J;
+}
+
+double turnover_J(const SimulatedRun& run) {
+  return std::abs(run.work.motor_J) + run.work.friction_J + run.work.mesh_J;
+}
+
+double shaken(double t) { return 2.0 * std::sin(3.0 * t) + 1.5 * std::sin(7.1 * t); }
+
+struct Case {
+  LoadType load;
+  double gap_rad;
+  double stiffness_Nm_rad;
+  double share;  ///< Of the turnover that may be missing.
+};
+
+class EnergyBalance : public testing::TestWithParam<Case> {};
+
+TEST_P(EnergyBalance, Closes) {
+  const Case& the = GetParam();
+  actuator::Actuator actuator = simple_actuator();
+  actuator.effects = everything();
+  if (the.gap_rad > 0.0) actuator.effects.push_back(effect("backlash", {the.gap_rad}));
+  if (the.stiffness_Nm_rad > 0.0) {
+    actuator.effects.push_back(effect("torsional_compliance", {the.stiffness_Nm_rad, 0.2}));
+  }
+  Excitation excited = excitation(4.0, 1e-3, shaken);
+  for (const double t : excited.time_s)
+    excited.joints[0].speed_rad_s.push_back(2.0 * std::sin(4.0 * t));
+  const SimulatedRun done = run(simple_rig(the.load), actuator, excited, {}, 1e-4);
+  ASSERT_TRUE(done.is_finite);
+  EXPECT_GT(done.work.friction_J, 0.1);
+  EXPECT_GT(done.work.mesh_J, 0.1);
+  EXPECT_LT(std::abs(imbalance_J(done)), the.share * turnover_J(done)) << imbalance_J(done);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rigs, EnergyBalance,
+                         testing::Values(Case{LoadType::kFree, 0.0, 0.0, 1e-4},
+                                         Case{LoadType::kPendulum, 0.0, 0.0, 1e-4},
+                                         Case{LoadType::kLinearAxis, 0.0, 0.0, 1e-4},
+                                         Case{LoadType::kDynamometer, 0.0, 0.0, 1e-3},
+                                         Case{LoadType::kPendulum, 0.0, 300.0, 1e-3},
+                                         Case{LoadType::kPendulum, 0.01, 0.0, 5e-3},
+                                         Case{LoadType::kDynamometer, 0.01, 400.0, 5e-3}));
+
+// Two links, friction and gears in both joints: coupled stick and slip.
+TEST(EnergyBalanceOfAnArm, Closes) {
+  Rig rig;
+  rig.joints = {"shoulder", "elbow"};
+  rig.load.type = LoadType::kSerialArm;
+  rig.load.links = {{1.0, 0.3, 0.15, 0.01}, {0.6, 0.25, 0.12, 0.005}};
+  actuator::Actuator actuator = simple_actuator();
+  actuator.effects = everything();
+  Excitation excited = excitation(4.0, 1e-3, shaken);
+  excited.joints.push_back(excited.joints[0]);
+  for (double& current : excited.joints[1].value) current *= -0.3;
+  SimulationOptions options;
+  options.longest_step_s = 1e-4;
+  const SimulatedRun done = simulate(rig, {&actuator, &actuator}, excited, {{}, {}}, options);
+  ASSERT_TRUE(done.is_finite);
+  EXPECT_LT(std::abs(imbalance_J(done)), 1e-3 * turnover_J(done));
+}
+
+// Both joints are held by friction that gravity cannot overcome; then a current moves the elbow
+// alone (which turns too slowly to drag the shoulder along).
+TEST(StickingArm, HoldsEachJointByItself) {
+  Rig rig;
+  rig.joints = {"shoulder", "elbow"};
+  rig.load.type = LoadType::kSerialArm;
+  rig.load.links = {{1.0, 0.3, 0.15, 0.01}, {0.6, 0.25, 0.12, 0.005}};
+  actuator::Actuator stiff = simple_actuator();
+  stiff.effects = {effect("coulomb_friction", {50.0})};
+  actuator::Actuator loose = simple_actuator();
+  loose.effects = {effect("coulomb_friction", {2.0})};
+  Excitation excited = excitation(1.0, 1e-3, [](double) { return 0.0; });
+  excited.joints.push_back(excited.joints[0]);
+  for (std::size_t i = 500; i < excited.time_s.size(); ++i) excited.joints[1].value[i] = 2.8;
+  const SimulatedRun done =
+      simulate(rig, {&stiff, &loose}, excited, {{0.4, 0.0, {}, {}}, {0.3, 0.0, {}, {}}});
+  EXPECT_EQ(done.joints[0].position_rad.back(), 0.4);
+  EXPECT_EQ(done.joints[1].position_rad[499], 0.3);
+  EXPECT_GT(done.joints[1].position_rad.back(), 0.31);
+}
+
+}  // namespace
+}  // namespace torquewright::identification
