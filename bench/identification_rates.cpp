@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// identification_rates CLASS FIRST_SEED COUNT: how often the right effect is named in logs with a
+// known truth. One line for each log, then the counts.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "tests/identification/rates/trial.hpp"
+
+namespace {
+
+using torquewright::oracles::LogClass;
+
+LogClass class_of(const std::string& name) {
+  for (const LogClass each : {LogClass::kNone, LogClass::kOne, LogClass::kTwo,
+                              LogClass::kCannotTell, LogClass::kOutside, LogClass::kShort}) {
+    if (name == torquewright::oracles::name_of(each)) return each;
+  }
+  fmt::print(stderr, "classes: none, one, two, cannot_tell, outside, short\n");
+  std::exit(2);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 4) {
+    fmt::print(stderr, "usage: identification_rates CLASS FIRST_SEED COUNT\n");
+    return 2;
+  }
+  const LogClass log_class = class_of(arguments[1]);
+  const auto first = std::strtoull(arguments[2], nullptr, 10);
+  const auto many = std::strtoull(arguments[3], nullptr, 10);
+  const auto folder = std::filesystem::temp_directory_path() /
+                      fmt::format("identification_rates_{}_{}", arguments[1], first);
+  int first_right = 0, all = 0, wrong = 0, grouped = 0, coordinate = 0, named = 0, parameters = 0,
+      within = 0;
+  for (unsigned long long seed = first; seed < first + many; ++seed) {
+    const auto scenario = torquewright::oracles::draw(log_class, seed);
+    const auto start = std::chrono::steady_clock::now();
+    const auto outcome = torquewright::rates::try_out(scenario, folder);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    first_right += outcome.first_is_right;
+    all += outcome.all_found && !outcome.any_wrong;
+    wrong += outcome.any_wrong;
+    grouped += outcome.is_grouped;
+    coordinate += outcome.coordinate_is_right;
+    named += !outcome.names.empty();
+    std::string names;
+    for (const std::string& name : outcome.names) names += " " + name;
+    names += outcome.parameter_note;
+    parameters += outcome.parameters;
+    within += outcome.parameters_within;
+    fmt::print("{:4} {:40} {:18} {}{}{}{} {:5.2f} {:4.1f} s:{}\n", seed, outcome.truth,
+               torquewright::identification::name_of(outcome.verdict),
+               outcome.first_is_right ? 'F' : '-', outcome.all_found ? 'A' : '-',
+               outcome.any_wrong ? 'W' : '-', outcome.coordinate_is_right ? 'C' : '-',
+               outcome.after_over_noise, seconds, names);
+    std::fflush(stdout);
+  }
+  fmt::print(
+      "{}: {} logs; named {}, first right {}, all and nothing wrong {}, wrong {}, grouped {}, "
+      "coordinate right {}, parameters within 3 errors {} of {}\n",
+      arguments[1], many, named, first_right, all, wrong, grouped, coordinate, within, parameters);
+  std::filesystem::remove_all(folder);
+  return 0;
+}

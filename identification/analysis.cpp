@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/analysis.hpp"
+
+#include "identification/delay_choice.hpp"
+#include "identification/equation_analysis.hpp"
+#include "identification/folds.hpp"
+#include "identification/orders.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+constexpr int kReplicas = 2;
+
+/// The equations of one joint, one after the other.
+class JointAnalysis {
+ public:
+  JointAnalysis(const Rig& rig, const Log& log, std::size_t joint,
+                const std::vector<const actuator::Actuator*>& actuators,
+                const AnalysisOptions& options)
+      : log_(log),
+        options_(options),
+        bench_(make_bench(rig, log, joint, actuators)),
+        levels_(noise_levels(log, joint)),
+        folds_(run_folds(log)) {}
+
+  std::vector<EquationResult> run() {
+    say("preparing", 0.0);
+    const std::vector<Signals> signals = prepare(log_, bench_, levels_, {});
+    std::vector<EquationResult> results;
+    if (signals.empty()) {
+      results.emplace_back().unusable = "no stretch of the log is long enough (0.5 s)";
+      return results;
+    }
+    say("estimating the noise floor", 0.1);
+    const std::vector<std::vector<Signals>> replicas = noisy({});
+    if (bench_.has_torque_balance()) results.push_back(torque_result(signals, replicas));
+    std::vector<Equation> plain = plain_equations(bench_, signals);
+    for (std::size_t k = 0; k < plain.size(); ++k) {
+      say("searching: " + plain[k].quantity,
+          0.8 + 0.2 * static_cast<double>(k) / static_cast<double>(plain.size()));
+      results.push_back(
+          analyse_equation(bench_, log_, std::move(plain[k]), signals, replicas, options_));
+    }
+    return results;
+  }
+
+ private:
+  void say(const std::string& what, double share) const {
+    if (options_.progress) options_.progress(what, share);
+  }
+
+  /// The same signals with noise added once more, several times.
+  std::vector<std::vector<Signals>> noisy(const PreparationOptions& like) const {
+    std::vector<std::vector<Signals>> replicas;
+    for (int k = 0; k < kReplicas; ++k) {
+      PreparationOptions once_more = like;
+      once_more.noise = &levels_;
+      once_more.seed = options_.seed + static_cast<std::uint64_t>(k);
+      replicas.push_back(prepare(log_, bench_, levels_, once_more));
+    }
+    return replicas;
+  }
+
+  EquationResult torque(const std::vector<Signals>& signals,
+                        const std::vector<std::vector<Signals>>& replicas) const {
+    const Extent extent = extent_of(signals);
+    const Orders orders = promising_orders(bench_, signals, folds_, extent);
+    return analyse_equation(bench_, log_, torque_equation(bench_, extent, orders), signals,
+                            replicas, options_);
+  }
+
+  /// As the log is, or with the one channel moved back that is late.
+  EquationResult torque_result(const std::vector<Signals>& signals,
+                               const std::vector<std::vector<Signals>>& replicas) const {
+    say("searching: torque", 0.3);
+    EquationResult plain = torque(signals, replicas);
+    say("aligning", 0.6);
+    const auto delay = options_.select ? find_delay(bench_, signals, folds_) : std::nullopt;
+    if (!delay) return plain;
+    PreparationOptions moved;
+    moved.delay_s[static_cast<std::size_t>(delay->channel)] = delay->delay_s;
+    EquationResult aligned = torque(prepare(log_, bench_, levels_, moved), noisy(moved));
+    return with_delay_if_better(std::move(plain), std::move(aligned), *delay);
+  }
+
+  const Log& log_;
+  const AnalysisOptions& options_;
+  Bench bench_;
+  NoiseLevels levels_;
+  std::vector<std::size_t> folds_;
+};
+
+}  // namespace
+
+std::vector<EquationResult> analyse(const Rig& rig, const Log& log, std::size_t joint,
+                                    const std::vector<const actuator::Actuator*>& actuators,
+                                    const AnalysisOptions& options) {
+  std::vector<EquationResult> results = JointAnalysis(rig, log, joint, actuators, options).run();
+  for (EquationResult& each : results) each.joint = rig.joints[joint];
+  return results;
+}
+
+}  // namespace torquewright::identification

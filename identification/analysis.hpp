@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "identification/result.hpp"
+
+namespace torquewright::identification {
+
+struct AnalysisOptions {
+  bool select = true;      ///< False: residual, noise floor and structure only.
+  std::uint64_t seed = 1;  ///< Of the noise replicas.
+  /// Called with what is being done, and how much of all is done (0 to 1).
+  std::function<void(const std::string&, double)> progress;
+};
+
+/// Steps 2 to 5 for every equation that a joint's channels allow.
+/// docs/derivations/identification.md.
+std::vector<EquationResult> analyse(const Rig& rig, const Log& log, std::size_t joint,
+                                    const std::vector<const actuator::Actuator*>& actuators,
+                                    const AnalysisOptions& options = {});
+
+}  // namespace torquewright::identification

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/bench.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+void choose_drive(const Channels& channels, Bench& bench) {
+  const auto take = [&](Drive drive, Quantity quantity) {
+    if (bench.drive || !channels.has(quantity)) return;
+    bench.drive = drive;
+    bench.drive_channel = quantity;
+  };
+  take(Drive::kCurrent, Quantity::kMotorCurrent);
+  take(Drive::kTorque, Quantity::kReportedTorque);
+  take(Drive::kTorque, Quantity::kCommandedTorque);
+  take(Drive::kVoltage, Quantity::kWindingVoltage);
+  take(Drive::kVoltage, Quantity::kDuty);
+}
+
+void choose_load_side(const Channels& channels, Bench& bench) {
+  for (const Quantity sensor : {Quantity::kOutputTorque, Quantity::kLinearForce}) {
+    if (!channels.has(sensor)) continue;
+    bench.load_side = LoadSide::kSensor;
+    bench.load_channel = sensor;
+  }
+  if (!bench.load_side && bench.rig->load.type != LoadType::kDynamometer) {
+    bench.load_side = LoadSide::kModel;
+  }
+}
+
+}  // namespace
+
+Bench make_bench(const Rig& rig, const Log& log, std::size_t joint,
+                 const std::vector<const actuator::Actuator*>& actuators) {
+  Bench bench;
+  bench.rig = &rig;
+  bench.joint = joint;
+  bench.actuators = actuators;
+  bench.is_linear = rig.load.type == LoadType::kLinearAxis;
+  const Channels& channels = log.runs.front().joints[joint];
+  choose_drive(channels, bench);
+  choose_load_side(channels, bench);
+  bench.has_temperature =
+      channels.has(Quantity::kWindingTemperature) || channels.has(Quantity::kCaseTemperature);
+  return bench;
+}
+
+}  // namespace torquewright::identification

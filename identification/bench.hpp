@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "actuator/actuator.hpp"
+#include "identification/log.hpp"
+#include "identification/rig.hpp"
+#include "identification/signals.hpp"
+
+namespace torquewright::identification {
+
+/// One joint of a log with its nominal actuator, and where the two sides of its torque balance come
+/// from. docs/derivations/identification.md section 1. It points to the rig and the actuators,
+/// which have to outlive it.
+struct Bench {
+  const Rig* rig = nullptr;
+  std::size_t joint = 0;                             ///< Index into Rig::joints.
+  std::vector<const actuator::Actuator*> actuators;  ///< One per joint.
+  std::optional<Drive> drive;                        ///< Absent: nothing says what the motor does.
+  std::optional<LoadSide> load_side;                 ///< Absent: nothing says what the load takes.
+  Quantity drive_channel = Quantity::kMotorCurrent;
+  Quantity load_channel = Quantity::kOutputTorque;
+  bool is_linear = false;  ///< Output in m, m/s and N.
+  bool has_temperature = false;
+
+  const actuator::Actuator& actuator() const { return *actuators[joint]; }
+  bool has_torque_balance() const { return drive && load_side; }
+};
+
+/// Chooses the channels: current, then the driver's torque, then command, then voltage; a sensor
+/// before the rig's model. The runs of a log hold the same channels; there is at least one run.
+Bench make_bench(const Rig& rig, const Log& log, std::size_t joint,
+                 const std::vector<const actuator::Actuator*>& actuators);
+
+}  // namespace torquewright::identification

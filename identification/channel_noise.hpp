@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "identification/log.hpp"
+
+namespace torquewright::identification {
+
+/// Standard deviations of white noise on the raw channels of a joint, by Quantity, each in its
+/// channel's unit; that of a quantised channel is at least its step over sqrt(12). 0: not logged,
+/// or fewer than 16 samples.
+using NoiseLevels = std::array<double, kQuantityCount>;
+NoiseLevels noise_levels(const Log& log, std::size_t joint);
+
+}  // namespace torquewright::identification

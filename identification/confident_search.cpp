@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/confident_search.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "identification/gates.hpp"
+#include "identification/trials.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+constexpr int kMostSearches = 5;
+
+const std::string& effect_of(const EquationFit& fit, std::size_t variant) {
+  return fit.equation().dictionary.variants[variant].effect;
+}
+
+/// Of each member; an empty one: none.
+std::vector<std::string> doubts_of(const EquationFit& fit, const Selection& selection) {
+  if (selection.model.members.empty()) return {};
+  return doubts(fit.fitter(), selection, fit.signals(), fit.equation().target, fit.band(),
+                fit.floor_loss(selection.model), fit.structure(selection.model))
+      .of_member;
+}
+
+std::set<std::string> effects_of(const EquationFit& fit, const Selection& selection) {
+  std::set<std::string> effects;
+  for (const std::size_t member : selection.model.members) effects.insert(effect_of(fit, member));
+  return effects;
+}
+
+/// Paths and gains of a model whose members stand in the order of their gain.
+void fill_path(const Fitter& fitter, const Members& kept, Selection& less) {
+  Members members;
+  for (std::size_t m = 0; m < kept.size(); ++m) {
+    members.push_back(kept[m]);
+    less.path.push_back(fitter.fit(members));
+    less.gains.push_back(gain_of(fitter, fitter.fit_unlimited(less_one(kept, m)), less.model));
+  }
+}
+
+/// The same selection with fewer members.
+Selection reduced_to(const EquationFit& fit, const Members& kept, const Selection& selection) {
+  Selection less;
+  less.empty = selection.empty;
+  less.rejected = selection.rejected;
+  less.model = fit.fitter().fit(kept);
+  if (!less.model.is_valid) {
+    less.model = selection.empty;
+    return less;
+  }
+  fill_path(fit.fitter(), kept, less);
+  for (const Group& group : selection.groups) {
+    const auto at = std::find(kept.begin(), kept.end(), selection.model.members[group.member]);
+    if (at == kept.end()) continue;
+    less.groups.push_back({static_cast<std::size_t>(at - kept.begin()), group.effects});
+  }
+  return less;
+}
+
+/// Members without a doubt, until none that stays has one.
+Selection sure_part(const EquationFit& fit, Selection selection,
+                    std::vector<std::string> of_member) {
+  const auto is_doubt = [](const std::string& each) { return !each.empty(); };
+  while (std::any_of(of_member.begin(), of_member.end(), is_doubt)) {
+    Members kept;
+    for (std::size_t m = 0; m < of_member.size(); ++m) {
+      if (of_member[m].empty()) kept.push_back(selection.model.members[m]);
+    }
+    selection = reduced_to(fit, kept, selection);
+    of_member = doubts_of(fit, selection);
+  }
+  return selection;
+}
+
+/// The effects of doubtful members, whose doubts join the list.
+std::set<std::string> collect_doubtful(const EquationFit& fit, const Selection& selection,
+                                       const std::vector<std::string>& of_member,
+                                       std::vector<Rejection>& doubtful) {
+  std::set<std::string> effects;
+  for (std::size_t m = 0; m < of_member.size(); ++m) {
+    if (of_member[m].empty()) continue;
+    const std::string& effect = effect_of(fit, selection.model.members[m]);
+    effects.insert(effect);
+    doubtful.push_back({effect, "it lowers the error, but " + of_member[m]});
+  }
+  return effects;
+}
+
+}  // namespace
+
+ConfidentSelection confident_search(const EquationFit& fit) {
+  SearchOptions options;
+  options.target_is_motor_side = fit.equation().target_is_motor_side;
+  options.is_free_load = fit.equation().is_free_load;
+  options.variants = fit.excited_variants();
+  std::vector<Rejection> doubtful;
+  for (int round = 1;; ++round) {
+    Selection selection = search(fit.fitter(), options);
+    const std::vector<std::string> of_member = doubts_of(fit, selection);
+    const auto left_out = collect_doubtful(fit, selection, of_member, doubtful);
+    const bool is_sure = left_out.empty();
+    if (is_sure || round == kMostSearches || left_out.size() == effects_of(fit, selection).size()) {
+      if (!is_sure) selection = sure_part(fit, selection, of_member);
+      selection.rejected.insert(selection.rejected.end(), doubtful.begin(), doubtful.end());
+      return {std::move(selection), !is_sure};
+    }
+    std::erase_if(options.variants,
+                  [&](std::size_t v) { return left_out.count(effect_of(fit, v)) != 0; });
+  }
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/equation_fit.hpp"
+#include "identification/search.hpp"
+
+namespace torquewright::identification {
+
+/// A selection whose every member is a confident name. What was doubtful stands among its rejected.
+struct ConfidentSelection {
+  Selection selection;
+  bool has_tentative = false;  ///< Something helps, but no name for it is sure.
+};
+
+/// Searches until every member is a confident name: what is doubtful is left out of the next
+/// search, and what it was is said. docs/derivations/identification.md section 6. Requires that the
+/// equation without any effect can be fitted.
+ConfidentSelection confident_search(const EquationFit& fit);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/folds.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "identification/model.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+constexpr std::size_t kLeastFolds = 3;
+constexpr std::size_t kPieces = 4;  ///< In all, where runs are cut.
+
+}  // namespace
+
+std::vector<std::size_t> run_folds(const Log& log) {
+  std::map<std::string, std::size_t> index;
+  std::vector<std::size_t> folds;
+  for (const Run& run : log.runs) {
+    const bool is_held_out = std::find(log.holdout_runs.begin(), log.holdout_runs.end(),
+                                       run.name) != log.holdout_runs.end();
+    if (is_held_out) {
+      folds.push_back(Fitter::kNoFold);
+      continue;
+    }
+    folds.push_back(index.try_emplace(run.name, index.size()).first->second);
+  }
+  return folds;
+}
+
+Folds make_folds(const Log& log, const Gram& gram) {
+  Folds folds;
+  folds.of_run = run_folds(log);
+  std::size_t count = 0;
+  for (const std::size_t fold : folds.of_run) {
+    if (fold != Fitter::kNoFold) count = std::max(count, fold + 1);
+  }
+  for (const Block& block : gram.blocks) folds.of_block.push_back(folds.of_run[block.run]);
+  if (count >= kLeastFolds) return folds;
+  folds.cut_runs = true;
+  std::size_t training = 0;
+  for (const std::size_t fold : folds.of_block) training += fold != Fitter::kNoFold;
+  const std::size_t pieces = std::min(kPieces, std::max<std::size_t>(training, 1));
+  std::size_t at = 0;
+  for (std::size_t& fold : folds.of_block) {
+    if (fold != Fitter::kNoFold) fold = at++ * pieces / training;
+  }
+  return folds;
+}
+
+}  // namespace torquewright::identification

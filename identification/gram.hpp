@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identification/dictionary.hpp"
+
+namespace torquewright::identification {
+
+/// The band in which residual and columns are compared, and how they are cut up.
+struct BandOptions {
+  double cutoff_Hz = 8.0;
+  double block_s = 1.5;
+  std::size_t most_blocks = 400;  ///< Longer blocks where there would be more.
+};
+
+/// One block of a run: sums of products of the columns and, last, the target.
+struct Block {
+  std::size_t run = 0;  ///< Index into Log::runs.
+  double samples = 0.0;
+  Eigen::MatrixXd product;  ///< Less what the channels' noise contributes to it.
+};
+
+/// All that regression needs to know of a log, whatever its length.
+/// docs/derivations/identification.md eq. (7) to (9).
+struct Gram {
+  std::vector<Block> blocks;
+  Eigen::MatrixXd noise;        ///< Of the whole log: what noise contributes to the products.
+  std::vector<bool> is_usable;  ///< By column: it stands out of its own noise.
+  double samples = 0.0;
+  Eigen::Index target() const { return noise.rows() - 1; }
+};
+
+/// A target's values, one for each sample of the signals.
+using Target = std::function<std::vector<double>(const Signals&)>;
+
+/// `replicas` are the same signals with noise added once more, one list for each replica.
+Gram build_gram(const std::vector<Signals>& signals,
+                const std::vector<std::vector<Signals>>& replicas, const Dictionary& dictionary,
+                const Target& target, const BandOptions& options);
+
+/// Signals in the band, thinned: samples in rows, columns of the dictionary and the target last.
+/// Rows that are not usable are left out; `index` says which sample each row is.
+struct BandRows {
+  Eigen::MatrixXd values;
+  std::vector<std::size_t> index;
+};
+BandRows band_rows(const Signals& signals, const std::vector<const Column*>& columns,
+                   const Target& target, const BandOptions& options);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/channel_grid.hpp"
+
+namespace torquewright::identification {
+
+/// Position, velocity and acceleration of a joint's output from the best channels there are: the
+/// output's position before the motor's, a position before a velocity. From velocities alone the
+/// position starts at 0. In a map without time velocity and acceleration are 0.
+JointMotion read_motion(ChannelGrid& grid, const actuator::Actuator& actuator);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/plan_trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "actuator/torque_at.hpp"
+#include "identification/load_model.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+constexpr double kPlanStep_s = 1e-3;  ///< Of the simulation; stiff parts get less.
+constexpr double kShareOfTorque = 0.002;
+constexpr double kShareOfDrive = 0.005;
+const double kAngleStep_rad = 2.0 * std::numbers::pi / 16384.0;
+
+double square(double value) { return value * value; }
+
+Extent extent_of_limits(const ExcitationLimits& limits, const actuator::Actuator& actuator) {
+  Extent extent;
+  extent.speed_rad_s = limits.speed_rad_s();
+  extent.current_A = limits.current_A(0.0, 1.0);
+  extent.output_angle_rad = 2.0 * limits.rig().position_rad.value_or(std::numbers::pi);
+  extent.motor_angle_rad = std::abs(actuator.transmission.ratio) * extent.output_angle_rad;
+  extent.temperature_K = extent.warmth_K = 20.0;
+  extent.slow_share = 0.2;
+  extent.rate_Hz = 100.0;
+  return extent;
+}
+
+Orders planned_orders(const actuator::Actuator& actuator) {
+  // One of each, for what is asked by name: the electrical turn's second, the output's first two.
+  return {{2.0 * actuator.motor.pole_pairs}, {1.0, 2.0}, {}, {1.0}};
+}
+
+}  // namespace
+
+std::map<Quantity, double> typical_noise(const Rig& rig, const actuator::Actuator& actuator,
+                                         const ExcitationLimits& limits) {
+  std::map<Quantity, double> noise;
+  for (const ColumnUse& use : rig.columns) {
+    switch (use.quantity) {
+      case Quantity::kOutputTorque:
+      case Quantity::kLinearForce:
+        noise[use.quantity] = kShareOfTorque * limits.greatest_torque_Nm();
+        break;
+      case Quantity::kReportedTorque:
+      case Quantity::kCommandedTorque:
+        noise[use.quantity] = kShareOfDrive * limits.greatest_torque_Nm();
+        break;
+      case Quantity::kMotorCurrent:
+        noise[use.quantity] = kShareOfDrive * actuator.drive.peak_current_A;
+        break;
+      case Quantity::kWindingVoltage:
+        noise[use.quantity] = kShareOfDrive * actuator.drive.bus_voltage_V;
+        break;
+      case Quantity::kOutputPosition:
+      case Quantity::kMotorPosition:
+        noise[use.quantity] = kAngleStep_rad / std::sqrt(12.0);
+        break;
+      default:
+        break;
+    }
+  }
+  return noise;
+}
+
+Log noiseless_log(const Rig& rig, const actuator::Actuator& actuator,
+                  const std::vector<ExcitationRun>& runs,
+                  const std::vector<SimulatedRun>& simulated) {
+  Log log;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const JointTrace& trace = simulated[r].joints[0];
+    Run run;
+    run.name = runs[r].name;
+    run.time_s = runs[r].excitation.time_s;
+    run.masked.assign(run.time_s.size(), 0);
+    run.joints.resize(1);
+    for (const ColumnUse& use : rig.columns) {
+      if (use.quantity == Quantity::kTime) continue;
+      run.joints[0][use.quantity] =
+          simulated_quantity(use.quantity, actuator, runs[r].excitation, trace);
+    }
+    log.train_runs.push_back(run.name);
+    log.runs.push_back(std::move(run));
+  }
+  return log;
+}
+
+PlanTrial::PlanTrial(const Rig& rig, const actuator::Actuator& actuator,
+                     const ExcitationLimits& limits, const std::map<Quantity, double>& noise,
+                     const std::vector<ExcitationRun>& first)
+    : rig_(rig), actuator_(actuator), limits_(limits), noise_(noise) {
+  for (const auto& [quantity, sigma] : noise) levels_[static_cast<std::size_t>(quantity)] = sigma;
+  std::vector<ExcitationRun> short_run = {first.front()};
+  short_run[0].excitation.time_s.resize(2);
+  for (JointDrive& joint : short_run[0].excitation.joints) {
+    joint.value.resize(2);
+    if (!joint.speed_rad_s.empty()) joint.speed_rad_s.resize(2);
+  }
+  const SimulatedRun simulated = simulate(rig, {&actuator}, short_run[0].excitation, {JointStart{}});
+  bench_ = make_bench(rig, noiseless_log(rig, actuator, short_run, {simulated}), 0, {&actuator});
+  if (!bench_.has_torque_balance()) return;
+  extent_ = extent_of_limits(limits, actuator);
+  dictionary_ = torque_dictionary(bench_, extent_, planned_orders(actuator));
+}
+
+std::vector<PlannedColumn> PlanTrial::columns(const std::string& effect) const {
+  return planned_columns(dictionary_, extent_, effect);
+}
+
+std::optional<std::vector<SimulatedRun>> PlanTrial::inside(const std::vector<ExcitationRun>& runs,
+                                                           std::size_t stride) const {
+  SimulationOptions options;
+  options.longest_step_s = kPlanStep_s;
+  std::vector<SimulatedRun> simulated;
+  for (const ExcitationRun& run : runs) {
+    simulated.push_back(simulate(rig_, {&actuator_}, run.excitation, {run.start}, options));
+    if (!simulated.back().is_finite || !limits_.hold(simulated.back().joints[0], stride)) return {};
+  }
+  return simulated;
+}
+
+double PlanTrial::noise_density_Nm2_s(double step_s) const {
+  const auto sigma = [&](Quantity quantity) {
+    const auto found = noise_.find(quantity);
+    return found == noise_.end() ? 0.0 : found->second;
+  };
+  const double ratio = std::abs(actuator_.transmission.ratio);
+  const double per_ampere = ratio * actuator_.motor.torque_constant_Nm_A;
+  double inertia = actuator::reflected_inertia_kg_m2(actuator_);
+  double variance = 0.0;
+  if (bench_.load_side == LoadSide::kSensor) {
+    variance += square(sigma(bench_.load_channel));
+  } else {
+    inertia += load_inertia_column(rig_, {});
+  }
+  if (bench_.drive == Drive::kCurrent) variance += square(per_ampere * sigma(bench_.drive_channel));
+  if (bench_.drive == Drive::kTorque) variance += square(sigma(bench_.drive_channel));
+  if (bench_.drive == Drive::kVoltage) {
+    const double volt_Nm = per_ampere / winding_of(actuator_).resistance_ohm;
+    const bool is_duty = bench_.drive_channel == Quantity::kDuty;
+    variance += square(volt_Nm * sigma(bench_.drive_channel) *
+                       (is_duty ? actuator_.drive.bus_voltage_V : 1.0));
+  }
+  const double position = std::max({sigma(Quantity::kOutputPosition), sigma(Quantity::kLinearPosition),
+                                    sigma(Quantity::kMotorPosition) / ratio});
+  const double omega_1_s = 2.0 * std::numbers::pi * BandOptions().cutoff_Hz;
+  variance += square(inertia * position) * square(square(omega_1_s)) / 5.0;
+  return variance * step_s;
+}
+
+PlanTrial::Information PlanTrial::information(const std::vector<ExcitationRun>& runs,
+                                              const std::vector<SimulatedRun>& simulated,
+                                              const std::vector<PlannedColumn>& columns) const {
+  const auto size = static_cast<Eigen::Index>(columns.size());
+  Information information{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
+  const Log log = noiseless_log(rig_, actuator_, runs, simulated);
+  const Target none = [](const Signals& signals) { return std::vector<double>(signals.size(), 0.0); };
+  const BandOptions band;
+  const double density = noise_density_Nm2_s(runs.front().excitation.time_s[1]);
+  for (const Signals& signals : prepare(log, bench_, levels_, {})) {
+    const BandRows index = band_rows(signals, {}, none, band);
+    if (index.index.size() < 2) continue;
+    std::size_t stride = signals.size();
+    for (std::size_t k = 1; k < index.index.size(); ++k) {
+      stride = std::min(stride, index.index[k] - index.index[k - 1]);
+    }
+    const double row_s = static_cast<double>(stride) * signals.step_s;
+    const Eigen::MatrixXd rows = planned_rows(signals, dictionary_, columns, none, band);
+    information.matrix += rows.transpose() * rows * (row_s / density);
+    information.largest =
+        information.largest.cwiseMax(rows.cwiseAbs().colwise().maxCoeff().transpose());
+  }
+  return information;
+}
+
+}  // namespace torquewright::identification

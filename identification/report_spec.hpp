@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "identification/identify.hpp"
+
+namespace torquewright::identification {
+
+/// A document of kind `identification_report` (specs/schema/identification_report.json) without its
+/// provenance ("options", "tool", "inputs"). What was not measured is null.
+nlohmann::ordered_json identification_report_json(const Identification& found);
+
+/// How the noise floor is found: a sentence.
+std::string noise_floor_method();
+
+/// What is left along a coordinate: a sentence.
+std::string sentence_of(const Structure& structure);
+
+/// The coordinates along which something is left beyond chance, each once, the strongest first.
+std::vector<Structure> significant_of(const std::vector<Structure>& structures);
+
+/// What was rejected and did not come in in another form (another delay, another harmonic).
+std::vector<Rejection> rejections_of(const EquationResult& equation);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "identification/preparation.hpp"
+
+namespace torquewright::identification {
+
+/// How far the output's position may move within its noise, in rad (or m): three deviations of its
+/// best channel.
+double position_play(const Bench& bench, const NoiseLevels& levels);
+
+/// The sign of the motion at each sample; within what that play makes of standing still after a
+/// filter of `cutoff_Hz`, in proportion to the velocity.
+std::vector<double> directions(const std::vector<double>& velocity_rad_s, double play_rad,
+                               double cutoff_Hz, double step_s);
+
+/// 1 where the output rests (friction is undetermined there), and around it as far as the filters
+/// carry what happens there; and at both ends, where the filters have not settled. step_s > 0.
+std::vector<std::uint8_t> rest_mask(const std::vector<double>& velocity_rad_s, double play_rad,
+                                    double step_s);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "identification/leftover.hpp"
+#include "identification/log.hpp"
+#include "identification/search.hpp"
+
+namespace torquewright::identification {
+
+/// Root mean squares, in the equation's unit, in its band.
+struct Errors {
+  double train_rms = 0.0;
+  double holdout_rms = 0.0;
+};
+
+/// An effect that earned its place.
+struct NamedEffect {
+  std::string effect;
+  Family family = Family::kActuator;
+  nlohmann::ordered_json parameters;
+  nlohmann::ordered_json standard_error;  ///< By the same keys.
+  double holdout_rms_before = 0.0;        ///< Of the model with the effects before it.
+  double holdout_rms_after = 0.0;
+  Gain gain;             ///< Against its own removal.
+  std::string replaces;  ///< Stated effects that it takes the place of: "a, b".
+  std::string evidence;  ///< A sentence.
+};
+
+/// A value that the rig calls uncertain, as fitted.
+struct Correction {
+  std::string pointer;
+  double stated = 0.0;
+  double value = 0.0;
+  double standard_error = 0.0;
+};
+
+/// Effects that the log cannot tell apart.
+struct Confounded {
+  std::vector<std::string> effects;  ///< The one that was added first.
+  bool exact = false;                ///< Whatever the excitation on such a rig.
+  std::string separated_by;
+  std::string consequence;  ///< For the region, of each reading.
+};
+
+enum class Verdict { kExplained, kPartlyExplained, kUnexplained, kNothingMissing, kCannotTell };
+std::string_view name_of(Verdict verdict);
+
+/// What was found in one equation of one joint.
+struct EquationResult {
+  std::string joint;  ///< Empty unless a serial arm.
+  std::string quantity;
+  std::string unit;
+  double band_Hz = 0.0;
+  double noise_floor_rms = 0.0;
+  Errors before, after;
+  std::vector<NamedEffect> added;
+  std::vector<Correction> corrected;
+  std::vector<Rejection> rejected;
+  std::vector<Confounded> confounded;
+  std::vector<std::string> not_excited;
+  std::vector<Structure> structure_before, structure_after;
+  bool is_noise_before = false;  ///< Nothing to explain.
+  bool is_noise_after = false;
+  bool has_tentative = false;  ///< Something helps, but no name is sure.
+  std::string not_one_rig;     ///< Why the runs do not belong together; empty: they do.
+  std::string unusable;        ///< Why nothing could be said; empty: something could.
+  Verdict verdict = Verdict::kCannotTell;
+};
+
+}  // namespace torquewright::identification

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace torquewright::identification {
+
+/// A low-pass filter without delay: a Butterworth filter of second order run forward and backward,
+/// so of fourth order with half its power at the cut-off taken twice. The ends are continued by
+/// point reflection. docs/derivations/identification.md eq. (1).
+class LowPass {
+ public:
+  /// Requires 0 < cutoff_Hz; a cut-off of 0.45 of the rate and more passes everything.
+  LowPass(double cutoff_Hz, double rate_Hz);
+
+  void apply(std::vector<double>& signal) const;
+
+  /// Samples after which an end's influence has died away (to about 1 %).
+  std::size_t settling() const { return settling_; }
+
+ private:
+  void pass(std::vector<double>& signal) const;
+
+  bool passes_all_ = false;
+  double b0_ = 1.0, b1_ = 0.0, b2_ = 0.0, a1_ = 0.0, a2_ = 0.0;
+  std::size_t settling_ = 0;
+};
+
+/// Derivative by the five-point formula (error of fourth order in the step); one-sided formulas of
+/// second order at the two samples of each end. Requires at least five samples.
+std::vector<double> derivative(std::span<const double> signal, double step_s);
+
+/// The signal at times start + k step, linear between its samples. Requires ascending times.
+std::vector<double> resampled(std::span<const double> time_s, std::span<const double> signal,
+                              double start_s, double step_s, std::size_t count);
+
+/// The signal `delay_s` earlier: out(t) = in(t + delay), linear between samples, ends held.
+std::vector<double> advanced(std::span<const double> signal, double delay_s, double step_s);
+
+/// Every `factor`-th sample, from the first.
+std::vector<double> decimated(std::span<const double> signal, std::size_t factor);
+
+/// Standard deviation of white noise on a smooth signal: 1.4826 times the median magnitude of fifth
+/// differences over sqrt(252), the norm of their weights.
+double noise_level(std::span<const double> signal);
+
+}  // namespace torquewright::identification

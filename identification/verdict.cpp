@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/verdict.hpp"
+
+#include <algorithm>
+
+namespace torquewright::identification {
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kExplained:
+      return "explained";
+    case Verdict::kPartlyExplained:
+      return "partly_explained";
+    case Verdict::kUnexplained:
+      return "unexplained";
+    case Verdict::kNothingMissing:
+      return "nothing_missing";
+    case Verdict::kCannotTell:
+      return "cannot_tell";
+  }
+  return "";
+}
+
+Verdict verdict_of(const EquationResult& result, bool is_searched) {
+  if (!result.not_one_rig.empty()) return Verdict::kCannotTell;
+  if (!is_searched || result.added.empty()) {
+    return result.is_noise_before ? Verdict::kNothingMissing : Verdict::kUnexplained;
+  }
+  const bool is_ambiguous = std::any_of(result.confounded.begin(), result.confounded.end(),
+                                        [](const Confounded& group) { return !group.exact; });
+  if (is_ambiguous) return Verdict::kCannotTell;
+  const bool is_all = result.is_noise_after && !result.has_tentative;
+  return is_all ? Verdict::kExplained : Verdict::kPartlyExplained;
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// A plan is inside the region at every sample, the same every time, no worse than the chirp for
+// what it is made for, and its standard errors are what repeated fits scatter by.
+#include "identification/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/QR>
+#include <cmath>
+#include <random>
+
+#include "actuator/actuator_spec.hpp"
+#include "identification/plan_trial.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+actuator::Actuator bench_actuator() {
+  return actuator::read_actuator(TORQUEWRIGHT_SOURCE_DIR "/specs/log/bench_actuator.json").actuator;
+}
+
+Rig bench_rig() {
+  return read_rig(io::read_document(TORQUEWRIGHT_SOURCE_DIR "/specs/log/bench_rig.json", "rig"));
+}
+
+PlanOptions asked(std::vector<std::string> effects) {
+  PlanOptions options;
+  options.separate = std::move(effects);
+  options.duration_s = 16.0;
+  options.candidates = 8;
+  return options;
+}
+
+const Plan& stribeck_plan() {
+  static const Plan plan = plan_excitation(bench_rig(), bench_actuator(),
+                                           asked({"stribeck_friction", "coulomb_friction"}));
+  return plan;
+}
+
+TEST(Plan, IsInsideTheRegionAtEverySample) {
+  const actuator::Actuator actuator = bench_actuator();
+  const actuator::Region region(actuator, {});
+  for (const ExcitationRun& run : stribeck_plan().runs) {
+    // By the simulation's own step, finer than the search's.
+    const SimulatedRun simulated =
+        simulate(bench_rig(), {&actuator}, run.excitation, {run.start});
+    const JointTrace& trace = simulated.joints[0];
+    for (std::size_t i = 0; i < trace.torque_Nm.size(); ++i) {
+      const actuator::JointRange range = region.at(trace.speed_rad_s[i]);
+      ASSERT_FALSE(range.is_empty);
+      ASSERT_LE(trace.torque_Nm[i], range.greatest.torque_Nm);
+      ASSERT_GE(trace.torque_Nm[i], range.least.torque_Nm);
+      ASSERT_LE(std::abs(trace.current_A[i]), actuator.drive.peak_current_A);
+    }
+  }
+}
+
+TEST(Plan, KeepsToTheRigsLimits) {
+  PlanOptions options = asked({"coulomb_friction", "viscous_friction"});
+  options.limits.position_rad = 0.5;
+  options.limits.speed_rad_s = 3.0;
+  options.candidates = 2;
+  const actuator::Actuator actuator = bench_actuator();
+  for (const ExcitationRun& run : plan_excitation(bench_rig(), actuator, options).runs) {
+    const SimulatedRun simulated =
+        simulate(bench_rig(), {&actuator}, run.excitation, {run.start});
+    for (std::size_t i = 0; i < run.excitation.time_s.size(); ++i) {
+      ASSERT_LE(std::abs(simulated.joints[0].position_rad[i]), 0.5);
+      ASSERT_LE(std::abs(simulated.joints[0].speed_rad_s[i]), 3.0);
+    }
+  }
+}
+
+TEST(Plan, IsTheSameEveryTime) {
+  const Plan again = plan_excitation(bench_rig(), bench_actuator(),
+                                     asked({"stribeck_friction", "coulomb_friction"}));
+  EXPECT_EQ(excitation_csv(again.runs), excitation_csv(stribeck_plan().runs));
+}
+
+TEST(Plan, ExpectsLessErrorThanTheChirp) {
+  for (const PlannedParameter& each : stribeck_plan().parameters) {
+    EXPECT_LT(each.plan.standard_error, each.chirp.standard_error) << each.column.effect;
+  }
+  EXPECT_TRUE(stribeck_plan().is_separable());
+}
+
+TEST(Plan, SaysThatAnExactIdentityIsNotSeparable) {
+  const Plan plan = plan_excitation(bench_rig(), bench_actuator(),
+                                    asked({"torque_offset", "asymmetric_friction"}));
+  EXPECT_FALSE(plan.is_separable());
+  ASSERT_EQ(plan.unseen.size(), 1u);
+  EXPECT_NE(plan.unseen[0].remedy.find("tare"), std::string::npos);
+}
+
+TEST(Plan, RefusesAnUnknownNameWithTheNearest) {
+  try {
+    plan_excitation(bench_rig(), bench_actuator(), asked({"viscous_fricton"}));
+    FAIL();
+  } catch (const io::SpecError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"viscous_friction\""), std::string::npos);
+  }
+}
+
+/// A fit of coulomb and viscous friction and an offset to a noisy log, by least squares.
+Eigen::VectorXd fitted(const Log& clean, const Plan& plan, const Bench& bench,
+                       const Dictionary& dictionary, const std::vector<PlannedColumn>& columns,
+                       std::mt19937_64& random) {
+  Log noisy = clean;
+  NoiseLevels levels{};
+  for (const auto& [quantity, sigma] : plan.noise) {
+    levels[static_cast<std::size_t>(quantity)] = sigma;
+    std::normal_distribution<double> noise(0.0, sigma);
+    for (Run& run : noisy.runs) {
+      for (double& value : run.joints[0][quantity]) value += noise(random);
+    }
+  }
+  const Target target = [&](const Signals& signals) { return torque_residual(bench, signals); };
+  const auto size = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(size, size);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
+  for (const Signals& signals : prepare(noisy, bench, levels, {})) {
+    Eigen::VectorXd residual;
+    const Eigen::MatrixXd rows =
+        planned_rows(signals, dictionary, columns, target, BandOptions(), &residual);
+    products += rows.transpose() * rows;
+    right += rows.transpose() * residual;
+  }
+  return products.colPivHouseholderQr().solve(right);
+}
+
+TEST(Plan, StandardErrorsAreTheScatterOfRepeatedFits) {
+  const Rig rig = bench_rig();
+  const actuator::Actuator actuator = bench_actuator();
+  const Plan plan = plan_excitation(rig, actuator, asked({"coulomb_friction", "viscous_friction"}));
+  std::vector<SimulatedRun> simulated;
+  for (const ExcitationRun& run : plan.runs) {
+    simulated.push_back(simulate(rig, {&actuator}, run.excitation, {run.start}));
+  }
+  const Log clean = noiseless_log(rig, actuator, plan.runs, simulated);
+  const Bench bench = make_bench(rig, clean, 0, {&actuator});
+  const Extent extent = extent_of(prepare(clean, bench, {}, {}));
+  const Dictionary dictionary = torque_dictionary(bench, extent, {});
+  std::vector<PlannedColumn> columns;
+  for (const char* effect : {"coulomb_friction", "viscous_friction", "torque_offset"}) {
+    const auto own = planned_columns(dictionary, extent, effect);
+    columns.insert(columns.end(), own.begin(), own.end());
+  }
+  constexpr int kFits = 40;
+  std::mt19937_64 random(7);
+  Eigen::MatrixXd fits(kFits, 3);
+  for (int k = 0; k < kFits; ++k) {
+    fits.row(k) = fitted(clean, plan, bench, dictionary, columns, random).transpose();
+  }
+  for (Eigen::Index p = 0; p < 2; ++p) {
+    const double mean = fits.col(p).mean();
+    const double variance = (fits.col(p).array() - mean).square().sum() / (kFits - 1);
+    const double expected = plan.parameters[static_cast<std::size_t>(p)].plan.standard_error;
+    // Of chi-square with 39 degrees of freedom, 99.9 % lie between 16.3 and 76.0; beside that the
+    // information takes noise near the band's edge, and that of the columns, only roughly: 15 %.
+    const double ratio = variance / (expected * expected);
+    EXPECT_GT(ratio, 16.3 / 39.0 * 0.75);
+    EXPECT_LT(ratio, 76.0 / 39.0 * 1.32);
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::identification

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/identification/rates/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "actuator/actuator_spec.hpp"
+#include "identification/analysis.hpp"
+
+namespace torquewright::rates {
+namespace {
+
+using identification::EquationResult;
+using oracles::TrueEffect;
+using oracles::Truth;
+
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+bool is_name_of(const TrueEffect& effect, const std::string& name) {
+  return name == effect.effect || contains(effect.same_as, name);
+}
+
+/// Values that the rig calls uncertain stand for the effect of the same meaning.
+std::string name_of_correction(const std::string& pointer) {
+  if (pointer == "/motor/torque_constant_Nm_A") return "torque_constant_error";
+  if (pointer == "/load/mass_kg") return "load_mass_error";
+  if (pointer == "/load/inertia_kg_m2") return "load_inertia_error";
+  return pointer;
+}
+
+/// A name stands alone unless it heads a group that is not exact.
+std::vector<std::string> group_of(const EquationResult& equation, const std::string& name) {
+  std::vector<std::string> group = {name};
+  for (const auto& confounded : equation.confounded) {
+    if (!contains(confounded.effects, name)) continue;
+    group.insert(group.end(), confounded.effects.begin(), confounded.effects.end());
+  }
+  return group;
+}
+
+/// Counts the parameters that a name and the truth have in common.
+void judge_parameters(const identification::NamedEffect& added, const Truth& truth,
+                      Outcome& outcome) {
+  for (const TrueEffect& effect : truth.effects) {
+    if (effect.effect != added.effect) continue;
+    for (const auto& [key, value] : effect.parameters) {
+      if (!added.parameters.contains(key) || !added.parameters[key].is_number()) continue;
+      if (!added.standard_error.contains(key) || !added.standard_error[key].is_number()) continue;
+      const double error = added.standard_error[key];
+      const double off = added.parameters[key].get<double>() - value;
+      ++outcome.parameters;
+      if (std::abs(off) <= 3.0 * error) {
+        ++outcome.parameters_within;
+      } else {
+        outcome.parameter_note += fmt::format(" {}={:.4g}({:+.2f} % {:.1f}s)", key, value,
+                                              100.0 * off / value, off / error);
+      }
+    }
+  }
+}
+
+void judge_names(const EquationResult& equation, const Truth& truth, Outcome& outcome,
+                 std::set<std::string>& found) {
+  for (const auto& added : equation.added) {
+    const std::vector<std::string> group = group_of(equation, added.effect);
+    bool is_right = false;
+    for (const TrueEffect& effect : truth.effects) {
+      for (const std::string& name : group) {
+        if (!is_name_of(effect, name)) continue;
+        is_right = true;
+        found.insert(effect.effect);
+      }
+    }
+    for (const std::string& name : group) is_right = is_right || contains(truth.acceptable, name);
+    if (outcome.names.empty()) outcome.first_is_right = is_right;
+    judge_parameters(added, truth, outcome);
+    const bool has_group = group.size() > 1;
+    if (has_group) outcome.is_grouped = true;
+    if (!is_right) outcome.any_wrong = true;
+    if (truth.log_class == oracles::LogClass::kCannotTell && !has_group) outcome.any_wrong = true;
+    outcome.names.push_back(added.effect + (has_group ? "~" : ""));
+  }
+}
+
+}  // namespace
+
+Outcome try_out(const oracles::Scenario& scenario, const std::filesystem::path& folder) {
+  const oracles::ScenarioFiles files = oracles::write_scenario(folder, scenario);
+  const identification::Rig rig = identification::read_rig(io::read_document(files.rig, "rig"));
+  const identification::Log log = identification::read_log(files.logs, rig);
+  const actuator::ReadActuator nominal = actuator::read_actuator(files.actuator);
+  const std::vector<EquationResult> equations =
+      identification::analyse(rig, log, 0, {&nominal.actuator});
+  const Truth& truth = scenario.truth;
+  Outcome outcome;
+  std::set<std::string> found;
+  outcome.verdict = equations.front().verdict;
+  for (const EquationResult& equation : equations) {
+    judge_names(equation, truth, outcome, found);
+    for (const auto& correction : equation.corrected) {
+      for (const TrueEffect& effect : truth.effects) {
+        if (is_name_of(effect, name_of_correction(correction.pointer))) {
+          found.insert(effect.effect);
+          if (outcome.names.empty()) outcome.first_is_right = true;
+        }
+      }
+    }
+    for (const auto& structure : equation.structure_after) {
+      if (identification::is_significant(structure) &&
+          contains(truth.coordinates, structure.coordinate)) {
+        outcome.coordinate_is_right = true;
+      }
+    }
+    if (equation.noise_floor_rms > 0.0 && &equation == &equations.front()) {
+      outcome.after_over_noise = equation.after.holdout_rms / equation.noise_floor_rms;
+    }
+  }
+  for (const TrueEffect& effect : truth.effects) outcome.truth += effect.effect + " ";
+  outcome.truth += truth.phenomenon + truth.situation;
+  outcome.all_found = found.size() == truth.effects.size();
+  return outcome;
+}
+
+}  // namespace torquewright::rates

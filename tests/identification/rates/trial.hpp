@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "identification/result.hpp"
+#include "tests/oracles/bench_log/scenario.hpp"
+
+namespace torquewright::rates {
+
+/// How one log with a known truth was judged.
+struct Outcome {
+  bool first_is_right = false;  ///< The first name is the truth's, or one of its exact group.
+  bool all_found = false;
+  bool any_wrong = false;   ///< A name that stands alone, is confident, and is not there.
+  bool is_grouped = false;  ///< A group that log cannot tell apart was reported.
+  bool coordinate_is_right = false;
+  identification::Verdict verdict = identification::Verdict::kCannotTell;
+  std::vector<std::string> names;  ///< Of all equations.
+  std::string truth;
+  int parameters = 0, parameters_within = 0;  ///< Of right names; within three standard errors.
+  std::string parameter_note;
+  double after_over_noise = 0.0;  ///< Held-out error over the noise that was put in.
+};
+
+/// Writes the scenario's documents and logs into a folder, identifies what they show as the command
+/// does, and compares it with the truth.
+Outcome try_out(const oracles::Scenario& scenario, const std::filesystem::path& folder);
+
+}  // namespace torquewright::rates
