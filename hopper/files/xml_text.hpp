@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "hopper/robot.hpp"
+
+namespace torquewright::hopper {
+
+/// Where a format demands a range and the robot has none.
+inline constexpr double kNoRange = 1e6;
+
+/// The shortest decimals that read back the same.
+std::string text_of(double value);
+std::string text_of(const Eigen::Vector3d& vector);
+
+/// As a comment at the file's head.
+void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& notes);
+
+/// What neither URDF nor MJCF holds of this robot.
+void add_common_notes(const Robot& robot, std::vector<std::string>& notes);
+
+}  // namespace torquewright::hopper
