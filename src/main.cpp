@@ -9,6 +9,8 @@
 #include "io/spec_error.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/gearbox_commands.hpp"
+#include "src/commands/identify_commands.hpp"
+#include "src/commands/robot_commands.hpp"
 #include "src/exit_code.hpp"
 
 namespace {
@@ -41,6 +43,12 @@ int run(int argc, char** argv) {
   torquewright::cli::add_lint_command(*actuator, result);
   torquewright::cli::add_mor_command(*actuator, result);
   torquewright::cli::add_check_command(*actuator, result);
+  torquewright::cli::add_identify_command(app, result);
+  CLI::App* robot = app.add_subcommand("robot", "Robots from and for other programs");
+  robot->require_subcommand(1);
+  robot->footer("Example:\n  torquewright robot export specs/robot/rabbit.json --format urdf");
+  torquewright::cli::add_import_command(*robot, result);
+  torquewright::cli::add_export_command(*robot, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

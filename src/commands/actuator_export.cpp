@@ -17,15 +17,15 @@ std::vector<std::string> mor_formats() {
 }
 
 Exported exported_file(const actuator::ReadActuator& read, const actuator::Conditions& conditions,
-                       const actuator::Region& region, const actuator::Exporter& exporter,
-                       actuator::Fit fit) {
+                       const actuator::Region& region, double table_accuracy,
+                       const actuator::Exporter& exporter, actuator::Fit fit) {
   if (region.at(0.0).is_empty) {
     throw io::SpecError({{read.documents.front().file, "",
                           fmt::format("no torque is possible at rest (limiter {}): there is no "
                                       "region to write",
                                       actuator::name_of(region.at(0.0).why_empty))}});
   }
-  const actuator::MorTable table = actuator::mor_table(region);
+  const actuator::MorTable table = actuator::mor_table(region, table_accuracy);
   const actuator::Subject subject{read.actuator, conditions, region, table, fit};
   std::vector<std::string> origin{
       fmt::format("Written by torquewright {}, actuator mor, from:", io::tool_version())};

@@ -21,7 +21,7 @@ struct Exported {
 
 /// Throws io::SpecError where the region is empty at rest: there is nothing to write.
 Exported exported_file(const actuator::ReadActuator& read, const actuator::Conditions& conditions,
-                       const actuator::Region& region, const actuator::Exporter& exporter,
-                       actuator::Fit fit);
+                       const actuator::Region& region, double table_accuracy,
+                       const actuator::Exporter& exporter, actuator::Fit fit);
 
 }  // namespace torquewright::cli

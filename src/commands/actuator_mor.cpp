@@ -13,8 +13,10 @@
 #include "actuator/need.hpp"
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
+#include "io/refusal.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/actuator_export.hpp"
+#include "src/commands/mor_compare.hpp"
 #include "src/commands/mor_plot.hpp"
 #include "src/commands/operating_options.hpp"
 #include "src/report/actuator_text.hpp"
@@ -31,17 +33,15 @@ struct MorOptions {
   std::string side = "joint";
   std::string format = "csv";
   std::string fit = "conservative";
+  double accuracy = actuator::kTableAccuracy;
   std::vector<double> speeds_rad_s;
   std::string need;
   std::string ratios;
+  std::string compare_file;
   std::string output_file;
   MorPlotOptions plot;
   bool json = false;
 };
-
-[[noreturn]] void refuse(const std::string& option, const std::string& message) {
-  throw io::SpecError({{option, "", message}});
-}
 
 /// Two finite numbers with a mark between them: 100@5, 4:40.
 std::pair<double, double> number_pair(const std::string& option, const std::string& text,
@@ -55,7 +55,7 @@ std::pair<double, double> number_pair(const std::string& option, const std::stri
     const auto [rest, error] = std::from_chars(begin, end, numbers[i]);
     is_read = error == std::errc() && rest == end && std::isfinite(numbers[i]);
   }
-  if (!is_read) refuse(option, fmt::format("\"{}\" must be two numbers, A{}B", text, mark));
+  if (!is_read) io::refuse(option, fmt::format("\"{}\" must be two numbers, A{}B", text, mark));
   return {numbers[0], numbers[1]};
 }
 
@@ -83,7 +83,7 @@ ExitCode run_sweep(const MorOptions& options, const actuator::ReadActuator& read
                    const actuator::Conditions& conditions) {
   const auto [low, high] = number_pair("--ratio", options.ratios, ':');
   if (!(low >= 0.01 && high >= low && high <= 10000.0)) {
-    refuse("--ratio", fmt::format("\"{}\" must ascend, from 0.01 to 10000", options.ratios));
+    io::refuse("--ratio", fmt::format("\"{}\" must ascend, from 0.01 to 10000", options.ratios));
   }
   const auto rows = actuator::ratio_sweep(read.actuator, conditions, low, high, kRatiosInSweep,
                                           need_of(options));
@@ -101,27 +101,49 @@ ExitCode run_need(const MorOptions& options, const actuator::ReadActuator& read,
   return answer.is_reached ? ExitCode::kPasses : ExitCode::kFails;
 }
 
+/// Both regions as a table, and drawn where a picture was asked for.
+ExitCode run_compare(const MorOptions& options, const actuator::ReadActuator& read,
+                     const actuator::Conditions& conditions, actuator::Side side) {
+  const actuator::ReadActuator other = actuator::read_actuator(options.compare_file);
+  const ComparedActuator from{options.compare_file, other, conditions_of(options.operating, other)};
+  const ComparedActuator to{options.actuator_file, read, conditions};
+  if (!options.plot.file.empty()) {
+    report::draw_with_gnuplot(
+        comparison_plot(report::plot_format(options.plot.file), from, to, side), options.plot.file);
+  }
+  deliver(options, comparison_result(from, to, side, options.json));
+  return ExitCode::kPasses;
+}
+
+void check_accuracy(double accuracy) {
+  if (accuracy >= actuator::kFinestTableAccuracy && accuracy <= 0.1) return;
+  io::refuse("--accuracy", fmt::format("{} must be from {} to 0.1, a part of the peak torque", accuracy,
+                                   actuator::kFinestTableAccuracy));
+}
+
 ExitCode run_mor(const MorOptions& options) {
+  check_accuracy(options.accuracy);
   const actuator::ReadActuator read = actuator::read_actuator(options.actuator_file);
   const actuator::Conditions conditions = conditions_of(options.operating, read);
   if (!options.ratios.empty()) return run_sweep(options, read, conditions);
   if (!options.need.empty()) return run_need(options, read, conditions);
 
   const auto side = options.side == "motor" ? actuator::Side::kMotor : actuator::Side::kJoint;
+  if (!options.compare_file.empty()) return run_compare(options, read, conditions, side);
   if (!options.plot.file.empty()) {
     draw_region(options.plot, read.actuator, conditions, side);
     return ExitCode::kPasses;
   }
   const actuator::Region region(read.actuator, conditions, side);
   if (const actuator::Exporter* exporter = actuator::find_exporter(options.format)) {
-    if (!options.speeds_rad_s.empty()) refuse("--at-speed", "rows are for csv and json");
+    if (!options.speeds_rad_s.empty()) io::refuse("--at-speed", "rows are for csv and json");
     const auto fit = options.fit == "best" ? actuator::Fit::kBest : actuator::Fit::kConservative;
-    const Exported exported = exported_file(read, conditions, region, *exporter, fit);
+    const Exported exported = exported_file(read, conditions, region, options.accuracy, *exporter, fit);
     deliver(options, options.json ? with_provenance(exported.json, read) : exported.text);
     return ExitCode::kPasses;
   }
   const actuator::MorTable table = options.speeds_rad_s.empty()
-                                       ? actuator::mor_table(region)
+                                       ? actuator::mor_table(region, options.accuracy)
                                        : actuator::mor_rows(region, options.speeds_rad_s);
   const actuator::MorHeader header{&read.actuator, conditions, side};
   const bool as_json = options.json || options.format == "json";
@@ -149,10 +171,19 @@ void add_mor_command(CLI::App& actuator, ExitCode& result) {
   command->add_option("--at-speed", options->speeds_rad_s, "Rows at these speeds only, in rad/s")
       ->delimiter(',')
       ->check(CLI::Range(-1e6, 1e6));
+  command
+      ->add_option("--accuracy", options->accuracy,
+                   "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1");
   command->add_option("--need", options->need,
                       "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do");
   command->add_option("--ratio", options->ratios,
                       "LOW:HIGH: what these gear ratios would make of the motor");
+  command
+      ->add_option("--compare", options->compare_file,
+                   "An actuator from whose region this one's differs: where torque is lost and won")
+      ->excludes("--need")
+      ->excludes("--ratio")
+      ->excludes("--at-speed");
   command->add_option("-o,--output", options->output_file, "Write to this file");
   add_mor_plot_options(*command, options->plot);
   command->add_flag("--json", options->json, "The same as JSON");

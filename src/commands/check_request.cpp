@@ -8,18 +8,15 @@
 
 #include "actuator/trajectory/columns_spec.hpp"
 #include "actuator/trajectory/jacobian_spec.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& message) {
-  throw io::SpecError({{option, "", message}});
-}
-
 std::pair<std::string, std::string> name_and_file(const std::string& text) {
   const std::size_t place = text.find('=');
   if (place == std::string::npos || place == 0 || place + 1 == text.size()) {
-    refuse("--joint", fmt::format("\"{}\" must be NAME=ACTUATOR, the actuator's file", text));
+    io::refuse("--joint", fmt::format("\"{}\" must be NAME=ACTUATOR, the actuator's file", text));
   }
   return {text.substr(0, place), text.substr(place + 1)};
 }
@@ -41,7 +38,7 @@ void add_drives(const CheckOptions& options, PreparedCheck& prepared) {
     const auto [name, file] = name_and_file(text);
     const bool is_twice = std::any_of(drives.begin(), drives.end(),
                                       [&](const auto& drive) { return drive.name == name; });
-    if (is_twice) refuse("--joint", fmt::format("\"{}\" is given twice", name));
+    if (is_twice) io::refuse("--joint", fmt::format("\"{}\" is given twice", name));
     const actuator::ReadActuator& read = actuator_in(file, prepared);
     drives.push_back({name, &read.actuator, conditions_of(options.operating, read)});
   }
@@ -62,7 +59,8 @@ actuator::Window window_of(const CheckOptions& options) {
   if (!options.from_s.empty()) window.from_s = options.from_s.back();
   if (!options.until_s.empty()) window.until_s = options.until_s.back();
   if (window.from_s > window.until_s) {
-    refuse("--from", fmt::format("{} s lies after --until {} s", window.from_s, window.until_s));
+    io::refuse("--from",
+               fmt::format("{} s lies after --until {} s", window.from_s, window.until_s));
   }
   return window;
 }

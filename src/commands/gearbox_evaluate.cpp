@@ -11,6 +11,7 @@
 #include "gearbox/topology.hpp"
 #include "io/json_text.hpp"
 #include "io/provenance.hpp"
+#include "io/refusal.hpp"
 #include "src/commands/design_drawing.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/output_files.hpp"
@@ -33,31 +34,30 @@ struct EvaluateOptions {
   bool json = false;
 };
 
-[[noreturn]] void refuse(const std::string& file, const std::string& message) {
-  throw io::SpecError({{file, "", message}});
-}
-
 // The design that was asked for; what is left open is the problem's own where it has one choice.
 gearbox::Design design_of(const EvaluateOptions& options, const gearbox::Problem& problem) {
   const gearbox::Topology& topology = *gearbox::find_topology(problem.topology);
   const std::size_t given = options.teeth.size();
   if (given != topology.free_gears && given != topology.gears.size()) {
-    refuse(options.problem_file,
-           fmt::format("--teeth has {} numbers; {} takes {} or {}: {}", given, topology.name,
-                       topology.free_gears, topology.gears.size(), fmt::join(topology.gears, ",")));
+    io::refuse(
+        options.problem_file,
+        fmt::format("--teeth has {} numbers; {} takes {} or {}: {}", given, topology.name,
+                    topology.free_gears, topology.gears.size(), fmt::join(topology.gears, ",")));
   }
   if (options.planet_count == 0 && problem.planet_count.size() > 1) {
-    refuse(options.problem_file, "the problem lists several planet counts; say --planet-count N");
+    io::refuse(options.problem_file,
+               "the problem lists several planet counts; say --planet-count N");
   }
   if (options.module_mm == 0.0 && problem.module_mm.size() > 1) {
-    refuse(options.problem_file, "the problem lists several modules; say --module MM");
+    io::refuse(options.problem_file, "the problem lists several modules; say --module MM");
   }
   gearbox::Design design{options.teeth, problem.planet_count.front(), problem.module_mm.front()};
   if (given == topology.free_gears) design.teeth = topology.complete(options.teeth);
   if (*std::max_element(design.teeth.begin(), design.teeth.end()) > kMostTeeth) {
-    refuse(options.problem_file,
-           fmt::format("--teeth {} makes rings of {} teeth; at most {} are allowed",
-                       fmt::join(options.teeth, ","), fmt::join(design.teeth, ","), kMostTeeth));
+    io::refuse(
+        options.problem_file,
+        fmt::format("--teeth {} makes rings of {} teeth; at most {} are allowed",
+                    fmt::join(options.teeth, ","), fmt::join(design.teeth, ","), kMostTeeth));
   }
   if (options.planet_count != 0) design.planet_count = options.planet_count;
   if (options.module_mm != 0.0) design.module_mm = io::exact(options.module_mm);

@@ -61,7 +61,9 @@ ordered_json need_json(const Need& need, const NeedAnswer& answer) {
     range = {{"torque_min_Nm", answer.range.least.torque_Nm},
              {"torque_max_Nm", answer.range.greatest.torque_Nm}};
   }
-  return {{"torque_Nm", need.torque_Nm},
+  return {{"kind", "mor_need"},
+          {"version", 1},
+          {"torque_Nm", need.torque_Nm},
           {"speed_rad_s", need.speed_rad_s},
           {"reached", answer.is_reached},
           {"margin_Nm", or_null(answer.margin_Nm)},
@@ -105,7 +107,7 @@ ordered_json sweep_json(const std::vector<RatioRow>& rows) {
     if (row.margin_Nm) json["margin_Nm"] = or_null(row.margin_Nm);
     list.push_back(json);
   }
-  return {{"ratios", list}};
+  return {{"kind", "mor_ratios"}, {"version", 1}, {"ratios", list}};
 }
 
 }  // namespace torquewright::report

@@ -15,8 +15,8 @@ namespace {
 
 using gearbox::PlanetPhase;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kUp_rad = 0.5 * kPi;   // The x axis of the gearbox points up on the sheet.
+/// The x axis of the gearbox points up on the sheet.
+constexpr double kUp_rad = 0.5 * std::numbers::pi;
 constexpr double kLabelRoom_mm = 10.5;  // Radius inside which a label of a gear finds room.
 
 struct View {
@@ -51,7 +51,7 @@ std::string placed(const std::string& id, std::string_view style, const Point& p
                    double phase_rad) {
   return fmt::format("<use class=\"{}\" href=\"#{}\" transform=\"translate({} {}) rotate({})\"/>\n",
                      style, id, decimal(place.x, 6), decimal(place.y, 6),
-                     decimal(-(phase_rad + kUp_rad) * 180.0 / kPi, 9));
+                     decimal(-(phase_rad + kUp_rad) * 180.0 / std::numbers::pi, 9));
 }
 
 std::string gears(const View& view) {
@@ -70,7 +70,7 @@ std::string gears(const View& view) {
 
 std::string cross(const Point& center, double half_length_mm, double direction_rad) {
   std::string svg;
-  for (const double turn_rad : {0.0, 0.5 * kPi}) {
+  for (const double turn_rad : {0.0, 0.5 * std::numbers::pi}) {
     svg += svg_line("center", on_circle(center, -half_length_mm, direction_rad + turn_rad),
                     on_circle(center, half_length_mm, direction_rad + turn_rad));
   }
@@ -128,7 +128,7 @@ double free_direction_rad(const View& view) {
   double best_rad = 0.0;
   double best_cosine = 2.0;
   for (int degrees = 200; degrees <= 245; ++degrees) {
-    const double direction_rad = degrees * kPi / 180.0;
+    const double direction_rad = degrees * std::numbers::pi / 180.0;
     double cosine = -1.0;
     for (const PlanetPhase& planet : view.layout.phase.planets) {
       cosine = std::max(cosine, std::cos(direction_rad - planet.position_rad - kUp_rad));
@@ -159,7 +159,7 @@ std::string sun_label(const View& view) {
 }
 
 std::string ring_label(const View& view) {
-  constexpr double kDirection_rad = 52.0 * kPi / 180.0;
+  constexpr double kDirection_rad = 52.0 * std::numbers::pi / 180.0;
   const double wall_mm = view.paper_mm(view.layout.ring_wall_mm);
   return leader(on_circle(view.center, view.blank_mm() - 0.5 * wall_mm, kDirection_rad),
                 on_circle(view.center, view.blank_mm() + 9.0, kDirection_rad),
@@ -171,13 +171,14 @@ std::string clearance_dimension(const View& view) {
   const auto& planets = view.layout.phase.planets;
   if (planets.size() < 2 || view.layer.is_second) return "";
   const double half_planet_rad =
-      kPi / static_cast<double>(planets.size()) - view.layout.carrier_clearance_rad;
+      std::numbers::pi / static_cast<double>(planets.size()) - view.layout.carrier_clearance_rad;
   const double from_rad = kUp_rad + planets[0].position_rad + half_planet_rad;
   const double to_rad = kUp_rad + planets[1].position_rad - half_planet_rad;
   if (to_rad <= from_rad) return "";
   return angular_dimension(
       view.center, view.paper_of_modules(view.sun().tip_radius), view.blank_mm(), from_rad, to_rad,
-      fmt::format("\xCE\xB1 = {}\xC2\xB0", two_decimals((to_rad - from_rad) * 180.0 / kPi)));
+      fmt::format("\xCE\xB1 = {}\xC2\xB0",
+                  two_decimals((to_rad - from_rad) * 180.0 / std::numbers::pi)));
 }
 
 std::string dimensions(const View& view) {

@@ -58,7 +58,8 @@ class MemoryFile {
   int descriptor_;
 };
 
-pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const MemoryFile& words) {
+pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const MemoryFile& words,
+                    const std::string& option) {
   std::string name = "gnuplot";
   std::string no_settings = "-d";  // nobody's own start-up file
   char* arguments[] = {name.data(), no_settings.data(), nullptr};
@@ -72,7 +73,7 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
   posix_spawn_file_actions_destroy(&actions);
   if (error == 0) return child;
   if (error == ENOENT) {
-    throw io::SpecError({{"--plot", "",
+    throw io::SpecError({{option, "",
                           "gnuplot, which draws the picture, is not installed "
                           "(Debian: gnuplot-nox)"}});
   }
@@ -107,19 +108,27 @@ std::string gnuplot_terminal(PlotFormat format, int width, int height) {
       name, width, height);
 }
 
-void draw_with_gnuplot(const std::string& script, const std::filesystem::path& file) {
+std::string picture_by_gnuplot(const std::string& script, const std::string& option) {
   const MemoryFile input("script");
   const MemoryFile drawing("drawing");
   const MemoryFile words("words");
   input.write(script);
-  const pid_t child = start_gnuplot(input, drawing, words);
+  const pid_t child = start_gnuplot(input, drawing, words, option);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  const std::string picture = drawing.read();
+  std::string picture = drawing.read();
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty()) {
     throw std::runtime_error("gnuplot failed: " + words.read());
   }
-  io::write_whole_file(file, picture);
+  return picture;
+}
+
+void require_gnuplot(const std::string& option) {
+  picture_by_gnuplot(gnuplot_terminal(PlotFormat::kSvg, 100, 100) + "plot x\n", option);
+}
+
+void draw_with_gnuplot(const std::string& script, const std::filesystem::path& file) {
+  io::write_whole_file(file, picture_by_gnuplot(script));
 }
 
 }  // namespace torquewright::report

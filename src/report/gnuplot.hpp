@@ -19,8 +19,14 @@ std::string gnuplot_quoted(std::string_view text);
 std::string gnuplot_terminal(PlotFormat format, int width, int height);
 
 /// Gives the script to gnuplot (found in PATH, started without a shell, script and data through its
-/// stdin) and writes what it draws to the file, whole or not at all. Throws io::SpecError if
-/// gnuplot is not installed; std::runtime_error with its words if it fails.
+/// stdin); what it draws. Throws io::SpecError for `option` if gnuplot is not installed;
+/// std::runtime_error with its words if it fails.
+std::string picture_by_gnuplot(const std::string& script, const std::string& option = "--plot");
+
+/// Throws io::SpecError for `option` if gnuplot is not installed: for before the work.
+void require_gnuplot(const std::string& option);
+
+/// Writes what gnuplot draws to the file, whole or not at all. Throws as picture_by_gnuplot.
 void draw_with_gnuplot(const std::string& script, const std::filesystem::path& file);
 
 }  // namespace torquewright::report

@@ -16,13 +16,13 @@ constexpr const char* kRounding =
     "ratios,\n"
     "efficiencies of 1, and voltages and currents at which something is stated count as exact.\n";
 
-std::string_view mark(Fit fit) {
+std::string_view mark(actuator::lint::Fit fit) {
   switch (fit) {
-    case Fit::kFits:
+    case actuator::lint::Fit::kFits:
       return "fits";
-    case Fit::kAdmits:
+    case actuator::lint::Fit::kAdmits:
       return "if loaded or capped";
-    case Fit::kExcludes:
+    case actuator::lint::Fit::kExcludes:
       break;
   }
   return "no";
@@ -63,7 +63,7 @@ std::string explanation_row(const Explanation& explanation, const std::string& u
   return fmt::format("    {:<62} {:<32} {}\n", explanation.sentence, value, mark(explanation.fit));
 }
 
-std::string finding_text(const Finding& finding) {
+std::string finding_text(const actuator::lint::Finding& finding) {
   std::string text = fmt::format("\n{}: {}: {}: {}\n", name_of(finding.severity), finding.actuator,
                                  finding.rule, finding.sentence);
   text += fmt::format("  follows from {}\n", fmt::join(finding.expected.pointers, ", "));
@@ -103,7 +103,7 @@ std::string lint_text(const Report& report) {
   std::string text;
   for (const Examination& examination : report.examinations) text += examination_text(examination);
   if (report.common_factor) text += common_text(*report.common_factor);
-  for (const Finding& finding : report.findings) text += finding_text(finding);
+  for (const actuator::lint::Finding& finding : report.findings) text += finding_text(finding);
   if (report.findings.empty()) text += "\nno contradiction\n";
   return text + "\n" + kRounding;
 }

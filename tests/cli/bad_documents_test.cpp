@@ -76,8 +76,8 @@ const std::vector<BadPlace> kBadPlaces = {
 };
 
 /// Runs every command that reads such a document, and asks for all outputs there are.
-void expect_refusal(const Workplace& place, const std::string& document,
-                    const std::string& refusal) {
+void expect_bad_document(const Workplace& place, const std::string& document,
+                         const std::string& refusal) {
   place.write("result.json", "old");
   const auto before = place.files();
   const std::vector<std::vector<std::string>> commands = {
@@ -99,7 +99,7 @@ TEST_P(BadDocument, IsRefusedWithALinePerFault) {
   place.write("knee.json", knee_with(GetParam().from, GetParam().to));
   std::string lines;
   for (const std::string& fault : GetParam().faults) lines += "knee.json" + fault + "\n";
-  expect_refusal(place, "knee.json", lines);
+  expect_bad_document(place, "knee.json", lines);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, BadDocument, testing::ValuesIn(kBadPlaces));
@@ -113,30 +113,32 @@ TEST(BadDocument, NamesAllKnownKeysWhereNoneIsNear) {
       << outcome.err;
 }
 
-TEST(BadDocument, IsMissing) { expect_refusal(Workplace(), "a.json", "a.json: no such file\n"); }
+TEST(BadDocument, IsMissing) {
+  expect_bad_document(Workplace(), "a.json", "a.json: no such file\n");
+}
 
 TEST(BadDocument, IsEmpty) {
   const Workplace place;
   place.write("a.json", "");
-  expect_refusal(place, "a.json", "a.json: is empty\n");
+  expect_bad_document(place, "a.json", "a.json: is empty\n");
 }
 
 TEST(BadDocument, IsAFolder) {
   const Workplace place;
   fs::create_directory(place.path("a.json"));
-  expect_refusal(place, "a.json", "a.json: is a folder, must be a file\n");
+  expect_bad_document(place, "a.json", "a.json: is a folder, must be a file\n");
 }
 
 TEST(BadDocument, IsBelowAFile) {
   const Workplace place;
   place.write("a", "");
-  expect_refusal(place, "a/a.json", "a/a.json: cannot be read: Not a directory\n");
+  expect_bad_document(place, "a/a.json", "a/a.json: cannot be read: Not a directory\n");
 }
 
 TEST(BadDocument, IsAHundredThousandListsDeep) {
   const Workplace place;
   place.write("a.json", std::string(100000, '['));
-  expect_refusal(place, "a.json", "a.json: is nested deeper than 256 levels\n");
+  expect_bad_document(place, "a.json", "a.json: is nested deeper than 256 levels\n");
 }
 
 TEST(BadDocument, IsOfAnotherEncoding) {
@@ -144,7 +146,7 @@ TEST(BadDocument, IsOfAnotherEncoding) {
   std::string wide = "\xFF\xFE";
   for (const char letter : knee()) (wide += letter) += '\0';
   place.write("a.json", wide);
-  expect_refusal(place, "a.json", "a.json: line 1, column 4: not JSON: zero byte\n");
+  expect_bad_document(place, "a.json", "a.json: line 1, column 4: not JSON: zero byte\n");
 }
 
 // A hundred megabytes, of which no disk has to hold any. The program has 64 MB (the sanitizers

@@ -17,8 +17,8 @@ struct KneePlace : Workplace {
 };
 
 /// Expects that the knee is refused with these outputs, and no file has changed.
-void expect_refusal(const Workplace& place, const std::vector<std::string>& outputs,
-                    const std::string& refusal) {
+void expect_refused_outputs(const Workplace& place, const std::vector<std::string>& outputs,
+                            const std::string& refusal) {
   const auto before = place.files();
   for (std::vector<std::string> command :
        {std::vector<std::string>{"gearbox", "optimize", "knee.json"},
@@ -33,25 +33,25 @@ void expect_refusal(const Workplace& place, const std::vector<std::string>& outp
 }
 
 TEST(OutputFiles, NeedAFolder) {
-  expect_refusal(KneePlace(), {"-o", "result.json", "--draw", "absent/x.svg"},
-                 "absent/x.svg: cannot be written: its folder does not exist\n");
-  expect_refusal(KneePlace(), {"-o", "absent/x.json", "--draw", "x.svg"},
-                 "absent/x.json: cannot be written: its folder does not exist\n");
+  expect_refused_outputs(KneePlace(), {"-o", "result.json", "--draw", "absent/x.svg"},
+                         "absent/x.svg: cannot be written: its folder does not exist\n");
+  expect_refused_outputs(KneePlace(), {"-o", "absent/x.json", "--draw", "x.svg"},
+                         "absent/x.json: cannot be written: its folder does not exist\n");
 }
 
 TEST(OutputFiles, AreRefusedEachInItsLine) {
-  expect_refusal(KneePlace(), {"-o", "absent/x.json", "--draw", "knee.json/x.svg"},
-                 "absent/x.json: cannot be written: its folder does not exist\n"
-                 "knee.json/x.svg: cannot be written: its folder is a file\n");
+  expect_refused_outputs(KneePlace(), {"-o", "absent/x.json", "--draw", "knee.json/x.svg"},
+                         "absent/x.json: cannot be written: its folder does not exist\n"
+                         "knee.json/x.svg: cannot be written: its folder is a file\n");
 }
 
 TEST(OutputFiles, AreNoFolders) {
   const KneePlace place;
   fs::create_directory(place.path("folder"));
-  expect_refusal(place, {"--draw", "folder", "-o", "result.json"},
-                 "folder: cannot be written: it is a folder\n");
-  expect_refusal(place, {"--draw", "folder/", "-o", "result.json"},
-                 "folder/: cannot be written: a file's name is missing\n");
+  expect_refused_outputs(place, {"--draw", "folder", "-o", "result.json"},
+                         "folder: cannot be written: it is a folder\n");
+  expect_refused_outputs(place, {"--draw", "folder/", "-o", "result.json"},
+                         "folder/: cannot be written: a file's name is missing\n");
 }
 
 TEST(OutputFiles, AreNotTheInput) {
@@ -59,17 +59,17 @@ TEST(OutputFiles, AreNotTheInput) {
   fs::create_symlink("knee.json", place.path("link.json"));
   fs::create_hard_link(place.path("knee.json"), place.path("twin.json"));
   const std::string why = ": cannot be written: it is an input, which would be lost\n";
-  expect_refusal(place, {"-o", "knee.json"}, "knee.json" + why);
-  expect_refusal(place, {"-o", "./knee.json"}, "./knee.json" + why);
-  expect_refusal(place, {"--draw", "link.json"}, "link.json" + why);
-  expect_refusal(place, {"--draw", "twin.json"}, "twin.json" + why);
+  expect_refused_outputs(place, {"-o", "knee.json"}, "knee.json" + why);
+  expect_refused_outputs(place, {"-o", "./knee.json"}, "./knee.json" + why);
+  expect_refused_outputs(place, {"--draw", "link.json"}, "link.json" + why);
+  expect_refused_outputs(place, {"--draw", "twin.json"}, "twin.json" + why);
 }
 
 TEST(OutputFiles, AreTwoFiles) {
   const std::string why = ": cannot be written: it is named for two outputs\n";
-  expect_refusal(KneePlace(), {"-o", "x", "--draw", "./x"}, "./x" + why);
-  expect_refusal(KneePlace(), {"-o", "./result.json", "--draw", "result.json"},
-                 "result.json" + why);
+  expect_refused_outputs(KneePlace(), {"-o", "x", "--draw", "./x"}, "./x" + why);
+  expect_refused_outputs(KneePlace(), {"-o", "./result.json", "--draw", "result.json"},
+                         "result.json" + why);
 }
 
 TEST(OutputFiles, DoNotGoIntoAReadOnlyFolder) {
@@ -82,23 +82,24 @@ TEST(OutputFiles, DoNotGoIntoAReadOnlyFolder) {
   }
   fs::create_directory(place.path("fixed"));
   fs::permissions(place.path("fixed"), fs::perms(0555));
-  expect_refusal(place, {"-o", "fixed/x.json"},
-                 "fixed/x.json: cannot be written: Permission denied\n");
+  expect_refused_outputs(place, {"-o", "fixed/x.json"},
+                         "fixed/x.json: cannot be written: Permission denied\n");
 }
 
 // The result fits, the drawing (a quarter of a megabyte) does not.
 TEST(OutputFiles, AreAllWrittenOrNone) {
   KneePlace place;
   place.here.file_size_limit = 100'000;
-  expect_refusal(place, {"-o", "result.json", "--draw", "x.svg"},
-                 "x.svg: cannot be written: File too large\n");
+  expect_refused_outputs(place, {"-o", "result.json", "--draw", "x.svg"},
+                         "x.svg: cannot be written: File too large\n");
 }
 
 TEST(OutputFiles, AreNotHalfWrittenOnAFullDisk) {
   KneePlace place;
   place.here.file_size_limit = 1000;
-  expect_refusal(place, {"-o", "result.json"}, "result.json: cannot be written: File too large\n");
-  expect_refusal(place, {"--draw", "x.svg"}, "x.svg: cannot be written: File too large\n");
+  expect_refused_outputs(place, {"-o", "result.json"},
+                         "result.json: cannot be written: File too large\n");
+  expect_refused_outputs(place, {"--draw", "x.svg"}, "x.svg: cannot be written: File too large\n");
 }
 
 TEST(OutputFiles, AreWrittenWhereNothingHinders) {

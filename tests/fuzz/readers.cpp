@@ -4,9 +4,14 @@
 #include "actuator/actuator_spec.hpp"
 #include "actuator/joint_region.hpp"
 #include "actuator/trajectory/trajectory_reader.hpp"
+#include "dynamics/mass_matrix.hpp"
 #include "gearbox/problem_spec.hpp"
+#include "hopper/files/mjcf_reader.hpp"
+#include "hopper/files/urdf_reader.hpp"
+#include "hopper/robot_spec.hpp"
 #include "io/document.hpp"
 #include "io/schema.hpp"
+#include "tests/fuzz/log_readers.hpp"
 #include "tests/fuzz/result_reader.hpp"
 
 namespace torquewright::fuzz {
@@ -30,6 +35,19 @@ void read_actuator(const fs::path& file) {
   }
 }
 
+// What is read must have a mass matrix of numbers.
+void expect_mass_matrix(const dynamics::Tree& tree) {
+  dynamics::TreeState state(tree);
+  const Eigen::Index size = state.velocity().size();
+  Eigen::MatrixXd mass(size, size);
+  dynamics::mass_matrix(state, mass);
+  if (!mass.allFinite()) throw Misbehaviour("a mass matrix that is not finite");
+}
+
+void read_robot(const fs::path& file) { expect_mass_matrix(hopper::read_robot(file).robot.tree); }
+void read_urdf(const fs::path& file) { expect_mass_matrix(hopper::read_urdf(file).robot.tree); }
+void read_mjcf(const fs::path& file) { expect_mass_matrix(hopper::read_mjcf(file).robot.tree); }
+
 void read_trajectory(const fs::path& file) {
   actuator::TrajectoryReader reader(file, {}, {"knee"}, {});
   actuator::Row row;
@@ -43,7 +61,12 @@ std::vector<Reader> readers() {
       {"gearbox_problem, read", ".json", read_problem},
       {"gearbox_result, verified", ".json", verify_result},
       {"actuator, with its region", ".json", read_actuator},
+      {"robot, with its mass matrix", ".json", read_robot},
+      {"robot from URDF", ".urdf", read_urdf},
+      {"robot from MJCF", ".xml", read_mjcf},
       {"trajectory", ".csv", read_trajectory},
+      {"rig, read", ".json", read_rig_document},
+      {"log with a fixed rig", ".csv", read_measured_log},
   };
   for (const std::string& kind : io::document_kinds()) {
     readers.push_back(

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "identification/identify.hpp"
+#include "io/document.hpp"
+
+namespace torquewright::cli {
+
+/// What `identify` and `identify residual` are asked.
+struct IdentifyRequest {
+  std::vector<std::string> logs;
+  std::string rig_file;
+  std::vector<std::string> actuators;  ///< FILE, or JOINT=FILE on a serial arm.
+  std::vector<std::string> outputs;    ///< The same for refined actuators.
+  std::string report_file;
+  bool json = false;
+  bool empirical = false;
+  bool select = true;
+};
+
+/// Logs, --rig, --actuator and --json. None is required by the parser: a subcommand needs none.
+void add_log_options(CLI::App& command, IdentifyRequest& request);
+
+/// Throws CLI::RequiredError for the first that is missing.
+void require_log_options(const IdentifyRequest& request);
+
+/// What was read for a request. Both lists are in the order of the rig's joints.
+struct IdentifyInputs {
+  io::Document rig_document;
+  identification::Rig rig;
+  std::vector<identification::JointActuator> actuators;
+  std::vector<std::string> outputs;  ///< Empty: not asked for.
+};
+
+/// Throws io::SpecError for what cannot be read, a joint that the rig does not have, one without an
+/// actuator, and outputs that could not be written.
+IdentifyInputs read_inputs(const IdentifyRequest& request);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/identification_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "src/report/gnuplot.hpp"
+#include "src/report/identification_words.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using namespace identification;
+
+constexpr int kWidth = 900;
+constexpr int kBarHeight = 38;
+constexpr int kPanelHeight = 230;
+constexpr std::size_t kColumns = 3;
+constexpr std::size_t kMostPanels = 9;
+constexpr const char* kBefore = "#d55e00";  ///< Told apart by the colour-blind as well.
+constexpr const char* kAfter = "#0072b2";
+
+/// One coordinate before and after; what opposes the motion is shown so.
+struct Panel {
+  const Structure* before = nullptr;
+  const Structure* after = nullptr;
+};
+
+const Structure* same(const std::vector<Structure>& structures, const Structure& as) {
+  for (const Structure& each : structures) {
+    if (each.coordinate == as.coordinate && each.times_direction == as.times_direction) {
+      return &each;
+    }
+  }
+  return nullptr;
+}
+
+/// Each coordinate once, as the table that explains more; the strongest first.
+std::vector<Panel> panels_of(const EquationResult& equation) {
+  std::vector<Panel> panels;
+  for (const Structure& each : equation.structure_before) {
+    if (each.centre.empty() || each.centre.size() != each.level.size()) continue;
+    const auto known = std::find_if(panels.begin(), panels.end(), [&](const Panel& panel) {
+      return panel.before->coordinate == each.coordinate;
+    });
+    if (known == panels.end()) {
+      panels.push_back({&each, nullptr});
+    } else if (each.share > known->before->share) {
+      known->before = &each;
+    }
+  }
+  std::stable_sort(panels.begin(), panels.end(), [](const Panel& a, const Panel& b) {
+    return a.before->share > b.before->share;
+  });
+  if (panels.size() > kMostPanels) panels.resize(kMostPanels);
+  for (Panel& panel : panels) panel.after = same(equation.structure_after, *panel.before);
+  return panels;
+}
+
+std::string data_block(const std::string& name, const Structure* structure) {
+  std::string text = "$" + name + " << END\n";
+  for (std::size_t i = 0; structure != nullptr && i < structure->level.size(); ++i) {
+    if (!std::isfinite(structure->centre[i]) || !std::isfinite(structure->level[i])) continue;
+    text += fmt::format("{:.7g},{:.7g}\n", structure->centre[i], structure->level[i]);
+  }
+  return text + "END\n";
+}
+
+double percent(const Structure* structure) {
+  return structure == nullptr ? 0.0 : 100.0 * std::max(0.0, structure->share);
+}
+
+std::string panel_script(const Panel& panel, std::size_t index) {
+  const std::string before = fmt::format("before{}", index), after = fmt::format("after{}", index);
+  std::string script = data_block(before, panel.before) + data_block(after, panel.after);
+  script += fmt::format("set title {}\n",
+                        gnuplot_quoted(fmt::format("{}: {:.0f} % → {:.0f} %",
+                                                   name_of_coordinate(*panel.before),
+                                                   percent(panel.before), percent(panel.after))));
+  script += fmt::format(
+      "plot ${} using 1:2 with linespoints pointtype 7 pointsize 0.45 linewidth 1.6 linecolor rgb "
+      "'{}' notitle",
+      before, kBefore);
+  if (panel.after != nullptr) {
+    script += fmt::format(
+        ", ${} using 1:2 with linespoints pointtype 7 pointsize 0.45 linewidth 1.6 linecolor rgb "
+        "'{}' notitle",
+        after, kAfter);
+  }
+  return script + "\n";
+}
+
+std::string thin_axes() {
+  return "set border 3 linecolor rgb '#888888'\nset tics nomirror scale 0.5 textcolor rgb '#333333'\n"
+         "set grid linecolor rgb '#e6e6e6' linewidth 1 linetype 1\nset datafile separator ','\n";
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+}  // namespace
+
+std::string waterfall_plot(const EquationResult& equation) {
+  const std::vector<WaterfallStep> steps = waterfall(equation);
+  double most = equation.noise_floor_rms;
+  for (const WaterfallStep& step : steps) most = std::max(most, step.rms);
+  const int height = 90 + kBarHeight * static_cast<int>(steps.size());
+  std::string script = gnuplot_terminal(PlotFormat::kSvg, kWidth, height) + thin_axes();
+  script += "$bars << END\n";
+  std::string labels;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    script += fmt::format("{},{:.7g},{},{:.4g}\n", i, steps[i].rms, i == 0 ? 0xd55e00 : 0x0072b2,
+                          steps[i].rms);
+    labels += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_quoted(steps[i].label), i);
+  }
+  script += "END\n";
+  script += fmt::format("set xrange [0:{:.7g}]\nset yrange [{}:-0.6]\nset ytics ({})\n",
+                        most > 0.0 ? 1.16 * most : 1.0,
+                        static_cast<double>(steps.size()) - 0.4, labels);
+  script += fmt::format("set xlabel {} offset 0,0.4\nset style fill solid 1.0 noborder\nunset key\n",
+                        gnuplot_quoted("rms error on runs that were not fitted, " + equation.unit));
+  if (equation.noise_floor_rms > 0.0) {
+    script += fmt::format(
+        "set arrow from {0:.7g}, graph 0 to {0:.7g}, graph 1 nohead front dashtype 2 linewidth 1.5 "
+        "linecolor rgb '#222222'\n"
+        "set label 'noise floor {0:.3g}' at {0:.7g}, graph 1.0 offset 0.4,0.5 font ',10'\n",
+        equation.noise_floor_rms);
+  }
+  script += "set tmargin 2\nset rmargin 3\n";
+  script +=
+      "plot $bars using ($2/2):1:(0):2:($1-0.3):($1+0.3):3 with boxxyerror linecolor rgb variable, "
+      "'' using 2:1:4 with labels left offset 0.7,0 textcolor rgb '#222222'\n";
+  return script;
+}
+
+std::string structure_plot(const EquationResult& equation) {
+  const std::vector<Panel> panels = panels_of(equation);
+  if (panels.empty()) return "";
+  const std::size_t rows = (panels.size() + kColumns - 1) / kColumns;
+  std::string script =
+      gnuplot_terminal(PlotFormat::kSvg, kWidth, static_cast<int>(rows) * kPanelHeight) + thin_axes();
+  script += "set xzeroaxis linetype 1 linecolor rgb '#888888'\nset title font ',10'\n";
+  script += "set format x '%.3g'\nset format y '%.2g'\nset tics font ',9'\nset xtics autofreq\n";
+  script += fmt::format("set multiplot layout {},{}\n", rows, kColumns);
+  for (std::size_t i = 0; i < panels.size(); ++i) script += panel_script(panels[i], i);
+  return script + "unset multiplot\n";
+}
+
+std::string inline_svg(std::string svg, const std::string& prefix) {
+  svg.erase(0, svg.find("<svg"));
+  for (const char* use : {"id='", "id=\"", "url(#", "href='#", "href=\"#"}) {
+    replace_all(svg, use, use + prefix);
+  }
+  return svg;
+}
+
+}  // namespace torquewright::report

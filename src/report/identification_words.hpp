@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "identification/identify.hpp"
+
+namespace torquewright::report {
+
+/// What an identification was asked, beside its outcome.
+struct IdentificationContext {
+  std::vector<std::string> log_files;
+  std::string rig_file;
+  std::string rig_name;
+  std::vector<std::string> actuator_files;  ///< As given; "elbow=FILE" on a serial arm.
+  std::vector<std::string> refined_files;   ///< Written; the same order, or empty.
+  bool select = true;                       ///< False: `identify residual`.
+};
+
+/// What texts and pictures of an identification share.
+
+/// 0.1234 ± 0.0012: as many digits as the standard error bears.
+std::string with_error(double value, double standard_error);
+
+/// "driving_coefficient 0.123 ± 0.004", one for each parameter, with its unit where it has one.
+std::vector<std::string> parameter_texts(const identification::NamedEffect& effect);
+
+/// The same for a value that the rig calls uncertain.
+std::string correction_text(const identification::Correction& correction);
+
+/// "output_torque_Nm", with the joint before it on a serial arm.
+std::string name_of_equation(const identification::EquationResult& equation);
+
+/// "load_torque_Nm x direction".
+std::string name_of_coordinate(const identification::Structure& structure);
+
+/// "a", "a or b", "a, b or c".
+std::string alternatives(const std::vector<std::string>& names);
+
+/// The verdict in plain words: what is missing, what is left, or why nothing can be said.
+std::string verdict_sentence(const identification::Identification& found, bool select);
+
+/// What to do now: commands or measurements, a line each.
+std::vector<std::string> next_steps(const identification::Identification& found,
+                                    const IdentificationContext& context);
+
+/// Held-out error where there is one, else that of the fitted runs.
+double shown_error(const identification::Errors& errors);
+
+/// One bar of a waterfall: the error with all effects up to this one.
+struct WaterfallStep {
+  std::string label;
+  double rms = 0.0;
+};
+
+/// The nominal model, then the effects in the order in which they were added.
+std::vector<WaterfallStep> waterfall(const identification::EquationResult& equation);
+
+/// True where there is more to say of it than that it is noise.
+bool is_of_interest(const identification::EquationResult& equation);
+
+}  // namespace torquewright::report

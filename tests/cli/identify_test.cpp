@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// `identify` as a user runs it. Logs come from the truth of tests/oracles/bench_log, which shares
+// no code with the tool; the example in specs/log was drawn there too, with a load-dependent
+// friction of 0.14 driving and 0.10 back-driven that its actuator does not declare.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/schema.hpp"
+#include "tests/cli/well_formed.hpp"
+#include "tests/cli/workplace.hpp"
+#include "tests/oracles/bench_log/scenario.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using nlohmann::json;
+using oracles::LogClass;
+
+/// Fits are within so many standard errors of the truth (fixed seeds).
+constexpr double kErrors = 4.0;
+
+/// A folder with the example bench: log.csv, rig.json, actuator.json.
+class Bench {
+ public:
+  Bench() {
+    for (const auto& [name, file] :
+         {std::pair{"log.csv", "specs/log/bench_as_built.csv"},
+          std::pair{"rig.json", "specs/log/bench_rig.json"},
+          std::pair{"actuator.json", "specs/log/bench_actuator.json"}}) {
+      place.write(name, text_of(in_repository(file)));
+    }
+  }
+  explicit Bench(const oracles::Scenario& scenario) {
+    logs.clear();
+    for (const auto& log : oracles::write_scenario(place.path(), scenario).logs) {
+      logs.push_back(log.filename());
+    }
+  }
+
+  Outcome run(std::vector<std::string> command, const std::vector<std::string>& more = {}) const {
+    command.insert(command.end(), logs.begin(), logs.end());
+    for (const char* word : {"--rig", "rig.json", "--actuator", "actuator.json"}) {
+      command.emplace_back(word);
+    }
+    command.insert(command.end(), more.begin(), more.end());
+    return place.run(command);
+  }
+
+  Workplace place;
+  std::vector<std::string> logs{"log.csv"};
+};
+
+/// The report, which has the shape of its schema.
+json report_of(const Outcome& outcome) {
+  json report = json::parse(outcome.out);
+  EXPECT_TRUE(io::conforms(report, "identification_report")) << outcome.out;
+  return report;
+}
+
+TEST(Identify, NamesTheUndeclaredEffect) {
+  const oracles::Scenario scenario = oracles::draw_effect("viscous_friction", 3);
+  const Bench bench(scenario);
+  const Outcome outcome = bench.run({"identify"}, {"--json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const json report = report_of(outcome);
+  EXPECT_EQ(report["verdict"], "explained");
+  ASSERT_EQ(report["effects_added"].size(), 1u);
+  const json& effect = report["effects_added"][0];
+  EXPECT_EQ(effect["effect"], "viscous_friction");
+  EXPECT_EQ(effect["family"], "actuator");
+  const char* key = "viscous_Nm_s_rad";
+  EXPECT_NEAR(effect["parameters"][key].get<double>(),
+              scenario.truth.effects[0].parameters.at(key),
+              kErrors * effect["standard_error"][key].get<double>());
+  EXPECT_LT(report["after"]["holdout_rms"], report["before"]["holdout_rms"]);
+  EXPECT_EQ(report["inputs"].size(), bench.logs.size() + 2);
+}
+
+TEST(Identify, NamesNothingWhereNothingIsMissing) {
+  const Bench bench(oracles::draw(LogClass::kNone, 3));
+  const Outcome outcome = bench.run({"identify"}, {"--json", "-o", "refined.json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  const json report = report_of(outcome);
+  EXPECT_EQ(report["verdict"], "nothing_missing");
+  EXPECT_TRUE(report["effects_added"].empty());
+  const json nominal = json::parse(bench.place.text("actuator.json"));
+  EXPECT_EQ(json::parse(bench.place.text("refined.json")), nominal);
+}
+
+TEST(Identify, SaysAllStepsInItsText) {
+  const Outcome outcome = Bench().run({"identify"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(outcome.out.starts_with("log.csv on knee on the bench: explained\n"
+                                      "Missing from the model: load_dependent_friction. With it "
+                                      "what is left is noise.\n"))
+      << outcome.out;
+  for (const char* step : {"\n1 log ", "\n2 residual ", "\n3 noise floor ", "\n4 evidence ",
+                           "\n5 selection ", "\n6 refined ", "\nnext "}) {
+    EXPECT_NE(outcome.out.find(step), std::string::npos) << step << " in\n" << outcome.out;
+  }
+}
+
+TEST(Identify, ResidualStopsBeforeTheSelection) {
+  const Outcome outcome = Bench().run({"identify", "residual"}, {"--json"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const json report = report_of(outcome);
+  EXPECT_EQ(report["verdict"], "unexplained");
+  EXPECT_TRUE(report["effects_added"].empty());
+  EXPECT_EQ(report["options"]["select"], false);
+  EXPECT_EQ(report["before"], report["after"]);
+}
+
+// Two and a half seconds: not enough to hold anything out of a fit.
+TEST(Identify, RefusesToTellFromAShortLog) {
+  Bench bench;
+  std::istringstream log(bench.place.text("log.csv"));
+  std::string few, line;
+  for (int i = 0; i <= 500 && std::getline(log, line); ++i) few += line + "\n";
+  bench.place.write("log.csv", few);
+  bench.place.write("rig.json", with(bench.place.text("rig.json"),
+                                     ",\n \"holdout_runs\": [\"run_4\"]", ""));
+  const Outcome outcome = bench.run({"identify"}, {"--json", "-o", "refined.json"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_EQ(report_of(outcome)["verdict"], "cannot_tell");
+  EXPECT_FALSE(bench.place.has("refined.json"));
+  EXPECT_NE(outcome.err.find("refined.json: not written"), std::string::npos) << outcome.err;
+}
+
+TEST(Identify, RefusesBadInput) {
+  const Bench bench;
+  struct Case {
+    std::vector<std::string> words;
+    const char* said;
+  };
+  const std::vector<Case> cases = {
+      {{"identify", "log.csv", "--actuator", "actuator.json"}, "--rig is required"},
+      {{"identify", "log.csv", "--rig", "rig.json"}, "--actuator is required"},
+      {{"identify", "--rig", "rig.json", "--actuator", "actuator.json"}, "logs is required"},
+      {{"identify", "absent.csv", "--rig", "rig.json", "--actuator", "actuator.json"}, "absent.csv"},
+      {{"identify", "log.csv", "--rig", "rig.json", "--actuator", "a.json", "--actuator", "b.json"},
+       "--actuator: the rig has one joint"},
+      {{"identify", "log.csv", "--rig", "rig.json", "--actuator", "actuator.json", "-o", "rig.json"},
+       "rig.json"}};
+  for (const Case& each : cases) {
+    const Outcome outcome = bench.place.run(each.words);
+    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(each.words);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(each.said), std::string::npos) << outcome.err;
+  }
+}
+
+// Closed form: driving, torque on the load is that before the friction over 1 + k.
+TEST(Identify, RefinedActuatorIsReadBackWithLessTorque) {
+  const Bench bench;
+  ASSERT_EQ(bench.run({"identify"}, {"-o", "refined.json"}).exit_code, 0);
+  const json effect = json::parse(bench.place.text("refined.json"))["effects"][0];
+  EXPECT_EQ(effect["provenance"]["source"], "identified");
+  const double k = effect["parameters"]["driving_coefficient"];
+  EXPECT_NEAR(k, 0.14, kErrors * effect["standard_error"]["driving_coefficient"].get<double>());
+  const Outcome compared = bench.place.run(
+      {"actuator", "mor", "refined.json", "--compare", "actuator.json", "--json"});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  const json comparison = json::parse(compared.out);
+  EXPECT_TRUE(io::conforms(comparison, "region_comparison")) << compared.out;
+  const double from = comparison["from"]["figures"]["stall_torque_Nm"];
+  const double to = comparison["to"]["figures"]["stall_torque_Nm"];
+  EXPECT_NEAR(to, from / (1.0 + k), 1e-9 * from);
+  EXPECT_NEAR(comparison["quadrants"][0]["worst_loss"]["change_Nm"].get<double>(), to - from,
+              1e-9 * from);
+  const Outcome region = bench.place.run({"actuator", "mor", "refined.json", "--json"});
+  EXPECT_EQ(json::parse(region.out)["effects"], json({"load_dependent_friction (identified)"}));
+}
+
+TEST(Identify, ReportIsAPageThatHoldsAll) {
+  Bench bench;
+  bench.place.write("rig.json", with(bench.place.text("rig.json"), "knee on the bench",
+                                     "<b>knee</b> & </section><script>"));
+  const Outcome outcome = bench.run({"identify"}, {"--report", "report.html"});
+  if (outcome.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string page = bench.place.text("report.html");
+  EXPECT_EQ(fault_in(page), "");
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+  EXPECT_EQ(page.find("<link"), std::string::npos);
+  EXPECT_NE(page.find("&lt;b&gt;knee&lt;/b&gt; &amp; "), std::string::npos);
+  std::size_t pictures = 0;
+  for (std::size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) {
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 3u);  // waterfall, coordinates, regions
+}
+
+// The loop closes: what the log showed turns the verdict on a motion. Stall torque by hand: mesh
+// without loss 22.5 Nm, with the truth's friction of 0.14 of the load 22.5/1.14 = 19.8 Nm; the lift
+// asks for 20.2 Nm.
+TEST(Identify, RefinedActuatorTurnsTheVerdictOnAMotion) {
+  const Bench bench;
+  ASSERT_EQ(bench.run({"identify"}, {"-o", "refined.json"}).exit_code, 0);
+  const auto verdict = [&](const std::string& actuator) {
+    return bench.place
+        .run({"actuator", "check", in_repository("specs/trajectory/bench_lift.csv"), "--joint",
+              "knee=" + actuator, "--torque-includes-inertia"})
+        .exit_code;
+  };
+  EXPECT_EQ(verdict("actuator.json"), 0);
+  EXPECT_EQ(verdict("refined.json"), 1);
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
