@@ -2,14 +2,18 @@
 #include "hopper/mechanism_spec.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
 #include "actuator/actuator_spec.hpp"
+#include "actuator/check/drive_check.hpp"
 #include "hopper/find_name.hpp"
+#include "hopper/mechanisms/constant_jacobian.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -20,7 +24,8 @@ constexpr double kSingular = 1e-9;  // determinant of a Jacobian scaled to 1
 
 class MechanismReader {
  public:
-  MechanismReader(Robot& robot, std::vector<io::Document>& documents, std::vector<io::Fault>& faults)
+  MechanismReader(Robot& robot, std::vector<io::Document>& documents,
+                  std::vector<io::Fault>& faults)
       : robot_(robot),
         documents_(documents),
         faults_(faults),
@@ -42,9 +47,8 @@ class MechanismReader {
   }
 
   void read_one(const json& keys, const std::string& path) {
-    Mechanism mechanism;
+    Drivetrain drivetrain;
     const bool direct = keys["type"] == "direct";
-    mechanism.kind = direct ? MechanismKind::kDirect : MechanismKind::kParallel;
     const std::size_t needed = direct ? 1 : 2;
     for (const char* key : {"joints", "actuators"}) {
       if (keys[key].size() == needed) continue;
@@ -52,62 +56,95 @@ class MechanismReader {
              fmt::format("must have {}, not {}", needed, keys[key].size()));
     }
     for (std::size_t i = 0; i < keys["joints"].size(); ++i) {
-      claim(keys["joints"][i], fmt::format("{}/joints/{}", path, i), mechanism);
+      claim(keys["joints"][i], fmt::format("{}/joints/{}", path, i), drivetrain);
     }
-    for (const json& file : keys["actuators"]) read_actuator(file, mechanism);
+    for (const json& file : keys["actuators"]) read_actuator(file, drivetrain);
+    read_names(keys, path, drivetrain);
     if (keys.contains("jacobian") == direct) {
       report(path + "/jacobian", direct ? "is for parallel mechanisms" : "missing");
     } else if (!direct) {
-      read_jacobian(keys["jacobian"], path + "/jacobian", mechanism);
+      read_jacobian(keys["jacobian"], path + "/jacobian", drivetrain);
     }
-    if (direct && mechanism.joints.size() == 1 && mechanism.actuators.size() == 1) {
-      reflect(mechanism);
+    if (direct) drivetrain.mechanism = std::make_shared<ConstantJacobian>(direct_drive());
+    const std::size_t driven = drivetrain.joints.size();
+    if (driven == needed && driven == drivetrain.actuators.size() && drivetrain.mechanism) {
+      reflect(drivetrain);
     }
-    robot_.mechanisms.push_back(std::move(mechanism));
+    robot_.drivetrains.push_back(std::move(drivetrain));
+  }
+
+  /// Of one actuator on one joint: the joint's. Else as stated, or the joints' with a number.
+  void read_names(const json& keys, const std::string& path, Drivetrain& drivetrain) {
+    std::vector<std::string> joints = keys["joints"];
+    if (joints.size() == 1) {
+      drivetrain.actuator_names = joints;
+    } else if (!keys.contains("actuator_names")) {
+      for (std::size_t i = 0; i < joints.size(); ++i) {
+        drivetrain.actuator_names.push_back(fmt::format("{}_{}", fmt::join(joints, "_"), i + 1));
+      }
+    } else {
+      drivetrain.actuator_names = keys["actuator_names"];
+      if (drivetrain.actuator_names.size() != joints.size()) {
+        report(path + "/actuator_names", fmt::format("must have {}, not {}", joints.size(),
+                                                     drivetrain.actuator_names.size()));
+      }
+    }
   }
 
   /// A joint may be driven once.
-  void claim(const std::string& name, const std::string& path, Mechanism& mechanism) {
+  void claim(const std::string& name, const std::string& path, Drivetrain& drivetrain) {
     if (!find_name(joint_names_, name, "joint", {file_, path, ""}, faults_)) return;
     if (std::find(driven_.begin(), driven_.end(), name) != driven_.end()) {
       report(path, fmt::format("\"{}\" is driven by another mechanism already", name));
     }
     driven_.push_back(name);
-    if (const auto body = robot_.find_joint(name)) mechanism.joints.push_back(*body);
+    if (const auto body = robot_.find_joint(name)) drivetrain.joints.push_back(*body);
   }
 
-  void read_actuator(const std::string& name, Mechanism& mechanism) {
-    mechanism.actuator_files.push_back(name);
+  void read_actuator(const std::string& name, Drivetrain& drivetrain) {
+    drivetrain.actuator_files.push_back(name);
     try {
       actuator::ReadActuator read =
           actuator::read_actuator(std::filesystem::path(file_).parent_path() / name);
-      mechanism.actuators.push_back(std::move(read.actuator));
+      drivetrain.actuators.push_back(std::move(read.actuator));
       std::move(read.documents.begin(), read.documents.end(), std::back_inserter(documents_));
     } catch (const io::SpecError& error) {
       faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
     }
   }
 
-  void read_jacobian(const json& rows, const std::string& path, Mechanism& mechanism) {
-    Eigen::Matrix2d& jacobian = mechanism.jacobian;
+  void read_jacobian(const json& rows, const std::string& path, Drivetrain& drivetrain) {
+    SmallMatrix jacobian(2, 2);
     jacobian << rows[0][0].get<double>(), rows[0][1].get<double>(), rows[1][0].get<double>(),
         rows[1][1].get<double>();
     const double scale = jacobian.cwiseAbs().maxCoeff();
     if (!(std::abs(jacobian.determinant()) > kSingular * scale * scale)) {
       report(path, "is singular: some motion of the joints moves no actuator");
+    } else {
+      drivetrain.mechanism = std::make_shared<ConstantJacobian>("parallel", jacobian);
     }
   }
 
-  void reflect(const Mechanism& mechanism) {
-    dynamics::Joint& joint = robot_.tree.bodies[mechanism.joints.front()].joint;
-    const auto index = static_cast<std::size_t>(
-        std::find(joint_names_.begin(), joint_names_.end(), joint.name) - joint_names_.begin());
-    if (root_["joints"][index].contains("reflected_inertia_kg_m2")) return;
+  bool states_inertia(const std::string& joint) const {
+    const auto found = std::find(joint_names_.begin(), joint_names_.end(), joint);
+    const auto index = static_cast<std::size_t>(found - joint_names_.begin());
+    const json& keys = root_["joints"][index];
+    return keys.contains("reflected_inertia_kg_m2") || keys.contains("reflected_mass_kg");
+  }
+
+  /// What joints state of reflected inertia holds; else one actuator's stands in its joint, and
+  /// those of two, which couple their joints, are left to the drivetrain.
+  void reflect(Drivetrain& drivetrain) {
+    for (const std::size_t body : drivetrain.joints) {
+      if (states_inertia(robot_.tree.bodies[body].joint.name)) return;
+    }
+    if (drivetrain.mechanism->type() != "direct") {
+      drivetrain.rotors_in_tree = false;
+      return;
+    }
+    dynamics::Joint& joint = robot_.tree.bodies[drivetrain.joints.front()].joint;
     if (joint.kind == dynamics::JointKind::kPrismatic) return;  // of a screw no lead is known
-    const actuator::Actuator& of = mechanism.actuators.front();
-    const double ratio = of.transmission.ratio;
-    joint.reflected_inertia =
-        ratio * ratio * of.motor.rotor_inertia_kg_m2 + of.transmission.inertia_kg_m2;
+    joint.reflected_inertia = actuator::armature_kg_m2(drivetrain.actuators.front());
   }
 
   Robot& robot_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "actuator/actuator.hpp"
 #include "dynamics/point.hpp"
 #include "dynamics/tree.hpp"
+#include "hopper/mechanisms/mechanism.hpp"
 
 namespace torquewright::hopper {
 
@@ -19,25 +21,22 @@ struct ContactPoint {
   double restitution = 0;
 };
 
-enum class MechanismKind {
-  kDirect,    ///< One actuator, one joint, speeds alike (also through a 1:1 four-bar).
-  kParallel,  ///< Two actuators, two joints: actuator speeds are the Jacobian times joint speeds.
-};
-
-/// What stands between actuators and joints.
-struct Mechanism {
-  MechanismKind kind = MechanismKind::kDirect;
+/// Joints, the actuators that move them, and what stands between.
+struct Drivetrain {
+  std::shared_ptr<const Mechanism> mechanism;
   std::vector<std::size_t> joints;  ///< By the body that the joint carries.
   std::vector<actuator::Actuator> actuators;
-  std::vector<std::string> actuator_files;                 ///< As the document names them.
-  Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();  ///< Of a parallel one.
+  std::vector<std::string> actuator_names;  ///< The joint's where one actuator moves one joint.
+  std::vector<std::string> actuator_files;  ///< As the document names them.
+  /// Whether the joints' reflected inertia in the tree holds that of these rotors already.
+  bool rotors_in_tree = true;
 };
 
 struct Robot {
   std::string name;
   dynamics::Tree tree;  ///< Joints carry their names.
   std::vector<ContactPoint> contacts;
-  std::vector<Mechanism> mechanisms;
+  std::vector<Drivetrain> drivetrains;
   std::vector<std::string> assumed;  ///< JSON pointers into its document.
 
   /// Index of the body that the joint carries; none if no joint has that name.

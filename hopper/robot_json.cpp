@@ -70,19 +70,15 @@ ordered_json joint_json(const dynamics::Body& body, const std::string& parent) {
   return keys;
 }
 
-ordered_json mechanism_json(const Robot& robot, const Mechanism& mechanism) {
-  const bool direct = mechanism.kind == MechanismKind::kDirect;
+ordered_json drivetrain_json(const Robot& robot, const Drivetrain& drivetrain) {
   ordered_json keys;
-  keys["type"] = direct ? "direct" : "parallel";
-  for (const std::size_t body : mechanism.joints) {
+  keys["type"] = drivetrain.mechanism->type();
+  for (const std::size_t body : drivetrain.joints) {
     keys["joints"].push_back(robot.tree.bodies[body].joint.name);
   }
-  keys["actuators"] = mechanism.actuator_files;
-  const Eigen::Matrix2d& J = mechanism.jacobian;
-  if (!direct) {
-    keys["jacobian"] = {ordered_json::array({J(0, 0), J(0, 1)}),
-                        ordered_json::array({J(1, 0), J(1, 1)})};
-  }
+  keys["actuators"] = drivetrain.actuator_files;
+  if (drivetrain.joints.size() > 1) keys["actuator_names"] = drivetrain.actuator_names;
+  keys.update(drivetrain.mechanism->keys());
   return keys;
 }
 
@@ -109,8 +105,8 @@ ordered_json robot_json(const Robot& robot) {
                                     {"friction_coefficient", contact.friction_coefficient},
                                     {"restitution", contact.restitution}});
   }
-  for (const Mechanism& mechanism : robot.mechanisms) {
-    document["mechanisms"].push_back(mechanism_json(robot, mechanism));
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    document["mechanisms"].push_back(drivetrain_json(robot, drivetrain));
   }
   if (!robot.assumed.empty()) document["assumed"] = robot.assumed;
   return document;

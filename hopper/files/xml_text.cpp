@@ -32,9 +32,9 @@ void add_common_notes(const Robot& robot, std::vector<std::string>& notes) {
     notes.push_back(fmt::format("{} contact points, their friction and restitution are not held",
                                 robot.contacts.size()));
   }
-  if (!robot.mechanisms.empty()) {
+  if (!robot.drivetrains.empty()) {
     notes.push_back(
-        fmt::format("{} mechanisms and their actuators are not held", robot.mechanisms.size()));
+        fmt::format("{} mechanisms and their actuators are not held", robot.drivetrains.size()));
   }
 }
 

@@ -69,7 +69,7 @@ TEST_F(RobotSpec, PutsParentsFirstAndKeepsEveryNumber) {
   EXPECT_EQ(bodies[2].joint.axis, Eigen::Vector3d(0, 0, -1));
   EXPECT_EQ(bodies[2].joint.reflected_inertia, 0.5);
   EXPECT_EQ(read.robot.contacts[0].point.body, 2u);
-  EXPECT_EQ(read.robot.mechanisms[0].joints[0], 1u);
+  EXPECT_EQ(read.robot.drivetrains[0].joints[0], 1u);
   EXPECT_EQ(read.documents.size(), 2u);
   EXPECT_NO_THROW(dynamics::require_tree(read.robot.tree));
 }
@@ -187,7 +187,7 @@ TEST(ExampleRobots, HaveThePublishedMass) {
   dynamics::TreeState state(hopper.robot.tree);
   EXPECT_NEAR(dynamics::centroid(state).mass_kg, 12.45, 1e-12);
   EXPECT_NEAR(hopper.robot.tree.bodies[1].joint.reflected_inertia, 0.3688, 1e-12);
-  EXPECT_EQ(hopper.robot.mechanisms.size(), 2u);
+  EXPECT_EQ(hopper.robot.drivetrains.size(), 2u);
   EXPECT_FALSE(hopper.robot.assumed.empty());
 }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/mechanisms/mechanism.hpp"
+
+namespace torquewright::hopper {
+
+/// Actuators whose speeds are the same combination of the joints' speeds in every posture.
+class ConstantJacobian : public Mechanism {
+ public:
+  /// Requires a square matrix that is not singular.
+  ConstantJacobian(std::string_view type, const SmallMatrix& jacobian);
+
+  std::string_view type() const override { return type_; }
+  Eigen::Index size() const override { return jacobian_.rows(); }
+  std::optional<Transfer> transfer(const SmallVector& joint_rad,
+                                   const SmallVector& joint_rad_s) const override;
+  nlohmann::ordered_json keys() const override;
+
+ private:
+  std::string_view type_;
+  SmallMatrix jacobian_;
+};
+
+/// One actuator on one joint, speeds alike.
+ConstantJacobian direct_drive();
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace torquewright::hopper {
+
+/// A mechanism joins as many actuators as joints, at most this many.
+constexpr int kMostJoints = 2;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
+using SmallMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
+
+/// How actuators move with the joints, at one posture and speed. No power is lost between them, so
+/// that joint torques are the transposed Jacobian times the actuators' torques.
+struct Transfer {
+  SmallVector actuator_position_rad;  ///< Of each actuator's output, behind its gearbox.
+  SmallMatrix jacobian;               ///< Actuators' speeds over joints' speeds.
+  SmallMatrix jacobian_rate_1_s;      ///< Its rate while the joints move so.
+};
+
+/// How far a mechanism is from what it cannot do or must not do.
+struct MechanismMargin {
+  std::string name;  ///< rod_1_angle, singularity, ...
+  double value = 0.0;
+  double limit = 0.0;
+  double margin = 0.0;  ///< Positive inside.
+  std::string unit;
+};
+
+/// What stands between actuators and joints. Revolute on both sides.
+class Mechanism {
+ public:
+  virtual ~Mechanism() = default;
+
+  /// As documents name it.
+  virtual std::string_view type() const = 0;
+  /// Joints, and as many actuators.
+  virtual Eigen::Index size() const = 0;
+  /// Empty where the linkage does not reach the posture, or is singular there.
+  virtual std::optional<Transfer> transfer(const SmallVector& joint_rad,
+                                           const SmallVector& joint_rad_s) const = 0;
+  /// At a posture; empty: nothing limits it but the joints.
+  virtual std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const;
+  /// Its own keys in a document, beside type, joints and actuators.
+  virtual nlohmann::ordered_json keys() const = 0;
+};
+
+/// J^T torques of the actuators.
+SmallVector joint_torque_Nm(const Transfer& transfer, const SmallVector& actuator_Nm);
+
+/// The actuators' torques that make these at the joints. Requires a Jacobian that is not singular,
+/// as those of Mechanism::transfer() are.
+SmallVector actuator_torque_Nm(const Transfer& transfer, const SmallVector& joint_Nm);
+
+}  // namespace torquewright::hopper
