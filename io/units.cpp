@@ -24,12 +24,22 @@ constexpr Unit kUnits[] = {
     {"deg/s", Dimension::kAngularVelocity, kDegree},
     {"rev/s", Dimension::kAngularVelocity, kTurn},
     {"rpm", Dimension::kAngularVelocity, kTurn / 60.0},
+    {"rad/s^2", Dimension::kAngularAcceleration, 1.0},
+    {"deg/s^2", Dimension::kAngularAcceleration, kDegree},
     {"Nm", Dimension::kTorque, 1.0},
     {"mNm", Dimension::kTorque, 1e-3},
     {"kNm", Dimension::kTorque, 1e3},
     {"Ncm", Dimension::kTorque, 1e-2},
     {"lbf_in", Dimension::kTorque, kPoundForceInch_Nm},
     {"lbf_ft", Dimension::kTorque, 12.0 * kPoundForceInch_Nm},
+    {"m", Dimension::kLength, 1.0},
+    {"mm", Dimension::kLength, 1e-3},
+    {"cm", Dimension::kLength, 1e-2},
+    {"m/s", Dimension::kVelocity, 1.0},
+    {"mm/s", Dimension::kVelocity, 1e-3},
+    {"m/s^2", Dimension::kAcceleration, 1.0},
+    {"N", Dimension::kForce, 1.0},
+    {"kN", Dimension::kForce, 1e3},
 };
 
 }  // namespace

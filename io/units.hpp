@@ -8,9 +8,20 @@
 
 namespace torquewright::io {
 
-enum class Dimension { kTime, kAngle, kAngularVelocity, kTorque };
+enum class Dimension {
+  kTime,
+  kAngle,
+  kAngularVelocity,
+  kAngularAcceleration,
+  kTorque,
+  kLength,
+  kVelocity,
+  kAcceleration,
+  kForce,
+  kNumber,  ///< Has no unit.
+};
 
-/// A unit of a column or an option, and how much of the SI unit (s, rad, rad/s, Nm) one of it is.
+/// A unit of a column or an option, and how much of the SI unit (s, rad, rad/s, Nm, m, ...) one of it is.
 struct Unit {
   std::string_view name;
   Dimension dimension;

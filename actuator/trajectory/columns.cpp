@@ -33,13 +33,6 @@ const QuantityWords& words_of(Quantity quantity) {
   return kQuantities[static_cast<std::size_t>(quantity)];
 }
 
-[[noreturn]] void refuse_column(const std::string& text, const std::string& why) {
-  throw io::SpecError({{"--column", "",
-                        fmt::format("\"{}\": {}; the form is "
-                                    "NAME=JOINT.QUANTITY[:unit][*factor]",
-                                    text, why)}});
-}
-
 /// Cuts off what follows the last mark; empty where there is no mark.
 std::string cut_behind_last(std::string& text, char mark) {
   const std::size_t place = text.rfind(mark);
@@ -54,7 +47,7 @@ double read_factor(const std::string& text, const std::string& factor) {
   const char* end = factor.data() + factor.size();
   const auto [rest, error] = std::from_chars(factor.data(), end, value);
   if (error != std::errc() || rest != end || !std::isfinite(value) || value == 0.0) {
-    refuse_column(text,
+    refuse_mapping(text,
                   fmt::format("the factor \"{}\" is not a finite number other than 0", factor));
   }
   return value;
@@ -64,7 +57,7 @@ double read_unit(const std::string& text, const std::string& name, Quantity quan
   const io::Dimension dimension = words_of(quantity).dimension;
   const std::optional<io::Unit> unit = io::find_unit(name);
   if (unit && unit->dimension == dimension) return unit->in_SI;
-  refuse_column(text, fmt::format("\"{}\" is no unit of {}, which must be {}", name,
+  refuse_mapping(text, fmt::format("\"{}\" is no unit of {}, which must be {}", name,
                                   name_of(quantity), io::either(io::unit_names(dimension))));
 }
 
@@ -73,7 +66,7 @@ Quantity read_quantity(const std::string& text, const std::string& name) {
   std::vector<std::string> names;
   for (const QuantityWords& words : kQuantities) names.emplace_back(words.name);
   const std::optional<std::string> near = io::nearest(name, names);
-  refuse_column(text, fmt::format("\"{}\" is no quantity{}; they are {}", name,
+  refuse_mapping(text, fmt::format("\"{}\" is no quantity{}; they are {}", name,
                                   near ? fmt::format(" (did you mean \"{}\"?)", *near) : "",
                                   io::either(names)));
 }
@@ -89,27 +82,42 @@ std::optional<Quantity> find_quantity(std::string_view name) {
   return std::nullopt;
 }
 
-ColumnMapping read_mapping(const std::string& text) {
+void refuse_mapping(const std::string& text, const std::string& why) {
+  throw io::SpecError({{"--column", "",
+                        fmt::format("\"{}\": {}; the form is "
+                                    "NAME=JOINT.QUANTITY[:unit][*factor]",
+                                    text, why)}});
+}
+
+MappingText split_mapping(const std::string& text) {
   std::string rest = text;
-  ColumnMapping mapping;
   std::string target = cut_behind_last(rest, '=');
+  if (target.empty() || rest.empty() || rest == text) refuse_mapping(text, "no NAME=JOINT.QUANTITY");
+  MappingText mapping;
   mapping.column = rest;
-  if (target.empty() || rest.empty() || rest == text) refuse_column(text, "no NAME=JOINT.QUANTITY");
-  const bool has_factor = target.find('*') != std::string::npos;
-  const std::string factor = cut_behind_last(target, '*');
-  const bool has_unit = target.find(':') != std::string::npos;
-  const std::string unit = cut_behind_last(target, ':');
+  if (target.find('*') != std::string::npos) {
+    mapping.factor = read_factor(text, cut_behind_last(target, '*'));
+  }
+  if (target.find(':') != std::string::npos) {
+    mapping.unit = cut_behind_last(target, ':');
+    if (mapping.unit.empty()) refuse_mapping(text, "\"\" is no unit");
+  }
   const bool has_joint = target.find('.') != std::string::npos;
-  const std::string quantity = has_joint ? cut_behind_last(target, '.') : target;
-  mapping.quantity = read_quantity(text, quantity);
+  mapping.quantity = has_joint ? cut_behind_last(target, '.') : target;
   if (has_joint) mapping.joint = target;
+  return mapping;
+}
+
+ColumnMapping read_mapping(const std::string& text) {
+  const MappingText parts = split_mapping(text);
+  ColumnMapping mapping{parts.column, parts.joint, read_quantity(text, parts.quantity),
+                        parts.factor};
   if (mapping.quantity == Quantity::kTime) {
     mapping.joint.clear();
   } else if (mapping.joint.empty()) {
-    refuse_column(text, fmt::format("whose {}? JOINT.{} names it", quantity, quantity));
+    refuse_mapping(text, fmt::format("whose {0}? JOINT.{0} names it", parts.quantity));
   }
-  if (has_factor) mapping.factor *= read_factor(text, factor);
-  if (has_unit) mapping.factor *= read_unit(text, unit, mapping.quantity);
+  if (!parts.unit.empty()) mapping.factor *= read_unit(text, parts.unit, mapping.quantity);
   return mapping;
 }
 

@@ -22,6 +22,19 @@ struct ColumnMapping {
   double factor = 1.0;
 };
 
+/// A mapping of the command line, taken apart: NAME=JOINT.QUANTITY[:unit][*factor].
+struct MappingText {
+  std::string column;
+  std::string joint;  ///< Empty: of none.
+  std::string quantity;
+  std::string unit;  ///< Empty: none stated.
+  double factor = 1.0;
+};
+/// Throws io::SpecError where the text has not that form.
+MappingText split_mapping(const std::string& text);
+/// Refuses a mapping: throws io::SpecError that repeats it, says why and how it is written.
+[[noreturn]] void refuse_mapping(const std::string& text, const std::string& why);
+
 /// NAME=JOINT.QUANTITY[:unit][*factor], or NAME=time[:unit][*factor]: tau_k=knee.torque:Nm*0.5.
 /// Throws io::SpecError.
 ColumnMapping read_mapping(const std::string& text);

@@ -34,8 +34,9 @@ std::vector<ColumnMapping> read_columns(const io::Document& document) {
     const auto report = [&](const char* key, std::string message) {
       faults.push_back({document.file, path + key, std::move(message)});
     };
-    ColumnMapping mapping{entry["column"], entry.value("joint", ""),
-                          *find_quantity(entry["quantity"].get<std::string>()),
+    const auto quantity = find_quantity(entry["quantity"].get<std::string>());
+    if (!quantity) continue;  // of whole-body motions
+    ColumnMapping mapping{entry["column"], entry.value("joint", ""), *quantity,
                           entry.value("factor", 1.0)};
     const bool is_time = mapping.quantity == Quantity::kTime;
     if (is_time != mapping.joint.empty()) {

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/check/demand.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/inverse_dynamics.hpp"
+#include "dynamics/momentum.hpp"
+#include "dynamics/point.hpp"
+#include "hopper/check/free_rows.hpp"
+#include "hopper/contact/cone_least_squares.hpp"
+#include "io/refusal.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr Index kSamplesBetweenProgress = 2000;
+constexpr double kLeastSize_m = 1e-6;
+
+/// Walks through a motion sample by sample; everything it works in is allocated once.
+class DemandPass {
+ public:
+  DemandPass(const Robot& robot, const Motion& motion, const ContactSchedule& contacts)
+      : robot_(robot),
+        motion_(motion),
+        contacts_(contacts),
+        body_(robot),
+        rows_(body_),
+        solver_(static_cast<Index>(robot.contacts.size())),
+        points_(static_cast<Index>(robot.contacts.size())),
+        size_(robot.tree.velocity_size()) {
+    allocate();
+  }
+
+  Demand run(const std::function<void(double)>& on_progress) {
+    for (Index sample = 0; sample < motion_.samples(); ++sample) {
+      set(sample);
+      if (sample == 0) measure_robot();
+      if (motion_.has_base && motion_.is_break(sample)) add_jolt(sample);
+      if (motion_.has_base) {
+        solve_sample(sample);
+      } else {
+        take_file_torques(sample);
+      }
+      if (on_progress && sample % kSamplesBetweenProgress == 0) {
+        on_progress(static_cast<double>(sample) / static_cast<double>(motion_.samples()));
+      }
+    }
+    return std::move(demand_);
+  }
+
+ private:
+  void allocate() {
+    const Index samples = motion_.samples();
+    const auto drives = static_cast<Index>(body_.drive_count());
+    has_file_torque_ = !robot_.drivetrains.empty();
+    for (const Drivetrain& drivetrain : robot_.drivetrains) {
+      for (const std::size_t joint : drivetrain.joints) {
+        has_file_torque_ = has_file_torque_ && motion_.has_effort[joint - 1];
+      }
+    }
+    demand_.has_dynamics = motion_.has_base;
+    demand_.drives.assign(body_.drive_count(), std::vector<DriveInstant>(motion_.times_s.size()));
+    demand_.contact_Nm.setZero(drives, samples);
+    if (has_file_torque_) demand_.file_torque_Nm.setZero(drives, samples);
+    demand_.forces_N.setZero(3 * points_, samples);
+    demand_.residual_force_N.setZero(samples);
+    demand_.residual_moment_Nm.setZero(samples);
+    demand_.residual_passive_Nm.setZero(samples);
+    demand_.center_of_mass_m.setZero(3, samples);
+    demand_.angular_momentum_Nm_s.setZero(3, samples);
+    demand_.angular_velocity_rad_s.setZero(3, samples);
+    jacobians_.setZero(size_, 3 * points_);
+    columns_.setZero(rows_.size(), 3 * points_);
+    scaled_.setZero(rows_.size(), 3 * points_);
+    friction_.setZero(points_);
+    asked_.setZero(rows_.size());
+    force_.setZero(size_);
+    load_.setZero(size_);
+    drive_torque_.setZero(drives);
+  }
+
+  void set(Index sample) {
+    if (body_.set(motion_.positions.col(sample), motion_.velocities.col(sample))) return;
+    const Drivetrain& drivetrain = robot_.drivetrains[body_.unreached()];
+    std::string angles;
+    const Index joints = static_cast<Index>(robot_.tree.bodies.size()) - 1;
+    for (const std::size_t joint : drivetrain.joints) {
+      const Index row = motion_.positions.rows() - joints + static_cast<Index>(joint) - 1;
+      angles += fmt::format("{}{} at {:.6g} rad", angles.empty() ? "" : ", ",
+                            robot_.tree.bodies[joint].joint.name, motion_.positions(row, sample));
+    }
+    io::refuse(motion_.file,
+               fmt::format("t = {:.6g} s: {}: there the {} mechanism cannot be, or it is singular",
+                           motion_.time_s(sample), angles, drivetrain.mechanism->type()));
+  }
+
+  void measure_robot() {
+    const dynamics::Centroid all = dynamics::centroid(body_.state());
+    const double gravity = std::max(robot_.tree.gravity_m_s2, 1e-3);
+    demand_.weight_N = all.mass_kg * gravity;
+    demand_.size_m =
+        std::max(kLeastSize_m, std::sqrt(all.inertia_kg_m2.trace() / 2.0 / all.mass_kg));
+    scales_ = rows_.scales(demand_.weight_N, demand_.size_m);
+  }
+
+  /// Jacobians of the touching points, transposed, side by side; how many there are.
+  Index gather_contacts(Index sample, bool near_ground_too) {
+    touching_.clear();
+    for (Index i = 0; i < points_; ++i) {
+      if (!contacts_.touches(i, sample) && !near_ground_too) continue;
+      if (near_ground_too && contacts_.height_m(i, sample) > kNearGround_m &&
+          !contacts_.touches(i, sample)) {
+        continue;
+      }
+      touching_.push_back(i);
+    }
+    const auto count = static_cast<Index>(touching_.size());
+    for (Index k = 0; k < count; ++k) {
+      const ContactPoint& contact =
+          robot_.contacts[static_cast<std::size_t>(touching_[static_cast<std::size_t>(k)])];
+      jacobian_.setZero(3, size_);
+      dynamics::point_jacobian(body_.state(), contact.point, jacobian_);
+      jacobians_.middleCols(3 * k, 3) = jacobian_.transpose();
+      friction_[k] = contact.friction_coefficient;
+    }
+    return count;
+  }
+
+  /// Forces on the touching points whose sum is nearest to what the free rows ask for.
+  /// `asked` is in the units of the rows; the answer in those over the rows' scales' force.
+  void share_out(Index count, const VectorXd& asked, double unit) {
+    columns_.leftCols(3 * count).setZero();
+    rows_.take(jacobians_.leftCols(3 * count), columns_.leftCols(3 * count));
+    scaled_.leftCols(3 * count) =
+        scales_.cwiseInverse().asDiagonal() * columns_.leftCols(3 * count) * demand_.weight_N;
+    const VectorXd target = asked.cwiseQuotient(scales_) / unit;
+    const auto status = solver_.solve(scaled_.leftCols(3 * count), target, friction_.head(count));
+    if (status != ConeLeastSquares::Status::kSolved) ++demand_.unsolved;
+    shared_ = solver_.x() * (demand_.weight_N * unit);
+    demand_.is_shared = demand_.is_shared || 3 * count > rows_.size();
+  }
+
+  void solve_sample(Index sample) {
+    note_centroid(sample);
+    // Rotors apart: they load no free row (but through the base's acceleration, which none has).
+    dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), force_);
+    load_ = force_;
+    if (motion_.has_forces) {
+      take_file_forces(sample);
+    } else {
+      solve_forces(sample);
+    }
+    rows_.take(load_, asked_);
+    demand_.residual_force_N[sample] = rows_.force_norm(asked_);
+    demand_.residual_moment_Nm[sample] = rows_.moment_norm(asked_);
+    demand_.residual_passive_Nm[sample] = rows_.passive_norm(asked_);
+    store_drives(sample);
+    if (has_file_torque_) store_file_torque(sample);
+  }
+
+  void note_centroid(Index sample) {
+    const dynamics::Centroid all = dynamics::centroid(body_.state());
+    rows_.set(body_.state(), all.position_m);
+    demand_.center_of_mass_m.col(sample) = all.position_m;
+    demand_.angular_momentum_Nm_s.col(sample) = all.angular_momentum_Nm_s;
+    demand_.angular_velocity_rad_s.col(sample) = all.angular_velocity_rad_s;
+  }
+
+  void take_file_forces(Index sample) {
+    demand_.forces_N.col(sample) = motion_.forces_N.col(sample);
+    for (Index i = 0; i < points_; ++i) {
+      const Vector3d force_N = motion_.forces_N.block<3, 1>(3 * i, sample);
+      dynamics::add_point_force(body_.state(), robot_.contacts[static_cast<std::size_t>(i)].point,
+                                -force_N, load_);
+    }
+  }
+
+  void solve_forces(Index sample) {
+    const Index count = gather_contacts(sample, false);
+    if (count == 0) return;
+    rows_.take(force_, asked_);
+    share_out(count, asked_, 1.0);
+    for (Index k = 0; k < count; ++k) {
+      demand_.forces_N.block<3, 1>(3 * touching_[static_cast<std::size_t>(k)], sample) =
+          shared_.segment<3>(3 * k);
+    }
+    load_.noalias() -= jacobians_.leftCols(3 * count) * shared_;
+  }
+
+  void store_drives(Index sample) {
+    body_.drives(motion_.accelerations.col(sample), load_, instants_);
+    for (std::size_t i = 0; i < instants_.size(); ++i) {
+      demand_.drives[i][static_cast<std::size_t>(sample)] = instants_[i];
+    }
+    force_ -= load_;  // what the contacts do
+    body_.at_actuators(force_, drive_torque_);
+    demand_.contact_Nm.col(sample) = drive_torque_;
+  }
+
+  void store_file_torque(Index sample) {
+    load_.tail(motion_.efforts.rows()) = motion_.efforts.col(sample);
+    body_.at_actuators(load_, drive_torque_);
+    demand_.file_torque_Nm.col(sample) = drive_torque_;
+  }
+
+  /// Nothing is said of the base: the file's torques are all there is.
+  void take_file_torques(Index sample) {
+    load_.setZero();
+    store_drives_without_dynamics(sample);
+    if (has_file_torque_) store_file_torque(sample);
+  }
+
+  void store_drives_without_dynamics(Index sample) {
+    body_.drives(motion_.accelerations.col(sample), load_, instants_);
+    for (std::size_t i = 0; i < instants_.size(); ++i) {
+      demand_.drives[i][static_cast<std::size_t>(sample)] = instants_[i];
+    }
+  }
+
+  /// From the sample before to this one: M dv + (bias) dt = J^T Lambda + (motors) dt, eq. (10).
+  void add_jolt(Index sample) {
+    Jolt jolt;
+    jolt.sample = sample;
+    jolt.time_s = motion_.time_s(sample);
+    const double step_s = motion_.step_s(sample - 1);
+    const VectorXd change = motion_.velocities.col(sample) - motion_.velocities.col(sample - 1);
+    MatrixXd mass(size_, size_);
+    body_.mass_matrix(mass);
+    const dynamics::Centroid all = dynamics::centroid(body_.state());
+    rows_.set(body_.state(), all.position_m);
+    VectorXd impulse(size_);
+    dynamics::bias(body_.state(), impulse);
+    impulse = (mass * change + impulse * step_s).eval();
+    const VectorXd before = motion_.velocities.col(sample - 1);
+    const VectorXd after = motion_.velocities.col(sample);
+    jolt.lost_energy_J = 0.5 * (before.dot(mass * before) - after.dot(mass * after));
+    jolt.impulses_N_s.setZero(3 * points_);
+    VectorXd contact = VectorXd::Zero(size_);
+    const Index count = gather_contacts(sample, true);
+    if (count > 0) {
+      rows_.take(impulse, asked_);
+      share_out(count, asked_, std::sqrt(demand_.size_m / robot_gravity()));
+      contact = jacobians_.leftCols(3 * count) * shared_;
+      for (Index k = 0; k < count; ++k) {
+        jolt.impulses_N_s.segment<3>(3 * touching_[static_cast<std::size_t>(k)]) =
+            shared_.segment<3>(3 * k);
+      }
+    }
+    finish_jolt(change, contact, impulse - contact, jolt);
+    demand_.jolts.push_back(std::move(jolt));
+  }
+
+  double robot_gravity() const { return std::max(robot_.tree.gravity_m_s2, 1e-3); }
+
+  void finish_jolt(const VectorXd& change, const VectorXd& contact, const VectorXd& left,
+                   Jolt& jolt) {
+    rows_.take(left, asked_);
+    jolt.base_force_N_s = rows_.force_norm(asked_);
+    jolt.base_moment_Nm_s = rows_.moment_norm(asked_);
+    const auto drives = static_cast<Index>(body_.drive_count());
+    jolt.contact_Nm_s.resize(drives);
+    jolt.drive_Nm_s.resize(drives);
+    jolt.rotor_Nm_s.resize(drives);
+    body_.at_actuators(contact, jolt.contact_Nm_s);
+    body_.at_actuators(left, jolt.drive_Nm_s);
+    body_.speed_changes(change, jolt.rotor_Nm_s);
+    for (Index i = 0; i < drives; ++i) {
+      jolt.rotor_Nm_s[i] *= body_.rotor_inertia_kg_m2(static_cast<std::size_t>(i));
+    }
+  }
+
+  static constexpr double kNearGround_m = 2e-3;
+
+  const Robot& robot_;
+  const Motion& motion_;
+  const ContactSchedule& contacts_;
+  WholeBody body_;
+  FreeRows rows_;
+  ConeLeastSquares solver_;
+  Index points_;
+  Index size_;
+  bool has_file_torque_ = false;
+  Demand demand_;
+  VectorXd scales_;
+  std::vector<Index> touching_;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian_;
+  MatrixXd jacobians_;  ///< Transposed, three columns a touching point.
+  MatrixXd columns_;    ///< Their free rows.
+  MatrixXd scaled_;
+  VectorXd friction_;
+  VectorXd asked_;
+  VectorXd force_;
+  VectorXd load_;
+  VectorXd shared_;
+  VectorXd drive_torque_;
+  std::vector<DriveInstant> instants_;
+};
+
+}  // namespace
+
+Demand demand_of(const Robot& robot, const Motion& motion, const ContactSchedule& contacts,
+                 const std::function<void(double share)>& on_progress) {
+  return DemandPass(robot, motion, contacts).run(on_progress);
+}
+
+}  // namespace torquewright::hopper

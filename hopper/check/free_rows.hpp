@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/whole_body.hpp"
+
+namespace torquewright::hopper {
+
+/// The rows of the equations of motion that no actuator appears in: those of a floating base, and
+/// of joints that nothing drives. What acts on them must come from the ground. The base's moments
+/// are taken about the centre of mass, so that force and moment do not mix.
+class FreeRows {
+ public:
+  explicit FreeRows(const WholeBody& body);
+
+  Eigen::Index size() const { return base_ + static_cast<Eigen::Index>(passive_.size()); }
+  Eigen::Index base_size() const { return base_; }
+
+  /// Moves on to the posture of the state, with its centre of mass [world, from the world's
+  /// origin].
+  void set(const dynamics::TreeState& state, const Eigen::Vector3d& center_of_mass_m);
+
+  /// Picks and turns the rows of columns that have one row per velocity.
+  void take(const Eigen::Ref<const Eigen::MatrixXd>& from, Eigen::Ref<Eigen::MatrixXd> to) const;
+
+  /// What makes the rows of like size: the weight, and the weight times the robot's size.
+  Eigen::VectorXd scales(double weight_N, double size_m) const;
+
+  double force_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const;
+  double moment_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const;
+  double passive_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const;
+
+ private:
+  dynamics::BaseKind kind_;
+  Eigen::Index base_;
+  std::vector<Eigen::Index> passive_;  ///< Rows of velocity.
+  Eigen::MatrixXd turn_;               ///< Square, of the base's rows.
+};
+
+}  // namespace torquewright::hopper

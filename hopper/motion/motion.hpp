@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "hopper/robot.hpp"
+
+namespace torquewright::hopper {
+
+/// Where a quantity of a motion comes from.
+enum class Origin {
+  kAbsent,
+  kGiven,
+  kDerived,  ///< From the quantity it is the rate of, as slopes.hpp says.
+};
+
+/// A whole-body motion: one column of each table per sample. Rows are those of the tree's positions
+/// and velocities (docs/notation.md).
+struct Motion {
+  std::vector<double> times_s;  ///< Ascending; two alike are before and after an impact.
+  Eigen::MatrixXd positions;
+  Eigen::MatrixXd velocities;
+  Eigen::MatrixXd accelerations;
+  Eigen::MatrixXd efforts;       ///< Of joints, where has_effort says so.
+  Eigen::MatrixXd forces_N;      ///< Three rows a contact point, world's axes; where given.
+  Eigen::MatrixXd touching;      ///< One row a contact point, 0 or 1; where given.
+  bool has_base = true;          ///< False: the base floats and nothing says how.
+  std::vector<bool> has_effort;  ///< By joint.
+  bool has_forces = false;       ///< Of all contact points that have a column; others: none.
+  bool has_touching = false;
+  Origin velocity_origin = Origin::kGiven;
+  Origin acceleration_origin = Origin::kGiven;
+  /// Samples whose velocity does not continue that of the sample before: an impact lies between.
+  std::vector<Eigen::Index> breaks;
+  std::string file;
+  std::string sha256;
+
+  Eigen::Index samples() const { return static_cast<Eigen::Index>(times_s.size()); }
+  double time_s(Eigen::Index sample) const { return times_s[static_cast<std::size_t>(sample)]; }
+  bool is_break(Eigen::Index sample) const;
+  /// From that sample to the next one; 0 for the last.
+  double step_s(Eigen::Index sample) const;
+  double duration_s() const { return times_s.back() - times_s.front(); }
+};
+
+}  // namespace torquewright::hopper

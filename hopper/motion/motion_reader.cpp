@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/motion/motion_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hopper/motion/slopes.hpp"
+#include "io/nearest.hpp"
+#include "io/refusal.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Kind = ChannelKind;
+
+constexpr std::size_t kRowsBetweenProgress = 20000;
+constexpr double kSamePosition = 1e-6;  // rad or m between the two rows of one impact
+constexpr double kLeastQuaternion = 1e-3;
+
+/// A column of the file and the channel it fills.
+struct Source {
+  std::size_t column;
+  std::size_t channel;
+  double factor;
+};
+
+class MotionReader {
+ public:
+  MotionReader(const Robot& robot, const MotionFile& source)
+      : robot_(robot), source_(source), channels_(channels_of(robot)), csv_(source.file) {
+    take_stated_columns();
+    take_canonical_columns();
+    size_tables();
+    require_complete();
+  }
+
+  Motion read() {
+    for (std::size_t count = 0; csv_.next(); ++count) {
+      read_row();
+      if (source_.on_progress && count % kRowsBetweenProgress == 0) {
+        source_.on_progress(csv_.share_read());
+      }
+    }
+    if (motion_.times_s.empty()) {
+      io::refuse(csv_.file(), has_rows_ ? "no rows lie between --from and --until"
+                                        : "holds a header and no rows");
+    }
+    store_tables();
+    motion_.file = csv_.file();
+    motion_.sha256 = csv_.sha256();
+    return std::move(motion_);
+  }
+
+ private:
+  const dynamics::Tree& tree() const { return robot_.tree; }
+
+  void take(const ChannelMapping& mapping) {
+    const auto column = csv_.find(mapping.column);
+    if (!column) {
+      const auto near = io::nearest(mapping.column, csv_.header());
+      io::refuse(csv_.file(),
+                 fmt::format("no column \"{}\"{}", mapping.column,
+                             near ? fmt::format("; did you mean \"{}\"?", *near) : ""));
+    }
+    for (const Source& other : sources_) {
+      if (other.channel != mapping.channel) continue;
+      io::refuse(csv_.file(),
+                 fmt::format("\"{}\" and \"{}\" are both mapped to {}", csv_.header()[other.column],
+                             mapping.column, channels_[mapping.channel].header));
+    }
+    sources_.push_back({*column, mapping.channel, mapping.factor});
+  }
+
+  void take_stated_columns() {
+    for (const std::string& text : source_.mappings) {
+      take(find_channel(actuator::split_mapping(text), text, channels_));
+    }
+    for (const io::Document& document : source_.documents) {
+      for (const nlohmann::json& entry : document.root["columns"]) {
+        const actuator::MappingText mapping{entry["column"], entry.value("joint", ""),
+                                            entry["quantity"], entry.value("unit", ""),
+                                            entry.value("factor", 1.0)};
+        take(find_channel(mapping, fmt::format("{} of {}", mapping.column, document.file),
+                          channels_));
+      }
+    }
+  }
+
+  void take_canonical_columns() {
+    for (std::size_t column = 0; column < csv_.header().size(); ++column) {
+      std::string header = csv_.header()[column];
+      if (header == "t" || header == "time") header = "time_s";
+      for (std::size_t i = 0; i < channels_.size(); ++i) {
+        if (channels_[i].header != header || source_of(i)) continue;
+        sources_.push_back({column, i, 1.0});
+      }
+    }
+  }
+
+  const Source* source_of(std::size_t channel) const {
+    const auto found = std::find_if(sources_.begin(), sources_.end(),
+                                    [channel](const Source& it) { return it.channel == channel; });
+    return found == sources_.end() ? nullptr : &*found;
+  }
+
+  /// Channels of a kind that the file has, or lacks.
+  std::vector<std::string> headers(Kind kind, bool are_there) const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      if (channels_[i].kind == kind && (source_of(i) != nullptr) == are_there) {
+        names.push_back(channels_[i].header);
+      }
+    }
+    return names;
+  }
+
+  std::string hint(const std::string& missing) const {
+    const auto near = io::nearest(missing, csv_.header());
+    if (near) return fmt::format("; did you mean \"{}\"?", *near);
+    std::vector<std::string> there = csv_.header();
+    constexpr std::size_t kMostNames = 20;
+    const bool is_long = there.size() > kMostNames;
+    if (is_long) there.resize(kMostNames);
+    return fmt::format("; the file has {}{}", io::listed(there), is_long ? ", ..." : "");
+  }
+
+  void size_tables() {
+    const Index joints = static_cast<Index>(tree().bodies.size()) - 1;
+    const auto contacts = static_cast<Index>(robot_.contacts.size());
+    rows_ = {1,
+             tree().position_size(),
+             tree().velocity_size(),
+             tree().velocity_size(),
+             joints,
+             3 * contacts,
+             contacts};
+  }
+
+  static bool is_of_base(const std::string& header) { return header.starts_with("base_"); }
+
+  void require_complete() {
+    if (!source_of(0)) {
+      io::refuse(csv_.file(), "no column time_s; name the time with --column NAME=time[:unit]");
+    }
+    const std::vector<std::string> missing = headers(Kind::kPosition, false);
+    const auto base_missing =
+        static_cast<std::size_t>(std::count_if(missing.begin(), missing.end(), is_of_base));
+    for (const std::string& header : missing) {
+      if (is_of_base(header)) continue;
+      io::refuse(csv_.file(),
+                 fmt::format("no column {} for robot \"{}\"{}", header, robot_.name, hint(header)));
+    }
+    require_base(missing, base_missing);
+    require_torques();
+    motion_.velocity_origin = complete(Kind::kVelocity);
+    motion_.acceleration_origin = complete(Kind::kAcceleration);
+    motion_.has_forces = !headers(Kind::kForce, true).empty();
+    motion_.has_touching = !headers(Kind::kContact, true).empty();
+  }
+
+  void require_base(const std::vector<std::string>& missing, std::size_t base_missing) {
+    const auto base_coordinates = static_cast<std::size_t>(
+        tree().position_size() - static_cast<Index>(tree().bodies.size()) + 1);
+    motion_.has_base = base_missing == 0;
+    if (base_missing == 0 || base_missing == base_coordinates) return;
+    io::refuse(csv_.file(), fmt::format("no column {}, though others of the base are there{}",
+                                        missing.front(), hint(missing.front())));
+  }
+
+  /// Where nothing is said of the base, torques cannot be computed and must be given.
+  void require_torques() {
+    motion_.has_effort.assign(tree().bodies.size() - 1, false);
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      if (channels_[i].kind != Kind::kEffort || !source_of(i)) continue;
+      motion_.has_effort[static_cast<std::size_t>(channels_[i].row)] = true;
+    }
+    if (motion_.has_base) return;
+    for (const Drivetrain& drivetrain : robot_.drivetrains) {
+      for (const std::size_t body : drivetrain.joints) {
+        if (motion_.has_effort[body - 1]) continue;
+        io::refuse(csv_.file(),
+                   fmt::format("says neither how the base moves (no base_x_position_m, ...) nor "
+                               "the torque of joint \"{}\": one of them is needed",
+                               tree().bodies[body].joint.name));
+      }
+    }
+  }
+
+  /// Rates are given for all coordinates, or they are derived for all: half would not fit.
+  Origin complete(Kind kind) const {
+    std::vector<std::string> missing = headers(kind, false);
+    if (!motion_.has_base) std::erase_if(missing, is_of_base);
+    if (missing.empty()) return Origin::kGiven;
+    if (headers(kind, true).empty()) return Origin::kAbsent;
+    io::refuse(
+        csv_.file(),
+        fmt::format("no column {}, though other {} are there{}; give all or none", missing.front(),
+                    kind == Kind::kVelocity ? "velocities" : "accelerations",
+                    hint(missing.front())));
+  }
+
+  void read_row() {
+    has_rows_ = true;
+    const double time_s = number(*source_of(0));
+    require_order(time_s);
+    if (time_s < source_.window.from_s || time_s > source_.window.until_s) return;
+    motion_.times_s.push_back(time_s);
+    for (std::size_t kind = 1; kind < rows_.size(); ++kind) {
+      tables_[kind].resize(tables_[kind].size() + static_cast<std::size_t>(rows_[kind]), 0.0);
+    }
+    for (const Source& source : sources_) {
+      const Channel& channel = channels_[source.channel];
+      const auto kind = static_cast<std::size_t>(channel.kind);
+      if (channel.kind == Kind::kTime) continue;
+      *(tables_[kind].end() - rows_[kind] + channel.row) = number(source);
+    }
+    if (!motion_.has_base && tree().base == dynamics::BaseKind::kSpatial) {
+      *(positions().end() - rows_[1] + 3) = 1.0;
+    }
+    check_row();
+  }
+
+  double number(const Source& source) const {
+    const double value = csv_.number(source.column) * source.factor;
+    if (!std::isfinite(value)) csv_.refuse(source.column, "too large in SI units");
+    return value;
+  }
+
+  std::vector<double>& positions() { return tables_[static_cast<std::size_t>(Kind::kPosition)]; }
+
+  void require_order(double time_s) {
+    is_repeated_ = previous_s_ && time_s == *previous_s_;
+    if (previous_s_ && time_s < *previous_s_) {
+      csv_.refuse(source_of(0)->column,
+                  fmt::format("time runs backwards: {} s follows {} s", time_s, *previous_s_));
+    }
+    previous_s_ = time_s;
+  }
+
+  void check_row() {
+    const Index size = rows_[1];
+    const auto all = static_cast<Index>(positions().size());
+    const Eigen::Map<const Eigen::VectorXd> now(positions().data() + all - size, size);
+    if (tree().base == dynamics::BaseKind::kSpatial &&
+        now.segment<4>(3).norm() < kLeastQuaternion) {
+      csv_.refuse_row("the base's quaternion has no length");
+    }
+    if (all == size) return;
+    const Eigen::Map<const Eigen::VectorXd> before(positions().data() + all - 2 * size, size);
+    if (is_repeated_) return take_impact(before, now);
+    require_no_jump(before, now);
+  }
+
+  void take_impact(const Eigen::VectorXd& before, const Eigen::VectorXd& now) {
+    const bool stands = (now - before).cwiseAbs().maxCoeff() <= kSamePosition;
+    if (!stands || motion_.velocity_origin != Origin::kGiven || was_repeated_) {
+      csv_.refuse(source_of(0)->column,
+                  fmt::format("time repeats: {} s; only an impact may have two rows, of one "
+                              "position and with velocities before and after",
+                              motion_.times_s.back()));
+    }
+    motion_.breaks.push_back(static_cast<Index>(motion_.times_s.size()) - 1);
+    was_repeated_ = true;
+  }
+
+  /// A whole turn between two rows is a wrapped angle; no robot turns so fast.
+  void require_no_jump(const Eigen::VectorXd& before, const Eigen::VectorXd& now) {
+    was_repeated_ = false;
+    for (const Source& source : sources_) {
+      const Channel& channel = channels_[source.channel];
+      if (channel.kind != Kind::kPosition || channel.dimension != io::Dimension::kAngle) continue;
+      const double jump_rad = now[channel.row] - before[channel.row];
+      if (std::abs(jump_rad) <= std::numbers::pi) continue;
+      csv_.refuse(source.column,
+                  fmt::format("jumps by {:.6g} rad since the row before: a wrapped angle? Unwrap "
+                              "it (add or take whole turns) so that it runs on",
+                              jump_rad));
+    }
+  }
+
+  void store_tables() {
+    const auto table = [this](Kind kind) -> Eigen::MatrixXd {
+      const auto index = static_cast<std::size_t>(kind);
+      return Eigen::Map<const Eigen::MatrixXd>(tables_[index].data(), rows_[index],
+                                               motion_.samples());
+    };
+    motion_.positions = table(Kind::kPosition);
+    motion_.velocities = table(Kind::kVelocity);
+    motion_.accelerations = table(Kind::kAcceleration);
+    motion_.efforts = table(Kind::kEffort);
+    motion_.forces_N = table(Kind::kForce);
+    motion_.touching = table(Kind::kContact);
+  }
+
+  const Robot& robot_;
+  const MotionFile& source_;
+  std::vector<Channel> channels_;
+  io::CsvReader csv_;
+  std::vector<Source> sources_;
+  std::array<Index, 7> rows_{};  ///< By kind of channel.
+  std::array<std::vector<double>, 7> tables_;
+  Motion motion_;
+  std::optional<double> previous_s_;
+  bool is_repeated_ = false;
+  bool was_repeated_ = false;
+  bool has_rows_ = false;
+};
+
+}  // namespace
+
+Motion read_motion(const Robot& robot, const MotionFile& source) {
+  return MotionReader(robot, source).read();
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "actuator/trajectory/trajectory_reader.hpp"
+#include "hopper/motion/channel.hpp"
+#include "hopper/motion/motion.hpp"
+#include "io/document.hpp"
+
+namespace torquewright::hopper {
+
+struct MotionFile {
+  std::filesystem::path file;
+  std::vector<std::string> mappings;    ///< NAME=OWNER.QUANTITY[:unit][*factor]
+  std::vector<io::Document> documents;  ///< Of kind trajectory_columns.
+  actuator::Window window;
+  std::function<void(double share)> on_progress = {};  ///< May be empty.
+};
+
+/// Reads a whole-body motion of a robot from a CSV with canonical headers (channels_of()) or mapped
+/// ones. Rates that it lacks are left to derive_rates(). Throws io::SpecError: columns of another
+/// robot (with the nearest names), joints without a position, some coordinates of the base and not
+/// all, a base that floats with nothing said of it where torques are missing too, time that runs
+/// backwards or repeats where positions differ, turns that jump by a whole one (unwrapping is
+/// suggested), a quaternion of no length, no rows.
+Motion read_motion(const Robot& robot, const MotionFile& source);
+
+}  // namespace torquewright::hopper
