@@ -10,6 +10,7 @@
 #include "dynamics/point.hpp"
 #include "dynamics/tree.hpp"
 #include "hopper/mechanisms/mechanism.hpp"
+#include "hopper/transmission_limit.hpp"
 
 namespace torquewright::hopper {
 
@@ -21,6 +22,12 @@ struct ContactPoint {
   double restitution = 0;
 };
 
+/// A ball that stands for part of a body where bodies must not meet.
+struct CollisionSphere {
+  dynamics::BodyPoint center;
+  double radius_m = 0.0;
+};
+
 /// Joints, the actuators that move them, and what stands between.
 struct Drivetrain {
   std::shared_ptr<const Mechanism> mechanism;
@@ -30,6 +37,7 @@ struct Drivetrain {
   std::vector<std::string> actuator_files;  ///< As the document names them.
   /// Whether the joints' reflected inertia in the tree holds that of these rotors already.
   bool rotors_in_tree = true;
+  std::optional<TransmissionLimit> transmission_limit;  ///< Of each of its actuators.
 };
 
 struct Robot {
@@ -37,6 +45,7 @@ struct Robot {
   dynamics::Tree tree;  ///< Joints carry their names.
   std::vector<ContactPoint> contacts;
   std::vector<Drivetrain> drivetrains;
+  std::vector<CollisionSphere> spheres;
   std::vector<std::string> assumed;  ///< JSON pointers into its document.
 
   /// Index of the body that the joint carries; none if no joint has that name.

@@ -59,6 +59,7 @@ class RobotReader {
     joint_names_ = names("joints", "joint");
     build_tree();
     read_contacts();
+    read_spheres();
     read_mechanisms(robot_, documents_, faults_);
     if (!faults_.empty()) throw io::SpecError(std::move(faults_));
     return {std::move(robot_), std::move(documents_)};
@@ -222,6 +223,18 @@ class RobotReader {
                                  {*index, vector_of(contacts[i], "position_m")},
                                  contacts[i]["friction_coefficient"],
                                  contacts[i].value("restitution", 0.0)});
+    }
+  }
+
+  void read_spheres() {
+    const json spheres = list("collision_spheres");
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      const auto body = find_body(spheres[i]["body"], fmt::format("/collision_spheres/{}/body", i));
+      if (!body) continue;
+      const auto index = tree_index(*body);
+      if (!index) continue;
+      robot_.spheres.push_back(
+          {{*index, vector_of(spheres[i], "center_m")}, spheres[i]["radius_m"]});
     }
   }
 

@@ -124,6 +124,10 @@ void WholeBody::mass_matrix(dynamics::MatrixOut out) {
 
 void WholeBody::inverse_dynamics(const VectorIn& acceleration, VectorOut force) {
   dynamics::inverse_dynamics(state_, acceleration, force);
+  add_rotors(acceleration, force);
+}
+
+void WholeBody::add_rotors(const VectorIn& acceleration, VectorOut force) const {
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     SmallVector torque_Nm = accelerations(i, acceleration);
     for (Index j = 0; j < torque_Nm.size(); ++j) {

@@ -42,6 +42,8 @@ class WholeBody {
   void mass_matrix(dynamics::MatrixOut out);
   /// Forces for an acceleration, rotors included; per velocity, as dynamics::inverse_dynamics().
   void inverse_dynamics(const dynamics::VectorIn& acceleration, dynamics::VectorOut force);
+  /// Adds what rotors take for an acceleration, at the joints.
+  void add_rotors(const dynamics::VectorIn& acceleration, dynamics::VectorOut force) const;
   /// Each actuator's part of joint forces that include no rotor: load and total torque.
   void drives(const dynamics::VectorIn& acceleration, const dynamics::VectorIn& load_force,
               std::vector<DriveInstant>& out) const;

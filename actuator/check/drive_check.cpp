@@ -21,6 +21,7 @@ double armature_kg_m2(const Actuator& actuator) {
 DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
     : name_(drive.name),
       options_(options),
+      conditions_(drive.conditions),
       basis_(*drive.actuator, drive.conditions),
       armature_kg_m2_(actuator::armature_kg_m2(*drive.actuator)),
       reading_(basis_) {
@@ -35,6 +36,13 @@ DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
                                 std::abs(drive.actuator->transmission.ratio);
   report_.left_out = left_out(*drive.actuator);
   report_.assumed = drive.actuator->assumed;
+}
+
+void DriveCheck::set_bus_voltage_V(double voltage_V) {
+  if (!levels_) levels_.emplace(*basis_.actuator, conditions_);
+  const CheckBasis& basis = levels_->at(voltage_V);
+  reading_.use(basis);
+  if (with_inertia_) with_inertia_->use(basis);
 }
 
 void DriveCheck::add(double time_s, double speed_rad_s, double torque_Nm,

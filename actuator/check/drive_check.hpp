@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "actuator/check/bus_levels.hpp"
 #include "actuator/check/reading_check.hpp"
 #include "actuator/check/trace.hpp"
 
@@ -35,6 +36,9 @@ class DriveCheck {
   DriveCheck(const DriveCheck&) = delete;
   DriveCheck& operator=(const DriveCheck&) = delete;
 
+  /// From the next sample on the bus is held at this voltage, whatever the drive takes.
+  void set_bus_voltage_V(double voltage_V);
+
   void add(double time_s, double speed_rad_s, double torque_Nm, double acceleration_rad_s2);
 
   DriveReport finish() const;
@@ -45,7 +49,9 @@ class DriveCheck {
 
   std::string name_;
   DriveOptions options_;
+  Conditions conditions_;
   CheckBasis basis_;
+  std::optional<BusLevels> levels_;
   double armature_kg_m2_;
   ReadingCheck reading_;
   std::optional<ReadingCheck> with_inertia_;

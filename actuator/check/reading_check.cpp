@@ -28,12 +28,13 @@ CheckBasis::CheckBasis(const Actuator& checked, const Conditions& conditions)
       lookup(checked, conditions),
       heat(heat_model(checked, conditions)) {}
 
-ReadingCheck::ReadingCheck(const CheckBasis& basis) : basis_(basis) {
+ReadingCheck::ReadingCheck(const CheckBasis& basis)
+    : basis_(&basis), basis_of_worst_(&basis) {
   if (basis.heat) heat_.emplace(*basis.heat);
 }
 
 bool ReadingCheck::add(double time_s, double speed_rad_s, double torque_Nm) {
-  const RegionLookup& lookup = basis_.lookup;
+  const RegionLookup& lookup = basis_->lookup;
   const TorqueRange range = lookup.at(speed_rad_s, torque_Nm);
   const bool is_outside = lookup.is_outside(range, torque_Nm);
   if (samples_ == 0) first_s_ = time_s;
@@ -42,6 +43,7 @@ bool ReadingCheck::add(double time_s, double speed_rad_s, double torque_Nm) {
   const double excess_Nm = range.excess_Nm(torque_Nm);
   if (excess_Nm > worst_excess_Nm_) {
     worst_excess_Nm_ = excess_Nm;
+    basis_of_worst_ = basis_;
     reading_.worst = {time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
   }
   if (lookup.has_less_speed_margin(speed_rad_s, torque_Nm, speed_margin_rad_s_)) {
@@ -59,7 +61,7 @@ bool ReadingCheck::add(double time_s, double speed_rad_s, double torque_Nm) {
 void ReadingCheck::add_demand(double time_s, double speed_rad_s, double torque_Nm,
                               const TorqueRange& range) {
   const auto demand_of = [&](double asked_Nm) {
-    return demand_at(*basis_.actuator, basis_.lookup.region().machine(), basis_.temperature_K,
+    return demand_at(*basis_->actuator, basis_->lookup.region().machine(), basis_->temperature_K,
                      speed_rad_s, asked_Nm);
   };
   std::optional<Demand> demand = demand_of(torque_Nm);
@@ -85,7 +87,7 @@ void ReadingCheck::add_heat(double time_s, double square_A2) {
 /// The worst sample, with the bound of the region itself.
 WorstSample ReadingCheck::worst() const {
   WorstSample worst = reading_.worst;
-  const JointRange range = basis_.lookup.exact(worst.speed_rad_s);
+  const JointRange range = basis_of_worst_->lookup.exact(worst.speed_rad_s);
   if (range.is_empty) {
     worst.limiter = range.why_empty;
     worst.excess_Nm = std::abs(worst.torque_Nm);
@@ -98,7 +100,7 @@ WorstSample ReadingCheck::worst() const {
       is_upper ? worst.torque_Nm - bound.torque_Nm : bound.torque_Nm - worst.torque_Nm;
   worst.limit_Nm = bound.torque_Nm;
   worst.limiter = bound.limiter;
-  worst.excess_Nm = excess_Nm > basis_.lookup.round_off_Nm() ? excess_Nm : 0.0;
+  worst.excess_Nm = excess_Nm > basis_of_worst_->lookup.round_off_Nm() ? excess_Nm : 0.0;
   return worst;
 }
 

@@ -27,6 +27,9 @@ class ReadingCheck {
  public:
   explicit ReadingCheck(const CheckBasis& basis);
 
+  /// Holds the samples that follow against this basis, of the same actuator on another bus.
+  void use(const CheckBasis& basis) { basis_ = &basis; }
+
   /// Times ascend. True if the sample lies outside the region.
   bool add(double time_s, double speed_rad_s, double torque_Nm);
 
@@ -37,7 +40,8 @@ class ReadingCheck {
   void add_heat(double time_s, double square_A2);
   WorstSample worst() const;
 
-  const CheckBasis& basis_;
+  const CheckBasis* basis_;
+  const CheckBasis* basis_of_worst_;
   Reading reading_;
   std::size_t samples_ = 0;
   double worst_excess_Nm_ = -kUnlimited;

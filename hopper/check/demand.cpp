@@ -9,7 +9,6 @@
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
-#include "hopper/check/free_rows.hpp"
 #include "hopper/contact/cone_least_squares.hpp"
 #include "io/refusal.hpp"
 
@@ -71,9 +70,9 @@ class DemandPass {
     demand_.contact_Nm.setZero(drives, samples);
     if (has_file_torque_) demand_.file_torque_Nm.setZero(drives, samples);
     demand_.forces_N.setZero(3 * points_, samples);
-    demand_.residual_force_N.setZero(samples);
-    demand_.residual_moment_Nm.setZero(samples);
-    demand_.residual_passive_Nm.setZero(samples);
+    demand_.joint_effort.setZero(motion_.efforts.rows(), samples);
+    demand_.residual.setZero(rows_.size(), samples);
+    demand_.rows = rows_.kinds();
     demand_.center_of_mass_m.setZero(3, samples);
     demand_.angular_momentum_Nm_s.setZero(3, samples);
     demand_.angular_velocity_rad_s.setZero(3, samples);
@@ -116,7 +115,7 @@ class DemandPass {
     touching_.clear();
     for (Index i = 0; i < points_; ++i) {
       if (!contacts_.touches(i, sample) && !near_ground_too) continue;
-      if (near_ground_too && contacts_.height_m(i, sample) > kNearGround_m &&
+      if (near_ground_too && contacts_.height_m(i, sample) > contacts_.near_ground_m &&
           !contacts_.touches(i, sample)) {
         continue;
       }
@@ -159,9 +158,7 @@ class DemandPass {
       solve_forces(sample);
     }
     rows_.take(load_, asked_);
-    demand_.residual_force_N[sample] = rows_.force_norm(asked_);
-    demand_.residual_moment_Nm[sample] = rows_.moment_norm(asked_);
-    demand_.residual_passive_Nm[sample] = rows_.passive_norm(asked_);
+    demand_.residual.col(sample) = asked_;
     store_drives(sample);
     if (has_file_torque_) store_file_torque(sample);
   }
@@ -201,6 +198,8 @@ class DemandPass {
       demand_.drives[i][static_cast<std::size_t>(sample)] = instants_[i];
     }
     force_ -= load_;  // what the contacts do
+    body_.add_rotors(motion_.accelerations.col(sample), load_);
+    demand_.joint_effort.col(sample) = load_.tail(demand_.joint_effort.rows());
     body_.at_actuators(force_, drive_torque_);
     demand_.contact_Nm.col(sample) = drive_torque_;
   }
@@ -263,8 +262,7 @@ class DemandPass {
   void finish_jolt(const VectorXd& change, const VectorXd& contact, const VectorXd& left,
                    Jolt& jolt) {
     rows_.take(left, asked_);
-    jolt.base_force_N_s = rows_.force_norm(asked_);
-    jolt.base_moment_Nm_s = rows_.moment_norm(asked_);
+    jolt.residual = asked_;
     const auto drives = static_cast<Index>(body_.drive_count());
     jolt.contact_Nm_s.resize(drives);
     jolt.drive_Nm_s.resize(drives);
@@ -276,8 +274,6 @@ class DemandPass {
       jolt.rotor_Nm_s[i] *= body_.rotor_inertia_kg_m2(static_cast<std::size_t>(i));
     }
   }
-
-  static constexpr double kNearGround_m = 2e-3;
 
   const Robot& robot_;
   const Motion& motion_;

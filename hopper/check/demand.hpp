@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "hopper/check/free_rows.hpp"
 #include "hopper/contact/contact_schedule.hpp"
 #include "hopper/whole_body.hpp"
 
@@ -18,8 +19,7 @@ struct Jolt {
   Eigen::VectorXd drive_Nm_s;    ///< By drive: what else the jump asks of its motor. Zero where
                                  ///< the jump is one of rigid bodies without motors.
   double lost_energy_J = 0.0;
-  double base_force_N_s = 0.0;    ///< That no contact can give.
-  double base_moment_Nm_s = 0.0;  ///< About the centre of mass.
+  Eigen::VectorXd residual;  ///< By free row: impulse that no contact can give.
 };
 
 /// What a motion asks of the ground and of every actuator.
@@ -27,11 +27,11 @@ struct Demand {
   std::vector<std::vector<DriveInstant>> drives;  ///< By drive, then by sample; torque by dynamics.
   Eigen::MatrixXd contact_Nm;      ///< By drive and sample: at its output, of the contact forces.
   Eigen::MatrixXd file_torque_Nm;  ///< By drive and sample; empty where the file has not all.
+  Eigen::MatrixXd joint_effort;    ///< By joint and sample: of the dynamics, rotors included.
   Eigen::MatrixXd forces_N;        ///< Three rows a contact point.
-  /// Norms by sample: what neither gravity nor inertia nor contacts explain.
-  Eigen::VectorXd residual_force_N;        ///< On the base.
-  Eigen::VectorXd residual_moment_Nm;      ///< On the base, about the centre of mass.
-  Eigen::VectorXd residual_passive_Nm;     ///< Of joints that no actuator moves.
+  /// By free row (FreeRows) and sample: what neither gravity nor inertia nor contacts explain.
+  Eigen::MatrixXd residual;
+  RowKinds rows;
   Eigen::MatrixXd center_of_mass_m;        ///< Three rows, world's axes; so the next two.
   Eigen::MatrixXd angular_momentum_Nm_s;   ///< CAM.
   Eigen::MatrixXd angular_velocity_rad_s;  ///< CAV.

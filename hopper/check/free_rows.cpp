@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/check/free_rows.hpp"
 
-#include <algorithm>
-
 namespace torquewright::hopper {
 namespace {
 
@@ -52,23 +50,14 @@ void FreeRows::take(const Eigen::Ref<const Eigen::MatrixXd>& from,
 
 Eigen::VectorXd FreeRows::scales(double weight_N, double size_m) const {
   Eigen::VectorXd scales = Eigen::VectorXd::Constant(size(), weight_N * size_m);
-  scales.head(kind_ == BaseKind::kPlanar ? 2 : std::min<Index>(base_, 3)).setConstant(weight_N);
+  scales.head(kinds().forces).setConstant(weight_N);
   return scales;
 }
 
-double FreeRows::force_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const {
-  return rows.head(kind_ == BaseKind::kPlanar ? 2 : std::min<Index>(base_, 3)).norm();
-}
-
-double FreeRows::moment_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const {
-  return kind_ == BaseKind::kFixed
-             ? 0.0
-             : rows.segment(kind_ == BaseKind::kPlanar ? 2 : 3, kind_ == BaseKind::kPlanar ? 1 : 3)
-                   .norm();
-}
-
-double FreeRows::passive_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const {
-  return rows.tail(static_cast<Index>(passive_.size())).norm();
+RowKinds FreeRows::kinds() const {
+  const auto passives = static_cast<Index>(passive_.size());
+  if (kind_ == BaseKind::kFixed) return {0, 0, passives};
+  return kind_ == BaseKind::kPlanar ? RowKinds{2, 1, passives} : RowKinds{3, 3, passives};
 }
 
 }  // namespace torquewright::hopper

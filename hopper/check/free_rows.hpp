@@ -5,6 +5,13 @@
 
 namespace torquewright::hopper {
 
+/// How many of the free rows are what, in this order.
+struct RowKinds {
+  Eigen::Index forces = 0;    ///< On the base.
+  Eigen::Index moments = 0;   ///< On the base, about the centre of mass.
+  Eigen::Index passives = 0;  ///< On joints without an actuator.
+};
+
 /// The rows of the equations of motion that no actuator appears in: those of a floating base, and
 /// of joints that nothing drives. What acts on them must come from the ground. The base's moments
 /// are taken about the centre of mass, so that force and moment do not mix.
@@ -25,9 +32,7 @@ class FreeRows {
   /// What makes the rows of like size: the weight, and the weight times the robot's size.
   Eigen::VectorXd scales(double weight_N, double size_m) const;
 
-  double force_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const;
-  double moment_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const;
-  double passive_norm(const Eigen::Ref<const Eigen::VectorXd>& rows) const;
+  RowKinds kinds() const;
 
  private:
   dynamics::BaseKind kind_;

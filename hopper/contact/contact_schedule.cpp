@@ -103,6 +103,7 @@ ContactSchedule schedule_contacts(const Robot& robot, const ContactRule& rule, M
     derive_rates(robot.tree, motion);
     return schedule;
   }
+  schedule.near_ground_m = rule.height_m;
   schedule.height_m = heights(robot, motion, rule.ground_height_m);
   const bool has_velocity = motion.velocity_origin == Origin::kGiven;
   add_touch_downs(rule, schedule.height_m,

@@ -15,7 +15,8 @@ struct ContactRule {
 /// One row a contact point, one column a sample.
 struct ContactSchedule {
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> touches;
-  Eigen::MatrixXd height_m;  ///< Above the ground; empty where the base's motion is not known.
+  Eigen::MatrixXd height_m;    ///< Above the ground; empty where the base's motion is not known.
+  double near_ground_m = 0.0;  ///< No higher above it than this a point may feel an impact.
   Origin origin = Origin::kDerived;
 
   bool any(Eigen::Index sample) const { return touches.col(sample).any(); }

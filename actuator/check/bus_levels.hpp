@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "actuator/check/reading_check.hpp"
+
+namespace torquewright::actuator {
+
+/// One actuator's regions at the bus voltages that it meets while others load the same battery.
+class BusLevels {
+ public:
+  /// Of the open-circuit voltage; regions are made once a level.
+  static constexpr double kStep = 1e-3;
+
+  /// Requires no objections to the conditions, whose own voltage is the open circuit's.
+  BusLevels(const Actuator& actuator, const Conditions& conditions);
+
+  /// At the level at or next below that voltage, the bus held there: so the region is, by at most
+  /// a step, too small rather than too large.
+  const CheckBasis& at(double bus_voltage_V);
+
+ private:
+  struct Level {
+    Level(Actuator held, const Conditions& conditions);
+    Actuator actuator;
+    CheckBasis basis;
+  };
+  Actuator actuator_;
+  Conditions conditions_;
+  double step_V_;
+  std::map<int, std::unique_ptr<Level>> levels_;
+};
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/check/base_residual.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hopper/check/running_integral.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+
+void note(const Eigen::VectorXd& mean, Index first, Index count, double time_s,
+          ResidualPeak& peak) {
+  if (count == 0) return;
+  const double size = mean.segment(first, count).norm();
+  if (size > peak.limit) peak.share_beyond += 1.0;
+  if (size <= peak.mean) return;
+  peak.mean = size;
+  peak.time_s = time_s;
+}
+
+std::string sentence(const char* what, const ResidualPeak& peak, const char* unit,
+                     double window_s) {
+  return fmt::format(
+      "t = {:.6g} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
+      "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): is it this "
+      "robot's motion, are its contacts found (--contact-height, --ground-height), its rates "
+      "smooth? --residual-limit allows more",
+      peak.time_s, what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
+      100.0 * peak.share_beyond);
+}
+
+}  // namespace
+
+BaseResidual base_residual(const CheckedMotion& checked) {
+  const Demand& demand = checked.demand;
+  BaseResidual residual;
+  residual.window_s = checked.options.residual_window_s;
+  residual.force.limit = checked.options.residual_share * demand.weight_N;
+  residual.moment.limit = residual.force.limit * demand.size_m;
+  residual.passive.limit = residual.moment.limit;
+  if (!demand.has_dynamics || demand.residual.rows() == 0) return residual;
+  RunningIntegral integral(checked.motion.times_s, demand.residual);
+  for (const Jolt& jolt : demand.jolts) integral.add_impulse(jolt.sample, jolt.residual);
+  const RowKinds& rows = demand.rows;
+  for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
+    const double left_s = checked.motion.times_s.back() - checked.motion.time_s(sample);
+    // The last windows are cut short; those that hold no time say nothing.
+    const double window_s = std::min(residual.window_s, left_s);
+    if (!(window_s > 0.5 * residual.window_s) && sample > 0) break;
+    const Eigen::VectorXd mean = integral.over(sample, residual.window_s) / residual.window_s;
+    const double time_s = checked.motion.time_s(sample);
+    note(mean, 0, rows.forces, time_s, residual.force);
+    note(mean, rows.forces, rows.moments, time_s, residual.moment);
+    note(mean, rows.forces + rows.moments, rows.passives, time_s, residual.passive);
+  }
+  for (ResidualPeak* peak : {&residual.force, &residual.moment, &residual.passive}) {
+    peak->share_beyond /= static_cast<double>(checked.motion.samples());
+  }
+  return residual;
+}
+
+void require_physical(const CheckedMotion& checked, const BaseResidual& residual) {
+  std::vector<io::Fault> faults;
+  const auto require = [&](const ResidualPeak& peak, const char* what, const char* unit) {
+    if (peak.mean <= peak.limit) return;
+    faults.push_back({checked.motion.file, "", sentence(what, peak, unit, residual.window_s)});
+  };
+  require(residual.force, "a force on the base", "N");
+  require(residual.moment, "a moment about the centre of mass", "Nm");
+  require(residual.passive, "a torque of joints without an actuator", "Nm");
+  if (!faults.empty()) throw io::SpecError(std::move(faults));
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/check/checked_motion.hpp"
+
+namespace torquewright::hopper {
+
+/// The largest of a residual's means over the window, and where the window begins.
+struct ResidualPeak {
+  double mean = 0.0;  ///< N, or Nm.
+  double limit = 0.0;
+  double time_s = 0.0;
+  double share_beyond = 0.0;  ///< Of the samples at which a window begins.
+};
+
+/// Force and moment that the motion needs and nothing gives: a motion of a body without wings has
+/// none but what errors and rounding of the trajectory make.
+struct BaseResidual {
+  ResidualPeak force;    ///< On a floating base.
+  ResidualPeak moment;   ///< About the centre of mass.
+  ResidualPeak passive;  ///< Torque of joints that no actuator moves.
+  double window_s = 0.0;
+};
+
+/// Means over windows that begin at every sample, impulses of jolts included.
+/// docs/derivations/whole_body_check.md eq. (11).
+BaseResidual base_residual(const CheckedMotion& checked);
+
+/// Throws io::SpecError with time and size where a mean passes its limit: such a motion cannot be
+/// judged.
+void require_physical(const CheckedMotion& checked, const BaseResidual& residual);
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/check/drive_reports.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "actuator/check/drive_check.hpp"
+#include "io/refusal.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using actuator::InertiaConvention;
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double kClearlyBetter = 0.5;  // share of the other reading's mismatch
+constexpr double kNotable = 0.05;       // share of a drive's rms torque
+
+MatrixXd by_dynamics(const Demand& demand, double DriveInstant::*torque) {
+  MatrixXd torques_Nm(static_cast<Index>(demand.drives.size()), demand.forces_N.cols());
+  for (Index drive = 0; drive < torques_Nm.rows(); ++drive) {
+    for (Index sample = 0; sample < torques_Nm.cols(); ++sample) {
+      torques_Nm(drive, sample) =
+          demand.drives[static_cast<std::size_t>(drive)][static_cast<std::size_t>(sample)].*torque;
+    }
+  }
+  return torques_Nm;
+}
+
+double rms(const MatrixXd& values) {
+  return values.size() == 0 ? 0.0 : values.norm() / std::sqrt(static_cast<double>(values.size()));
+}
+
+/// What file and dynamics say of one another; settles what the file's torques hold.
+void compare(const CheckedMotion& checked, DriveTorques& torques) {
+  const Demand& demand = checked.demand;
+  const MatrixXd with_rotors = by_dynamics(demand, &DriveInstant::torque_Nm);
+  const MatrixXd without = by_dynamics(demand, &DriveInstant::load_torque_Nm);
+  const MatrixXd& file = demand.file_torque_Nm;
+  const double included_Nm = rms(file - with_rotors);
+  const double excluded_Nm = rms(file - without);
+  const bool excludes = excluded_Nm < kClearlyBetter * included_Nm;
+  torques.inertia = excludes ? InertiaConvention::kExcluded : InertiaConvention::kIncluded;
+  const double mismatch_Nm = std::min(included_Nm, excluded_Nm);
+  Index drive = 0;
+  Index sample = 0;
+  const MatrixXd difference = file - (excludes ? without : with_rotors);
+  const double worst_Nm = difference.cwiseAbs().maxCoeff(&drive, &sample);
+  Finding& finding = torques.findings.emplace_back();
+  finding.rule = "torque-agreement";
+  if (mismatch_Nm > kNotable * rms(file)) finding.severity = actuator::Severity::kWarning;
+  finding.time_s = checked.motion.time_s(sample);
+  finding.value = worst_Nm;
+  finding.unit = "Nm";
+  finding.sentence = fmt::format(
+      "the file's torques, read as {} the rotors' own, and those of the dynamics differ by {:.3g} "
+      "Nm rms, {:.4g} Nm at most (t = {:.6g} s); the {} are held against the regions{}",
+      excludes ? "without" : "with", mismatch_Nm, worst_Nm, *finding.time_s,
+      torques.from_file ? "file's" : "dynamics'",
+      torques.from_file ? " (--torques dynamics for the others)" : "");
+}
+
+void add_rotors(const Demand& demand, DriveTorques& torques) {
+  torques.torque_Nm += by_dynamics(demand, &DriveInstant::torque_Nm) -
+                       by_dynamics(demand, &DriveInstant::load_torque_Nm);
+  torques.inertia = InertiaConvention::kIncluded;
+}
+
+}  // namespace
+
+DriveTorques drive_torques(const CheckedMotion& checked) {
+  const Demand& demand = checked.demand;
+  const bool has_file = demand.file_torque_Nm.size() > 0;
+  const TorqueSource source = checked.options.torques;
+  if (source == TorqueSource::kFile && !has_file) {
+    io::refuse(checked.motion.file, "holds no torque of every driven joint; --torques dynamics");
+  }
+  DriveTorques torques;
+  torques.from_file = has_file && (source != TorqueSource::kDynamics || !demand.has_dynamics);
+  if (has_file && demand.has_dynamics) compare(checked, torques);
+  if (!torques.from_file) {
+    torques.torque_Nm = by_dynamics(demand, &DriveInstant::torque_Nm);
+    torques.inertia = InertiaConvention::kIncluded;
+    return torques;
+  }
+  torques.torque_Nm = demand.file_torque_Nm;
+  if (!demand.has_dynamics) {
+    torques.inertia = InertiaConvention::kUnstated;
+  } else if (torques.inertia == InertiaConvention::kExcluded) {
+    add_rotors(demand, torques);
+  }
+  return torques;
+}
+
+DriveReports check_drives(const CheckedMotion& checked, const DriveTorques& torques,
+                          const std::vector<SharedBus>& buses) {
+  DriveReports reports;
+  std::size_t drive = 0;
+  for (const Drivetrain& drivetrain : checked.robot.drivetrains) {
+    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i, ++drive) {
+      actuator::DriveCheck check(
+          {drivetrain.actuator_names[i], &drivetrain.actuators[i], checked.options.conditions},
+          {true, torques.inertia, checked.options.runs, checked.options.pause_s,
+           checked.options.keep_traces});
+      const SharedBus* bus = nullptr;
+      for (const SharedBus& shared : buses) {
+        for (const std::size_t member : shared.drives) bus = member == drive ? &shared : bus;
+      }
+      for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
+        if (bus != nullptr) check.set_bus_voltage_V(bus->voltage_V[sample]);
+        const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
+        check.add(checked.motion.time_s(sample), at.speed_rad_s,
+                  torques.torque_Nm(static_cast<Index>(drive), sample), at.acceleration_rad_s2);
+      }
+      reports.drives.push_back(check.finish());
+      if (checked.options.keep_traces) reports.traces.push_back(check.trace());
+    }
+  }
+  return reports;
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "actuator/check/report.hpp"
+#include "hopper/check/shared_bus.hpp"
+
+namespace torquewright::hopper {
+
+/// How the torques of the drives were chosen, and how well file and dynamics agree.
+struct DriveTorques {
+  Eigen::MatrixXd torque_Nm;  ///< By drive and sample, at the actuator's output.
+  actuator::InertiaConvention inertia = actuator::InertiaConvention::kIncluded;
+  bool from_file = false;
+  std::vector<Finding> findings;
+};
+
+/// Of the file or of the dynamics, as asked. Where both are there they are compared, and the
+/// comparison tells whether the file's hold those of the rotors. Throws io::SpecError where the
+/// file's are asked for and absent.
+DriveTorques drive_torques(const CheckedMotion& checked);
+
+/// Everything of actuator::check() for every drive at its samples, on its battery's voltage.
+struct DriveReports {
+  std::vector<actuator::DriveReport> drives;
+  std::vector<std::vector<actuator::TracePoint>> traces;  ///< One a drive, if asked for.
+};
+DriveReports check_drives(const CheckedMotion& checked, const DriveTorques& torques,
+                          const std::vector<SharedBus>& buses);
+
+}  // namespace torquewright::hopper

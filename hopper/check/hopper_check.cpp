@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/check/hopper_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "actuator/check/findings.hpp"
+#include "hopper/check/rules/every_rule.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using actuator::Severity;
+using actuator::Verdict;
+
+void append(std::vector<Finding> more, std::vector<Finding>& findings) {
+  std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
+
+Finding load_finding(const TransmissionLoad& load, double window_s) {
+  Finding finding;
+  finding.rule = "transmission-load";
+  finding.joint = load.drive;
+  finding.time_s = load.time_s;
+  finding.unit = "Nm";
+  const bool at_motor = load.limit && load.limit->side == GearSide::kMotor;
+  finding.value = at_motor ? load.motor_Nm : load.joint_Nm;
+  finding.sentence = fmt::format(
+      "{}: contacts load the transmission with {:.4g} Nm at the joint, {:.4g} Nm at the motor "
+      "(mean of {:g} ms from t = {:.6g} s)",
+      load.drive, load.joint_Nm, load.motor_Nm, 1e3 * window_s, load.time_s);
+  if (!load.limit) return finding;
+  finding.limit = load.limit->torque_Nm;
+  if (*finding.value > *finding.limit) finding.severity = Severity::kViolation;
+  finding.sentence += fmt::format("; its limit is {:.4g} Nm at the {} ({})", load.limit->torque_Nm,
+                                  at_motor ? "motor" : "joint", load.limit->source);
+  return finding;
+}
+
+/// How contacts and rates came about, and what of the dynamics is missing.
+std::vector<Finding> origin_notes(const CheckedMotion& checked) {
+  std::vector<Finding> findings;
+  const auto note = [&](const char* rule, Severity severity, std::string sentence) {
+    Finding& finding = findings.emplace_back();
+    finding.rule = rule;
+    finding.severity = severity;
+    finding.sentence = std::move(sentence);
+  };
+  const Motion& motion = checked.motion;
+  if (!checked.demand.has_dynamics) {
+    note("no-base-motion", Severity::kWarning,
+         "the file does not say how the base moves: its torques were held against the regions, "
+         "and dynamics, contacts and transmission loads were not computed");
+  }
+  if (motion.velocity_origin == Origin::kDerived) {
+    note("velocity-differentiated", Severity::kNote,
+         "velocities and accelerations are slope and curvature of the parabola through each "
+         "position and its two neighbours, not across impacts");
+  } else if (motion.acceleration_origin == Origin::kDerived) {
+    note("acceleration-differentiated", Severity::kNote,
+         "accelerations are the slope of the parabola through each velocity and its two "
+         "neighbours, not across impacts");
+  }
+  if (checked.demand.has_dynamics && !checked.robot.contacts.empty() && !motion.has_forces) {
+    note("contact-forces-solved", Severity::kNote,
+         fmt::format("contact forces are solved from the motion of base and unactuated joints, "
+                     "inside the friction cones{}",
+                     checked.demand.is_shared
+                         ? "; where they are not unique the shortest are taken"
+                         : ""));
+  }
+  if (checked.demand.unsolved > 0) {
+    note("contact-forces-inexact", Severity::kWarning,
+         fmt::format("contact forces of {} samples are inexact: rounding ended their search",
+                     checked.demand.unsolved));
+  }
+  return findings;
+}
+
+std::vector<Finding> assumed_notes(const Robot& robot) {
+  if (robot.assumed.empty()) return {};
+  Finding finding;
+  finding.rule = "assumed";
+  finding.sentence = fmt::format("{}: assumed, neither published nor measured: {}", robot.name,
+                                 io::listed(robot.assumed));
+  return {finding};
+}
+
+Verdict verdict_of(const actuator::CheckReport& report) {
+  const bool violates = std::any_of(
+      report.findings.begin(), report.findings.end(),
+      [](const Finding& finding) { return finding.severity == Severity::kViolation; });
+  const auto some = [&](Verdict verdict) {
+    return std::any_of(
+        report.drives.begin(), report.drives.end(),
+        [verdict](const actuator::DriveReport& drive) { return drive.verdict == verdict; });
+  };
+  if (violates || some(Verdict::kFail)) return Verdict::kFail;
+  return some(Verdict::kUndecided) || report.drives.empty() ? Verdict::kUndecided : Verdict::kPass;
+}
+
+}  // namespace
+
+HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options) {
+  const ContactSchedule contacts = schedule_contacts(robot, options.contact, motion);
+  HopperReport report;
+  report.contact_origin = contacts.origin;
+  report.demand = demand_of(robot, motion, contacts, options.on_progress);
+  const CheckedMotion checked{robot, options, motion, contacts, report.demand};
+  report.base_residual = base_residual(checked);
+  require_physical(checked, report.base_residual);
+  const DriveTorques torques = drive_torques(checked);
+  report.buses = shared_buses(checked, torques.torque_Nm);
+  DriveReports drives = check_drives(checked, torques, report.buses);
+  report.check.drives = std::move(drives.drives);
+  report.check.traces = std::move(drives.traces);
+  report.transmission_loads = transmission_loads(checked);
+  report.flights = flights(checked);
+  std::vector<Finding>& findings = report.check.findings;
+  findings = actuator::findings_of(report.check.drives);
+  append(shared_bus_findings(checked, report.buses), findings);
+  for (const TransmissionLoad& load : report.transmission_loads) {
+    findings.push_back(load_finding(load, options.load_window_s));
+  }
+  for (const Rule rule : kEveryRule) append(rule(checked), findings);
+  append(torques.findings, findings);
+  append(origin_notes(checked), findings);
+  append(assumed_notes(robot), findings);
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& one, const Finding& other) {
+    return one.severity > other.severity;
+  });
+  report.check.verdict = verdict_of(report.check);
+  report.check.sha256 = motion.sha256;
+  return report;
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/check/base_residual.hpp"
+#include "hopper/check/drive_reports.hpp"
+#include "hopper/check/flights.hpp"
+#include "hopper/check/transmission_load.hpp"
+
+namespace torquewright::hopper {
+
+/// Whether a robot's actuators can do a motion.
+struct HopperReport {
+  actuator::CheckReport check;  ///< Verdict, drives, findings: as of actuator::check().
+  BaseResidual base_residual;
+  std::vector<TransmissionLoad> transmission_loads;
+  std::vector<SharedBus> buses;
+  std::vector<Flight> flights;
+  Origin contact_origin = Origin::kDerived;
+  Demand demand;
+};
+
+/// Holds a motion against its robot. The motion's missing rates are derived on the way. Throws
+/// io::SpecError where it is no motion of this robot: a base residual beyond its limit, a posture
+/// that a mechanism does not reach.
+HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options);
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "hopper/check/hopper_check.hpp"
+
+namespace torquewright::hopper {
+
+/// A document of kind `check_report` with the keys of a whole body, without its provenance. What is
+/// not finite or not known is null.
+nlohmann::ordered_json hopper_report_json(const HopperReport& report);
+
+}  // namespace torquewright::hopper

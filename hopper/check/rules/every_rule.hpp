@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "hopper/check/checked_motion.hpp"
+
+namespace torquewright::hopper {
+
+/// What a motion may break beside the regions of its actuators. A rule is one file and one line
+/// here; docs/checks.md says what each looks at.
+using Rule = std::vector<Finding> (*)(const CheckedMotion& checked);
+
+std::vector<Finding> center_of_pressure(const CheckedMotion& checked);
+std::vector<Finding> friction_cone(const CheckedMotion& checked);
+std::vector<Finding> ground_penetration(const CheckedMotion& checked);
+std::vector<Finding> impact_by_motors(const CheckedMotion& checked);
+std::vector<Finding> joint_limits(const CheckedMotion& checked);
+std::vector<Finding> mechanism_margins(const CheckedMotion& checked);
+std::vector<Finding> self_collision(const CheckedMotion& checked);
+
+constexpr std::array<Rule, 7> kEveryRule{joint_limits,    mechanism_margins,  ground_penetration,
+                                         friction_cone,   center_of_pressure, self_collision,
+                                         impact_by_motors};
+
+}  // namespace torquewright::hopper

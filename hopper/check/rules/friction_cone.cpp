@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much of the friction the motion uses. Forces that were solved lie in their cones, but may
+// stand at the edge; those of a file may lie outside.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "hopper/check/rules/every_rule.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kSmallForce = 1e-3;  // of the weight: below that a ratio says nothing
+constexpr double kRoundOff = 1e-6;
+
+}  // namespace
+
+std::vector<Finding> friction_cone(const CheckedMotion& checked) {
+  std::vector<Finding> findings;
+  const Demand& demand = checked.demand;
+  if (!demand.has_dynamics) return findings;
+  const double small_N = kSmallForce * demand.weight_N;
+  for (Index i = 0; i < static_cast<Index>(checked.robot.contacts.size()); ++i) {
+    const ContactPoint& contact = checked.robot.contacts[static_cast<std::size_t>(i)];
+    double most = 0.0;
+    double most_time_s = 0.0;
+    double pull_N = 0.0;
+    double pull_time_s = 0.0;
+    for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
+      const Eigen::Vector3d force_N = demand.forces_N.block<3, 1>(3 * i, sample);
+      const double time_s = checked.motion.time_s(sample);
+      if (-force_N.z() > std::max(pull_N, small_N)) {
+        pull_N = -force_N.z();
+        pull_time_s = time_s;
+      }
+      if (force_N.norm() < small_N || force_N.z() <= 0.0) continue;
+      const double ratio = force_N.head<2>().norm() / force_N.z();
+      if (ratio <= most) continue;
+      most = ratio;
+      most_time_s = time_s;
+    }
+    if (pull_N > 0.0) {
+      findings.push_back({actuator::Severity::kViolation, "ground-pulls", contact.name, pull_time_s,
+                          -pull_N, 0.0, "N",
+                          fmt::format("{}: the ground would have to pull, with {:.4g} N at t = "
+                                      "{:.6g} s",
+                                      contact.name, pull_N, pull_time_s)});
+    }
+    const bool slips = most > contact.friction_coefficient * (1.0 + kRoundOff) + kRoundOff;
+    if (most == 0.0) continue;
+    findings.push_back(
+        {slips ? actuator::Severity::kViolation : actuator::Severity::kNote, "friction-cone",
+         contact.name, most_time_s, most, contact.friction_coefficient, "",
+         fmt::format("{}: tangential over normal force reaches {:.3g} at t = {:.6g} s, the "
+                     "friction coefficient is {:.3g}",
+                     contact.name, most, most_time_s, contact.friction_coefficient)});
+  }
+  return findings;
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace torquewright::hopper {
+
+/// Integrals over time of signals that are straight between samples, and of impulses at some of
+/// them. Rows are signals.
+class RunningIntegral {
+ public:
+  /// As many columns as times, which do not descend. Requires at least one.
+  RunningIntegral(const std::vector<double>& times_s, const Eigen::MatrixXd& signals);
+
+  /// Requires the impulses in the order of their samples, all before the first question.
+  void add_impulse(Eigen::Index sample, const Eigen::VectorXd& impulse);
+
+  /// From a sample's time, with its impulse, over the duration (or to the last sample).
+  Eigen::VectorXd over(Eigen::Index from_sample, double duration_s) const;
+
+ private:
+  Eigen::VectorXd until(double time_s) const;
+
+  const std::vector<double>& times_s_;
+  const Eigen::MatrixXd& signals_;
+  Eigen::MatrixXd before_;  ///< Up to a sample, without its own impulse.
+  Eigen::MatrixXd impulse_;
+};
+
+}  // namespace torquewright::hopper

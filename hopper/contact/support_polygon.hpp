@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace torquewright::hopper {
+
+/// The convex hull of points, counter-clockwise, without points on its edges. Fewer than three
+/// where they lie on a line. Andrew's monotone chain (1979).
+std::vector<Eigen::Vector2d> support_polygon(std::vector<Eigen::Vector2d> points);
+
+/// From a point to the nearest line of a hull's edges; negative outside. Requires three corners.
+double distance_inside(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& point);
+
+}  // namespace torquewright::hopper
