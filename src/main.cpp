@@ -9,6 +9,7 @@
 #include "io/spec_error.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/gearbox_commands.hpp"
+#include "src/commands/hopper_commands.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/robot_commands.hpp"
 #include "src/exit_code.hpp"
@@ -44,6 +45,12 @@ int run(int argc, char** argv) {
   torquewright::cli::add_mor_command(*actuator, result);
   torquewright::cli::add_check_command(*actuator, result);
   torquewright::cli::add_identify_command(app, result);
+  CLI::App* hopper = app.add_subcommand("hopper", "Can it do the motion?");
+  hopper->require_subcommand(1);
+  hopper->footer(
+      "Example:\n  torquewright hopper check specs/robot/hopper.json "
+      "specs/trajectory/hopper_flip.csv");
+  torquewright::cli::add_hopper_check_command(*hopper, result);
   CLI::App* robot = app.add_subcommand("robot", "Robots from and for other programs");
   robot->require_subcommand(1);
   robot->footer("Example:\n  torquewright robot export specs/robot/rabbit.json --format urdf");

@@ -66,6 +66,7 @@ class DemandPass {
       }
     }
     demand_.has_dynamics = motion_.has_base;
+    find_given_passive();
     demand_.drives.assign(body_.drive_count(), std::vector<DriveInstant>(motion_.times_s.size()));
     demand_.contact_Nm.setZero(drives, samples);
     if (has_file_torque_) demand_.file_torque_Nm.setZero(drives, samples);
@@ -84,6 +85,17 @@ class DemandPass {
     force_.setZero(size_);
     load_.setZero(size_);
     drive_torque_.setZero(drives);
+  }
+
+  /// Joints that no actuator moves and whose torque the file gives.
+  void find_given_passive() {
+    std::vector<bool> is_driven(robot_.tree.bodies.size(), false);
+    for (const Drivetrain& drivetrain : robot_.drivetrains) {
+      for (const std::size_t joint : drivetrain.joints) is_driven[joint] = true;
+    }
+    for (std::size_t joint = 1; joint < is_driven.size(); ++joint) {
+      if (!is_driven[joint] && motion_.has_effort[joint - 1]) given_passive_.push_back(joint);
+    }
   }
 
   void set(Index sample) {
@@ -151,6 +163,10 @@ class DemandPass {
     note_centroid(sample);
     // Rotors apart: they load no free row (but through the base's acceleration, which none has).
     dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), force_);
+    for (const std::size_t joint : given_passive_) {
+      const auto row = static_cast<Index>(joint) - 1;
+      force_[body_.state().joint_row(joint)] -= motion_.efforts(row, sample);
+    }
     load_ = force_;
     if (motion_.has_forces) {
       take_file_forces(sample);
@@ -284,6 +300,7 @@ class DemandPass {
   Index points_;
   Index size_;
   bool has_file_torque_ = false;
+  std::vector<std::size_t> given_passive_;
   Demand demand_;
   VectorXd scales_;
   std::vector<Index> touching_;

@@ -66,11 +66,10 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
   }
   if (checked.demand.has_dynamics && !checked.robot.contacts.empty() && !motion.has_forces) {
     note("contact-forces-solved", Severity::kNote,
-         fmt::format("contact forces are solved from the motion of base and unactuated joints, "
-                     "inside the friction cones{}",
-                     checked.demand.is_shared
-                         ? "; where they are not unique the shortest are taken"
-                         : ""));
+         fmt::format(
+             "contact forces are solved from the motion of base and unactuated joints, "
+             "inside the friction cones{}",
+             checked.demand.is_shared ? "; where they are not unique the shortest are taken" : ""));
   }
   if (checked.demand.unsolved > 0) {
     note("contact-forces-inexact", Severity::kWarning,
@@ -90,9 +89,9 @@ std::vector<Finding> assumed_notes(const Robot& robot) {
 }
 
 Verdict verdict_of(const actuator::CheckReport& report) {
-  const bool violates = std::any_of(
-      report.findings.begin(), report.findings.end(),
-      [](const Finding& finding) { return finding.severity == Severity::kViolation; });
+  const bool violates =
+      std::any_of(report.findings.begin(), report.findings.end(),
+                  [](const Finding& finding) { return finding.severity == Severity::kViolation; });
   const auto some = [&](Verdict verdict) {
     return std::any_of(
         report.drives.begin(), report.drives.end(),

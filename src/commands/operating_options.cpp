@@ -15,8 +15,7 @@ void add_operating_options(CLI::App& command, OperatingOptions& options) {
       ->check(CLI::Range(200.0, 600.0));
 }
 
-actuator::Conditions conditions_of(const OperatingOptions& options,
-                                   const actuator::ReadActuator& read) {
+actuator::Conditions stated_conditions(const OperatingOptions& options) {
   actuator::Conditions conditions;
   if (options.rating == "continuous") conditions.rating = actuator::Rating::kContinuous;
   if (options.bus_voltage_V > 0.0) conditions.bus_voltage_V = options.bus_voltage_V;
@@ -24,11 +23,22 @@ actuator::Conditions conditions_of(const OperatingOptions& options,
   if (options.winding_temperature_K > 0.0) {
     conditions.winding_temperature_K = options.winding_temperature_K;
   }
+  return conditions;
+}
+
+void require_possible(const actuator::Actuator& actuator, const std::string& file,
+                      const actuator::Conditions& conditions) {
   std::vector<io::Fault> faults;
-  for (const std::string& sentence : actuator::objections(read.actuator, conditions)) {
-    faults.push_back({read.documents.front().file, "", sentence});
+  for (const std::string& sentence : actuator::objections(actuator, conditions)) {
+    faults.push_back({file, "", sentence});
   }
   if (!faults.empty()) throw io::SpecError(std::move(faults));
+}
+
+actuator::Conditions conditions_of(const OperatingOptions& options,
+                                   const actuator::ReadActuator& read) {
+  const actuator::Conditions conditions = stated_conditions(options);
+  require_possible(read.actuator, read.documents.front().file, conditions);
   return conditions;
 }
 

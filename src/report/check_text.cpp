@@ -59,7 +59,9 @@ std::string reading_lines(const DriveReport& drive, const Reading& reading) {
   return text;
 }
 
-std::string joint_text(const DriveReport& drive) {
+}  // namespace
+
+std::string drive_text(const DriveReport& drive) {
   std::string text = fmt::format(
       "\n{} ({}): {}\n  samples  {}, {:.6g} to {:.6g} s, speeds up to {:.4g} rad/s (no load "
       "{:.4g})\n",
@@ -72,12 +74,8 @@ std::string joint_text(const DriveReport& drive) {
   return text + reading_lines(drive, *drive.with_inertia);
 }
 
-}  // namespace
-
-std::string check_text(const std::string& trajectory, const CheckReport& report) {
-  std::string text = fmt::format("{}: {}\n", trajectory, name_of(report.verdict));
-  for (const DriveReport& drive : report.drives) text += joint_text(drive);
-  if (!report.findings.empty()) text += "\n";
+std::string findings_text(const CheckReport& report) {
+  std::string text;
   for (const Finding& finding : report.findings) {
     text += fmt::format("{} [{}] {}\n", name_of(finding.severity), finding.rule, finding.sentence);
   }
@@ -91,6 +89,13 @@ std::string check_text(const std::string& trajectory, const CheckReport& report)
     }
   }
   return text;
+}
+
+std::string check_text(const std::string& trajectory, const CheckReport& report) {
+  std::string text = fmt::format("{}: {}\n", trajectory, name_of(report.verdict));
+  for (const DriveReport& drive : report.drives) text += drive_text(drive);
+  if (!report.findings.empty()) text += "\n";
+  return text + findings_text(report);
 }
 
 }  // namespace torquewright::report

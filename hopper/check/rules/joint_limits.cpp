@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kRoundOff = 1e-9;  // relative to the limit, or to 1
+constexpr double kLimitRoundOff = 1e-9;  // relative to the limit, or to 1
 
 struct Words {
   const char* rule;
@@ -28,7 +28,7 @@ struct Beyond {
   Index samples = 0;
 
   void note(double value_now, double limit_now, double excess_now, double time_now_s) {
-    if (!(excess_now > kRoundOff * std::max(1.0, std::abs(limit_now)))) return;
+    if (!(excess_now > kLimitRoundOff * std::max(1.0, std::abs(limit_now)))) return;
     ++samples;
     if (excess_now <= excess) return;
     *this = {excess_now, value_now, limit_now, time_now_s, samples};

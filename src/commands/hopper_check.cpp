@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "hopper/check/hopper_report_spec.hpp"
+#include "hopper/motion/motion_reader.hpp"
+#include "hopper/robot_spec.hpp"
+#include "io/atomic_file.hpp"
+#include "io/provenance.hpp"
+#include "io/refusal.hpp"
+#include "src/commands/hopper_commands.hpp"
+#include "src/commands/operating_options.hpp"
+#include "src/report/hopper_text.hpp"
+#include "src/report/progress_line.hpp"
+#include "src/standard_output.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+struct HopperCheckOptions {
+  std::string robot_file;
+  std::string trajectory_file;
+  std::vector<std::string> columns;
+  std::vector<std::string> columns_files;
+  std::vector<double> from_s;
+  std::vector<double> until_s;
+  OperatingOptions operating;
+  hopper::CheckOptions check;
+  std::string torques = "best";
+  std::string output_file;
+  bool json = false;
+};
+
+hopper::MotionFile motion_file(const HopperCheckOptions& options) {
+  hopper::MotionFile source;
+  source.file = options.trajectory_file;
+  source.mappings = options.columns;
+  for (const std::string& file : options.columns_files) {
+    source.documents.push_back(io::read_document(file, "trajectory_columns"));
+  }
+  if (!options.from_s.empty()) source.window.from_s = options.from_s.back();
+  if (!options.until_s.empty()) source.window.until_s = options.until_s.back();
+  if (source.window.from_s > source.window.until_s) {
+    io::refuse("--from", fmt::format("{} s lies after --until {} s", source.window.from_s,
+                                     source.window.until_s));
+  }
+  return source;
+}
+
+hopper::CheckOptions check_options(const HopperCheckOptions& options,
+                                   const hopper::ReadRobot& read) {
+  hopper::CheckOptions check = options.check;
+  check.conditions = stated_conditions(options.operating);
+  for (const hopper::Drivetrain& drivetrain : read.robot.drivetrains) {
+    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
+      require_possible(drivetrain.actuators[i], drivetrain.actuator_files[i], check.conditions);
+    }
+  }
+  check.torques = options.torques == "file"       ? hopper::TorqueSource::kFile
+                  : options.torques == "dynamics" ? hopper::TorqueSource::kDynamics
+                                                  : hopper::TorqueSource::kBest;
+  return check;
+}
+
+/// What was asked for beyond the files, where it is not the default.
+nlohmann::ordered_json options_json(const HopperCheckOptions& options) {
+  const hopper::CheckOptions defaults;
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  const auto add = [&json](const char* key, const auto& value, const auto& usual) {
+    if (value != usual) json[key] = value;
+  };
+  if (!options.columns.empty()) json["column"] = options.columns;
+  if (!options.from_s.empty()) json["from_s"] = options.from_s.back();
+  if (!options.until_s.empty()) json["until_s"] = options.until_s.back();
+  add("rating", options.operating.rating, std::string("peak"));
+  add("bus_voltage_V", options.operating.bus_voltage_V, 0.0);
+  add("state_of_charge", options.operating.state_of_charge, -1.0);
+  add("winding_temperature_K", options.operating.winding_temperature_K, 0.0);
+  add("torques", options.torques, std::string("best"));
+  add("ground_height_m", options.check.contact.ground_height_m, defaults.contact.ground_height_m);
+  add("contact_height_m", options.check.contact.height_m, defaults.contact.height_m);
+  add("contact_speed_m_s", options.check.contact.speed_m_s, defaults.contact.speed_m_s);
+  add("residual_limit", options.check.residual_share, defaults.residual_share);
+  add("load_window_s", options.check.load_window_s, defaults.load_window_s);
+  add("repeat", options.check.runs, defaults.runs);
+  add("pause_s", options.check.pause_s, defaults.pause_s);
+  return json;
+}
+
+std::string json_text(const HopperCheckOptions& options, const hopper::MotionFile& source,
+                      const hopper::ReadRobot& read, const hopper::HopperReport& report) {
+  nlohmann::ordered_json document = hopper::hopper_report_json(report);
+  document["options"] = options_json(options);
+  document["tool"] = io::tool_provenance();
+  std::vector<io::Document> inputs = read.documents;
+  inputs.push_back({options.trajectory_file, "", {}, report.check.sha256});
+  inputs.insert(inputs.end(), source.documents.begin(), source.documents.end());
+  document["inputs"] = io::input_provenance(inputs);
+  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+ExitCode exit_code_of(actuator::Verdict verdict) {
+  if (verdict == actuator::Verdict::kPass) return ExitCode::kPasses;
+  return verdict == actuator::Verdict::kFail ? ExitCode::kFails : ExitCode::kUndecided;
+}
+
+ExitCode run(const HopperCheckOptions& options) {
+  const hopper::ReadRobot read = hopper::read_robot(options.robot_file);
+  hopper::MotionFile source = motion_file(options);
+  hopper::CheckOptions check = check_options(options, read);
+  hopper::Motion motion;
+  hopper::HopperReport report;
+  {
+    report::ProgressLine progress;
+    source.on_progress = [&progress](double share) {
+      progress.show(fmt::format("reading the motion: {:.0f} %", 100.0 * share));
+    };
+    check.on_progress = [&progress](double share) {
+      progress.show(fmt::format("forces and torques: {:.0f} %", 100.0 * share));
+    };
+    motion = hopper::read_motion(read.robot, source);
+    report = hopper::check_motion(read.robot, motion, check);
+  }
+  const std::string text = options.json ? json_text(options, source, read, report)
+                                        : report::hopper_text(read.robot, motion, report);
+  if (options.output_file.empty()) {
+    print_result(text);
+  } else {
+    io::write_whole_file(options.output_file, text);
+  }
+  return exit_code_of(report.check.verdict);
+}
+
+void add_motion_options(CLI::App& command, HopperCheckOptions& options) {
+  command
+      .add_option("--column", options.columns,
+                  "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are joints, "
+                  "base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
+      ->allow_extra_args(false);
+  command
+      .add_option("--columns", options.columns_files, "The same as a document: trajectory_columns")
+      ->allow_extra_args(false);
+  command.add_option("--from", options.from_s, "Only rows from this time on, in s")
+      ->expected(1)
+      ->check(CLI::Range(-1e12, 1e12));
+  command.add_option("--until", options.until_s, "Only rows up to this time, in s")
+      ->expected(1)
+      ->check(CLI::Range(-1e12, 1e12));
+  command
+      .add_option("--torques", options.torques,
+                  "Which torques count: best (the file's where it has all), file, dynamics")
+      ->check(CLI::IsMember({"best", "file", "dynamics"}));
+}
+
+void add_physics_options(CLI::App& command, hopper::CheckOptions& check) {
+  command.add_option("--ground-height", check.contact.ground_height_m, "z of the ground, in m")
+      ->check(CLI::Range(-1e6, 1e6));
+  command
+      .add_option("--contact-height", check.contact.height_m,
+                  "Points no higher than this touch, in m")
+      ->check(CLI::Range(0.0, 10.0));
+  command
+      .add_option("--contact-speed", check.contact.speed_m_s,
+                  "and that move up or down no faster, in m/s")
+      ->check(CLI::Range(0.0, 100.0));
+  command
+      .add_option("--residual-limit", check.residual_share,
+                  "Force that nothing explains, in weights: more is no motion")
+      ->check(CLI::Range(0.0, 1e9));
+  command
+      .add_option("--load-window", check.load_window_s,
+                  "Over which a transmission's load is averaged, in s")
+      ->check(CLI::Range(1e-6, 10.0));
+  command.add_option("--repeat", check.runs, "Runs of the motion, for the windings' temperature")
+      ->check(CLI::Range(1, 1000000000));
+  command.add_option("--pause", check.pause_s, "Between runs, in s")->check(CLI::Range(0.0, 1e9));
+}
+
+}  // namespace
+
+void add_hopper_check_command(CLI::App& hopper, ExitCode& result) {
+  auto options = std::make_shared<HopperCheckOptions>();
+  CLI::App* command = hopper.add_subcommand("check", "Can this robot do this motion?");
+  command->add_option("robot", options->robot_file, "Document of kind robot")->required();
+  command
+      ->add_option("trajectory", options->trajectory_file,
+                   "CSV: time_s, base_..., <joint>_position_rad and, where known, velocities, "
+                   "accelerations, torques, contact forces")
+      ->required();
+  add_motion_options(*command, *options);
+  add_physics_options(*command, options->check);
+  add_operating_options(*command, options->operating);
+  command->add_option("-o,--output", options->output_file, "Write to this file");
+  command->add_flag("--json", options->json, "The report as JSON");
+  command->footer(
+      "Example:\n  torquewright hopper check specs/robot/hopper.json "
+      "specs/trajectory/hopper_flip.csv");
+  command->callback([options, &result] { result = run(*options); });
+}
+
+}  // namespace torquewright::cli

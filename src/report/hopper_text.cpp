@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/hopper_text.hpp"
+
+#include <fmt/format.h>
+
+#include "src/report/check_text.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using namespace hopper;
+
+std::string motion_lines(const Robot& robot, const Motion& motion, const HopperReport& report) {
+  std::string text = fmt::format("  robot    {}, {:.4g} s of motion in {} samples\n", robot.name,
+                                 motion.duration_s(), motion.samples());
+  if (!report.demand.has_dynamics) return text;
+  const BaseResidual& residual = report.base_residual;
+  if (residual.force.limit > 0.0 && robot.tree.base != dynamics::BaseKind::kFixed) {
+    text += fmt::format(
+        "  physics  {:.3g} N and {:.3g} Nm at most are left unexplained over {:g} ms (limits "
+        "{:.3g} N, {:.3g} Nm)\n",
+        residual.force.mean, residual.moment.mean, 1e3 * residual.window_s, residual.force.limit,
+        residual.moment.limit);
+  }
+  for (const Flight& flight : report.flights) {
+    text += fmt::format(
+        "  flight   {:.4g} to {:.4g} s, {:.3g} m up; CAM {:.4g} Nm s (drift {:.1g}); CAV {:.4g} "
+        "rad/s at take-off, {:.4g} at most, {:.4g} at the end\n",
+        flight.from_s, flight.until_s, flight.rise_m, flight.angular_momentum_Nm_s,
+        flight.angular_momentum_drift_Nm_s, flight.take_off_rad_s, flight.peak_rad_s,
+        flight.touch_down_rad_s);
+  }
+  for (const Jolt& jolt : report.demand.jolts) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (Eigen::Index i = 0; i + 2 < jolt.impulses_N_s.size(); i += 3) {
+      sum += jolt.impulses_N_s.segment<3>(i);
+    }
+    text += fmt::format(
+        "  impact   t = {:.4g} s: impulse ({:.3g}, {:.3g}, {:.3g}) N s, {:.3g} J lost\n",
+        jolt.time_s, sum.x(), sum.y(), sum.z(), jolt.lost_energy_J);
+  }
+  return text;
+}
+
+std::string load_line(const TransmissionLoad& load) {
+  std::string text = fmt::format(
+      "  gears    contacts load them with {:.4g} Nm at the joint, {:.4g} Nm at the motor (from t = "
+      "{:.6g} s)\n",
+      load.joint_Nm, load.motor_Nm, load.time_s);
+  if (load.impulse_Nm_s > 0.0) {
+    text += fmt::format("           {:.3g} Nm s of it in the impact at t = {:.6g} s\n",
+                        load.impulse_Nm_s, load.impulse_time_s);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string hopper_text(const Robot& robot, const Motion& motion, const HopperReport& report) {
+  std::string text = fmt::format("{}: {}\n", motion.file, actuator::name_of(report.check.verdict));
+  text += motion_lines(robot, motion, report);
+  for (std::size_t i = 0; i < report.check.drives.size(); ++i) {
+    text += drive_text(report.check.drives[i]);
+    if (i < report.transmission_loads.size()) text += load_line(report.transmission_loads[i]);
+  }
+  return text + "\n" + findings_text(report.check);
+}
+
+}  // namespace torquewright::report
