@@ -108,6 +108,7 @@ struct Actuator {
   std::optional<Thermal> thermal;
   Transmission transmission;
   std::vector<Effect> effects;
+  std::optional<double> mass_kg;  ///< Of all of it.
   std::optional<Datasheet> datasheet;
   std::vector<std::string> assumed;  ///< JSON pointers of assumed values.
 };

@@ -41,6 +41,7 @@ class ActuatorReader {
 
   ReadActuator read() {
     actuator_.name = root().value("name", std::filesystem::path(document().file).stem().string());
+    actuator_.mass_kg = find(root(), "mass_kg");
     read_motor();
     read_drive();
     if (root().contains("battery")) read_battery(root()["battery"]);

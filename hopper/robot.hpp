@@ -37,6 +37,7 @@ struct Drivetrain {
   std::vector<std::string> actuator_files;  ///< As the document names them.
   /// Whether the joints' reflected inertia in the tree holds that of these rotors already.
   bool rotors_in_tree = true;
+  std::optional<dynamics::BodyPoint> mount;  ///< Where its actuators' mass sits, if stated.
   std::optional<TransmissionLimit> transmission_limit;  ///< Of each of its actuators.
 };
 

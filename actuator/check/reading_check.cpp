@@ -28,8 +28,7 @@ CheckBasis::CheckBasis(const Actuator& checked, const Conditions& conditions)
       lookup(checked, conditions),
       heat(heat_model(checked, conditions)) {}
 
-ReadingCheck::ReadingCheck(const CheckBasis& basis)
-    : basis_(&basis), basis_of_worst_(&basis) {
+ReadingCheck::ReadingCheck(const CheckBasis& basis) : basis_(&basis), basis_of_worst_(&basis) {
   if (basis.heat) heat_.emplace(*basis.heat);
 }
 
@@ -38,7 +37,10 @@ bool ReadingCheck::add(double time_s, double speed_rad_s, double torque_Nm) {
   const TorqueRange range = lookup.at(speed_rad_s, torque_Nm);
   const bool is_outside = lookup.is_outside(range, torque_Nm);
   if (samples_ == 0) first_s_ = time_s;
-  if (is_outside) ++reading_.clipped_samples;
+  if (is_outside && reading_.clipped_samples++ == 0) {
+    basis_of_first_ = basis_;
+    reading_.first = WorstSample{time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
+  }
   clipped_.add(time_s, is_outside ? 1.0 : 0.0);
   const double excess_Nm = range.excess_Nm(torque_Nm);
   if (excess_Nm > worst_excess_Nm_) {
@@ -84,31 +86,31 @@ void ReadingCheck::add_heat(double time_s, double square_A2) {
   last_square_A2_ = square_A2;
 }
 
-/// The worst sample, with the bound of the region itself.
-WorstSample ReadingCheck::worst() const {
-  WorstSample worst = reading_.worst;
-  const JointRange range = basis_of_worst_->lookup.exact(worst.speed_rad_s);
+/// A sample with the bound of the region itself.
+WorstSample ReadingCheck::exactly(WorstSample sample, const CheckBasis& basis) {
+  const JointRange range = basis.lookup.exact(sample.speed_rad_s);
   if (range.is_empty) {
-    worst.limiter = range.why_empty;
-    worst.excess_Nm = std::abs(worst.torque_Nm);
-    return worst;
+    sample.limiter = range.why_empty;
+    sample.excess_Nm = std::abs(sample.torque_Nm);
+    return sample;
   }
   const bool is_upper =
-      worst.torque_Nm - range.greatest.torque_Nm >= range.least.torque_Nm - worst.torque_Nm;
+      sample.torque_Nm - range.greatest.torque_Nm >= range.least.torque_Nm - sample.torque_Nm;
   const JointBound& bound = is_upper ? range.greatest : range.least;
   const double excess_Nm =
-      is_upper ? worst.torque_Nm - bound.torque_Nm : bound.torque_Nm - worst.torque_Nm;
-  worst.limit_Nm = bound.torque_Nm;
-  worst.limiter = bound.limiter;
-  worst.excess_Nm = excess_Nm > basis_of_worst_->lookup.round_off_Nm() ? excess_Nm : 0.0;
-  return worst;
+      is_upper ? sample.torque_Nm - bound.torque_Nm : bound.torque_Nm - sample.torque_Nm;
+  sample.limit_Nm = bound.torque_Nm;
+  sample.limiter = bound.limiter;
+  sample.excess_Nm = excess_Nm > basis.lookup.round_off_Nm() ? excess_Nm : 0.0;
+  return sample;
 }
 
 Reading ReadingCheck::finish(std::size_t runs, double pause_s) const {
   Reading reading = reading_;
   const double duration_s = last_s_ - first_s_;
   reading.clipped_time_s = clipped_.sum();
-  reading.worst = worst();
+  reading.worst = exactly(reading_.worst, *basis_of_worst_);
+  if (basis_of_first_ != nullptr) reading.first = exactly(*reading_.first, *basis_of_first_);
   reading.margin_Nm = -reading.worst.excess_Nm;
   if (reading.worst.excess_Nm == 0.0 && reading.worst.limit_Nm) {
     reading.margin_Nm = std::abs(*reading.worst.limit_Nm - reading.worst.torque_Nm);

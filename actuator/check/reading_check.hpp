@@ -38,10 +38,11 @@ class ReadingCheck {
  private:
   void add_demand(double time_s, double speed_rad_s, double torque_Nm, const TorqueRange& range);
   void add_heat(double time_s, double square_A2);
-  WorstSample worst() const;
+  static WorstSample exactly(WorstSample sample, const CheckBasis& basis);
 
   const CheckBasis* basis_;
   const CheckBasis* basis_of_worst_;
+  const CheckBasis* basis_of_first_ = nullptr;  ///< Null: none lies outside.
   Reading reading_;
   std::size_t samples_ = 0;
   double worst_excess_Nm_ = -kUnlimited;

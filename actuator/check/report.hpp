@@ -43,6 +43,7 @@ struct Reading {
   std::size_t clipped_samples = 0;
   double clipped_time_s = 0.0;  ///< By the trapezoidal rule, like all integrals over time.
   WorstSample worst;
+  std::optional<WorstSample> first;  ///< That lies outside.
   double margin_Nm = 0.0;                    ///< To the nearer bound, the least; negative: missing.
   std::optional<double> speed_margin_rad_s;  ///< Empty: some torque is there at no speed.
   std::optional<double> voltage_margin_V;    ///< At the bus; empty: the supply gives out.

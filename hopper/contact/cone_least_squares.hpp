@@ -3,6 +3,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <vector>
+
+#include "hopper/contact/second_order_cone.hpp"
 
 namespace torquewright::hopper {
 
@@ -11,16 +14,15 @@ namespace torquewright::hopper {
 ///   minimise |A x - b|^2 + kTieBreaker |x|^2,  x = (x_1, ..., x_n), each x_i in its friction cone
 ///   |(x_i)_t| <= mu_i (x_i)_n,  with axes (tangent, tangent, normal).
 ///
-/// Where many forces have the same sum the tie-breaker picks the shortest, and costs no more than
-/// kTieBreaker of it. Interior points, docs/derivations/whole_body_check.md eqs. (6)-(9): the
-/// value found lies within kGap of the least one, by its own duality bound.
+/// Where many forces have the same sum the tie-breaker picks the shortest. Primal-dual interior
+/// points with Nesterov-Todd scaling; docs/derivations/whole_body_check.md eqs. (6)-(9). The value
+/// found lies within kGap of the least one, by its duality gap.
 ///
 /// Expects a problem of about unit size: A, b and x in units of the robot's weight and size.
 class ConeLeastSquares {
  public:
-  static constexpr double kTieBreaker = 1e-10;
-  static constexpr double kGap = 1e-14;
-  static constexpr double kLeastFriction = 1e-6;  ///< A smooth contact counts as this rough.
+  static constexpr double kTieBreaker = 1e-8;
+  static constexpr double kGap = 1e-9;
 
   enum class Status { kSolved, kStalled };
 
@@ -28,7 +30,7 @@ class ConeLeastSquares {
   explicit ConeLeastSquares(Eigen::Index most_points);
 
   /// One row of `friction` a point, three columns of A a point. Solution: x(). kStalled: rounding
-  /// ended the search before its bound did; x() is the best found, inside its cones.
+  /// ended the search before its gap closed; x() is the best found, inside its cones.
   Status solve(const Eigen::Ref<const Eigen::MatrixXd>& A,
                const Eigen::Ref<const Eigen::VectorXd>& b,
                const Eigen::Ref<const Eigen::VectorXd>& friction);
@@ -36,21 +38,28 @@ class ConeLeastSquares {
   Eigen::Ref<const Eigen::VectorXd> x() const { return x_.head(size_); }
 
  private:
-  bool solve_without_cones(const Eigen::Ref<const Eigen::VectorXd>& b,
-                           const Eigen::Ref<const Eigen::VectorXd>& friction);
-  void start(const Eigen::Ref<const Eigen::VectorXd>& friction);
-  bool step(double barrier, const Eigen::Ref<const Eigen::VectorXd>& friction);
-  double value(const Eigen::VectorXd& x, double barrier,
-               const Eigen::Ref<const Eigen::VectorXd>& friction) const;
+  bool solve_without_cones(const Eigen::Ref<const Eigen::VectorXd>& friction);
+  Status solve_inside_cones();
+  void start();
+  void take_step(double centring, bool is_prediction);
+  double share_of_step() const;
+  double gap() const;
 
   Eigen::Index size_ = 0;
-  Eigen::MatrixXd normal_;  ///< A^T A + kTieBreaker.
-  Eigen::VectorXd pull_;    ///< A^T b.
-  Eigen::MatrixXd hessian_;
-  Eigen::VectorXd gradient_;
-  Eigen::VectorXd x_;
-  Eigen::VectorXd direction_;
-  Eigen::VectorXd trial_;
+  Eigen::Index points_ = 0;
+  // Scaled so that each cone is |t| <= n: x = D s, D = diag(mu, mu, 1).
+  Eigen::MatrixXd normal_;  ///< D (A^T A + tie-breaker) D.
+  Eigen::VectorXd pull_;    ///< D A^T b.
+  Eigen::VectorXd scale_;   ///< D's diagonal.
+  Eigen::VectorXd x_;       ///< s, and at the end x.
+  Eigen::VectorXd best_;    ///< The s whose gap and balance were the best.
+  Eigen::VectorXd dual_;
+  Eigen::VectorXd residual_;  ///< H s - pull - dual.
+  Eigen::VectorXd step_;
+  Eigen::VectorXd dual_step_;
+  Eigen::VectorXd complement_;  ///< W^-1 of what complementarity asks for.
+  Eigen::MatrixXd system_;
+  std::vector<Eigen::Matrix3d> scaling_;  ///< W, by point.
   Eigen::LDLT<Eigen::MatrixXd> factor_;
 };
 

@@ -76,7 +76,8 @@ void add_touch_downs(const ContactRule& rule, const MatrixXd& heights_m, const M
                      Motion& motion) {
   std::vector<Index> found = motion.breaks;
   for (Index sample = 1; sample < motion.samples(); ++sample) {
-    if (motion.step_s(sample - 1) == 0.0) continue;  // stated already
+    if (motion.step_s(sample - 1) == 0.0) continue;              // stated already
+    if (!found.empty() && found.back() == sample - 1) continue;  // its slope before holds that one
     for (Index i = 0; i < heights_m.rows(); ++i) {
       if (heights_m(i, sample) > rule.height_m) continue;
       const Approach approach = approach_at(motion, heights_m, speeds_m_s, i, sample);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "hopper/candidates/candidates_spec.hpp"
 #include "hopper/check/hopper_report_spec.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/robot_spec.hpp"
@@ -29,6 +30,9 @@ struct HopperCheckOptions {
   OperatingOptions operating;
   hopper::CheckOptions check;
   std::string torques = "best";
+  std::string candidates_folder;
+  std::string ratios;
+  std::size_t threads = 1;
   std::string output_file;
   bool json = false;
 };
@@ -85,18 +89,57 @@ nlohmann::ordered_json options_json(const HopperCheckOptions& options) {
   add("residual_limit", options.check.residual_share, defaults.residual_share);
   add("load_window_s", options.check.load_window_s, defaults.load_window_s);
   add("repeat", options.check.runs, defaults.runs);
+  add("ratios", options.ratios, std::string());
   add("pause_s", options.check.pause_s, defaults.pause_s);
   return json;
 }
 
+/// Candidates, if a folder of them is given.
+struct Tried {
+  hopper::Shelf shelf;
+  std::vector<hopper::CandidateResult> results;
+};
+
+Tried try_shelf(const HopperCheckOptions& options, const hopper::ReadRobot& read,
+                const hopper::Motion& motion, const hopper::CheckOptions& check) {
+  if (options.candidates_folder.empty()) {
+    if (!options.ratios.empty()) io::refuse("--ratios", "is for --candidates");
+    return {};
+  }
+  std::optional<hopper::RatioSweep> sweep;
+  if (!options.ratios.empty()) sweep = hopper::read_ratio_sweep(options.ratios);
+  Tried tried;
+  tried.shelf = hopper::read_shelf(options.candidates_folder, read, sweep);
+  report::ProgressLine progress;
+  tried.results = hopper::try_candidates(
+      read.robot, motion, check, tried.shelf, options.threads, [&progress](double share) {
+        progress.show(fmt::format("trying candidates: {:.0f} %", 100.0 * share));
+      });
+  return tried;
+}
+
+std::string text_of(const hopper::ReadRobot& read, const hopper::Motion& motion,
+                    const hopper::HopperReport& report, const Tried& tried) {
+  std::string text = report::hopper_text(read.robot, motion, report);
+  if (tried.results.empty()) return text;
+  text += report::candidates_text(read.robot, tried.results);
+  for (const std::string& sentence : tried.shelf.left_out) {
+    text += fmt::format("not tried: {}\n", sentence);
+  }
+  return text;
+}
+
 std::string json_text(const HopperCheckOptions& options, const hopper::MotionFile& source,
-                      const hopper::ReadRobot& read, const hopper::HopperReport& report) {
+                      const hopper::ReadRobot& read, const hopper::HopperReport& report,
+                      const Tried& tried) {
   nlohmann::ordered_json document = hopper::hopper_report_json(report);
+  document["candidates"] = hopper::candidates_json(read.robot, tried.results);
   document["options"] = options_json(options);
   document["tool"] = io::tool_provenance();
   std::vector<io::Document> inputs = read.documents;
   inputs.push_back({options.trajectory_file, "", {}, report.check.sha256});
   inputs.insert(inputs.end(), source.documents.begin(), source.documents.end());
+  inputs.insert(inputs.end(), tried.shelf.documents.begin(), tried.shelf.documents.end());
   document["inputs"] = io::input_provenance(inputs);
   return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
@@ -123,8 +166,9 @@ ExitCode run(const HopperCheckOptions& options) {
     motion = hopper::read_motion(read.robot, source);
     report = hopper::check_motion(read.robot, motion, check);
   }
-  const std::string text = options.json ? json_text(options, source, read, report)
-                                        : report::hopper_text(read.robot, motion, report);
+  const Tried tried = try_shelf(options, read, motion, check);
+  const std::string text = options.json ? json_text(options, source, read, report, tried)
+                                        : text_of(read, motion, report, tried);
   if (options.output_file.empty()) {
     print_result(text);
   } else {
@@ -192,6 +236,12 @@ void add_hopper_check_command(CLI::App& hopper, ExitCode& result) {
   add_motion_options(*command, *options);
   add_physics_options(*command, options->check);
   add_operating_options(*command, options->operating);
+  command->add_option("--candidates", options->candidates_folder,
+                      "Folder of actuators and gearboxes to try in every place");
+  command->add_option("--ratios", options->ratios,
+                      "FROM:TO[:STEP]: try the candidates with these gear ratios");
+  command->add_option("--threads", options->threads, "That try candidates")
+      ->check(CLI::Range(1, 256));
   command->add_option("-o,--output", options->output_file, "Write to this file");
   command->add_flag("--json", options->json, "The report as JSON");
   command->footer(

@@ -2,6 +2,7 @@
 #include "src/report/hopper_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "src/report/check_text.hpp"
 
@@ -54,7 +55,42 @@ std::string load_line(const TransmissionLoad& load) {
   return text;
 }
 
+std::string or_unknown(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3g}", *value) : "-";
+}
+
+std::string passing_line(const CandidateResult& result) {
+  return fmt::format("  {} {:<30} {:>8.1f} {:>8} {:>8} {:>9.1f} {:>9.1f} {:>8.3g}\n",
+                     result.is_on_front ? "*" : " ", result.name, 100.0 * result.margin_share,
+                     or_unknown(result.speed_margin_rad_s), or_unknown(result.mass_kg),
+                     result.energy_J, result.copper_loss_J, result.peak_torque_Nm);
+}
+
 }  // namespace
+
+std::string candidates_text(const Robot& robot, const std::vector<CandidateResult>& results) {
+  std::string text;
+  for (std::size_t drivetrain = 0; drivetrain < robot.drivetrains.size(); ++drivetrain) {
+    const auto& names = robot.drivetrains[drivetrain].actuator_names;
+    text += fmt::format(
+        "\ncandidates for {}, by torque margin over torque at rest (* on the front of margin, "
+        "mass, energy and heat)\n    {:<30} {:>8} {:>8} {:>8} {:>9} {:>9} {:>8}\n",
+        fmt::join(names, ", "), "", "margin %", "rad/s", "kg", "energy J", "copper J", "peak Nm");
+    std::string failing;
+    for (const CandidateResult& result : results) {
+      if (result.drivetrain != drivetrain) continue;
+      if (result.verdict == actuator::Verdict::kPass) {
+        text += passing_line(result);
+      } else {
+        failing +=
+            fmt::format("  {} {:<30} {}\n", result.verdict == actuator::Verdict::kFail ? "x" : "?",
+                        result.name, result.why);
+      }
+    }
+    text += failing;
+  }
+  return text;
+}
 
 std::string hopper_text(const Robot& robot, const Motion& motion, const HopperReport& report) {
   std::string text = fmt::format("{}: {}\n", motion.file, actuator::name_of(report.check.verdict));

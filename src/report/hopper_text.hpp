@@ -3,12 +3,16 @@
 
 #include <string>
 
-#include "hopper/check/hopper_check.hpp"
+#include "hopper/candidates/candidates.hpp"
 
 namespace torquewright::report {
 
 /// What `hopper check` says: the verdict, the motion as a whole, each drive, the findings.
 std::string hopper_text(const hopper::Robot& robot, const hopper::Motion& motion,
                         const hopper::HopperReport& report);
+
+/// A table a drivetrain: who passes, by margin, and why the others do not.
+std::string candidates_text(const hopper::Robot& robot,
+                            const std::vector<hopper::CandidateResult>& results);
 
 }  // namespace torquewright::report

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/candidates/candidates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <thread>
+
+#include "actuator/check/drive_check.hpp"
+#include "actuator/joint_region.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using actuator::Verdict;
+
+/// What stays the same for all candidates, and for those of unchanged mass.
+struct Basis {
+  Motion motion;
+  ContactSchedule contacts;
+  Motion with_forces;  ///< The same with the contact forces known.
+};
+
+Basis basis_of(const Robot& robot, const Motion& motion, const CheckOptions& options) {
+  Basis basis{motion, {}, {}};
+  basis.contacts = schedule_contacts(robot, options.contact, basis.motion);
+  basis.with_forces = basis.motion;
+  if (!basis.motion.has_base) return basis;
+  basis.with_forces.forces_N = demand_of(robot, basis.motion, basis.contacts).forces_N;
+  basis.with_forces.has_forces = true;
+  return basis;
+}
+
+/// Moves mass at a point of a body: its centre and its inertia about it move too (Steiner).
+void add_mass(double mass_kg, const Eigen::Vector3d& place_m, dynamics::RigidInertia& inertia) {
+  const auto about = [](double mass, const Eigen::Vector3d& r) -> Eigen::Matrix3d {
+    return mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  };
+  const double sum_kg = inertia.mass_kg + mass_kg;
+  const Eigen::Vector3d center_m =
+      (inertia.mass_kg * inertia.center_of_mass_m + mass_kg * place_m) / sum_kg;
+  inertia.inertia_kg_m2 += about(inertia.mass_kg, inertia.center_of_mass_m - center_m) +
+                           about(mass_kg, place_m - center_m);
+  inertia.center_of_mass_m = center_m;
+  inertia.mass_kg = sum_kg;
+}
+
+/// What the candidate weighs more than the actuators it replaces; 0 where it is not known, or not
+/// where.
+double heavier_kg(const Drivetrain& drivetrain, const Candidate& candidate) {
+  if (!drivetrain.mount || !candidate.actuator.mass_kg) return 0.0;
+  double sum_kg = 0.0;
+  for (const actuator::Actuator& actuator : drivetrain.actuators) {
+    if (!actuator.mass_kg) return 0.0;
+    sum_kg += *candidate.actuator.mass_kg - *actuator.mass_kg;
+  }
+  return sum_kg;
+}
+
+Robot with(const Robot& robot, std::size_t drivetrain, const Candidate& candidate) {
+  Robot changed = robot;
+  Drivetrain& drive = changed.drivetrains[drivetrain];
+  const double more_kg = heavier_kg(drive, candidate);
+  if (more_kg != 0.0) {
+    add_mass(more_kg, drive.mount->p_B_m, changed.tree.bodies[drive.mount->body].inertia);
+  }
+  for (actuator::Actuator& actuator : drive.actuators) {
+    const std::optional<actuator::Battery> battery = actuator.battery;
+    actuator = candidate.actuator;
+    if (battery && !actuator.battery) actuator.battery = battery;
+  }
+  if (!drive.rotors_in_tree) return changed;
+  for (const std::size_t joint : drive.joints) {
+    changed.tree.bodies[joint].joint.reflected_inertia =
+        actuator::armature_kg_m2(candidate.actuator);
+  }
+  return changed;
+}
+
+double stall_torque_Nm(const actuator::Actuator& actuator, const actuator::Conditions& conditions) {
+  const actuator::JointRange range = actuator::Region(actuator, conditions).at(0.0);
+  if (range.is_empty) return 0.0;
+  return std::max(range.greatest.torque_Nm, -range.least.torque_Nm);
+}
+
+/// 1.5 R i^2 over the run, i the amplitude of a phase's current.
+double copper_loss_J(const actuator::Actuator& actuator, const actuator::Conditions& conditions,
+                     const actuator::DriveReport& report) {
+  const actuator::Machine machine = actuator::machine_at(actuator, conditions);
+  const double phase_A =
+      report.reading.rms_current_A *
+      actuator::phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
+  return 1.5 * machine.resistance_ohm * phase_A * phase_A * (report.until_s - report.from_s);
+}
+
+std::string reason(const actuator::DriveReport& report) {
+  const actuator::Reading& reading = report.reading;
+  if (reading.first) {
+    const actuator::WorstSample& first = *reading.first;
+    const std::string limit = first.limit_Nm ? fmt::format("{:.4g} Nm", *first.limit_Nm) : "none";
+    return fmt::format(
+        "{} at t = {:.4g} s: {:.4g} Nm at {:.4g} rad/s asked, {} there ({}); "
+        "{:.3g} % of the samples, {:.4g} Nm short at worst",
+        report.name, first.time_s, first.torque_Nm, first.speed_rad_s, limit,
+        actuator::name_of(first.limiter),
+        100.0 * static_cast<double>(reading.clipped_samples) / static_cast<double>(report.samples),
+        reading.worst.excess_Nm);
+  }
+  if (reading.winding && reading.winding->runs_to_limit) {
+    return fmt::format("{}: its winding passes {:.4g} K in run {}", report.name,
+                       reading.winding->limit_K, *reading.winding->runs_to_limit);
+  }
+  return fmt::format("{}: undecided, {}", report.name,
+                     "whether the file's torque includes the rotor's decides");
+}
+
+CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions& options,
+                      std::size_t drivetrain, const Candidate& candidate) {
+  CandidateResult result;
+  result.drivetrain = drivetrain;
+  result.name = candidate.name;
+  result.ratio = candidate.actuator.transmission.ratio;
+  if (const auto objections = actuator::objections(candidate.actuator, options.conditions);
+      !objections.empty()) {
+    result.verdict = Verdict::kFail;
+    result.margin_share = -1.0;
+    result.why = objections.front();
+    return result;
+  }
+  const Robot changed = with(robot, drivetrain, candidate);
+  const bool same_mass = heavier_kg(robot.drivetrains[drivetrain], candidate) == 0.0;
+  const Motion& motion = same_mass ? basis.with_forces : basis.motion;
+  const Demand demand = demand_of(changed, motion, basis.contacts);
+  const CheckedMotion checked{changed, options, motion, basis.contacts, demand};
+  const DriveTorques torques = drive_torques(checked);
+  const std::vector<SharedBus> buses = shared_buses(checked, torques.torque_Nm);
+  const DriveReports reports = check_drives(checked, torques, buses);
+  const Drivetrain& own = changed.drivetrains[drivetrain];
+  const double stall_Nm = stall_torque_Nm(candidate.actuator, options.conditions);
+  result.margin_share = std::numeric_limits<double>::infinity();
+  result.rotor_inertia_kg_m2 = actuator::armature_kg_m2(candidate.actuator);
+  if (candidate.actuator.mass_kg) {
+    result.mass_kg = *candidate.actuator.mass_kg * static_cast<double>(own.actuators.size());
+  }
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < drivetrain; ++i) first += robot.drivetrains[i].actuators.size();
+  for (std::size_t i = first; i < first + own.actuators.size(); ++i) {
+    const actuator::DriveReport& report = reports.drives[i];
+    const actuator::Reading& reading = report.reading;
+    result.margin_share = std::min(result.margin_share, reading.margin_Nm / stall_Nm);
+    result.energy_J += reading.energy_drawn_J - reading.energy_returned_J;
+    result.copper_loss_J += copper_loss_J(candidate.actuator, options.conditions, report);
+    result.peak_torque_Nm = std::max(result.peak_torque_Nm, reading.peak_torque_Nm);
+    if (reading.speed_margin_rad_s &&
+        (!result.speed_margin_rad_s || *reading.speed_margin_rad_s < *result.speed_margin_rad_s)) {
+      result.speed_margin_rad_s = reading.speed_margin_rad_s;
+    }
+    if (report.verdict == Verdict::kPass || result.verdict == Verdict::kFail) continue;
+    result.verdict = report.verdict;
+    result.why = reason(report);
+  }
+  for (const SharedBus& bus : buses) {
+    const bool is_fed = std::any_of(bus.drives.begin(), bus.drives.end(), [&](std::size_t drive) {
+      return drive >= first && drive < first + own.actuators.size();
+    });
+    if (bus.starved == 0 || !is_fed) continue;
+    result.verdict = Verdict::kFail;
+    result.why = fmt::format("the battery cannot deliver {:.4g} W at t = {:.4g} s",
+                             bus.greatest_power_W, bus.power_time_s);
+  }
+  return result;
+}
+
+/// As good in everything and better in something. Masses that are not known count as equal.
+bool dominates(const CandidateResult& one, const CandidateResult& other) {
+  const double one_kg = one.mass_kg.value_or(0.0);
+  const double other_kg = other.mass_kg.value_or(0.0);
+  const bool as_good = one.margin_share >= other.margin_share && one_kg <= other_kg &&
+                       one.energy_J <= other.energy_J && one.copper_loss_J <= other.copper_loss_J;
+  const bool better = one.margin_share > other.margin_share || one_kg < other_kg ||
+                      one.energy_J < other.energy_J || one.copper_loss_J < other.copper_loss_J;
+  return as_good && better;
+}
+
+void mark_front(std::vector<CandidateResult>& results) {
+  for (CandidateResult& result : results) {
+    result.is_on_front =
+        result.verdict == Verdict::kPass &&
+        std::none_of(results.begin(), results.end(), [&](const CandidateResult& other) {
+          return other.drivetrain == result.drivetrain && other.verdict == Verdict::kPass &&
+                 dominates(other, result);
+        });
+  }
+}
+
+void rank(std::vector<CandidateResult>& results) {
+  std::stable_sort(results.begin(), results.end(),
+                   [](const CandidateResult& one, const CandidateResult& other) {
+                     if (one.drivetrain != other.drivetrain) {
+                       return one.drivetrain < other.drivetrain;
+                     }
+                     const bool passes = one.verdict == Verdict::kPass;
+                     if (passes != (other.verdict == Verdict::kPass)) return passes;
+                     return one.margin_share > other.margin_share;
+                   });
+}
+
+}  // namespace
+
+std::vector<CandidateResult> try_candidates(const Robot& robot, const Motion& motion,
+                                            const CheckOptions& options, const Shelf& shelf,
+                                            std::size_t threads,
+                                            const std::function<void(double)>& on_progress) {
+  const Basis basis = basis_of(robot, motion, options);
+  CheckOptions quiet = options;
+  quiet.keep_traces = false;
+  struct Task {
+    std::size_t drivetrain;
+    const Candidate* candidate;
+  };
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < shelf.by_drivetrain.size(); ++i) {
+    for (const Candidate& candidate : shelf.by_drivetrain[i]) tasks.push_back({i, &candidate});
+  }
+  std::vector<CandidateResult> results(tasks.size());
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::exception_ptr> failures(threads);
+  const auto work = [&](std::size_t thread) {
+    try {
+      for (std::size_t i = next++; i < tasks.size(); i = next++) {
+        results[i] = judge(robot, basis, quiet, tasks[i].drivetrain, *tasks[i].candidate);
+        if (thread == 0 && on_progress) {
+          on_progress(static_cast<double>(i) / static_cast<double>(tasks.size()));
+        }
+      }
+    } catch (...) {
+      failures[thread] = std::current_exception();
+      next = tasks.size();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work, i);
+    work(0);
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  mark_front(results);
+  rank(results);
+  return results;
+}
+
+}  // namespace torquewright::hopper

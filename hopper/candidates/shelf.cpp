@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/candidates/shelf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "actuator/actuator_spec.hpp"
+#include "io/refusal.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostRatios = 1000;
+constexpr double kRoundOff = 1e-9;
+
+std::vector<fs::path> documents_in(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) io::refuse(folder.string(), "is no folder");
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  if (error) io::refuse_unreadable(folder.string(), error.value());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool is_gearbox(const io::Document& document) {
+  const std::string kind = document.root["kind"];
+  return kind == "gearbox" || kind == "gearbox_result";
+}
+
+/// The drivetrain's own actuator behind another gearbox.
+actuator::ReadActuator behind(const ReadRobot& robot, const Drivetrain& drivetrain,
+                              const fs::path& gearbox) {
+  const std::string wanted = fs::path(drivetrain.actuator_files.front()).filename().string();
+  for (const io::Document& document : robot.documents) {
+    if (document.root.value("kind", "") != "actuator") continue;
+    if (fs::path(document.file).filename().string() != wanted) continue;
+    io::Document changed = document;
+    changed.root["gearbox"] = {{"file", fs::absolute(gearbox).string()}};
+    return actuator::read_actuator(std::move(changed));
+  }
+  io::refuse(gearbox.string(), "found no motor to put it behind");
+}
+
+void add(const Candidate& candidate, const std::optional<RatioSweep>& sweep,
+         std::vector<Candidate>& candidates) {
+  if (!sweep) {
+    candidates.push_back(candidate);
+    return;
+  }
+  for (const double ratio : sweep->ratios()) {
+    Candidate& changed = candidates.emplace_back(candidate);
+    changed.name = fmt::format("{} {:g}:1", candidate.name, ratio);
+    actuator::Transmission& gear = changed.actuator.transmission;
+    gear.ratio = std::copysign(ratio, gear.ratio);
+  }
+}
+
+double read_number(const std::string& text, const std::string& part) {
+  double value = 0.0;
+  const char* end = part.data() + part.size();
+  const auto [rest, error] = std::from_chars(part.data(), end, value);
+  if (error != std::errc() || rest != end || !std::isfinite(value) || value <= 0.0) {
+    io::refuse("--ratios", fmt::format("\"{}\": \"{}\" is not a number above 0; the form is "
+                                       "FROM:TO or FROM:TO:STEP",
+                                       text, part));
+  }
+  return value;
+}
+
+}  // namespace
+
+std::vector<double> RatioSweep::ratios() const {
+  std::vector<double> all;
+  const auto count = static_cast<std::size_t>(std::floor((to - from) / step + kRoundOff)) + 1;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(from + static_cast<double>(i) * step);
+  return all;
+}
+
+RatioSweep read_ratio_sweep(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ':') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  if (parts.size() < 2 || parts.size() > 3) {
+    io::refuse("--ratios", fmt::format("\"{}\": the form is FROM:TO or FROM:TO:STEP", text));
+  }
+  RatioSweep sweep{read_number(text, parts[0]), read_number(text, parts[1]), 1.0};
+  if (parts.size() == 3) sweep.step = read_number(text, parts[2]);
+  if (sweep.from > sweep.to) {
+    io::refuse("--ratios", fmt::format("\"{}\": {:g} lies above {:g}", text, sweep.from, sweep.to));
+  }
+  if ((sweep.to - sweep.from) / sweep.step >= static_cast<double>(kMostRatios)) {
+    io::refuse("--ratios", fmt::format("\"{}\": more than {} ratios", text, kMostRatios));
+  }
+  return sweep;
+}
+
+Shelf read_shelf(const fs::path& folder, const ReadRobot& robot,
+                 const std::optional<RatioSweep>& sweep) {
+  Shelf shelf;
+  shelf.by_drivetrain.resize(robot.robot.drivetrains.size());
+  for (const fs::path& file : documents_in(folder)) {
+    const std::string name = file.stem().string();
+    try {
+      io::Document document = io::read_document(file, {"actuator", "gearbox", "gearbox_result"});
+      shelf.documents.push_back(document);
+      const bool gears = is_gearbox(document);
+      std::optional<actuator::ReadActuator> whole;
+      if (!gears) whole = actuator::read_actuator(std::move(document));
+      for (std::size_t i = 0; i < shelf.by_drivetrain.size(); ++i) {
+        const actuator::ReadActuator read =
+            gears ? behind(robot, robot.robot.drivetrains[i], file) : *whole;
+        add({name, read.actuator}, sweep, shelf.by_drivetrain[i]);
+      }
+    } catch (const io::SpecError& error) {
+      shelf.left_out.push_back(fmt::format("{}: {}", name, error.faults().front().message));
+    }
+  }
+  const bool is_bare = std::all_of(shelf.by_drivetrain.begin(), shelf.by_drivetrain.end(),
+                                   [](const auto& candidates) { return candidates.empty(); });
+  if (is_bare) io::refuse(folder.string(), "holds no actuator and no gearbox");
+  return shelf;
+}
+
+}  // namespace torquewright::hopper
