@@ -45,7 +45,12 @@ class MechanismReader {
 
   void read_one(const json& keys, const std::string& path) {
     Drivetrain drivetrain;
-    const MechanismType& type = type_of(keys["type"]);
+    std::vector<std::string> types;
+    for (const MechanismType* type : mechanism_types()) types.emplace_back(type->name);
+    const auto index =
+        find_name(types, keys["type"], "mechanism", {file_, path + "/type", ""}, faults_);
+    if (!index) return;
+    const MechanismType& type = *mechanism_types()[*index];
     const std::size_t needed = type.joints;
     for (const char* key : {"joints", "actuators"}) {
       if (keys[key].size() == needed) continue;
@@ -65,12 +70,6 @@ class MechanismReader {
       reach_faults(robot_.tree, drivetrain, {file_, path, ""}, faults_);
     }
     robot_.drivetrains.push_back(std::move(drivetrain));
-  }
-
-  static const MechanismType& type_of(const std::string& name) {
-    const auto types = mechanism_types();  // the schema allows these names only
-    return **std::find_if(types.begin(), types.end(),
-                          [&](const MechanismType* type) { return type->name == name; });
   }
 
   /// Of one actuator on one joint: the joint's. Else as stated, or the joints' with a number.

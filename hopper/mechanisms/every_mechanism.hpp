@@ -4,7 +4,8 @@
 #include "hopper/mechanisms/mechanism_type.hpp"
 
 // One line for each type; its file defines the constant of that name.
-#define TORQUEWRIGHT_EVERY_MECHANISM(type) type(direct) type(parallel)
+#define TORQUEWRIGHT_EVERY_MECHANISM(type) \
+  type(direct) type(parallel) type(four_bar) type(parallel_ankle)
 
 namespace torquewright::hopper::mechanisms {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -23,6 +24,8 @@ struct MechanismKeys {
   std::vector<io::Fault>& faults;
 
   double number(const char* key, double otherwise = 0.0) const;
+  /// Whether no joint slides; adds a fault for each that does.
+  bool turn_only() const;
   /// Adds a fault at the key, a pointer below the mechanism: "/branch".
   void report(const std::string& key, std::string message) const;
 };
