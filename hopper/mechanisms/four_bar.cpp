@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kInLine = 1e-9;             // sine of the angle between links
+constexpr double kInLine = 1e-7;  // sine of the angle between links: roundings of acos() near 1
 constexpr double kTransmissionLimit = 0.52;  // 30 degrees, the usual least of textbooks
 constexpr double kTurn = 2 * std::numbers::pi;
 

@@ -18,7 +18,8 @@ using Eigen::Matrix2d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kInLine = 1e-9;  // sine of the angle between rod and crank, and of both levers
+constexpr double kInLine = 1e-7;  // sine of the angle between rod and crank, and of both levers:
+                                  // roundings of acos() near 1
 constexpr double kTurn = 2 * std::numbers::pi;
 
 Matrix3d turn(const Vector3d& axis, double angle_rad) {
