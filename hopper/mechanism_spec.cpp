@@ -4,23 +4,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include "actuator/actuator_spec.hpp"
 #include "actuator/check/drive_check.hpp"
 #include "hopper/find_name.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
+#include "hopper/mechanism_reach.hpp"
+#include "hopper/mechanisms/mechanism_type.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kSingular = 1e-9;  // determinant of a Jacobian scaled to 1
 
 class MechanismReader {
  public:
@@ -48,8 +45,13 @@ class MechanismReader {
 
   void read_one(const json& keys, const std::string& path) {
     Drivetrain drivetrain;
-    const bool direct = keys["type"] == "direct";
-    const std::size_t needed = direct ? 1 : 2;
+    std::vector<std::string> types;
+    for (const MechanismType* type : mechanism_types()) types.emplace_back(type->name);
+    const auto index =
+        find_name(types, keys["type"], "mechanism", {file_, path + "/type", ""}, faults_);
+    if (!index) return;
+    const MechanismType& type = *mechanism_types()[*index];
+    const std::size_t needed = type.joints;
     for (const char* key : {"joints", "actuators"}) {
       if (keys[key].size() == needed) continue;
       report(fmt::format("{}/{}", path, key),
@@ -60,15 +62,12 @@ class MechanismReader {
     }
     for (const json& file : keys["actuators"]) read_actuator(file, drivetrain);
     read_names(keys, path, drivetrain);
-    if (keys.contains("jacobian") == direct) {
-      report(path + "/jacobian", direct ? "is for parallel mechanisms" : "missing");
-    } else if (!direct) {
-      read_jacobian(keys["jacobian"], path + "/jacobian", drivetrain);
-    }
-    if (direct) drivetrain.mechanism = std::make_shared<ConstantJacobian>(direct_drive());
+    const MechanismKeys own{keys, robot_.tree, drivetrain.joints, {file_, path, ""}, faults_};
+    if (has_right_keys(type, own)) drivetrain.mechanism = type.read(own);
     const std::size_t driven = drivetrain.joints.size();
     if (driven == needed && driven == drivetrain.actuators.size() && drivetrain.mechanism) {
       reflect(drivetrain);
+      reach_faults(robot_.tree, drivetrain, {file_, path, ""}, faults_);
     }
     robot_.drivetrains.push_back(std::move(drivetrain));
   }
@@ -113,18 +112,6 @@ class MechanismReader {
     }
   }
 
-  void read_jacobian(const json& rows, const std::string& path, Drivetrain& drivetrain) {
-    SmallMatrix jacobian(2, 2);
-    jacobian << rows[0][0].get<double>(), rows[0][1].get<double>(), rows[1][0].get<double>(),
-        rows[1][1].get<double>();
-    const double scale = jacobian.cwiseAbs().maxCoeff();
-    if (!(std::abs(jacobian.determinant()) > kSingular * scale * scale)) {
-      report(path, "is singular: some motion of the joints moves no actuator");
-    } else {
-      drivetrain.mechanism = std::make_shared<ConstantJacobian>("parallel", jacobian);
-    }
-  }
-
   bool states_inertia(const std::string& joint) const {
     const auto found = std::find(joint_names_.begin(), joint_names_.end(), joint);
     const auto index = static_cast<std::size_t>(found - joint_names_.begin());
@@ -132,19 +119,22 @@ class MechanismReader {
     return keys.contains("reflected_inertia_kg_m2") || keys.contains("reflected_mass_kg");
   }
 
-  /// What joints state of reflected inertia holds; else one actuator's stands in its joint, and
-  /// those of two, which couple their joints, are left to the drivetrain.
+  /// What joints state of reflected inertia holds. Else that of one actuator at a constant ratio
+  /// stands in its joint; what changes with posture, or couples joints, is left to the drivetrain.
   void reflect(Drivetrain& drivetrain) {
     for (const std::size_t body : drivetrain.joints) {
       if (states_inertia(robot_.tree.bodies[body].joint.name)) return;
     }
-    if (drivetrain.mechanism->type() != "direct") {
+    const auto jacobian = drivetrain.mechanism->constant_jacobian();
+    if (!jacobian || drivetrain.joints.size() > 1) {
       drivetrain.rotors_in_tree = false;
       return;
     }
     dynamics::Joint& joint = robot_.tree.bodies[drivetrain.joints.front()].joint;
     if (joint.kind == dynamics::JointKind::kPrismatic) return;  // of a screw no lead is known
-    joint.reflected_inertia = actuator::armature_kg_m2(drivetrain.actuators.front());
+    const double ratio = (*jacobian)(0, 0);
+    joint.reflected_inertia =
+        ratio * ratio * actuator::armature_kg_m2(drivetrain.actuators.front());
   }
 
   Robot& robot_;

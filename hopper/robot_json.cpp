@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/robot_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hopper/files/rotations.hpp"
@@ -43,7 +44,18 @@ ordered_json body_json(const dynamics::Body& body) {
   return keys;
 }
 
-ordered_json joint_json(const dynamics::Body& body, const std::string& parent) {
+/// A joint that states an inertia takes none from its actuators, so zero may not be said of one.
+bool has_rotors_elsewhere(const Robot& robot, std::size_t body) {
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    if (drivetrain.rotors_in_tree) continue;
+    if (std::count(drivetrain.joints.begin(), drivetrain.joints.end(), body) > 0) return true;
+  }
+  return false;
+}
+
+ordered_json joint_json(const Robot& robot, std::size_t index) {
+  const dynamics::Body& body = robot.tree.bodies[index];
+  const std::string& parent = robot.tree.bodies[body.parent].name;
   const dynamics::Joint& joint = body.joint;
   const bool turns = joint.kind == JointKind::kRevolute;
   ordered_json keys;
@@ -63,7 +75,9 @@ ordered_json joint_json(const dynamics::Body& body, const std::string& parent) {
   if (std::isfinite(limits.effort_max)) {
     keys[turns ? "torque_limit_Nm" : "force_limit_N"] = limits.effort_max;
   }
-  keys[turns ? "reflected_inertia_kg_m2" : "reflected_mass_kg"] = joint.reflected_inertia;
+  if (!has_rotors_elsewhere(robot, index)) {
+    keys[turns ? "reflected_inertia_kg_m2" : "reflected_mass_kg"] = joint.reflected_inertia;
+  }
   if (!joint.rotor_spin_kg_m2.isZero(0)) {
     keys["rotor_spin_kg_m2"] = list_of(joint.rotor_spin_kg_m2);
   }
@@ -96,7 +110,7 @@ ordered_json robot_json(const Robot& robot) {
   document["joints"] = ordered_json::array();
   for (const dynamics::Body& body : bodies) document["bodies"].push_back(body_json(body));
   for (std::size_t i = 1; i < bodies.size(); ++i) {
-    document["joints"].push_back(joint_json(bodies[i], bodies[bodies[i].parent].name));
+    document["joints"].push_back(joint_json(robot, i));
   }
   for (const ContactPoint& contact : robot.contacts) {
     document["contacts"].push_back({{"name", contact.name},

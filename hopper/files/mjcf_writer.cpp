@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "hopper/files/rotors_in_joints.hpp"
 #include "hopper/files/xml_text.hpp"
 
 namespace torquewright::hopper {
@@ -78,22 +79,23 @@ void write_joint(tinyxml2::XMLPrinter& out, const dynamics::Joint& joint) {
   out.CloseElement();
 }
 
-void write_body(tinyxml2::XMLPrinter& out, const Robot& robot, std::size_t index) {
-  const std::vector<Body>& bodies = robot.tree.bodies;
+void write_body(tinyxml2::XMLPrinter& out, const dynamics::Tree& tree,
+                const std::vector<ContactPoint>& contacts, std::size_t index) {
+  const std::vector<Body>& bodies = tree.bodies;
   const Body& body = bodies[index];
   out.OpenElement("body");
   out.PushAttribute("name", body.name.c_str());
-  if (index > 0 || robot.tree.base == BaseKind::kFixed) {
+  if (index > 0 || tree.base == BaseKind::kFixed) {
     out.PushAttribute("pos", text_of(body.joint.p_PB_m).c_str());
     out.PushAttribute("quat", quaternion_text(body.joint.R_PB).c_str());
   }
   if (index == 0) {
-    write_base(out, robot.tree.base);
+    write_base(out, tree.base);
   } else {
     write_joint(out, body.joint);
   }
   write_inertial(out, body.inertia);
-  for (const ContactPoint& contact : robot.contacts) {
+  for (const ContactPoint& contact : contacts) {
     if (contact.point.body != index) continue;
     out.OpenElement("site");
     out.PushAttribute("name", contact.name.c_str());
@@ -101,7 +103,7 @@ void write_body(tinyxml2::XMLPrinter& out, const Robot& robot, std::size_t index
     out.CloseElement();
   }
   for (std::size_t i = index + 1; i < bodies.size(); ++i) {
-    if (bodies[i].parent == index) write_body(out, robot, i);
+    if (bodies[i].parent == index) write_body(out, tree, contacts, i);
   }
   out.CloseElement();
 }
@@ -127,6 +129,7 @@ void write_motors(tinyxml2::XMLPrinter& out, const dynamics::Tree& tree) {
 Exported mjcf_of(const Robot& robot) {
   Exported exported;
   exported.notes.emplace_back("speed limits of joints are not held");
+  const dynamics::Tree tree = tree_with_rotors(robot, exported.notes);
   add_common_notes(robot, exported.notes);
   tinyxml2::XMLPrinter out;
   write_notes(out, exported.notes);
@@ -136,12 +139,12 @@ Exported mjcf_of(const Robot& robot) {
   out.PushAttribute("angle", "radian");
   out.CloseElement();
   out.OpenElement("option");
-  out.PushAttribute("gravity", text_of({0, 0, -robot.tree.gravity_m_s2}).c_str());
+  out.PushAttribute("gravity", text_of({0, 0, -tree.gravity_m_s2}).c_str());
   out.CloseElement();
   out.OpenElement("worldbody");
-  write_body(out, robot, 0);
+  write_body(out, tree, robot.contacts, 0);
   out.CloseElement();
-  write_motors(out, robot.tree);
+  write_motors(out, tree);
   out.CloseElement();
   exported.text = out.CStr();
   return exported;

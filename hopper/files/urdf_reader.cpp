@@ -23,7 +23,8 @@ using tinyxml2::XMLElement;
 
 class UrdfReader {
  public:
-  explicit UrdfReader(const std::filesystem::path& file) : file_(file.string()), xml_(file, "robot") {}
+  explicit UrdfReader(const std::filesystem::path& file)
+      : file_(file.string()), xml_(file, "robot") {}
 
   Imported read() {
     imported_.robot.name = attribute(xml_.root(), "name");

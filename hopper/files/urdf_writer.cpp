@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hopper/files/rotations.hpp"
+#include "hopper/files/rotors_in_joints.hpp"
 #include "hopper/files/xml_text.hpp"
 
 namespace torquewright::hopper {
@@ -136,13 +137,14 @@ std::vector<std::string> notes_of(const Robot& robot) {
 Exported urdf_of(const Robot& robot) {
   Exported exported;
   exported.notes = notes_of(robot);
+  const dynamics::Tree tree = tree_with_rotors(robot, exported.notes);
   tinyxml2::XMLPrinter out;
   write_notes(out, exported.notes);
   out.OpenElement("robot");
   out.PushAttribute("name", robot.name.c_str());
   out.PushAttribute("xmlns:drake", "https://drake.mit.edu");
-  const std::vector<Body>& bodies = robot.tree.bodies;
-  if (robot.tree.base == dynamics::BaseKind::kFixed) write_world(out, bodies.front());
+  const std::vector<Body>& bodies = tree.bodies;
+  if (tree.base == dynamics::BaseKind::kFixed) write_world(out, bodies.front());
   for (const Body& body : bodies) write_link(out, body);
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     write_joint(out, bodies[i], bodies[bodies[i].parent].name);

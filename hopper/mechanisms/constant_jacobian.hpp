@@ -15,6 +15,7 @@ class ConstantJacobian : public Mechanism {
   Eigen::Index size() const override { return jacobian_.rows(); }
   std::optional<Transfer> transfer(const SmallVector& joint_rad,
                                    const SmallVector& joint_rad_s) const override;
+  std::optional<SmallMatrix> constant_jacobian() const override { return jacobian_; }
   nlohmann::ordered_json keys() const override;
 
  private:

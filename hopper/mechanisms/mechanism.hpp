@@ -47,15 +47,25 @@ class Mechanism {
                                            const SmallVector& joint_rad_s) const = 0;
   /// At a posture; empty: nothing limits it but the joints.
   virtual std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const;
+  /// Where it is the same in every posture.
+  virtual std::optional<SmallMatrix> constant_jacobian() const { return std::nullopt; }
   /// Its own keys in a document, beside type, joints and actuators.
   virtual nlohmann::ordered_json keys() const = 0;
 };
 
-/// J^T torques of the actuators.
+/// J^T torques of the actuators. docs/derivations/mechanisms.md eqs. (1)-(4) for these four.
 SmallVector joint_torque_Nm(const Transfer& transfer, const SmallVector& actuator_Nm);
 
 /// The actuators' torques that make these at the joints. Requires a Jacobian that is not singular,
 /// as those of Mechanism::transfer() are.
 SmallVector actuator_torque_Nm(const Transfer& transfer, const SmallVector& joint_Nm);
+
+/// J^T diag(armature) J: what the rotors weigh at the joints. Armatures are N^2 J, one per
+/// actuator.
+SmallMatrix reflected_inertia_kg_m2(const Transfer& transfer, const SmallVector& armature_kg_m2);
+
+/// What turning the rotors takes at the joints, J^T diag(armature) (J q'' + J' q').
+SmallVector rotor_torque_Nm(const Transfer& transfer, const SmallVector& armature_kg_m2,
+                            const SmallVector& joint_rad_s, const SmallVector& joint_rad_s2);
 
 }  // namespace torquewright::hopper

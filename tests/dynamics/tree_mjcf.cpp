@@ -48,7 +48,7 @@ std::string body_text(const Tree& tree, std::size_t index) {
   const Body& body = tree.bodies[index];
   const bool placed = index > 0 || tree.base == BaseKind::kFixed;
   std::string result =
-      fmt::format(R"(<body pos="{}" quat="{}">)",
+      fmt::format(R"(<body name="{}" pos="{}" quat="{}">)", body.name,
                   text(placed ? body.joint.p_PB_m : Eigen::Vector3d(Eigen::Vector3d::Zero())),
                   placed ? quaternion_text(body.joint.R_PB) : "1 0 0 0");
   result += joints_of(tree, index) + inertial(body.inertia);

@@ -4,6 +4,7 @@
 
 #include "dynamics/mass_matrix.hpp"
 #include "hopper/files/mjcf_writer.hpp"
+#include "hopper/files/rotors_in_joints.hpp"
 #include "hopper/robot_spec.hpp"
 #include "tests/dynamics/mujoco_engine.hpp"
 #include "tests/dynamics/tree_mjcf.hpp"
@@ -55,7 +56,12 @@ TEST(ExportedMjcf, HasOurMassMatrixInMujoco) {
   }
   for (const char* name : {"hopper", "rabbit"}) {
     const std::string file = std::string(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/") + name + ".json";
-    EXPECT_LE(mass_difference(read_robot(file).robot), 1e-9) << name;
+    Robot robot = read_robot(file).robot;
+    // What the file holds of rotors behind linkages, which have their own test.
+    std::vector<std::string> notes;
+    robot.tree = tree_with_rotors(robot, notes);
+    robot.drivetrains.clear();
+    EXPECT_LE(mass_difference(robot), 1e-9) << name;
   }
 }
 

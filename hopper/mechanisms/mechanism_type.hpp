@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dynamics/tree.hpp"
+#include "hopper/mechanisms/mechanism.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::hopper {
+
+/// A mechanism's part of a document, of the schema's shape. All its needed keys are there.
+struct MechanismKeys {
+  const nlohmann::json& keys;
+  const dynamics::Tree& tree;
+  const std::vector<std::size_t>& joints;  ///< By their bodies; fewer where names are wrong.
+  io::Fault place;                         ///< Of the mechanism; its message is empty.
+  std::vector<io::Fault>& faults;
+
+  double number(const char* key, double otherwise = 0.0) const;
+  /// Whether no joint slides; adds a fault for each that does.
+  bool turn_only() const;
+  /// Adds a fault at the key, a pointer below the mechanism: "/branch".
+  void report(const std::string& key, std::string message) const;
+};
+
+/// One kind of mechanism: what documents call it and how it is read.
+struct MechanismType {
+  std::string_view name;
+  std::size_t joints;
+  std::span<const std::string_view> needs;      ///< Keys of its own.
+  std::span<const std::string_view> may_state;  ///< Further keys of its own.
+  /// Null where it added a fault, or where joints are missing that it needs to know.
+  std::shared_ptr<const Mechanism> (*read)(const MechanismKeys& keys);
+};
+
+/// All that documents may name.
+std::span<const MechanismType* const> mechanism_types();
+
+/// Adds a fault for each key of other types, and for each one that is needed and missing; whether
+/// there was none.
+bool has_right_keys(const MechanismType& type, const MechanismKeys& keys);
+
+}  // namespace torquewright::hopper
