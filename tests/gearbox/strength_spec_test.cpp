@@ -117,6 +117,9 @@ TEST(StageWithMostTeeth, IsThatOfTheEnumeration) {
     EXPECT_EQ(teeth[2], 7 * teeth[0]);
   }
   EXPECT_TRUE(stage_with_most_teeth(stage, 1.0, 90).empty());  // 12 teeth: undercut
+  GearTrain crowded = stage;
+  crowded.planet_count = 4;  // 2 a sin(45) = 2.83 S is less than the planets' 3 S
+  EXPECT_TRUE(stage_with_most_teeth(crowded, .5, 90).empty());
 }
 
 TEST(StrengthVariants, AreModulesTimesWidths) {

@@ -91,6 +91,18 @@ TEST(FlankStress, IsTheHertzianPressure) {
               factor * hertz_MPa(63, 147, true, force_N), 1e-8);
 }
 
+// A planet smaller than the sun: its point of single contact is the worse one.
+TEST(FlankStress, OfASmallPlanetIsAtItsOwnPoint) {
+  StrengthCase strength = d110a_strength();
+  strength.train.teeth = {42, 18, 78};
+  const auto loads = tooth_loads(strength, 21);
+  const double factor = std::sqrt(1.1 * 1.3);
+  const double force_N = 21 / (3 * 12.6e-3);
+  const double planet_MPa = factor * hertz_MPa(18, 42, false, force_N);
+  EXPECT_NEAR(at(loads, "planet", "sun_planet").flank.stress_MPa, planet_MPa, 1e-8);
+  EXPECT_LT(at(loads, "sun", "sun_planet").flank.stress_MPa, planet_MPa);
+}
+
 // Law: root stress goes with torque over face width, pressure with the root of it; the second
 // layer's width moves the second layer only.
 TEST(Stresses, ScaleWithTorqueAndWidth) {
