@@ -113,6 +113,13 @@ ordered_json robot_json(const Robot& robot) {
                                              {"center_m", list_of(sphere.center.p_B_m)},
                                              {"radius_m", sphere.radius_m}});
   }
+  for (const Posture& posture : robot.postures) {
+    document["postures"][posture.name] = ordered_json::object();
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      document["postures"][posture.name][bodies[i].joint.name] =
+          posture.joints[static_cast<Eigen::Index>(i) - 1];
+    }
+  }
   if (!robot.assumed.empty()) document["assumed"] = robot.assumed;
   return document;
 }
