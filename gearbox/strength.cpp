@@ -45,6 +45,11 @@ double outer_single_contact_diameter(double teeth, double tip_diameter, double c
   return 2.0 * std::sqrt(square(reach) + square(base));
 }
 
+/// Y_S of s_Fn/h_F and the notch parameter s_Fn/(2 rho_F).
+double stress_concentration(double slenderness, double notch) {
+  return (1.2 + 0.13 * slenderness) * std::pow(notch, 1.0 / (1.21 + 2.3 / slenderness));
+}
+
 }  // namespace
 
 double lewis_form_factor(double teeth) { return std::numbers::pi * (0.154 - 0.912 / teeth); }
@@ -67,10 +72,21 @@ RootFactors din3990_root_factors(double teeth, double shift, double tip_diameter
       ((std::cos(half_tooth_rad) - std::sin(half_tooth_rad) * std::tan(load_rad)) * load_diameter -
        teeth * std::cos(std::numbers::pi / 3.0 - root.fillet_angle_rad) -
        root.fillet_offset / std::cos(root.fillet_angle_rad) + tool.root_radius);
-  const double slenderness = root.chord / lever;
-  const double notch = root.chord / (2.0 * root.fillet_radius);
   return {6.0 * lever * std::cos(load_rad) / (square(root.chord) * kReferenceCosine),
-          (1.2 + 0.13 * slenderness) * std::pow(notch, 1.0 / (1.21 + 2.3 / slenderness))};
+          stress_concentration(root.chord / lever, root.chord / (2.0 * root.fillet_radius))};
+}
+
+RootFactors din3990_ring_root_factors(double height, const RackTool& tool) {
+  const double radius = tool.root_radius;
+  const double quarter = std::numbers::pi / 4.0;
+  const double chord =
+      2.0 * (quarter + kReferenceTangent * (tool.dedendum - radius) + radius / kReferenceCosine -
+             radius * std::cos(std::numbers::pi / 6.0));
+  const double lever = height -
+                       (quarter + (tool.dedendum - height) * kReferenceTangent) * kReferenceTangent -
+                       radius / 2.0;
+  // The load angle is that of the rack, so its cosine falls out of Y_F; rho_F is half of rho_fP.
+  return {6.0 * lever / square(chord), stress_concentration(chord / lever, chord / radius)};
 }
 
 double contact_ratio_factor(double contact_ratio) { return 0.25 + 0.75 / contact_ratio; }
@@ -106,8 +122,11 @@ double single_contact_factor(const ContactPair& pair, double tip_diameter_1,
   };
   const double inner_1 =
       tip_tangent(tip_diameter_1, pair.teeth_1) - 2.0 * std::numbers::pi / pair.teeth_1;
-  const double inner_2 = tip_tangent(tip_diameter_2, pair.teeth_2) -
-                         (pair.contact_ratio - 1.0) * 2.0 * std::numbers::pi / pair.teeth_2;
+  // The ring's radius of curvature grows towards the planet's tip, an external mate's shrinks.
+  const double towards_tip_1 = pair.internal ? 1.0 : -1.0;
+  const double inner_2 =
+      tip_tangent(tip_diameter_2, pair.teeth_2) +
+      towards_tip_1 * (pair.contact_ratio - 1.0) * 2.0 * std::numbers::pi / pair.teeth_2;
   return std::max(1.0, std::tan(pair.working_angle_rad) / std::sqrt(inner_1 * inner_2));
 }
 

@@ -29,6 +29,10 @@ struct RootFactors {
 RootFactors din3990_root_factors(double teeth, double shift, double tip_diameter_in_modules,
                                  double contact_ratio, const RackTool& tool);
 
+/// Y_Fa and Y_Sa of a ring, load at its tip: a rack's tooth, whatever the ring's teeth. Its height
+/// from tip to root in modules. docs/derivations/strength.md eq. (6).
+RootFactors din3990_ring_root_factors(double tooth_height_in_modules, const RackTool& tool);
+
 /// Y_eps = 0.25 + 0.75/eps_alpha, which goes with tip factors only. Dimensionless.
 double contact_ratio_factor(double contact_ratio);
 
@@ -56,8 +60,8 @@ struct ContactPair {
 double contact_stress_MPa(const ContactPair& pair, double tangential_force_N,
                           double elasticity_factor);
 
-/// Z_B of an external pair: pressure at the inner point of single contact of gear 1 over that at
-/// the pitch point, at least 1. Tip diameters in modules.
+/// Z_B: pressure at the inner point of single contact of gear 1 over that at the pitch point, at
+/// least 1. Tip diameters in modules. Requires contact that stays outside the base circles.
 double single_contact_factor(const ContactPair& pair, double tip_diameter_1, double tip_diameter_2);
 
 }  // namespace torquewright::gearbox

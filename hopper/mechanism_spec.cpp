@@ -13,6 +13,7 @@
 #include "hopper/find_name.hpp"
 #include "hopper/mechanism_reach.hpp"
 #include "hopper/mechanisms/mechanism_type.hpp"
+#include "hopper/transmission_limit_spec.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -62,6 +63,12 @@ class MechanismReader {
     }
     for (const json& file : keys["actuators"]) read_actuator(file, drivetrain);
     read_names(keys, path, drivetrain);
+    if (keys.contains("mounted_on")) read_mount(keys["mounted_on"], path, drivetrain);
+    if (keys.contains("transmission_limit")) {
+      drivetrain.transmission_limit =
+          read_transmission_limit(keys["transmission_limit"],
+                                  {file_, path + "/transmission_limit", ""}, documents_, faults_);
+    }
     const MechanismKeys own{keys, robot_.tree, drivetrain.joints, {file_, path, ""}, faults_};
     if (has_right_keys(type, own)) drivetrain.mechanism = type.read(own);
     const std::size_t driven = drivetrain.joints.size();
@@ -90,6 +97,15 @@ class MechanismReader {
     }
   }
 
+  void read_mount(const json& keys, const std::string& path, Drivetrain& drivetrain) {
+    std::vector<std::string> bodies;
+    for (const dynamics::Body& body : robot_.tree.bodies) bodies.push_back(body.name);
+    const auto body =
+        find_name(bodies, keys["body"], "body", {file_, path + "/mounted_on/body", ""}, faults_);
+    const json& place = keys["position_m"];
+    if (body) drivetrain.mount = {*body, {place[0], place[1], place[2]}};
+  }
+
   /// A joint may be driven once.
   void claim(const std::string& name, const std::string& path, Drivetrain& drivetrain) {
     if (!find_name(joint_names_, name, "joint", {file_, path, ""}, faults_)) return;
@@ -103,8 +119,13 @@ class MechanismReader {
   void read_actuator(const std::string& name, Drivetrain& drivetrain) {
     drivetrain.actuator_files.push_back(name);
     try {
-      actuator::ReadActuator read =
-          actuator::read_actuator(std::filesystem::path(file_).parent_path() / name);
+      io::Document document =
+          io::read_document(std::filesystem::path(file_).parent_path() / name, "actuator");
+      // The robot's battery feeds every drive that states none of its own.
+      if (root_.contains("battery") && !document.root.contains("battery")) {
+        document.root["battery"] = root_["battery"];
+      }
+      actuator::ReadActuator read = actuator::read_actuator(std::move(document));
       drivetrain.actuators.push_back(std::move(read.actuator));
       std::move(read.documents.begin(), read.documents.end(), std::back_inserter(documents_));
     } catch (const io::SpecError& error) {

@@ -10,6 +10,7 @@
 #include "dynamics/point.hpp"
 #include "dynamics/tree.hpp"
 #include "hopper/mechanisms/mechanism.hpp"
+#include "hopper/posture.hpp"
 #include "hopper/transmission_limit.hpp"
 
 namespace torquewright::hopper {
@@ -47,6 +48,7 @@ struct Robot {
   std::vector<ContactPoint> contacts;
   std::vector<Drivetrain> drivetrains;
   std::vector<CollisionSphere> spheres;
+  std::vector<Posture> postures;  ///< By name.
   std::vector<std::string> assumed;  ///< JSON pointers into its document.
 
   /// Index of the body that the joint carries; none if no joint has that name.

@@ -93,6 +93,15 @@ ordered_json drivetrain_json(const Robot& robot, const Drivetrain& drivetrain) {
   keys["actuators"] = drivetrain.actuator_files;
   if (drivetrain.joints.size() > 1) keys["actuator_names"] = drivetrain.actuator_names;
   keys.update(drivetrain.mechanism->keys());
+  if (drivetrain.mount) {
+    keys["mounted_on"] = {{"body", robot.tree.bodies[drivetrain.mount->body].name},
+                          {"position_m", list_of(drivetrain.mount->p_B_m)}};
+  }
+  if (drivetrain.transmission_limit) {
+    const TransmissionLimit& limit = *drivetrain.transmission_limit;
+    keys["transmission_limit"] = {{"torque_Nm", limit.torque_Nm},
+                                  {"side", limit.side == GearSide::kMotor ? "motor" : "joint"}};
+  }
   return keys;
 }
 
@@ -126,6 +135,13 @@ ordered_json robot_json(const Robot& robot) {
     document["collision_spheres"].push_back({{"body", bodies[sphere.center.body].name},
                                              {"center_m", list_of(sphere.center.p_B_m)},
                                              {"radius_m", sphere.radius_m}});
+  }
+  for (const Posture& posture : robot.postures) {
+    document["postures"][posture.name] = ordered_json::object();
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      document["postures"][posture.name][bodies[i].joint.name] =
+          posture.joints[static_cast<Eigen::Index>(i) - 1];
+    }
   }
   if (!robot.assumed.empty()) document["assumed"] = robot.assumed;
   return document;

@@ -10,6 +10,7 @@
 #include "hopper/find_name.hpp"
 #include "hopper/mechanism_spec.hpp"
 #include "hopper/plausible_inertia.hpp"
+#include "hopper/posture_spec.hpp"
 #include "hopper/tree_order.hpp"
 
 namespace torquewright::hopper {
@@ -61,6 +62,7 @@ class RobotReader {
     read_contacts();
     read_spheres();
     read_mechanisms(robot_, documents_, faults_);
+    read_postures(document(), robot_, faults_);
     if (!faults_.empty()) throw io::SpecError(std::move(faults_));
     return {std::move(robot_), std::move(documents_)};
   }

@@ -30,7 +30,9 @@ dynamics::Tree without_rotors(const Robot& robot) {
 double rotor_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator) {
   if (stays_in_tree(drivetrain)) return 0.0;
   if (drivetrain.rotors_in_tree) {
-    return robot.tree.bodies[drivetrain.joints.front()].joint.reflected_inertia;
+    const double ratio =
+        drivetrain.mechanism->constant_jacobian().value_or(SmallMatrix::Identity(1, 1))(0, 0);
+    return robot.tree.bodies[drivetrain.joints.front()].joint.reflected_inertia / (ratio * ratio);
   }
   return actuator::armature_kg_m2(drivetrain.actuators[actuator]);
 }

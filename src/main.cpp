@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   torquewright::cli::add_optimize_command(*gearbox, result);
   torquewright::cli::add_evaluate_command(*gearbox, result);
   torquewright::cli::add_verify_command(*gearbox, result);
+  torquewright::cli::add_strength_command(*gearbox, result);
   CLI::App* actuator = app.add_subcommand("actuator", "What can the actuator do?");
   actuator->require_subcommand(1);
   actuator->footer("Example:\n  torquewright actuator mor specs/actuator/d110a_ankle.json --need 100@15");

@@ -75,8 +75,10 @@ Robot with(const Robot& robot, std::size_t drivetrain, const Candidate& candidat
   }
   if (!drive.rotors_in_tree) return changed;
   for (const std::size_t joint : drive.joints) {
+    const SmallMatrix jacobian =
+        drive.mechanism->constant_jacobian().value_or(SmallMatrix::Identity(1, 1));
     changed.tree.bodies[joint].joint.reflected_inertia =
-        actuator::armature_kg_m2(candidate.actuator);
+        jacobian(0, 0) * jacobian(0, 0) * actuator::armature_kg_m2(candidate.actuator);
   }
   return changed;
 }

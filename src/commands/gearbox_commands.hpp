@@ -11,5 +11,6 @@ namespace torquewright::cli {
 void add_optimize_command(CLI::App& gearbox, ExitCode& result);
 void add_evaluate_command(CLI::App& gearbox, ExitCode& result);
 void add_verify_command(CLI::App& gearbox, ExitCode& result);
+void add_strength_command(CLI::App& gearbox, ExitCode& result);
 
 }  // namespace torquewright::cli

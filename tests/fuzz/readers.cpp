@@ -6,6 +6,8 @@
 #include "actuator/trajectory/trajectory_reader.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "gearbox/problem_spec.hpp"
+#include "gearbox/strength_spec.hpp"
+#include "gearbox/torque_limit.hpp"
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/urdf_reader.hpp"
 #include "hopper/robot_spec.hpp"
@@ -21,6 +23,15 @@ namespace fs = std::filesystem;
 
 void read_problem(const fs::path& file) {
   (void)gearbox::read_problem(io::read_document(file, "gearbox_problem"));
+}
+
+// What is read must have limits of torque.
+void read_strength(const fs::path& file) {
+  const gearbox::TorqueLimits limits =
+      gearbox::torque_limits(gearbox::read_strength(file).strength);
+  if (!(limits.once.motor_Nm > 0.0 && limits.for_cycles.motor_Nm <= limits.once.motor_Nm)) {
+    throw Misbehaviour("a limit of torque that is none");
+  }
 }
 
 // What is read must have a region, or sentences why not; never NaN, never a hang.
@@ -60,6 +71,7 @@ std::vector<Reader> readers() {
   std::vector<Reader> readers = {
       {"gearbox_problem, read", ".json", read_problem},
       {"gearbox_result, verified", ".json", verify_result},
+      {"gear_strength, with its limits", ".json", read_strength},
       {"actuator, with its region", ".json", read_actuator},
       {"robot, with its mass matrix", ".json", read_robot},
       {"robot from URDF", ".urdf", read_urdf},

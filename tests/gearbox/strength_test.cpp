@@ -89,6 +89,14 @@ TEST(SingleContactFactor, IsTheRatioOfHertzianPressures) {
   EXPECT_GT(expected, 1.0);
 }
 
+// Reference section 8: about 2.06 for a dedendum of 1.25 and root radii of 0.25 to 0.38; 2.0575 and
+// 2.0632 by the printed D.5.05, D.5.15 in another program.
+TEST(RingRootFactors, AreTheReferences) {
+  EXPECT_NEAR(din3990_ring_root_factors(2.25, {1.25, .25}).form, 2.057511451251929, 1e-12);
+  EXPECT_NEAR(din3990_ring_root_factors(2.25, {1.25, .38}).form, 2.0632053659302545, 1e-12);
+  EXPECT_NEAR(din3990_ring_root_factors(2.25, {}).concentration, 2.47397602759265, 1e-12);
+}
+
 TEST(Lewis, StressByHand) {
   // Y(20) = pi (0.154 - 0.0456) = 0.340549; 1000 N/(10 mm 2 mm Y)
   EXPECT_NEAR(lewis_form_factor(20), std::numbers::pi * 0.1084, 1e-15);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hopper/robot.hpp"
+#include "io/document.hpp"
+
+namespace torquewright::hopper::calibration {
+
+/// One number of a robot's document, found in the robot that was read from it.
+struct Knob {
+  enum class Kind { kMass, kCenterOfMass, kInertia, kRoundInertia, kJointPosition, kPosture };
+  Kind kind = Kind::kMass;
+  std::size_t body = 0;     ///< In the tree; of a joint the body that it carries.
+  std::size_t posture = 0;  ///< In robot.postures.
+  Eigen::Index row = 0;     ///< Of a vector or an inertia.
+  Eigen::Index column = 0;
+};
+
+/// Sets it. Both of two mirrored elements of an inertia.
+void turn(const Knob& knob, double value, dynamics::Tree& tree, std::vector<Posture>& postures);
+
+/// A value that a calibration may choose within bounds; several pointers take the same value.
+struct FreeValue {
+  std::vector<std::string> pointers;
+  std::vector<Knob> knobs;
+  double documented = 0.0;
+  double lowest = 0.0;
+  double highest = 0.0;
+  bool has_stated_bounds = false;
+
+  std::string name() const;  ///< The pointers with commas.
+};
+
+/// Reads POINTER[,POINTER...][=LOW:HIGH]. Bounds that are not stated are plausible ones: half to
+/// twice a mass, a quarter to four times a moment of inertia, 0.1 m about a place, the joint's
+/// range. Throws io::SpecError, for `--free`: a pointer to nothing, to no number or to what bears
+/// on neither CAM nor CAV, pointers with different values, bounds that are not ordered or leave a
+/// joint's range.
+FreeValue free_value(const std::string& text, const io::Document& document, const Robot& robot);
+
+}  // namespace torquewright::hopper::calibration

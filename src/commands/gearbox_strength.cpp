@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/json_text.hpp"
+#include "io/provenance.hpp"
+#include "io/refusal.hpp"
+#include "src/commands/gearbox_commands.hpp"
+#include "src/report/strength_text.hpp"
+#include "src/standard_output.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+struct StrengthOptions {
+  std::string file;
+  std::vector<double> torques_Nm;
+  std::string side = "motor";
+  std::vector<double> face_widths_mm;
+  std::vector<double> modules_mm;
+  double cycles = 0.0;  // 0: the document's
+  bool json = false;
+};
+
+// A range lets NaN pass, and torques of exactly 0 load nothing.
+void check_numbers(const std::vector<double>& numbers, const char* option, double least,
+                   double greatest) {
+  for (const double number : numbers) {
+    if (number >= least && number <= greatest) continue;
+    io::refuse(option,
+               fmt::format("{} must be from {:g} to {:g}", number, least, greatest));
+  }
+}
+
+void check_options(const StrengthOptions& options, const gearbox::ReadStrength& read) {
+  check_numbers(options.torques_Nm, "--torque", 1e-6, 1e6);
+  check_numbers(options.face_widths_mm, "--face-widths", 0.05, 1000.0);
+  check_numbers(options.modules_mm, "--modules", 0.05, 25.0);
+  if (options.cycles != 0.0) check_numbers({options.cycles}, "--cycles", 1.0, 1e12);
+  const bool is_stage = read.strength.train.topology == "planetary";
+  if (!options.modules_mm.empty() && is_stage && !read.ring_space_mm) {
+    throw io::SpecError({{options.file, "/rotor_inner_diameter_mm",
+                          "missing; --modules chooses teeth that fit into it"}});
+  }
+}
+
+ExitCode run_strength(const StrengthOptions& options) {
+  report::StrengthReport report;
+  report.read = gearbox::read_strength(options.file);
+  check_options(options, report.read);
+  gearbox::StrengthCase& strength = report.read.strength;
+  if (options.cycles != 0.0) strength.cycles = options.cycles;
+  report.side = options.side == "motor" ? gearbox::TorqueSide::kMotor : gearbox::TorqueSide::kJoint;
+  report.torques_Nm = options.torques_Nm;
+  if (!options.modules_mm.empty() || !options.face_widths_mm.empty()) {
+    report.variants =
+        gearbox::strength_variants(strength, options.modules_mm, options.face_widths_mm,
+                                   report.read.ring_space_mm.value_or(0.0));
+  }
+  if (options.json) {
+    nlohmann::ordered_json result = report::strength_json(report);
+    result["tool"] = io::tool_provenance();
+    result["inputs"] = io::input_provenance(report.read.documents);
+    print_result(io::json_text(result));
+  } else {
+    print_result(report::strength_text(report));
+  }
+  return report.passes() ? ExitCode::kPasses : ExitCode::kFails;
+}
+
+}  // namespace
+
+void add_strength_command(CLI::App& gearbox, ExitCode& result) {
+  auto options = std::make_shared<StrengthOptions>();
+  CLI::App* command = gearbox.add_subcommand("strength", "What torques do to the teeth");
+  command->add_option("strength", options->file, "Document of kind gear_strength")->required();
+  command->add_option("--torque", options->torques_Nm, "In Nm; several: 21,17")
+      ->required()
+      ->delimiter(',');
+  command->add_option("--side", options->side, "Of the torques: motor (at the sun) or joint")
+      ->check(CLI::IsMember({"motor", "joint"}));
+  command->add_option("--face-widths", options->face_widths_mm, "Also with these, in mm: 6,8,10")
+      ->delimiter(',');
+  command
+      ->add_option("--modules", options->modules_mm,
+                   "Also with these, in mm; a single stage gets the most teeth that fit")
+      ->delimiter(',');
+  command->add_option("--cycles", options->cycles, "Loads, instead of the document's");
+  command->add_flag("--json", options->json, "Print the report as JSON");
+  command->footer(
+      "Example:\n  torquewright gearbox strength specs/gearbox/d110a_strength.json --torque 21,17 "
+      "--face-widths 6,8,10,12 --modules 0.5,0.6,0.7");
+  command->callback([options, &result] { result = run_strength(*options); });
+}
+
+}  // namespace torquewright::cli

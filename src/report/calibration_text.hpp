@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "hopper/calibration/calibrate.hpp"
+#include "src/report/gnuplot.hpp"
+
+namespace torquewright::report {
+
+/// What `hopper calibrate` was asked and what it found.
+struct CalibrationReport {
+  std::string robot;
+  hopper::calibration::Question question;
+  hopper::calibration::Calibration found;
+};
+
+/// Are the figures met, and do they say where the free values stand? One sentence.
+std::string calibration_verdict(const CalibrationReport& report);
+
+std::string calibration_text(const CalibrationReport& report);
+
+/// A document of kind calibration_report without its provenance ("tool", "inputs").
+nlohmann::ordered_json calibration_json(const CalibrationReport& report);
+
+/// The valley: along each free value how near the others bring the figures, as a gnuplot script.
+std::string calibration_plot(const CalibrationReport& report, PlotFormat format);
+
+}  // namespace torquewright::report

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "gearbox/strength_spec.hpp"
+#include "gearbox/strength_table.hpp"
+#include "gearbox/torque_limit.hpp"
+
+namespace torquewright::report {
+
+/// What `gearbox strength` was asked and what it found.
+struct StrengthReport {
+  gearbox::ReadStrength read;
+  gearbox::TorqueSide side = gearbox::TorqueSide::kMotor;
+  std::vector<double> torques_Nm;       ///< On that side.
+  gearbox::StrengthVariants variants;   ///< Other sizes; empty where none were asked for.
+
+  /// Do the gears of the document bear every torque with the demanded safeties?
+  bool passes() const;
+};
+
+std::string strength_text(const StrengthReport& report);
+
+/// A document of kind strength_report without its provenance ("tool", "inputs").
+nlohmann::ordered_json strength_json(const StrengthReport& report);
+
+}  // namespace torquewright::report
