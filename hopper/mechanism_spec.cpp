@@ -103,7 +103,10 @@ class MechanismReader {
     const auto body =
         find_name(bodies, keys["body"], "body", {file_, path + "/mounted_on/body", ""}, faults_);
     const json& place = keys["position_m"];
-    if (body) drivetrain.mount = {*body, {place[0], place[1], place[2]}};
+    if (!body) return;
+    drivetrain.mount = dynamics::BodyPoint{
+        *body,
+        Eigen::Vector3d(place[0].get<double>(), place[1].get<double>(), place[2].get<double>())};
   }
 
   /// A joint may be driven once.
