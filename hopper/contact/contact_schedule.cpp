@@ -2,6 +2,7 @@
 #include "hopper/contact/contact_schedule.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/point.hpp"
 #include "hopper/motion/slopes.hpp"
@@ -13,8 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A touch-down takes at least this much of the speed of approach within one step.
+/// A touch-down takes at least this much of the speed of approach within one step,
 constexpr double kStopped = 0.5;
+/// and changes it so many times more than the steps beside it do: else it is a smooth motion.
+constexpr double kSharp = 3.0;
 
 template <typename Take>
 void for_each_point(const Robot& robot, const Motion& motion, bool with_velocity,
@@ -72,6 +75,16 @@ Approach approach_at(const Motion& motion, const MatrixXd& heights_m, const Matr
   return {-slope(std::max<Index>(sample - 2, 0)), sample < last ? -slope(sample) : 0.0};
 }
 
+/// Whether the velocities change far more into a sample than in the steps before and after.
+bool is_sharp(const Motion& motion, const MatrixXd& speeds_m_s, Index contact, Index sample) {
+  if (speeds_m_s.size() == 0) return true;  // heights alone do not tell
+  const auto rate = [&](Index to) {
+    if (to < 1 || to >= motion.samples() || motion.step_s(to - 1) == 0.0) return 0.0;
+    return std::abs(speeds_m_s(contact, to) - speeds_m_s(contact, to - 1)) / motion.step_s(to - 1);
+  };
+  return rate(sample) > kSharp * std::max(rate(sample - 1), rate(sample + 1));
+}
+
 void add_touch_downs(const ContactRule& rule, const MatrixXd& heights_m, const MatrixXd& speeds_m_s,
                      Motion& motion) {
   std::vector<Index> found = motion.breaks;
@@ -82,7 +95,8 @@ void add_touch_downs(const ContactRule& rule, const MatrixXd& heights_m, const M
       if (heights_m(i, sample) > rule.height_m) continue;
       const Approach approach = approach_at(motion, heights_m, speeds_m_s, i, sample);
       if (approach.before_m_s <= rule.speed_m_s ||
-          approach.after_m_s > (1.0 - kStopped) * approach.before_m_s) {
+          approach.after_m_s > (1.0 - kStopped) * approach.before_m_s ||
+          !is_sharp(motion, speeds_m_s, i, sample)) {
         continue;
       }
       found.push_back(sample);

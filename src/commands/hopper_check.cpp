@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -13,8 +14,12 @@
 #include "io/refusal.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/operating_options.hpp"
+#include "src/report/gnuplot.hpp"
+#include "src/report/hopper_html.hpp"
+#include "src/report/hopper_plots.hpp"
 #include "src/report/hopper_text.hpp"
 #include "src/report/progress_line.hpp"
+#include "src/report/stick_figures.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -33,6 +38,10 @@ struct HopperCheckOptions {
   std::string candidates_folder;
   std::string ratios;
   std::size_t threads = 1;
+  std::string plot_file;
+  std::string loads_file;
+  std::string figures_file;
+  std::string report_file;
   std::string output_file;
   bool json = false;
 };
@@ -144,15 +153,54 @@ std::string json_text(const HopperCheckOptions& options, const hopper::MotionFil
   return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+/// What is wrong with the files of pictures, before the work.
+void require_pictures(const HopperCheckOptions& options) {
+  for (const std::string* file : {&options.plot_file, &options.loads_file}) {
+    if (!file->empty()) report::plot_format(*file);
+  }
+  if (!options.plot_file.empty()) report::require_gnuplot("--plot");
+  if (!options.loads_file.empty()) report::require_gnuplot("--plot-loads");
+  if (!options.report_file.empty()) report::require_gnuplot("--report");
+}
+
+void draw(const HopperCheckOptions& options, const report::HopperPage& page) {
+  const auto draw_script = [](const std::string& script, const std::string& file) {
+    if (!script.empty()) return report::draw_with_gnuplot(script, file);
+    std::fprintf(stderr, "%s: not drawn, the motion holds nothing for it\n", file.c_str());
+  };
+  if (!options.plot_file.empty()) {
+    const std::string title =
+        fmt::format("{}: {}", page.robot.name, actuator::name_of(page.report.check.verdict));
+    draw_script(report::drives_plot(report::plot_format(options.plot_file), page.robot,
+                                    page.options.conditions, title, page.report),
+                options.plot_file);
+  }
+  if (!options.loads_file.empty()) {
+    draw_script(
+        report::loads_plot(report::plot_format(options.loads_file), page.motion, page.report),
+        options.loads_file);
+  }
+  if (!options.figures_file.empty()) {
+    io::write_whole_file(
+        options.figures_file,
+        report::stick_figures(page.robot, page.motion, page.options.contact.ground_height_m));
+  }
+  if (!options.report_file.empty()) {
+    io::write_whole_file(options.report_file, report::hopper_html(page));
+  }
+}
+
 ExitCode exit_code_of(actuator::Verdict verdict) {
   if (verdict == actuator::Verdict::kPass) return ExitCode::kPasses;
   return verdict == actuator::Verdict::kFail ? ExitCode::kFails : ExitCode::kUndecided;
 }
 
 ExitCode run(const HopperCheckOptions& options) {
+  require_pictures(options);
   const hopper::ReadRobot read = hopper::read_robot(options.robot_file);
   hopper::MotionFile source = motion_file(options);
   hopper::CheckOptions check = check_options(options, read);
+  check.keep_traces = !options.plot_file.empty() || !options.report_file.empty();
   hopper::Motion motion;
   hopper::HopperReport report;
   {
@@ -169,6 +217,7 @@ ExitCode run(const HopperCheckOptions& options) {
   const Tried tried = try_shelf(options, read, motion, check);
   const std::string text = options.json ? json_text(options, source, read, report, tried)
                                         : text_of(read, motion, report, tried);
+  draw(options, {read.robot, motion, check, report, tried.results});
   if (options.output_file.empty()) {
     print_result(text);
   } else {
@@ -242,6 +291,14 @@ void add_hopper_check_command(CLI::App& hopper, ExitCode& result) {
                       "FROM:TO[:STEP]: try the candidates with these gear ratios");
   command->add_option("--threads", options->threads, "That try candidates")
       ->check(CLI::Range(1, 256));
+  command->add_option("--plot", options->plot_file,
+                      "Draw each region and in it the motion to this SVG or PNG");
+  command->add_option("--plot-loads", options->loads_file,
+                      "Draw torques, ground forces and gear loads over time to this SVG or PNG");
+  command->add_option("--figures", options->figures_file,
+                      "Draw the robot at moments of the motion to this SVG");
+  command->add_option("--report", options->report_file,
+                      "Write a page with everything, pictures included, to this HTML");
   command->add_option("-o,--output", options->output_file, "Write to this file");
   command->add_flag("--json", options->json, "The report as JSON");
   command->footer(

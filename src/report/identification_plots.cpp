@@ -98,13 +98,6 @@ std::string thin_axes() {
          "set grid linecolor rgb '#e6e6e6' linewidth 1 linetype 1\nset datafile separator ','\n";
 }
 
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-}
-
 }  // namespace
 
 std::string waterfall_plot(const EquationResult& equation) {
@@ -151,14 +144,6 @@ std::string structure_plot(const EquationResult& equation) {
   script += fmt::format("set multiplot layout {},{}\n", rows, kColumns);
   for (std::size_t i = 0; i < panels.size(); ++i) script += panel_script(panels[i], i);
   return script + "unset multiplot\n";
-}
-
-std::string inline_svg(std::string svg, const std::string& prefix) {
-  svg.erase(0, svg.find("<svg"));
-  for (const char* use : {"id='", "id=\"", "url(#", "href='#", "href=\"#"}) {
-    replace_all(svg, use, use + prefix);
-  }
-  return svg;
 }
 
 }  // namespace torquewright::report

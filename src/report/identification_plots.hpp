@@ -15,7 +15,4 @@ std::string waterfall_plot(const identification::EquationResult& equation);
 /// The mean residual over each coordinate, before and after; empty where there is none.
 std::string structure_plot(const identification::EquationResult& equation);
 
-/// gnuplot's SVG as an element of an HTML page: without prolog, ids of its own by the prefix.
-std::string inline_svg(std::string svg, const std::string& prefix);
-
 }  // namespace torquewright::report

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/hopper_plots.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <functional>
+
+#include "actuator/mor_table.hpp"
+#include "src/report/region_plot.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using hopper::HopperReport;
+using hopper::Motion;
+
+constexpr Eigen::Index kMostCurvePoints = 2000;
+constexpr int kLoadsWidth = 960;
+constexpr int kLoadPanelHeight = 230;
+
+/// One curve of a panel over time.
+struct Curve {
+  std::string label;
+  std::function<double(Eigen::Index)> at;
+};
+
+struct Panel {
+  const char* axis;
+  std::vector<Curve> curves;
+};
+
+std::string data_of(const Motion& motion, const Panel& panel, std::size_t index) {
+  std::string text = fmt::format("$p{} << EOD\n", index);
+  const Eigen::Index stride = std::max<Eigen::Index>(1, motion.samples() / kMostCurvePoints);
+  for (Eigen::Index sample = 0; sample < motion.samples(); sample += stride) {
+    text += fmt::format("{:.9g}", motion.time_s(sample));
+    for (const Curve& curve : panel.curves) text += fmt::format(" {:.6g}", curve.at(sample));
+    text += "\n";
+  }
+  return text + "EOD\n";
+}
+
+std::string panel_plot(const Panel& panel, std::size_t index) {
+  constexpr std::array kColours{"#1f5fa8", "#d96b0f", "#00795a", "#8a3ffc", "#b3261e", "#49566b"};
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    plots.push_back(
+        fmt::format("$p{} using 1:{} with lines linewidth 1.6 linecolor rgb '{}' title {}", index,
+                    i + 2, kColours[i % kColours.size()], gnuplot_quoted(panel.curves[i].label)));
+  }
+  return fmt::format("set ylabel {}\nplot {}\n", gnuplot_quoted(panel.axis),
+                     fmt::join(plots, ", "));
+}
+
+std::vector<Panel> panels_of(const HopperReport& report) {
+  const hopper::Demand& demand = report.demand;
+  Panel torque{"joint torque, Nm", {}};
+  Panel load{"contacts, at motor, Nm", {}};
+  for (std::size_t i = 0; i < demand.drives.size(); ++i) {
+    const std::string& name = report.check.drives[i].name;
+    const auto row = static_cast<Eigen::Index>(i);
+    const double ratio = report.transmission_loads[i].ratio;
+    torque.curves.push_back({name, [&demand, i](Eigen::Index sample) {
+                               return demand.drives[i][static_cast<std::size_t>(sample)].torque_Nm;
+                             }});
+    load.curves.push_back({name, [&demand, row, ratio](Eigen::Index sample) {
+                             return demand.contact_Nm(row, sample) / ratio;
+                           }});
+  }
+  const auto sum = [&demand](Eigen::Index axis, Eigen::Index sample) {
+    double total_N = 0.0;
+    for (Eigen::Index row = axis; row < demand.forces_N.rows(); row += 3) {
+      total_N += demand.forces_N(row, sample);
+    }
+    return total_N;
+  };
+  Panel force{"ground force, N",
+              {{"forward", [sum](Eigen::Index sample) { return sum(0, sample); }},
+               {"up", [sum](Eigen::Index sample) { return sum(2, sample); }}}};
+  Panel turning{
+      "Nm s, rad/s",
+      {{"CAM",
+        [&demand](Eigen::Index sample) { return demand.angular_momentum_Nm_s.col(sample).norm(); }},
+       {"CAV", [&demand](Eigen::Index sample) {
+          return demand.angular_velocity_rad_s.col(sample).norm();
+        }}}};
+  std::vector<Panel> panels;
+  for (Panel* panel : {&torque, &force, &load, &turning}) {
+    if (!panel->curves.empty()) panels.push_back(std::move(*panel));
+  }
+  return panels;
+}
+
+}  // namespace
+
+std::string drives_plot(PlotFormat format, const hopper::Robot& robot,
+                        const actuator::Conditions& conditions, const std::string& title,
+                        const HopperReport& report) {
+  std::vector<PlottedMotion> motions;
+  std::size_t drive = 0;
+  for (const hopper::Drivetrain& drivetrain : robot.drivetrains) {
+    for (const actuator::Actuator& actuator : drivetrain.actuators) {
+      const actuator::DriveReport& result = report.check.drives[drive];
+      motions.push_back({fmt::format("{} ({}): {}", result.name, result.actuator,
+                                     actuator::name_of(result.verdict)),
+                         actuator::mor_table(actuator::Region(actuator, conditions)),
+                         report.check.traces[drive]});
+      ++drive;
+    }
+  }
+  return motions.empty() ? "" : motion_plot(format, title, motions);
+}
+
+std::string loads_plot(PlotFormat format, const Motion& motion, const HopperReport& report) {
+  if (!report.demand.has_dynamics) return "";
+  const std::vector<Panel> panels = panels_of(report);
+  const auto count = static_cast<int>(panels.size());
+  std::string script = gnuplot_terminal(format, kLoadsWidth, count * kLoadPanelHeight);
+  script += "set grid linecolor rgb '#e6e6e6'\nset key above right horizontal samplen 1.5\nset lmargin 11\nset rmargin 3\nset xlabel ''\n";
+  for (std::size_t i = 0; i < panels.size(); ++i) script += data_of(motion, panels[i], i);
+  for (std::size_t i = 0; i < report.demand.jolts.size(); ++i) {
+    script += fmt::format(
+        "set arrow {} from first {:.9g}, graph 0 to first {:.9g}, graph 1 nohead "
+        "dashtype 2 linecolor rgb '#b3261e'\n",
+        i + 1, report.demand.jolts[i].time_s, report.demand.jolts[i].time_s);
+  }
+  script += fmt::format("set xrange [{:.9g}:{:.9g}]\nset multiplot layout {},1\n",
+                        motion.times_s.front(), motion.times_s.back(), count);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (i + 1 == panels.size()) script += "set xlabel 'time in s'\n";
+    script += panel_plot(panels[i], i);
+  }
+  return script + "unset multiplot\n";
+}
+
+}  // namespace torquewright::report

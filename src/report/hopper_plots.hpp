@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hopper/check/hopper_check.hpp"
+#include "src/report/gnuplot.hpp"
+
+namespace torquewright::report {
+
+/// A script for gnuplot: each drive's region and in it the motion. Requires kept traces.
+std::string drives_plot(PlotFormat format, const hopper::Robot& robot,
+                        const actuator::Conditions& conditions, const std::string& title,
+                        const hopper::HopperReport& report);
+
+/// A script for gnuplot, over time: the drives' torques, the ground's force, what contacts put on
+/// each transmission, CAM and CAV. Empty where the dynamics are not known.
+std::string loads_plot(PlotFormat format, const hopper::Motion& motion,
+                       const hopper::HopperReport& report);
+
+}  // namespace torquewright::report
