@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// `hopper check` as users start it: verdicts, documents, and what it says to bad input.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/document.hpp"
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using nlohmann::json;
+
+/// A crane: an arm of 1 kg at 0.5 m on a hinge at 1 m, driven by the published knee.
+json crane() {
+  return json::parse(R"({"kind": "robot", "version": 1, "name": "crane",
+    "base": {"body": "post", "motion": "planar"},
+    "bodies": [
+      {"name": "post", "mass_kg": 10, "center_of_mass_m": [0, 0, 0.2], "inertia_kg_m2": 1},
+      {"name": "arm", "mass_kg": 1, "center_of_mass_m": [0.5, 0, 0], "inertia_kg_m2": 0.1}],
+    "joints": [{"name": "elbow", "type": "revolute", "parent": "post", "child": "arm",
+      "position_m": [0, 0, 1], "axis": [0, 1, 0], "range_rad": [-1, 1]}],
+    "contacts": [
+      {"name": "front", "body": "post", "position_m": [0.5, 0, 0], "friction_coefficient": 0.5},
+      {"name": "rear", "body": "post", "position_m": [-0.5, 0, 0], "friction_coefficient": 0.5}],
+    "mechanisms": [{"type": "direct", "joints": ["elbow"], "actuators": ["knee.json"]}]})");
+}
+
+/// The arm swings, the post stands.
+std::string swing(double amplitude_rad) {
+  std::string csv =
+      "time_s,base_x_position_m,base_z_position_m,base_pitch_position_rad,elbow_position_rad\n";
+  for (int i = 0; i <= 400; ++i) {
+    const double t = 0.005 * i;
+    csv += fmt::format("{},0,0,0,{}\n", t, amplitude_rad * (1 - std::cos(3 * t)) / 2);
+  }
+  return csv;
+}
+
+class HopperCheck : public testing::Test {
+ protected:
+  void SetUp() override {
+    place_.write("knee.json", text_of(in_repository("specs/actuator/d151_knee.json")));
+  }
+
+  Outcome check(const json& robot, const std::string& motion,
+                const std::vector<std::string>& more = {}) {
+    place_.write("robot.json", robot.dump());
+    place_.write("motion.csv", motion);
+    std::vector<std::string> arguments{"hopper", "check", "robot.json", "motion.csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return place_.run(arguments);
+  }
+
+  void expect_refusal(const json& robot, const std::string& motion, const std::string& sentence,
+                      const std::vector<std::string>& more = {}) {
+    const Outcome outcome = check(robot, motion, more);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+    EXPECT_TRUE(outcome.out.empty());
+  }
+
+  Workplace place_;
+};
+
+// Oracle: statics. The arm's weight at 0.5 m is 4.905 Nm at the elbow where it lies flat.
+TEST_F(HopperCheck, PassesAndReportsByItsSchema) {
+  const Outcome outcome = check(crane(), swing(0.0), {"--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_NO_THROW(io::check_document(report, "check_report", "report", ""));
+  EXPECT_EQ(report["verdict"], "pass");
+  EXPECT_NEAR(report["joints"][0]["peak_torque_Nm"].get<double>(), 9.81 * 0.5, 1e-9);
+  EXPECT_LE(report["base_residual"]["force"]["mean"].get<double>(), 1e-3);
+  EXPECT_NEAR(report["base_residual"]["weight_N"].get<double>(), 11 * 9.81, 1e-9);
+  EXPECT_EQ(report["transmission_load"].size(), 1u);
+  EXPECT_NEAR(report["transmission_load"][0]["joint_Nm"].get<double>(), 0.0, 1e-6);
+}
+
+TEST_F(HopperCheck, FailsBeyondARangeAndSaysWhere) {
+  const Outcome outcome = check(crane(), swing(1.2));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("violation [joint-range] elbow: position of 1.19999 rad"),
+            std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(HopperCheck, TriesCandidatesAndSaysInOneLineWhyOneFails) {
+  std::filesystem::create_directory(place_.path("shelf"));
+  json weak = json::parse(text_of(in_repository("specs/actuator/d151_knee.json")));
+  weak["drive"]["peak_current_A"] = 0.1;
+  weak["drive"]["continuous_current_A"] = 0.05;
+  weak.erase("datasheet");
+  place_.write("shelf/weak.json", weak.dump());
+  place_.write("shelf/strong.json", text_of(in_repository("specs/actuator/d151_knee.json")));
+  place_.write("shelf/notes.json", "{}");
+  const Outcome outcome = check(crane(), swing(0.5), {"--candidates", "shelf", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_NO_THROW(io::check_document(report, "check_report", "report", ""));
+  ASSERT_EQ(report["candidates"].size(), 2u);
+  EXPECT_EQ(report["candidates"][0]["candidate"], "strong");
+  EXPECT_EQ(report["candidates"][1]["verdict"], "fail");
+  const std::string why = report["candidates"][1]["why"];
+  EXPECT_NE(why.find("elbow at t = 0 s"), std::string::npos) << why;
+  EXPECT_EQ(why.find('\n'), std::string::npos);
+  EXPECT_NE(check(crane(), swing(0.5), {"--candidates", "shelf"}).out.find("not tried: notes"),
+            std::string::npos);
+}
+
+// Oracle: the reflected inertia of a ratio N is N^2 times the rotor's 0.000922 kg m2.
+TEST_F(HopperCheck, SweepsRatiosWithTheirRotorsInTheDemand) {
+  std::filesystem::create_directory(place_.path("shelf"));
+  place_.write("shelf/knee.json", text_of(in_repository("specs/actuator/d151_knee.json")));
+  const Outcome outcome =
+      check(crane(), swing(0.5),
+            {"--candidates", "shelf", "--ratios", "8:30:2", "--threads", "2", "--json"});
+  const json report = json::parse(outcome.out);
+  ASSERT_EQ(report["candidates"].size(), 12u);
+  for (const json& candidate : report["candidates"]) {
+    const double ratio = candidate["ratio"];
+    EXPECT_NEAR(candidate["rotor_inertia_kg_m2"].get<double>(), ratio * ratio * 0.000922, 1e-12);
+    EXPECT_GT(candidate["peak_torque_Nm"].get<double>(), 0.0);
+  }
+}
+
+TEST_F(HopperCheck, TheSameInputGivesTheSameBytesOnAnyThreads) {
+  std::filesystem::create_directory(place_.path("shelf"));
+  place_.write("shelf/knee.json", text_of(in_repository("specs/actuator/d151_knee.json")));
+  const std::vector<std::string> one{"--candidates", "shelf", "--ratios", "8:30", "--json"};
+  std::vector<std::string> two = one;
+  two.insert(two.end(), {"--threads", "3"});
+  EXPECT_EQ(check(crane(), swing(0.5), one).out, check(crane(), swing(0.5), two).out);
+}
+
+TEST_F(HopperCheck, RefusesAMotionThatIsNone) {
+  // Half a metre up without a foot on the ground, and standing still.
+  std::string motion = swing(0.0);
+  for (std::size_t at = motion.find(",0,0,0,"); at != std::string::npos;
+       at = motion.find(",0,0,0,", at + 1)) {
+    motion.replace(at, 7, ",0,0.5,0,");
+  }
+  expect_refusal(crane(), motion, "a force on the base of 107.9 N over 10 ms is left");
+}
+
+TEST_F(HopperCheck, RefusesWithASentence) {
+  const std::string good = swing(0.5);
+  std::string other = good;
+  other.replace(other.find("elbow"), 5, "elbwo");
+  expect_refusal(crane(), other, "did you mean \"elbwo_position_rad\"?");
+  std::string backwards = good;
+  backwards.insert(backwards.find("0.015,"), "0.5,0,0,0,0\n");
+  expect_refusal(crane(), backwards, "time runs backwards");
+  std::string twice = good;
+  twice.insert(twice.find("0.015,"), "0.01,0,0,0,0.2\n");
+  expect_refusal(crane(), twice, "time repeats");
+  std::string wrapped = good;
+  wrapped.insert(wrapped.find("0.015,"), "0.012,0,0,0,6.28\n");
+  expect_refusal(crane(), wrapped, "a wrapped angle? Unwrap it");
+  std::string hole = good;
+  hole.insert(hole.find("0.015,"), "0.012,0,0,0,nan\n");
+  expect_refusal(crane(), hole, "motion.csv");
+  expect_refusal(crane(), "time_s,elbow_position_rad\n0,0\n", "says neither how the base moves");
+  expect_refusal(crane(), "time_s,base_x_position_m,elbow_position_rad\n0,0,0\n",
+                 "though others of the base are there");
+  expect_refusal(crane(), good, "is no folder", {"--candidates", "nowhere"});
+  expect_refusal(crane(), good, "is for --candidates", {"--ratios", "8:30"});
+  expect_refusal(crane(), good, "FROM:TO", {"--candidates", ".", "--ratios", "eight"});
+  expect_refusal(crane(), good, "has no unit", {"--column", "x=front.contact:m"});
+  expect_refusal(crane(), good, "did you mean \"elbow\"?", {"--column", "x=elbo.position"});
+  expect_refusal(crane(), good, "no torque of every driven joint", {"--torques", "file"});
+}
+
+TEST_F(HopperCheck, RefusesRobotsThatAreNone) {
+  json thin = crane();
+  thin["bodies"][1]["inertia_kg_m2"] = {{"xx", 1}, {"yy", 0.1}, {"zz", 0.1}};
+  expect_refusal(thin, swing(0), "/bodies/1/inertia_kg_m2");
+  json upside_down = crane();
+  upside_down["joints"][0]["range_rad"] = {1, -1};
+  expect_refusal(upside_down, swing(0), "least position first");
+  json limit = crane();
+  limit["mechanisms"][0]["transmission_limit"] = {{"torque_Nm", 3}};
+  expect_refusal(limit, swing(0), "needs either torque_Nm and side");
+  json loop = crane();
+  loop["joints"].push_back({{"name", "strut"},
+                            {"type", "revolute"},
+                            {"parent", "post"},
+                            {"child", "arm"},
+                            {"axis", {0, 1, 0}}});
+  expect_refusal(loop, swing(0), "a closed loop is no tree");
+}
+
+// Oracle: Ohm's law and the contract's battery. All drives off: nothing sags.
+TEST_F(HopperCheck, SharesTheRobotsBattery) {
+  json robot = crane();
+  robot["bodies"].push_back({{"name", "hand"},
+                             {"mass_kg", 0.5},
+                             {"center_of_mass_m", {0, 0, 0}},
+                             {"inertia_kg_m2", 0.01}});
+  robot["joints"].push_back({{"name", "wrist"},
+                             {"type", "revolute"},
+                             {"parent", "arm"},
+                             {"child", "hand"},
+                             {"position_m", {1, 0, 0}},
+                             {"axis", {0, 1, 0}}});
+  robot["mechanisms"].push_back(
+      {{"type", "direct"}, {"joints", {"wrist"}}, {"actuators", {"knee.json"}}});
+  robot["battery"] = {{"series_cells", 16},
+                      {"parallel_cells", 4},
+                      {"cell_open_circuit_V", 4.2},
+                      {"cell_resistance_ohm", 0.015}};
+  std::string motion =
+      "time_s,base_x_position_m,base_z_position_m,base_pitch_position_rad,elbow_position_rad,"
+      "wrist_position_rad\n";
+  for (int i = 0; i <= 100; ++i) motion += fmt::format("{},0,0,0,0,0\n", 0.01 * i);
+  const json report = json::parse(check(robot, motion, {"--json"}).out);
+  ASSERT_EQ(report["buses"].size(), 1u);
+  const json& bus = report["buses"][0];
+  // Holds 9.81 (0.5 + 0.5) Nm at the elbow, none at the wrist; R i^2 at 0.28 ohm, Kt 0.32, 20:1.
+  const double current_A = 9.81 / (0.32 * 20);
+  const double power_W = 0.28 * current_A * current_A;
+  EXPECT_NEAR(bus["greatest_power_W"].get<double>(), power_W, 1e-6);
+  const double resistance_ohm = 0.015 * 16 / 4;
+  EXPECT_NEAR(bus["least_V"].get<double>(),
+              0.5 * (67.2 + std::sqrt(67.2 * 67.2 - 4 * resistance_ohm * power_W)), 1e-9);
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
