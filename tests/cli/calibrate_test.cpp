@@ -71,7 +71,8 @@ TEST_F(Calibrate, FailsWhereTheFiguresCannotBeMet) {
 TEST_F(Calibrate, TakesPosturesFromTheCommandLine) {
   const Outcome outcome = calibrate(
       {"--target", "cam=6", "--target", "cav@stretched=6", "--posture",
-       "stretched=knee:0.1,ankle_pitch:0.3", "--free", kThigh + "=0.05:0.45", "--json"});
+       "stretched=knee:0.1,ankle_pitch:0.3", "--free", kThigh + "=0.05:0.45", "--tolerance", "0.005",
+       "--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(outcome.out);
   EXPECT_EQ(report["verdict"], "determined");
