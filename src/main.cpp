@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
       "Example:\n  torquewright hopper check specs/robot/hopper.json "
       "specs/trajectory/hopper_flip.csv");
   torquewright::cli::add_hopper_check_command(*hopper, result);
+  torquewright::cli::add_calibrate_command(*hopper, result);
   CLI::App* robot = app.add_subcommand("robot", "Robots from and for other programs");
   robot->require_subcommand(1);
   robot->footer("Example:\n  torquewright robot export specs/robot/rabbit.json --format urdf");

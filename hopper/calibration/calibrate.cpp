@@ -14,7 +14,7 @@ using optimization::FitVariable;
 using optimization::LocalFit;
 
 constexpr std::size_t kStarts = 6;
-constexpr double kFitTolerance = 1e-9;
+constexpr double kFitTolerance = 1e-8;
 
 /// Sum of squares of what exceeds `allowed` of each error.
 double misfit(const Question& question, std::span<const double> values, double allowed) {
@@ -41,9 +41,10 @@ std::vector<FitVariable> variables_of(const Question& question, std::optional<He
 }
 
 std::optional<Candidate> fitted(const Question& question,
-                                const std::vector<FitVariable>& variables, double allowed) {
+                                const std::vector<FitVariable>& variables, double allowed,
+                                std::size_t starts = kStarts) {
   optimization::FitOptions options;
-  options.starts = kStarts;
+  options.starts = starts;
   options.tolerance = kFitTolerance;
   const LocalFit fit = optimization::fit_locally(
       [&](std::span<const double> values) { return misfit(question, values, allowed); }, variables,
@@ -65,6 +66,10 @@ bool meets(const Figures& figures, const std::optional<Candidate>& candidate) {
 std::optional<Candidate> nearest_candidate(const Question& question, std::optional<Held> held,
                                            const std::vector<double>& start) {
   std::vector<FitVariable> variables = variables_of(question, held, start);
+  if (held) {  // a neighbour on the profile is mostly near enough to go on from
+    const std::optional<Candidate> followed = fitted(question, variables, 0.0, 1);
+    if (meets(question.figures, followed)) return followed;
+  }
   const std::optional<Candidate> nearest = fitted(question, variables, 0.0);
   if (!nearest || meets(question.figures, nearest)) return nearest;
   // Least squares may leave one error large to make another small; what exceeds the tolerance

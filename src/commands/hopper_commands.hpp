@@ -9,5 +9,6 @@ namespace torquewright::cli {
 
 /// Each adds one command to `hopper`; its verdict goes to `result`.
 void add_hopper_check_command(CLI::App& hopper, ExitCode& result);
+void add_calibrate_command(CLI::App& hopper, ExitCode& result);
 
 }  // namespace torquewright::cli

@@ -4,16 +4,16 @@
 namespace torquewright::report {
 namespace {
 
-using namespace hopper::calibration;
+namespace calibration = hopper::calibration;
 using nlohmann::ordered_json;
 
 ordered_json targets_json(const CalibrationReport& report) {
-  const Figures& figures = report.question.figures;
+  const calibration::Figures& figures = report.question.figures;
   ordered_json targets = ordered_json::array();
   std::vector<double> inertias;
-  if (report.found.best) inertias = inertias_kg_m2(report.question, report.found.best->values);
+  if (report.found.best) inertias = calibration::inertias_kg_m2(report.question, report.found.best->values);
   for (std::size_t i = 0; i < figures.speeds.size(); ++i) {
-    const SpeedTarget& target = figures.speeds[i];
+    const calibration::SpeedTarget& target = figures.speeds[i];
     targets.push_back({{"posture", report.question.postures[target.posture].name},
                        {"angular_velocity_rad_s", target.speed_rad_s},
                        {"inertia_kg_m2", figures.angular_momentum_Nm_s / target.speed_rad_s}});
@@ -24,16 +24,16 @@ ordered_json targets_json(const CalibrationReport& report) {
   return targets;
 }
 
-ordered_json profile_json(const Profile& profile, const Figures& figures) {
+ordered_json profile_json(const calibration::Profile& profile, const calibration::Figures& figures) {
   ordered_json result;
   result["is_determined"] = profile.is_determined;
   result["ranges"] = ordered_json::array();
-  for (const Profile::Range& range : profile.ranges) {
+  for (const calibration::Profile::Range& range : profile.ranges) {
     result["ranges"].push_back(ordered_json::array({range.low, range.high}));
   }
   result["points"] = ordered_json::array();
-  for (const ProfilePoint& point : profile.points) {
-    ordered_json entry{{"value", point.value}, {"is_met", meets(figures, point.best)}};
+  for (const calibration::ProfilePoint& point : profile.points) {
+    ordered_json entry{{"value", point.value}, {"is_met", calibration::meets(figures, point.best)}};
     if (point.best) {
       entry["worst_error"] = point.best->worst_error;
       entry["values"] = point.best->values;
@@ -44,7 +44,7 @@ ordered_json profile_json(const Profile& profile, const Figures& figures) {
 }
 
 ordered_json free_json(const CalibrationReport& report, std::size_t index) {
-  const FreeValue& free = report.question.free[index];
+  const calibration::FreeValue& free = report.question.free[index];
   ordered_json entry;
   entry["pointers"] = free.pointers;
   entry["documented"] = free.documented;

@@ -9,13 +9,13 @@
 namespace torquewright::report {
 namespace {
 
-using namespace hopper::calibration;
+namespace calibration = hopper::calibration;
 
 constexpr std::size_t kEveryPoint = 3;  // of a profile in the text; --json has all of them
 
-std::string ranges_text(const Profile& profile) {
+std::string ranges_text(const calibration::Profile& profile) {
   std::string text;
-  for (const Profile::Range& range : profile.ranges) {
+  for (const calibration::Profile::Range& range : profile.ranges) {
     if (!text.empty()) text += " and ";
     text += fmt::format("{:.4g} to {:.4g}", range.low, range.high);
   }
@@ -23,12 +23,12 @@ std::string ranges_text(const Profile& profile) {
 }
 
 std::string targets_text(const CalibrationReport& report) {
-  const Figures& figures = report.question.figures;
+  const calibration::Figures& figures = report.question.figures;
   std::string text = fmt::format("  {:<12} {:>11} {:>9} {:>8} {:>16} {:>9}\n", "posture",
                                  "CAV rad/s", "reached", "error", "inertia kg m2", "reached");
-  const auto inertias = inertias_kg_m2(report.question, report.found.best->values);
+  const auto inertias = calibration::inertias_kg_m2(report.question, report.found.best->values);
   for (std::size_t i = 0; i < inertias.size(); ++i) {
-    const SpeedTarget& target = figures.speeds[i];
+    const calibration::SpeedTarget& target = figures.speeds[i];
     const double reached = figures.angular_momentum_Nm_s / inertias[i];
     text += fmt::format("  {:<12} {:>11.4g} {:>9.4g} {:>+7.2f}% {:>16.4g} {:>9.4g}\n",
                         report.question.postures[target.posture].name, target.speed_rad_s, reached,
@@ -40,7 +40,9 @@ std::string targets_text(const CalibrationReport& report) {
 
 std::size_t longest_name(const CalibrationReport& report) {
   std::size_t longest = 10;
-  for (const FreeValue& free : report.question.free) longest = std::max(longest, free.name().size());
+  for (const calibration::FreeValue& free : report.question.free) {
+    longest = std::max(longest, free.name().size());
+  }
   return longest;
 }
 
@@ -50,7 +52,7 @@ std::string values_text(const CalibrationReport& report) {
       fmt::format("  {:<{}} {:>10} {:>10} {:>22}  {}\n", "free value", width, "document", "fitted",
                   "bounds", "met, the others fitted anew");
   for (std::size_t i = 0; i < report.question.free.size(); ++i) {
-    const FreeValue& free = report.question.free[i];
+    const calibration::FreeValue& free = report.question.free[i];
     text += fmt::format(
         "  {:<{}} {:>10.4g} {:>10.4g} {:>22}  {}\n", free.name(), width, free.documented,
         report.found.best->values[i],
@@ -60,21 +62,24 @@ std::string values_text(const CalibrationReport& report) {
   }
   const bool has_own_bounds =
       std::any_of(report.question.free.begin(), report.question.free.end(),
-                  [](const FreeValue& free) { return !free.has_stated_bounds; });
+                  [](const calibration::FreeValue& free) { return !free.has_stated_bounds; });
   return has_own_bounds ? text + "  * not stated: plausible ones\n" : text;
 }
 
-std::string point_row(const ProfilePoint& point, const Figures& figures) {
+std::string point_row(const calibration::ProfilePoint& point, const calibration::Figures& figures) {
   if (!point.best) return fmt::format("  {:>10.4g}   no body has such inertias\n", point.value);
   std::string text = fmt::format("  {:>10.4g} {:>8.2f}% {:>4}  ", point.value,
                                  100.0 * point.best->worst_error,
-                                 meets(figures, point.best) ? "met" : "-");
-  for (const double value : point.best->values) text += fmt::format(" {:>10.4g}", value);
+                                 calibration::meets(figures, point.best) ? "met" : "-");
+  // A fit ends next to a bound of zero, at 1e-8 or so.
+  for (const double value : point.best->values) {
+    text += fmt::format(" {:>10.4g}", std::abs(value) < 1e-6 ? 0.0 : value);
+  }
   return text + "\n";
 }
 
 std::string profile_text(const CalibrationReport& report, std::size_t index) {
-  const Profile& profile = report.found.profiles[index];
+  const calibration::Profile& profile = report.found.profiles[index];
   std::string text =
       fmt::format("\nAlong {}: worst error, and all free values in their order\n",
                   report.question.free[index].name());
@@ -87,7 +92,7 @@ std::string profile_text(const CalibrationReport& report, std::size_t index) {
 }  // namespace
 
 std::string calibration_verdict(const CalibrationReport& report) {
-  const Calibration& found = report.found;
+  const calibration::Calibration& found = report.found;
   if (!found.best) return "not met: no values within the bounds are inertias that bodies have.";
   const double allowed = 100.0 * report.question.figures.tolerance;
   if (!found.is_met) {
@@ -105,6 +110,24 @@ std::string calibration_verdict(const CalibrationReport& report) {
   }
   return fmt::format("met within {:.3g} %, but by a valley of solutions: the figures leave open {}.",
                      allowed, open);
+}
+
+std::string calibration_provenance(const CalibrationReport& report, std::size_t index,
+                                   const std::string& pointer) {
+  const calibration::Figures& figures = report.question.figures;
+  std::string text = fmt::format("{} = {:.6g}: fitted by hopper calibrate to CAM {:.6g} N m s",
+                                 pointer, report.found.best->values[index],
+                                 figures.angular_momentum_Nm_s);
+  for (const calibration::SpeedTarget& target : figures.speeds) {
+    text += fmt::format(", CAV {:.6g} rad/s at {}", target.speed_rad_s,
+                        report.question.postures[target.posture].name);
+  }
+  if (!report.found.is_met) {
+    return text + fmt::format("; not met, off by {:.3g} %", 100.0 * report.found.best->worst_error);
+  }
+  const calibration::Profile& profile = report.found.profiles[index];
+  if (profile.is_determined) return text;
+  return text + "; one of a valley: " + ranges_text(profile) + " would do as well";
 }
 
 std::string calibration_text(const CalibrationReport& report) {

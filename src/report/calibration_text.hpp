@@ -19,6 +19,10 @@ struct CalibrationReport {
 /// Are the figures met, and do they say where the free values stand? One sentence.
 std::string calibration_verdict(const CalibrationReport& report);
 
+/// Where the value at a pointer comes from, of the free value of that index. Requires a best fit.
+std::string calibration_provenance(const CalibrationReport& report, std::size_t index,
+                                   const std::string& pointer);
+
 std::string calibration_text(const CalibrationReport& report);
 
 /// A document of kind calibration_report without its provenance ("tool", "inputs").

@@ -28,13 +28,13 @@ std::string_view mark(actuator::lint::Fit fit) {
   return "no";
 }
 
-std::string_view sign(Demand demand) {
+std::string_view sign(actuator::lint::Demand demand) {
   switch (demand) {
-    case Demand::kAtMost:
+    case actuator::lint::Demand::kAtMost:
       return "<=";
-    case Demand::kAtLeast:
+    case actuator::lint::Demand::kAtLeast:
       return ">=";
-    case Demand::kEqual:
+    case actuator::lint::Demand::kEqual:
       break;
   }
   return "=";

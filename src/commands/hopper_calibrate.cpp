@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hopper/robot_spec.hpp"
+#include "io/atomic_file.hpp"
+#include "io/json_text.hpp"
+#include "io/provenance.hpp"
+#include "io/refusal.hpp"
+#include "src/commands/calibration_request.hpp"
+#include "src/commands/hopper_commands.hpp"
+#include "src/report/calibration_text.hpp"
+#include "src/standard_output.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+namespace calibration = hopper::calibration;
+
+struct CalibrateOptions {
+  std::string robot_file;
+  CalibrationRequest request;
+  std::string output_file;
+  std::string plot_file;
+  bool json = false;
+};
+
+void check_calibration_files(const CalibrateOptions& options, const hopper::ReadRobot& read) {
+  std::vector<std::filesystem::path> outputs;
+  for (const std::string& file : {options.output_file, options.plot_file}) {
+    if (!file.empty()) outputs.push_back(file);
+  }
+  std::vector<std::filesystem::path> inputs;
+  for (const io::Document& document : read.documents) inputs.push_back(document.file);
+  io::check_outputs(outputs, inputs);
+  if (options.plot_file.empty()) return;
+  (void)report::plot_format(options.plot_file);
+  report::require_gnuplot("--plot");
+}
+
+/// The robot's document with the fitted values, which stay assumed.
+std::string calibrated_robot(const CalibrateOptions& options, const io::Document& robot,
+                             const report::CalibrationReport& report) {
+  nlohmann::json root = robot.root;
+  nlohmann::json& assumed = root["assumed"];
+  if (assumed.is_null()) assumed = nlohmann::json::array();
+  const auto& free = report.question.free;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    for (const std::string& pointer : free[i].pointers) {
+      root[nlohmann::json::json_pointer(pointer)] = report.found.best->values[i];
+      if (std::find(assumed.begin(), assumed.end(), pointer) == assumed.end()) {
+        assumed.push_back(pointer);
+      }
+      root["provenance"].push_back(report::calibration_provenance(report, i, pointer));
+    }
+  }
+  const std::filesystem::path from = std::filesystem::path(robot.file).parent_path();
+  const std::filesystem::path to = std::filesystem::absolute(options.output_file).parent_path();
+  if (!root.contains("mechanisms")) return io::json_text(root);
+  for (nlohmann::json& mechanism : root["mechanisms"]) {  // actuators are found from the new place
+    for (nlohmann::json& file : mechanism["actuators"]) {
+      const std::filesystem::path old = std::filesystem::absolute(from / file.get<std::string>());
+      file = std::filesystem::proximate(old, to).string();
+    }
+  }
+  return io::json_text(root);
+}
+
+std::string calibration_result(const CalibrateOptions& options, const hopper::ReadRobot& read,
+                        const report::CalibrationReport& report) {
+  if (!options.json) return report::calibration_text(report);
+  nlohmann::ordered_json result = report::calibration_json(report);
+  result["options"] = {{"target", options.request.targets},
+                       {"free", options.request.free},
+                       {"posture", options.request.postures}};
+  result["tool"] = io::tool_provenance();
+  result["inputs"] = io::input_provenance(read.documents);
+  return io::json_text(result);
+}
+
+ExitCode run_calibrate(const CalibrateOptions& options) {
+  io::Document document = io::read_document(options.robot_file, "robot");
+  const std::string sha256 = document.sha256;
+  add_postures(options.request, document);
+  hopper::ReadRobot read = hopper::robot_of(
+      io::check_document(document.root, "robot", document.file, document.path));
+  read.documents.front().sha256 = sha256;  // of the file that was read
+  check_calibration_files(options, read);
+  report::CalibrationReport report{
+      read.robot.name, calibration_question(options.request, read.documents.front(), read.robot), {}};
+  report.found = calibration::calibrate(report.question);
+
+  std::vector<io::FileContent> files;
+  if (!options.output_file.empty() && report.found.best) {
+    files.push_back({options.output_file,
+                     calibrated_robot(options, read.documents.front(), report)});
+  }
+  if (!options.plot_file.empty() && report.found.is_met) {
+    const report::PlotFormat format = report::plot_format(options.plot_file);
+    files.push_back({options.plot_file,
+                     report::picture_by_gnuplot(report::calibration_plot(report, format))});
+  }
+  io::write_whole_files(files);
+  print_result(calibration_result(options, read, report));
+  return report.found.is_met ? ExitCode::kPasses : ExitCode::kFails;
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& hopper, ExitCode& result) {
+  auto options = std::make_shared<CalibrateOptions>();
+  CLI::App* command =
+      hopper.add_subcommand("calibrate", "Unpublished values from published CAM and CAV");
+  command->add_option("robot", options->robot_file, "Document of kind robot")->required();
+  add_calibration_options(*command, options->request);
+  command->add_option("-o,--output", options->output_file,
+                      "Write the robot with the fitted values to this file");
+  command->add_option("--plot", options->plot_file, "Draw the valley to this SVG or PNG");
+  command->add_flag("--json", options->json, "Print the report as JSON");
+  command->footer(
+      "Example:\n  torquewright hopper calibrate specs/robot/hopper.json --target cam=6.0 --target "
+      "cav=7.4:10.6 --free /bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45 --free "
+      "/postures/takeoff/knee --free /postures/tuck/knee");
+  command->callback([options, &result] { result = run_calibrate(*options); });
+}
+
+}  // namespace torquewright::cli
