@@ -25,12 +25,12 @@ struct Curve {
   std::function<double(Eigen::Index)> at;
 };
 
-struct Panel {
+struct LoadPanel {
   const char* axis;
   std::vector<Curve> curves;
 };
 
-std::string data_of(const Motion& motion, const Panel& panel, std::size_t index) {
+std::string data_of(const Motion& motion, const LoadPanel& panel, std::size_t index) {
   std::string text = fmt::format("$p{} << EOD\n", index);
   const Eigen::Index stride = std::max<Eigen::Index>(1, motion.samples() / kMostCurvePoints);
   for (Eigen::Index sample = 0; sample < motion.samples(); sample += stride) {
@@ -41,7 +41,7 @@ std::string data_of(const Motion& motion, const Panel& panel, std::size_t index)
   return text + "EOD\n";
 }
 
-std::string panel_plot(const Panel& panel, std::size_t index) {
+std::string panel_plot(const LoadPanel& panel, std::size_t index) {
   constexpr std::array kColours{"#1f5fa8", "#d96b0f", "#00795a", "#8a3ffc", "#b3261e", "#49566b"};
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < panel.curves.size(); ++i) {
@@ -53,10 +53,10 @@ std::string panel_plot(const Panel& panel, std::size_t index) {
                      fmt::join(plots, ", "));
 }
 
-std::vector<Panel> panels_of(const HopperReport& report) {
+std::vector<LoadPanel> panels_of(const HopperReport& report) {
   const hopper::Demand& demand = report.demand;
-  Panel torque{"joint torque, Nm", {}};
-  Panel load{"contacts, at motor, Nm", {}};
+  LoadPanel torque{"joint torque, Nm", {}};
+  LoadPanel load{"contacts, at motor, Nm", {}};
   for (std::size_t i = 0; i < demand.drives.size(); ++i) {
     const std::string& name = report.check.drives[i].name;
     const auto row = static_cast<Eigen::Index>(i);
@@ -75,18 +75,18 @@ std::vector<Panel> panels_of(const HopperReport& report) {
     }
     return total_N;
   };
-  Panel force{"ground force, N",
-              {{"forward", [sum](Eigen::Index sample) { return sum(0, sample); }},
-               {"up", [sum](Eigen::Index sample) { return sum(2, sample); }}}};
-  Panel turning{
+  LoadPanel force{"ground force, N",
+                  {{"forward", [sum](Eigen::Index sample) { return sum(0, sample); }},
+                   {"up", [sum](Eigen::Index sample) { return sum(2, sample); }}}};
+  LoadPanel turning{
       "Nm s, rad/s",
       {{"CAM",
         [&demand](Eigen::Index sample) { return demand.angular_momentum_Nm_s.col(sample).norm(); }},
        {"CAV", [&demand](Eigen::Index sample) {
           return demand.angular_velocity_rad_s.col(sample).norm();
         }}}};
-  std::vector<Panel> panels;
-  for (Panel* panel : {&torque, &force, &load, &turning}) {
+  std::vector<LoadPanel> panels;
+  for (LoadPanel* panel : {&torque, &force, &load, &turning}) {
     if (!panel->curves.empty()) panels.push_back(std::move(*panel));
   }
   return panels;
@@ -114,10 +114,12 @@ std::string drives_plot(PlotFormat format, const hopper::Robot& robot,
 
 std::string loads_plot(PlotFormat format, const Motion& motion, const HopperReport& report) {
   if (!report.demand.has_dynamics) return "";
-  const std::vector<Panel> panels = panels_of(report);
+  const std::vector<LoadPanel> panels = panels_of(report);
   const auto count = static_cast<int>(panels.size());
   std::string script = gnuplot_terminal(format, kLoadsWidth, count * kLoadPanelHeight);
-  script += "set grid linecolor rgb '#e6e6e6'\nset key above right horizontal samplen 1.5\nset lmargin 11\nset rmargin 3\nset xlabel ''\n";
+  script +=
+      "set grid linecolor rgb '#e6e6e6'\nset key above right horizontal samplen 1.5\nset lmargin "
+      "11\nset rmargin 3\nset xlabel ''\n";
   for (std::size_t i = 0; i < panels.size(); ++i) script += data_of(motion, panels[i], i);
   for (std::size_t i = 0; i < report.demand.jolts.size(); ++i) {
     script += fmt::format(
