@@ -8,8 +8,10 @@
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/strength_spec.hpp"
 #include "gearbox/torque_limit.hpp"
+#include "hopper/check/hopper_check.hpp"
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/urdf_reader.hpp"
+#include "hopper/motion/motion_reader.hpp"
 #include "hopper/robot_spec.hpp"
 #include "io/document.hpp"
 #include "io/schema.hpp"
@@ -59,6 +61,19 @@ void read_robot(const fs::path& file) { expect_mass_matrix(hopper::read_robot(fi
 void read_urdf(const fs::path& file) { expect_mass_matrix(hopper::read_urdf(file).robot.tree); }
 void read_mjcf(const fs::path& file) { expect_mass_matrix(hopper::read_mjcf(file).robot.tree); }
 
+// What is read must be checked with figures, or refused; a walker's motion, its legs undriven.
+void read_motion(const fs::path& file) {
+  static const hopper::Robot robot =
+      hopper::read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/rabbit.json").robot;
+  hopper::Motion motion = hopper::read_motion(robot, {file, {}, {}, {}});
+  hopper::CheckOptions options;
+  options.residual_share = 1e12;  // also what is no motion goes through all of it
+  const hopper::HopperReport report = hopper::check_motion(robot, motion, options);
+  if (!report.demand.forces_N.allFinite() || !report.demand.residual.allFinite()) {
+    throw Misbehaviour("forces that are not finite");
+  }
+}
+
 void read_trajectory(const fs::path& file) {
   actuator::TrajectoryReader reader(file, {}, {"knee"}, {});
   actuator::Row row;
@@ -77,6 +92,7 @@ std::vector<Reader> readers() {
       {"robot from URDF", ".urdf", read_urdf},
       {"robot from MJCF", ".xml", read_mjcf},
       {"trajectory", ".csv", read_trajectory},
+      {"whole-body motion", ".csv", read_motion},
       {"rig, read", ".json", read_rig_document},
       {"log with a fixed rig", ".csv", read_measured_log},
   };
