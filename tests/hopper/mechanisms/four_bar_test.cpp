@@ -162,6 +162,12 @@ TEST(FourBar, ThatIsAParallelogramIsOneToOneExactly) {
   EXPECT_NEAR(margin_of(margins, "change_point_stretched")->margin, 0.5363, 1e-15);
   EXPECT_NEAR(margin_of(margins, "change_point_folded")->margin, M_PI - 0.5363, 1e-15);
   EXPECT_NEAR(margin_of(margins, "transmission_angle")->value, 0.5363, 1e-14);
+  const auto beyond = FourBar(links).margins(one(-1));
+  EXPECT_NEAR(margin_of(beyond, "transmission_angle")->value, 0.5637, 1e-14);
+  EXPECT_NEAR(margin_of(beyond, "crank_dead_centre")->value, 0.5637, 1e-14);
+  // An arc cosine would lose half of the digits here.
+  const auto close = FourBar(links).margins(one(1e-6 - 0.4363));
+  EXPECT_NEAR(margin_of(close, "crank_dead_centre")->value, 1e-6, 1e-14);
 }
 
 // Oracle: Freudenstein; the crank turns against the rocker (an antiparallelogram's ratio is that of
