@@ -12,10 +12,11 @@ using dynamics::VectorIn;
 using dynamics::VectorOut;
 using Eigen::Index;
 
-/// A rotor that turns with one joint alone is taken out of the tree; what several joints state of
-/// their rotors stays in it.
+/// A rotor that turns with one joint at a constant ratio is taken out of the tree; what joints
+/// state of other rotors stays in it, as stated.
 bool stays_in_tree(const Drivetrain& drivetrain) {
-  return drivetrain.rotors_in_tree && drivetrain.joints.size() > 1;
+  return drivetrain.rotors_in_tree &&
+         (drivetrain.joints.size() > 1 || !drivetrain.mechanism->constant_jacobian());
 }
 
 dynamics::Tree without_rotors(const Robot& robot) {
