@@ -120,6 +120,9 @@ HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions
   report.flights = flights(checked);
   std::vector<Finding>& findings = report.check.findings;
   findings = actuator::findings_of(report.check.drives);
+  if (!torques.from_file) {  // the dynamics have the rotors' torque in any case
+    std::erase_if(findings, [](const Finding& one) { return one.rule == "reflected-inertia"; });
+  }
   append(shared_bus_findings(checked, report.buses), findings);
   for (const TransmissionLoad& load : report.transmission_loads) {
     findings.push_back(load_finding(load, options.load_window_s));

@@ -3,8 +3,9 @@
 // stand at the edge; those of a file may lie outside.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "hopper/check/rules/every_rule.hpp"
 
@@ -23,6 +24,8 @@ std::vector<Finding> friction_cone(const CheckedMotion& checked) {
   const Demand& demand = checked.demand;
   if (!demand.has_dynamics) return findings;
   const double small_N = kSmallForce * demand.weight_N;
+  std::optional<Finding> most_used;
+  double most_share = 0.0;
   for (Index i = 0; i < static_cast<Index>(checked.robot.contacts.size()); ++i) {
     const ContactPoint& contact = checked.robot.contacts[static_cast<std::size_t>(i)];
     double most = 0.0;
@@ -49,15 +52,27 @@ std::vector<Finding> friction_cone(const CheckedMotion& checked) {
                                       "{:.6g} s",
                                       contact.name, pull_N, pull_time_s)});
     }
-    const bool slips = most > contact.friction_coefficient * (1.0 + kRoundOff) + kRoundOff;
     if (most == 0.0) continue;
-    findings.push_back(
-        {slips ? actuator::Severity::kViolation : actuator::Severity::kNote, "friction-cone",
-         contact.name, most_time_s, most, contact.friction_coefficient, "",
-         fmt::format("{}: tangential over normal force reaches {:.3g} at t = {:.6g} s, the "
-                     "friction coefficient is {:.3g}",
-                     contact.name, most, most_time_s, contact.friction_coefficient)});
+    const bool slips = most > contact.friction_coefficient * (1.0 + kRoundOff) + kRoundOff;
+    Finding finding{slips ? actuator::Severity::kViolation : actuator::Severity::kNote,
+                    "friction-cone",
+                    contact.name,
+                    most_time_s,
+                    most,
+                    contact.friction_coefficient,
+                    "",
+                    fmt::format("{}: tangential over normal force reaches {:.3g} at t = {:.6g} "
+                                "s, the friction coefficient is {:.3g}",
+                                contact.name, most, most_time_s, contact.friction_coefficient)};
+    const double share = most / std::max(contact.friction_coefficient, kRoundOff);
+    if (slips) {
+      findings.push_back(std::move(finding));
+    } else if (share > most_share) {
+      most_share = share;
+      most_used = std::move(finding);
+    }
   }
+  if (most_used) findings.push_back(std::move(*most_used));
   return findings;
 }
 

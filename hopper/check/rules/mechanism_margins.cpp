@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How near linkages come to what they cannot do: dead centres, rods at the end of their sockets.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <cmath>
 #include <map>
 
 #include "hopper/check/rules/every_rule.hpp"
@@ -32,6 +34,25 @@ Finding finding_of(const Drivetrain& drivetrain, const Least& least) {
                       least.margin.limit, least.margin.unit, least.margin.margin)};
 }
 
+/// Of its own size: margins have units of their own.
+double relative(const MechanismMargin& margin) {
+  return margin.margin / (std::abs(margin.value) + std::abs(margin.limit));
+}
+
+/// All that are broken; else the one that comes nearest.
+void add_findings(const Drivetrain& drivetrain, const std::map<std::string, Least>& least,
+                  std::vector<Finding>& findings) {
+  const Least* nearest = nullptr;
+  for (const auto& [name, one] : least) {
+    if (one.margin.margin < 0.0) findings.push_back(finding_of(drivetrain, one));
+    if (nearest == nullptr || relative(one.margin) < relative(nearest->margin)) nearest = &one;
+  }
+  if (nearest == nullptr || nearest->margin.margin < 0.0) return;
+  Finding finding = finding_of(drivetrain, *nearest);
+  finding.sentence += fmt::format(", the least of {}", least.size());
+  findings.push_back(std::move(finding));
+}
+
 }  // namespace
 
 std::vector<Finding> mechanism_margins(const CheckedMotion& checked) {
@@ -52,7 +73,7 @@ std::vector<Finding> mechanism_margins(const CheckedMotion& checked) {
         place->second = {margin, motion.time_s(sample)};
       }
     }
-    for (const auto& [name, one] : least) findings.push_back(finding_of(drivetrain, one));
+    add_findings(drivetrain, least, findings);
   }
   return findings;
 }
