@@ -48,6 +48,7 @@ struct Robot {
   std::vector<ContactPoint> contacts;
   std::vector<Drivetrain> drivetrains;
   std::vector<CollisionSphere> spheres;
+  nlohmann::json battery;  ///< As stated, for drives that state none; null: none.
   std::vector<Posture> postures;  ///< By name.
   std::vector<std::string> assumed;  ///< JSON pointers into its document.
 

@@ -131,6 +131,7 @@ ordered_json robot_json(const Robot& robot) {
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     document["mechanisms"].push_back(drivetrain_json(robot, drivetrain));
   }
+  if (!robot.battery.is_null()) document["battery"] = robot.battery;
   for (const CollisionSphere& sphere : robot.spheres) {
     document["collision_spheres"].push_back({{"body", bodies[sphere.center.body].name},
                                              {"center_m", list_of(sphere.center.p_B_m)},

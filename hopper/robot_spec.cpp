@@ -59,6 +59,7 @@ class RobotReader {
     body_names_ = names("bodies", "body");
     joint_names_ = names("joints", "joint");
     build_tree();
+    if (root().contains("battery")) robot_.battery = root()["battery"];
     read_contacts();
     read_spheres();
     read_mechanisms(robot_, documents_, faults_);

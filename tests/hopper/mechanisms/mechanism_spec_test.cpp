@@ -19,13 +19,17 @@ using test::pair_of;
 
 const char* const kHopper = TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json";
 
-/// The example, its actuators found from anywhere.
+/// The example, its actuators and gears found from anywhere.
 json hopper() {
   json document = io::read_document(kHopper, "robot").root;
   for (json& mechanism : document["mechanisms"]) {
     for (json& file : mechanism["actuators"]) {
       file = TORQUEWRIGHT_SOURCE_DIR "/specs/robot/" + file.get<std::string>();
     }
+    json& limit = mechanism["transmission_limit"];
+    if (!limit.contains("strength")) continue;
+    limit["strength"] =
+        TORQUEWRIGHT_SOURCE_DIR "/specs/robot/" + limit["strength"].get<std::string>();
   }
   return document;
 }
