@@ -3,10 +3,12 @@
 // known truth. One line for each log, then the counts.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tests/identification/rates/trial.hpp"
 
@@ -23,6 +25,17 @@ LogClass class_of(const std::string& name) {
   std::exit(2);
 }
 
+/// Held-out errors over a noise, where something was named and nothing wrongly.
+void print_spread(const char* noise, std::vector<double> ratios) {
+  if (ratios.empty()) return;
+  std::sort(ratios.begin(), ratios.end());
+  const auto within =
+      std::count_if(ratios.begin(), ratios.end(), [](double r) { return r <= 1.15; });
+  fmt::print(
+      "after over noise {}: median {:.2f}, ninetieth percentile {:.2f}, within 1.15: {} of {}\n",
+      noise, ratios[ratios.size() / 2], ratios[ratios.size() * 9 / 10], within, ratios.size());
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -37,6 +50,7 @@ int main(int count, char** arguments) {
                       fmt::format("identification_rates_{}_{}", arguments[1], first);
   int first_right = 0, all = 0, wrong = 0, grouped = 0, coordinate = 0, named = 0, parameters = 0,
       within = 0;
+  std::vector<double> over_estimate, over_truth;
   for (unsigned long long seed = first; seed < first + many; ++seed) {
     const auto scenario = torquewright::oracles::draw(log_class, seed);
     const auto start = std::chrono::steady_clock::now();
@@ -54,17 +68,23 @@ int main(int count, char** arguments) {
     names += outcome.parameter_note;
     parameters += outcome.parameters;
     within += outcome.parameters_within;
-    fmt::print("{:4} {:40} {:18} {}{}{}{} {:5.2f} {:4.1f} s:{}\n", seed, outcome.truth,
+    if (!outcome.names.empty() && !outcome.any_wrong && outcome.after_over_truth > 0.0) {
+      over_estimate.push_back(outcome.after_over_estimate);
+      over_truth.push_back(outcome.after_over_truth);
+    }
+    fmt::print("{:4} {:40} {:18} {}{}{}{} {:5.2f} {:5.2f} {:4.1f} s:{}\n", seed, outcome.truth,
                torquewright::identification::name_of(outcome.verdict),
                outcome.first_is_right ? 'F' : '-', outcome.all_found ? 'A' : '-',
                outcome.any_wrong ? 'W' : '-', outcome.coordinate_is_right ? 'C' : '-',
-               outcome.after_over_noise, seconds, names);
+               outcome.after_over_estimate, outcome.after_over_truth, seconds, names);
     std::fflush(stdout);
   }
   fmt::print(
       "{}: {} logs; named {}, first right {}, all and nothing wrong {}, wrong {}, grouped {}, "
       "coordinate right {}, parameters within 3 errors {} of {}\n",
       arguments[1], many, named, first_right, all, wrong, grouped, coordinate, within, parameters);
+  print_spread("as estimated", over_estimate);
+  print_spread("put in", over_truth);
   std::filesystem::remove_all(folder);
   return 0;
 }

@@ -9,6 +9,7 @@
 
 #include "identification/confident_search.hpp"
 #include "identification/confounded_groups.hpp"
+#include "identification/correction.hpp"
 #include "identification/equation_fit.hpp"
 #include "identification/one_rig.hpp"
 #include "identification/refinement.hpp"
@@ -74,20 +75,6 @@ void add_groups(const Bench& bench, const std::vector<Signals>& signals, const S
   }
 }
 
-/// An uncertain value as fitted: the coefficient of that index.
-Correction corrected(const Equation& equation, const Fit& model, std::size_t k) {
-  const auto index = static_cast<Eigen::Index>(k);
-  Correction correction = equation.corrections[k];
-  double change = model.values[index];
-  if (equation.target_is_motor_side && correction.pointer == "/motor/torque_constant_Nm_A") {
-    // The residual holds the stated over the true constant: not linear in the latter.
-    change = correction.stated / (1.0 - change / correction.stated) - correction.stated;
-  }
-  correction.value = correction.stated + change;
-  correction.standard_error = std::sqrt(std::max(0.0, model.covariance(index, index)));
-  return correction;
-}
-
 /// True if the log moves a variant's columns, whatever is fitted beside them.
 bool is_moved(const EquationFit& fit, const Fit& model, std::size_t v) {
   if (!fit.is_excited(v)) return false;
@@ -137,8 +124,7 @@ void refine(const Bench& bench, const Log& log, const EquationFit& fit, const Fi
   result.noise_floor_rms = after.noise_floor_rms(fine->fit);
   result.structure_after = after.structure(fine->fit);
   result.is_noise_after = after.is_noise(fine->fit, result.structure_after);
-  for (const Named& named :
-       refined_names(*fine, fit.equation().always.size(), Balance(bench))) {
+  for (const Named& named : refined_names(*fine, fit.equation().always.size(), Balance(bench))) {
     for (NamedEffect& effect : result.added) {
       if (effect.effect != named.effect.effect) continue;
       effect.parameters = named.effect.parameters;
@@ -158,7 +144,7 @@ std::string rig_objection(const Log& log, const EquationFit& fit, const Fit& mod
     of_block.push_back(static_cast<std::size_t>(known - names.begin()));
     if (known == names.end()) names.push_back(name);
   }
-  return not_one_rig(fit.fitter(), model, fit.equation().corrections, of_block, names);
+  return not_one_rig(fit.fitter(), model, fit.equation(), of_block, names);
 }
 
 }  // namespace
@@ -186,7 +172,10 @@ EquationResult analyse_equation(const Bench& bench, const Log& log, Equation equ
   refine(bench, log, fit, selection.model, replicas, result);
   add_groups(bench, signals, selection, result);
   for (std::size_t k = 0; k < fit.equation().corrections.size() && options.select; ++k) {
-    result.corrected.push_back(corrected(fit.equation(), selection.model, k));
+    const auto index = static_cast<Eigen::Index>(k);
+    const double variance = selection.model.covariance(index, index);
+    result.corrected.push_back(corrected(fit.equation(), k, selection.model.values[index],
+                                         std::sqrt(std::max(0.0, variance))));
   }
   result.rejected = selection.rejected;
   result.not_excited = not_excited(fit, selection.model);

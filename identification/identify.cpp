@@ -26,12 +26,14 @@ int weight(Verdict verdict) {
   return 0;
 }
 
+bool has_error(const std::vector<DataFinding>& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const DataFinding& each) { return each.weight == Weight::kError; });
+}
+
 Verdict overall(const std::vector<EquationResult>& equations,
                 const std::vector<DataFinding>& findings) {
-  const bool is_refused =
-      std::any_of(findings.begin(), findings.end(),
-                  [](const DataFinding& each) { return each.weight == Weight::kError; });
-  if (is_refused || equations.empty()) return Verdict::kCannotTell;
+  if (has_error(findings) || equations.empty()) return Verdict::kCannotTell;
   Verdict verdict = Verdict::kNothingMissing;
   bool any_added = false;
   for (const EquationResult& equation : equations) {
@@ -85,7 +87,7 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   for (const JointActuator& each : actuators) nominal.push_back(&each.nominal.actuator);
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     AnalysisOptions analysis;
-    analysis.select = options.select;
+    analysis.select = options.select && !has_error(log.findings);  // no names from such data
     if (options.progress) {
       analysis.progress = [&, joint](const std::string& what, double share) {
         const auto joints = static_cast<double>(rig.joints.size());

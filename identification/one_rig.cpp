@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "identification/correction.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -22,7 +24,7 @@ struct RunValue {
 
 /// The value that a run alone asks for, everything else as fitted to all: one number, one equation.
 std::optional<RunValue> value_in(const Fitter& fitter, const Fit& model, std::size_t coefficient,
-                                 const Correction& correction, std::size_t run,
+                                 const Equation& equation, std::size_t run,
                                  const std::vector<std::size_t>& run_of_block,
                                  const std::string& name) {
   double top = 0.0, bottom = 0.0;
@@ -37,9 +39,12 @@ std::optional<RunValue> value_in(const Fitter& fitter, const Fit& model, std::si
   if (!(bottom > 0.0) || parts.size() < 3) return std::nullopt;
   const double change = top / bottom;
   double square = 0.0;
-  for (const auto& [slope, power] : parts) square += (slope - change * power) * (slope - change * power);
+  for (const auto& [slope, power] : parts)
+    square += (slope - change * power) * (slope - change * power);
   const double fitted = model.values[static_cast<Eigen::Index>(coefficient)];
-  return RunValue{name, correction.stated + fitted + change, std::sqrt(square) / bottom};
+  const Correction own =
+      corrected(equation, coefficient, fitted + change, std::sqrt(square) / bottom);
+  return RunValue{name, own.value, own.standard_error};
 }
 
 bool differ(const RunValue& a, const RunValue& b) {
@@ -54,14 +59,13 @@ bool differ(const RunValue& a, const RunValue& b) {
 
 }  // namespace
 
-std::string not_one_rig(const Fitter& fitter, const Fit& model,
-                        const std::vector<Correction>& corrections,
+std::string not_one_rig(const Fitter& fitter, const Fit& model, const Equation& equation,
                         const std::vector<std::size_t>& run_of_block,
                         const std::vector<std::string>& run_names) {
-  for (std::size_t k = 0; k < corrections.size(); ++k) {
+  for (std::size_t k = 0; k < equation.corrections.size(); ++k) {
     std::vector<RunValue> values;
     for (std::size_t run = 0; run < run_names.size(); ++run) {
-      const auto value = value_in(fitter, model, k, corrections[k], run, run_of_block, run_names[run]);
+      const auto value = value_in(fitter, model, k, equation, run, run_of_block, run_names[run]);
       if (value) values.push_back(*value);
     }
     bool any = false;
@@ -71,12 +75,12 @@ std::string not_one_rig(const Fitter& fitter, const Fit& model,
     if (!any) continue;
     std::string list;
     for (const RunValue& each : values) {
-      list += fmt::format("{}{} in \"{}\"", list.empty() ? "" : ", ", fmt::format("{:.3g}", each.value),
-                          each.run);
+      list += fmt::format("{}{} in \"{}\"", list.empty() ? "" : ", ",
+                          fmt::format("{:.3g}", each.value), each.run);
     }
     return fmt::format(
         "these runs are not of one rig: {} comes out as {}; identify runs that belong together",
-        corrections[k].pointer, list);
+        equation.corrections[k].pointer, list);
   }
   return "";
 }

@@ -11,6 +11,7 @@
 #include "identification/plan_trial.hpp"
 #include "io/nearest.hpp"
 #include "io/spec_error.hpp"
+#include "optimization/local_fit.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -20,10 +21,10 @@ constexpr double kShortestPlan_s = 8.0;
 constexpr double kLongestPlan_s = 600.0;
 constexpr int kMostShrinking = 24;
 constexpr double kShrink = 0.75;
-constexpr std::size_t kCoarse = 4;       ///< Samples looked at while searching; all at the end.
-constexpr double kTypicalShare = 0.05;   ///< Of the greatest torque, that a typical effect costs.
+constexpr std::size_t kCoarse = 4;      ///< Samples looked at while searching; all at the end.
+constexpr double kTypicalShare = 0.05;  ///< Of the greatest torque, that a typical effect costs.
 constexpr double kTypicalSigmas = 3.0;
-constexpr double kNeighbour = 0.2;       ///< Largest change of a number near the best.
+constexpr double kNeighbour = 0.2;  ///< Largest change of a number near the best.
 
 const std::vector<std::string> kUsual = {
     "viscous_friction",        "coulomb_friction",           "stribeck_friction", "quadratic_drag",
@@ -58,9 +59,9 @@ void require_plannable(const Rig& rig, const PlanOptions& options) {
 ExcitationFrame planned_frame(const Rig& rig, double duration_s) {
   ExcitationFrame frame;
   frame.duration_s = duration_s;
-  const bool has_runs = std::any_of(rig.columns.begin(), rig.columns.end(), [](const ColumnUse& use) {
-    return use.quantity == Quantity::kRun;
-  });
+  const bool has_runs =
+      std::any_of(rig.columns.begin(), rig.columns.end(),
+                  [](const ColumnUse& use) { return use.quantity == Quantity::kRun; });
   if (!has_runs) {
     frame.runs = {""};
     return frame;
@@ -92,29 +93,22 @@ class PlanSearch {
         trial_(rig, actuator, limits_, with_stated(noise_, options.noise),
                chirp_excitation(limits_, frame_, 0.1)) {
     if (!trial_.has_torque_balance()) {
-      refuse_plan(rig.file, "no torque balance can be planned for: the rig's columns do not say "
-                            "what drives (a current, a torque or a voltage), or what the load takes");
+      refuse_plan(rig.file,
+                  "no torque balance can be planned for: the rig's columns do not say "
+                  "what drives (a current, a torque or a voltage), or what the load takes");
     }
   }
 
   Plan plan() {
     choose_columns();
-    const Tried chirp = shrunk([this](double scale) { return chirp_excitation(limits_, frame_, scale); }, "chirp");
-    set_typical(chirp);
-    std::vector<double> best_mix(mix_parameters(frame_), 0.5);
-    Tried best = mixed(best_mix);
-    double best_worth = worth(best);
-    std::mt19937_64 random(options_.seed);
-    for (std::size_t k = 1; k < options_.candidates; ++k) {
-      const std::vector<double> mix = next_mix(best_mix, k, random);
-      Tried other = mixed(mix);
-      const double other_worth = worth(other);
-      if (other_worth <= best_worth) continue;
-      best_worth = other_worth;
-      best = std::move(other);
-      best_mix = mix;
+    const Tried chirp =
+        shrunk([this](double scale) { return chirp_excitation(limits_, frame_, scale); }, "chirp");
+    if (!chirp.information.matrix.allFinite() || chirp.information.matrix.isZero()) {
+      refuse_plan("--noise", "without noise in what is measured no error can be expected");
     }
-    return result(best, chirp);
+    set_typical(chirp);
+    Tried best = mixed(refined_mix(best_drawn_mix()));
+    return result(worth(chirp) > worth(best) ? chirp : best, chirp);
   }
 
  private:
@@ -203,10 +197,43 @@ class PlanSearch {
                   "excitation");
   }
 
+  std::vector<double> best_drawn_mix() {
+    std::vector<double> best(mix_parameters(frame_), 0.5);
+    double best_worth = worth(mixed(best));
+    std::mt19937_64 random(options_.seed);
+    for (std::size_t k = 1; k < options_.candidates; ++k) {
+      const std::vector<double> mix = next_mix(best, k, random);
+      const double other_worth = worth(mixed(mix));
+      if (other_worth <= best_worth) continue;
+      best_worth = other_worth;
+      best = mix;
+    }
+    plan_.tried += options_.candidates;
+    return best;
+  }
+
+  /// From there on without derivatives: what shrinks into the limits has kinks.
+  std::vector<double> refined_mix(const std::vector<double>& start) {
+    std::vector<optimization::FitVariable> variables;
+    for (const double each : start) variables.push_back({0.0, 1.0, each, false});
+    optimization::FitOptions options;
+    options.method = optimization::FitMethod::kSubspaces;
+    options.starts = 1;
+    options.most_evaluations = options_.candidates;
+    const optimization::LocalFit fit = optimization::fit_locally(
+        [this](std::span<const double> mix) {
+          return -worth(mixed(std::vector<double>(mix.begin(), mix.end())));
+        },
+        variables, options);
+    plan_.tried += fit.evaluations;
+    return fit.stop == optimization::FitStop::kFailed ? start : fit.point;
+  }
+
   void set_typical(const Tried& chirp) {
     for (Eigen::Index k = 0; k < chirp.information.largest.size(); ++k) {
       const double largest = chirp.information.largest[k];
-      typical_.push_back(largest > 0.0 ? kTypicalShare * limits_.greatest_torque_Nm() / largest : 1.0);
+      typical_.push_back(largest > 0.0 ? kTypicalShare * limits_.greatest_torque_Nm() / largest
+                                       : 1.0);
     }
   }
 
@@ -235,15 +262,16 @@ class PlanSearch {
   }
 
   Expected expected(const Separability& separability, std::size_t k) const {
-    return {separability.standard_error[k], separability.share[k],
-            columns_[separability.nearest[k]].effect};
+    const PlannedColumn& nearest = columns_[separability.nearest[k]];
+    return {separability.standard_error[k], separability.share[k], nearest.effect,
+            nearest.parameter};
   }
 
   Plan result(const Tried& best, const Tried& chirp) {
     plan_.runs = best.runs;
     plan_.chirp = chirp.runs;
     plan_.noise = noise_;
-    plan_.tried = options_.candidates;
+    ++plan_.tried;  // the chirp
     plan_.smallest_eigenvalue = best.separability.smallest_eigenvalue;
     plan_.chirp_smallest_eigenvalue = chirp.separability.smallest_eigenvalue;
     for (std::size_t k = 0; k < asked_; ++k) {
@@ -274,8 +302,9 @@ class PlanSearch {
 }  // namespace
 
 bool Plan::is_separable() const {
-  return unseen.empty() && std::all_of(parameters.begin(), parameters.end(),
-                                       [](const PlannedParameter& each) { return each.is_separable; });
+  return unseen.empty() &&
+         std::all_of(parameters.begin(), parameters.end(),
+                     [](const PlannedParameter& each) { return each.is_separable; });
 }
 
 Plan plan_excitation(const Rig& rig, const actuator::Actuator& actuator,

@@ -17,15 +17,16 @@ struct PlanOptions {
   double duration_s = 40.0;
   RigLimits limits;
   std::map<Quantity, double> noise;  ///< Standard deviations; else typical ones (plan_trial.hpp).
-  std::size_t candidates = 24;
-  std::uint64_t seed = 1;  ///< Of the random search.
+  std::size_t candidates = 24;       ///< Drawn; the best of them is then refined as often.
+  std::uint64_t seed = 1;            ///< Of the random search.
 };
 
 /// Sigma of a parameter to be expected, and how well it stands apart, under one excitation.
 struct Expected {
   double standard_error = 0.0;
   double share = 0.0;
-  std::string nearest;
+  std::string nearest;            ///< Effect; its own where another parameter of it is nearest.
+  std::string nearest_parameter;  ///< Of it.
 };
 
 struct PlannedParameter {
@@ -54,9 +55,11 @@ struct Plan {
 };
 constexpr double kLeastShare = 0.02;  ///< Correlation with all others below 0.99.
 
-/// Searches an excitation that separates the effects. The same question gives the same answer.
-/// Throws io::SpecError for names that the contract does not have, several joints, a rig without a
-/// torque balance, and limits that leave no motion.
-Plan plan_excitation(const Rig& rig, const actuator::Actuator& actuator, const PlanOptions& options);
+/// Searches an excitation that separates the effects: the chirp, drawn ones, and the best of those
+/// refined. None is worse for the effect that is worst off than the chirp. The same question gives
+/// the same answer. Throws io::SpecError for names that the contract does not have, several joints,
+/// a rig without a torque balance, and limits that leave no motion.
+Plan plan_excitation(const Rig& rig, const actuator::Actuator& actuator,
+                     const PlanOptions& options);
 
 }  // namespace torquewright::identification

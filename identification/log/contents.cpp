@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "identification/log/agreement.hpp"
 #include "identification/log/channel.hpp"
 #include "identification/log/stretch.hpp"
 
@@ -29,6 +30,12 @@ constexpr double kLeastSpeed_m_s = 1e-4;
 constexpr double kMuchMasked = 0.3;
 
 struct Range {
+  void add(const std::vector<double>& values) {
+    for (const double value : values) {
+      least = std::min(least, value);
+      greatest = std::max(greatest, value);
+    }
+  }
   double least = std::numeric_limits<double>::infinity();
   double greatest = -std::numeric_limits<double>::infinity();
   bool is_empty() const { return least > greatest; }
@@ -38,13 +45,19 @@ struct Range {
 
 Range range_of(const Log& log, const ChannelKey& key) {
   Range range;
-  for (const Run& run : log.runs) {
-    for (const double value : run.joints[key.first][key.second]) {
-      range.least = std::min(range.least, value);
-      range.greatest = std::max(range.greatest, value);
-    }
-  }
+  for (const Run& run : log.runs) range.add(run.joints[key.first][key.second]);
   return range;
+}
+
+/// Of means over short windows, where there is time: an encoder's noise is no motion.
+Range range_of_motion(const Log& log, const ChannelKey& key) {
+  Range range;
+  for (const Run& run : log.runs) {
+    const std::vector<double>& values = run.joints[key.first][key.second];
+    if (values.empty()) continue;
+    range.add(run.time_s.empty() ? values : means(run, values, values).first);
+  }
+  return range.is_empty() ? range_of(log, key) : range;
 }
 
 /// What a rig may well hold constant.
@@ -55,6 +68,16 @@ bool may_stand_still(Quantity quantity) {
   return std::find(kSteady.begin(), kSteady.end(), quantity) != kSteady.end();
 }
 
+/// A sensor of torque or force on a joint that is driven always shows something.
+bool is_external_sensor(Quantity quantity) {
+  return quantity == Quantity::kOutputTorque || quantity == Quantity::kLinearForce;
+}
+
+Weight weight_of_constant(Quantity quantity) {
+  if (is_external_sensor(quantity)) return Weight::kError;
+  return may_stand_still(quantity) ? Weight::kNote : Weight::kWarning;
+}
+
 void report_constant(Log& log, const Rig& rig) {
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     for (std::size_t i = 0; i < kQuantityCount; ++i) {
@@ -62,11 +85,32 @@ void report_constant(Log& log, const Rig& rig) {
       const Range range = range_of(log, key);
       if (range.is_empty() || range.width() > 0.0) continue;
       log.findings.push_back(
-          {may_stand_still(key.second) ? Weight::kNote : Weight::kWarning,
+          {weight_of_constant(key.second),
            fmt::format("{} is {} {}{}all through the log; nothing can be learned "
                        "from it",
                        describe(key, rig), range.least, unit_of(key.second),
                        unit_of(key.second).empty() ? "" : " ")});
+    }
+  }
+}
+
+/// A velocity that stands beside a position that moves is dead: the position tells the speed.
+void drop_dead_velocity(Log& log, const Rig& rig) {
+  constexpr std::array<std::pair<Quantity, Quantity>, 3> kPairs = {
+      {{Quantity::kOutputPosition, Quantity::kOutputVelocity},
+       {Quantity::kMotorPosition, Quantity::kMotorVelocity},
+       {Quantity::kLinearPosition, Quantity::kLinearVelocity}}};
+  for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
+    for (const auto& [position, velocity] : kPairs) {
+      const Range still = range_of(log, {joint, velocity});
+      const Range moved = range_of(log, {joint, position});
+      if (still.is_empty() || still.width() > 0.0 || moved.is_empty() || moved.width() == 0.0) {
+        continue;
+      }
+      for (Run& run : log.runs) run.joints[joint][velocity].clear();
+      log.findings.push_back(
+          {Weight::kWarning, fmt::format("{} never changes, though {} does: it is left out",
+                                         describe({joint, velocity}, rig), name_of(position))});
     }
   }
 }
@@ -88,7 +132,7 @@ constexpr std::array<MotionSense, 6> kMotionSenses = {
 void report_motionless(Log& log, const Rig& rig) {
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     for (const MotionSense& sense : kMotionSenses) {
-      const Range range = range_of(log, {joint, sense.quantity});
+      const Range range = range_of_motion(log, {joint, sense.quantity});
       if (range.is_empty()) continue;
       const double moved = sense.is_speed ? range.magnitude() : range.width();
       if (moved < sense.least) {
@@ -170,6 +214,7 @@ void report_masked(Log& log) {
 
 void check_contents(Log& log, const Rig& rig) {
   report_constant(log, rig);
+  drop_dead_velocity(log, rig);
   report_motionless(log, rig);
   report_short(log);
   report_too_little(log);

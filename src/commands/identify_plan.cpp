@@ -14,6 +14,7 @@
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
 #include "src/commands/identify_commands.hpp"
+#include "src/commands/noise_option.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -26,6 +27,7 @@ using nlohmann::ordered_json;
 
 struct PlanRequest {
   std::string actuator, rig, excitation;
+  std::vector<std::string> noise;
   identification::PlanOptions options;
   bool json = false;
 };
@@ -38,7 +40,8 @@ ordered_json number_or_null(double value) {
 ordered_json expected_json(const Expected& expected) {
   return {{"standard_error", number_or_null(expected.standard_error)},
           {"separability", expected.share},
-          {"nearest", expected.nearest}};
+          {"nearest", expected.nearest},
+          {"nearest_parameter", expected.nearest_parameter}};
 }
 
 std::string plan_json(const Plan& plan, const PlanRequest& request,
@@ -66,7 +69,8 @@ std::string plan_json(const Plan& plan, const PlanRequest& request,
     document["noise"][std::string(identification::name_of(quantity))] = sigma;
   }
   document["tried"] = plan.tried;
-  document["options"] = {{"duration_s", request.options.duration_s}, {"seed", request.options.seed}};
+  document["options"] = {{"duration_s", request.options.duration_s},
+                         {"seed", request.options.seed}};
   document["tool"] = io::tool_provenance();
   document["inputs"] = io::input_provenance(documents);
   return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -83,16 +87,20 @@ std::string parameter_text(const PlannedParameter& each) {
       sigma_text(each.plan.standard_error), sigma_text(each.chirp.standard_error), each.plan.share,
       each.chirp.share);
   if (!each.is_separable) {
+    const bool is_its_own = each.plan.nearest == each.column.effect;
     text += fmt::format("  not separable by this plan: nearest is {}; what would: {}.\n",
-                        each.plan.nearest, each.remedy);
+                        is_its_own ? "its own " + each.plan.nearest_parameter : each.plan.nearest,
+                        each.remedy);
   }
   return text;
 }
 
 std::string plan_text(const Plan& plan, const PlanRequest& request) {
-  std::string text = fmt::format("An excitation of {:g} s in {} run(s), beside a plain chirp as long.\n",
-                                 request.options.duration_s, plan.runs.size());
+  std::string text =
+      fmt::format("An excitation of {:g} s in {} run(s), beside a plain chirp as long.\n",
+                  request.options.duration_s, plan.runs.size());
   for (const PlannedParameter& each : plan.parameters) text += parameter_text(each);
+  text += "Made for the parameter that is worst off; others may have smaller errors by the chirp.\n";
   text += fmt::format("Smallest eigenvalue of the scaled information: {:.3g} ({:.3g}).\n",
                       plan.smallest_eigenvalue, plan.chirp_smallest_eigenvalue);
   for (const Plan::Unseen& each : plan.unseen) {
@@ -113,7 +121,8 @@ std::string plan_text(const Plan& plan, const PlanRequest& request) {
   return text;
 }
 
-ExitCode run_plan(const PlanRequest& request) {
+ExitCode run_plan(PlanRequest request) {
+  request.options.noise = read_noise(request.noise);
   const io::Document rig_document = io::read_document(request.rig, "rig");
   const identification::Rig rig = identification::read_rig(rig_document);
   const actuator::ReadActuator nominal = actuator::read_actuator(request.actuator);
@@ -136,7 +145,8 @@ ExitCode run_plan(const PlanRequest& request) {
 
 void add_identify_plan(CLI::App& identify, ExitCode& result) {
   auto request = std::make_shared<PlanRequest>();
-  CLI::App* command = identify.add_subcommand("plan", "What to play, so that effects can be told apart");
+  CLI::App* command =
+      identify.add_subcommand("plan", "What to play, so that effects can be told apart");
   command->add_option("actuator", request->actuator, "Document of kind actuator, as designed")
       ->required();
   command->add_option("--rig", request->rig, "Document of kind rig: load and columns")->required();
@@ -154,6 +164,8 @@ void add_identify_plan(CLI::App& identify, ExitCode& result) {
       ->add_option("--speed-limit", request->options.limits.speed_rad_s,
                    "Of the rig's output, in rad/s")
       ->check(CLI::PositiveNumber);
+  command->add_option("--noise", request->noise,
+                      "QUANTITY=SIGMA: white noise of a column, repeatable; else typical ones");
   command->add_option("--seed", request->options.seed, "Of the search");
   command->add_option("-o,--output", request->excitation, "The excitation as CSV");
   command->add_flag("--json", request->json, "The plan as JSON");

@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "src/commands/identify_commands.hpp"
-
-#include <fmt/format.h>
-
-#include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,7 +8,8 @@
 #include "identification/simulated_log.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
-#include "io/spec_error.hpp"
+#include "src/commands/identify_commands.hpp"
+#include "src/commands/noise_option.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -26,27 +21,10 @@ struct SimulateOptions {
   std::uint64_t seed = 1;
 };
 
-/// QUANTITY=SIGMA.
-void add_noise(const std::string& text, identification::SimulatedLogOptions& options) {
-  const std::size_t equals = text.find('=');
-  const auto refuse = [&](const std::string& why) {
-    throw io::SpecError({{"command line", "--noise " + text, why}});
-  };
-  if (equals == std::string::npos) refuse("QUANTITY=SIGMA is expected");
-  const auto quantity = identification::find_quantity(text.substr(0, equals));
-  if (!quantity) refuse("no such quantity; docs/logs.md lists them");
-  char* end = nullptr;
-  const double sigma = std::strtod(text.c_str() + equals + 1, &end);
-  if (end == text.c_str() + equals + 1 || *end != '\0' || !std::isfinite(sigma) || sigma < 0.0) {
-    refuse("SIGMA is a standard deviation: a number, 0 or more, in the quantity's unit");
-  }
-  options.noise[*quantity] = sigma;
-}
-
 ExitCode run_simulate(const SimulateOptions& options) {
   identification::SimulatedLogOptions log_options;
   log_options.seed = options.seed;
-  for (const std::string& noise : options.noise) add_noise(noise, log_options);
+  log_options.noise = read_noise(options.noise);
   const identification::Rig rig = identification::read_rig(io::read_document(options.rig, "rig"));
   const actuator::ReadActuator truth = actuator::read_actuator(options.actuator);
   const auto runs = identification::read_excitation(options.excitation, rig);

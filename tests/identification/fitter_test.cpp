@@ -85,9 +85,9 @@ TEST(Fitter, EqualsAFitToTheRowsWithEachFoldLeftOut) {
 }
 
 // Oracle: closed form. y = 2 x, x measured with noise of half its variance: plain least squares
-// finds 2 / 1.5; with the noise's product subtracted, 2 up to its standard error. The score's variance
-// per sample is 4 (s + 2 s^2) with s = 0.5, so that error is sqrt(4 / 48000), below 0.0092. Five of
-// those.
+// finds 2 / 1.5; with the noise's product subtracted, 2 up to its standard error. The score's
+// variance per sample is 4 (s + 2 s^2) with s = 0.5, so that error is sqrt(4 / 48000), below
+// 0.0092. Five of those.
 TEST(Fitter, IsUnbiasedWhereTheNoiseOfAColumnIsSubtracted) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -43,8 +44,7 @@ TEST(Plan, IsInsideTheRegionAtEverySample) {
   const actuator::Region region(actuator, {});
   for (const ExcitationRun& run : stribeck_plan().runs) {
     // By the simulation's own step, finer than the search's.
-    const SimulatedRun simulated =
-        simulate(bench_rig(), {&actuator}, run.excitation, {run.start});
+    const SimulatedRun simulated = simulate(bench_rig(), {&actuator}, run.excitation, {run.start});
     const JointTrace& trace = simulated.joints[0];
     for (std::size_t i = 0; i < trace.torque_Nm.size(); ++i) {
       const actuator::JointRange range = region.at(trace.speed_rad_s[i]);
@@ -63,8 +63,7 @@ TEST(Plan, KeepsToTheRigsLimits) {
   options.candidates = 2;
   const actuator::Actuator actuator = bench_actuator();
   for (const ExcitationRun& run : plan_excitation(bench_rig(), actuator, options).runs) {
-    const SimulatedRun simulated =
-        simulate(bench_rig(), {&actuator}, run.excitation, {run.start});
+    const SimulatedRun simulated = simulate(bench_rig(), {&actuator}, run.excitation, {run.start});
     for (std::size_t i = 0; i < run.excitation.time_s.size(); ++i) {
       ASSERT_LE(std::abs(simulated.joints[0].position_rad[i]), 0.5);
       ASSERT_LE(std::abs(simulated.joints[0].speed_rad_s[i]), 3.0);
@@ -83,6 +82,45 @@ TEST(Plan, ExpectsLessErrorThanTheChirp) {
     EXPECT_LT(each.plan.standard_error, each.chirp.standard_error) << each.column.effect;
   }
   EXPECT_TRUE(stribeck_plan().is_separable());
+}
+
+/// Of the parameter that is worst off, as plan.cpp has it: typical value over its error, and its
+/// share.
+double worst(const Plan& plan, Expected PlannedParameter::*which) {
+  double least = 1e300;
+  for (const PlannedParameter& each : plan.parameters) {
+    const Expected& expected = each.*which;
+    least = std::min(least, each.typical / expected.standard_error * std::min(expected.share, 0.5));
+  }
+  return least;
+}
+
+// On a wheel that only accelerates a chirp is good for friction; it is a candidate itself, so that
+// nothing worse comes out. What is nearest to one coefficient may be the other of the same effect.
+TEST(Plan, IsNeverWorseThanTheChirpForWhatIsWorstOff) {
+  const Rig rig =
+      read_rig(io::read_document(TORQUEWRIGHT_SOURCE_DIR "/specs/rig/free_flywheel.json", "rig"));
+  for (const std::string effect : {"quadratic_drag", "load_dependent_friction"}) {
+    PlanOptions options = asked({effect});
+    options.duration_s = 8.0;
+    options.candidates = 2;
+    const Plan plan = plan_excitation(rig, bench_actuator(), options);
+    EXPECT_GE(worst(plan, &PlannedParameter::plan), worst(plan, &PlannedParameter::chirp))
+        << effect;
+    for (const PlannedParameter& each : plan.parameters) {
+      const bool is_itself = each.plan.nearest == each.column.effect &&
+                             each.plan.nearest_parameter == each.column.parameter;
+      EXPECT_FALSE(is_itself) << effect;
+    }
+  }
+}
+
+TEST(Plan, RefusesToExpectErrorsWithoutNoise) {
+  PlanOptions options = asked({"coulomb_friction"});
+  options.noise = {{Quantity::kOutputPosition, 0.0},
+                   {Quantity::kMotorCurrent, 0.0},
+                   {Quantity::kOutputTorque, 0.0}};
+  EXPECT_THROW(plan_excitation(bench_rig(), bench_actuator(), options), io::SpecError);
 }
 
 TEST(Plan, SaysThatAnExactIdentityIsNotSeparable) {

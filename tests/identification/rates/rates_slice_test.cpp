@@ -18,6 +18,7 @@ constexpr std::uint64_t kFirstSeed = 1000;
 struct Count {
   int not_right = 0;  ///< First name not the truth's.
   int wrong = 0;      ///< A name that stands alone and is not there.
+  int not_all = 0;    ///< Not everything found.
   int named = 0;
   std::string lines;
 };
@@ -31,6 +32,7 @@ Count count(LogClass log_class, std::uint64_t first, std::uint64_t many) {
     const Outcome outcome = try_out(oracles::draw(log_class, seed), folder);
     count.not_right += !outcome.first_is_right;
     count.wrong += outcome.any_wrong;
+    count.not_all += !outcome.all_found;
     count.named += !outcome.names.empty();
     count.lines += fmt::format("{} {}:", seed, outcome.truth);
     for (const std::string& name : outcome.names) count.lines += " " + name;
@@ -46,7 +48,7 @@ TEST(RatesSlice, NamesNothingWhereNothingIsMissing) {
 }
 
 // Four cases, so that they run side by side. At the goal of 98 % right, two of four logs go wrong
-// once in 400 such cases (binomial); one is allowed. Below, the same bound of 1 % with a goal of 2 %.
+// once in 400 such cases (binomial); one is allowed.
 class OneEffect : public testing::TestWithParam<int> {};
 TEST_P(OneEffect, IsNamedAndNothingElseIs) {
   const Count counted =
@@ -56,11 +58,14 @@ TEST_P(OneEffect, IsNamedAndNothingElseIs) {
 }
 INSTANTIATE_TEST_SUITE_P(RatesSlice, OneEffect, testing::Range(0, 4));
 
-TEST(RatesSlice, NamesTwoEffectsWithAtMostOneWrong) {
+TEST(RatesSlice, NamesTwoEffectsAndNothingElse) {
   const Count counted = count(LogClass::kTwo, kFirstSeed, 6);
-  EXPECT_LE(counted.wrong, 1) << counted.lines;
+  EXPECT_EQ(counted.wrong, 0) << counted.lines;
+  EXPECT_EQ(counted.not_all, 0) << counted.lines;
 }
 
+// One of the four is met wrongly today (a dead zone of the current sensor is called an error of the
+// torque constant with saturation); the goal of 2 % allows none in most draws.
 TEST(RatesSlice, NamesNoEffectForWhatIsOutsideTheLibrary) {
   const Count counted = count(LogClass::kOutside, kFirstSeed, 4);
   EXPECT_LE(counted.wrong, 1) << counted.lines;
@@ -68,11 +73,14 @@ TEST(RatesSlice, NamesNoEffectForWhatIsOutsideTheLibrary) {
 
 TEST(RatesSlice, CallsNothingCertainThatTheLogCannotTell) {
   const Count counted = count(LogClass::kCannotTell, kFirstSeed, 4);
-  EXPECT_LE(counted.wrong, 1) << counted.lines;
+  EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
 
-TEST(RatesSlice, NamesNothingWrongInShortLogs) {
+// At the goal of 80 % found, two of four are missed once in five such draws; one is allowed. The
+// one that is missed today is also the one that is named wrongly (a mass as a group of cogging).
+TEST(RatesSlice, FindsMostInShortLogs) {
   const Count counted = count(LogClass::kShort, kFirstSeed, 4);
+  EXPECT_LE(counted.not_all, 1) << counted.lines;
   EXPECT_LE(counted.wrong, 1) << counted.lines;
 }
 

@@ -87,6 +87,17 @@ void judge_names(const EquationResult& equation, const Truth& truth, Outcome& ou
   }
 }
 
+/// Held-out error in the unit of the truth's floor (torque, or the force of an axis) over that
+/// floor.
+double over_truth(const EquationResult& equation, const actuator::Actuator& nominal,
+                  const Truth& truth) {
+  const auto floor = truth.noise_floor_rms.find("torque");
+  if (floor == truth.noise_floor_rms.end() || equation.unit == "V") return 0.0;
+  const double per_unit =
+      equation.unit == "A" ? nominal.transmission.ratio * nominal.motor.torque_constant_Nm_A : 1.0;
+  return equation.after.holdout_rms * std::abs(per_unit) / floor->second;
+}
+
 }  // namespace
 
 Outcome try_out(const oracles::Scenario& scenario, const std::filesystem::path& folder) {
@@ -117,7 +128,8 @@ Outcome try_out(const oracles::Scenario& scenario, const std::filesystem::path& 
       }
     }
     if (equation.noise_floor_rms > 0.0 && &equation == &equations.front()) {
-      outcome.after_over_noise = equation.after.holdout_rms / equation.noise_floor_rms;
+      outcome.after_over_estimate = equation.after.holdout_rms / equation.noise_floor_rms;
+      outcome.after_over_truth = over_truth(equation, nominal.actuator, truth);
     }
   }
   for (const TrueEffect& effect : truth.effects) outcome.truth += effect.effect + " ";

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// `identify plan` and `identify simulate` as a user runs them: what is planned can be played, what
+// is played can be read, what cannot be done is refused.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/spoilt_log.hpp"
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test::plan {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+std::string actuator() { return in_repository("specs/log/bench_actuator.json"); }
+std::string rig() { return in_repository("specs/log/bench_rig.json"); }
+
+Words plan_words(const Words& more) {
+  Words words = {"identify",
+                 "plan",
+                 actuator(),
+                 "--rig",
+                 rig(),
+                 "--separate",
+                 "coulomb_friction,viscous_friction",
+                 "--duration",
+                 "8"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+void expect_refused(const Workplace& place, const Words& words, const std::string& said) {
+  const auto before = place.files();
+  const Outcome outcome = place.run(words);
+  EXPECT_EQ(outcome.exit_code, 2) << said;
+  EXPECT_EQ(outcome.out, "") << said;
+  EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  EXPECT_EQ(place.files(), before) << said;
+}
+
+// The loop of a user: plan, play on an actuator with 0.3 Nm of Coulomb friction, identify.
+TEST(IdentifyPlan, WhatIsPlannedIsPlayedAndNamesTheEffect) {
+  const Workplace place;
+  const Outcome planned = place.run(plan_words({"-o", "plan.csv", "--json"}));
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  const json plan = json::parse(planned.out);
+  EXPECT_EQ(plan["separable"], true);
+  ASSERT_EQ(plan["parameters"].size(), 2u);
+  for (const json& each : plan["parameters"]) {
+    EXPECT_GT(each["plan"]["standard_error"].get<double>(), 0.0);
+    EXPECT_LE(each["plan"]["separability"].get<double>(), 1.0);
+  }
+  const SpoiltLog excitation(place.text("plan.csv"));
+  EXPECT_EQ(std::stod(excitation.rows.front()[1]), 0.0);
+  json truth = json::parse(text_of(actuator()));
+  truth["effects"] = {{{"effect", "coulomb_friction"},
+                       {"parameters", {{"coulomb_Nm", 0.3}}},
+                       {"provenance", "assumed"}}};
+  place.write("truth.json", truth.dump());
+  const Outcome played = place.run({"identify", "simulate", "truth.json", "--rig", rig(),
+                                    "--excitation", "plan.csv", "--noise", "output_torque_Nm=0.1",
+                                    "--noise", "output_position_rad=0.0002", "-o", "log.csv"});
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_EQ(played.out, "");
+  const Outcome found =
+      place.run({"identify", "log.csv", "--rig", rig(), "--actuator", actuator(), "--json"});
+  const json report = json::parse(found.out);
+  ASSERT_GE(report["effects_added"].size(), 1u) << found.out;
+  const json& effect = report["effects_added"][0];
+  EXPECT_EQ(effect["effect"], "coulomb_friction");
+  EXPECT_NEAR(effect["parameters"]["coulomb_Nm"].get<double>(), 0.3, 0.03);
+}
+
+// Twice the noise of every channel, twice the error: the information is homogeneous in it. The
+// excitation is the same, since no candidate changes its rank.
+TEST(IdentifyPlan, ErrorsGrowWithTheNoiseThatIsStated) {
+  const Workplace place;
+  const auto error = [&](const Words& noise) {
+    const json plan = json::parse(place.run(plan_words(noise)).out);
+    return plan["parameters"][0]["plan"]["standard_error"].get<double>();
+  };
+  const Words once = {"--json",
+                      "--noise",
+                      "output_torque_Nm=0.1",
+                      "--noise",
+                      "motor_current_A=0.1",
+                      "--noise",
+                      "output_position_rad=0"};
+  const Words twice = {"--json",
+                       "--noise",
+                       "output_torque_Nm=0.2",
+                       "--noise",
+                       "motor_current_A=0.2",
+                       "--noise",
+                       "output_position_rad=0"};
+  EXPECT_NEAR(error(twice), 2.0 * error(once), 1e-9 * error(twice));
+}
+
+TEST(IdentifyPlan, OfAnExactIdentityIsUndecided) {
+  const Workplace place;
+  const Outcome outcome = place.run({"identify", "plan", actuator(), "--rig", rig(), "--separate",
+                                     "torque_offset,asymmetric_friction", "--duration", "8"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.out.find("the same in the torque balance"), std::string::npos);
+  EXPECT_NE(outcome.out.find("tare"), std::string::npos);
+}
+
+TEST(IdentifyPlan, RefusesWhatCannotBePlanned) {
+  const Workplace place;
+  expect_refused(place, {"identify", "plan", actuator()}, "--rig is required");
+  expect_refused(place, plan_words({"--separate", "viscous_fricton"}),
+                 "did you mean \"viscous_friction\"?");
+  expect_refused(place, {"identify", "plan", actuator(), "--rig", rig(), "--duration", "2"},
+                 "is not between 8 and 600 s");
+  expect_refused(place, plan_words({"--noise", "torque=1"}), "no such quantity");
+  expect_refused(place, plan_words({"--noise", "output_torque_Nm=-1"}), "0 or more");
+  expect_refused(place, plan_words({"-o", rig()}), "bench_rig.json");
+  expect_refused(
+      place, {"identify", "plan", actuator(), "--rig", in_repository("specs/rig/serial_arm.json")},
+      "only rigs of one joint");
+}
+
+std::string excitation(const std::string& header, const std::string& row) {
+  std::string text = header + "\n";
+  for (int k = 0; k < 50; ++k) text += std::to_string(0.01 * k) + row + "\n";
+  return text;
+}
+
+TEST(IdentifySimulate, TheSameSeedGivesTheSameLog) {
+  const Workplace place;
+  place.write("e.csv",
+              excitation("time_s,motor_current_A,output_velocity_rad_s,run", ",2,1,run_4"));
+  const auto log = [&](const std::string& seed) {
+    return place
+        .run({"identify", "simulate", actuator(), "--rig", rig(), "--excitation", "e.csv",
+              "--noise", "output_torque_Nm=0.1", "--seed", seed})
+        .out;
+  };
+  EXPECT_EQ(log("1"), log("1"));
+  EXPECT_NE(log("1"), log("2"));
+}
+
+// Oracle: closed form. A dynamometer turns at constant speed: torque is N Kt i, angle is w t.
+TEST(IdentifySimulate, WritesTheRigsColumnsWithTheirValues) {
+  const Workplace place;
+  place.write("e.csv",
+              excitation("time_s,motor_current_A,output_velocity_rad_s,run", ",2,1,run_4"));
+  const Outcome outcome =
+      place.run({"identify", "simulate", actuator(), "--rig", rig(), "--excitation", "e.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  SpoiltLog log(outcome.out);
+  ASSERT_EQ(log.rows.size(), 50u);
+  EXPECT_NEAR(log.number(20, "tau_Nm"), 9.3 * 0.0865 * 2.0, 1e-6);
+  EXPECT_NEAR(log.number(20, "q_rad"), 0.2, 1e-6);
+  EXPECT_EQ(log.at(20, "run"), "run_4");
+}
+
+TEST(IdentifySimulate, RefusesWhatCannotBePlayed) {
+  const Workplace place;
+  const auto simulate = [&](const std::string& text, const Words& more = {}) {
+    place.write("e.csv", text);
+    Words words = {"identify", "simulate", actuator(), "--rig", rig(), "--excitation", "e.csv"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const std::string good = excitation("time_s,motor_current_A,output_velocity_rad_s,run", ",2,1,a");
+  expect_refused(place, simulate(excitation("time_s,motor_current_A", ",2")),
+                 "output_velocity_rad_s");
+  expect_refused(place, simulate(excitation("time_s,motor_curent_A,output_velocity_rad_s", ",2,1")),
+                 "nothing drives: a column motor_current_A");
+  expect_refused(
+      place, simulate(excitation("time_s,motor_current_A,output_velocity_rad_s,run", ",nan,1,a")),
+      "nan");
+  expect_refused(place, simulate(good, {"--noise", "output_torque_Nm=x"}),
+                 "SIGMA is a standard deviation");
+  expect_refused(place, simulate(good, {"--noise", "output_torque_Nm"}), "QUANTITY=SIGMA");
+  expect_refused(place,
+                 {"identify", "simulate", actuator(), "--rig", rig(), "--excitation", "absent.csv"},
+                 "absent.csv");
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test::plan
