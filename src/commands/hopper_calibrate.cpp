@@ -41,36 +41,49 @@ void check_calibration_files(const CalibrateOptions& options, const hopper::Read
   report::require_gnuplot("--plot");
 }
 
+/// Files that the document names relative to itself are found from its new place.
+void move_references(nlohmann::json& root, const std::filesystem::path& from,
+                     const std::filesystem::path& to) {
+  const auto move = [&](nlohmann::json& file) {
+    const auto old = std::filesystem::absolute(from.parent_path() / file.get<std::string>());
+    file = std::filesystem::proximate(old, std::filesystem::absolute(to).parent_path()).string();
+  };
+  if (!root.contains("mechanisms")) return;
+  for (nlohmann::json& mechanism : root["mechanisms"]) {
+    for (nlohmann::json& file : mechanism["actuators"]) move(file);
+    const nlohmann::json::json_pointer strength("/transmission_limit/strength");
+    if (mechanism.contains(strength)) move(mechanism[strength]);
+  }
+}
+
 /// The robot's document with the fitted values, which stay assumed.
 std::string calibrated_robot(const CalibrateOptions& options, const io::Document& robot,
                              const report::CalibrationReport& report) {
   nlohmann::json root = robot.root;
   nlohmann::json& assumed = root["assumed"];
   if (assumed.is_null()) assumed = nlohmann::json::array();
+  const auto assume = [&assumed](const std::string& pointer) {
+    if (std::find(assumed.begin(), assumed.end(), pointer) == assumed.end()) {
+      assumed.push_back(pointer);
+    }
+  };
+  for (const std::string& posture : options.request.postures) {
+    assume(io::child_path("/postures", posture.substr(0, posture.find('='))));
+  }
   const auto& free = report.question.free;
   for (std::size_t i = 0; i < free.size(); ++i) {
     for (const std::string& pointer : free[i].pointers) {
       root[nlohmann::json::json_pointer(pointer)] = report.found.best->values[i];
-      if (std::find(assumed.begin(), assumed.end(), pointer) == assumed.end()) {
-        assumed.push_back(pointer);
-      }
+      assume(pointer);
       root["provenance"].push_back(report::calibration_provenance(report, i, pointer));
     }
   }
-  const std::filesystem::path from = std::filesystem::path(robot.file).parent_path();
-  const std::filesystem::path to = std::filesystem::absolute(options.output_file).parent_path();
-  if (!root.contains("mechanisms")) return io::json_text(root);
-  for (nlohmann::json& mechanism : root["mechanisms"]) {  // actuators are found from the new place
-    for (nlohmann::json& file : mechanism["actuators"]) {
-      const std::filesystem::path old = std::filesystem::absolute(from / file.get<std::string>());
-      file = std::filesystem::proximate(old, to).string();
-    }
-  }
+  move_references(root, robot.file, options.output_file);
   return io::json_text(root);
 }
 
 std::string calibration_result(const CalibrateOptions& options, const hopper::ReadRobot& read,
-                        const report::CalibrationReport& report) {
+                               const report::CalibrationReport& report) {
   if (!options.json) return report::calibration_text(report);
   nlohmann::ordered_json result = report::calibration_json(report);
   result["options"] = {{"target", options.request.targets},

@@ -90,6 +90,29 @@ TEST(Profile, EndsWhereTheToleranceIsUsedUp) {
   EXPECT_NEAR(found.profiles[0].ranges[0].high, angle_of(inertia_kg_m2 / 1.01), 1e-4);
 }
 
+// Of a valley the point nearest to the document: one wanted inertia, and of bar and angle (both
+// free) the ones on the curve that by scan are the nearest, in shares of the bounds.
+TEST(Calibrate, TellsThePointNearestToTheDocument) {
+  const ReadRobot read = robot_from(two_bars());
+  const double wanted = two_bar_inertia_kg_m2(.9, .08);
+  const Calibration found = calibrate(
+      question_of(read, 1.0, {{0, 1 / wanted}},
+                  {"/bodies/1/inertia_kg_m2/yy,/bodies/1/inertia_kg_m2/xx=0.01:0.21",
+                   "/postures/takeoff/hinge"}));
+  double nearest = 1e9;
+  double nearest_angle_rad = 0;
+  for (double angle_rad = 0; angle_rad < 3; angle_rad += 1e-4) {
+    const double bar_kg_m2 = wanted - two_bar_inertia_kg_m2(angle_rad, 0);
+    const double distance = std::hypot((bar_kg_m2 - .05) / .2, (angle_rad - .5) / 3);
+    if (bar_kg_m2 < .01 || bar_kg_m2 > .21 || distance >= nearest) continue;
+    nearest = distance;
+    nearest_angle_rad = angle_rad;
+  }
+  ASSERT_TRUE(found.is_met);
+  EXPECT_NEAR(found.best->values[1], nearest_angle_rad, 5e-3);
+  EXPECT_LT(found.best->worst_error, 1e-4);
+}
+
 // One inertia, both postures given: whatever is fitted, one of the figures is missed by hand.
 TEST(Calibrate, SaysWhereTheFiguresCannotBeMet) {
   const ReadRobot read = robot_from(two_bars());
