@@ -2,7 +2,10 @@
 #include "bench/flip_motion.hpp"
 
 #include <Eigen/Dense>
+#include <array>
+#include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "dynamics/inverse_dynamics.hpp"
@@ -56,7 +59,7 @@ struct FlipMaker::Hold {
   double x_m;
 };
 
-FlipMaker::FlipMaker(dynamics::Tree tree) : state_(planar(std::move(tree))) {}
+FlipMaker::FlipMaker(const hopper::Robot& robot) : state_(planar(robot.tree)), body_(robot) {}
 
 void FlipMaker::set(const Joints& joints, const Vector3d& base, const Vector3d& rate) {
   VectorXd position(kRows);
@@ -153,22 +156,31 @@ void FlipMaker::fly(FlipSample& sample, const Vector3d& center_m, const Vector3d
 }
 
 FlipImpact FlipMaker::impact(const FlipSample& before) {
+  // Of the whole body with its rotors, without what leaves the plane.
+  const double half_rad = 0.5 * before.position[kPitch];
+  VectorXd position(10);
+  position << before.position[0], 0, before.position[1], std::cos(half_rad), 0, std::sin(half_rad),
+      0, before.position.tail<3>();
+  if (!body_.set(position, VectorXd::Zero(9))) throw std::runtime_error("ankle out of reach");
+  Eigen::MatrixXd whole(9, 9);
+  body_.mass_matrix(whole);
+  const std::array<Eigen::Index, 5> in_plane{0, 2, 4, 6, 7};
+  const Eigen::MatrixXd mass = whole(in_plane, in_plane);
   state_.set(before.position, before.velocity);
-  Eigen::MatrixXd mass(kRows, kRows);
-  dynamics::mass_matrix(state_, mass);
   const BodyPoint sole{kFoot, kSole};
   Eigen::Matrix<double, 3, Eigen::Dynamic> move(3, kRows);
   Eigen::Matrix<double, 3, Eigen::Dynamic> turn(3, kRows);
   dynamics::point_jacobian(state_, sole, move);
   dynamics::rotation_jacobian(state_, kFoot, turn);
-  Eigen::Matrix<double, 3, Eigen::Dynamic> rows(3, kRows);
-  rows << move.row(0), move.row(2), turn.row(1);
+  Eigen::Matrix<double, 3, 5> rows;
+  rows << move.row(0).head<5>(), move.row(2).head<5>(), turn.row(1).head<5>();
   const Eigen::MatrixXd response = mass.ldlt().solve(rows.transpose());
   const Matrix3d compliance = rows * response;
-  const Vector3d impulse = -compliance.ldlt().solve((rows * before.velocity).eval());
+  const Vector3d impulse = -compliance.ldlt().solve((rows * before.velocity.head<5>()).eval());
   const double x_m = dynamics::point_position_m(state_, sole).x();
   FlipImpact result;
-  result.velocity = before.velocity + response * impulse;
+  result.velocity = before.velocity;
+  result.velocity.head<5>() += response * impulse;
   result.impulse_x_N_s = impulse[0];
   result.impulse_z_N_s = impulse[1];
   result.moment_Nm_s = impulse[2] - x_m * impulse[1];

@@ -5,6 +5,7 @@
 
 #include "bench/cubic_spline.hpp"
 #include "dynamics/tree_state.hpp"
+#include "hopper/whole_body.hpp"
 
 namespace torquewright::bench {
 
@@ -53,8 +54,8 @@ struct FlipImpact {
 /// Makes the motions of one robot, whose bodies are thigh, calf, ankle's cross and foot.
 class FlipMaker {
  public:
-  /// The robot's tree: its base may be spatial.
-  explicit FlipMaker(dynamics::Tree tree);
+  /// The robot must live as long; its base is spatial.
+  explicit FlipMaker(const hopper::Robot& robot);
 
   /// So many even steps in each phase; touch-down is there twice. The sole stands at height 0, and
   /// its point below the ankle at x = 0 at first.
@@ -76,6 +77,7 @@ class FlipMaker {
   void set(const Joints& joints, const Eigen::Vector3d& base, const Eigen::Vector3d& rate);
 
   dynamics::TreeState state_;
+  hopper::WholeBody body_;  ///< Knows the rotors.
 };
 
 }  // namespace torquewright::bench

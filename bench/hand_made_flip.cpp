@@ -112,7 +112,7 @@ void print_row(const FlipSample& sample) {
 
 void run(const char* robot_file) {
   const hopper::ReadRobot read = hopper::read_robot(robot_file);
-  FlipMaker maker(read.robot.tree);
+  FlipMaker maker(read.robot);
   FlipNumbers numbers = sought();
   close(maker, numbers);
   print_head();
