@@ -18,6 +18,12 @@ const double kAngleStep_rad = 2.0 * std::numbers::pi / 16384.0;
 
 double square(double value) { return value * value; }
 
+/// What the rig's load adds to the inertia: kg m^2, or kg on an axis.
+double load_inertia(const Load& load) {
+  if (load.type == LoadType::kLinearAxis) return load.mass_kg;
+  return load.inertia_kg_m2 + load.mass_kg * square(load.length_m);
+}
+
 Extent extent_of_limits(const ExcitationLimits& limits, const actuator::Actuator& actuator) {
   Extent extent;
   extent.speed_rad_s = limits.speed_rad_s();
@@ -100,7 +106,8 @@ PlanTrial::PlanTrial(const Rig& rig, const actuator::Actuator& actuator,
     joint.value.resize(2);
     if (!joint.speed_rad_s.empty()) joint.speed_rad_s.resize(2);
   }
-  const SimulatedRun simulated = simulate(rig, {&actuator}, short_run[0].excitation, {JointStart{}});
+  const SimulatedRun simulated =
+      simulate(rig, {&actuator}, short_run[0].excitation, {JointStart{}});
   bench_ = make_bench(rig, noiseless_log(rig, actuator, short_run, {simulated}), 0, {&actuator});
   if (!bench_.has_torque_balance()) return;
   extent_ = extent_of_limits(limits, actuator);
@@ -135,7 +142,7 @@ double PlanTrial::noise_density_Nm2_s(double step_s) const {
   if (bench_.load_side == LoadSide::kSensor) {
     variance += square(sigma(bench_.load_channel));
   } else {
-    inertia += load_inertia_column(rig_, {});
+    inertia += load_inertia(rig_.load);
   }
   if (bench_.drive == Drive::kCurrent) variance += square(per_ampere * sigma(bench_.drive_channel));
   if (bench_.drive == Drive::kTorque) variance += square(sigma(bench_.drive_channel));
@@ -145,8 +152,9 @@ double PlanTrial::noise_density_Nm2_s(double step_s) const {
     variance += square(volt_Nm * sigma(bench_.drive_channel) *
                        (is_duty ? actuator_.drive.bus_voltage_V : 1.0));
   }
-  const double position = std::max({sigma(Quantity::kOutputPosition), sigma(Quantity::kLinearPosition),
-                                    sigma(Quantity::kMotorPosition) / ratio});
+  const double position =
+      std::max({sigma(Quantity::kOutputPosition), sigma(Quantity::kLinearPosition),
+                sigma(Quantity::kMotorPosition) / ratio});
   const double omega_1_s = 2.0 * std::numbers::pi * BandOptions().cutoff_Hz;
   variance += square(inertia * position) * square(square(omega_1_s)) / 5.0;
   return variance * step_s;
@@ -158,7 +166,9 @@ PlanTrial::Information PlanTrial::information(const std::vector<ExcitationRun>& 
   const auto size = static_cast<Eigen::Index>(columns.size());
   Information information{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
   const Log log = noiseless_log(rig_, actuator_, runs, simulated);
-  const Target none = [](const Signals& signals) { return std::vector<double>(signals.size(), 0.0); };
+  const Target none = [](const Signals& signals) {
+    return std::vector<double>(signals.size(), 0.0);
+  };
   const BandOptions band;
   const double density = noise_density_Nm2_s(runs.front().excitation.time_s[1]);
   for (const Signals& signals : prepare(log, bench_, levels_, {})) {

@@ -115,6 +115,22 @@ TEST(Plan, IsNeverWorseThanTheChirpForWhatIsWorstOff) {
   }
 }
 
+// Where only the angle is noisy, what is seen of a torque is noisy by the inertia, the load's too:
+// ten times the wheel must be known ten times worse, less what the rotor has of it.
+TEST(Plan, ErrorsByTheAnglesNoiseGrowWithTheLoadsInertia) {
+  PlanOptions options = asked({"coulomb_friction"});
+  options.duration_s = 8.0;
+  options.candidates = 1;
+  options.noise = {{Quantity::kMotorCurrent, 0.0}, {Quantity::kMotorPosition, 1e-3}};
+  Rig rig =
+      read_rig(io::read_document(TORQUEWRIGHT_SOURCE_DIR "/specs/rig/free_flywheel.json", "rig"));
+  const auto error = [&](double inertia_kg_m2) {
+    rig.load.inertia_kg_m2 = inertia_kg_m2;
+    return plan_excitation(rig, bench_actuator(), options).parameters[0].chirp.standard_error;
+  };
+  EXPECT_GT(error(1.0), 2.0 * error(0.1));
+}
+
 TEST(Plan, RefusesToExpectErrorsWithoutNoise) {
   PlanOptions options = asked({"coulomb_friction"});
   options.noise = {{Quantity::kOutputPosition, 0.0},
