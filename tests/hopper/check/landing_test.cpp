@@ -97,6 +97,39 @@ TEST(Landing, BelowTheGroundIsAViolation) {
   EXPECT_DOUBLE_EQ(*first.value, -0.03);
 }
 
+// Something pushes a flying body sideways at its centre of mass: a force and no moment about it,
+// however the body is turned and wherever its frame sits.
+TEST(Residual, IsOfTheCenterOfMass) {
+  for (const auto base : {dynamics::BaseKind::kSpatial, dynamics::BaseKind::kPlanar}) {
+    Robot robot = block();
+    robot.tree.base = base;
+    robot.tree.bodies[0].inertia.center_of_mass_m = {0.3, -0.1, 0.2};
+    Motion motion;
+    motion.times_s = {0, 0.01, 0.02};
+    const Index size = robot.tree.velocity_size();
+    motion.positions.setZero(robot.tree.position_size(), 3);
+    motion.velocities.setZero(size, 3);
+    motion.accelerations.setZero(size, 3);
+    const bool is_planar = base == dynamics::BaseKind::kPlanar;
+    const Index up = is_planar ? 1 : 2;
+    motion.positions.row(up).setConstant(5);
+    if (is_planar) {
+      motion.positions.row(2).setConstant(0.7);
+    } else {
+      motion.positions.row(3).setConstant(0.8);
+      motion.positions.row(4).setConstant(0.36);
+      motion.positions.row(6).setConstant(0.48);
+    }
+    motion.accelerations.row(up).setConstant(-9.81);
+    motion.accelerations.row(0).setConstant(1);  // 10 kg
+    const ContactSchedule contacts = schedule_contacts(robot, {}, motion);
+    const Demand demand = demand_of(robot, motion, contacts);
+    const Eigen::VectorXd left = demand.residual.col(1);
+    EXPECT_NEAR(left.head(demand.rows.forces).norm(), 10, 1e-12);
+    EXPECT_LE(left.segment(demand.rows.forces, demand.rows.moments).norm(), 1e-12);
+  }
+}
+
 /// A lever on a fixed hinge, loaded at its end, which an 8:1 drive holds.
 Robot lever() {
   Robot robot;

@@ -11,6 +11,7 @@
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "hopper/mechanisms/constant_jacobian.hpp"
+#include "hopper/mechanisms/four_bar.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -136,6 +137,49 @@ TEST(WholeBody, LosesNoPowerBetweenJointsAndActuators) {
   EXPECT_NEAR(power_W, at.acceleration.tail(3).dot(at.velocity.tail(3)), 1e-12);
   EXPECT_NEAR(drives[1].torque_Nm - drives[1].load_torque_Nm,
               64 * 2e-4 * (at.acceleration[7] + 0.5 * at.acceleration[8]), 1e-12);
+}
+
+// A rotor behind a ratio that varies: at constant joint speed the torque is what changes its
+// energy, I A^2 v^2 / 2, with the slope of A taken from two postures nearby.
+TEST(WholeBody, MovesARotorBehindAVaryingRatio) {
+  Robot robot;
+  robot.tree.gravity_m_s2 = 0;
+  dynamics::Body arm;
+  arm.joint.name = "knee";
+  arm.inertia = {1, Eigen::Vector3d::Zero(), 0.1 * Eigen::Matrix3d::Identity()};
+  robot.tree.bodies = {dynamics::Body{}, arm};
+  Drivetrain knee;
+  FourBarGeometry links;
+  links.crank_m = 0.05;
+  links.coupler_m = 0.15;
+  links.rocker_m = 0.08;
+  links.ground_m = 0.15;
+  links.rocker_zero_rad = 1.3;
+  knee.mechanism = std::make_shared<FourBar>(links);
+  knee.joints = {1};
+  knee.actuators = {geared(10, 3e-3)};
+  knee.actuator_names = {"knee"};
+  knee.rotors_in_tree = false;
+  robot.drivetrains = {knee};
+  WholeBody body(robot);
+  constexpr double kSpeed = 2.0;
+  constexpr double kStep = 1e-5;
+  const auto square = [&](double q) {
+    const auto at = knee.mechanism->transfer(SmallVector::Constant(1, q), SmallVector::Zero(1));
+    return at->jacobian(0, 0) * at->jacobian(0, 0);
+  };
+  for (const double q : {0.2, 0.4, 0.6}) {
+    const VectorXd position = VectorXd::Constant(1, q);
+    ASSERT_TRUE(body.set(position, VectorXd::Constant(1, kSpeed)));
+    VectorXd torque(1);
+    body.inverse_dynamics(VectorXd::Zero(1), torque);
+    const double rise = 0.3 * (square(q + kStep) - square(q - kStep)) / (4 * kStep);
+    EXPECT_NEAR(torque[0], rise * kSpeed * kSpeed, 1e-7 * std::abs(torque[0]));
+    EXPECT_GT(std::abs(torque[0]), 1e-3);  // else nothing was tried
+    MatrixXd mass(1, 1);
+    body.mass_matrix(mass);
+    EXPECT_NEAR(mass(0, 0), 0.1 + 0.3 * square(q), 1e-12);
+  }
 }
 
 }  // namespace
