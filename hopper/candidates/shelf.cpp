@@ -109,6 +109,9 @@ RatioSweep read_ratio_sweep(const std::string& text) {
 
 Shelf read_shelf(const fs::path& folder, const ReadRobot& robot,
                  const std::optional<RatioSweep>& sweep) {
+  if (robot.robot.drivetrains.empty()) {
+    io::refuse("--candidates", "the robot states no mechanisms whose actuators could be replaced");
+  }
   Shelf shelf;
   shelf.by_drivetrain.resize(robot.robot.drivetrains.size());
   for (const fs::path& file : documents_in(folder)) {

@@ -44,19 +44,23 @@ BaseResidual base_residual(const CheckedMotion& checked) {
   residual.moment.limit = residual.force.limit * demand.size_m;
   residual.passive.limit = residual.moment.limit;
   if (!demand.has_dynamics || demand.residual.rows() == 0) return residual;
-  RunningIntegral integral(checked.motion.times_s, demand.residual);
-  for (const Jolt& jolt : demand.jolts) integral.add_impulse(jolt.sample, jolt.residual);
   const RowKinds& rows = demand.rows;
-  for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
-    const double left_s = checked.motion.times_s.back() - checked.motion.time_s(sample);
-    // The last windows are cut short; those that hold no time say nothing.
-    const double window_s = std::min(residual.window_s, left_s);
-    if (!(window_s > 0.5 * residual.window_s) && sample > 0) break;
-    const Eigen::VectorXd mean = integral.over(sample, residual.window_s) / residual.window_s;
-    const double time_s = checked.motion.time_s(sample);
+  const auto note_all = [&](const Eigen::VectorXd& mean, double time_s) {
     note(mean, 0, rows.forces, time_s, residual.force);
     note(mean, rows.forces, rows.moments, time_s, residual.moment);
     note(mean, rows.forces + rows.moments, rows.passives, time_s, residual.passive);
+  };
+  // A motion shorter than the window is one; one without duration has its samples alone.
+  const double window_s = std::min(residual.window_s, checked.motion.duration_s());
+  RunningIntegral integral(checked.motion.times_s, demand.residual);
+  for (const Jolt& jolt : demand.jolts) integral.add_impulse(jolt.sample, jolt.residual);
+  for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
+    const double time_s = checked.motion.time_s(sample);
+    if (!(window_s > 0.0)) {
+      note_all(demand.residual.col(sample), time_s);
+    } else if (sample == 0 || time_s + window_s <= checked.motion.times_s.back()) {
+      note_all(integral.over(sample, window_s) / window_s, time_s);
+    }
   }
   for (ResidualPeak* peak : {&residual.force, &residual.moment, &residual.passive}) {
     peak->share_beyond /= static_cast<double>(checked.motion.samples());

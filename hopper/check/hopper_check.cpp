@@ -55,6 +55,10 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
          "the file does not say how the base moves: its torques were held against the regions, "
          "and dynamics, contacts and transmission loads were not computed");
   }
+  if (checked.robot.drivetrains.empty()) {
+    note("no-drives", Severity::kWarning,
+         "the robot states no mechanisms: there is no actuator to hold the motion against");
+  }
   if (motion.velocity_origin == Origin::kDerived) {
     note("velocity-differentiated", Severity::kNote,
          "velocities and accelerations are slope and curvature of the parabola through each "

@@ -184,6 +184,12 @@ TEST_F(HopperCheck, RefusesRobotsThatAreNone) {
   json limit = crane();
   limit["mechanisms"][0]["transmission_limit"] = {{"torque_Nm", 3}};
   expect_refusal(limit, swing(0), "needs either torque_Nm and side");
+  json idle = crane();
+  idle.erase("mechanisms");
+  expect_refusal(idle, swing(0), "states no mechanisms", {"--candidates", "."});
+  const Outcome outcome = check(idle, swing(0));
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.out.find("no actuator to hold the motion against"), std::string::npos);
   json loop = crane();
   loop["joints"].push_back({{"name", "strut"},
                             {"type", "revolute"},

@@ -132,6 +132,15 @@ TEST(Somersault, ThatFloatsIsRefusedWithTimeAndSize) {
     EXPECT_NE(std::string(error.what()).find("44.1"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("floats.csv"), std::string::npos);
   }
+  // Nor is a single instant of it, which has no duration to average over, or a few ms.
+  for (const Index samples : {1, 4}) {
+    Motion part = motion;
+    part.times_s.resize(static_cast<std::size_t>(samples));
+    for (Eigen::MatrixXd* table : {&part.positions, &part.velocities, &part.accelerations}) {
+      *table = table->leftCols(samples).eval();
+    }
+    EXPECT_THROW(check_motion(robot, part, options), io::SpecError) << samples;
+  }
 }
 
 }  // namespace
