@@ -43,7 +43,6 @@ struct Variant {
   double order = 0.0;
   bool of_motor_angle = false;
   bool proportional = false;
-  std::string channel;  ///< Of a delay.
   bool is_temperature_effect = false;
   /// friction_temperature: its terms follow from the friction that is there.
   bool scales_friction = false;
@@ -66,10 +65,8 @@ struct Extent {
   double current_A = 0.0;
   double output_angle_rad = 0.0;  ///< Range of the widest stretch.
   double motor_angle_rad = 0.0;
-  double temperature_K = 0.0;  ///< Range.
   double warmth_K = 0.0;       ///< Largest distance from the actuator's reference.
   double slow_share = 0.0;     ///< Of samples slower than a tenth of that speed, and not at rest.
-  double rate_Hz = 0.0;
 };
 Extent extent_of(const std::vector<Signals>& signals);
 

@@ -39,15 +39,12 @@ void take_angles(const Signals& stretch, Extent& extent) {
 }
 
 void take_temperatures(const std::vector<Signals>& signals, Extent& extent) {
-  Reach temperature;
   for (const Signals& stretch : signals) {
     for (const actuator::Instant& at : stretch.at) {
-      temperature.take(at.winding_temperature_K);
       extent.warmth_K = std::max(extent.warmth_K,
                                  std::abs(at.winding_temperature_K - at.reference_temperature_K));
     }
   }
-  extent.temperature_K = temperature.width() > 0.0 ? temperature.width() : 0.0;
 }
 
 /// Of the usable samples, those slower than a tenth of `fast_rad_s`.
@@ -74,7 +71,6 @@ Extent extent_of(const std::vector<Signals>& signals) {
       currents_A.push_back(std::abs(at.current_A));
     }
     take_angles(stretch, extent);
-    if (stretch.step_s > 0.0) extent.rate_Hz = 1.0 / stretch.step_s;
   }
   take_temperatures(signals, extent);
   extent.speed_rad_s = nearly_greatest(speeds_rad_s);

@@ -59,10 +59,6 @@ double resistance_ohm(const actuator::Actuator& actuator, const Winding& winding
                     (at.winding_temperature_K - at.reference_temperature_K));
 }
 
-double load_inertia_column(const Rig& /*rig*/, const actuator::Instant& at) {
-  return at.acceleration_rad_s2;
-}
-
 double load_mass_column(const Rig& rig, const actuator::Instant& at) {
   const Load& load = rig.load;
   if (load.type == LoadType::kLinearAxis) return at.acceleration_rad_s2;
@@ -78,13 +74,13 @@ std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signa
     const actuator::Instant& at = signals.at[i];
     switch (load.type) {
       case LoadType::kFree:
-        load_Nm[i] = load.inertia_kg_m2 * load_inertia_column(rig, at);
+        load_Nm[i] = load.inertia_kg_m2 * at.acceleration_rad_s2;
         break;
       case LoadType::kLinearAxis:
         load_Nm[i] = load.mass_kg * load_mass_column(rig, at);
         break;
       case LoadType::kPendulum:
-        load_Nm[i] = load.inertia_kg_m2 * load_inertia_column(rig, at) +
+        load_Nm[i] = load.inertia_kg_m2 * at.acceleration_rad_s2 +
                      load.mass_kg * load_mass_column(rig, at);
         break;
       case LoadType::kDynamometer:

@@ -28,8 +28,7 @@ double resistance_ohm(const actuator::Actuator& actuator, const Winding& winding
 /// dynamometer, whose load is whatever it is.
 std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signals& signals);
 
-/// Derivative of that torque by the load's own mass and inertia, at an instant (not for arms).
-double load_inertia_column(const Rig& rig, const actuator::Instant& at);
+/// Derivative of that torque by the load's own mass, at an instant (not for arms).
 double load_mass_column(const Rig& rig, const actuator::Instant& at);
 
 }  // namespace torquewright::identification

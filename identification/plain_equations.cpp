@@ -33,11 +33,10 @@ class PlainBuilder {
 
   /// `parameters`: what the coefficients are, and how they follow from them.
   void variant(std::string effect, Family family, std::vector<std::size_t> columns, double lowest,
-               double highest, std::string channel = "") {
+               double highest) {
     Variant added;
     added.effect = std::move(effect);
     added.family = family;
-    added.channel = std::move(channel);
     for (const std::size_t column : columns)
       added.coefficients.push_back({{{column, 1.0}}, lowest, highest});
     equation_.dictionary.variants.push_back(std::move(added));

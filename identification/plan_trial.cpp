@@ -30,9 +30,8 @@ Extent extent_of_limits(const ExcitationLimits& limits, const actuator::Actuator
   extent.current_A = limits.current_A(0.0, 1.0);
   extent.output_angle_rad = 2.0 * limits.rig().position_rad.value_or(std::numbers::pi);
   extent.motor_angle_rad = std::abs(actuator.transmission.ratio) * extent.output_angle_rad;
-  extent.temperature_K = extent.warmth_K = 20.0;
+  extent.warmth_K = 20.0;
   extent.slow_share = 0.2;
-  extent.rate_Hz = 100.0;
   return extent;
 }
 
