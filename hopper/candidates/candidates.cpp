@@ -140,7 +140,7 @@ CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions
   const CheckedMotion checked{changed, options, motion, basis.contacts, demand};
   const DriveTorques torques = drive_torques(checked);
   const std::vector<SharedBus> buses = shared_buses(checked, torques.torque_Nm);
-  const DriveReports reports = check_drives(checked, torques, buses);
+  const DriveReports reports = check_drivetrain(checked, torques, buses, drivetrain);
   const Drivetrain& own = changed.drivetrains[drivetrain];
   const double stall_Nm = stall_torque_Nm(candidate.actuator, options.conditions);
   result.margin_share = std::numeric_limits<double>::infinity();
@@ -150,8 +150,7 @@ CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions
   }
   std::size_t first = 0;
   for (std::size_t i = 0; i < drivetrain; ++i) first += robot.drivetrains[i].actuators.size();
-  for (std::size_t i = first; i < first + own.actuators.size(); ++i) {
-    const actuator::DriveReport& report = reports.drives[i];
+  for (const actuator::DriveReport& report : reports.drives) {
     const actuator::Reading& reading = report.reading;
     result.margin_share = std::min(result.margin_share, reading.margin_Nm / stall_Nm);
     result.energy_J += reading.energy_drawn_J - reading.energy_returned_J;

@@ -68,6 +68,28 @@ void add_rotors(const Demand& demand, DriveTorques& torques) {
   torques.inertia = InertiaConvention::kIncluded;
 }
 
+/// Holds one drive's samples against its region, on its battery's voltage.
+void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
+                 const std::vector<SharedBus>& buses, const Drivetrain& drivetrain,
+                 std::size_t actuator, std::size_t drive, DriveReports& reports) {
+  actuator::DriveCheck check({drivetrain.actuator_names[actuator], &drivetrain.actuators[actuator],
+                              checked.options.conditions},
+                             {true, torques.inertia, checked.options.runs, checked.options.pause_s,
+                              checked.options.keep_traces});
+  const SharedBus* bus = nullptr;
+  for (const SharedBus& shared : buses) {
+    for (const std::size_t member : shared.drives) bus = member == drive ? &shared : bus;
+  }
+  for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
+    if (bus != nullptr) check.set_bus_voltage_V(bus->voltage_V[sample]);
+    const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
+    check.add(checked.motion.time_s(sample), at.speed_rad_s,
+              torques.torque_Nm(static_cast<Index>(drive), sample), at.acceleration_rad_s2);
+  }
+  reports.drives.push_back(check.finish());
+  if (checked.options.keep_traces) reports.traces.push_back(check.trace());
+}
+
 }  // namespace
 
 DriveTorques drive_torques(const CheckedMotion& checked) {
@@ -99,24 +121,21 @@ DriveReports check_drives(const CheckedMotion& checked, const DriveTorques& torq
   DriveReports reports;
   std::size_t drive = 0;
   for (const Drivetrain& drivetrain : checked.robot.drivetrains) {
-    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i, ++drive) {
-      actuator::DriveCheck check(
-          {drivetrain.actuator_names[i], &drivetrain.actuators[i], checked.options.conditions},
-          {true, torques.inertia, checked.options.runs, checked.options.pause_s,
-           checked.options.keep_traces});
-      const SharedBus* bus = nullptr;
-      for (const SharedBus& shared : buses) {
-        for (const std::size_t member : shared.drives) bus = member == drive ? &shared : bus;
-      }
-      for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
-        if (bus != nullptr) check.set_bus_voltage_V(bus->voltage_V[sample]);
-        const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
-        check.add(checked.motion.time_s(sample), at.speed_rad_s,
-                  torques.torque_Nm(static_cast<Index>(drive), sample), at.acceleration_rad_s2);
-      }
-      reports.drives.push_back(check.finish());
-      if (checked.options.keep_traces) reports.traces.push_back(check.trace());
+    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
+      check_drive(checked, torques, buses, drivetrain, i, drive++, reports);
     }
+  }
+  return reports;
+}
+
+DriveReports check_drivetrain(const CheckedMotion& checked, const DriveTorques& torques,
+                              const std::vector<SharedBus>& buses, std::size_t drivetrain) {
+  DriveReports reports;
+  std::size_t drive = 0;
+  const std::vector<Drivetrain>& all = checked.robot.drivetrains;
+  for (std::size_t i = 0; i < drivetrain; ++i) drive += all[i].actuators.size();
+  for (std::size_t i = 0; i < all[drivetrain].actuators.size(); ++i) {
+    check_drive(checked, torques, buses, all[drivetrain], i, drive++, reports);
   }
   return reports;
 }

@@ -27,4 +27,8 @@ struct DriveReports {
 DriveReports check_drives(const CheckedMotion& checked, const DriveTorques& torques,
                           const std::vector<SharedBus>& buses);
 
+/// The same of the drives of one drivetrain alone.
+DriveReports check_drivetrain(const CheckedMotion& checked, const DriveTorques& torques,
+                              const std::vector<SharedBus>& buses, std::size_t drivetrain);
+
 }  // namespace torquewright::hopper
