@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -153,41 +154,57 @@ std::string json_text(const HopperCheckOptions& options, const hopper::MotionFil
   return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-/// What is wrong with the files of pictures, before the work.
-void require_pictures(const HopperCheckOptions& options) {
+/// What is wrong with the files to be written, before the work.
+void require_outputs(const HopperCheckOptions& options) {
   for (const std::string* file : {&options.plot_file, &options.loads_file}) {
     if (!file->empty()) report::plot_format(*file);
   }
   if (!options.plot_file.empty()) report::require_gnuplot("--plot");
   if (!options.loads_file.empty()) report::require_gnuplot("--plot-loads");
   if (!options.report_file.empty()) report::require_gnuplot("--report");
+  std::vector<std::filesystem::path> outputs;
+  for (const std::string* file : {&options.plot_file, &options.loads_file, &options.figures_file,
+                                  &options.report_file, &options.output_file}) {
+    if (!file->empty()) outputs.emplace_back(*file);
+  }
+  std::vector<std::filesystem::path> inputs{options.robot_file, options.trajectory_file};
+  inputs.insert(inputs.end(), options.columns_files.begin(), options.columns_files.end());
+  io::check_outputs(outputs, inputs);
 }
 
-void draw(const HopperCheckOptions& options, const report::HopperPage& page) {
-  const auto draw_script = [](const std::string& script, const std::string& file) {
-    if (!script.empty()) return report::draw_with_gnuplot(script, file);
-    std::fprintf(stderr, "%s: not drawn, the motion holds nothing for it\n", file.c_str());
+/// What was asked for that the motion has something for.
+std::vector<io::FileContent> pictures(const HopperCheckOptions& options,
+                                      const report::HopperPage& page) {
+  std::vector<io::FileContent> files;
+  const auto add = [&files](const std::string& file, std::string content) {
+    if (!content.empty()) {
+      files.push_back({file, std::move(content)});
+    } else {
+      std::fprintf(stderr, "%s: not drawn, the motion holds nothing for it\n", file.c_str());
+    }
+  };
+  const auto drawn = [](const std::string& script, const char* option) {
+    return script.empty() ? std::string() : report::picture_by_gnuplot(script, option);
   };
   if (!options.plot_file.empty()) {
     const std::string title =
         fmt::format("{}: {}", page.robot.name, actuator::name_of(page.report.check.verdict));
-    draw_script(report::drives_plot(report::plot_format(options.plot_file), page.robot,
-                                    page.options.conditions, title, page.report),
-                options.plot_file);
+    add(options.plot_file,
+        drawn(report::drives_plot(report::plot_format(options.plot_file), page.robot,
+                                  page.options.conditions, title, page.report),
+              "--plot"));
   }
   if (!options.loads_file.empty()) {
-    draw_script(
-        report::loads_plot(report::plot_format(options.loads_file), page.motion, page.report),
-        options.loads_file);
+    add(options.loads_file,
+        drawn(report::loads_plot(report::plot_format(options.loads_file), page.motion, page.report),
+              "--plot-loads"));
   }
   if (!options.figures_file.empty()) {
-    io::write_whole_file(
-        options.figures_file,
+    add(options.figures_file,
         report::stick_figures(page.robot, page.motion, page.options.contact.ground_height_m));
   }
-  if (!options.report_file.empty()) {
-    io::write_whole_file(options.report_file, report::hopper_html(page));
-  }
+  if (!options.report_file.empty()) add(options.report_file, report::hopper_html(page));
+  return files;
 }
 
 ExitCode exit_code_of(actuator::Verdict verdict) {
@@ -196,7 +213,7 @@ ExitCode exit_code_of(actuator::Verdict verdict) {
 }
 
 ExitCode run(const HopperCheckOptions& options) {
-  require_pictures(options);
+  require_outputs(options);
   const hopper::ReadRobot read = hopper::read_robot(options.robot_file);
   hopper::MotionFile source = motion_file(options);
   hopper::CheckOptions check = check_options(options, read);
@@ -217,12 +234,11 @@ ExitCode run(const HopperCheckOptions& options) {
   const Tried tried = try_shelf(options, read, motion, check);
   const std::string text = options.json ? json_text(options, source, read, report, tried)
                                         : text_of(read, motion, report, tried);
-  draw(options, {read.robot, motion, check, report, tried.results});
-  if (options.output_file.empty()) {
-    print_result(text);
-  } else {
-    io::write_whole_file(options.output_file, text);
-  }
+  std::vector<io::FileContent> files =
+      pictures(options, {read.robot, motion, check, report, tried.results});
+  if (!options.output_file.empty()) files.push_back({options.output_file, text});
+  io::write_whole_files(files);
+  if (options.output_file.empty()) print_result(text);
   return exit_code_of(report.check.verdict);
 }
 

@@ -136,6 +136,79 @@ TEST_F(HopperCheck, TheSameInputGivesTheSameBytesOnAnyThreads) {
   EXPECT_EQ(check(crane(), swing(0.5), one).out, check(crane(), swing(0.5), two).out);
 }
 
+TEST_F(HopperCheck, OverwritesNoInputAndWritesAllOrNothing) {
+  const std::string motion = swing(0.5);
+  expect_refusal(crane(), motion, "motion.csv", {"--figures", "motion.csv"});
+  EXPECT_EQ(place_.text("motion.csv"), motion);
+  expect_refusal(crane(), motion, "nowhere", {"--figures", "a.svg", "-o", "nowhere/b.txt"});
+  EXPECT_FALSE(place_.has("a.svg"));
+  EXPECT_EQ(check(crane(), motion, {"--figures", "a.svg", "-o", "b.txt"}).exit_code, 0);
+  EXPECT_TRUE(place_.has("a.svg") && place_.has("b.txt"));
+  // Where nothing says how the base moves there is nothing to draw, and no empty file.
+  const Outcome bare = check(crane(), "time_s,elbow_position_rad,elbow_torque_Nm\n0,0,1\n1,0,1\n",
+                             {"--figures", "c.svg"});
+  EXPECT_NE(bare.err.find("c.svg: not drawn"), std::string::npos) << bare.err;
+  EXPECT_FALSE(place_.has("c.svg"));
+}
+
+// Oracle: a candidate 2 kg heavier, mounted 0.8 m out on the arm, adds 9.81 * 2 * 0.8 Nm to hold.
+TEST_F(HopperCheck, CarriesTheMassOfACandidate) {
+  json light = json::parse(text_of(in_repository("specs/actuator/d151_knee.json")));
+  light["mass_kg"] = 1.5;
+  place_.write("knee.json", light.dump());
+  std::filesystem::create_directory(place_.path("shelf"));
+  light["mass_kg"] = 3.5;
+  place_.write("shelf/heavy.json", light.dump());
+  json robot = crane();
+  robot["mechanisms"][0]["mounted_on"] = {{"body", "arm"}, {"position_m", {0.8, 0, 0}}};
+  const Outcome outcome = check(robot, swing(0.0), {"--candidates", "shelf", "--json"});
+  const json report = json::parse(outcome.out);
+  ASSERT_EQ(report["candidates"].size(), 1u);
+  EXPECT_NEAR(report["candidates"][0]["peak_torque_Nm"].get<double>(), 9.81 * (0.5 + 2 * 0.8),
+              1e-6);
+  EXPECT_EQ(report["candidates"][0]["mass_kg"], 3.5);
+}
+
+// Oracles by hand: balls of 0.3 m, centres 1 m apart at the hand, reach each other when it folds to
+// 0.5 m; a force of the file that pulls down is none of a ground.
+TEST_F(HopperCheck, SaysWhereBodiesMeetAndWhereTheGroundWouldPull) {
+  json robot = crane();
+  robot["bodies"].push_back({{"name", "hand"},
+                             {"mass_kg", 0.001},
+                             {"center_of_mass_m", {0, 0, 0}},
+                             {"inertia_kg_m2", 1e-6}});
+  robot["joints"].push_back({{"name", "slide"},
+                             {"type", "prismatic"},
+                             {"parent", "arm"},
+                             {"child", "hand"},
+                             {"axis", {1, 0, 0}}});
+  robot["collision_spheres"] = {{{"body", "post"}, {"center_m", {0, 0, 1}}, {"radius_m", 0.3}},
+                                {{"body", "hand"}, {"center_m", {0, 0, 0}}, {"radius_m", 0.3}}};
+  const std::string header =
+      "time_s,base_x_position_m,base_z_position_m,base_pitch_position_rad,elbow_position_rad,"
+      "slide_position_m";
+  const auto slid = [&](double place_m) {
+    std::string csv = header + "\n";
+    for (int i = 0; i < 20; ++i) csv += fmt::format("{},0,0,0,0,{}\n", 0.01 * i, place_m);
+    return csv;
+  };
+  EXPECT_EQ(check(robot, slid(0.61)).exit_code, 0);
+  const Outcome meets = check(robot, slid(0.5));
+  EXPECT_EQ(meets.exit_code, 1);
+  EXPECT_NE(meets.out.find("[self-collision] post and hand meet: their spheres overlap by 0.1 m"),
+            std::string::npos)
+      << meets.out;
+  std::string pulled =
+      "time_s,base_x_position_m,base_z_position_m,base_pitch_position_rad,elbow_position_rad,"
+      "front_force_z_N,rear_force_z_N\n";
+  for (int i = 0; i < 20; ++i) pulled += fmt::format("{},0,0,0,0,200,-92.09\n", 0.01 * i);
+  const Outcome outcome = check(crane(), pulled, {"--residual-limit", "10"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("[ground-pulls] rear: the ground would have to pull, with 92.09 N"),
+            std::string::npos)
+      << outcome.out;
+}
+
 TEST_F(HopperCheck, RefusesAMotionThatIsNone) {
   // Half a metre up without a foot on the ground, and standing still.
   std::string motion = swing(0.0);
