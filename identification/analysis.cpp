@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/analysis.hpp"
 
+#include <algorithm>
+
+#include "actuator/effects/library.hpp"
+#include "identification/backlash_residual.hpp"
 #include "identification/delay_choice.hpp"
 #include "identification/equation_analysis.hpp"
 #include "identification/folds.hpp"
 #include "identification/orders.hpp"
+#include "identification/with_effects.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -65,8 +70,26 @@ class JointAnalysis {
                         const std::vector<std::vector<Signals>>& replicas) const {
     const Extent extent = extent_of(signals);
     const Orders orders = promising_orders(bench_, signals, folds_, extent);
-    return analyse_equation(bench_, log_, torque_equation(bench_, extent, orders), signals,
-                            replicas, options_);
+    EquationResult found = analyse_equation(bench_, log_, torque_equation(bench_, extent, orders),
+                                            signals, replicas, options_);
+    if (!asks_again(found)) return found;
+    Bench informed = bench_;
+    informed.in_gap =
+        std::make_shared<const actuator::Actuator>(with_effects(bench_.actuator(), found.added));
+    EquationResult again = analyse_equation(
+        informed, log_, torque_equation(informed, extent, orders), signals, replicas, options_);
+    return again.added.size() >= found.added.size() ? again : found;
+  }
+
+  /// What moves in a gap is simulated with the friction that is known. Where some was found and
+  /// something is left, a gap has to be judged once more.
+  bool asks_again(const EquationResult& found) const {
+    if (!options_.select || !shows_backlash(bench_)) return false;
+    if (found.verdict == Verdict::kExplained) return false;
+    return std::any_of(found.added.begin(), found.added.end(), [](const NamedEffect& each) {
+      const actuator::EffectKind* kind = actuator::find_effect(each.effect);
+      return kind != nullptr && kind->acts == actuator::Acts::kDrag;
+    });
   }
 
   /// As the log is, or with the one channel moved back that is late.

@@ -28,6 +28,19 @@ void choose_load_side(const Channels& channels, Bench& bench) {
   }
 }
 
+/// As the output's motion is read: a position before a velocity, the output's before the motor's.
+Encoders encoders_of(const Channels& channels) {
+  const auto any = [&](Quantity first, Quantity second) {
+    return channels.has(first) || channels.has(second);
+  };
+  const bool output = any(Quantity::kOutputPosition, Quantity::kLinearPosition);
+  const bool motor = channels.has(Quantity::kMotorPosition);
+  if (output && motor) return Encoders::kBoth;
+  if (output || motor) return output ? Encoders::kOutput : Encoders::kMotor;
+  const bool output_velocity = any(Quantity::kOutputVelocity, Quantity::kLinearVelocity);
+  return output_velocity ? Encoders::kOutput : Encoders::kMotor;
+}
+
 }  // namespace
 
 Bench make_bench(const Rig& rig, const Log& log, std::size_t joint,
@@ -40,6 +53,7 @@ Bench make_bench(const Rig& rig, const Log& log, std::size_t joint,
   const Channels& channels = log.runs.front().joints[joint];
   choose_drive(channels, bench);
   choose_load_side(channels, bench);
+  bench.encoders = encoders_of(channels);
   bench.has_temperature =
       channels.has(Quantity::kWindingTemperature) || channels.has(Quantity::kCaseTemperature);
   return bench;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "identification/analysis.hpp"
+#include "identification/with_effects.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -50,11 +51,6 @@ std::size_t leading(const std::vector<EquationResult>& equations) {
   const auto first = std::find_if(equations.begin(), equations.end(),
                                   [](const EquationResult& each) { return !each.added.empty(); });
   return first == equations.end() ? 0 : static_cast<std::size_t>(first - equations.begin());
-}
-
-/// Whether a list of names, separated by commas, holds one.
-bool is_listed(const std::string& names, const std::string& name) {
-  return (", " + names + ",").find(", " + name + ",") != std::string::npos;
 }
 
 std::vector<EmpiricalTable> tables_of(const std::vector<EquationResult>& equations) {

@@ -90,7 +90,15 @@ Map map_of(const Variant& variant, const Balance& balance) {
   }
   if (name == "torque_lag") {
     const double lag_s = variant.shape[0][0];
-    return [lag_s](const Values& v) { return Parameters{{"time_constant_s", v.size() == 0 ? lag_s : lag_s * v[0]}}; };
+    return [lag_s](const Values& v) {
+      return Parameters{{"time_constant_s", v.size() == 0 ? lag_s : lag_s * v[0]}};
+    };
+  }
+  if (name == "backlash") {
+    const double gap_rad = variant.shape[0][0];
+    return [gap_rad](const Values& v) {
+      return Parameters{{"gap_rad", v.size() == 0 ? gap_rad : gap_rad * v[0]}};
+    };
   }
   if (name == "channel_delay") {
     return [](const Values& v) { return Parameters{{"delay_s", std::abs(v[0])}}; };

@@ -10,8 +10,7 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kDifferenceStep = 1e-3;   ///< Relative, for derivatives by the shape.
-constexpr double kMostWorse = 1.001;       ///< Of the loss, against the grid's.
+constexpr double kMostWorse = 1.001;  ///< Of the loss, against the grid's.
 
 /// A member with curved parameters, and where they stand among all of them.
 struct ShapedMember {
@@ -26,8 +25,12 @@ class ShapeSearch {
   ShapeSearch(const Bench& bench, const Equation& equation, const Fit& model,
               const std::vector<Signals>& signals, const std::vector<std::size_t>& fold_of_run,
               const BandOptions& band)
-      : balance_(std::make_shared<Balance>(bench)), equation_(equation), model_(model),
-        signals_(signals), fold_of_run_(fold_of_run), band_(band) {
+      : balance_(std::make_shared<Balance>(bench)),
+        equation_(equation),
+        model_(model),
+        signals_(signals),
+        fold_of_run_(fold_of_run),
+        band_(band) {
     const Extent extent = extent_of(signals);
     for (std::size_t m = 0; m < model.members.size(); ++m) {
       const Variant& variant = equation.dictionary.variants[model.members[m]];
@@ -46,7 +49,8 @@ class ShapeSearch {
     fixed_ = rows_of(fixed_columns(), equation_.target);
     std::vector<optimization::FitVariable> variables;
     for (const ShapeParameter& each : parameters_) {
-      variables.push_back({each.lowest, each.highest, std::clamp(each.start, each.lowest, each.highest), true});
+      variables.push_back(
+          {each.lowest, each.highest, std::clamp(each.start, each.lowest, each.highest), true});
     }
     optimization::FitOptions options;
     options.starts = 3;
@@ -168,13 +172,15 @@ class ShapeSearch {
 
 /// A column's difference between two shapes, over the step: its derivative.
 Column slope_column(const std::shared_ptr<Balance>& balance, const std::string& effect,
-                    std::vector<double> shape, std::size_t parameter, double* scale) {
-  const double step = kDifferenceStep * shape[parameter];
+                    std::vector<double> shape, std::size_t parameter, double relative_step,
+                    double scale) {
+  const double step = relative_step * shape[parameter];
   std::vector<double> below = shape, above = shape;
   below[parameter] -= step;
   above[parameter] += step;
-  const Column low = shaped_column(balance, effect, below), high = shaped_column(balance, effect, above);
-  const double factor = *scale / (2.0 * step);
+  const Column low = shaped_column(balance, effect, below),
+               high = shaped_column(balance, effect, above);
+  const double factor = scale / (2.0 * step);
   return {"slope", [low, high, factor](const Signals& signals, std::vector<double>& out) {
             std::vector<double> other(out.size());
             high.fill(signals, out);
@@ -241,8 +247,9 @@ void add_errors(const ShapeSearch& search, const Equation& equation,
       scale = out.fit.values[static_cast<Eigen::Index>(first + own)];
     }
     for (std::size_t k = 0; k < member.count; ++k) {
-      dictionary.columns.push_back(slope_column(search.balance(), member.effect,
-                                                ShapeSearch::values(member, found.point), k, &scale));
+      dictionary.columns.push_back(
+          slope_column(search.balance(), member.effect, ShapeSearch::values(member, found.point), k,
+                       search.parameters()[member.first + k].difference_step, scale));
       always.push_back({{{dictionary.columns.size() - 1, 1.0}}, -INFINITY, INFINITY});
     }
   }
@@ -254,8 +261,8 @@ void add_errors(const ShapeSearch& search, const Equation& equation,
     for (std::size_t k = 0; k < member.count; ++k, ++at, ++parameter) {
       const auto index = static_cast<Eigen::Index>(at);
       const double error = whole ? std::sqrt(std::max(0.0, whole->covariance(index, index))) : 0.0;
-      out.shapes.push_back({member.place, search.parameters()[parameter].name, found.point[parameter],
-                            error, found.point_spread[parameter]});
+      out.shapes.push_back({member.place, search.parameters()[parameter].name,
+                            found.point[parameter], error, found.point_spread[parameter]});
     }
   }
 }
@@ -274,7 +281,8 @@ std::optional<RefinedModel> refined(const Bench& bench, const Equation& equation
   if (found.stop == optimization::FitStop::kFailed) return std::nullopt;
   RefinedModel out;
   fill_dictionary(search, equation, model, found.point, out);
-  out.gram = std::make_shared<Gram>(build_gram(signals, replicas, out.dictionary, out.target, band));
+  out.gram =
+      std::make_shared<Gram>(build_gram(signals, replicas, out.dictionary, out.target, band));
   if (out.gram->blocks.size() != fold_of_block.size()) return std::nullopt;
   Members members;
   for (std::size_t m = 0; m < model.members.size(); ++m) members.push_back(m);

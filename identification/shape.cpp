@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "actuator/effects/library.hpp"
+#include "identification/backlash_residual.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -19,7 +20,8 @@ Effect effect_of(const std::string& name, std::vector<double> values) {
 }
 
 /// Mean of the grid's values by the weights that the regression gave them.
-double grid_mean(const Variant& variant, const std::vector<double>& weights, std::size_t parameter) {
+double grid_mean(const Variant& variant, const std::vector<double>& weights,
+                 std::size_t parameter) {
   double top = 0.0, bottom = 0.0;
   for (std::size_t j = 0; j < variant.shape.size(); ++j) {
     if (variant.shape[j].size() <= parameter) continue;
@@ -58,15 +60,15 @@ Column saturation_shape(std::shared_ptr<const Balance> balance, double limit_A, 
   const Effect effect = effect_of("torque_constant_saturation", {limit_A, exponent});
   const actuator::Actuator& actuator = balance->bench().actuator();
   const double per_ampere = actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A;
-  return {"saturation", [balance, effect, per_ampere](const Signals& signals, std::vector<double>& out) {
+  return {"saturation",
+          [balance, effect, per_ampere](const Signals& signals, std::vector<double>& out) {
             for (std::size_t i = 0; i < signals.size(); ++i) {
               const double driven_Nm = balance->driven_Nm(signals, i);
               Instant at = signals.at[i];
               at.current_A = driven_Nm / per_ampere;
               const double factor = effect.kind->law(effect, at);
-              out[i] = balance->is_sensor()
-                           ? balance->gain(signals, i) * driven_Nm * (factor - 1.0)
-                           : driven_Nm * (1.0 - 1.0 / factor);
+              out[i] = balance->is_sensor() ? balance->gain(signals, i) * driven_Nm * (factor - 1.0)
+                                            : driven_Nm * (1.0 - 1.0 / factor);
             }
           }};
 }
@@ -88,18 +90,26 @@ Column lag_shape(std::shared_ptr<const Balance> balance, double lag_s) {
                 state = input - lag_s * (input - before) / signals.step_s;
               }
               before = input;
-              out[i] = balance->is_sensor() ? balance->gain(signals, i) * (state - input) : state - input;
+              out[i] = balance->is_sensor() ? balance->gain(signals, i) * (state - input)
+                                            : state - input;
             }
+          }};
+}
+
+Column gap_shape(std::shared_ptr<const Balance> balance, double gap_rad) {
+  return {"gap", [balance, gap_rad](const Signals& signals, std::vector<double>& out) {
+            out = backlash_residual_Nm(*balance, gap_rad, signals);
           }};
 }
 
 }  // namespace
 
 bool is_all_shape(const std::string& effect) {
-  return effect == "torque_constant_saturation" || effect == "torque_lag";
+  return effect == "torque_constant_saturation" || effect == "torque_lag" || effect == "backlash";
 }
 
-std::vector<ShapeParameter> shape_parameters(const Variant& variant, const std::vector<double>& weights,
+std::vector<ShapeParameter> shape_parameters(const Variant& variant,
+                                             const std::vector<double>& weights,
                                              const Extent& extent) {
   const std::string& effect = variant.effect;
   if (effect == "stribeck_friction") {
@@ -116,7 +126,12 @@ std::vector<ShapeParameter> shape_parameters(const Variant& variant, const std::
             {"exponent", 1.0, 8.0, variant.shape.front()[1]}};
   }
   if (effect == "torque_lag") {
-    return {{"time_constant_s", 2e-4, 0.3, std::max(3e-4, variant.shape.front()[0] * weights.front())}};
+    return {
+        {"time_constant_s", 2e-4, 0.3, std::max(3e-4, variant.shape.front()[0] * weights.front())}};
+  }
+  if (effect == "backlash" && !variant.shape.empty()) {
+    const double start_rad = variant.shape.front()[0] * weights.front();
+    return {{"gap_rad", 0.2 * start_rad, 3.0 * start_rad, start_rad, 0.05}};
   }
   return {};
 }
@@ -126,6 +141,7 @@ Column shaped_column(const std::shared_ptr<const Balance>& balance, const std::s
   if (effect == "stribeck_friction") return stribeck_column(balance, shape[0]);
   if (effect == "presliding_friction") return presliding_shape(balance, shape[0]);
   if (effect == "torque_constant_saturation") return saturation_shape(balance, shape[0], shape[1]);
+  if (effect == "backlash") return gap_shape(balance, shape[0]);
   return lag_shape(balance, shape[0]);
 }
 

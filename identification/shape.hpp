@@ -17,11 +17,14 @@ struct ShapeParameter {
   double lowest = 0.0;
   double highest = 0.0;
   double start = 0.0;
+  /// Over which its derivative is taken, relative. Wide where single events move the residual.
+  double difference_step = 1e-3;
 };
 
 /// The shape of one effect in one log, empty where its law is linear in all its parameters. `start`
 /// comes from the variant's grid values.
-std::vector<ShapeParameter> shape_parameters(const Variant& variant, const std::vector<double>& weights,
+std::vector<ShapeParameter> shape_parameters(const Variant& variant,
+                                             const std::vector<double>& weights,
                                              const Extent& extent);
 
 /// What the effect adds at that shape: per unit of its coefficient, or, where there is none left

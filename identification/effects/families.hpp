@@ -18,12 +18,13 @@ void add_inertia(DictionaryBuilder& builder);
 void add_lag_and_delay(DictionaryBuilder& builder);
 void add_voltage(DictionaryBuilder& builder);
 void add_offsets(DictionaryBuilder& builder);
+void add_backlash(DictionaryBuilder& builder);
 
 /// In this order; Coulomb friction's column comes before those that take its place.
 constexpr void (*kFamilies[])(DictionaryBuilder&) = {
     add_plain_friction,  add_stribeck,    add_load_friction, add_presliding,
     add_torque_constant, add_temperature, add_waves,         add_inertia,
-    add_lag_and_delay,   add_voltage,     add_offsets,
+    add_lag_and_delay,   add_voltage,     add_offsets,       add_backlash,
 };
 
 }  // namespace torquewright::identification

@@ -96,6 +96,13 @@ Scenario draw(LogClass log_class, std::uint64_t seed);
 /// kOne with this effect of the contract; throws std::invalid_argument for other names.
 Scenario draw_effect(const std::string& effect, std::uint64_t seed);
 
+/// A pendulum with one encoder and friction that is declared, and what a regression over its
+/// motion cannot show: nothing; backlash_output_encoder and backlash_motor_encoder (the position is
+/// known on one side of the gap only); breakaway (friction at rest exceeds that in motion, in slow
+/// stick and slip); standstill (friction that mostly holds). Throws std::invalid_argument for other
+/// names.
+Scenario draw_blind(const std::string& situation, std::uint64_t seed);
+
 /// The names that kOne runs through, in the contract's order.
 const std::vector<std::string>& drawn_effects();
 

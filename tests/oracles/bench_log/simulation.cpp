@@ -12,8 +12,6 @@ namespace {
 constexpr double kContact_rad_s = 800.0;
 constexpr double kContactDamping = 0.5;
 
-double sign_of(double value) { return value > 0.0 ? 1.0 : (value < 0.0 ? -1.0 : 0.0); }
-
 }  // namespace
 
 Simulation::Simulation(const Machine& machine, const RunPlan& plan)

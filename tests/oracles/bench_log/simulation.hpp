@@ -5,6 +5,9 @@
 
 namespace torquewright::oracles {
 
+/// -1, 0 or 1.
+inline double sign_of(double value) { return value > 0.0 ? 1.0 : (value < 0.0 ? -1.0 : 0.0); }
+
 /// The state of a drive on its load, and one step of it. Positions and speeds of the motor are
 /// referred to the output (divided by the ratio).
 class Simulation {

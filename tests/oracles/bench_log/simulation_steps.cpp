@@ -6,12 +6,6 @@
 #include "tests/oracles/bench_log/simulation.hpp"
 
 namespace torquewright::oracles {
-namespace {
-
-double sign_of(double value) { return value > 0.0 ? 1.0 : (value < 0.0 ? -1.0 : 0.0); }
-
-}  // namespace
-
 void Simulation::imposed_rigid_step(std::size_t knot, double from, double to) {
   const double step_s = (to - from) * kTick_s;
   const ImposedMotion::Point point = imposed_.at(knot, to);

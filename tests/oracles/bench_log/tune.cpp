@@ -98,7 +98,9 @@ Scenario make_scenario(const Bench& bench, Truth truth, std::uint64_t seed, Chan
   }
   truth.noise_floor_rms = noise_floors(bench);
   for (TrueEffect& effect : truth.effects) {
-    effect.noise_multiple = effect.residual_rms / truth.noise_floor_rms.at(effect.equation);
+    const auto floor = truth.noise_floor_rms.find(effect.equation);
+    if (floor == truth.noise_floor_rms.end()) continue;  // The channels allow no such equation.
+    effect.noise_multiple = effect.residual_rms / floor->second;
   }
   scenario.rig = rig_document(bench);
   scenario.actuator = actuator_document(bench);
