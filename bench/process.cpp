@@ -81,6 +81,7 @@ ProcessOutcome run_process(const std::vector<std::string>& arguments, double tim
     if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
     outcome.seconds = seconds_since(begin);
     outcome.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    outcome.peak_MB = static_cast<double>(usage.ru_maxrss) / 1024.0;  // Of Linux: in kB.
   }
   close(ends[0]);
   return outcome;

@@ -12,6 +12,7 @@ struct ProcessOutcome {
   int exit_code = -1;      ///< -1 if it did not end by itself.
   double seconds = 0;      ///< Wall clock from start to end.
   double cpu_seconds = 0;  ///< Of the program and of what it waited for.
+  double peak_MB = 0;      ///< Greatest resident memory.
   std::string output;      ///< Of stdout; stderr is dropped.
 };
 

@@ -25,26 +25,30 @@ double quantum(const std::vector<double>& signal) {
 }
 
 /// Of all runs, by their lengths.
-double level_of(const Log& log, std::size_t joint, std::size_t quantity) {
+struct Mean {
   double sum = 0.0, weight = 0.0;
-  for (const Run& run : log.runs) {
-    const std::vector<double>& signal = run.joints[joint].of[quantity];
-    if (signal.size() < kLeastSamples) continue;
+
+  void add(const std::vector<double>& signal) {
+    if (signal.size() < kLeastSamples) return;
     const double level = std::max(noise_level(signal), quantum(signal) / std::sqrt(12.0));
     sum += level * level * static_cast<double>(signal.size());
     weight += static_cast<double>(signal.size());
   }
-  return weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
-}
+  double level() const { return weight > 0.0 ? std::sqrt(sum / weight) : 0.0; }
+};
 
 }  // namespace
 
 NoiseLevels noise_levels(const Log& log, std::size_t joint) {
+  std::array<Mean, kQuantityCount> means;
+  for (const Run& run : log.runs) {
+    for (std::size_t q = 0; q < kQuantityCount; ++q) means[q].add(run.joints[joint].of[q]);
+  }
   NoiseLevels levels{};
   for (std::size_t q = 0; q < kQuantityCount; ++q) {
     const auto quantity = static_cast<Quantity>(q);
     if (quantity == Quantity::kTime || quantity == Quantity::kRun) continue;
-    levels[q] = level_of(log, joint, q);
+    levels[q] = means[q].level();
   }
   return levels;
 }

@@ -139,7 +139,7 @@ std::string rig_objection(const Log& log, const EquationFit& fit, const Fit& mod
   std::vector<std::string> names;
   std::vector<std::size_t> of_block;
   for (const Block& block : fit.fitter().gram().blocks) {
-    const std::string& name = log.runs[block.run].name;
+    const std::string& name = log.runs.head(block.run).name;
     const auto known = std::find(names.begin(), names.end(), name);
     of_block.push_back(static_cast<std::size_t>(known - names.begin()));
     if (known == names.end()) names.push_back(name);

@@ -18,14 +18,15 @@ constexpr std::size_t kPieces = 4;  ///< In all, where runs are cut.
 std::vector<std::size_t> run_folds(const Log& log) {
   std::map<std::string, std::size_t> index;
   std::vector<std::size_t> folds;
-  for (const Run& run : log.runs) {
-    const bool is_held_out = std::find(log.holdout_runs.begin(), log.holdout_runs.end(),
-                                       run.name) != log.holdout_runs.end();
+  for (std::size_t i = 0; i < log.runs.size(); ++i) {
+    const std::string& name = log.runs.head(i).name;
+    const bool is_held_out = std::find(log.holdout_runs.begin(), log.holdout_runs.end(), name) !=
+                             log.holdout_runs.end();
     if (is_held_out) {
       folds.push_back(Fitter::kNoFold);
       continue;
     }
-    folds.push_back(index.try_emplace(run.name, index.size()).first->second);
+    folds.push_back(index.try_emplace(name, index.size()).first->second);
   }
   return folds;
 }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "actuator/actuator.hpp"
-#include "identification/quantity.hpp"
+#include "identification/log/runs.hpp"
 #include "identification/rig.hpp"
 
 namespace torquewright::identification {
@@ -20,30 +18,8 @@ struct DataFinding {
   std::string sentence;
 };
 
-/// The channels of one joint in one run, by Quantity; an empty one was not logged. What the log
-/// states for all joints stands in each.
-struct Channels {
-  std::array<std::vector<double>, kQuantityCount> of;
-
-  const std::vector<double>& operator[](Quantity quantity) const {
-    return of[static_cast<std::size_t>(quantity)];
-  }
-  std::vector<double>& operator[](Quantity quantity) {
-    return of[static_cast<std::size_t>(quantity)];
-  }
-  bool has(Quantity quantity) const { return !(*this)[quantity].empty(); }
-};
-
-/// A stretch of samples without a gap. All vectors are of one length.
-struct Run {
-  std::string name;
-  std::vector<double> time_s;        ///< Ascending strictly; empty in a map without time.
-  std::vector<Channels> joints;      ///< In the order of Rig::joints.
-  std::vector<std::uint8_t> masked;  ///< 1: repaired or saturated; no residual counts there.
-};
-
 struct Log {
-  std::vector<Run> runs;
+  Runs runs;  ///< Of a long log (kLongestWholeLog) the pieces of its stretches.
   std::vector<std::string> train_runs;  ///< Names.
   std::vector<std::string> holdout_runs;
   std::vector<DataFinding> findings;
@@ -56,8 +32,10 @@ struct Log {
 
 /// Reads the logs of one rig. Unambiguous faults are repaired with a finding (wrapped angles,
 /// isolated impossible samples, saturated channels, gaps: a gap cuts a run in two of one name);
-/// what cannot be read or would mislead throws io::SpecError. docs/logs.md says which is which.
-Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig);
+/// what cannot be read or would mislead throws io::SpecError. A log of more rows than may be in
+/// memory comes in pieces. docs/logs.md says which is which.
+Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
+             std::size_t most_rows_in_memory = kLongestWholeLog);
 
 /// What only the nominal actuators (one per joint, in the order of Rig::joints) can tell: a current
 /// in mA, angles in degrees on both of position and velocity, signs of motor and torque. Adds

@@ -10,6 +10,7 @@
 #include "identification/log.hpp"
 #include "identification/log/agreement.hpp"
 #include "identification/log/channel.hpp"
+#include "identification/log/largest_values.hpp"
 #include "identification/log/remedy.hpp"
 #include "io/spec_error.hpp"
 
@@ -82,20 +83,21 @@ class Comparison {
     return run.joints[joint_][quantity];
   }
 
-  /// The magnitude that nearly all samples of all runs stay below.
-  double upper_end(std::vector<double> all) const {
-    if (all.empty()) return 0.0;
-    for (double& value : all) value = std::abs(value);
-    return quantile(std::move(all), kUpperEnd);
+  /// The magnitude that nearly all samples of all runs stay below, of what `values` says of a run.
+  template <typename Values>
+  double upper_end(Quantity quantity, const Values& values) const {
+    if (!log_.runs.has(joint_, quantity)) return 0.0;
+    LargestValues largest(log_.runs.rows(), kUpperEnd);
+    for (const Run& run : log_.runs) {
+      for (const double value : values(run)) largest.add(std::abs(value));
+    }
+    return largest.count() > 0 ? largest.quantile(kUpperEnd) : 0.0;
   }
 
   void check_current(const actuator::Actuator& actuator) {
-    std::vector<double> all;
-    for (const Run& run : log_.runs) {
-      const std::vector<double>& current = values(run, Quantity::kMotorCurrent);
-      all.insert(all.end(), current.begin(), current.end());
-    }
-    const double reached_A = upper_end(std::move(all));
+    const double reached_A = upper_end(Quantity::kMotorCurrent, [&](const Run& run) {
+      return values(run, Quantity::kMotorCurrent);
+    });
     const double peak_A = actuator.drive.peak_current_A;
     if (reached_A > kMilliamperes * peak_A) {
       refuse(Quantity::kMotorCurrent,
@@ -112,17 +114,13 @@ class Comparison {
 
   void check_speed(const actuator::Actuator& actuator, Quantity position, Quantity velocity,
                    double ratio) {
-    std::vector<double> all;
-    for (const Run& run : log_.runs) {
-      if (run.time_s.empty() || !has(run, position)) continue;
-      const Slopes found = slopes(run, values(run, position), values(run, position));
-      all.insert(all.end(), found.slope.begin(), found.slope.end());
-    }
-    const double reached_rad_s = upper_end(std::move(all));
+    const double reached_rad_s = upper_end(position, [&](const Run& run) {
+      if (run.time_s.empty() || !has(run, position)) return std::vector<double>();
+      return slopes(run, values(run, position), values(run, position)).slope;
+    });
     const double limit_rad_s = kDegrees * no_load_speed_rad_s(actuator) * ratio;
     if (reached_rad_s <= limit_rad_s) return;
-    const bool both = std::any_of(log_.runs.begin(), log_.runs.end(),
-                                  [&](const Run& run) { return has(run, velocity); });
+    const bool both = log_.runs.has(joint_, velocity);
     const std::string sentence = fmt::format(
         "d({})/dt reaches {:.4g} rad/s, {:.1f} times the actuator's no-load speed: it looks like "
         "degrees; {}{}",
@@ -138,6 +136,7 @@ class Comparison {
   /// Over all runs: `second` times `sign` against `first`.
   Agreement compare(Quantity first, Quantity second, double sign, bool as_slopes) const {
     AgreementSums sums;
+    if (!log_.runs.has(joint_, first) || !log_.runs.has(joint_, second)) return sums.result();
     for (const Run& run : log_.runs) {
       if (!has(run, first) || !has(run, second)) continue;
       if (as_slopes && run.time_s.empty()) continue;
@@ -179,6 +178,9 @@ class Comparison {
     constexpr std::array kDrives = {Quantity::kMotorCurrent, Quantity::kReportedTorque,
                                     Quantity::kOutputTorque};
     for (const Quantity drive : kDrives) {
+      if (!log_.runs.has(joint_, drive) || !log_.runs.has(joint_, Quantity::kOutputPosition)) {
+        continue;
+      }
       AgreementSums sums;
       for (const Run& run : log_.runs) {
         if (run.time_s.empty() || !has(run, drive) || !has(run, Quantity::kOutputPosition))

@@ -43,21 +43,33 @@ struct Range {
   double magnitude() const { return std::max(std::abs(least), std::abs(greatest)); }
 };
 
-Range range_of(const Log& log, const ChannelKey& key) {
-  Range range;
-  for (const Run& run : log.runs) range.add(run.joints[key.first][key.second]);
-  return range;
+/// Of all channels, by joint and quantity, in one reading of the log.
+using Ranges = std::vector<std::array<Range, kQuantityCount>>;
+
+Ranges ranges_of(const Log& log, std::size_t joints) {
+  Ranges ranges(joints);
+  for (const Run& run : log.runs) {
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+      for (std::size_t i = 0; i < kQuantityCount; ++i) ranges[joint][i].add(run.joints[joint].of[i]);
+    }
+  }
+  return ranges;
+}
+
+const Range& range_of(const Ranges& ranges, const ChannelKey& key) {
+  return ranges[key.first][static_cast<std::size_t>(key.second)];
 }
 
 /// Of means over short windows, where there is time: an encoder's noise is no motion.
-Range range_of_motion(const Log& log, const ChannelKey& key) {
+Range range_of_motion(const Log& log, const Ranges& ranges, const ChannelKey& key) {
   Range range;
+  if (!log.runs.has(key.first, key.second)) return range;
   for (const Run& run : log.runs) {
     const std::vector<double>& values = run.joints[key.first][key.second];
     if (values.empty()) continue;
     range.add(run.time_s.empty() ? values : means(run, values, values).first);
   }
-  return range.is_empty() ? range_of(log, key) : range;
+  return range.is_empty() ? range_of(ranges, key) : range;
 }
 
 /// What a rig may well hold constant.
@@ -78,11 +90,11 @@ Weight weight_of_constant(Quantity quantity) {
   return may_stand_still(quantity) ? Weight::kNote : Weight::kWarning;
 }
 
-void report_constant(Log& log, const Rig& rig) {
+void report_constant(Log& log, const Ranges& ranges, const Rig& rig) {
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     for (std::size_t i = 0; i < kQuantityCount; ++i) {
       const ChannelKey key{joint, static_cast<Quantity>(i)};
-      const Range range = range_of(log, key);
+      const Range& range = range_of(ranges, key);
       if (range.is_empty() || range.width() > 0.0) continue;
       log.findings.push_back(
           {weight_of_constant(key.second),
@@ -95,19 +107,24 @@ void report_constant(Log& log, const Rig& rig) {
 }
 
 /// A velocity that stands beside a position that moves is dead: the position tells the speed.
-void drop_dead_velocity(Log& log, const Rig& rig) {
+void drop_dead_velocity(Log& log, Ranges& ranges, const Rig& rig) {
   constexpr std::array<std::pair<Quantity, Quantity>, 3> kPairs = {
       {{Quantity::kOutputPosition, Quantity::kOutputVelocity},
        {Quantity::kMotorPosition, Quantity::kMotorVelocity},
        {Quantity::kLinearPosition, Quantity::kLinearVelocity}}};
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     for (const auto& [position, velocity] : kPairs) {
-      const Range still = range_of(log, {joint, velocity});
-      const Range moved = range_of(log, {joint, position});
+      const Range& still = range_of(ranges, {joint, velocity});
+      const Range& moved = range_of(ranges, {joint, position});
       if (still.is_empty() || still.width() > 0.0 || moved.is_empty() || moved.width() == 0.0) {
         continue;
       }
-      for (Run& run : log.runs) run.joints[joint][velocity].clear();
+      for (std::size_t i = 0; i < log.runs.size(); ++i) {
+        log.runs.change(i, [&, joint = joint, velocity = velocity](Run& run) {
+          run.joints[joint][velocity].clear();
+        });
+      }
+      ranges[joint][static_cast<std::size_t>(velocity)] = {};
       log.findings.push_back(
           {Weight::kWarning, fmt::format("{} never changes, though {} does: it is left out",
                                          describe({joint, velocity}, rig), name_of(position))});
@@ -129,10 +146,10 @@ constexpr std::array<MotionSense, 6> kMotionSenses = {
      {Quantity::kMotorVelocity, kLeastSpeed_rad_s, true},
      {Quantity::kLinearVelocity, kLeastSpeed_m_s, true}}};
 
-void report_motionless(Log& log, const Rig& rig) {
+void report_motionless(Log& log, const Ranges& ranges, const Rig& rig) {
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     for (const MotionSense& sense : kMotionSenses) {
-      const Range range = range_of_motion(log, {joint, sense.quantity});
+      const Range range = range_of_motion(log, ranges, {joint, sense.quantity});
       if (range.is_empty()) continue;
       const double moved = sense.is_speed ? range.magnitude() : range.width();
       if (moved < sense.least) {
@@ -149,18 +166,33 @@ void report_motionless(Log& log, const Rig& rig) {
   }
 }
 
-bool is_short(const Run& run) {
-  if (run.time_s.empty()) return sample_count(run) < kFewestOfMap;
-  return sample_count(run) < kFewestSamples || run.time_s.back() - run.time_s.front() < kBlock_s;
+/// The stretches of a log: of pieces, where there are some, their sum.
+std::vector<RunHead> stretches_of(const Runs& runs) {
+  std::vector<RunHead> stretches;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const RunHead& head = runs.head(i);
+    if (!head.continues) {
+      stretches.push_back(head);
+      continue;
+    }
+    stretches.back().samples += head.samples;
+    stretches.back().end_s = head.end_s;
+  }
+  return stretches;
+}
+
+bool is_short(const RunHead& stretch) {
+  if (stretch.is_map) return stretch.samples < kFewestOfMap;
+  return stretch.samples < kFewestSamples || stretch.end_s - stretch.begin_s < kBlock_s;
 }
 
 void report_short(Log& log) {
   std::vector<std::string> names;
   std::size_t count = 0;
-  for (const Run& run : log.runs) {
-    if (!is_short(run)) continue;
+  for (const RunHead& stretch : stretches_of(log.runs)) {
+    if (!is_short(stretch)) continue;
     ++count;
-    if (names.empty() || names.back() != run.name) names.push_back(run.name);
+    if (names.empty() || names.back() != stretch.name) names.push_back(stretch.name);
   }
   if (count == 0) return;
   log.findings.push_back(
@@ -174,15 +206,17 @@ void report_short(Log& log) {
 /// Seconds, or samples of a map, in stretches of these runs that are not too short.
 double usable(const Log& log, const std::vector<std::string>& names, bool is_map) {
   double sum = 0.0;
-  for (const Run& run : log.runs) {
-    if (is_short(run) || std::find(names.begin(), names.end(), run.name) == names.end()) continue;
-    sum += is_map ? static_cast<double>(sample_count(run)) : run.time_s.back() - run.time_s.front();
+  for (const RunHead& stretch : stretches_of(log.runs)) {
+    if (is_short(stretch) || std::find(names.begin(), names.end(), stretch.name) == names.end()) {
+      continue;
+    }
+    sum += is_map ? static_cast<double>(stretch.samples) : stretch.end_s - stretch.begin_s;
   }
   return sum;
 }
 
 void report_too_little(Log& log) {
-  const bool is_map = log.runs.front().time_s.empty();
+  const bool is_map = log.runs.head(0).is_map;
   const auto check = [&](const std::vector<std::string>& names, double least, const char* what) {
     const double there = usable(log, names, is_map);
     if (there >= least) return;
@@ -213,9 +247,10 @@ void report_masked(Log& log) {
 }  // namespace
 
 void check_contents(Log& log, const Rig& rig) {
-  report_constant(log, rig);
-  drop_dead_velocity(log, rig);
-  report_motionless(log, rig);
+  Ranges ranges = ranges_of(log, rig.joints.size());
+  report_constant(log, ranges, rig);
+  drop_dead_velocity(log, ranges, rig);
+  report_motionless(log, ranges, rig);
   report_short(log);
   report_too_little(log);
   report_masked(log);

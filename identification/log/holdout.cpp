@@ -18,10 +18,11 @@ using Names = std::vector<std::string>;
 
 constexpr std::size_t kMostHeldOutListed = 20;
 
-Names names_of(const std::vector<Run>& runs) {
+Names names_of(const Runs& runs) {
   Names names;
-  for (const Run& run : runs) {
-    if (std::find(names.begin(), names.end(), run.name) == names.end()) names.push_back(run.name);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::string& name = runs.head(i).name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
 }
@@ -55,27 +56,31 @@ struct Place {
   std::size_t sample;
 };
 
-Place two_thirds(const std::vector<Run>& runs) {
-  std::size_t total = 0;
-  for (const Run& run : runs) total += sample_count(run);
-  std::size_t left = total - total / 3;
+Place two_thirds(const Runs& runs) {
+  std::size_t left = runs.rows() - runs.rows() / 3;
   std::size_t index = 0;
-  while (left > sample_count(runs[index])) left -= sample_count(runs[index++]);
+  while (left > runs.head(index).samples) left -= runs.head(index++).samples;
   return {index, left};
 }
 
 void hold_out_last_third(Log& log) {
-  const std::string name = log.runs.front().name;
+  const std::string name = log.runs.head(0).name;
   const auto [index, sample] = two_thirds(log.runs);
   const std::string first = name + " (first two thirds)";
   const std::string last = name + " (last third)";
-  Run& whole = log.runs[index];
-  Run rest = part_of(whole, sample, sample_count(whole));
-  whole = part_of(whole, 0, sample);
-  for (std::size_t i = 0; i < log.runs.size(); ++i) log.runs[i].name = i <= index ? first : last;
+  Run rest = log.runs.part(index, sample, log.runs.head(index).samples);
+  log.runs.change(index, [sample = sample](Run& whole) {
+    const bool continues = whole.continues;
+    whole = part_of(whole, 0, sample);
+    whole.continues = continues;
+  });
+  for (std::size_t i = 0; i < log.runs.size(); ++i) log.runs.rename(i, i <= index ? first : last);
   rest.name = last;
+  rest.continues = false;
   if (sample_count(rest) > 0) {
-    log.runs.insert(log.runs.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
+    log.runs.insert(index + 1, std::move(rest));
+  } else {
+    log.runs.cut_before(index + 1);
   }
   log.train_runs = {first};
   log.holdout_runs = {last};

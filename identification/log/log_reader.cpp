@@ -126,6 +126,24 @@ void LogReader::append(double time_s) {
   }
   run_.masked.push_back(0);
   if (!median_s_ && run_.time_s.size() == kStepsForMedian + 1) learn_step();
+  if (holds_piece()) hand_over_piece();
+}
+
+/// And half of one more.
+bool LogReader::holds_piece() const {
+  if (2 * run_.masked.size() < 3 * kPieceRows) return false;
+  return run_.time_s.empty() || run_.time_s.back() - run_.time_s.front() >= 1.5 * kPiece_s;
+}
+
+void LogReader::hand_over_piece() {
+  const std::size_t rows = run_.masked.size();
+  const std::size_t end = rows - rows / 3;
+  Run rest = part_of(run_, end, rows);
+  run_ = part_of(run_, 0, end);
+  hand_over(0, end);
+  run_ = std::move(rest);
+  gap_.reset();
+  continues_ = true;
 }
 
 /// From the steps so far; hands over what lies before a gap among them.
@@ -153,7 +171,10 @@ void LogReader::end_run() {
 void LogReader::hand_over(std::size_t begin, std::size_t end) {
   const bool is_whole = begin == 0 && end == run_.masked.size();
   const std::string name = run_.name;
-  ready_.push_back({is_whole ? std::move(run_) : part_of(run_, begin, end), file_, gap_});
+  Run run = is_whole ? std::move(run_) : part_of(run_, begin, end);
+  run.continues = continues_;
+  continues_ = false;
+  ready_.push_back({std::move(run), file_, gap_});
   if (!is_whole) return;
   run_ = {};
   run_.name = name;

@@ -16,13 +16,13 @@
 
 namespace torquewright::identification {
 
-/// Reads logs stretch by stretch, as they stand in the files: nothing is repaired yet. It holds no
-/// more than a stretch at a time.
+/// Reads logs stretch by stretch, as they stand in the files: nothing is repaired yet. Long
+/// stretches come in pieces of some kPieceRows, so that it never holds much.
 class LogReader {
  public:
   LogReader(std::vector<std::filesystem::path> files, const Rig& rig);
 
-  /// The next stretch; false at the end. Throws io::SpecError for what cannot be read: columns that
+  /// The next stretch, or piece of one (all but the first have Run::continues); false at the end. Throws io::SpecError for what cannot be read: columns that
   /// do not fit the rig, cells that are no finite number, time that does not ascend within a run,
   /// rows of one run in two places, a file without samples.
   bool next_stretch(Stretch& stretch);
@@ -33,6 +33,9 @@ class LogReader {
   /// A step longer than this many times the median of the run's first steps cuts it.
   static constexpr double kGapFactor = 5.0;
   static constexpr std::size_t kStepsForMedian = 1000;
+  /// A piece is no shorter than both, unless its stretch is; and the rest of the stretch than half.
+  static constexpr std::size_t kPieceRows = 30000;
+  static constexpr double kPiece_s = 10.0;
 
  private:
   void open_file();
@@ -43,6 +46,8 @@ class LogReader {
   void check_time(double time_s);
   void append(double time_s);
   void learn_step();
+  bool holds_piece() const;
+  void hand_over_piece();
   void hand_over(std::size_t begin, std::size_t end);
 
   std::vector<std::filesystem::path> files_;
@@ -57,6 +62,7 @@ class LogReader {
   double previous_s_ = 0.0;
   std::size_t previous_line_ = 0;
   std::optional<Gap> gap_;  ///< Before what is read now.
+  bool continues_ = false;  ///< What is read now, what was handed over.
   std::deque<Stretch> ready_;
   std::vector<Log::File> files_read_;
 };

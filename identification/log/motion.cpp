@@ -60,6 +60,7 @@ class MotionCheck {
 
   /// An angle that starts anew after 360 is in degrees.
   void check_turn(const ChannelKey& key) {
+    if (!log_.runs.has(key.first, key.second)) return;
     for (const Run& run : log_.runs) {
       const std::vector<double>& values = run.joints[key.first][key.second];
       if (values.empty()) continue;
@@ -76,12 +77,14 @@ class MotionCheck {
   }
 
   void check_many_turns(const ChannelKey& key) {
-    double widest_rad = 0.0;
+    double widest_rad = 0.0, least_rad = 0.0, greatest_rad = 0.0;
     for (const Run& run : log_.runs) {
       const std::vector<double>& values = run.joints[key.first][key.second];
       if (values.empty()) continue;
       const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-      widest_rad = std::max(widest_rad, *greatest - *least);
+      least_rad = run.continues ? std::min(least_rad, *least) : *least;
+      greatest_rad = run.continues ? std::max(greatest_rad, *greatest) : *greatest;
+      widest_rad = std::max(widest_rad, greatest_rad - least_rad);
     }
     if (widest_rad < kManyTurns_rad) return;
     log_.findings.push_back(
@@ -102,6 +105,8 @@ class MotionCheck {
   }
 
   void compare(const ChannelKey& position, const ChannelKey& velocity) {
+    if (!log_.runs.has(position.first, position.second)) return;
+    if (!log_.runs.has(velocity.first, velocity.second)) return;
     AgreementSums sums;
     for (const Run& run : log_.runs) {
       const Channels& channels = run.joints[position.first];

@@ -7,6 +7,7 @@
 #include "identification/log/log_reader.hpp"
 #include "identification/log/motion.hpp"
 #include "identification/log/repair.hpp"
+#include "identification/log/spread_runs.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
 
@@ -59,22 +60,61 @@ void report_rig(const Rig& rig, std::vector<DataFinding>& findings) {
   }
 }
 
+/// What a long log changes: docs/logs.md.
+void report_length(Log& log) {
+  if (log.runs.is_in_memory()) return;
+  std::size_t rows = 0, runs = 0;
+  for (const std::size_t index : spread_runs(log.runs)) {
+    rows += log.runs.head(index).samples;
+    ++runs;
+  }
+  log.findings.push_back(
+      {Weight::kNote,
+       fmt::format("the log holds {} rows; more than {} are not kept in memory: longer stretches "
+                   "are cut in pieces, {} in all. Every row is checked and counts in fits, errors "
+                   "and noise floor; delays, orders of harmonics, curved parameters and what is "
+                   "left along coordinates are sought in {} of them, evenly spread ({} rows)",
+                   log.runs.rows(), log.runs.most_rows_in_memory(), log.runs.size(), runs, rows)});
+}
+
+/// Runs as they were read, and the stretches without what they hold: name, file and gap.
+std::vector<Stretch> read_runs(LogReader& reader, Runs& runs) {
+  std::vector<Stretch> stretches;
+  for (Stretch stretch; reader.next_stretch(stretch);) {
+    if (!stretch.run.continues) {
+      stretches.push_back({{}, stretch.file, stretch.gap});
+      stretches.back().run.name = stretch.run.name;
+    }
+    runs.push_back(std::move(stretch.run));
+  }
+  if (runs.is_in_memory()) runs.join_pieces();
+  return stretches;
+}
+
+void rename_runs(const std::vector<Stretch>& stretches, Runs& runs) {
+  std::size_t stretch = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i > 0 && !runs.head(i).continues) ++stretch;
+    runs.rename(i, stretches[stretch].run.name);
+  }
+}
+
 }  // namespace
 
-Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig) {
+Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
+             std::size_t most_rows_in_memory) {
   if (files.empty()) throw io::SpecError({{"", "", "no log is named"}});
   LogReader reader(files, rig);
-  std::vector<Stretch> stretches;
-  for (Stretch stretch; reader.next_stretch(stretch);) stretches.push_back(std::move(stretch));
+  Log log{Runs(most_rows_in_memory), {}, {}, {}, {}};
+  std::vector<Stretch> stretches = read_runs(reader, log.runs);
   give_names(stretches, files);
-
-  Log log;
+  rename_runs(stretches, log.runs);
   report_gaps(stretches, log.findings);
-  for (Stretch& stretch : stretches) log.runs.push_back(std::move(stretch.run));
   log.files = reader.files_read();
   report_rig(rig, log.findings);
+  report_length(log);
   Repairs repairs;
-  for (Run& run : log.runs) repair(run, rig, repairs);
+  repair(log.runs, rig, repairs);
   report(repairs, rig, log.findings);
   check_motion(log, rig);
   choose_holdout(log, rig);

@@ -16,10 +16,12 @@ struct Repairs {
   Tally crowds;     ///< Samples that leave and return, left as they are.
 };
 
-/// Repairs the unambiguous faults of a stretch: joins wrapped angles, replaces and masks isolated
+/// Repairs the unambiguous faults of every run: joins wrapped angles, replaces and masks isolated
 /// samples, masks saturated ones. Throws io::SpecError for a wrapped angle that turns so fast that
-/// its direction cannot be told.
-void repair(Run& run, const Rig& rig, Repairs& repairs);
+/// its direction cannot be told. Pieces of one stretch are each judged as a run, with the samples
+/// around them in view, but for wrapped angles: whether an angle is one is judged over the whole
+/// stretch, and turns are counted through it.
+void repair(Runs& runs, const Rig& rig, Repairs& repairs);
 
 void report(const Repairs& repairs, const Rig& rig, std::vector<DataFinding>& findings);
 

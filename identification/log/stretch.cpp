@@ -21,4 +21,17 @@ Run part_of(const Run& run, std::size_t begin, std::size_t end) {
   return part;
 }
 
+void append(Run& run, const Run& piece) {
+  const auto join = [](auto& values, const auto& more) {
+    values.insert(values.end(), more.begin(), more.end());
+  };
+  join(run.time_s, piece.time_s);
+  join(run.masked, piece.masked);
+  for (std::size_t joint = 0; joint < run.joints.size(); ++joint) {
+    for (std::size_t i = 0; i < kQuantityCount; ++i) {
+      join(run.joints[joint].of[i], piece.joints[joint].of[i]);
+    }
+  }
+}
+
 }  // namespace torquewright::identification

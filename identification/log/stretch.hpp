@@ -30,6 +30,9 @@ std::size_t sample_count(const Run& run);
 /// The samples from `begin` to before `end`.
 Run part_of(const Run& run, std::size_t begin, std::size_t end);
 
+/// Adds the samples of a piece that follows. Requires the same channels.
+void append(Run& run, const Run& piece);
+
 /// Names the runs: as their files state them, and with the file's stem and a slash before it where
 /// several files hold one of that name. Throws io::SpecError where that leaves two alike.
 void give_names(std::vector<Stretch>& stretches, const std::vector<std::filesystem::path>& files);

@@ -18,6 +18,25 @@ constexpr double kLeastRange = 0.9;
 
 }  // namespace
 
+WrapEvidence::WrapEvidence(std::size_t most_values, double turn)
+    : turn_(turn), upper_(most_values, 1.0 - kOutermost), lower_(most_values, 1.0 - kOutermost) {}
+
+void WrapEvidence::add(const std::vector<double>& values) {
+  for (const double value : values) {
+    jumps_ = jumps_ || (upper_.count() > 0 && std::abs(value - previous_) > 0.5 * turn_);
+    previous_ = value;
+    upper_.add(value);
+    lower_.add(-value);
+  }
+}
+
+bool WrapEvidence::is_wrapped() const {
+  if (!jumps_) return false;
+  const double range =
+      upper_.quantile(1.0 - kOutermost) + lower_.quantile(1.0 - kOutermost);
+  return range > kLeastRange * turn_ && range < (1.0 + kSlack) * turn_;
+}
+
 bool is_wrapped(const std::vector<double>& values, double turn) {
   bool jumps = false;
   for (std::size_t i = 1; i < values.size() && !jumps; ++i) {
@@ -28,18 +47,19 @@ bool is_wrapped(const std::vector<double>& values, double turn) {
   return range > kLeastRange * turn && range < (1.0 + kSlack) * turn;
 }
 
-std::size_t unwrap(std::vector<double>& values, double turn) {
-  std::size_t count = 0;
+std::vector<std::size_t> unwrap(std::vector<double>& values, double turn) {
+  std::vector<std::size_t> jumps;
   double turns = 0.0;
   double previous = values.front();
-  for (double& value : values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = values[i];
     const double jumped = std::round((value - previous) / turn);
-    if (jumped != 0.0) ++count;
+    if (jumped != 0.0) jumps.push_back(i);
     turns -= jumped;
     previous = value;
-    value += turns * turn;
+    values[i] = value + turns * turn;
   }
-  return count;
+  return jumps;
 }
 
 std::optional<std::size_t> find_ambiguous_step(const std::vector<double>& values, double turn) {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "identification/quantity.hpp"
+
+namespace torquewright::identification {
+
+/// The channels of one joint in one run, by Quantity; an empty one was not logged. What the log
+/// states for all joints stands in each.
+struct Channels {
+  std::array<std::vector<double>, kQuantityCount> of;
+
+  const std::vector<double>& operator[](Quantity quantity) const {
+    return of[static_cast<std::size_t>(quantity)];
+  }
+  std::vector<double>& operator[](Quantity quantity) {
+    return of[static_cast<std::size_t>(quantity)];
+  }
+  bool has(Quantity quantity) const { return !(*this)[quantity].empty(); }
+};
+
+/// A stretch of samples without a gap, or a piece of one. All vectors are of one length.
+struct Run {
+  std::string name;
+  std::vector<double> time_s;        ///< Ascending strictly; empty in a map without time.
+  std::vector<Channels> joints;      ///< In the order of Rig::joints.
+  std::vector<std::uint8_t> masked;  ///< 1: repaired or saturated; no residual counts there.
+  bool continues = false;  ///< The run before it without a gap: both are pieces of one stretch.
+};
+
+}  // namespace torquewright::identification
