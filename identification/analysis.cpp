@@ -14,7 +14,7 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr int kReplicas = 2;
+constexpr std::size_t kReplicas = 2;
 
 /// The equations of one joint, one after the other.
 class JointAnalysis {
@@ -30,21 +30,18 @@ class JointAnalysis {
 
   std::vector<EquationResult> run() {
     say("preparing", 0.0);
-    const std::vector<Signals> signals = prepare(log_, bench_, levels_, {});
+    const SignalSource source = source_like({});
     std::vector<EquationResult> results;
-    if (signals.empty()) {
+    if (source.rows().empty()) {
       results.emplace_back().unusable = "no stretch of the log is long enough (0.5 s)";
       return results;
     }
-    say("estimating the noise floor", 0.1);
-    const std::vector<std::vector<Signals>> replicas = noisy({});
-    if (bench_.has_torque_balance()) results.push_back(torque_result(signals, replicas));
-    std::vector<Equation> plain = plain_equations(bench_, signals);
+    if (bench_.has_torque_balance()) results.push_back(torque_result(source));
+    std::vector<Equation> plain = plain_equations(bench_, source.rows());
     for (std::size_t k = 0; k < plain.size(); ++k) {
       say("searching: " + plain[k].quantity,
           0.8 + 0.2 * static_cast<double>(k) / static_cast<double>(plain.size()));
-      results.push_back(
-          analyse_equation(bench_, log_, std::move(plain[k]), signals, replicas, options_));
+      results.push_back(analyse_equation(bench_, log_, std::move(plain[k]), source, options_));
     }
     return results;
   }
@@ -54,30 +51,21 @@ class JointAnalysis {
     if (options_.progress) options_.progress(what, share);
   }
 
-  /// The same signals with noise added once more, several times.
-  std::vector<std::vector<Signals>> noisy(const PreparationOptions& like) const {
-    std::vector<std::vector<Signals>> replicas;
-    for (int k = 0; k < kReplicas; ++k) {
-      PreparationOptions once_more = like;
-      once_more.noise = &levels_;
-      once_more.seed = options_.seed + static_cast<std::uint64_t>(k);
-      replicas.push_back(prepare(log_, bench_, levels_, once_more));
-    }
-    return replicas;
+  SignalSource source_like(const PreparationOptions& options) const {
+    return {log_, bench_, levels_, options, kReplicas, options_.seed};
   }
 
-  EquationResult torque(const std::vector<Signals>& signals,
-                        const std::vector<std::vector<Signals>>& replicas) const {
-    const Extent extent = extent_of(signals);
-    const Orders orders = promising_orders(bench_, signals, folds_, extent);
-    EquationResult found = analyse_equation(bench_, log_, torque_equation(bench_, extent, orders),
-                                            signals, replicas, options_);
+  EquationResult torque(const SignalSource& source) const {
+    const Extent extent = extent_of(source.rows());
+    const Orders orders = promising_orders(bench_, source.rows(), folds_, extent);
+    EquationResult found =
+        analyse_equation(bench_, log_, torque_equation(bench_, extent, orders), source, options_);
     if (!asks_again(found)) return found;
     Bench informed = bench_;
     informed.in_gap =
         std::make_shared<const actuator::Actuator>(with_effects(bench_.actuator(), found.added));
     EquationResult again = analyse_equation(
-        informed, log_, torque_equation(informed, extent, orders), signals, replicas, options_);
+        informed, log_, torque_equation(informed, extent, orders), source, options_);
     return again.added.size() >= found.added.size() ? again : found;
   }
 
@@ -93,16 +81,15 @@ class JointAnalysis {
   }
 
   /// As the log is, or with the one channel moved back that is late.
-  EquationResult torque_result(const std::vector<Signals>& signals,
-                               const std::vector<std::vector<Signals>>& replicas) const {
+  EquationResult torque_result(const SignalSource& source) const {
     say("searching: torque", 0.3);
-    EquationResult plain = torque(signals, replicas);
+    EquationResult plain = torque(source);
     say("aligning", 0.6);
-    const auto delay = options_.select ? find_delay(bench_, signals, folds_) : std::nullopt;
+    const auto delay = options_.select ? find_delay(bench_, source.rows(), folds_) : std::nullopt;
     if (!delay) return plain;
     PreparationOptions moved;
     moved.delay_s[static_cast<std::size_t>(delay->channel)] = delay->delay_s;
-    EquationResult aligned = torque(prepare(log_, bench_, levels_, moved), noisy(moved));
+    EquationResult aligned = torque(source_like(moved));
     return with_delay_if_better(std::move(plain), std::move(aligned), *delay);
   }
 

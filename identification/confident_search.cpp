@@ -19,7 +19,7 @@ const std::string& effect_of(const EquationFit& fit, std::size_t variant) {
 /// Of each member; an empty one: none.
 std::vector<std::string> doubts_of(const EquationFit& fit, const Selection& selection) {
   if (selection.model.members.empty()) return {};
-  return doubts(fit.fitter(), selection, fit.signals(), fit.equation().target, fit.band(),
+  return doubts(fit.fitter(), selection, fit.source(), fit.equation().target, fit.band(),
                 fit.floor_loss(selection.model), fit.structure(selection.model))
       .of_member;
 }

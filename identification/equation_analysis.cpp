@@ -111,15 +111,15 @@ void describe_after(const EquationFit& fit, const Selection& selection, Equation
 
 /// Curved parameters between the grid's values; the figures are then of that model.
 void refine(const Bench& bench, const Log& log, const EquationFit& fit, const Fit& model,
-            const std::vector<std::vector<Signals>>& replicas, EquationResult& result) {
+            EquationResult& result) {
   const Folds& folds = fit.folds();
-  const auto fine = refined(bench, fit.equation(), model, fit.signals(), replicas, folds.of_run,
+  const auto fine = refined(bench, fit.equation(), model, fit.source(), folds.of_run,
                             folds.of_block, fit.band());
   if (!fine || result.added.empty()) return;
   Equation equation = fit.equation();
   equation.dictionary = fine->dictionary;
   equation.target = fine->target;
-  const EquationFit after(log, std::move(equation), fit.signals(), replicas);
+  const EquationFit after(log, std::move(equation), fit.source());
   result.after = after.errors(fine->fit);
   result.noise_floor_rms = after.noise_floor_rms(fine->fit);
   result.structure_after = after.structure(fine->fit);
@@ -150,10 +150,8 @@ std::string rig_objection(const Log& log, const EquationFit& fit, const Fit& mod
 }  // namespace
 
 EquationResult analyse_equation(const Bench& bench, const Log& log, Equation equation,
-                                const std::vector<Signals>& signals,
-                                const std::vector<std::vector<Signals>>& replicas,
-                                const AnalysisOptions& options) {
-  EquationFit fit(log, std::move(equation), signals, replicas);
+                                const SignalSource& source, const AnalysisOptions& options) {
+  EquationFit fit(log, std::move(equation), source);
   EquationResult result;
   result.quantity = fit.equation().quantity;
   result.unit = fit.equation().unit;
@@ -169,8 +167,8 @@ EquationResult analyse_equation(const Bench& bench, const Log& log, Equation equ
   result.has_tentative = found.has_tentative;
   describe_after(fit, selection, result);
   name_effects(fit, selection, result);
-  refine(bench, log, fit, selection.model, replicas, result);
-  add_groups(bench, signals, selection, result);
+  refine(bench, log, fit, selection.model, result);
+  add_groups(bench, source.rows(), selection, result);
   for (std::size_t k = 0; k < fit.equation().corrections.size() && options.select; ++k) {
     const auto index = static_cast<Eigen::Index>(k);
     const double variance = selection.model.covariance(index, index);

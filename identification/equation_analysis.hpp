@@ -3,14 +3,13 @@
 
 #include "identification/analysis.hpp"
 #include "identification/equation.hpp"
+#include "identification/signal_source.hpp"
 
 namespace torquewright::identification {
 
-/// One equation, from its Gram to its result: errors, names, groups and verdict. `replicas`: the
-/// signals with noise added once more. Where too little can be fitted, the result says so.
+/// One equation, from its Gram to its result: errors, names, groups and verdict. Where too little
+/// can be fitted, the result says so.
 EquationResult analyse_equation(const Bench& bench, const Log& log, Equation equation,
-                                const std::vector<Signals>& signals,
-                                const std::vector<std::vector<Signals>>& replicas,
-                                const AnalysisOptions& options);
+                                const SignalSource& source, const AnalysisOptions& options);
 
 }  // namespace torquewright::identification

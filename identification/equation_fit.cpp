@@ -15,11 +15,10 @@ constexpr double kHeldOutFloors = 2.0;  ///< Rms of noise, at most, in runs that
 
 }  // namespace
 
-EquationFit::EquationFit(const Log& log, Equation equation, const std::vector<Signals>& signals,
-                         const std::vector<std::vector<Signals>>& replicas)
+EquationFit::EquationFit(const Log& log, Equation equation, const SignalSource& source)
     : equation_(std::move(equation)),
-      signals_(signals),
-      gram_(build_gram(signals, replicas, equation_.dictionary, equation_.target, band_)),
+      source_(source),
+      gram_(build_gram(source, true, equation_.dictionary, equation_.target, band_)),
       folds_(make_folds(log, gram_)),
       fitter_(gram_, equation_.dictionary, folds_.of_block, equation_.always) {}
 
@@ -85,7 +84,7 @@ double EquationFit::floor_loss(const Fit& fit) const {
 }
 
 std::vector<Structure> EquationFit::structure(const Fit& fit) const {
-  return structures(residual_traces(equation_, fit, signals_, folds_, band_));
+  return structures(residual_traces(equation_, fit, source_.rows(), folds_, band_));
 }
 
 bool EquationFit::is_noise(const Fit& fit, const std::vector<Structure>& structure) const {

@@ -4,22 +4,22 @@
 #include "identification/equation.hpp"
 #include "identification/folds.hpp"
 #include "identification/result.hpp"
+#include "identification/signal_source.hpp"
 
 namespace torquewright::identification {
 
 /// One equation over one log: its Gram, its folds, and what can be asked of a fit to them. Keeps a
-/// reference to the signals, and references within itself: it does not move.
+/// reference to the source, and references within itself: it does not move.
 class EquationFit {
  public:
-  EquationFit(const Log& log, Equation equation, const std::vector<Signals>& signals,
-              const std::vector<std::vector<Signals>>& replicas);
+  EquationFit(const Log& log, Equation equation, const SignalSource& source);
   EquationFit(const EquationFit&) = delete;
   EquationFit& operator=(const EquationFit&) = delete;
 
   const Equation& equation() const { return equation_; }
   const Fitter& fitter() const { return fitter_; }
   const BandOptions& band() const { return band_; }
-  const std::vector<Signals>& signals() const { return signals_; }
+  const SignalSource& source() const { return source_; }
   const Folds& folds() const { return folds_; }
 
   /// Blocks that may be fitted.
@@ -47,7 +47,7 @@ class EquationFit {
 
  private:
   Equation equation_;
-  const std::vector<Signals>& signals_;
+  const SignalSource& source_;
   BandOptions band_;
   Gram gram_;
   Folds folds_;

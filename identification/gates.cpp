@@ -59,7 +59,7 @@ Column contribution(const Fit& fit, const Dictionary& dictionary, std::size_t fi
 
 /// Whether a member whose amplitude varies with something would explain much more.
 std::string varying_amplitude(const Fitter& fitter, const Fit& model, std::size_t member,
-                              const std::vector<Signals>& signals, const Target& target,
+                              const SignalSource& source, const Target& target,
                               const BandOptions& band) {
   const Dictionary& dictionary = fitter.dictionary();
   Dictionary small;
@@ -88,7 +88,7 @@ std::string varying_amplitude(const Fitter& fitter, const Fit& model, std::size_
     variant.coefficients = {{{{column, 1.0}}, -1e300, 1e300}};
     small.variants.push_back(variant);
   }
-  const Gram gram = build_gram(signals, {}, small, target, band);
+  const Gram gram = build_gram(source, false, small, target, band);
   if (gram.blocks.size() != fitter.folds().size()) return "";
   const Fitter modulated(gram, small, fitter.folds(), base);
   const Fit plain = modulated.fit({});
@@ -209,7 +209,7 @@ std::string scatter(const Fitter& fitter, const Fit& model, std::size_t member) 
 
 }  // namespace
 
-Doubts doubts(const Fitter& fitter, const Selection& selection, const std::vector<Signals>& signals,
+Doubts doubts(const Fitter& fitter, const Selection& selection, const SignalSource& source,
               const Target& target, const BandOptions& band, double floor_loss,
               const std::vector<Structure>& left) {
   const Fit& model = selection.model;
@@ -234,7 +234,7 @@ Doubts doubts(const Fitter& fitter, const Selection& selection, const std::vecto
       doubt = left_along_own(fitter.dictionary().variants[model.members[m]].effect, left);
     }
     if (doubt.empty() && model.loss > kNearlyNoise * floor_loss) {
-      doubt = varying_amplitude(fitter, model, m, signals, target, band);
+      doubt = varying_amplitude(fitter, model, m, source, target, band);
     }
   }
   return all;

@@ -17,7 +17,7 @@ namespace torquewright::identification {
 struct Doubts {
   std::vector<std::string> of_member;
 };
-Doubts doubts(const Fitter& fitter, const Selection& selection, const std::vector<Signals>& signals,
+Doubts doubts(const Fitter& fitter, const Selection& selection, const SignalSource& source,
               const Target& target, const BandOptions& band, double floor_loss,
               const std::vector<Structure>& left);
 

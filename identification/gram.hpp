@@ -35,17 +35,46 @@ struct Gram {
 /// A target's values, one for each sample of the signals.
 using Target = std::function<std::vector<double>(const Signals&)>;
 
-/// `replicas` are the same signals with noise added once more, one list for each replica.
-Gram build_gram(const std::vector<Signals>& signals,
-                const std::vector<std::vector<Signals>>& replicas, const Dictionary& dictionary,
-                const Target& target, const BandOptions& options);
-
 /// Signals in the band, thinned: samples in rows, columns of the dictionary and the target last.
 /// Rows that are not usable are left out; `index` says which sample each row is.
 struct BandRows {
   Eigen::MatrixXd values;
   std::vector<std::size_t> index;
 };
+
+/// Builds a Gram from one stretch after the other.
+class GramBuilder {
+ public:
+  /// `total_s`: of all stretches. Keeps references to the dictionary and the target.
+  GramBuilder(const Dictionary& dictionary, const Target& target, const BandOptions& options,
+              double total_s);
+
+  /// `replicas`: the same stretch with noise added, several times. Pieces of one stretch that are
+  /// shorter than a block share one.
+  void add(const Signals& stretch, const std::vector<const Signals*>& replicas);
+
+  Gram finish();
+
+ private:
+  using Differences = std::vector<Eigen::MatrixXd>;
+  void add_block(const Signals& stretch, const BandRows& rows, const Differences& noises,
+                 Eigen::Index first, Eigen::Index many, bool joins);
+
+  std::vector<const Column*> columns_;
+  const Target& target_;
+  BandOptions options_;
+  double block_s_;
+  double open_s_ = 0.0;  ///< Of the last block, as far as pieces have filled it.
+  Eigen::MatrixXd power_;
+  Gram gram_;
+};
+
+/// Of all stretches; `replicas`: one list for each replica.
+Gram build_gram(const std::vector<Signals>& signals,
+                const std::vector<std::vector<Signals>>& replicas, const Dictionary& dictionary,
+                const Target& target, const BandOptions& options);
+
+/// Of one stretch.
 BandRows band_rows(const Signals& signals, const std::vector<const Column*>& columns,
                    const Target& target, const BandOptions& options);
 

@@ -9,6 +9,7 @@
 #include "actuator/torque_at.hpp"
 #include "identification/channel_grid.hpp"
 #include "identification/load_model.hpp"
+#include "identification/log/piece.hpp"
 #include "identification/output_motion.hpp"
 #include "identification/rest_mask.hpp"
 #include "identification/thinning.hpp"
@@ -21,6 +22,10 @@ constexpr double kEnabled = 0.99;  ///< Below, the filter has seen a drive that 
 
 constexpr double kShortestStretch_s = 0.5;
 constexpr std::size_t kLeastSamples = 16;
+
+constexpr double kAround_s = 1.0;
+constexpr std::size_t kThinned = 120;
+constexpr double kSameStep = 1e-6;  ///< Relative.
 
 double torque_per_ampere_Nm_A(const actuator::Actuator& actuator) {
   return actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A;
@@ -183,30 +188,63 @@ bool is_long_enough(const Run& run) {
   return run.time_s.empty() || run.time_s.back() - run.time_s.front() >= kShortestStretch_s;
 }
 
-/// Of samples, so that the rate does not fall below the least.
-std::size_t thinning_factor(double step_s, double least_rate_Hz) {
-  return static_cast<std::size_t>(std::max(1.0, std::floor(1.0 / (step_s * least_rate_Hz))));
+/// Of samples, so that the rate does not fall below the least. The pieces of a stretch, whose steps
+/// differ by round-off, all get the same.
+std::size_t thinning_factor(double step_s, double least_rate_Hz, bool is_piece) {
+  const double factor = 1.0 / (step_s * least_rate_Hz);
+  return static_cast<std::size_t>(
+      std::max(1.0, std::floor(is_piece ? factor * (1.0 + kSameStep) : factor)));
+}
+
+/// Samples around a piece: so long that nothing of the slowest filter's settling, nor of what is
+/// masked at ends, reaches into it. A multiple of what signals and rows are usually thinned by.
+std::size_t samples_around(const RunHead& head) {
+  if (head.is_map || head.samples < 2) return 0;
+  const double step_s = (head.end_s - head.begin_s) / static_cast<double>(head.samples - 1);
+  return kThinned * static_cast<std::size_t>(std::ceil(kAround_s / step_s / kThinned));
+}
+
+/// In samples that were thinned by a factor, the first at or behind `sample`.
+std::size_t thinned(std::size_t sample, std::size_t factor) {
+  return (sample + factor - 1) / factor;
 }
 
 }  // namespace
+
+std::optional<Signals> prepare_run(const Log& log, std::size_t index, const Bench& bench,
+                                   const NoiseLevels& levels, const PreparationOptions& options,
+                                   std::mt19937_64& random) {
+  const RunHead& head = log.runs.head(index);
+  const Piece piece = with_neighbours(log.runs, index, samples_around(head));
+  const Run& run = piece.run;
+  if (!is_long_enough(run)) return std::nullopt;
+  ChannelGrid grid(run, bench.joint, options, random);
+  Signals signals = raw_signals(grid, bench, levels, options, run);
+  signals.run = index;
+  signals.continues = head.continues;
+  set_arm(run, bench, options, random, signals);
+  if (bench.load_side == LoadSide::kModel) {
+    signals.load_side_Nm = model_load_Nm(*bench.rig, bench.joint, signals);
+  }
+  const bool is_piece = head.continues || piece.end < run.masked.size();
+  std::size_t factor = 1;
+  if (!grid.is_map()) {
+    factor = thinning_factor(signals.step_s, options.least_rate_Hz, is_piece);
+    thin(signals, factor);
+  }
+  set_loads(signals, bench);
+  signals.core_begin = thinned(piece.begin, factor);
+  signals.core_end = thinned(piece.end, factor);
+  return signals;
+}
 
 std::vector<Signals> prepare(const Log& log, const Bench& bench, const NoiseLevels& levels,
                              const PreparationOptions& options) {
   std::vector<Signals> all;
   std::mt19937_64 random(options.seed);
   for (std::size_t r = 0; r < log.runs.size(); ++r) {
-    const Run& run = log.runs[r];
-    if (!is_long_enough(run)) continue;
-    ChannelGrid grid(run, bench.joint, options, random);
-    Signals signals = raw_signals(grid, bench, levels, options, run);
-    signals.run = r;
-    set_arm(run, bench, options, random, signals);
-    if (bench.load_side == LoadSide::kModel) {
-      signals.load_side_Nm = model_load_Nm(*bench.rig, bench.joint, signals);
-    }
-    if (!grid.is_map()) thin(signals, thinning_factor(signals.step_s, options.least_rate_Hz));
-    set_loads(signals, bench);
-    all.push_back(std::move(signals));
+    auto signals = prepare_run(log, r, bench, levels, options, random);
+    if (signals) all.push_back(*std::move(signals));
   }
   return all;
 }

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <random>
 #include <vector>
 
 #include "identification/bench.hpp"
@@ -25,5 +27,11 @@ struct PreparationOptions {
 /// a map without time the samples are taken as they are. `levels`: of the same joint.
 std::vector<Signals> prepare(const Log& log, const Bench& bench, const NoiseLevels& levels,
                              const PreparationOptions& options);
+
+/// The same of one run, if it is long enough; noise is drawn from `random`. A piece of a stretch is
+/// prepared with a second of its neighbours on either side.
+std::optional<Signals> prepare_run(const Log& log, std::size_t run, const Bench& bench,
+                                   const NoiseLevels& levels, const PreparationOptions& options,
+                                   std::mt19937_64& random);
 
 }  // namespace torquewright::identification

@@ -234,7 +234,7 @@ void fill_dictionary(const ShapeSearch& search, const Equation& equation, const 
 
 /// Standard errors of the shapes: their derivatives join the linear coefficients in one covariance.
 void add_errors(const ShapeSearch& search, const Equation& equation,
-                const std::vector<Signals>& signals, const std::vector<std::size_t>& fold_of_block,
+                const SignalSource& source, const std::vector<std::size_t>& fold_of_block,
                 const BandOptions& band, const optimization::LocalFit& found, RefinedModel& out) {
   Dictionary dictionary = out.dictionary;
   std::vector<Coefficient> always = equation.always;
@@ -253,7 +253,7 @@ void add_errors(const ShapeSearch& search, const Equation& equation,
       always.push_back({{{dictionary.columns.size() - 1, 1.0}}, -INFINITY, INFINITY});
     }
   }
-  const Gram gram = build_gram(signals, {}, dictionary, out.target, band);
+  const Gram gram = build_gram(source, false, dictionary, out.target, band);
   if (gram.blocks.size() != fold_of_block.size()) return;
   const auto whole = Fitter(gram, dictionary, fold_of_block, always).fit_whole(out.fit.members);
   std::size_t at = equation.always.size(), parameter = 0;
@@ -270,19 +270,17 @@ void add_errors(const ShapeSearch& search, const Equation& equation,
 }  // namespace
 
 std::optional<RefinedModel> refined(const Bench& bench, const Equation& equation, const Fit& model,
-                                    const std::vector<Signals>& signals,
-                                    const std::vector<std::vector<Signals>>& replicas,
+                                    const SignalSource& source,
                                     const std::vector<std::size_t>& fold_of_run,
                                     const std::vector<std::size_t>& fold_of_block,
                                     const BandOptions& band) {
-  ShapeSearch search(bench, equation, model, signals, fold_of_run, band);
+  ShapeSearch search(bench, equation, model, source.rows(), fold_of_run, band);
   if (search.is_empty()) return std::nullopt;
   const optimization::LocalFit found = search.search();
   if (found.stop == optimization::FitStop::kFailed) return std::nullopt;
   RefinedModel out;
   fill_dictionary(search, equation, model, found.point, out);
-  out.gram =
-      std::make_shared<Gram>(build_gram(signals, replicas, out.dictionary, out.target, band));
+  out.gram = std::make_shared<Gram>(build_gram(source, true, out.dictionary, out.target, band));
   if (out.gram->blocks.size() != fold_of_block.size()) return std::nullopt;
   Members members;
   for (std::size_t m = 0; m < model.members.size(); ++m) members.push_back(m);
@@ -290,7 +288,7 @@ std::optional<RefinedModel> refined(const Bench& bench, const Equation& equation
   if (!out.fit.is_valid || out.fit.loss > kMostWorse * model.loss) return std::nullopt;
   out.starts = found.starts.size();
   out.agreeing = found.agreeing;
-  add_errors(search, equation, signals, fold_of_block, band, found, out);
+  add_errors(search, equation, source, fold_of_block, band, found, out);
   return out;
 }
 

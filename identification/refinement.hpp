@@ -8,6 +8,7 @@
 
 #include "identification/equation.hpp"
 #include "identification/shape.hpp"
+#include "identification/signal_source.hpp"
 
 namespace torquewright::identification {
 
@@ -34,8 +35,7 @@ struct RefinedModel {
 
 /// Empty where the model has no curved parameter, or the search does not improve on the grid.
 std::optional<RefinedModel> refined(const Bench& bench, const Equation& equation, const Fit& model,
-                                    const std::vector<Signals>& signals,
-                                    const std::vector<std::vector<Signals>>& replicas,
+                                    const SignalSource& source,
                                     const std::vector<std::size_t>& fold_of_run,
                                     const std::vector<std::size_t>& fold_of_block,
                                     const BandOptions& band);

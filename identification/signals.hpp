@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -47,7 +48,13 @@ struct Signals {
   std::vector<double> twist_rad;     ///< Motor angle over ratio less output angle.
   std::vector<JointMotion> arm;      ///< Of every joint of a serial arm; else empty.
   std::vector<std::uint8_t> usable;  ///< 0: masked in the log, at rest, or near an end.
+  /// Of a piece of a stretch: samples before and behind these belong to other pieces, and are there
+  /// so that filters do not see the cut.
+  std::size_t core_begin = 0;
+  std::size_t core_end = static_cast<std::size_t>(-1);
+  bool continues = false;  ///< The stretch of the run before.
   std::size_t size() const { return at.size(); }
+  std::size_t core_size() const { return std::min(core_end, size()) - core_begin; }
 };
 
 }  // namespace torquewright::identification

@@ -38,7 +38,8 @@ struct Refined {
       noisy.seed = seed;
       replicas.push_back(prepare(log, bench, levels, noisy));
     }
-    const EquationFit fit(log, torque_equation(bench, extent_of(signals), {}), signals, replicas);
+    const SignalSource source(signals, replicas);
+    const EquationFit fit(log, torque_equation(bench, extent_of(signals), {}), source);
     Fit best;
     const auto& variants = fit.equation().dictionary.variants;
     for (std::size_t v = 0; v < variants.size(); ++v) {
@@ -48,7 +49,7 @@ struct Refined {
     }
     EXPECT_TRUE(best.is_valid);
     grid_loss = best.loss;
-    model = refined(bench, fit.equation(), best, signals, replicas, fit.folds().of_run,
+    model = refined(bench, fit.equation(), best, source, fit.folds().of_run,
                     fit.folds().of_block, fit.band());
   }
 

@@ -165,8 +165,10 @@ Eigen::VectorXd fitted(const Log& clean, const Plan& plan, const Bench& bench,
   for (const auto& [quantity, sigma] : plan.noise) {
     levels[static_cast<std::size_t>(quantity)] = sigma;
     std::normal_distribution<double> noise(0.0, sigma);
-    for (Run& run : noisy.runs) {
-      for (double& value : run.joints[0][quantity]) value += noise(random);
+    for (std::size_t r = 0; r < noisy.runs.size(); ++r) {
+      noisy.runs.change(r, [&, quantity = quantity](Run& run) {
+        for (double& value : run.joints[0][quantity]) value += noise(random);
+      });
     }
   }
   const Target target = [&](const Signals& signals) { return torque_residual(bench, signals); };
