@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/signal_source.hpp"
 
+#include <algorithm>
 #include <random>
 
 #include "identification/log/spread_runs.hpp"
 
 namespace torquewright::identification {
 namespace {
+
+/// What noise contributes is averaged over replicas; over so many samples one is enough.
+constexpr std::size_t kReplicasOfLongLog = 1;
 
 /// Of replica k, counted from 0.
 PreparationOptions noisy(const PreparationOptions& like, const NoiseLevels& levels,
@@ -48,7 +52,7 @@ SignalSource::SignalSource(const Log& log, const Bench& bench, const NoiseLevels
   bench_ = &bench;
   levels_ = &levels;
   like_ = like;
-  replica_count_ = replicas;
+  replica_count_ = std::min(replicas, kReplicasOfLongLog);
   seed_ = seed;
   total_s_ = length_s(log.runs);
   std::mt19937_64 unused;

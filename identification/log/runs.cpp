@@ -69,8 +69,12 @@ const Run& Runs::operator[](std::size_t index) const {
 }
 
 Run Runs::part(std::size_t index, std::size_t begin, std::size_t end) const {
-  if (is_in_memory()) return part_of(memory_[index], begin, end);
   const RunHead& head = heads_[index];
+  if (is_in_memory()) {
+    Run part = part_of(memory_[index], begin, end);
+    part.continues = head.continues && begin == 0;
+    return part;
+  }
   std::size_t place = places_[index].first + begin;
   const auto next = [&] {
     std::vector<double> values(end - begin);
