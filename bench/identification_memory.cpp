@@ -63,8 +63,8 @@ void write_log(const std::filesystem::path& file, const Size& size) {
     const double current_A = 7.0 * std::sin(1.7 * t_s) + 3.0 * std::sin(0.31 * pi * t_s);
     const double motor_Nm = kRatio * kTorqueConstant_Nm_A * current_A;
     const double direction = std::tanh(speed_rad_s / 1e-3);
-    const double acceleration_rad_s2 = -2.2 * 1.1 * std::sin(1.1 * t_s) -
-                                       0.7 * pi * pi * std::sin(pi * t_s + 1.0);
+    const double acceleration_rad_s2 =
+        -2.2 * 1.1 * std::sin(1.1 * t_s) - 0.7 * pi * pi * std::sin(pi * t_s + 1.0);
     const double torque_Nm = motor_Nm - 0.000173 * kRatio * kRatio * acceleration_rad_s2 -
                              direction * (kCoulomb_Nm + kLoadFriction * std::abs(motor_Nm)) +
                              noise(random);
@@ -85,10 +85,10 @@ int main(int count, char** arguments) {
   const std::filesystem::path folder = arguments[2];
   write_documents(folder);
   write_log(folder / "log.csv", size);
-  const ProcessOutcome outcome =
-      run_process({arguments[1], "identify", (folder / "log.csv").string(), "--rig",
-                   (folder / "rig.json").string(), "--actuator", (folder / "actuator.json").string()},
-                  kTimeout_s);
+  const ProcessOutcome outcome = run_process(
+      {arguments[1], "identify", (folder / "log.csv").string(), "--rig",
+       (folder / "rig.json").string(), "--actuator", (folder / "actuator.json").string()},
+      kTimeout_s);
   std::filesystem::remove(folder / "log.csv");
   fmt::print("{} rows, {} runs, {} Hz: exit {}, {:.2f} s of CPU, {:.0f} MB\n", size.rows, size.runs,
              size.rate_Hz, outcome.exit_code, outcome.cpu_seconds, outcome.peak_MB);

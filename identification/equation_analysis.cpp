@@ -113,8 +113,8 @@ void describe_after(const EquationFit& fit, const Selection& selection, Equation
 void refine(const Bench& bench, const Log& log, const EquationFit& fit, const Fit& model,
             EquationResult& result) {
   const Folds& folds = fit.folds();
-  const auto fine = refined(bench, fit.equation(), model, fit.source(), folds.of_run,
-                            folds.of_block, fit.band());
+  const auto fine =
+      refined(bench, fit.equation(), model, fit.source(), folds.of_run, folds.of_block, fit.band());
   if (!fine || result.added.empty()) return;
   Equation equation = fit.equation();
   equation.dictionary = fine->dictionary;

@@ -2,9 +2,8 @@
 #include "identification/folds.hpp"
 
 #include <algorithm>
-#include <map>
-#include <string>
 
+#include "identification/log/run_groups.hpp"
 #include "identification/model.hpp"
 
 namespace torquewright::identification {
@@ -16,17 +15,9 @@ constexpr std::size_t kPieces = 4;  ///< In all, where runs are cut.
 }  // namespace
 
 std::vector<std::size_t> run_folds(const Log& log) {
-  std::map<std::string, std::size_t> index;
   std::vector<std::size_t> folds;
-  for (std::size_t i = 0; i < log.runs.size(); ++i) {
-    const std::string& name = log.runs.head(i).name;
-    const bool is_held_out = std::find(log.holdout_runs.begin(), log.holdout_runs.end(), name) !=
-                             log.holdout_runs.end();
-    if (is_held_out) {
-      folds.push_back(Fitter::kNoFold);
-      continue;
-    }
-    folds.push_back(index.try_emplace(name, index.size()).first->second);
+  for (const RunGroup& group : run_groups(log)) {
+    folds.push_back(group.is_held_out ? Fitter::kNoFold : group.number);
   }
   return folds;
 }

@@ -12,8 +12,8 @@ namespace {
 constexpr double kRatePerCutoff = 4.0;  ///< Samples are thinned to this times the cut-off.
 constexpr double kShortestBlock_s = 0.5;
 constexpr double kBlocksOfShortLog = 24.0;
-constexpr std::size_t kBlocksOfMap = 4;  ///< Of each of its stretches.
-constexpr double kFullBlock = 1.25;      ///< Times the length: pieces fill a block up to here.
+constexpr std::size_t kBlocksOfMap = 4;   ///< Of each of its stretches.
+constexpr double kFullBlock = 1.25;       ///< Times the length: pieces fill a block up to here.
 constexpr double kLeastAboveNoise = 6.0;  ///< Power of a column over that of its noise.
 
 /// Samples whose neighbourhood, as far as the filter reaches, is usable.
@@ -120,7 +120,7 @@ void GramBuilder::add(const Signals& stretch, const std::vector<const Signals*>&
   }
   const std::size_t count = block_count(stretch, block_s_);
   const double core_s = static_cast<double>(stretch.core_size()) * stretch.step_s;
-  const bool joins = stretch.continues && count == 1 && !gram_.blocks.empty() && open_s_ > 0.0 &&
+  const bool joins = stretch.shares_block && count == 1 && !gram_.blocks.empty() && open_s_ > 0.0 &&
                      open_s_ + core_s <= kFullBlock * block_s_;
   open_s_ = count > 1 ? 0.0 : core_s + (joins ? open_s_ : 0.0);
   const double length = static_cast<double>(stretch.core_size()) / static_cast<double>(count);
@@ -139,9 +139,8 @@ void GramBuilder::add(const Signals& stretch, const std::vector<const Signals*>&
   }
 }
 
-void GramBuilder::add_block(const Signals& stretch, const BandRows& rows,
-                            const Differences& noises, Eigen::Index first, Eigen::Index many,
-                            bool joins) {
+void GramBuilder::add_block(const Signals& stretch, const BandRows& rows, const Differences& noises,
+                            Eigen::Index first, Eigen::Index many, bool joins) {
   const Eigen::Index size = gram_.noise.rows();
   Block block;
   block.run = stretch.run;

@@ -49,8 +49,8 @@ class GramBuilder {
   GramBuilder(const Dictionary& dictionary, const Target& target, const BandOptions& options,
               double total_s);
 
-  /// `replicas`: the same stretch with noise added, several times. Pieces of one stretch that are
-  /// shorter than a block share one.
+  /// `replicas`: the same stretch with noise added, several times. Stretches shorter than a block
+  /// that may share one do.
   void add(const Signals& stretch, const std::vector<const Signals*>& replicas);
 
   Gram finish();

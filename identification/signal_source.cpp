@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "identification/log/run_groups.hpp"
 #include "identification/log/spread_runs.hpp"
 
 namespace torquewright::identification {
@@ -31,7 +32,8 @@ double length_s(const std::vector<Signals>& signals) {
 
 double length_s(const Runs& runs) {
   double total_s = 0.0;
-  for (std::size_t i = 0; i < runs.size(); ++i) total_s += runs.head(i).end_s - runs.head(i).begin_s;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    total_s += runs.head(i).end_s - runs.head(i).begin_s;
   return total_s;
 }
 
@@ -55,6 +57,11 @@ SignalSource::SignalSource(const Log& log, const Bench& bench, const NoiseLevels
   replica_count_ = std::min(replicas, kReplicasOfLongLog);
   seed_ = seed;
   total_s_ = length_s(log.runs);
+  const std::vector<RunGroup> groups = run_groups(log);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    shares_block_.push_back(i > 0 && groups[i].number == groups[i - 1].number &&
+                            groups[i].is_held_out == groups[i - 1].is_held_out);
+  }
   std::mt19937_64 unused;
   for (const std::size_t index : spread_runs(log.runs)) {
     auto signals = prepare_run(log, index, bench, levels, like, unused);
@@ -85,8 +92,9 @@ void SignalSource::prepare_each(const Visit& each, std::size_t replicas) const {
   }
   std::mt19937_64 unused;
   for (std::size_t run = 0; run < log_->runs.size(); ++run) {
-    const auto signals = prepare_run(*log_, run, *bench_, *levels_, like_, unused);
+    auto signals = prepare_run(*log_, run, *bench_, *levels_, like_, unused);
     if (!signals) continue;
+    signals->shares_block = shares_block_[run];
     std::vector<std::optional<Signals>> copies;
     std::vector<const Signals*> pointers;
     for (std::size_t k = 0; k < replicas; ++k) {

@@ -41,6 +41,7 @@ class SignalSource {
   PreparationOptions like_;
   std::size_t replica_count_ = 0;
   std::uint64_t seed_ = 0;
+  std::vector<bool> shares_block_;  ///< By run, with the one before.
   double total_s_ = 0.0;
   std::vector<Signals> rows_;
   std::vector<std::vector<Signals>> replicas_;

@@ -50,7 +50,8 @@ Ranges ranges_of(const Log& log, std::size_t joints) {
   Ranges ranges(joints);
   for (const Run& run : log.runs) {
     for (std::size_t joint = 0; joint < joints; ++joint) {
-      for (std::size_t i = 0; i < kQuantityCount; ++i) ranges[joint][i].add(run.joints[joint].of[i]);
+      for (std::size_t i = 0; i < kQuantityCount; ++i)
+        ranges[joint][i].add(run.joints[joint].of[i]);
     }
   }
   return ranges;

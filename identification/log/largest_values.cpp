@@ -24,7 +24,8 @@ void LargestValues::add(double value) {
 
 double LargestValues::quantile(double share) const {
   const std::size_t last = count_ - 1;
-  const std::size_t above = last - static_cast<std::size_t>(share * static_cast<double>(last) + 0.5);
+  const std::size_t above =
+      last - static_cast<std::size_t>(share * static_cast<double>(last) + 0.5);
   if (above >= heap_.size()) throw std::logic_error("a quantile below what was kept");
   std::vector<double> sorted = heap_;
   const auto place = sorted.begin() + static_cast<std::ptrdiff_t>(above);

@@ -22,9 +22,10 @@ class LogReader {
  public:
   LogReader(std::vector<std::filesystem::path> files, const Rig& rig);
 
-  /// The next stretch, or piece of one (all but the first have Run::continues); false at the end. Throws io::SpecError for what cannot be read: columns that
-  /// do not fit the rig, cells that are no finite number, time that does not ascend within a run,
-  /// rows of one run in two places, a file without samples.
+  /// The next stretch, or piece of one (all but the first have Run::continues); false at the end.
+  /// Throws io::SpecError for what cannot be read: columns that do not fit the rig, cells that are
+  /// no finite number, time that does not ascend within a run, rows of one run in two places, a
+  /// file without samples.
   bool next_stretch(Stretch& stretch);
 
   /// Of what was read so far.

@@ -7,6 +7,7 @@
 #include "identification/log/log_reader.hpp"
 #include "identification/log/motion.hpp"
 #include "identification/log/repair.hpp"
+#include "identification/log/run_groups.hpp"
 #include "identification/log/spread_runs.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
@@ -68,13 +69,19 @@ void report_length(Log& log) {
     rows += log.runs.head(index).samples;
     ++runs;
   }
+  const std::string groups =
+      runs_per_group(log) > 1.0
+          ? fmt::format("; neighbouring runs are weighed together, {} groups in place of {} runs",
+                        kMostGroups, log.train_runs.size() + log.holdout_runs.size())
+          : "";
   log.findings.push_back(
       {Weight::kNote,
        fmt::format("the log holds {} rows; more than {} are not kept in memory: longer stretches "
                    "are cut in pieces, {} in all. Every row is checked and counts in fits, errors "
                    "and noise floor; delays, orders of harmonics, curved parameters and what is "
-                   "left along coordinates are sought in {} of them, evenly spread ({} rows)",
-                   log.runs.rows(), log.runs.most_rows_in_memory(), log.runs.size(), runs, rows)});
+                   "left along coordinates are sought in {} of them, evenly spread ({} rows){}",
+                   log.runs.rows(), log.runs.most_rows_in_memory(), log.runs.size(), runs, rows,
+                   groups)});
 }
 
 /// Runs as they were read, and the stretches without what they hold: name, file and gap.
@@ -112,12 +119,12 @@ Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
   report_gaps(stretches, log.findings);
   log.files = reader.files_read();
   report_rig(rig, log.findings);
-  report_length(log);
   Repairs repairs;
   repair(log.runs, rig, repairs);
   report(repairs, rig, log.findings);
   check_motion(log, rig);
   choose_holdout(log, rig);
+  report_length(log);
   check_contents(log, rig);
   return log;
 }

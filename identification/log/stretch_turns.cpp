@@ -28,7 +28,8 @@ void StretchTurns::begin(const Runs& runs, std::size_t first) {
       for (const Quantity quantity : kAngles) {
         if (!run.joints[joint].has(quantity)) continue;
         const ChannelKey key{joint, quantity};
-        evidence.try_emplace(key, samples, turn_rad_).first->second.add(run.joints[joint][quantity]);
+        evidence.try_emplace(key, samples, turn_rad_)
+            .first->second.add(run.joints[joint][quantity]);
       }
     }
   }

@@ -32,8 +32,7 @@ void WrapEvidence::add(const std::vector<double>& values) {
 
 bool WrapEvidence::is_wrapped() const {
   if (!jumps_) return false;
-  const double range =
-      upper_.quantile(1.0 - kOutermost) + lower_.quantile(1.0 - kOutermost);
+  const double range = upper_.quantile(1.0 - kOutermost) + lower_.quantile(1.0 - kOutermost);
   return range > kLeastRange * turn_ && range < (1.0 + kSlack) * turn_;
 }
 

@@ -40,8 +40,8 @@ Log whole_log() {
     run.joints.resize(1);
     for (std::size_t k = 0; k < kSamples; ++k) {
       const double t = 0.001 * static_cast<double>(k);
-      const double torque = MadeBench::kRatio * MadeBench::kTorqueConstant_Nm_A *
-                            MadeBench::current_A(r, t);
+      const double torque =
+          MadeBench::kRatio * MadeBench::kTorqueConstant_Nm_A * MadeBench::current_A(r, t);
       const double speed = MadeBench::speed_rad_s(r, t);
       run.time_s.push_back(t);
       run.joints[0][Quantity::kOutputPosition].push_back(MadeBench::angle_rad(r, t));
@@ -150,7 +150,8 @@ TEST(LongLogInPieces, ShareBlocksThatAreLonger) {
   const std::size_t per_run = kSamples / kPiece + 1;
   for (std::size_t r = 0; r < MadeBench::kRuns; ++r) {
     double samples = 0.0, expected = 0.0;
-    for (const Block& block : pieces.blocks) samples += block.run / per_run == r ? block.samples : 0.0;
+    for (const Block& block : pieces.blocks)
+      samples += block.run / per_run == r ? block.samples : 0.0;
     for (const Block& block : whole.blocks) expected += block.run == r ? block.samples : 0.0;
     EXPECT_EQ(samples, expected) << r;
   }

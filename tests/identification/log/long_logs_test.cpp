@@ -36,7 +36,8 @@ std::string text(const std::function<void(std::size_t, double&, double&)>& spoil
   for (std::size_t k = 0; k < rows; ++k) {
     const double t_s = kStep_s * static_cast<double>(k) + (later_s ? later_s(k) : 0.0);
     double angle_rad = 1.5 * t_s + 0.8 * std::sin(2.0 * t_s);
-    double current_A = 5.0 * std::sin(3.0 * t_s) + 1e-3 * std::sin(1e4 * static_cast<double>(k * k));
+    double current_A =
+        5.0 * std::sin(3.0 * t_s) + 1e-3 * std::sin(1e4 * static_cast<double>(k * k));
     spoilt(k, angle_rad, current_A);
     text += fmt::format("{:.3f},{:.9f},{:.6f},{:.6f},{}\n", t_s, angle_rad,
                         1.5 + 1.6 * std::cos(2.0 * t_s), current_A, run);

@@ -11,6 +11,7 @@
 #include "identification/log/channel.hpp"
 #include "identification/log/largest_values.hpp"
 #include "identification/log/piece.hpp"
+#include "identification/log/run_groups.hpp"
 #include "identification/log/spread_runs.hpp"
 
 namespace torquewright::identification::runs_test {
@@ -147,7 +148,8 @@ TEST(SpreadRuns, HoldNoMoreRowsThanMemoryMay) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 50; ++trial) {
     Runs runs(300);
-    for (int i = 0; i < 40; ++i) runs.push_back(line("run", 0, 2 + static_cast<int>(random() % 40)));
+    for (int i = 0; i < 40; ++i)
+      runs.push_back(line("run", 0, 2 + static_cast<int>(random() % 40)));
     std::size_t rows = 0, longest = 0;
     for (const std::size_t i : spread_runs(runs)) rows += runs.head(i).samples;
     for (std::size_t i = 0; i < runs.size(); ++i) longest = std::max(longest, runs.head(i).samples);
@@ -174,6 +176,47 @@ TEST(LargestValues, RefuseWhatTheyDidNotKeep) {
   LargestValues largest(1000, 0.99);
   for (int i = 0; i < 1000; ++i) largest.add(i);
   EXPECT_THROW(largest.quantile(0.5), std::logic_error);
+}
+
+/// So many runs, the last third held out.
+Log many(std::size_t count, std::size_t most_rows) {
+  Log log{Runs(most_rows), {}, {}, {}, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    log.runs.push_back(line(std::to_string(i), 0, 2));
+    (3 * i < 2 * count ? log.train_runs : log.holdout_runs).push_back(std::to_string(i));
+  }
+  return log;
+}
+
+TEST(RunGroups, AreTheRunsWhereThereAreFew) {
+  for (const std::size_t most : {10u, 100000u}) {
+    const std::vector<RunGroup> groups = run_groups(many(300, most));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      EXPECT_EQ(groups[i].is_held_out, i >= 200);
+      EXPECT_EQ(groups[i].number, i < 200 ? i : i - 200);
+    }
+  }
+}
+
+TEST(RunGroups, AreOfOneNameWhateverPieces) {
+  Log log{filled(5), {"b"}, {"a"}, {}, {}};
+  const std::vector<RunGroup> groups = run_groups(log);
+  ASSERT_EQ(groups.size(), 3u);
+  EXPECT_TRUE(groups[0].is_held_out && groups[1].is_held_out && !groups[2].is_held_out);
+  EXPECT_EQ(groups[0].number, groups[1].number);
+}
+
+TEST(RunGroups, JoinNeighboursOfOneKindInALongLog) {
+  const std::vector<RunGroup> groups = run_groups(many(3000, 10));
+  EXPECT_EQ(runs_per_group(many(3000, 10)), 7.5);
+  EXPECT_EQ(groups[1999].number, 266u);  // 2000 runs of 7.5: none without a run
+  EXPECT_EQ(groups[2999].number, 133u);
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    EXPECT_EQ(groups[i].is_held_out, i >= 2000);
+    if (i == 2000) continue;
+    EXPECT_LE(groups[i].number - groups[i - 1].number, 1u);
+  }
+  EXPECT_EQ(run_groups(many(3000, 100000))[1999].number, 1999u);  // a short one: never
 }
 
 }  // namespace
