@@ -90,7 +90,8 @@ void add_peers(const oracles::Scenario& scenario, const std::filesystem::path& f
   }
   const Extent extent = extent_of(signals);
   const Orders orders = promising_orders(bench, signals, run_folds(log), extent);
-  const EquationFit fit(log, torque_equation(bench, extent, orders), signals, {});
+  const SignalSource source(signals, {});
+  const EquationFit fit(log, torque_equation(bench, extent, orders), source);
   const std::array<std::vector<std::string>, 4> names = {
       std::vector<std::string>{}, torquewright::bench::fixed_friction(fit),
       torquewright::bench::everything(fit), torquewright::bench::greedy_by_bic(fit)};

@@ -7,6 +7,7 @@
 #include "identification/balance.hpp"
 #include "identification/leftover.hpp"
 #include "identification/search.hpp"
+#include "identification/signal_source.hpp"
 
 namespace torquewright::identification {
 
