@@ -9,6 +9,8 @@
 #include "identification/equation_analysis.hpp"
 #include "identification/folds.hpp"
 #include "identification/orders.hpp"
+#include "identification/position_study.hpp"
+#include "identification/standstill.hpp"
 #include "identification/with_effects.hpp"
 
 namespace torquewright::identification {
@@ -24,6 +26,7 @@ class JointAnalysis {
                 const AnalysisOptions& options)
       : log_(log),
         options_(options),
+        torque_options_(options),
         bench_(make_bench(rig, log, joint, actuators)),
         levels_(noise_levels(log, joint)),
         folds_(run_folds(log)) {}
@@ -38,7 +41,7 @@ class JointAnalysis {
     }
     say("estimating the noise floor", 0.1);
     const std::vector<std::vector<Signals>> replicas = noisy({});
-    if (bench_.has_torque_balance()) results.push_back(torque_result(signals, replicas));
+    if (bench_.has_torque_balance()) add_torque_and_position(signals, replicas, results);
     std::vector<Equation> plain = plain_equations(bench_, signals);
     for (std::size_t k = 0; k < plain.size(); ++k) {
       say("searching: " + plain[k].quantity,
@@ -71,13 +74,14 @@ class JointAnalysis {
     const Extent extent = extent_of(signals);
     const Orders orders = promising_orders(bench_, signals, folds_, extent);
     EquationResult found = analyse_equation(bench_, log_, torque_equation(bench_, extent, orders),
-                                            signals, replicas, options_);
+                                            signals, replicas, torque_options_);
     if (!asks_again(found)) return found;
     Bench informed = bench_;
     informed.in_gap =
         std::make_shared<const actuator::Actuator>(with_effects(bench_.actuator(), found.added));
     EquationResult again = analyse_equation(
-        informed, log_, torque_equation(informed, extent, orders), signals, replicas, options_);
+        informed, log_, torque_equation(informed, extent, orders), signals, replicas,
+        torque_options_);
     return again.added.size() >= found.added.size() ? again : found;
   }
 
@@ -90,6 +94,38 @@ class JointAnalysis {
       const actuator::EffectKind* kind = actuator::find_effect(each.effect);
       return kind != nullptr && kind->acts == actuator::Acts::kDrag;
     });
+  }
+
+  /// Friction that only a simulation finds is stated to the torque balance, which is then asked
+  /// again; what it left before stays what the nominal actuator left.
+  void add_torque_and_position(const std::vector<Signals>& signals,
+                               const std::vector<std::vector<Signals>>& replicas,
+                               std::vector<EquationResult>& results) {
+    EquationResult torque = torque_result(signals, replicas);
+    say("simulating the log", 0.75);
+    std::optional<EquationResult> position =
+        study_position({bench_, signals, replicas.front(), held_out()}, torque, options_.select);
+    if (position && !position->added.empty()) {
+      const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];
+      const actuator::Actuator informed = with_standstill(nominal, position->added.front());
+      bench_.actuators[bench_.joint] = &informed;
+      torque_options_.settled = {"coulomb_friction", "stribeck_friction", "asymmetric_friction",
+                                 "presliding_friction"};
+      EquationResult again = torque_result(prepare(log_, bench_, levels_, {}), noisy({}));
+      bench_.actuators[bench_.joint] = &nominal;
+      again.before = torque.before;
+      again.structure_before = std::move(torque.structure_before);
+      again.is_noise_before = torque.is_noise_before;
+      torque = std::move(again);
+    }
+    results.push_back(std::move(torque));
+    if (position) results.push_back(*std::move(position));
+  }
+
+  std::vector<bool> held_out() const {
+    std::vector<bool> held_out;
+    for (const std::size_t fold : folds_) held_out.push_back(fold == Fitter::kNoFold);
+    return held_out;
   }
 
   /// As the log is, or with the one channel moved back that is late.
@@ -108,6 +144,7 @@ class JointAnalysis {
 
   const Log& log_;
   const AnalysisOptions& options_;
+  AnalysisOptions torque_options_;
   Bench bench_;
   NoiseLevels levels_;
   std::vector<std::size_t> folds_;

@@ -89,16 +89,17 @@ void set_drive(ChannelGrid& grid, const Bench& bench, Signals& signals) {
 
 void set_usable(ChannelGrid& grid, const Run& run, const JointMotion& motion, double play_rad,
                 Signals& signals) {
-  signals.usable.assign(grid.count(), 1);
+  signals.masked = run.masked;
   std::vector<std::uint8_t> rest(grid.count(), 0);
   if (!grid.is_map()) rest = rest_mask(motion.velocity_rad_s, play_rad, grid.step_s());
-  for (std::size_t i = 0; i < grid.count(); ++i) {
-    if (run.masked[i] != 0 || rest[i] != 0) signals.usable[i] = 0;
-  }
   // A drive that is off leaves its winding open: nothing says what the motor does.
   const std::vector<double> enabled = grid.read_if_any(Quantity::kEnabled);
   for (std::size_t i = 0; i < enabled.size(); ++i) {
-    if (enabled[i] < kEnabled) signals.usable[i] = 0;
+    if (enabled[i] < kEnabled) signals.masked[i] = 1;
+  }
+  signals.usable.resize(grid.count());
+  for (std::size_t i = 0; i < grid.count(); ++i) {
+    signals.usable[i] = signals.masked[i] == 0 && rest[i] == 0;
   }
 }
 

@@ -27,6 +27,7 @@ void thin(Signals& signals, std::size_t factor) {
     thin_values(motion.acceleration_rad_s2, factor);
   }
   thin_values(signals.at, factor);
+  thin_values(signals.masked, factor);
   thin_values(signals.usable, factor);
   signals.step_s *= static_cast<double>(factor);
 }
