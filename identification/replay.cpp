@@ -50,6 +50,14 @@ Excitation excitation_of(const Bench& bench, const Signals& stretch, const Repla
   return excitation;
 }
 
+/// Half the gap, on the side on which the motor drives the load.
+double motor_ahead_rad(const actuator::Actuator& actuator, double load_Nm) {
+  for (const actuator::Effect& effect : actuator.effects) {
+    if (effect.kind->name == "backlash") return std::copysign(0.5 * effect.values[0], load_Nm);
+  }
+  return 0.0;
+}
+
 }  // namespace
 
 std::vector<ReplayWindow> replay_windows(const std::vector<Signals>& signals,
@@ -82,17 +90,22 @@ Eigen::VectorXd Replay::errors(const actuator::Actuator& actuator,
   JointStart start;
   start.position_rad = from.output_angle_rad;
   start.speed_rad_s = is_at_rest(from) ? 0.0 : from.speed_rad_s;
+  start.motor_ahead_rad = motor_ahead_rad(actuator, stretch.load_side_Nm[window.first]);
+  const bool sees_motor = bench_.encoders == Encoders::kMotor;
+  if (sees_motor) start.position_rad -= start.motor_ahead_rad;
   SimulationOptions options;
   options.longest_step_s = kStep_s;
   const SimulatedRun simulated = simulate(
       *bench_.rig, {&actuator}, excitation_of(bench_, stretch, window, offset_A_), {start}, options);
-  const std::vector<double>& position = simulated.joints[0].position_rad;
+  const JointTrace& trace = simulated.joints[0];
+  const std::vector<double>& position = sees_motor ? trace.motor_position_rad : trace.position_rad;
+  const double per_rad = sees_motor ? 1.0 / actuator.transmission.ratio : 1.0;
   const std::size_t count = window.last - window.first + 1;
   Eigen::VectorXd errors(static_cast<Eigen::Index>(count));
   for (std::size_t k = 0; k < count; ++k) {
     const bool there = k < position.size() && std::isfinite(position[k]);
     const double measured = stretch.at[window.first + k].output_angle_rad;
-    errors[static_cast<Eigen::Index>(k)] = there ? position[k] - measured : std::numbers::pi;
+    errors[static_cast<Eigen::Index>(k)] = there ? per_rad * position[k] - measured : std::numbers::pi;
   }
   return errors;
 }
