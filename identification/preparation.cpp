@@ -8,6 +8,7 @@
 #include "actuator/gear_losses.hpp"
 #include "actuator/torque_at.hpp"
 #include "identification/channel_grid.hpp"
+#include "identification/direction.hpp"
 #include "identification/load_model.hpp"
 #include "identification/output_motion.hpp"
 #include "identification/rest_mask.hpp"
@@ -116,11 +117,13 @@ void set_time(const ChannelGrid& grid, Signals& signals) {
 Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
                     const PreparationOptions& options, const Run& run) {
   const actuator::Actuator& actuator = bench.actuator();
-  const JointMotion motion = read_motion(grid, actuator);
+  std::vector<double> unfiltered_rad;
+  const JointMotion motion = read_motion(grid, actuator, &unfiltered_rad);
   const double play_rad = position_play(bench, levels);
   const std::vector<double> direction =
       grid.is_map() ? std::vector<double>(grid.count(), 0.0)
-                    : directions(motion.velocity_rad_s, play_rad, options.cutoff_Hz, grid.step_s());
+                    : directions(motion.velocity_rad_s, unfiltered_rad,
+                                 {play_rad / kPlayDeviations, options.cutoff_Hz, grid.step_s()});
   Signals signals;
   signals.pole_pairs = actuator.motor.pole_pairs;
   set_time(grid, signals);
