@@ -24,9 +24,7 @@ double velocity_noise(double deviation_rad, double cutoff_Hz, double step_s) {
 /// Puts a wider band's velocity where it is beyond its noise.
 void widen(double cutoff_Hz, const std::vector<double>& unfiltered_rad,
            const PositionSamples& samples, std::vector<double>& velocity_rad_s) {
-  std::vector<double> wide = unfiltered_rad;
-  LowPass(cutoff_Hz, 1.0 / samples.step_s).apply(wide);
-  wide = derivative(wide, samples.step_s);
+  const std::vector<double> wide = velocity_below(cutoff_Hz, unfiltered_rad, samples.step_s);
   const double known =
       kBeyondNoise * velocity_noise(samples.deviation_rad, cutoff_Hz, samples.step_s);
   for (std::size_t i = 0; i < wide.size(); ++i) {
@@ -44,6 +42,13 @@ double mean_sign(double from, double to) {
 }
 
 }  // namespace
+
+std::vector<double> velocity_below(double cutoff_Hz, const std::vector<double>& unfiltered_rad,
+                                   double step_s) {
+  std::vector<double> low = unfiltered_rad;
+  LowPass(cutoff_Hz, 1.0 / step_s).apply(low);
+  return derivative(low, step_s);
+}
 
 std::vector<double> directions(const std::vector<double>& velocity_rad_s,
                                const std::vector<double>& unfiltered_rad,

@@ -12,6 +12,10 @@ struct PositionSamples {
   double step_s = 0.0;
 };
 
+/// The velocity below another cut-off, of the unfiltered position.
+std::vector<double> velocity_below(double cutoff_Hz, const std::vector<double>& unfiltered_rad,
+                                   double step_s);
+
 /// The sign of the motion at each sample: its mean over the sample's step, so that a reversal
 /// counts when it happens. A low-pass moves a reversal where the velocity bends; so the velocity of
 /// the widest band in which it exceeds its noise decides, of the unfiltered position where there is

@@ -9,7 +9,6 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kStandstill_s = 0.015;    ///< Longer rests are masked.
 constexpr double kAroundRest_s = 0.03;     ///< What a filter of 25 Hz carries out of a rest.
 constexpr double kRestShare = 0.005;       ///< Of the speed that 5 % of the samples exceed.
 constexpr double kUnknownPosition = 1e-5;  ///< Deviation where no position was logged.
@@ -27,9 +26,9 @@ double rest_speed(const std::vector<double>& velocity, double play) {
 }
 
 void mask_rests(const std::vector<double>& velocity, double slow, double step_s,
-                std::vector<std::uint8_t>& mask) {
+                double longer_than_s, std::vector<std::uint8_t>& mask) {
   const std::size_t n = velocity.size();
-  const auto span = static_cast<std::size_t>(std::ceil(kStandstill_s / step_s));
+  const auto span = static_cast<std::size_t>(std::ceil(longer_than_s / step_s));
   const auto around = static_cast<std::size_t>(std::ceil(kAroundRest_s / step_s));
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= n; ++i) {
@@ -55,10 +54,10 @@ double position_play(const Bench& bench, const NoiseLevels& levels) {
 }
 
 std::vector<std::uint8_t> rest_mask(const std::vector<double>& velocity_rad_s, double play_rad,
-                                    double step_s) {
+                                    double step_s, double longer_than_s) {
   const std::size_t n = velocity_rad_s.size();
   std::vector<std::uint8_t> mask(n, 0);
-  mask_rests(velocity_rad_s, rest_speed(velocity_rad_s, play_rad), step_s, mask);
+  mask_rests(velocity_rad_s, rest_speed(velocity_rad_s, play_rad), step_s, longer_than_s, mask);
   const std::size_t edge = LowPass(kSlowestFilter_Hz, 1.0 / step_s).settling();
   for (std::size_t i = 0; i < std::min(edge, n); ++i) mask[i] = mask[n - 1 - i] = 1;
   return mask;
