@@ -11,6 +11,8 @@ namespace {
 
 /// Of the smallest to the largest pivot, columns scaled to unit length: below it they are the same.
 constexpr double kDependent = 1e-6;
+/// The same where only an error is asked for, which says itself how badly a value is known.
+constexpr double kSingular = 1e-11;
 
 /// The products of a few combinations of columns, and of the target, in each block.
 struct Reduced {
@@ -54,7 +56,7 @@ Eigen::MatrixXd reduced(const Eigen::MatrixXd& product, const Columns& selection
 }
 
 /// Solves the scaled normal equations; empty where columns depend on one another.
-Eigen::VectorXd solved(const Eigen::MatrixXd& product) {
+Eigen::VectorXd solved(const Eigen::MatrixXd& product, double least_pivot = kDependent) {
   const Eigen::Index k = product.rows() - 1;
   if (k == 0) return Eigen::VectorXd(0);
   Eigen::VectorXd scale(k);
@@ -65,7 +67,7 @@ Eigen::VectorXd solved(const Eigen::MatrixXd& product) {
   const Eigen::MatrixXd matrix =
       scale.asDiagonal() * product.topLeftCorner(k, k) * scale.asDiagonal();
   const Eigen::LDLT<Eigen::MatrixXd> factors(matrix);
-  if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() < kDependent) return {};
+  if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() < least_pivot) return {};
   const Eigen::VectorXd right = scale.asDiagonal() * product.col(k).head(k);
   return scale.asDiagonal() * factors.solve(right);
 }
@@ -221,7 +223,7 @@ Fit Fitter::solve(const Members& members, std::vector<Coefficient> coefficients,
   return fit;
 }
 
-std::optional<Fit> Fitter::fit_whole(const Members& members) const {
+std::optional<Fit> Fitter::fit_whole(const Members& members, bool for_errors) const {
   Fit fit;
   fit.members = members;
   fit.coefficients = coefficients_of(members);
@@ -234,7 +236,7 @@ std::optional<Fit> Fitter::fit_whole(const Members& members) const {
     blocks.push_back(reduced(gram_.blocks[b].product, selection));
     total += blocks.back();
   }
-  fit.values = solved(total);
+  fit.values = solved(total, for_errors ? kSingular : kDependent);
   if (fit.values.size() != k) return std::nullopt;
   fit.covariance = sandwich(blocks, total, fit.values);
   return fit;

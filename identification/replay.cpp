@@ -13,8 +13,19 @@ namespace {
 constexpr double kWindow_s = 1.0;
 constexpr double kSettling_s = 0.1;  ///< Of the filters, at both ends of a stretch.
 constexpr double kStep_s = 2e-3;
+constexpr int kRestSamples = 3;  ///< In a row.
 
 bool is_at_rest(const actuator::Instant& at) { return std::abs(at.direction) < 1.0; }
+
+/// For longer than the sample in which a motion reverses.
+bool rests(std::vector<actuator::Instant>::const_iterator begin,
+           std::vector<actuator::Instant>::const_iterator end) {
+  int together = 0;
+  for (auto at = begin; at != end && together < kRestSamples; ++at) {
+    together = is_at_rest(*at) ? together + 1 : 0;
+  }
+  return together >= kRestSamples;
+}
 
 void add_windows(const Signals& stretch, ReplayWindow window, std::vector<ReplayWindow>& windows) {
   if (!(stretch.step_s > 0.0)) return;
@@ -29,7 +40,7 @@ void add_windows(const Signals& stretch, ReplayWindow window, std::vector<Replay
     }
     window.first = first;
     window.last = first + length;
-    window.rests = std::any_of(stretch.at.begin() + begin, stretch.at.begin() + end, is_at_rest);
+    window.rests = rests(stretch.at.begin() + begin, stretch.at.begin() + end);
     windows.push_back(window);
   }
 }
