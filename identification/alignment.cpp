@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "identification/balance.hpp"
+#include "identification/folds.hpp"
 #include "identification/signal.hpp"
 
 namespace torquewright::identification {
@@ -103,9 +104,7 @@ class Aligner {
 
  private:
   std::vector<std::size_t> folds(const Gram& gram) const {
-    std::vector<std::size_t> folds;
-    for (const Block& block : gram.blocks) folds.push_back(fold_of_run_[block.run]);
-    return folds;
+    return folds_of_blocks(fold_of_run_, gram).of_block;
   }
 
   Gram gram_at(double delay_s) const {

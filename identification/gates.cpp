@@ -127,7 +127,8 @@ std::string no_longer_earned(const Fitter& fitter, const Fit& model, std::size_t
   members.erase(members.begin() + static_cast<std::ptrdiff_t>(member));
   const Fit without = fitter.fit_unlimited(members);
   if (!without.is_valid) return "";
-  return objection(model, gain_of(fitter, without, model));
+  const AcceptanceRules rules = rules_for(fitter.dictionary(), members, model.members);
+  return objection(model, gain_of(fitter, without, model, rules), rules);
 }
 
 /// The coordinate along which a law would be wrong if it were the wrong law.
