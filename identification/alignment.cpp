@@ -134,8 +134,8 @@ class Aligner {
     return build_gram(signals_, {}, both, target, {kBand_Hz, 1.5, 400});
   }
 
-  /// What a fit leaves over, without a fold, as weights of the columns of gram_of_both(). `residual`:
-  /// of the last two, which one it is the error of.
+  /// What a fit leaves over, without a fold, as weights of the columns of gram_of_both().
+  /// `residual`: of the last two, which one it is the error of.
   Eigen::VectorXd error(const Fit& fit, std::size_t fold, Eigen::Index residual) const {
     const auto columns = static_cast<Eigen::Index>(dictionary_.columns.size());
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(columns + 2);

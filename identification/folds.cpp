@@ -30,9 +30,7 @@ std::vector<std::size_t> run_folds(const Log& log) {
   return folds;
 }
 
-Folds make_folds(const Log& log, const Gram& gram) {
-  return folds_of_blocks(run_folds(log), gram);
-}
+Folds make_folds(const Log& log, const Gram& gram) { return folds_of_blocks(run_folds(log), gram); }
 
 Folds folds_of_blocks(std::vector<std::size_t> of_run, const Gram& gram) {
   Folds folds;

@@ -157,7 +157,8 @@ double own_gain(const Fitter& fitter, const Fit& model, std::size_t member) {
 
 std::string left_along_own(const Fitter& fitter, const Fit& model, std::size_t member,
                            const std::vector<Structure>& left) {
-  const std::string own = own_coordinate(fitter.dictionary().variants[model.members[member]].effect);
+  const std::string own =
+      own_coordinate(fitter.dictionary().variants[model.members[member]].effect);
   for (const Structure& each : left) {
     if (each.coordinate != own || each.share < kMostLeftAlongOwn || !is_significant(each)) continue;
     // A law that took nearly all of what varies along its coordinate is not the wrong one: what

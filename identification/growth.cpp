@@ -9,9 +9,9 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kMostMembers = 7;    ///< Waves of one effect count as one.
-constexpr int kMostRounds = 6;         ///< Of swapping.
-constexpr double kFalls = 1.0 - 1e-9;  ///< Times the loss: lower beyond round-off.
+constexpr std::size_t kMostMembers = 7;  ///< Waves of one effect count as one.
+constexpr int kMostRounds = 6;           ///< Of swapping.
+constexpr double kFalls = 1.0 - 1e-9;    ///< Times the loss: lower beyond round-off.
 
 /// Drops members that no longer earn their place, the weakest first.
 Fit pruned(const Trials& trials, Fit fit) {

@@ -17,7 +17,7 @@ constexpr double kSpectrumBand_Hz = 15.0;
 constexpr std::size_t kMostOrders = 6;  ///< Of each kind.
 constexpr int kHighestMotorOrder = 200;
 constexpr int kHighestOutputOrder = 80;
-constexpr double kLeastShare = 0.01;   ///< Of the residual's power.
+constexpr double kLeastShare = 0.01;    ///< Of the residual's power.
 constexpr std::size_t kAskedAnew = 24;  ///< Orders of the spectrum, beside one another.
 
 /// What is left, row by row, with the angles and what waves may be multiplied with.

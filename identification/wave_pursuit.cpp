@@ -18,8 +18,7 @@ void project_out(Eigen::MatrixXd& products, Eigen::Index first, Eigen::Index cou
 
 }  // namespace
 
-WavePursuit::WavePursuit(Eigen::Index beside, std::size_t waves)
-    : beside_(beside), waves_(waves) {
+WavePursuit::WavePursuit(Eigen::Index beside, std::size_t waves) : beside_(beside), waves_(waves) {
   const Eigen::Index size = 1 + beside + 2 * static_cast<Eigen::Index>(waves);
   products_ = Eigen::MatrixXd::Zero(size, size);
 }

@@ -43,8 +43,8 @@ TEST(Alignment, NamesTheOtherChannelWhereTheSensorIsEarly) {
 // Missing viscous friction moves the torque of a sine like a delay; the rich model takes it up.
 TEST(Alignment, DoesNotTakeFrictionForADelay) { EXPECT_FALSE(delay_of(friction, 0.0)); }
 
-// One run alone is cut into pieces, so that the rich model can be left out and fitted there too: the
-// bare one would take friction for a delay.
+// One run alone is cut into pieces, so that the rich model can be left out and fitted there too:
+// the bare one would take friction for a delay.
 TEST(Alignment, OfOneRunDoesNotTakeFrictionForADelayEither) {
   const MadeBench rig;
   for (const double late_s : {0.0, 0.03}) {

@@ -53,9 +53,8 @@ TEST(WavePursuit, EndsAtTheMostAskedForAndAtTheLeastShare) {
 
 // What the columns beside the waves hold is theirs: a target of them alone has no waves.
 TEST(WavePursuit, IsSilentOnWhatTheColumnsHold) {
-  const WavePursuit pursuit = over_part_of_a_turn([](double angle) {
-    return 5.0 + 0.001 * std::sin(7.0 * angle);
-  });
+  const WavePursuit pursuit =
+      over_part_of_a_turn([](double angle) { return 5.0 + 0.001 * std::sin(7.0 * angle); });
   EXPECT_EQ(pursuit.strongest(6, 1e-6), (std::vector<std::size_t>{6}));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The servo's log from the voltage equation to a refined document, and that document's motion by
-// simulation, which no part of the regression knows. Oracle: an independent trial of the method on the
-// same log: mean absolute position error, runs at gain 200 held out, viscous 0.0986, with load
+// simulation, which no part of the regression knows. Oracle: an independent trial of the method on
+// the same log: mean absolute position error, runs at gain 200 held out, viscous 0.0986, with load
 // friction 0.069 rad. (Constants fitted by simulation reach 0.054: bam_servos_test.cpp.)
 #include <gtest/gtest.h>
 
@@ -23,9 +23,8 @@ constexpr double kAgreement = 0.05;  ///< Of the trial's figure: other filters, 
 
 fs::path logs() {
   const char* variable = std::getenv("TORQUEWRIGHT_DATA");
-  const fs::path data = variable != nullptr
-                            ? fs::path(variable)
-                            : fs::path(TORQUEWRIGHT_SOURCE_DIR) / "../shared/data";
+  const fs::path data = variable != nullptr ? fs::path(variable)
+                                            : fs::path(TORQUEWRIGHT_SOURCE_DIR) / "../shared/data";
   return data / "logs/bam_servos";
 }
 
@@ -40,9 +39,8 @@ TEST(RefinedServo, LoadFrictionAloneIsNamedAndItsMotionIsRight) {
   if (!servo) GTEST_SKIP() << "no ../shared/data/logs: the logs are not here";
   const fs::path rigs = fs::path(TORQUEWRIGHT_SOURCE_DIR) / "tests/real_data/rigs";
   const JointActuator nominal{"", actuator::read_actuator(rigs / "bam_servos_actuator.json")};
-  const Identification found =
-      identify({logs() / "xl330_train.csv", logs() / "xl330_heldout_kp200.csv"}, servo->rig,
-               {nominal});
+  const Identification found = identify(
+      {logs() / "xl330_train.csv", logs() / "xl330_heldout_kp200.csv"}, servo->rig, {nominal});
   EXPECT_EQ(found.verdict, Verdict::kPartlyExplained);
   const EquationResult& voltage = found.equations.front();
   ASSERT_EQ(voltage.quantity, "winding_voltage_V");
