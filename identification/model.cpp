@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/tight_spots.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -206,7 +208,10 @@ Fit Fitter::solve(const Members& members, std::vector<Coefficient> coefficients,
   const auto k = static_cast<Eigen::Index>(fit.coefficients.size());
   fit.values = solved(total);
   if (fit.values.size() != k) return fit;
-  if (limited && !within_limits(fit.coefficients, fit.values)) return fit;
+  const bool is_possible =
+      within_limits(fit.coefficients, fit.values) &&
+      are_tight_spots_possible(dictionary_, members, always_.size(), fit.values);
+  if (limited && !is_possible) return fit;
   for (const Eigen::MatrixXd& part : of_fold) {
     fit.left_out.push_back(solved(total - part));
     if (fit.left_out.back().size() != k) return fit;

@@ -212,6 +212,12 @@ bool is_same_effect(const Variant& a, const Variant& b) {
 
 }  // namespace
 
+std::size_t count_always(const Fit& fit, const std::vector<Variant>& variants) {
+  std::size_t own = 0;
+  for (const std::size_t member : fit.members) own += variants[member].coefficients.size();
+  return fit.coefficients.size() - own;
+}
+
 std::vector<Named> named_effects(const Fit& fit, const Dictionary& dictionary,
                                  std::size_t always_count, const Balance& balance) {
   std::vector<Named> all;
