@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // identification_rates CLASS FIRST_SEED COUNT: how often the right effect is named in logs with a
-// known truth. One line for each log, then the counts.
+// known truth. One line for each log, then the counts and the table of confusions.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,35 @@ LogClass class_of(const std::string& name) {
   }
   fmt::print(stderr, "classes: none, one, two, cannot_tell, outside, short\n");
   std::exit(2);
+}
+
+/// What stands in one row of the table of confusions: one truth, many logs.
+struct Confusions {
+  std::array<int, 4> naming{};  ///< Effects, by Naming; where nothing is there, logs.
+  std::map<std::string, int> wrong;
+  int logs = 0;
+};
+
+void add(const torquewright::rates::Outcome& outcome, std::map<std::string, Confusions>& rows) {
+  Confusions& row = rows[outcome.truth];
+  ++row.logs;
+  for (const auto naming : outcome.naming) ++row.naming[static_cast<std::size_t>(naming)];
+  for (const std::string& name : outcome.wrong_names) ++row.wrong[name];
+  if (outcome.naming.empty() && outcome.wrong_names.empty()) ++row.naming[3];
+}
+
+void print_confusions(const std::map<std::string, Confusions>& rows) {
+  fmt::print(
+      "\n| what is there | logs | named alone | by an exact identity | in a group of the log | not "
+      "named | a wrong name |\n|---|---|---|---|---|---|---|\n");
+  for (const auto& [truth, row] : rows) {
+    std::string wrong;
+    for (const auto& [name, many] : row.wrong) {
+      wrong += fmt::format("{}{} {}", wrong.empty() ? "" : ", ", many, name);
+    }
+    fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", truth.empty() ? "nothing" : truth,
+               row.logs, row.naming[0], row.naming[1], row.naming[2], row.naming[3], wrong);
+  }
 }
 
 /// Held-out errors over a noise, where something was named and nothing wrongly.
@@ -50,6 +81,7 @@ int main(int count, char** arguments) {
                       fmt::format("identification_rates_{}_{}", arguments[1], first);
   int first_right = 0, all = 0, wrong = 0, grouped = 0, coordinate = 0, named = 0, parameters = 0,
       within = 0;
+  std::map<std::string, Confusions> confusions;
   std::vector<double> over_estimate, over_truth;
   for (unsigned long long seed = first; seed < first + many; ++seed) {
     const auto scenario = torquewright::oracles::draw(log_class, seed);
@@ -63,6 +95,7 @@ int main(int count, char** arguments) {
     grouped += outcome.is_grouped;
     coordinate += outcome.coordinate_is_right;
     named += !outcome.names.empty();
+    add(outcome, confusions);
     std::string names;
     for (const std::string& name : outcome.names) names += " " + name;
     names += outcome.parameter_note;
@@ -85,6 +118,7 @@ int main(int count, char** arguments) {
       arguments[1], many, named, first_right, all, wrong, grouped, coordinate, within, parameters);
   print_spread("as estimated", over_estimate);
   print_spread("put in", over_truth);
+  print_confusions(confusions);
   std::filesystem::remove_all(folder);
   return 0;
 }

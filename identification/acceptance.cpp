@@ -21,7 +21,27 @@ double neighbour_correlation(const std::vector<double>& values,
   return squares > 0.0 ? std::clamp(products / squares, 0.0, 0.9) : 0.0;
 }
 
+bool is_wave_of(const Variant& variant, const Variant& other) {
+  return variant.order > 0.0 && other.effect == variant.effect &&
+         other.proportional == variant.proportional;
+}
+
 }  // namespace
+
+AcceptanceRules rules_for(const Dictionary& dictionary, const Members& without, const Members& with,
+                          AcceptanceRules rules) {
+  const auto is_there = [&](const Variant& added) {
+    return std::any_of(without.begin(), without.end(), [&](std::size_t member) {
+      return is_wave_of(added, dictionary.variants[member]);
+    });
+  };
+  for (const std::size_t member : with) {
+    const bool is_old = std::find(without.begin(), without.end(), member) != without.end();
+    if (!is_old && !is_there(dictionary.variants[member])) return rules;
+  }
+  rules.least_gain = rules.least_harmonic;
+  return rules;
+}
 
 Gain gain_of(const Fitter& fitter, const Fit& without, const Fit& with,
              const AcceptanceRules& rules) {

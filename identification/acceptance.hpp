@@ -12,11 +12,17 @@ namespace torquewright::identification {
 struct AcceptanceRules {
   double least_t = 3.0;
   double least_gain = 0.08;       ///< Share of the loss that it removes.
+  double least_harmonic = 0.03;   ///< The same of a further harmonic of an effect that is there.
   double least_run_errors = 1.5;  ///< Gain in a run, in its standard errors, for it to count.
   double least_run_share = 0.4;   ///< Of the runs in which it has to count; two at least.
   double worse_run_errors = 1.0;  ///< A run is worse if the loss grows by more than this ...
   double worse_run_share = 0.02;  ///< ... and by more than this share.
 };
+
+/// The rules for what `with` has beyond `without`. A further harmonic of an effect adds no name and
+/// shares the others' cause: of its gain less is asked, of chance the same.
+AcceptanceRules rules_for(const Dictionary& dictionary, const Members& without, const Members& with,
+                          AcceptanceRules rules = {});
 
 /// How much better `with` is than `without`, where both were left out of the fit.
 struct Gain {

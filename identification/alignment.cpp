@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "identification/balance.hpp"
+#include "identification/folds.hpp"
 #include "identification/signal.hpp"
 
 namespace torquewright::identification {
@@ -77,17 +78,18 @@ class Aligner {
     const Fit with = fit_at(delay_s), without = fit_at(0.0);
     Gain gain;
     double square = 0.0;
-    const Gram& gram = grams_[delay_s];
-    const std::vector<std::size_t> fold = folds(gram);
+    const Gram both = gram_of_both(delay_s);
+    const std::vector<std::size_t> fold = folds(both);
     std::map<std::size_t, double> by_fold;
-    std::vector<double> less(with.block_loss.size());
-    for (std::size_t b = 0; b < less.size(); ++b) {
-      less[b] = without.block_loss[b] - with.block_loss[b];
-      gain.loss += less[b];
-      if (fold[b] != Fitter::kNoFold) by_fold[fold[b]] += less[b];
+    for (std::size_t b = 0; b < fold.size(); ++b) {
+      if (fold[b] == Fitter::kNoFold) continue;
+      const double less = without.block_loss[b] - with.block_loss[b];
+      const Eigen::VectorXd change = error(without, fold[b], 0) - error(with, fold[b], 1);
+      const double rest = less - change.dot(both.blocks[b].product * change);
+      gain.loss += less;
+      by_fold[fold[b]] += less;
+      square += rest * rest;
     }
-    const double mean = gain.loss / static_cast<double>(less.size());
-    for (const double each : less) square += (each - mean) * (each - mean);
     gain.error = std::sqrt(square);
     gain.t = gain.error > 0.0 ? gain.loss / gain.error : 0.0;
     gain.share = without.loss > 0.0 ? gain.loss / without.loss : 0.0;
@@ -103,24 +105,48 @@ class Aligner {
 
  private:
   std::vector<std::size_t> folds(const Gram& gram) const {
-    std::vector<std::size_t> folds;
-    for (const Block& block : gram.blocks) folds.push_back(fold_of_run_[block.run]);
-    return folds;
+    return folds_of_blocks(fold_of_run_, gram).of_block;
+  }
+
+  std::vector<double> residual(const Signals& signals, double delay_s) const {
+    std::vector<double> measured(signals.size());
+    for (std::size_t i = 0; i < signals.size(); ++i) measured[i] = balance_.measured_Nm(signals, i);
+    std::vector<double> residual = advanced(measured, delay_s, signals.step_s);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      residual[i] -= balance_.predicted_Nm(signals, i);
+      if (!balance_.is_sensor()) residual[i] = -residual[i];
+    }
+    return residual;
   }
 
   Gram gram_at(double delay_s) const {
-    const Target target = [&](const Signals& signals) {
-      std::vector<double> measured(signals.size());
-      for (std::size_t i = 0; i < signals.size(); ++i)
-        measured[i] = balance_.measured_Nm(signals, i);
-      std::vector<double> residual = advanced(measured, delay_s, signals.step_s);
-      for (std::size_t i = 0; i < signals.size(); ++i) {
-        residual[i] -= balance_.predicted_Nm(signals, i);
-        if (!balance_.is_sensor()) residual[i] = -residual[i];
-      }
-      return residual;
-    };
+    const Target target = [&](const Signals& signals) { return residual(signals, delay_s); };
     return build_gram(signals_, {}, dictionary_, target, {kBand_Hz, 1.5, 400});
+  }
+
+  /// The residual as logged as a column behind the others, the moved one as the target.
+  Gram gram_of_both(double delay_s) const {
+    Dictionary both = dictionary_;
+    both.columns.push_back({"as logged", [&](const Signals& signals, std::vector<double>& out) {
+                              out = residual(signals, 0.0);
+                            }});
+    const Target target = [&](const Signals& signals) { return residual(signals, delay_s); };
+    return build_gram(signals_, {}, both, target, {kBand_Hz, 1.5, 400});
+  }
+
+  /// What a fit leaves over, without a fold, as weights of the columns of gram_of_both().
+  /// `residual`: of the last two, which one it is the error of.
+  Eigen::VectorXd error(const Fit& fit, std::size_t fold, Eigen::Index residual) const {
+    const auto columns = static_cast<Eigen::Index>(dictionary_.columns.size());
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(columns + 2);
+    for (std::size_t j = 0; j < fit.coefficients.size(); ++j) {
+      for (const auto& term : fit.coefficients[j].terms) {
+        weights[static_cast<Eigen::Index>(term.column)] -=
+            term.weight * fit.left_out[fold][static_cast<Eigen::Index>(j)];
+      }
+    }
+    weights[columns + residual] = 1.0;
+    return weights;
   }
 
   /// Without excitation some columns vanish or coincide: they are left out, for every delay alike.

@@ -9,6 +9,8 @@
 #include "identification/equation_analysis.hpp"
 #include "identification/folds.hpp"
 #include "identification/orders.hpp"
+#include "identification/position_study.hpp"
+#include "identification/standstill.hpp"
 #include "identification/with_effects.hpp"
 
 namespace torquewright::identification {
@@ -24,6 +26,7 @@ class JointAnalysis {
                 const AnalysisOptions& options)
       : log_(log),
         options_(options),
+        torque_options_(options),
         bench_(make_bench(rig, log, joint, actuators)),
         levels_(noise_levels(log, joint)),
         folds_(run_folds(log)) {}
@@ -36,7 +39,7 @@ class JointAnalysis {
       results.emplace_back().unusable = "no stretch of the log is long enough (0.5 s)";
       return results;
     }
-    if (bench_.has_torque_balance()) results.push_back(torque_result(source));
+    if (bench_.has_torque_balance()) add_torque_and_position(source, results);
     std::vector<Equation> plain = plain_equations(bench_, source.rows());
     for (std::size_t k = 0; k < plain.size(); ++k) {
       say("searching: " + plain[k].quantity,
@@ -58,14 +61,14 @@ class JointAnalysis {
   EquationResult torque(const SignalSource& source) const {
     const Extent extent = extent_of(source.rows());
     const Orders orders = promising_orders(bench_, source.rows(), folds_, extent);
-    EquationResult found =
-        analyse_equation(bench_, log_, torque_equation(bench_, extent, orders), source, options_);
+    EquationResult found = analyse_equation(bench_, log_, torque_equation(bench_, extent, orders),
+                                            source, torque_options_);
     if (!asks_again(found)) return found;
     Bench informed = bench_;
     informed.in_gap =
         std::make_shared<const actuator::Actuator>(with_effects(bench_.actuator(), found.added));
     EquationResult again = analyse_equation(
-        informed, log_, torque_equation(informed, extent, orders), source, options_);
+        informed, log_, torque_equation(informed, extent, orders), source, torque_options_);
     return again.added.size() >= found.added.size() ? again : found;
   }
 
@@ -78,6 +81,37 @@ class JointAnalysis {
       const actuator::EffectKind* kind = actuator::find_effect(each.effect);
       return kind != nullptr && kind->acts == actuator::Acts::kDrag;
     });
+  }
+
+  /// Friction that only a simulation finds is stated to the torque balance, which is then asked
+  /// again; what it left before stays what the nominal actuator left.
+  void add_torque_and_position(const SignalSource& source, std::vector<EquationResult>& results) {
+    EquationResult torque = torque_result(source);
+    say("simulating the log", 0.75);
+    std::optional<EquationResult> position =
+        study_position({bench_, source.rows(), source.noisy_rows(), held_out()}, torque,
+                       options_.select);
+    if (position && !position->added.empty()) {
+      const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];
+      const actuator::Actuator informed = with_standstill(nominal, position->added.front());
+      bench_.actuators[bench_.joint] = &informed;
+      torque_options_.settled = {"coulomb_friction", "stribeck_friction", "asymmetric_friction",
+                                 "presliding_friction"};
+      EquationResult again = torque_result(source_like({}));
+      bench_.actuators[bench_.joint] = &nominal;
+      again.before = torque.before;
+      again.structure_before = std::move(torque.structure_before);
+      again.is_noise_before = torque.is_noise_before;
+      torque = std::move(again);
+    }
+    results.push_back(std::move(torque));
+    if (position) results.push_back(*std::move(position));
+  }
+
+  std::vector<bool> held_out() const {
+    std::vector<bool> held_out;
+    for (const std::size_t fold : folds_) held_out.push_back(fold == Fitter::kNoFold);
+    return held_out;
   }
 
   /// As the log is, or with the one channel moved back that is late.
@@ -95,6 +129,7 @@ class JointAnalysis {
 
   const Log& log_;
   const AnalysisOptions& options_;
+  AnalysisOptions torque_options_;
   Bench bench_;
   NoiseLevels levels_;
   std::vector<std::size_t> folds_;

@@ -19,6 +19,15 @@ ChannelGrid::ChannelGrid(const Run& run, std::size_t joint, const PreparationOpt
 }
 
 std::vector<double> ChannelGrid::read(Quantity quantity) {
+  return filtered(read_unfiltered(quantity));
+}
+
+std::vector<double> ChannelGrid::filtered(std::vector<double> values) const {
+  if (!is_map_) LowPass(options_.cutoff_Hz, 1.0 / step_s_).apply(values);
+  return values;
+}
+
+std::vector<double> ChannelGrid::read_unfiltered(Quantity quantity) {
   std::vector<double> raw = channels_[quantity];
   const auto index = static_cast<std::size_t>(quantity);
   if (options_.noise != nullptr && (*options_.noise)[index] > 0.0) {
@@ -26,10 +35,7 @@ std::vector<double> ChannelGrid::read(Quantity quantity) {
     for (double& value : raw) value += noise(random_);
   }
   if (is_map_) return raw;
-  std::vector<double> values =
-      resampled(run_.time_s, raw, start_s_ + options_.delay_s[index], step_s_, count_);
-  LowPass(options_.cutoff_Hz, 1.0 / step_s_).apply(values);
-  return values;
+  return resampled(run_.time_s, raw, start_s_ + options_.delay_s[index], step_s_, count_);
 }
 
 std::vector<double> ChannelGrid::read_or(Quantity quantity, double otherwise) {

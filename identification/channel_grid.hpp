@@ -26,6 +26,10 @@ class ChannelGrid {
   /// `count` values of a channel that was logged, in its unit.
   std::vector<double> read(Quantity quantity);
 
+  /// The two steps of it: on the grid, and then through the low-pass.
+  std::vector<double> read_unfiltered(Quantity quantity);
+  std::vector<double> filtered(std::vector<double> values) const;
+
   /// The channel, or a constant where it was not logged.
   std::vector<double> read_or(Quantity quantity, double otherwise);
 

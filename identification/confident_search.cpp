@@ -90,11 +90,15 @@ std::set<std::string> collect_doubtful(const EquationFit& fit, const Selection& 
 
 }  // namespace
 
-ConfidentSelection confident_search(const EquationFit& fit) {
+ConfidentSelection confident_search(const EquationFit& fit,
+                                    const std::vector<std::string>& settled) {
   SearchOptions options;
   options.target_is_motor_side = fit.equation().target_is_motor_side;
   options.is_free_load = fit.equation().is_free_load;
   options.variants = fit.excited_variants();
+  std::erase_if(options.variants, [&](std::size_t v) {
+    return std::find(settled.begin(), settled.end(), effect_of(fit, v)) != settled.end();
+  });
   std::vector<Rejection> doubtful;
   for (int round = 1;; ++round) {
     Selection selection = search(fit.fitter(), options);

@@ -9,6 +9,17 @@ namespace {
 constexpr const char* kName = "channel_delay";
 constexpr double kClearlyLess = 0.95;  ///< Times the error.
 
+/// Share of what noise does not explain that must be gone with it: a channel that is late leaves
+/// little, and what is not a delay may look a little like one.
+constexpr double kLeastExplained = 1.0 / 3.0;
+
+double square(double value) { return value * value; }
+
+bool explains(const EquationResult& aligned, const EquationResult& plain) {
+  const double before = square(plain.before.train_rms), floor = square(aligned.noise_floor_rms);
+  return before - square(aligned.after.train_rms) > kLeastExplained * (before - floor);
+}
+
 bool is_clearly_better(const EquationResult& aligned, const EquationResult& plain) {
   return aligned.unusable.empty() &&
          (aligned.after.train_rms < kClearlyLess * plain.after.train_rms ||
@@ -35,7 +46,7 @@ NamedEffect named(const Delay& delay, const EquationResult& plain, const Equatio
 
 EquationResult with_delay_if_better(EquationResult plain, EquationResult aligned,
                                     const Delay& delay) {
-  if (!is_clearly_better(aligned, plain)) return plain;
+  if (!is_clearly_better(aligned, plain) || !explains(aligned, plain)) return plain;
   NamedEffect late = named(delay, plain, aligned);
   aligned.before = plain.before;
   aligned.structure_before = plain.structure_before;

@@ -55,6 +55,7 @@ struct Dictionary {
   /// Column of drag -> the same times (T - T0).
   std::vector<std::pair<std::size_t, std::size_t>> warmed;
   std::size_t nominal_drag_warmed = kNone;
+  double stated_dry_friction_Nm = 0.0;  ///< Infinite where it has more levels than one.
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 };
 

@@ -22,9 +22,11 @@ std::vector<std::size_t> run_folds(const Log& log) {
   return folds;
 }
 
-Folds make_folds(const Log& log, const Gram& gram) {
+Folds make_folds(const Log& log, const Gram& gram) { return folds_of_blocks(run_folds(log), gram); }
+
+Folds folds_of_blocks(std::vector<std::size_t> of_run, const Gram& gram) {
   Folds folds;
-  folds.of_run = run_folds(log);
+  folds.of_run = std::move(of_run);
   std::size_t count = 0;
   for (const std::size_t fold : folds.of_run) {
     if (fold != Fitter::kNoFold) count = std::max(count, fold + 1);

@@ -17,6 +17,8 @@ struct Folds {
   bool cut_runs = false;
 };
 Folds make_folds(const Log& log, const Gram& gram);
+/// The same for folds of runs that are known.
+Folds folds_of_blocks(std::vector<std::size_t> of_run, const Gram& gram);
 
 /// The same by run alone, for before there is a Gram.
 std::vector<std::size_t> run_folds(const Log& log);

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kLeastExplained = 0.6;  ///< Share of what is explainable.
 constexpr double kNoiseLevel = 2.5;      ///< Times the floor: nothing is left.
-constexpr double kNearlyNoise = 0.5;  ///< Loss over the floor below which amplitudes say nothing.
+constexpr double kNearlyNoise = 0.5;  ///< Loss over the floor below which the rest says nothing.
 constexpr double kConfirmed = 0.04;   ///< Share of the held-out error that a name takes away.
 constexpr double kMostLeftAlongOwn = 0.3;
+constexpr double kMostLeftOfOwn = 0.15;  ///< What is left along it over what the name takes away.
 constexpr double kAmplitudeGain = 0.15;  ///< A name whose amplitude varies wins more than this.
 constexpr double kMostScatter = 0.3;     ///< Of a parameter between runs, beyond its error.
 constexpr double kScatterErrors = 3.0;
@@ -127,30 +128,45 @@ std::string no_longer_earned(const Fitter& fitter, const Fit& model, std::size_t
   members.erase(members.begin() + static_cast<std::ptrdiff_t>(member));
   const Fit without = fitter.fit_unlimited(members);
   if (!without.is_valid) return "";
-  return objection(model, gain_of(fitter, without, model));
+  const AcceptanceRules rules = rules_for(fitter.dictionary(), members, model.members);
+  return objection(model, gain_of(fitter, without, model, rules), rules);
 }
 
-/// The coordinate along which a law would be wrong if it were the wrong law.
-std::string own_coordinate(const std::string& effect) {
+/// The coordinates along which a law would be wrong if it were the wrong law.
+std::vector<std::string> own_coordinates(const std::string& effect) {
   if (effect == "torque_constant_error" || effect == "torque_constant_saturation" ||
       effect == "load_dependent_friction") {
-    return "load_torque_Nm";
+    return {"load_torque_Nm", "motor_current_A"};
   }
-  if (effect == "viscous_friction" || effect == "quadratic_drag") return "output_velocity_rad_s";
+  if (effect == "viscous_friction" || effect == "quadratic_drag") return {"output_velocity_rad_s"};
   if (effect == "gear_ripple" || effect == "gravity_imbalance" ||
       effect == "position_dependent_friction") {
-    return "output_position_rad";
+    return {"output_position_rad"};
   }
-  if (effect == "cogging_torque") return "motor_position_rad";
-  return "";
+  if (effect == "cogging_torque") return {"motor_position_rad"};
+  return {};
 }
 
-std::string left_along_own(const std::string& effect, const std::vector<Structure>& left) {
-  const std::string own = own_coordinate(effect);
+/// What the member takes away; at least nothing.
+double own_gain(const Fitter& fitter, const Fit& model, std::size_t member) {
+  Members members = model.members;
+  members.erase(members.begin() + static_cast<std::ptrdiff_t>(member));
+  const Fit without = fitter.fit_unlimited(members);
+  return without.is_valid ? std::max(0.0, without.loss - model.loss) : 0.0;
+}
+
+std::string left_along_own(const Fitter& fitter, const Fit& model, std::size_t member,
+                           const std::vector<Structure>& left) {
+  const std::vector<std::string> own =
+      own_coordinates(fitter.dictionary().variants[model.members[member]].effect);
   for (const Structure& each : left) {
-    if (each.coordinate != own || each.share < kMostLeftAlongOwn || !is_significant(each)) continue;
+    if (std::find(own.begin(), own.end(), each.coordinate) == own.end()) continue;
+    if (each.share < kMostLeftAlongOwn || !is_significant(each)) continue;
+    // A law that took nearly all of what varies along its coordinate is not the wrong one: what
+    // something else leaves may vary there too.
+    if (each.share * model.loss < kMostLeftOfOwn * own_gain(fitter, model, member)) continue;
     return fmt::format("{:.0f} % of what is left varies with {}, which it should have explained",
-                       100.0 * each.share, own);
+                       100.0 * each.share, each.coordinate);
   }
   return "";
 }
@@ -230,8 +246,8 @@ Doubts doubts(const Fitter& fitter, const Selection& selection, const SignalSour
     doubt = not_confirmed(fitter, model, m);
     if (doubt.empty()) doubt = no_longer_earned(fitter, model, m);
     if (doubt.empty()) doubt = scatter(fitter, model, m);
-    if (doubt.empty() && model.loss > kNoiseLevel * floor_loss) {
-      doubt = left_along_own(fitter.dictionary().variants[model.members[m]].effect, left);
+    if (doubt.empty() && model.loss > kNearlyNoise * floor_loss) {
+      doubt = left_along_own(fitter, model, m, left);
     }
     if (doubt.empty() && model.loss > kNearlyNoise * floor_loss) {
       doubt = varying_amplitude(fitter, model, m, source, target, band);

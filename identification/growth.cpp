@@ -9,9 +9,9 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kMostMembers = 7;
-constexpr int kMostRounds = 6;         ///< Of swapping.
-constexpr double kFalls = 1.0 - 1e-9;  ///< Times the loss: lower beyond round-off.
+constexpr std::size_t kMostMembers = 7;  ///< Waves of one effect count as one.
+constexpr int kMostRounds = 6;           ///< Of swapping.
+constexpr double kFalls = 1.0 - 1e-9;    ///< Times the loss: lower beyond round-off.
 
 /// Drops members that no longer earn their place, the weakest first.
 Fit pruned(const Trials& trials, Fit fit) {
@@ -28,15 +28,60 @@ Fit pruned(const Trials& trials, Fit fit) {
   return fit;
 }
 
-/// Adds the acceptable variant with the least loss until there is none.
-Fit grown(const Trials& trials, Fit fit) {
-  while (fit.is_valid && fit.members.size() < kMostMembers) {
-    Fit best;
-    for (const std::size_t added : trials.options().variants) {
-      if (!trials.may_join(fit.members, added)) continue;
-      const Fit with = trials.fitter().fit(plus_one(fit.members, added));
-      if (beats(with, best) && trials.accepts(fit, with)) best = with;
+bool are_waves_of_one(const Variant& a, const Variant& b) {
+  return a.order > 0.0 && b.order > 0.0 && a.effect == b.effect && a.proportional == b.proportional;
+}
+
+std::size_t count_effects(const Trials& trials, const Members& members) {
+  std::size_t effects = 0;
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const auto before = members.begin() + static_cast<std::ptrdiff_t>(m);
+    effects += std::none_of(members.begin(), before, [&](std::size_t each) {
+      return are_waves_of_one(trials.variant(each), trials.variant(members[m]));
+    });
+  }
+  return effects;
+}
+
+/// The acceptable variant with the least loss, added; not valid if there is none.
+Fit with_one_more(const Trials& trials, const Fit& fit) {
+  Fit best;
+  for (const std::size_t added : trials.options().variants) {
+    if (!trials.may_join(fit.members, added)) continue;
+    const Fit with = trials.fitter().fit(plus_one(fit.members, added));
+    if (beats(with, best) && trials.accepts(fit, with)) best = with;
+  }
+  return best;
+}
+
+/// Two waves of one effect at once. Neighbouring orders beat: over the part of a turn that was left
+/// out one of them alone is off by as much as the other is strong, and neither earns its place
+/// before the other is there.
+Fit with_two_waves_more(const Trials& trials, const Fit& fit) {
+  Fit best;
+  const std::vector<std::size_t>& variants = trials.options().variants;
+  for (std::size_t a = 0; a < variants.size(); ++a) {
+    if (!trials.may_join(fit.members, variants[a])) continue;
+    const Members one = plus_one(fit.members, variants[a]);
+    for (std::size_t b = a + 1; b < variants.size(); ++b) {
+      if (!are_waves_of_one(trials.variant(variants[a]), trials.variant(variants[b]))) continue;
+      if (!trials.may_join(one, variants[b])) continue;
+      const Fit with = trials.fitter().fit(plus_one(one, variants[b]));
+      if (!beats(with, best) || !trials.accepts(fit, with)) continue;
+      const std::size_t last = with.members.size() - 1;
+      const bool both_earn = trials.accepts(trials.without(with, last), with) &&
+                             trials.accepts(trials.without(with, last - 1), with);
+      if (both_earn) best = with;
     }
+  }
+  return best;
+}
+
+/// Adds the acceptable variant with the least loss, or two waves, until there is none.
+Fit grown(const Trials& trials, Fit fit) {
+  while (fit.is_valid && count_effects(trials, fit.members) < kMostMembers) {
+    Fit best = with_one_more(trials, fit);
+    if (!best.is_valid) best = with_two_waves_more(trials, fit);
     if (!best.is_valid) return fit;
     Fit next = pruned(trials, best);
     if (next.loss >= fit.loss) return fit;  // So that no set comes round again.

@@ -91,6 +91,7 @@ JointState JointModel::initial(const JointStart& start) const {
   JointState state;
   state.position_rad = state.motor_position_rad = start.position_rad;
   state.speed_rad_s = state.motor_speed_rad_s = start.speed_rad_s;
+  if (is_elastic_) state.motor_position_rad += start.motor_ahead_rad;
   const double reference_K = actuator_.motor.winding_temperature_K;
   const double ambient_K = actuator_.thermal ? actuator_.thermal->ambient_K : reference_K;
   state.winding_K = start.winding_K.value_or(actuator_.thermal ? ambient_K : reference_K);

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/tight_spots.hpp"
+
 namespace torquewright::identification {
 namespace {
 
 /// Of the smallest to the largest pivot, columns scaled to unit length: below it they are the same.
 constexpr double kDependent = 1e-6;
+/// The same where only an error is asked for, which says itself how badly a value is known.
+constexpr double kSingular = 1e-11;
 
 /// The products of a few combinations of columns, and of the target, in each block.
 struct Reduced {
@@ -54,7 +58,7 @@ Eigen::MatrixXd reduced(const Eigen::MatrixXd& product, const Columns& selection
 }
 
 /// Solves the scaled normal equations; empty where columns depend on one another.
-Eigen::VectorXd solved(const Eigen::MatrixXd& product) {
+Eigen::VectorXd solved(const Eigen::MatrixXd& product, double least_pivot = kDependent) {
   const Eigen::Index k = product.rows() - 1;
   if (k == 0) return Eigen::VectorXd(0);
   Eigen::VectorXd scale(k);
@@ -65,7 +69,7 @@ Eigen::VectorXd solved(const Eigen::MatrixXd& product) {
   const Eigen::MatrixXd matrix =
       scale.asDiagonal() * product.topLeftCorner(k, k) * scale.asDiagonal();
   const Eigen::LDLT<Eigen::MatrixXd> factors(matrix);
-  if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() < kDependent) return {};
+  if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() < least_pivot) return {};
   const Eigen::VectorXd right = scale.asDiagonal() * product.col(k).head(k);
   return scale.asDiagonal() * factors.solve(right);
 }
@@ -204,7 +208,10 @@ Fit Fitter::solve(const Members& members, std::vector<Coefficient> coefficients,
   const auto k = static_cast<Eigen::Index>(fit.coefficients.size());
   fit.values = solved(total);
   if (fit.values.size() != k) return fit;
-  if (limited && !within_limits(fit.coefficients, fit.values)) return fit;
+  const bool is_possible =
+      within_limits(fit.coefficients, fit.values) &&
+      are_tight_spots_possible(dictionary_, members, always_.size(), fit.values);
+  if (limited && !is_possible) return fit;
   for (const Eigen::MatrixXd& part : of_fold) {
     fit.left_out.push_back(solved(total - part));
     if (fit.left_out.back().size() != k) return fit;
@@ -221,7 +228,7 @@ Fit Fitter::solve(const Members& members, std::vector<Coefficient> coefficients,
   return fit;
 }
 
-std::optional<Fit> Fitter::fit_whole(const Members& members) const {
+std::optional<Fit> Fitter::fit_whole(const Members& members, bool for_errors) const {
   Fit fit;
   fit.members = members;
   fit.coefficients = coefficients_of(members);
@@ -234,7 +241,7 @@ std::optional<Fit> Fitter::fit_whole(const Members& members) const {
     blocks.push_back(reduced(gram_.blocks[b].product, selection));
     total += blocks.back();
   }
-  fit.values = solved(total);
+  fit.values = solved(total, for_errors ? kSingular : kDependent);
   if (fit.values.size() != k) return std::nullopt;
   fit.covariance = sandwich(blocks, total, fit.values);
   return fit;

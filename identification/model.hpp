@@ -42,8 +42,9 @@ class Fitter {
   /// The same without limits: what an addition is measured against.
   Fit fit_unlimited(const Members& members) const;
 
-  /// The same without anything left out, and without limits. Empty where it is not determined.
-  std::optional<Fit> fit_whole(const Members& members) const;
+  /// The same without anything left out, and without limits. Empty where it is not determined;
+  /// `for_errors`: only where not even an error can be given.
+  std::optional<Fit> fit_whole(const Members& members, bool for_errors = false) const;
   bool is_determined(const Members& members) const { return fit_whole(members).has_value(); }
 
   void set_always(std::vector<Coefficient> always) { always_ = std::move(always); }

@@ -148,6 +148,11 @@ Values with_stated(const Values& values, const Variant& variant) {
   return whole;
 }
 
+bool is_driving_only(const Variant& variant) {
+  return variant.effect == "load_dependent_friction" && !variant.shape.empty() &&
+         variant.shape[0][0] == 0.0;
+}
+
 void add_scalar(NamedEffect& named, const Variant& variant, const Values& values,
                 const Eigen::MatrixXd& covariance, const Balance& balance) {
   const Map map = map_of(variant, balance);
@@ -168,7 +173,11 @@ void add_scalar(NamedEffect& named, const Variant& variant, const Values& values
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     named.parameters[parameters[p].first] = parameters[p].second;
     named.standard_error[parameters[p].first] = errors[p];
+    // Known on a grid only, whatever was fitted: no error is claimed.
+    if (errors[p] == 0.0) named.standard_error[parameters[p].first] = nullptr;
   }
+  // Of a log that is never back-driven: as stated, none, and no error is claimed.
+  if (is_driving_only(variant)) named.standard_error["backdriving_coefficient"] = nullptr;
 }
 
 /// A sin + B cos as amplitude and phase.
@@ -202,6 +211,12 @@ bool is_same_effect(const Variant& a, const Variant& b) {
 }
 
 }  // namespace
+
+std::size_t count_always(const Fit& fit, const std::vector<Variant>& variants) {
+  std::size_t own = 0;
+  for (const std::size_t member : fit.members) own += variants[member].coefficients.size();
+  return fit.coefficients.size() - own;
+}
 
 std::vector<Named> named_effects(const Fit& fit, const Dictionary& dictionary,
                                  std::size_t always_count, const Balance& balance) {

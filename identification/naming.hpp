@@ -14,6 +14,9 @@ struct Named {
   NamedEffect effect;
   std::vector<std::size_t> members;
 };
+/// Coefficients that stood before the members' own when a fit was made: some may have been dropped.
+std::size_t count_always(const Fit& fit, const std::vector<Variant>& variants);
+
 std::vector<Named> named_effects(const Fit& fit, const Dictionary& dictionary,
                                  std::size_t always_count, const Balance& balance);
 

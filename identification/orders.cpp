@@ -8,6 +8,7 @@
 
 #include "identification/balance.hpp"
 #include "identification/model.hpp"
+#include "identification/wave_pursuit.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -16,10 +17,12 @@ constexpr double kSpectrumBand_Hz = 15.0;
 constexpr std::size_t kMostOrders = 6;  ///< Of each kind.
 constexpr int kHighestMotorOrder = 200;
 constexpr int kHighestOutputOrder = 80;
-constexpr double kLeastShare = 0.01;  ///< Of the residual's power.
+constexpr double kLeastShare = 0.01;    ///< Of the residual's power.
+constexpr std::size_t kAskedAnew = 24;  ///< Orders of the spectrum, beside one another.
 
 /// What is left, row by row, with the angles and what waves may be multiplied with.
 struct LeftOver {
+  Eigen::MatrixXd plain;  ///< What a smooth model is made of, and the target behind it.
   std::vector<double> residual, motor_rad, output_rad, load_Nm, direction, motor_Hz, output_Hz;
 };
 
@@ -65,6 +68,7 @@ LeftOver left_over(const Bench& bench, const std::vector<Signals>& signals,
   const Eigen::VectorXd fit = all.leftCols(count).colPivHouseholderQr().solve(all.col(count));
   const Eigen::VectorXd left = all.col(count) - all.leftCols(count) * fit;
   const double ratio = std::abs(bench.actuator().transmission.ratio);
+  rows.plain = std::move(all);
   at = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     for (const std::size_t i : parts[p].index) {
@@ -81,40 +85,72 @@ LeftOver left_over(const Bench& bench, const std::vector<Signals>& signals,
   return rows;
 }
 
-/// Peaks of the share of power that a wave of each whole order holds.
-std::vector<double> peaks(const LeftOver& rows, const std::vector<double>& angle_rad,
-                          const std::vector<double>& turns_Hz, const std::vector<double>* scale,
-                          double range_rad, int highest) {
-  std::vector<double> share(static_cast<std::size_t>(highest) + 2, 0.0);
+/// The angle of waves, its turns in a second, and what they are multiplied with (nothing: one).
+struct Angle {
+  const std::vector<double>& rad;
+  const std::vector<double>& turns_Hz;
+  const std::vector<double>* scale;
+
+  double size(std::size_t i, int order) const {
+    if (order * turns_Hz[i] > kSpectrumBand_Hz) return 0.0;
+    return scale == nullptr ? 1.0 : (*scale)[i];
+  }
+};
+
+/// Share of the residual's power that a wave of one order holds when it stands alone.
+double share_of(const LeftOver& rows, const Angle& angle, int order, double power) {
+  double sine = 0.0, cosine = 0.0, weight = 0.0;
+  for (std::size_t i = 0; i < angle.rad.size(); ++i) {
+    const double s = angle.size(i, order);
+    if (s == 0.0) continue;
+    sine += rows.residual[i] * s * std::sin(order * angle.rad[i]);
+    cosine += rows.residual[i] * s * std::cos(order * angle.rad[i]);
+    weight += s * s;
+  }
+  return weight > 0.0 ? 2.0 * (sine * sine + cosine * cosine) / (weight * power) : 0.0;
+}
+
+/// The orders of the highest shares, each asked alone.
+std::vector<int> loudest(const LeftOver& rows, const Angle& angle, double range_rad, int highest) {
   double power = 0.0;
   for (const double value : rows.residual) power += value * value;
   const auto lowest =
       static_cast<int>(std::ceil(2.0 * std::numbers::pi / std::max(range_rad, 1e-9) - 1e-9));
+  std::vector<std::pair<double, int>> shares;
   for (int order = std::max(1, lowest); order <= highest; ++order) {
-    double sine = 0.0, cosine = 0.0, weight = 0.0;
-    for (std::size_t i = 0; i < angle_rad.size(); ++i) {
-      if (order * turns_Hz[i] > kSpectrumBand_Hz) continue;
-      const double s = scale == nullptr ? 1.0 : (*scale)[i];
-      sine += rows.residual[i] * s * std::sin(order * angle_rad[i]);
-      cosine += rows.residual[i] * s * std::cos(order * angle_rad[i]);
-      weight += s * s;
-    }
-    if (weight > 0.0) {
-      share[static_cast<std::size_t>(order)] =
-          2.0 * (sine * sine + cosine * cosine) / (weight * power);
-    }
+    const double share = share_of(rows, angle, order, power);
+    if (share > kLeastShare) shares.emplace_back(-share, order);
   }
-  std::vector<std::pair<double, int>> found;
-  for (int order = 1; order <= highest; ++order) {
-    const auto o = static_cast<std::size_t>(order);
-    if (share[o] > kLeastShare && share[o] >= share[o - 1] && share[o] >= share[o + 1]) {
-      found.emplace_back(-share[o], order);
-    }
+  std::sort(shares.begin(), shares.end());
+  std::vector<int> orders;
+  for (std::size_t k = 0; k < std::min(kAskedAnew, shares.size()); ++k) {
+    orders.push_back(shares[k].second);
   }
-  std::sort(found.begin(), found.end());
+  return orders;
+}
+
+/// Of those, the ones that hold power beside one another and beside the smooth model: over part of
+/// a turn, or a turn at uneven speed, a strong wave sounds in many orders that are not there.
+std::vector<double> peaks(const LeftOver& rows, const Angle& angle, double range_rad, int highest) {
+  const std::vector<int> asked = loudest(rows, angle, range_rad, highest);
+  const Eigen::Index plain = rows.plain.cols() - 1;
+  WavePursuit pursuit(plain, asked.size());
+  Eigen::VectorXd row(1 + plain + 2 * static_cast<Eigen::Index>(asked.size()));
+  for (std::size_t i = 0; i < angle.rad.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    row[0] = rows.plain(at, plain);
+    row.segment(1, plain) = rows.plain.row(at).head(plain);
+    Eigen::Index c = 1 + plain;
+    for (const int order : asked) {
+      const double s = angle.size(i, order);
+      row[c++] = s * std::sin(order * angle.rad[i]);
+      row[c++] = s * std::cos(order * angle.rad[i]);
+    }
+    pursuit.add(row);
+  }
   std::vector<double> orders;
-  for (std::size_t k = 0; k < std::min(kMostOrders, found.size()); ++k) {
-    orders.push_back(found[k].second);
+  for (const std::size_t place : pursuit.strongest(kMostOrders, kLeastShare)) {
+    orders.push_back(asked[place]);
   }
   std::sort(orders.begin(), orders.end());
   return orders;
@@ -127,10 +163,10 @@ Orders promising_orders(const Bench& bench, const std::vector<Signals>& signals,
   Orders orders;
   const LeftOver rows = left_over(bench, signals, fold_of_run);
   if (rows.residual.empty()) return orders;
-  orders.motor = peaks(rows, rows.motor_rad, rows.motor_Hz, nullptr, extent.motor_angle_rad,
+  orders.motor = peaks(rows, {rows.motor_rad, rows.motor_Hz, nullptr}, extent.motor_angle_rad,
                        kHighestMotorOrder);
   const auto output = [&](const std::vector<double>* scale) {
-    return peaks(rows, rows.output_rad, rows.output_Hz, scale, extent.output_angle_rad,
+    return peaks(rows, {rows.output_rad, rows.output_Hz, scale}, extent.output_angle_rad,
                  kHighestOutputOrder);
   };
   orders.output = output(nullptr);

@@ -11,11 +11,13 @@ std::vector<double> divided(std::vector<double> values, double by) {
   return values;
 }
 
-/// Empty where no position was logged.
+/// Before the filter. Empty where no position was logged.
 std::vector<double> read_position(ChannelGrid& grid, double ratio) {
-  if (grid.has(Quantity::kOutputPosition)) return grid.read(Quantity::kOutputPosition);
-  if (grid.has(Quantity::kLinearPosition)) return grid.read(Quantity::kLinearPosition);
-  return divided(grid.read_if_any(Quantity::kMotorPosition), ratio);
+  for (const Quantity quantity : {Quantity::kOutputPosition, Quantity::kLinearPosition}) {
+    if (grid.has(quantity)) return grid.read_unfiltered(quantity);
+  }
+  if (!grid.has(Quantity::kMotorPosition)) return {};
+  return divided(grid.read_unfiltered(Quantity::kMotorPosition), ratio);
 }
 
 std::vector<double> read_velocity(ChannelGrid& grid, double ratio) {
@@ -35,10 +37,13 @@ std::vector<double> integrated(const std::vector<double>& velocity, double step_
 
 }  // namespace
 
-JointMotion read_motion(ChannelGrid& grid, const actuator::Actuator& actuator) {
+JointMotion read_motion(ChannelGrid& grid, const actuator::Actuator& actuator,
+                        std::vector<double>* unfiltered_rad) {
   const double ratio = actuator.transmission.ratio;
   JointMotion motion;
   motion.position_rad = read_position(grid, ratio);
+  if (unfiltered_rad != nullptr) *unfiltered_rad = motion.position_rad;
+  if (!motion.position_rad.empty()) motion.position_rad = grid.filtered(motion.position_rad);
   if (grid.is_map()) {
     motion.velocity_rad_s.assign(grid.count(), 0.0);
     motion.acceleration_rad_s2.assign(grid.count(), 0.0);

@@ -8,6 +8,8 @@ namespace torquewright::identification {
 /// Position, velocity and acceleration of a joint's output from the best channels there are: the
 /// output's position before the motor's, a position before a velocity. From velocities alone the
 /// position starts at 0. In a map without time velocity and acceleration are 0.
-JointMotion read_motion(ChannelGrid& grid, const actuator::Actuator& actuator);
+/// `unfiltered_rad`, where asked for: the position before the filter; empty without a position.
+JointMotion read_motion(ChannelGrid& grid, const actuator::Actuator& actuator,
+                        std::vector<double>* unfiltered_rad = nullptr);
 
 }  // namespace torquewright::identification

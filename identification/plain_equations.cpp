@@ -49,11 +49,11 @@ class PlainBuilder {
   using Naming = std::function<void(const Variant&, const Eigen::VectorXd& values,
                                     const Eigen::VectorXd& errors, NamedEffect&)>;
   Equation build(Naming naming) {
-    const std::size_t always = equation_.always.size();
-    equation_.name = [naming = std::move(naming), always,
+    equation_.name = [naming = std::move(naming),
                       variants = equation_.dictionary.variants](const Fit& fit) {
       Dictionary only;
       only.variants = variants;
+      const std::size_t always = count_always(fit, variants);
       std::vector<Named> all;
       for (std::size_t m = 0; m < fit.members.size(); ++m) {
         const Variant& variant = variants[fit.members[m]];

@@ -8,6 +8,7 @@
 #include "actuator/gear_losses.hpp"
 #include "actuator/torque_at.hpp"
 #include "identification/channel_grid.hpp"
+#include "identification/direction.hpp"
 #include "identification/load_model.hpp"
 #include "identification/log/piece.hpp"
 #include "identification/output_motion.hpp"
@@ -20,6 +21,8 @@ namespace {
 
 constexpr double kEnabled = 0.99;  ///< Below, the filter has seen a drive that was off.
 
+constexpr double kStickBand = 2.0;       ///< Times the cut-off, where sticking is looked for.
+constexpr double kLeastStick_s = 0.005;  ///< A shorter one moves a reversal by less than a sample.
 constexpr double kShortestStretch_s = 0.5;
 constexpr std::size_t kLeastSamples = 16;
 
@@ -92,18 +95,32 @@ void set_drive(ChannelGrid& grid, const Bench& bench, Signals& signals) {
   }
 }
 
-void set_usable(ChannelGrid& grid, const Run& run, const JointMotion& motion, double play_rad,
+/// Below the signals' own cut-off; and, where the motion is not imposed and may stick for a moment
+/// as it reverses, in a wider band, in which such a rest is not yet smeared.
+std::vector<std::uint8_t> rests(const ChannelGrid& grid, const Bench& bench,
+                                const JointMotion& motion,
+                                const std::vector<double>& unfiltered_rad, double play_rad,
+                                double cutoff_Hz) {
+  std::vector<std::uint8_t> rest = rest_mask(motion.velocity_rad_s, play_rad, grid.step_s());
+  if (unfiltered_rad.empty() || bench.load_side != LoadSide::kModel) return rest;
+  const std::vector<double> wide =
+      velocity_below(kStickBand * cutoff_Hz, unfiltered_rad, grid.step_s());
+  const std::vector<std::uint8_t> sticks = rest_mask(wide, play_rad, grid.step_s(), kLeastStick_s);
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = rest[i] != 0 || sticks[i] != 0;
+  return rest;
+}
+
+void set_usable(ChannelGrid& grid, const Run& run, const std::vector<std::uint8_t>& rest,
                 Signals& signals) {
-  signals.usable.assign(grid.count(), 1);
-  std::vector<std::uint8_t> rest(grid.count(), 0);
-  if (!grid.is_map()) rest = rest_mask(motion.velocity_rad_s, play_rad, grid.step_s());
-  for (std::size_t i = 0; i < grid.count(); ++i) {
-    if (run.masked[i] != 0 || rest[i] != 0) signals.usable[i] = 0;
-  }
+  signals.masked = run.masked;
   // A drive that is off leaves its winding open: nothing says what the motor does.
   const std::vector<double> enabled = grid.read_if_any(Quantity::kEnabled);
   for (std::size_t i = 0; i < enabled.size(); ++i) {
-    if (enabled[i] < kEnabled) signals.usable[i] = 0;
+    if (enabled[i] < kEnabled) signals.masked[i] = 1;
+  }
+  signals.usable.resize(grid.count());
+  for (std::size_t i = 0; i < grid.count(); ++i) {
+    signals.usable[i] = signals.masked[i] == 0 && (rest.empty() || rest[i] == 0);
   }
 }
 
@@ -121,11 +138,13 @@ void set_time(const ChannelGrid& grid, Signals& signals) {
 Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
                     const PreparationOptions& options, const Run& run) {
   const actuator::Actuator& actuator = bench.actuator();
-  const JointMotion motion = read_motion(grid, actuator);
+  std::vector<double> unfiltered_rad;
+  const JointMotion motion = read_motion(grid, actuator, &unfiltered_rad);
   const double play_rad = position_play(bench, levels);
   const std::vector<double> direction =
       grid.is_map() ? std::vector<double>(grid.count(), 0.0)
-                    : directions(motion.velocity_rad_s, play_rad, options.cutoff_Hz, grid.step_s());
+                    : directions(motion.velocity_rad_s, unfiltered_rad,
+                                 {play_rad / kPlayDeviations, options.cutoff_Hz, grid.step_s()});
   Signals signals;
   signals.pole_pairs = actuator.motor.pole_pairs;
   set_time(grid, signals);
@@ -137,7 +156,10 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
   read_logged_speeds(grid, signals);
   set_twist(grid, motor_angle_rad, actuator.transmission.ratio, motion, signals);
   set_drive(grid, bench, signals);
-  set_usable(grid, run, motion, play_rad, signals);
+  std::vector<std::uint8_t> rest;
+  if (!grid.is_map())
+    rest = rests(grid, bench, motion, unfiltered_rad, play_rad, options.cutoff_Hz);
+  set_usable(grid, run, rest, signals);
   if (!signals.bus_V.empty() && bench.drive == Drive::kCurrent) {
     signals.bus_A = bus_current_A(grid, actuator, signals);
   }

@@ -232,6 +232,20 @@ void fill_dictionary(const ShapeSearch& search, const Equation& equation, const 
   };
 }
 
+/// A value beside a shape is known no better than with the shape open. `whole`: always, the shapes'
+/// slopes up to `until`, then the members.
+void add_doubt_of_shapes(const Eigen::MatrixXd& whole, std::size_t always, std::size_t until,
+                         Fit& fit) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index j = 0; j < whole.rows(); ++j) {
+    const auto place = static_cast<std::size_t>(j);
+    if (place < always || place >= until) kept.push_back(j);
+  }
+  if (static_cast<Eigen::Index>(kept.size()) == fit.covariance.rows()) {
+    fit.covariance = whole(kept, kept);
+  }
+}
+
 /// Standard errors of the shapes: their derivatives join the linear coefficients in one covariance.
 void add_errors(const ShapeSearch& search, const Equation& equation,
                 const SignalSource& source, const std::vector<std::size_t>& fold_of_block,
@@ -255,12 +269,18 @@ void add_errors(const ShapeSearch& search, const Equation& equation,
   }
   const Gram gram = build_gram(source, false, dictionary, out.target, band);
   if (gram.blocks.size() != fold_of_block.size()) return;
-  const auto whole = Fitter(gram, dictionary, fold_of_block, always).fit_whole(out.fit.members);
+  const auto whole =
+      Fitter(gram, dictionary, fold_of_block, always).fit_whole(out.fit.members, true);
+  if (whole) add_doubt_of_shapes(whole->covariance, equation.always.size(), always.size(), out.fit);
   std::size_t at = equation.always.size(), parameter = 0;
   for (const ShapedMember& member : search.members()) {
     for (std::size_t k = 0; k < member.count; ++k, ++at, ++parameter) {
       const auto index = static_cast<Eigen::Index>(at);
-      const double error = whole ? std::sqrt(std::max(0.0, whole->covariance(index, index))) : 0.0;
+      // Starts that end apart at the same loss lie in a valley: it is no narrower than that.
+      const double error =
+          whole ? std::hypot(std::sqrt(std::max(0.0, whole->covariance(index, index))),
+                             found.point_spread[parameter])
+                : INFINITY;
       out.shapes.push_back({member.place, search.parameters()[parameter].name,
                             found.point[parameter], error, found.point_spread[parameter]});
     }
@@ -301,13 +321,17 @@ std::vector<Named> refined_names(const RefinedModel& model, std::size_t always_c
       auto& errors = named.effect.standard_error;
       if (shape.name != "length_rad") {
         errors[shape.name] = shape.standard_error;
+        if (!std::isfinite(shape.standard_error)) errors[shape.name] = nullptr;  // None is claimed.
         continue;
       }
       // Stiffness is friction over length: relative errors add in squares.
       const double friction = named.effect.parameters["coulomb_Nm"];
-      const double relative = std::hypot(shape.standard_error / shape.value,
-                                         errors["coulomb_Nm"].get<double>() / friction);
+      const double of_friction =
+          errors["coulomb_Nm"].is_number() ? errors["coulomb_Nm"].get<double>() : INFINITY;
+      const double relative =
+          std::hypot(shape.standard_error / shape.value, of_friction / friction);
       errors["stiffness_Nm_rad"] = relative * friction / shape.value;
+      if (!std::isfinite(relative)) errors["stiffness_Nm_rad"] = nullptr;
     }
   }
   return all;

@@ -3,25 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "identification/signal.hpp"
 
 namespace torquewright::identification {
 namespace {
 
-constexpr double kStandstill_s = 0.015;    ///< Longer rests are masked.
 constexpr double kAroundRest_s = 0.03;     ///< What a filter of 25 Hz carries out of a rest.
 constexpr double kRestShare = 0.005;       ///< Of the speed that 5 % of the samples exceed.
-constexpr double kStopSteps = 3.0;         ///< Standing still, in noise deviations.
 constexpr double kUnknownPosition = 1e-5;  ///< Deviation where no position was logged.
 constexpr double kSlowestFilter_Hz = 5.0;  ///< Its settling is cut off at both ends.
-
-/// Deviation that white noise on a position leaves in the derivative below a cut-off.
-double velocity_noise(double position_noise, double cutoff_Hz, double step_s) {
-  const double share = std::min(1.0, 2.0 * cutoff_Hz * step_s);
-  return position_noise * 2.0 * std::numbers::pi * cutoff_Hz * std::sqrt(share / 3.0);
-}
 
 /// Slower than this is rest: the position stays within its play for kStandstill_s, or a small share
 /// of the log's speeds.
@@ -35,9 +26,9 @@ double rest_speed(const std::vector<double>& velocity, double play) {
 }
 
 void mask_rests(const std::vector<double>& velocity, double slow, double step_s,
-                std::vector<std::uint8_t>& mask) {
+                double longer_than_s, std::vector<std::uint8_t>& mask) {
   const std::size_t n = velocity.size();
-  const auto span = static_cast<std::size_t>(std::ceil(kStandstill_s / step_s));
+  const auto span = static_cast<std::size_t>(std::ceil(longer_than_s / step_s));
   const auto around = static_cast<std::size_t>(std::ceil(kAroundRest_s / step_s));
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= n; ++i) {
@@ -59,26 +50,14 @@ double position_play(const Bench& bench, const NoiseLevels& levels) {
   double deviation = level(bench.is_linear ? Quantity::kLinearPosition : Quantity::kOutputPosition);
   if (deviation == 0.0) deviation = level(Quantity::kMotorPosition) / ratio;
   if (deviation == 0.0) deviation = kUnknownPosition;
-  return kStopSteps * deviation;
-}
-
-std::vector<double> directions(const std::vector<double>& velocity_rad_s, double play_rad,
-                               double cutoff_Hz, double step_s) {
-  const double noise = kStopSteps * velocity_noise(play_rad / kStopSteps, cutoff_Hz, step_s);
-  std::vector<double> direction(velocity_rad_s.size());
-  for (std::size_t i = 0; i < direction.size(); ++i) {
-    const double w = velocity_rad_s[i];
-    direction[i] =
-        noise > 0.0 ? std::clamp(w / noise, -1.0, 1.0) : static_cast<double>((w > 0.0) - (w < 0.0));
-  }
-  return direction;
+  return kPlayDeviations * deviation;
 }
 
 std::vector<std::uint8_t> rest_mask(const std::vector<double>& velocity_rad_s, double play_rad,
-                                    double step_s) {
+                                    double step_s, double longer_than_s) {
   const std::size_t n = velocity_rad_s.size();
   std::vector<std::uint8_t> mask(n, 0);
-  mask_rests(velocity_rad_s, rest_speed(velocity_rad_s, play_rad), step_s, mask);
+  mask_rests(velocity_rad_s, rest_speed(velocity_rad_s, play_rad), step_s, longer_than_s, mask);
   const std::size_t edge = LowPass(kSlowestFilter_Hz, 1.0 / step_s).settling();
   for (std::size_t i = 0; i < std::min(edge, n); ++i) mask[i] = mask[n - 1 - i] = 1;
   return mask;

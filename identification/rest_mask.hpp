@@ -8,18 +8,17 @@
 
 namespace torquewright::identification {
 
+constexpr double kPlayDeviations = 3.0;  ///< Of noise, in a position's play.
+
 /// How far the output's position may move within its noise, in rad (or m): three deviations of its
 /// best channel.
 double position_play(const Bench& bench, const NoiseLevels& levels);
 
-/// The sign of the motion at each sample; within what that play makes of standing still after a
-/// filter of `cutoff_Hz`, in proportion to the velocity.
-std::vector<double> directions(const std::vector<double>& velocity_rad_s, double play_rad,
-                               double cutoff_Hz, double step_s);
+constexpr double kStandstill_s = 0.015;  ///< Longer rests are masked.
 
-/// 1 where the output rests (friction is undetermined there), and around it as far as the filters
+/// 1 where the output rests for longer than that (friction is undetermined there), and around it as far as the filters
 /// carry what happens there; and at both ends, where the filters have not settled. step_s > 0.
 std::vector<std::uint8_t> rest_mask(const std::vector<double>& velocity_rad_s, double play_rad,
-                                    double step_s);
+                                    double step_s, double longer_than_s = kStandstill_s);
 
 }  // namespace torquewright::identification

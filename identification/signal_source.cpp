@@ -62,11 +62,20 @@ SignalSource::SignalSource(const Log& log, const Bench& bench, const NoiseLevels
     shares_block_.push_back(i > 0 && groups[i].number == groups[i - 1].number &&
                             groups[i].is_held_out == groups[i - 1].is_held_out);
   }
-  std::mt19937_64 unused;
-  for (const std::size_t index : spread_runs(log.runs)) {
-    auto signals = prepare_run(log, index, bench, levels, like, unused);
-    if (signals) rows_.push_back(*std::move(signals));
+  hold_some(spread_runs(log.runs));
+}
+
+void SignalSource::hold_some(const std::vector<std::size_t>& runs) {
+  const PreparationOptions once_more = noisy(like_, *levels_, seed_, 0);
+  std::mt19937_64 unused, random(once_more.seed);
+  std::vector<Signals> replica;
+  for (const std::size_t index : runs) {
+    auto signals = prepare_run(*log_, index, *bench_, *levels_, like_, unused);
+    if (!signals) continue;
+    rows_.push_back(*std::move(signals));
+    replica.push_back(*prepare_run(*log_, index, *bench_, *levels_, once_more, random));
   }
+  if (replica_count_ > 0) replicas_.push_back(std::move(replica));
 }
 
 SignalSource::SignalSource(std::vector<Signals> signals, std::vector<std::vector<Signals>> replicas)

@@ -25,6 +25,11 @@ class SignalSource {
   /// What steps may hold that need single rows: all of a log in memory, else what stands for it.
   const std::vector<Signals>& rows() const { return rows_; }
 
+  /// The same stretches with noise added once more.
+  const std::vector<Signals>& noisy_rows() const {
+    return replicas_.empty() ? rows_ : replicas_.front();
+  }
+
   /// Of all stretches, in s.
   double total_s() const { return total_s_; }
 
@@ -33,6 +38,7 @@ class SignalSource {
   void visit(const Visit& each, bool with_replicas = true) const;
 
  private:
+  void hold_some(const std::vector<std::size_t>& runs);
   void prepare_each(const Visit& each, std::size_t replicas) const;
 
   const Log* log_ = nullptr;  ///< Where stretches are prepared anew, with what follows.
@@ -44,7 +50,7 @@ class SignalSource {
   std::vector<bool> shares_block_;  ///< By run, with the one before.
   double total_s_ = 0.0;
   std::vector<Signals> rows_;
-  std::vector<std::vector<Signals>> replicas_;
+  std::vector<std::vector<Signals>> replicas_;  ///< Of a longer log: one, of what is held.
 };
 
 /// Of every stretch; `with_noise`: what the channels' noise contributes is taken off.

@@ -47,6 +47,7 @@ struct Signals {
   std::vector<double> motor_velocity_rad_s;
   std::vector<double> twist_rad;     ///< Motor angle over ratio less output angle.
   std::vector<JointMotion> arm;      ///< Of every joint of a serial arm; else empty.
+  std::vector<std::uint8_t> masked;  ///< 1: masked in the log, or the drive is off.
   std::vector<std::uint8_t> usable;  ///< 0: masked in the log, at rest, or near an end.
   /// Of a piece of a stretch: samples before and behind these belong to other pieces, and are there
   /// so that filters do not see the cut.

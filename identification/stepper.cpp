@@ -8,7 +8,10 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr int kMostParts = 6;  ///< Stops and starts within one step; beyond them it rests.
+constexpr int kMostParts = 6;       ///< Stops and starts within one step; the last goes to its end.
+constexpr int kStopRounds = 8;      ///< Of approaching a stop.
+constexpr double kStopped = 1e-6;   ///< Of the time to it.
+constexpr double kAllSpeed = 1e-3;  ///< A speed below this share of what was lost is the stop.
 
 /// From a to b after a time, with the rates of `at`.
 void move(RigState& to, const RigState& from, const RigState& rates, const RigMotion& motion,
@@ -30,6 +33,31 @@ void stop_reversed(RigState& state, const std::vector<double>& directions,
   for (std::size_t j = 0; j < state.joints.size(); ++j) {
     JointState& joint = state.joints[j];
     if (directions[j] != 0.0 && joint.motor_speed_rad_s * directions[j] >= 0.0) continue;
+    joint.motor_speed_rad_s = 0.0;
+    if (!models[j].is_elastic()) joint.speed_rad_s = 0.0;
+  }
+}
+
+/// How much of the part that led from `from` to `to` it takes until the first motor stops, if it
+/// slows down evenly; 1 or more: none stops within it.
+double share_to_stop(const RigState& from, const RigState& to, const std::vector<double>& ways) {
+  double share = 2.0;
+  for (std::size_t j = 0; j < ways.size(); ++j) {
+    const double before = from.joints[j].motor_speed_rad_s * ways[j];
+    const double after = to.joints[j].motor_speed_rad_s * ways[j];
+    if (before > 0.0 && after < before) share = std::min(share, before / (before - after));
+  }
+  return share;
+}
+
+/// Motors that lost nearly all their speed have stopped.
+void stop_slowed(const RigState& from, RigState& to, const std::vector<JointModel>& models) {
+  for (std::size_t j = 0; j < models.size(); ++j) {
+    JointState& joint = to.joints[j];
+    const double before = from.joints[j].motor_speed_rad_s;
+    if (std::abs(joint.motor_speed_rad_s) > kAllSpeed * std::abs(before - joint.motor_speed_rad_s)) {
+      continue;
+    }
     joint.motor_speed_rad_s = 0.0;
     if (!models[j].is_elastic()) joint.speed_rad_s = 0.0;
   }
@@ -234,27 +262,17 @@ void Stepper::advance(RigState& state, const std::vector<DriveNow>& drive, doubl
       move(end, state, middle, motion, part_s);
     };
     midpoint(left_s);
-    // The earliest stop within the part ends it there.
-    double share = 1.0;
-    for (std::size_t j = 0; j < models_.size(); ++j) {
-      const double before = state.joints[j].motor_speed_rad_s;
-      const double after = end.joints[j].motor_speed_rad_s;
-      if (ways[j] == 0.0 || after * ways[j] >= 0.0) continue;
-      share = std::min(share, before / (before - after));
-    }
     double part_s = left_s;
-    if (share < 1.0 && share > 0.0) {
-      part_s = share * left_s;
-      midpoint(part_s);
-      for (std::size_t j = 0; j < models_.size(); ++j) {
-        const double after = end.joints[j].motor_speed_rad_s * ways[j];
-        // A speed of less than a millionth of what was lost is the stop itself.
-        const double lost =
-            std::abs(state.joints[j].motor_speed_rad_s - end.joints[j].motor_speed_rad_s);
-        if (after > 1e-3 * lost) continue;
-        end.joints[j].motor_speed_rad_s = 0.0;
-        if (!models_[j].is_elastic()) end.joints[j].speed_rad_s = 0.0;
+    if (part + 1 < kMostParts && share_to_stop(state, end, ways) < 1.0) {
+      // The earliest stop within the part ends it there. The rates on the way to it differ from
+      // those of the whole part, so it is approached.
+      for (int round = 0; round < kStopRounds; ++round) {
+        const double share = share_to_stop(state, end, ways);
+        if (std::abs(share - 1.0) < kStopped) break;
+        part_s = std::min(left_s, part_s * share);
+        midpoint(part_s);
       }
+      stop_slowed(state, end, models_);
     } else {
       stop_reversed(end, ways, models_);
     }

@@ -139,16 +139,20 @@ Equation torque_equation(const Bench& bench, const Extent& extent, const Orders&
   };
   std::erase_if(equation.dictionary.variants, [&](const Variant& variant) {
     if (variant.effect == "torque_constant_error") return is_uncertain(kTorqueConstant);
+    // Driving less back-driving load friction is the load itself: beside an open torque constant the
+    // sum of the two coefficients is all that a log can hold, and half of it stands for each.
+    const bool is_one_way = variant.effect == "load_dependent_friction" &&
+                            variant.shape != std::vector<std::vector<double>>{{1.0}};
+    if (is_one_way && is_uncertain(kTorqueConstant)) return true;
     if (variant.effect == "reflected_inertia") {
       return is_uncertain("/motor/rotor_inertia_kg_m2") || is_uncertain("/load/inertia_kg_m2");
     }
     return false;
   });
-  const std::size_t always = equation.always.size();
-  equation.name = [balance, always, variants = equation.dictionary.variants](const Fit& fit) {
+  equation.name = [balance, variants = equation.dictionary.variants](const Fit& fit) {
     Dictionary only;
     only.variants = variants;
-    return named_effects(fit, only, always, *balance);
+    return named_effects(fit, only, count_always(fit, variants), *balance);
   };
   return equation;
 }

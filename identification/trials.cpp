@@ -12,8 +12,10 @@ bool Trials::may_join(const Members& members, std::size_t added) const {
 
 bool Trials::accepts(const Fit& without, const Fit& with) const {
   if (!without.is_valid) return with.is_valid;
-  return with.is_valid &&
-         objection(with, gain_of(fitter_, without, with, options_.rules), options_.rules).empty();
+  if (!with.is_valid) return false;
+  const AcceptanceRules rules =
+      rules_for(fitter_.dictionary(), without.members, with.members, options_.rules);
+  return objection(with, gain_of(fitter_, without, with, rules), rules).empty();
 }
 
 Fit Trials::without(const Fit& fit, std::size_t place) const {

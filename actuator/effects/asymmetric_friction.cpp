@@ -12,20 +12,29 @@ constexpr Parameter kParameters[] = {
     {"coulomb_positive_Nm", 0.0, kInfinity, 0.0, "Dry friction while the output moves forward."},
     {"coulomb_negative_Nm", 0.0, kInfinity, 0.0, "Dry friction while it moves backward."},
     {"viscous_positive_Nm_s_rad", 0.0, kInfinity, 0.0, "Viscous friction while it moves forward."},
-    {"viscous_negative_Nm_s_rad", 0.0, kInfinity, 0.0,
-     "Viscous friction while it moves backward."},
+    {"viscous_negative_Nm_s_rad", 0.0, kInfinity, 0.0, "Viscous friction while it moves backward."},
 };
 constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
+/// Share of the instant's time that is spent moving forward; none of either way at rest.
+double forward_share(const Instant& at) {
+  return at.direction == 0.0 ? 0.0 : 0.5 * (1.0 + at.direction);
+}
+double backward_share(const Instant& at) {
+  return at.direction == 0.0 ? 0.0 : 0.5 * (1.0 - at.direction);
+}
+
 double law(const Effect& effect, const Instant& at) {
   const std::size_t side = at.direction < 0.0 ? 1 : 0;
-  return -effect.values[side] * at.direction - effect.values[side + 2] * at.speed_rad_s;
+  return -effect.values[0] * forward_share(at) + effect.values[1] * backward_share(at) -
+         effect.values[side + 2] * at.speed_rad_s;
 }
 
 void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
   const std::size_t side = at.direction < 0.0 ? 1 : 0;
   for (double& entry : derivative) entry = 0.0;
-  derivative[side] = -at.direction;
+  derivative[0] = -forward_share(at);
+  derivative[1] = backward_share(at);
   derivative[side + 2] = -at.speed_rad_s;
 }
 

@@ -27,7 +27,9 @@ enum class Acts {
 /// The instant at which a law is asked. Output side unless said; torque is what acts on the load.
 struct Instant {
   double speed_rad_s = 0.0;
-  double direction = 0.0;         ///< Sign of the motion, also at rest: -1, 0 or 1.
+  /// Sign of the motion, also at rest: -1, 0 or 1. Between them its mean, where an instant stands
+  /// for a time in which the motion reverses.
+  double direction = 0.0;
   double acceleration_rad_s2 = 0.0;
   double load_torque_Nm = 0.0;    ///< On the load; driving where its sign is that of the motion.
   double current_A = 0.0;         ///< In the actuator's convention.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
 #include <limits>
 
 #include "actuator/effects/every_effect.hpp"
@@ -17,17 +16,22 @@ constexpr Parameter kParameters[] = {
 };
 constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm", "motor_current_A"};
 
-bool is_driving(const Instant& at) { return at.load_torque_Nm * at.direction >= 0.0; }
-
-double law(const Effect& effect, const Instant& at) {
-  const double k = effect.values[is_driving(at) ? 0 : 1];
-  return -k * std::abs(at.load_torque_Nm) * at.direction;
+/// Share of the instant's time in which motor and load turn the same way.
+double driving_share(const Instant& at) {
+  return 0.5 * (1.0 + (at.load_torque_Nm < 0.0 ? -at.direction : at.direction));
 }
 
 void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  const std::size_t side = is_driving(at) ? 0 : 1;
-  derivative[side] = -std::abs(at.load_torque_Nm) * at.direction;
-  derivative[1 - side] = 0.0;
+  derivative[0] = derivative[1] = 0.0;
+  if (at.direction == 0.0) return;
+  derivative[0] = -at.load_torque_Nm * driving_share(at);
+  derivative[1] = at.load_torque_Nm * (1.0 - driving_share(at));
+}
+
+double law(const Effect& effect, const Instant& at) {
+  if (at.direction == 0.0) return 0.0;
+  const double share = driving_share(at);
+  return at.load_torque_Nm * (effect.values[1] * (1.0 - share) - effect.values[0] * share);
 }
 
 }  // namespace

@@ -51,6 +51,10 @@ class DictionaryBuilder {
   /// Column of the drag that the document states times T - T0.
   void set_nominal_drag_warmed(std::size_t column) { dictionary_.nominal_drag_warmed = column; }
 
+  void set_stated_dry_friction_Nm(double level_Nm) {
+    dictionary_.stated_dry_friction_Nm = level_Nm;
+  }
+
   Dictionary take() { return std::move(dictionary_); }
 
  private:

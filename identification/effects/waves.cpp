@@ -93,6 +93,16 @@ void add_friction_by_position(DictionaryBuilder& builder, double order) {
       .order = order;
 }
 
+/// What the document states of dry friction, whose mean tight spots cannot exceed.
+double stated_dry_friction_Nm(const DictionaryBuilder& builder) {
+  for (const actuator::Effect& stated : builder.bench().actuator().effects) {
+    for (const char* name : {"stribeck_friction", "asymmetric_friction", "presliding_friction"}) {
+      if (stated.kind->name == name) return kInfinity;
+    }
+  }
+  return builder.stated("coulomb_friction");
+}
+
 }  // namespace
 
 void add_waves(DictionaryBuilder& builder) {
@@ -101,6 +111,7 @@ void add_waves(DictionaryBuilder& builder) {
     if (!is_cogging_too(builder, order)) add_ripple(builder, order);
   }
   for (const double order : builder.orders().load) add_ripple_of_load(builder, order);
+  builder.set_stated_dry_friction_Nm(stated_dry_friction_Nm(builder));
   for (const double order : builder.orders().friction) add_friction_by_position(builder, order);
 }
 

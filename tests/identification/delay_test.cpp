@@ -43,6 +43,23 @@ TEST(Alignment, NamesTheOtherChannelWhereTheSensorIsEarly) {
 // Missing viscous friction moves the torque of a sine like a delay; the rich model takes it up.
 TEST(Alignment, DoesNotTakeFrictionForADelay) { EXPECT_FALSE(delay_of(friction, 0.0)); }
 
+// One run alone is cut into pieces, so that the rich model can be left out and fitted there too:
+// the bare one would take friction for a delay.
+TEST(Alignment, OfOneRunDoesNotTakeFrictionForADelayEither) {
+  const MadeBench rig;
+  for (const double late_s : {0.0, 0.03}) {
+    Log log = rig.log(friction, 0.05, late_s);
+    log.runs.resize(1);
+    log.train_runs = {"run_0"};
+    log.holdout_runs.clear();
+    const Bench bench = rig.bench(log);
+    const auto delay =
+        find_delay(bench, prepare(log, bench, noise_levels(log, 0), {}), run_folds(log));
+    EXPECT_EQ(delay.has_value(), late_s > 0.0);
+    EXPECT_NEAR(delay ? delay->delay_s : 0.0, late_s, 3e-4);
+  }
+}
+
 // The minimum lies at the end of the range that is searched.
 TEST(Alignment, IsSilentBeyondItsRange) { EXPECT_FALSE(delay_of(friction, 0.19)); }
 

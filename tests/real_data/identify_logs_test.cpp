@@ -20,8 +20,8 @@ const fs::path kRigFolder = fs::path(TORQUEWRIGHT_SOURCE_DIR) / "tests/real_data
 
 fs::path log_folder() {
   const char* variable = std::getenv("TORQUEWRIGHT_DATA");
-  const fs::path data =
-      variable != nullptr ? fs::path(variable) : fs::path(TORQUEWRIGHT_SOURCE_DIR) / "../shared/data";
+  const fs::path data = variable != nullptr ? fs::path(variable)
+                                            : fs::path(TORQUEWRIGHT_SOURCE_DIR) / "../shared/data";
   return fs::is_directory(data / "logs") ? data / "logs" : fs::path();
 }
 
@@ -32,8 +32,10 @@ class RealLogs : public testing::Test {
   }
 
   static Identification identified(const char* rig_file, const char* actuator_file,
-                                   const std::vector<std::string>& files) {
-    const Rig rig = read_rig(io::read_document(kRigFolder / rig_file, "rig"));
+                                   const std::vector<std::string>& files,
+                                   const std::vector<std::string>& holdout_runs = {}) {
+    Rig rig = read_rig(io::read_document(kRigFolder / rig_file, "rig"));
+    if (!holdout_runs.empty()) rig.holdout_runs = holdout_runs;
     std::vector<JointActuator> actuators;
     for (const std::string& joint : rig.joints) {
       actuators.push_back({joint, actuator::read_actuator(kRigFolder / actuator_file)});
@@ -59,10 +61,10 @@ const NamedEffect* added(const EquationResult& result, const std::string& effect
 }
 
 TEST_F(RealLogs, DoublePendulumsElbowHasCoulombFrictionOnly) {
-  const Identification found = identified(
-      "dfki_double_pendulum.json", "ak80_6_actuator.json",
-      {"dfki_double_pendulum/heldout.csv", "dfki_double_pendulum/train_a.csv",
-       "dfki_double_pendulum/train_b.csv"});
+  const Identification found =
+      identified("dfki_double_pendulum.json", "ak80_6_actuator.json",
+                 {"dfki_double_pendulum/heldout.csv", "dfki_double_pendulum/train_a.csv",
+                  "dfki_double_pendulum/train_b.csv"});
   const EquationResult* elbow = equation(found, "reported_torque_Nm", "elbow");
   ASSERT_NE(elbow, nullptr);
   const NamedEffect* coulomb = added(*elbow, "coulomb_friction");
@@ -76,29 +78,74 @@ TEST_F(RealLogs, DoublePendulumsElbowHasCoulombFrictionOnly) {
   EXPECT_EQ(added(*shoulder, "gear_ripple"), nullptr);
 }
 
-TEST_F(RealLogs, BareMotorsCoggingOfOrderSevenIsFound) {
+std::vector<double> orders_of(const NamedEffect& effect) {
+  std::vector<double> orders;
+  for (const auto& harmonic : effect.parameters["harmonics"]) {
+    orders.push_back(harmonic["order"].get<double>());
+  }
+  std::sort(orders.begin(), orders.end());
+  return orders;
+}
+
+double named(const NamedEffect& effect, const char* parameter) {
+  return effect.parameters[parameter].get<double>();
+}
+
+// By hand: orders 7, 28, 14, 36, 12, 84; 0.667 -> 0.268 A on other trials. Order 84 lies above the
+// band of 8 Hz at this speed, and without compensation the motor jumps from tooth to tooth at up to
+// 7 rad/s, where 28 and 36 do as well.
+TEST_F(RealLogs, BareMotorsCoggingHasTheHarmonicsFoundByHand) {
   const Identification found = identified("odrive_cogging.json", "odrive_actuator.json",
                                           {"odrive_cogging/slow_velocity_nocomp.csv"});
   const EquationResult* current = equation(found, "motor_current_A");
   ASSERT_NE(current, nullptr);
   const NamedEffect* cogging = added(*current, "cogging_torque");
   ASSERT_NE(cogging, nullptr);
-  EXPECT_EQ(cogging->parameters["harmonics"][0]["order"].get<double>(), 7.0);
-  // By hand: 0.667 -> 0.268 A on other trials.
+  EXPECT_EQ(orders_of(*cogging), (std::vector<double>{7.0, 12.0, 14.0}));
   EXPECT_LE(current->after.holdout_rms, 0.27);
+}
+
+TEST_F(RealLogs, BareMotorsCoggingAtEvenSpeedHasAllHarmonicsOfTheBand) {
+  const Identification found = identified("odrive_cogging.json", "odrive_actuator.json",
+                                          {"odrive_cogging/slow_velocity_comp.csv"});
+  const EquationResult* current = equation(found, "motor_current_A");
+  ASSERT_NE(current, nullptr);
+  const NamedEffect* cogging = added(*current, "cogging_torque");
+  ASSERT_NE(cogging, nullptr);
+  EXPECT_EQ(orders_of(*cogging), (std::vector<double>{7.0, 12.0, 14.0, 28.0, 36.0}));
+  // The other log's amplitude of order 7 is 0.0230 Nm: the same motor, recorded apart.
+  for (const auto& harmonic : cogging->parameters["harmonics"]) {
+    if (harmonic["order"] == 7.0) {
+      EXPECT_NEAR(harmonic["amplitude_Nm"].get<double>(), 0.0230, 0.0012);
+    }
+  }
+  // Friction by position as strong as that would push.
+  EXPECT_EQ(added(*current, "position_dependent_friction"), nullptr);
+  EXPECT_LE(current->after.holdout_rms, 0.27);
+}
+
+/// What the two good runs of the cycloidal drive hold: a sensor that is late (by hand 78 ms), load
+/// friction, and friction beside it.
+void expect_late_sensor_and_load_friction(const Identification& found, double goal_Nm) {
+  const EquationResult* torque = equation(found, "output_torque_Nm");
+  ASSERT_NE(torque, nullptr);
+  EXPECT_LE(torque->after.holdout_rms, goal_Nm);
+  const NamedEffect* delay = added(*torque, "channel_delay");
+  ASSERT_NE(delay, nullptr);
+  EXPECT_EQ(delay->parameters["channel"], "output_torque_Nm");
+  EXPECT_NEAR(named(*delay, "delay_s"), 0.078, 0.010);
+  EXPECT_NE(added(*torque, "coulomb_friction"), nullptr);
+  const NamedEffect* load = added(*torque, "load_dependent_friction");
+  ASSERT_NE(load, nullptr);
+  // docs/identification.md: it takes more than half of the error of the last third, and the torque
+  // constant, being uncertain, leaves one number of it.
+  EXPECT_LT(load->holdout_rms_after, 0.5 * load->holdout_rms_before);
 }
 
 TEST_F(RealLogs, CycloidalDrivesSensorIsLateAndItsVelocityIsOff) {
   const Identification found = identified("romela_cycloidal.json", "romela_actuator.json",
                                           {"romela_cycloidal/torqueripple2.csv"});
-  const EquationResult* torque = equation(found, "output_torque_Nm");
-  ASSERT_NE(torque, nullptr);
-  const NamedEffect* delay = added(*torque, "channel_delay");
-  ASSERT_NE(delay, nullptr);
-  EXPECT_EQ(delay->parameters["channel"], "output_torque_Nm");
-  EXPECT_NEAR(delay->parameters["delay_s"].get<double>(), 0.078, 0.008);
-  EXPECT_NE(added(*torque, "coulomb_friction"), nullptr);
-  EXPECT_LE(torque->after.holdout_rms, 1.75);
+  expect_late_sensor_and_load_friction(found, 1.75);
   const EquationResult* velocity = equation(found, "output_velocity_rad_s");
   ASSERT_NE(velocity, nullptr);
   const NamedEffect* mismatch = added(*velocity, "velocity_mismatch");
@@ -107,23 +154,49 @@ TEST_F(RealLogs, CycloidalDrivesSensorIsLateAndItsVelocityIsOff) {
 }
 
 TEST_F(RealLogs, SecondCycloidalLogFallsBelowItsGoal) {
-  const Identification found = identified("romela_cycloidal.json", "romela_actuator.json",
-                                          {"romela_cycloidal/torqueripple3.csv"});
-  const EquationResult* torque = equation(found, "output_torque_Nm");
-  ASSERT_NE(torque, nullptr);
-  EXPECT_NE(added(*torque, "channel_delay"), nullptr);
-  EXPECT_LE(torque->after.holdout_rms, 1.63);
+  expect_late_sensor_and_load_friction(identified("romela_cycloidal.json", "romela_actuator.json",
+                                                  {"romela_cycloidal/torqueripple3.csv"}),
+                                       1.63);
 }
 
-// Eleven seconds: what is missing cannot be told, and Coulomb friction is not claimed.
+// The question of load friction, settled: what one log says holds in the other, which was recorded
+// apart and never fitted. By hand 2.57 -> 1.63 Nm with a delay and Coulomb friction.
+TEST_F(RealLogs, CycloidalLogsForetellOneAnother) {
+  for (const char* held_out : {"torqueripple2", "torqueripple3"}) {
+    const Identification found = identified(
+        "romela_cycloidal.json", "romela_actuator.json",
+        {"romela_cycloidal/torqueripple2.csv", "romela_cycloidal/torqueripple3.csv"}, {held_out});
+    expect_late_sensor_and_load_friction(found, 0.8);
+  }
+}
+
+// No argument in the data refuses them (docs/identification.md); nothing is named, at least.
+TEST_F(RealLogs, SixCycloidalLogsNameNothingOfTheTorque) {
+  std::vector<std::string> files;
+  for (const char* name :
+       {"contact2", "contact3", "normal1", "normal2", "torqueripple1", "torqueripple4"}) {
+    files.push_back("romela_cycloidal/" + std::string(name) + ".csv");
+  }
+  const Identification found = identified("romela_cycloidal.json", "romela_actuator.json", files);
+  const EquationResult* torque = equation(found, "output_torque_Nm");
+  ASSERT_NE(torque, nullptr);
+  EXPECT_TRUE(torque->added.empty());
+  EXPECT_NE(found.verdict, Verdict::kExplained);
+}
+
+// Eleven seconds: what is missing cannot be told, and Coulomb friction is not claimed. By hand the
+// torque is 16 ms out of step.
 TEST_F(RealLogs, SimplePendulumCannotTell) {
-  const Identification found = identified(
-      "dfki_simple_pendulum.json", "ak80_6_actuator.json",
-      {"dfki_simple_pendulum/ddp.csv", "dfki_simple_pendulum/direct_collocation.csv"});
+  const Identification found =
+      identified("dfki_simple_pendulum.json", "ak80_6_actuator.json",
+                 {"dfki_simple_pendulum/ddp.csv", "dfki_simple_pendulum/direct_collocation.csv"});
   EXPECT_EQ(found.verdict, Verdict::kCannotTell);
   for (const EquationResult& each : found.equations) {
     EXPECT_EQ(added(each, "coulomb_friction"), nullptr);
   }
+  const NamedEffect* delay = added(found.equations.front(), "channel_delay");
+  ASSERT_NE(delay, nullptr);
+  EXPECT_NEAR(named(*delay, "delay_s"), 0.016, 0.006);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The published logs with their rigs and nominal actuators: read without a fault, nothing lost.
 // Oracles: lines of the files (wc -l less the header); names of runs in the source's notes; samples
-// at the extremes of the current counted with sort and uniq. The logs are no part of the repository.
+// at the extremes of the current counted with sort and uniq. The logs are no part of the
+// repository.
 #include <gtest/gtest.h>
 
 #include <algorithm>

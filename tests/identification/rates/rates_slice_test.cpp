@@ -64,11 +64,10 @@ TEST(RatesSlice, NamesTwoEffectsAndNothingElse) {
   EXPECT_EQ(counted.not_all, 0) << counted.lines;
 }
 
-// One of the four is met wrongly today (a dead zone of the current sensor is called an error of the
-// torque constant with saturation); the goal of 2 % allows none in most draws.
+// The goal of 2 % allows none in most draws.
 TEST(RatesSlice, NamesNoEffectForWhatIsOutsideTheLibrary) {
   const Count counted = count(LogClass::kOutside, kFirstSeed, 4);
-  EXPECT_LE(counted.wrong, 1) << counted.lines;
+  EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
 
 TEST(RatesSlice, CallsNothingCertainThatTheLogCannotTell) {

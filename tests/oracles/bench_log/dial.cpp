@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -82,6 +83,22 @@ Wishes wishes_for(const std::string& effect, Chance& chance) {
   wishes.voltages = kElectrical.contains(effect);
   wishes.velocity = effect == "velocity_mismatch";
   return wishes;
+}
+
+int least_order(const Bench& bench) {
+  double widest_rad = 0.0;
+  const std::size_t held_out = bench.runs.size() > 2 ? 2 : 0;
+  for (std::size_t r = 0; r + held_out < bench.runs.size(); ++r) {
+    double angle_rad = 0.0, least_rad = 0.0, most_rad = 0.0;
+    for (const double speed_rad_s : bench.runs[r].speed_rad_s) {
+      angle_rad += speed_rad_s * kTick_s;
+      least_rad = std::min(least_rad, angle_rad);
+      most_rad = std::max(most_rad, angle_rad);
+    }
+    widest_rad = std::max(widest_rad, most_rad - least_rad);
+  }
+  if (!(widest_rad > 0.0)) return 1;
+  return static_cast<int>(std::ceil(1.1 * 2.0 * std::numbers::pi / widest_rad));
 }
 
 Dial dial_for(const std::string& effect, const Bench& bench, Chance& chance) {

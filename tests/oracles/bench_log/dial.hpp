@@ -26,6 +26,10 @@ Wishes wishes_for(const std::string& effect, Chance& chance);
 /// Throws std::invalid_argument for a name that is no effect of the contract.
 Dial dial_for(const std::string& effect, const Bench& bench, Chance& chance);
 
+/// The least whole order that has a period, and a tenth more, within what a run that is not held
+/// out turns through.
+int least_order(const Bench& bench);
+
 // By kind; a Dial without `set` where the effect is of another kind.
 Dial friction_dial(const std::string& effect, const Bench& bench, Chance& chance);
 Dial motor_dial(const std::string& effect, const Bench& bench, Chance& chance);

@@ -56,7 +56,8 @@ Dial presliding(const Bench& bench, Chance&) {
 }
 
 Dial over_position(const Bench& bench, Chance& chance) {
-  const auto order = static_cast<double>(2 + chance.index(4));
+  const auto drawn = static_cast<int>(2 + chance.index(4));
+  const auto order = static_cast<double>(std::max(drawn, least_order(bench)));
   const double phase = chance.phase();
   const double level = std::max(bench.nominal.friction.coulomb_positive_Nm, 1e-3);
   const auto set = [order, phase](Bench& b, TrueEffect& effect, double strength) {
@@ -79,7 +80,9 @@ Dial friction_dial(const std::string& name, const Bench& bench, Chance& chance) 
             [](Bench& b, TrueEffect& effect, double strength) {
               b.truth.friction.viscous_positive_Nm_s_rad += strength;
               b.truth.friction.viscous_negative_Nm_s_rad += strength;
-              effect.parameters = {{"viscous_Nm_s_rad", strength}};
+              // As a document would state it: all of it, with what was declared.
+              effect.parameters = {
+                  {"viscous_Nm_s_rad", b.truth.friction.viscous_positive_Nm_s_rad}};
             }};
   }
   if (name == "coulomb_friction") {
@@ -90,7 +93,7 @@ Dial friction_dial(const std::string& name, const Bench& bench, Chance& chance) 
             [](Bench& b, TrueEffect& effect, double strength) {
               b.truth.friction.coulomb_positive_Nm += strength;
               b.truth.friction.coulomb_negative_Nm += strength;
-              effect.parameters = {{"coulomb_Nm", strength}};
+              effect.parameters = {{"coulomb_Nm", b.truth.friction.coulomb_positive_Nm}};
             }};
   }
   if (name == "quadratic_drag") {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -27,7 +28,9 @@ Dial cogging(const Bench& bench, Chance& chance) {
 }
 
 Dial ripple(const Bench& bench, Chance& chance) {
-  const auto order = static_cast<double>(3 + chance.index(7));
+  // What turns through less than a period is any smooth function of the angle.
+  const auto drawn = static_cast<int>(3 + chance.index(7));
+  const auto order = static_cast<double>(std::max(drawn, least_order(bench)));
   std::vector<Harmonic> terms{{order, 1.0, chance.phase()}};
   const bool proportional = chance.happens(0.5);
   const double unit = proportional ? 1.0 : peak_torque_Nm(bench.nominal);

@@ -16,6 +16,7 @@ struct PoorData {
   Names acceptable;  ///< May stand in the group.
   Wishes wishes;
   void (*impoverish)(Bench&, Chance&);
+  bool less_torque = false;  ///< A constant that gave more could not be friction: signs would tell.
 };
 
 double peak_A(const Bench& bench) { return bench.nominal.peak_current_A; }
@@ -175,7 +176,8 @@ const std::vector<PoorData>& situations() {
        {"load_dependent_friction", "torque_constant_error", "torque_constant_saturation",
         "torque_constant_temperature"},
        {},
-       one_quadrant},
+       one_quadrant,
+       true},
   };
   return kAll;
 }
@@ -189,6 +191,12 @@ Scenario draw_poor(std::uint64_t seed) {
   Bench bench = draw_bench(situation.wishes, chance);
   situation.impoverish(bench, chance);
   Dial dial = dial_for(effect, bench, chance);
+  if (situation.less_torque && effect == "torque_constant_error") {
+    dial.set = [](Bench& b, TrueEffect& true_effect, double strength) {
+      b.truth.torque_constant_factor = 1.0 - strength;
+      true_effect.parameters = {{"factor", b.truth.torque_constant_factor}};
+    };
+  }
   // What is off by a lot cannot be told either: 5 to 10 floors, so that it is seen for certain.
   const double strength = tune(bench, dial, chance.scale(5.0, kMostMultiple));
   dial.set(bench, dial.effect, strength);

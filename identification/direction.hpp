@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+namespace torquewright::identification {
+
+/// What is known of the position that a velocity was derived from.
+struct PositionSamples {
+  double deviation_rad = 0.0;  ///< Of its white noise.
+  double cutoff_Hz = 0.0;      ///< Of the low-pass that the velocity has passed.
+  double step_s = 0.0;
+};
+
+/// The velocity below another cut-off, of the unfiltered position.
+std::vector<double> velocity_below(double cutoff_Hz, const std::vector<double>& unfiltered_rad,
+                                   double step_s);
+
+/// The sign of the motion at each sample: its mean over the sample's step, so that a reversal
+/// counts when it happens. A low-pass moves a reversal where the velocity bends; so the velocity of
+/// the widest band in which it exceeds its noise decides, of the unfiltered position where there is
+/// one. Within the noise of the filtered velocity the sign is in proportion to it.
+std::vector<double> directions(const std::vector<double>& velocity_rad_s,
+                               const std::vector<double>& unfiltered_rad,
+                               const PositionSamples& samples);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identification/result.hpp"
+#include "identification/replay.hpp"
+
+namespace torquewright::identification {
+
+/// Windows of a log and what they are judged by.
+struct ReplayCase {
+  const Replay& replay;
+  std::vector<ReplayWindow> windows;
+
+  /// Mean squared error of each window, in rad2.
+  std::vector<double> losses(const actuator::Actuator& actuator,
+                             const std::vector<std::size_t>& which) const;
+  /// Indices into `windows`.
+  std::vector<std::size_t> chosen(bool held_out) const;
+};
+
+/// Friction that a regression cannot weigh, because the output stands still while it acts: its
+/// level, or how far its breakaway exceeds it.
+struct Standstill {
+  std::optional<NamedEffect> effect;  ///< Takes the place of the Coulomb friction that is known.
+  std::string objection;              ///< Why there is none; empty where too few windows rest.
+};
+
+/// Sizes that parameters are searched in shares of.
+struct StandstillScale {
+  double torque_Nm = 0.0;   ///< Largest of the motor's.
+  double speed_rad_s = 0.0;
+};
+
+/// Simulates the log again with that friction, its parameters fitted to the training windows
+/// (NLopt, several starts), and accepts it by what it does to windows of the half of the log that
+/// it was not fitted to, and to the held-out ones. `known`: the actuator with all that was found.
+/// docs/derivations/identification.md section 10.
+Standstill find_standstill(const ReplayCase& log, const actuator::Actuator& known,
+                           const StandstillScale& scale);
+
+/// An actuator with that friction in the place of the level it had.
+actuator::Actuator with_standstill(actuator::Actuator known, const NamedEffect& effect);
+
+}  // namespace torquewright::identification

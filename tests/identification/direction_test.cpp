@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle: motions in closed form, whose reversals are known.
+#include "identification/direction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "identification/signal.hpp"
+#include "identification/thinning.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+constexpr double kStep_s = 0.002;
+constexpr double kCutoff_Hz = 25.0;
+
+/// Position of a velocity that bends at its reversal: `before` up to then, `after` from then on.
+std::vector<double> bent(double reversal_s, double before_rad_s2, double after_rad_s2) {
+  std::vector<double> position_rad;
+  for (int i = 0; i < 1000; ++i) {
+    const double t = i * kStep_s - reversal_s;
+    position_rad.push_back(0.5 * (t < 0.0 ? before_rad_s2 : after_rad_s2) * t * t);
+  }
+  return position_rad;
+}
+
+std::vector<double> directions_of(const std::vector<double>& position_rad, double deviation_rad,
+                                  bool is_position_known) {
+  std::vector<double> low = position_rad;
+  LowPass(kCutoff_Hz, 1.0 / kStep_s).apply(low);
+  return directions(derivative(low, kStep_s),
+                    is_position_known ? position_rad : std::vector<double>(),
+                    {deviation_rad, kCutoff_Hz, kStep_s});
+}
+
+/// When it went from -1 to 1: the integral of a step from -1 to 1 is T - 2 (reversal).
+double reversal_s(const std::vector<double>& direction) {
+  double sum = 0.0;
+  for (const double each : direction) sum += each;
+  const double end_s = (static_cast<double>(direction.size()) - 0.5) * kStep_s;
+  return end_s - 0.5 * (sum * kStep_s + end_s + 0.5 * kStep_s);
+}
+
+TEST(Directions, TurnWithinASampleWhereTheVelocityIsStraight) {
+  for (const double at_s : {1.0, 1.0004, 1.0013}) {
+    const auto direction = directions_of(bent(at_s, 10.0, 10.0), 0.0, false);
+    // A parabola passes the filter and the derivative as it is: round-off, and the filter's ends.
+    EXPECT_NEAR(reversal_s(direction), at_s, 1e-5);
+  }
+}
+
+// A low-pass moves the reversal by about (a2 - a1)/(a2 + a1) times its kernel's mean reach, some
+// 5 ms; four times the band, a quarter of that.
+TEST(Directions, TurnInTheWidestBandThatShowsIt) {
+  const std::vector<double> position_rad = bent(1.0, 2.0, 30.0);
+  const double filtered = std::abs(reversal_s(directions_of(position_rad, 1e-5, false)) - 1.0);
+  const double wide = std::abs(reversal_s(directions_of(position_rad, 1e-5, true)) - 1.0);
+  EXPECT_GT(filtered, 1.5e-3);
+  EXPECT_LT(wide, 0.5 * filtered);
+}
+
+TEST(Directions, AreNoneAtRest) {
+  for (const double each : directions_of(std::vector<double>(1000, 0.3), 1e-4, true)) {
+    EXPECT_NEAR(each, 0.0, 1e-9);
+  }
+}
+
+// Oracle: the integral over time, which a mean over each sample keeps.
+TEST(Thinned, DirectionsKeepTheTimeOfAReversal) {
+  for (const std::size_t factor : {4U, 5U}) {
+    for (std::size_t reversal = 500; reversal < 510; ++reversal) {
+      Signals signals;
+      signals.step_s = kStep_s;
+      signals.at.resize(1000);
+      signals.time_s.resize(1000);
+      double sum = 0.0;
+      for (std::size_t i = 0; i < 1000; ++i) {
+        signals.at[i].direction = i < reversal ? -1.0 : 1.0;
+      }
+      thin(signals, factor);
+      for (const auto& at : signals.at) sum += at.direction * static_cast<double>(factor);
+      // Samples stand for what lies around them: the first for half of its own before the log.
+      const double first = 0.5 * static_cast<double>(factor) - 0.5;
+      const double forward = 1000.0 - static_cast<double>(reversal);
+      EXPECT_NEAR(sum, forward - static_cast<double>(reversal) - 2.0 * first, 1e-9)
+          << factor << ' ' << reversal;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::identification
