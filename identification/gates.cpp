@@ -147,6 +147,11 @@ std::vector<std::string> own_coordinates(const std::string& effect) {
   return {};
 }
 
+/// Two of them together can follow a dead zone of the current's sensor.
+bool is_of_torque_constant(const std::string& effect) {
+  return effect == "torque_constant_error" || effect == "torque_constant_saturation";
+}
+
 /// What the member takes away; at least nothing.
 double own_gain(const Fitter& fitter, const Fit& model, std::size_t member) {
   Members members = model.members;
@@ -157,14 +162,16 @@ double own_gain(const Fitter& fitter, const Fit& model, std::size_t member) {
 
 std::string left_along_own(const Fitter& fitter, const Fit& model, std::size_t member,
                            const std::vector<Structure>& left) {
-  const std::vector<std::string> own =
-      own_coordinates(fitter.dictionary().variants[model.members[member]].effect);
+  const std::string& effect = fitter.dictionary().variants[model.members[member]].effect;
+  const std::vector<std::string> own = own_coordinates(effect);
   for (const Structure& each : left) {
     if (std::find(own.begin(), own.end(), each.coordinate) == own.end()) continue;
     if (each.share < kMostLeftAlongOwn || !is_significant(each)) continue;
     // A law that took nearly all of what varies along its coordinate is not the wrong one: what
     // something else leaves may vary there too.
-    if (each.share * model.loss < kMostLeftOfOwn * own_gain(fitter, model, member)) continue;
+    const bool is_cleared =
+        each.share * model.loss < kMostLeftOfOwn * own_gain(fitter, model, member);
+    if (is_cleared && !is_of_torque_constant(effect)) continue;
     return fmt::format("{:.0f} % of what is left varies with {}, which it should have explained",
                        100.0 * each.share, each.coordinate);
   }

@@ -138,7 +138,7 @@ PositionScore position_score(const Rig& rig,
       const std::size_t last = window_end(run, first, options.window_s);
       std::vector<JointStart> start;
       for (std::size_t j = 0; j < actuators.size(); ++j) {
-        start.push_back({run.position_rad[j][first], run.speed_rad_s[j][first], 0.0, {}, {}});
+        start.push_back({run.position_rad[j][first], run.speed_rad_s[j][first], {}, {}});
       }
       const SimulatedRun simulated =
           simulate_part(rig, actuators, run.excitation, start, first, last, simulation);

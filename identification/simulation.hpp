@@ -39,8 +39,8 @@ struct Excitation {
 struct JointStart {
   double position_rad = 0.0;
   double speed_rad_s = 0.0;
-  double motor_ahead_rad = 0.0;  ///< Of an elastic train: motor angle over ratio less the output's.
   std::optional<double> winding_K, case_K;  ///< Absent: the reference temperature, the ambient one.
+  double motor_ahead_rad = 0.0;  ///< Of an elastic train: motor angle over ratio less the output's.
 };
 
 struct SimulationOptions {

@@ -42,13 +42,17 @@ double level_Nm(const Actuator& actuator) {
   return level;
 }
 
-/// Laws that hold a level of their own.
-bool holds_another_friction(const Actuator& actuator) {
-  return std::any_of(actuator.effects.begin(), actuator.effects.end(),
-                     [](const actuator::Effect& each) {
-                       return each.kind->name == "asymmetric_friction" ||
-                              each.kind->name == "presliding_friction";
-                     });
+/// Laws that hold a level of their own; and trains whose stiff contacts are simulated in steps so
+/// short that hundreds of trials would take minutes.
+constexpr const char* kNotSearchedBeside[] = {"asymmetric_friction", "presliding_friction",
+                                              "backlash", "torsional_compliance"};
+
+bool is_searched_beside(const Actuator& actuator) {
+  return std::none_of(
+      actuator.effects.begin(), actuator.effects.end(), [](const actuator::Effect& each) {
+        return std::find(std::begin(kNotSearchedBeside), std::end(kNotSearchedBeside),
+                         each.kind->name) != std::end(kNotSearchedBeside);
+      });
 }
 
 /// A friction that may stand in the place of the known level.
@@ -269,7 +273,7 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
   const Indices training = log.chosen(false), held_out = log.chosen(true);
   const auto rests = std::count_if(training.begin(), training.end(),
                                    [&](std::size_t w) { return log.windows[w].rests; });
-  if (static_cast<std::size_t>(rests) < kLeastRests || holds_another_friction(known)) return {};
+  if (static_cast<std::size_t>(rests) < kLeastRests || !is_searched_beside(known)) return {};
   // The level is fitted anew in both, so that only what breakaway adds is weighed.
   const double level = level_Nm(known);
   const bool has_level = level > 0.0;

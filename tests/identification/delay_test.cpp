@@ -48,8 +48,10 @@ TEST(Alignment, DoesNotTakeFrictionForADelay) { EXPECT_FALSE(delay_of(friction, 
 TEST(Alignment, OfOneRunDoesNotTakeFrictionForADelayEither) {
   const MadeBench rig;
   for (const double late_s : {0.0, 0.03}) {
-    Log log = rig.log(friction, 0.05, late_s);
-    log.runs.resize(1);
+    const Log several = rig.log(friction, 0.05, late_s);
+    Log log = several;
+    log.runs = Runs();
+    log.runs.push_back(several.runs[0]);
     log.train_runs = {"run_0"};
     log.holdout_runs.clear();
     const Bench bench = rig.bench(log);

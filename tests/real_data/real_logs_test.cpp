@@ -36,7 +36,7 @@ struct RealLog {
 };
 
 RealLog read_real(const char* rig, const char* actuator, const std::vector<std::string>& files) {
-  RealLog result{read_rig(io::read_document(kRigs / rig, "rig")), {}};
+  RealLog result{read_rig(io::read_document(kRigs / rig, "rig")), Log()};
   std::vector<fs::path> paths;
   for (const std::string& file : files) paths.push_back(logs() / file);
   result.log = read_log(paths, result.rig);

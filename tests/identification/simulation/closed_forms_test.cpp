@@ -121,6 +121,22 @@ TEST(Simulation, SelfLockingGearHolds) {
   EXPECT_NEAR(trace.position_rad.back(), 1.0, 1e-9);
 }
 
+// Sticking and slipping, a train whose gap is nearly nothing moves as the rigid one does: a motor
+// that stops against a load which still moves must not stop the clock.
+TEST(Simulation, NarrowGapFollowsTheRigidTrain) {
+  const auto excited = excitation(6.0, 1e-2, [](double t) { return 1.6 * std::sin(2.0 * t); });
+  actuator::Actuator rigid = simple_actuator();
+  rigid.effects = {effect("coulomb_friction", {0.5})};
+  actuator::Actuator loose = rigid;
+  loose.effects.push_back(effect("backlash", {1e-5}));
+  const Rig rig = simple_rig(LoadType::kPendulum);
+  const JointTrace a = run(rig, rigid, excited, {0.1, 0.0, {}, {}}).joints[0];
+  const JointTrace b = run(rig, loose, excited, {0.1, 0.0, {}, {}}).joints[0];
+  for (std::size_t i = 0; i < excited.time_s.size(); ++i) {
+    ASSERT_NEAR(a.position_rad[i], b.position_rad[i], 0.01) << excited.time_s[i];
+  }
+}
+
 // Two inertias and a spring: the twist swings at sqrt(k (1/Jm + 1/Jl)).
 TEST(Simulation, TwistSwingsAtItsOwnFrequency) {
   actuator::Actuator actuator = simple_actuator();
