@@ -5,6 +5,7 @@
 // friction 0.069 rad. (Constants fitted by simulation reach 0.054: bam_servos_test.cpp.)
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -34,7 +35,15 @@ PositionScore motion_of(const ServoLog& log, const actuator::Actuator& actuator)
   return position_score(log.rig, {&actuator}, log.held_out, options);
 }
 
-TEST(RefinedServo, LoadFrictionAloneIsNamedAndItsMotionIsRight) {
+bool is_in_doubt(const EquationResult& equation, const std::string& effect) {
+  return std::any_of(equation.confounded.begin(), equation.confounded.end(),
+                     [&](const Confounded& group) {
+                       return !group.exact && std::find(group.effects.begin(), group.effects.end(),
+                                                        effect) != group.effects.end();
+                     });
+}
+
+TEST(RefinedServo, LoadFrictionAloneIsCertainAndTheMotionIsRight) {
   const auto servo = read_servo(false);
   if (!servo) GTEST_SKIP() << "no ../shared/data/logs: the logs are not here";
   const fs::path rigs = fs::path(TORQUEWRIGHT_SOURCE_DIR) / "tests/real_data/rigs";
@@ -44,8 +53,12 @@ TEST(RefinedServo, LoadFrictionAloneIsNamedAndItsMotionIsRight) {
   EXPECT_EQ(found.verdict, Verdict::kPartlyExplained);
   const EquationResult& voltage = found.equations.front();
   ASSERT_EQ(voltage.quantity, "winding_voltage_V");
-  ASSERT_EQ(voltage.added.size(), 1u);
+  ASSERT_FALSE(voltage.added.empty());
   EXPECT_EQ(voltage.added[0].effect, "load_dependent_friction");
+  // Whatever else is named stands in a group that this log cannot tell apart.
+  for (std::size_t k = 1; k < voltage.added.size(); ++k) {
+    EXPECT_TRUE(is_in_doubt(voltage, voltage.added[k].effect)) << voltage.added[k].effect;
+  }
   EXPECT_LT(voltage.after.holdout_rms, 0.75 * voltage.before.holdout_rms);
   const fs::path file = fs::temp_directory_path() / "torquewright_refined_servo.json";
   io::write_whole_file(file, refined_actuator(found, nominal).dump());
