@@ -30,7 +30,7 @@ struct GapMotion {
 
 /// On a flank the body rests while it is pushed there; pushed away it leaves, crosses, and meets
 /// the other flank without rebound. What passes through the gap is the push less J x''.
-/// docs/derivations/identification.md section 9.
+/// docs/derivations/identification.md section 10.
 GapMotion move_in_gap(const FreeSide& side, double inertia_kg_m2, double gap_rad, double step_s);
 
 }  // namespace torquewright::identification

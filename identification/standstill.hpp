@@ -38,7 +38,7 @@ struct StandstillScale {
 /// Simulates the log again with that friction, its parameters fitted to the training windows
 /// (NLopt, several starts), and accepts it by what it does to windows of the half of the log that
 /// it was not fitted to, and to the held-out ones. `known`: the actuator with all that was found.
-/// docs/derivations/identification.md section 10.
+/// docs/derivations/identification.md section 11.
 Standstill find_standstill(const ReplayCase& log, const actuator::Actuator& known,
                            const StandstillScale& scale);
 

@@ -155,6 +155,13 @@ std::string equation_text(const EquationResult& equation, bool select, bool is_o
 
 /// An equation in which nothing is missing, in one line.
 std::string noise_line(const EquationResult& equation) {
+  if (equation.after.train_rms != equation.before.train_rms) {
+    return fmt::format("\n{}: simulated as stated and with what was found, {} -> {} rms, noise floor "
+                       "{}\n",
+                       name_of_equation(equation), rms(shown_error(equation.before), equation.unit),
+                       rms(shown_error(equation.after), equation.unit),
+                       rms(equation.noise_floor_rms, equation.unit));
+  }
   return fmt::format("\n{}: {}, {} rms, noise floor {}\n", name_of_equation(equation),
                      identification::name_of(equation.verdict),
                      rms(shown_error(equation.before), equation.unit),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The servo's log from the voltage equation to a refined document, and that document's motion by
-// simulation, which no part of the regression knows. Oracle: an independent trial of the method on
-// the same log: mean absolute position error, runs at gain 200 held out, viscous 0.0986, with load
-// friction 0.069 rad. (Constants fitted by simulation reach 0.054: bam_servos_test.cpp.)
+// simulation, which no part of the regression knows. Oracle: the study by hand of the same log: mean
+// absolute position error, runs at gain 200 held out, viscous 0.094 rad, with load friction 0.052 to
+// 0.058. (Constants fitted by simulation: bam_servos_test.cpp.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTrial_rad = 0.069;
-constexpr double kAgreement = 0.05;  ///< Of the trial's figure: other filters, other steps.
+constexpr double kGoal_rad = 0.060;  ///< A study by hand with load friction: 0.052 to 0.058.
 
 fs::path logs() {
   const char* variable = std::getenv("TORQUEWRIGHT_DATA");
@@ -65,7 +64,7 @@ TEST(RefinedServo, LoadFrictionAloneIsCertainAndTheMotionIsRight) {
   const actuator::Actuator refined = actuator::read_actuator(file).actuator;
   fs::remove(file);
   const PositionScore after = motion_of(*servo, refined);
-  EXPECT_NEAR(after.mean_absolute_rad, kTrial_rad, kAgreement * kTrial_rad);
+  EXPECT_LE(after.mean_absolute_rad, kGoal_rad);
   EXPECT_LT(after.rms_rad, motion_of(*servo, servo->nominal).rms_rad);
 }
 
