@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/torque_at.hpp"
+
 namespace torquewright::actuator {
 namespace {
 
@@ -121,8 +123,7 @@ void set_constants(const Actuator& actuator, double temperature_K, Machine& mach
   const CurrentConvention convention = motor.torque_constant_convention;
   const double flux = factor_at(actuator, Acts::kFluxFactor, temperature_K);
   const double torque_constant_Nm_A = motor.torque_constant_Nm_A * torque_constant_factor(actuator);
-  const double back_emf_V_s_rad = motor.back_emf_constant_V_s_rad.value_or(
-      torque_constant_Nm_A * back_emf_per_torque_constant(convention));
+  const double back_emf_V_s_rad = back_emf_constant_V_s_rad(actuator);
   machine.torque_constant_Nm_A = flux * torque_constant_Nm_A / phase_amperes_per_ampere(convention);
   machine.back_emf_V_s_rad = flux * back_emf_V_s_rad * phase_volts_per_winding_volt(convention);
   machine.resistance_ohm = phase_resistance_ohm(actuator, temperature_K);

@@ -66,6 +66,14 @@ double ripple_Nm(const Actuator& actuator, const Instant& at) {
   return sum(actuator, Acts::kOutputTorque, at);
 }
 
+double back_emf_constant_V_s_rad(const Actuator& actuator) {
+  const Motor& motor = actuator.motor;
+  // A wrong torque constant is wrong at every current: what the law gives at none.
+  return motor.back_emf_constant_V_s_rad.value_or(
+      motor.torque_constant_Nm_A * product(actuator, Acts::kTorqueFactor, {}) *
+      back_emf_per_torque_constant(motor.torque_constant_convention));
+}
+
 double flux_factor(const Actuator& actuator, const Instant& at) {
   return product(actuator, Acts::kFluxFactor, at);
 }

@@ -31,6 +31,10 @@ double output_torque_Nm(const Actuator& actuator, const Instant& at);
 /// through the mesh.
 double ripple_Nm(const Actuator& actuator, const Instant& at);
 
+/// Of the motor, in the winding's convention, before the flux's factors: as the document states it,
+/// else what goes with the torque constant, an error of which it then shares (one flux makes both).
+double back_emf_constant_V_s_rad(const Actuator& actuator);
+
 /// Factors of every effect on the magnets' flux (torque constant and back-EMF) and on all drag.
 double flux_factor(const Actuator& actuator, const Instant& at);
 double drag_factor(const Actuator& actuator, const Instant& at);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// identification_rates CLASS FIRST_SEED COUNT: how often the right effect is named in logs with a
-// known truth. One line for each log, then the counts and the table of confusions.
+// identification_rates CLASS FIRST_SEED COUNT [FOLDER]: how often the right effect is named in logs
+// with a known truth. One line for each log, then the counts and the table of confusions. The last
+// log and its documents stay in the FOLDER, if one is given.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -70,15 +72,16 @@ void print_spread(const char* noise, std::vector<double> ratios) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 4) {
-    fmt::print(stderr, "usage: identification_rates CLASS FIRST_SEED COUNT\n");
+  if (count != 4 && count != 5) {
+    fmt::print(stderr, "usage: identification_rates CLASS FIRST_SEED COUNT [FOLDER]\n");
     return 2;
   }
   const LogClass log_class = class_of(arguments[1]);
   const auto first = std::strtoull(arguments[2], nullptr, 10);
   const auto many = std::strtoull(arguments[3], nullptr, 10);
-  const auto folder = std::filesystem::temp_directory_path() /
-                      fmt::format("identification_rates_{}_{}", arguments[1], first);
+  const auto scratch = std::filesystem::temp_directory_path() /
+                       fmt::format("identification_rates_{}", getpid());
+  const std::filesystem::path folder = count == 5 ? arguments[4] : scratch;
   int first_right = 0, all = 0, wrong = 0, grouped = 0, coordinate = 0, named = 0, parameters = 0,
       within = 0;
   std::map<std::string, Confusions> confusions;
@@ -119,6 +122,6 @@ int main(int count, char** arguments) {
   print_spread("as estimated", over_estimate);
   print_spread("put in", over_truth);
   print_confusions(confusions);
-  std::filesystem::remove_all(folder);
+  std::filesystem::remove_all(scratch);
   return 0;
 }

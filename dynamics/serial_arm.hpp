@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/gravity.hpp"
+
 namespace torquewright::dynamics {
 
 /// One rigid link of a planar arm. Distances run along the link, from its own joint.
@@ -42,7 +44,7 @@ class SerialArm {
   using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
 
   /// std::invalid_argument without links, or where a number is not finite.
-  explicit SerialArm(std::vector<SerialLink> links, double gravity_m_s2 = 9.81);
+  explicit SerialArm(std::vector<SerialLink> links, double gravity_m_s2 = kGravity_m_s2);
 
   Eigen::Index joint_count() const { return joints_; }
   std::span<const SerialLink> links() const { return links_; }

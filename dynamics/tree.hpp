@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/gravity.hpp"
+
 namespace torquewright::dynamics {
 
 /// Mass and how it is spread, in the axes of the body it belongs to.
@@ -62,7 +64,7 @@ enum class BaseKind {
 struct Tree {
   BaseKind base = BaseKind::kFixed;
   std::vector<Body> bodies;
-  double gravity_m_s2 = 9.81;  ///< Along -z of the world.
+  double gravity_m_s2 = kGravity_m_s2;  ///< Along -z of the world.
 
   /// Base first, then one per joint in the order of the bodies.
   Eigen::Index position_size() const;

@@ -6,6 +6,7 @@
 
 #include "actuator/gear_losses.hpp"
 #include "actuator/torque_at.hpp"
+#include "dynamics/gravity.hpp"
 #include "identification/free_play.hpp"
 #include "identification/load_model.hpp"
 
@@ -126,7 +127,7 @@ class FreePair : public FreeSide {
 /// What a load takes more where it hangs `place_rad` behind the measured motor.
 double gravity_slope_Nm_rad(const Load& load, double angle_rad) {
   if (load.type != LoadType::kPendulum) return 0.0;
-  return load.mass_kg * kGravity_m_s2 * load.length_m * std::cos(angle_rad);
+  return load.mass_kg * dynamics::kGravity_m_s2 * load.length_m * std::cos(angle_rad);
 }
 
 /// With the output's encoder.

@@ -66,12 +66,16 @@ double Balance::driven_Nm(const Signals& signals, std::size_t i) const {
   return is_sensor_ ? signals.motor_side_Nm[i] : needed_Nm(signals, i);
 }
 
-double Balance::back_emf_Nm(const Signals& signals, std::size_t i) const {
+double Balance::of_torque_constant_Nm(const Signals& signals, std::size_t i) const {
+  const double torque_Nm = gain(signals, i) * driven_Nm(signals, i);
   const actuator::Actuator& actuator = bench_.actuator();
+  if (bench_.drive != Drive::kVoltage || actuator.motor.back_emf_constant_V_s_rad) return torque_Nm;
+  // The torque that the back-EMF keeps from being, N Kt Ke N w / R.
   const Winding winding = winding_of(actuator);
   const double ratio = actuator.transmission.ratio;
-  return ratio * actuator.motor.torque_constant_Nm_A * winding.back_emf_V_s_rad * ratio *
-         signals.at[i].speed_rad_s / winding.resistance_ohm;
+  const double per_speed = ratio * actuator.motor.torque_constant_Nm_A * ratio *
+                           winding.back_emf_V_s_rad / winding.resistance_ohm;
+  return torque_Nm - gain(signals, i) * per_speed * signals.at[i].speed_rad_s;
 }
 
 double Balance::unit_per_Nm() const {

@@ -28,8 +28,9 @@ class Balance {
   /// What the torque constant multiplies, as far as the residual goes: N Kt i, or what is needed.
   double driven_Nm(const Signals& signals, std::size_t i) const;
 
-  /// Of the voltage equation: back-EMF as the torque that it keeps from being, N Kt Ke N w / R.
-  double back_emf_Nm(const Signals& signals, std::size_t i) const;
+  /// How the residual follows the torque constant, per its own size. Where a voltage drives, the
+  /// back-EMF follows it too, unless the document states that one on its own.
+  double of_torque_constant_Nm(const Signals& signals, std::size_t i) const;
 
   bool is_sensor() const { return is_sensor_; }
   const Bench& bench() const { return bench_; }

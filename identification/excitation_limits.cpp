@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "dynamics/gravity.hpp"
 #include "identification/load_model.hpp"
 #include "io/spec_error.hpp"
 
@@ -55,7 +56,7 @@ ExcitationLimits::ExcitationLimits(const Rig& rig, const actuator::Actuator& act
       winding_limit_K_(actuator.thermal ? actuator.thermal->winding_limit_K
                                         : std::numeric_limits<double>::infinity()) {
   if (rig.load.type == LoadType::kPendulum) {
-    stiffness_Nm_rad_ = rig.load.mass_kg * kGravity_m_s2 * rig.load.length_m;
+    stiffness_Nm_rad_ = rig.load.mass_kg * dynamics::kGravity_m_s2 * rig.load.length_m;
   }
   for (int k = 1; k <= kSpeedsTried; ++k) {
     const double speed = region_.greatest_speed_rad_s() * k / kSpeedsTried;

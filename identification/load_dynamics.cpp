@@ -3,11 +3,10 @@
 
 #include <cmath>
 
+#include "dynamics/gravity.hpp"
 #include "identification/load_model.hpp"
 
 namespace torquewright::identification {
-namespace {}  // namespace
-
 LoadDynamics::LoadDynamics(const Rig& rig)
     : load_(rig.load), joints_(static_cast<Eigen::Index>(rig.joints.size())) {
   switch (load_.type) {
@@ -19,14 +18,14 @@ LoadDynamics::LoadDynamics(const Rig& rig)
       break;
     case LoadType::kPendulum:
       inertia_kg_m2_ = load_.inertia_kg_m2 + load_.mass_kg * load_.length_m * load_.length_m;
-      gravity_Nm_ = load_.mass_kg * kGravity_m_s2 * load_.length_m;
+      gravity_Nm_ = load_.mass_kg * dynamics::kGravity_m_s2 * load_.length_m;
       break;
     case LoadType::kSerialArm: {
       std::vector<dynamics::SerialLink> links;
       for (const Link& link : load_.links) {
         links.push_back({link.mass_kg, link.length_m, link.center_of_mass_m, link.inertia_kg_m2});
       }
-      arm_ = std::make_unique<dynamics::SerialArm>(std::move(links), kGravity_m_s2);
+      arm_ = std::make_unique<dynamics::SerialArm>(std::move(links), dynamics::kGravity_m_s2);
       break;
     }
     case LoadType::kDynamometer:

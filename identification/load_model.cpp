@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "actuator/torque_at.hpp"
+#include "dynamics/gravity.hpp"
 #include "dynamics/serial_arm.hpp"
 
 namespace torquewright::identification {
@@ -13,7 +15,7 @@ std::vector<double> arm_load_Nm(const Rig& rig, std::size_t joint, const Signals
   for (const Link& link : rig.load.links) {
     links.push_back({link.mass_kg, link.length_m, link.center_of_mass_m, link.inertia_kg_m2});
   }
-  dynamics::SerialArm arm(std::move(links), kGravity_m_s2);
+  dynamics::SerialArm arm(std::move(links), dynamics::kGravity_m_s2);
   const Eigen::Index joints = arm.joint_count();
   Eigen::VectorXd q(joints), v(joints), a(joints), torque(joints);
   std::vector<double> load_Nm(signals.size());
@@ -40,9 +42,7 @@ Winding winding_of(const actuator::Actuator& actuator) {
   const double volts = actuator::phase_volts_per_winding_volt(convention);
   const double phase_ohm =
       motor.resistance_ohm * actuator::phase_ohms_per_ohm(motor.resistance_convention);
-  const double stated = motor.back_emf_constant_V_s_rad.value_or(
-      motor.torque_constant_Nm_A * actuator::back_emf_per_torque_constant(convention));
-  return {phase_ohm * amperes / volts, stated};
+  return {phase_ohm * amperes / volts, actuator::back_emf_constant_V_s_rad(actuator)};
 }
 
 double resistance_coefficient_1_K(const actuator::Actuator& actuator) {
@@ -63,7 +63,7 @@ double load_mass_column(const Rig& rig, const actuator::Instant& at) {
   const Load& load = rig.load;
   if (load.type == LoadType::kLinearAxis) return at.acceleration_rad_s2;
   return load.length_m * load.length_m * at.acceleration_rad_s2 +
-         kGravity_m_s2 * load.length_m * std::sin(at.output_angle_rad);
+         dynamics::kGravity_m_s2 * load.length_m * std::sin(at.output_angle_rad);
 }
 
 std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signals& signals) {

@@ -9,9 +9,6 @@
 
 namespace torquewright::identification {
 
-/// As in dynamics/: the usual value, not that of any place.
-constexpr double kGravity_m_s2 = 9.81;
-
 /// The winding as a quasi-static line, in the actuator's own convention: V = R i + Ke w_motor.
 struct Winding {
   double resistance_ohm = 0.0;

@@ -106,14 +106,13 @@ Equation torque_equation(const Bench& bench, const Extent& extent, const Orders&
       // Its derivative holds the measured current: what the load needs stands in its place.
       const double stated = *value;
       const bool is_resistance = pointer == kResistance;
-      const bool is_voltage = bench.drive == Drive::kVoltage;
-      column.fill = [balance, stated, is_resistance, is_voltage](const Signals& signals,
-                                                                 std::vector<double>& out) {
+      column.fill = [balance, stated, is_resistance](const Signals& signals,
+                                                     std::vector<double>& out) {
         for (std::size_t i = 0; i < out.size(); ++i) {
-          const double driven = balance->gain(signals, i) * balance->driven_Nm(signals, i);
-          const double back_emf =
-              is_voltage && !balance->is_sensor() ? balance->back_emf_Nm(signals, i) : 0.0;
-          out[i] = (is_resistance ? -driven : driven - back_emf) / stated;
+          const double slope_Nm = is_resistance
+                                      ? -balance->gain(signals, i) * balance->driven_Nm(signals, i)
+                                      : balance->of_torque_constant_Nm(signals, i);
+          out[i] = slope_Nm / stated;
         }
       };
     } else {

@@ -41,13 +41,9 @@ void add_saturation(DictionaryBuilder& builder, const std::vector<double>& grid_
 }  // namespace
 
 void add_torque_constant(DictionaryBuilder& builder) {
-  const bool is_voltage = builder.bench().drive == Drive::kVoltage;
   const std::size_t driven = builder.add(
-      "torque constant",
-      [balance = builder.balance(), is_voltage](const Signals& signals, std::size_t i) {
-        const double torque_Nm = balance->gain(signals, i) * balance->driven_Nm(signals, i);
-        return is_voltage && !balance->is_sensor() ? torque_Nm - balance->back_emf_Nm(signals, i)
-                                                   : torque_Nm;
+      "torque constant", [balance = builder.balance()](const Signals& signals, std::size_t i) {
+        return balance->of_torque_constant_Nm(signals, i);
       });
   builder.variant("torque_constant_error", {one(driven, -0.7, 3.0)});
   // The driver's torque says nothing of the current.

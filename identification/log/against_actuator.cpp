@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "actuator/convention.hpp"
+#include "actuator/torque_at.hpp"
 #include "identification/log.hpp"
 #include "identification/log/agreement.hpp"
 #include "identification/log/channel.hpp"
@@ -35,11 +36,10 @@ constexpr std::size_t kFewestWindows = 50;
 /// Of the joint, from the bus voltage and the back-EMF alone.
 double no_load_speed_rad_s(const actuator::Actuator& actuator) {
   const actuator::CurrentConvention convention = actuator.motor.torque_constant_convention;
-  const double stated = actuator.motor.back_emf_constant_V_s_rad.value_or(
-      actuator.motor.torque_constant_Nm_A * actuator::back_emf_per_torque_constant(convention));
   const double phase_V = actuator.drive.bus_voltage_V *
                          actuator::phase_volts_per_bus_volt(convention, actuator.drive.modulation);
-  const double back_emf_V_s_rad = stated * actuator::phase_volts_per_winding_volt(convention);
+  const double back_emf_V_s_rad = actuator::back_emf_constant_V_s_rad(actuator) *
+                                  actuator::phase_volts_per_winding_volt(convention);
   return phase_V / back_emf_V_s_rad / std::abs(actuator.transmission.ratio);
 }
 
