@@ -16,14 +16,6 @@ const std::string& effect_of(const EquationFit& fit, std::size_t variant) {
   return fit.equation().dictionary.variants[variant].effect;
 }
 
-/// Of each member; an empty one: none.
-std::vector<std::string> doubts_of(const EquationFit& fit, const Selection& selection) {
-  if (selection.model.members.empty()) return {};
-  return doubts(fit.fitter(), selection, fit.source(), fit.equation().target, fit.band(),
-                fit.floor_loss(selection.model), fit.structure(selection.model))
-      .of_member;
-}
-
 std::set<std::string> effects_of(const EquationFit& fit, const Selection& selection) {
   std::set<std::string> effects;
   for (const std::size_t member : selection.model.members) effects.insert(effect_of(fit, member));
@@ -60,8 +52,8 @@ Selection reduced_to(const EquationFit& fit, const Members& kept, const Selectio
 }
 
 /// Members without a doubt, until none that stays has one.
-Selection sure_part(const EquationFit& fit, Selection selection,
-                    std::vector<std::string> of_member) {
+Selection sure_part(const EquationFit& fit, const std::vector<Structure>& before,
+                    Selection selection, std::vector<std::string> of_member) {
   const auto is_doubt = [](const std::string& each) { return !each.empty(); };
   while (std::any_of(of_member.begin(), of_member.end(), is_doubt)) {
     Members kept;
@@ -69,7 +61,7 @@ Selection sure_part(const EquationFit& fit, Selection selection,
       if (of_member[m].empty()) kept.push_back(selection.model.members[m]);
     }
     selection = reduced_to(fit, kept, selection);
-    of_member = doubts_of(fit, selection);
+    of_member = doubts(fit, selection, before);
   }
   return selection;
 }
@@ -90,7 +82,7 @@ std::set<std::string> collect_doubtful(const EquationFit& fit, const Selection& 
 
 }  // namespace
 
-ConfidentSelection confident_search(const EquationFit& fit,
+ConfidentSelection confident_search(const EquationFit& fit, const std::vector<Structure>& before,
                                     const std::vector<std::string>& settled) {
   SearchOptions options;
   options.target_is_motor_side = fit.equation().target_is_motor_side;
@@ -102,11 +94,11 @@ ConfidentSelection confident_search(const EquationFit& fit,
   std::vector<Rejection> doubtful;
   for (int round = 1;; ++round) {
     Selection selection = search(fit.fitter(), options);
-    const std::vector<std::string> of_member = doubts_of(fit, selection);
+    const std::vector<std::string> of_member = doubts(fit, selection, before);
     const auto left_out = collect_doubtful(fit, selection, of_member, doubtful);
     const bool is_sure = left_out.empty();
     if (is_sure || round == kMostSearches || left_out.size() == effects_of(fit, selection).size()) {
-      if (!is_sure) selection = sure_part(fit, selection, of_member);
+      if (!is_sure) selection = sure_part(fit, before, selection, of_member);
       selection.rejected.insert(selection.rejected.end(), doubtful.begin(), doubtful.end());
       return {std::move(selection), !is_sure};
     }

@@ -163,7 +163,7 @@ EquationResult analyse_equation(const Bench& bench, const Log& log, Equation equ
   result.before = fit.errors(selection.empty);
   result.structure_before = fit.structure(selection.empty);
   selection.model = selection.empty;
-  if (options.select) found = confident_search(fit, options.settled);
+  if (options.select) found = confident_search(fit, result.structure_before, options.settled);
   result.has_tentative = found.has_tentative;
   describe_after(fit, selection, result);
   name_effects(fit, selection, result);

@@ -11,13 +11,16 @@ namespace {
 
 constexpr double kLeastExplained = 0.6;  ///< Share of what is explainable.
 constexpr double kNoiseLevel = 2.5;      ///< Times the floor: nothing is left.
+constexpr double kTableAhead = 0.03;     ///< By which a table may explain more than the names do.
 constexpr double kNearlyNoise = 0.5;  ///< Loss over the floor below which the rest says nothing.
 constexpr double kConfirmed = 0.04;   ///< Share of the held-out error that a name takes away.
 constexpr double kMostLeftAlongOwn = 0.3;
+constexpr double kMostLeftAlongPair = 0.15;  ///< Of two laws of the torque constant together.
 constexpr double kMostLeftOfOwn = 0.15;  ///< What is left along it over what the name takes away.
 constexpr double kAmplitudeGain = 0.15;  ///< A name whose amplitude varies wins more than this.
 constexpr double kMostScatter = 0.3;     ///< Of a parameter between runs, beyond its error.
 constexpr double kScatterErrors = 3.0;
+constexpr std::size_t kFewestOfASpot = 4;  ///< Waves of friction that are multiples of one.
 constexpr double kExcited = 0.03;  ///< A run excites a column with this of the best run's power.
 
 struct Modulation {
@@ -152,6 +155,33 @@ bool is_of_torque_constant(const std::string& effect) {
   return effect == "torque_constant_error" || effect == "torque_constant_saturation";
 }
 
+bool has_pair_of_torque_constant(const Fitter& fitter, const Fit& model) {
+  const auto count = std::count_if(
+      model.members.begin(), model.members.end(), [&](std::size_t member) {
+        return is_of_torque_constant(fitter.dictionary().variants[member].effect);
+      });
+  return count > 1;
+}
+
+/// Many waves on one fundamental are a spot, which the law of a few orders is not.
+std::string is_a_spot(const Fitter& fitter, const Fit& model, std::size_t member) {
+  const Dictionary& dictionary = fitter.dictionary();
+  const std::string effect = "position_dependent_friction";
+  if (dictionary.variants[model.members[member]].effect != effect) return "";
+  std::vector<double> orders;
+  for (const std::size_t each : model.members) {
+    if (dictionary.variants[each].effect == effect) orders.push_back(dictionary.variants[each].order);
+  }
+  const double lowest = *std::min_element(orders.begin(), orders.end());
+  const bool is_comb = std::all_of(orders.begin(), orders.end(), [&](double order) {
+    return std::abs(order / lowest - std::round(order / lowest)) < 1e-6;
+  });
+  if (orders.size() < kFewestOfASpot || !is_comb) return "";
+  return fmt::format(
+      "its {} waves are multiples of order {:g}: friction of one spot, not of an order",
+      orders.size(), lowest);
+}
+
 /// What the member takes away; at least nothing.
 double own_gain(const Fitter& fitter, const Fit& model, std::size_t member) {
   Members members = model.members;
@@ -164,9 +194,11 @@ std::string left_along_own(const Fitter& fitter, const Fit& model, std::size_t m
                            const std::vector<Structure>& left) {
   const std::string& effect = fitter.dictionary().variants[model.members[member]].effect;
   const std::vector<std::string> own = own_coordinates(effect);
+  const bool is_pair = is_of_torque_constant(effect) && has_pair_of_torque_constant(fitter, model);
+  const double most = is_pair ? kMostLeftAlongPair : kMostLeftAlongOwn;
   for (const Structure& each : left) {
     if (std::find(own.begin(), own.end(), each.coordinate) == own.end()) continue;
-    if (each.share < kMostLeftAlongOwn || !is_significant(each)) continue;
+    if (each.share < most || !is_significant(each)) continue;
     // A law that took nearly all of what varies along its coordinate is not the wrong one: what
     // something else leaves may vary there too.
     const bool is_cleared =
@@ -230,37 +262,88 @@ std::string scatter(const Fitter& fitter, const Fit& model, std::size_t member) 
   return "";
 }
 
+/// Of the whole model: it has to explain most of what is explainable.
+std::string too_little(const Fit& empty, const Fit& model, double floor_loss) {
+  const double explainable = empty.loss - floor_loss;
+  const double explained = empty.loss - model.loss;
+  if (explained >= kLeastExplained * explainable || model.loss <= kNoiseLevel * floor_loss) {
+    return "";
+  }
+  return fmt::format(
+      "with it only {:.0f} % of what noise does not explain is gone; a name asks for {:.0f} %",
+      100.0 * explained / explainable, 100.0 * kLeastExplained);
+}
+
+/// Of the whole model: the right laws know more than their values over any one coordinate. Where
+/// the target is part of a coordinate, its table explains it by itself and says nothing.
+std::string table_knows_more(const EquationFit& fit, const Selection& selection,
+                             const std::vector<Structure>& before) {
+  const Equation& equation = fit.equation();
+  const double explained = 1.0 - selection.model.loss / selection.empty.loss;
+  for (const Structure& each : before) {
+    if (each.coordinate == equation.quantity) continue;
+    if (each.coordinate == "motor_current_A" && equation.target_is_motor_side) continue;
+    if (each.share < explained + kTableAhead || !is_significant(each)) continue;
+    return fmt::format(
+        "with it {:.0f} % of the squared error is gone, and a table over {}{} alone takes {:.0f} %: "
+        "so it is something else that varies with that",
+        100.0 * explained, each.coordinate, each.times_direction ? " x direction" : "",
+        100.0 * each.share);
+  }
+  return "";
+}
+
+/// Of the whole model: members that need one another may together be no better than none.
+std::string not_confirmed_together(const EquationFit& fit, const Selection& selection) {
+  const Fitter& fitter = fit.fitter();
+  const double samples = fitter.samples(true);
+  if (samples == 0.0) return "";
+  const double before = fitter.loss_on(selection.empty, true);
+  const double after = fitter.loss_on(selection.model, true);
+  if (after <= kNoiseLevel * fitter.noise_loss(selection.model) * samples) return "";
+  if (before - after > kConfirmed * before) return "";
+  return fmt::format(
+      "in the runs held out from everything all names together change the squared error by "
+      "{:+.0f} %",
+      100.0 * (after - before) / before);
+}
+
+std::string doubt_of_all(const EquationFit& fit, const Selection& selection,
+                         const std::vector<Structure>& before) {
+  std::string doubt =
+      too_little(selection.empty, selection.model, fit.floor_loss(selection.model));
+  if (doubt.empty()) doubt = table_knows_more(fit, selection, before);
+  if (doubt.empty()) doubt = not_confirmed_together(fit, selection);
+  return doubt;
+}
+
+std::string doubt_of_one(const EquationFit& fit, const Fit& model, std::size_t member,
+                         const std::vector<Structure>& left) {
+  const Fitter& fitter = fit.fitter();
+  std::string doubt = not_confirmed(fitter, model, member);
+  if (doubt.empty()) doubt = no_longer_earned(fitter, model, member);
+  if (doubt.empty()) doubt = scatter(fitter, model, member);
+  if (doubt.empty()) doubt = is_a_spot(fitter, model, member);
+  if (!doubt.empty() || model.loss <= kNearlyNoise * fit.floor_loss(model)) return doubt;
+  doubt = left_along_own(fitter, model, member, left);
+  if (!doubt.empty()) return doubt;
+  return varying_amplitude(fitter, model, member, fit.source(), fit.equation().target, fit.band());
+}
+
 }  // namespace
 
-Doubts doubts(const Fitter& fitter, const Selection& selection, const SignalSource& source,
-              const Target& target, const BandOptions& band, double floor_loss,
-              const std::vector<Structure>& left) {
+std::vector<std::string> doubts(const EquationFit& fit, const Selection& selection,
+                                const std::vector<Structure>& before) {
   const Fit& model = selection.model;
-  Doubts all;
-  all.of_member.assign(model.members.size(), "");
-  const double explainable = selection.empty.loss - floor_loss;
-  const double explained = selection.empty.loss - model.loss;
-  if (explained < kLeastExplained * explainable && model.loss > kNoiseLevel * floor_loss) {
-    for (std::string& doubt : all.of_member) {
-      doubt = fmt::format(
-          "with it only {:.0f} % of what noise does not explain is gone; a name asks for {:.0f} %",
-          100.0 * explained / explainable, 100.0 * kLeastExplained);
-    }
-    return all;
+  if (model.members.empty()) return {};
+  const std::string of_all = doubt_of_all(fit, selection, before);
+  std::vector<std::string> of_member(model.members.size(), of_all);
+  if (!of_all.empty()) return of_member;
+  const std::vector<Structure> left = fit.structure(model);
+  for (std::size_t m = 0; m < of_member.size(); ++m) {
+    of_member[m] = doubt_of_one(fit, model, m, left);
   }
-  for (std::size_t m = 0; m < model.members.size(); ++m) {
-    std::string& doubt = all.of_member[m];
-    doubt = not_confirmed(fitter, model, m);
-    if (doubt.empty()) doubt = no_longer_earned(fitter, model, m);
-    if (doubt.empty()) doubt = scatter(fitter, model, m);
-    if (doubt.empty() && model.loss > kNearlyNoise * floor_loss) {
-      doubt = left_along_own(fitter, model, m, left);
-    }
-    if (doubt.empty() && model.loss > kNearlyNoise * floor_loss) {
-      doubt = varying_amplitude(fitter, model, m, source, target, band);
-    }
-  }
-  return all;
+  return of_member;
 }
 
 }  // namespace torquewright::identification
