@@ -109,13 +109,27 @@ void describe_after(const EquationFit& fit, const Selection& selection, Equation
   result.is_noise_after = fit.is_noise(model, result.structure_after);
 }
 
+/// True if the log shows another law as well in the place of this one.
+bool is_ambiguous(const EquationResult& result, const std::string& effect) {
+  return std::any_of(result.confounded.begin(), result.confounded.end(), [&](const auto& group) {
+    return !group.exact && std::find(group.effects.begin(), group.effects.end(), effect) !=
+                               group.effects.end();
+  });
+}
+
 /// Curved parameters between the grid's values; the figures are then of that model.
 void refine(const Bench& bench, const Log& log, const EquationFit& fit, const Fit& model,
             EquationResult& result) {
   const Folds& folds = fit.folds();
-  const auto fine =
+  auto fine =
       refined(bench, fit.equation(), model, fit.source(), folds.of_run, folds.of_block, fit.band());
   if (!fine || result.added.empty()) return;
+  // A log that cannot tell the law does not show its curve: no error is claimed for that.
+  for (ShapeEstimate& shape : fine->shapes) {
+    if (is_ambiguous(result, fine->dictionary.variants[shape.member].effect)) {
+      shape.standard_error = INFINITY;
+    }
+  }
   Equation equation = fit.equation();
   equation.dictionary = fine->dictionary;
   equation.target = fine->target;
@@ -167,8 +181,8 @@ EquationResult analyse_equation(const Bench& bench, const Log& log, Equation equ
   result.has_tentative = found.has_tentative;
   describe_after(fit, selection, result);
   name_effects(fit, selection, result);
-  refine(bench, log, fit, selection.model, result);
   add_groups(bench, source.rows(), selection, result);
+  refine(bench, log, fit, selection.model, result);
   for (std::size_t k = 0; k < fit.equation().corrections.size() && options.select; ++k) {
     const auto index = static_cast<Eigen::Index>(k);
     const double variance = selection.model.covariance(index, index);
