@@ -153,6 +153,17 @@ bool is_driving_only(const Variant& variant) {
          variant.shape[0][0] == 0.0;
 }
 
+/// What a grid stands for until it is refined.
+std::vector<const char*> curved_parameters(const Variant& variant) {
+  if (variant.shape.empty()) return {};
+  if (variant.effect == "stribeck_friction") return {"stribeck_velocity_rad_s"};
+  if (variant.effect == "presliding_friction") return {"stiffness_Nm_rad"};
+  if (variant.effect == "torque_constant_saturation") return {"saturation_current_A", "exponent"};
+  if (variant.effect == "torque_lag") return {"time_constant_s"};
+  if (variant.effect == "backlash") return {"gap_rad"};
+  return {};
+}
+
 void add_scalar(NamedEffect& named, const Variant& variant, const Values& values,
                 const Eigen::MatrixXd& covariance, const Balance& balance) {
   const Map map = map_of(variant, balance);
@@ -173,9 +184,10 @@ void add_scalar(NamedEffect& named, const Variant& variant, const Values& values
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     named.parameters[parameters[p].first] = parameters[p].second;
     named.standard_error[parameters[p].first] = errors[p];
-    // Known on a grid only, whatever was fitted: no error is claimed.
     if (errors[p] == 0.0) named.standard_error[parameters[p].first] = nullptr;
   }
+  // Known on a grid only, whatever was fitted: no error is claimed.
+  for (const char* curved : curved_parameters(variant)) named.standard_error[curved] = nullptr;
   // Of a log that is never back-driven: as stated, none, and no error is claimed.
   if (is_driving_only(variant)) named.standard_error["backdriving_coefficient"] = nullptr;
 }

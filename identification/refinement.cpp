@@ -10,7 +10,9 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kMostWorse = 1.001;  ///< Of the loss, against the grid's.
+/// Of the squared error with the noise in it, against the grid's: neighbours on the grid together
+/// follow noise a little better than the one law that stands for them.
+constexpr double kMostWorse = 1.01;
 
 /// A member with curved parameters, and where they stand among all of them.
 struct ShapedMember {
@@ -304,8 +306,11 @@ std::optional<RefinedModel> refined(const Bench& bench, const Equation& equation
   if (out.gram->blocks.size() != fold_of_block.size()) return std::nullopt;
   Members members;
   for (std::size_t m = 0; m < model.members.size(); ++m) members.push_back(m);
-  out.fit = Fitter(*out.gram, out.dictionary, fold_of_block, equation.always).fit(members);
-  if (!out.fit.is_valid || out.fit.loss > kMostWorse * model.loss) return std::nullopt;
+  const Fitter fitter(*out.gram, out.dictionary, fold_of_block, equation.always);
+  out.fit = fitter.fit(members);
+  if (!out.fit.is_valid) return std::nullopt;
+  const double noise = fitter.noise_loss(out.fit) * fitter.samples(false);
+  if (out.fit.loss + noise > kMostWorse * (model.loss + noise)) return std::nullopt;
   out.starts = found.starts.size();
   out.agreeing = found.agreeing;
   add_errors(search, equation, source, fold_of_block, band, found, out);

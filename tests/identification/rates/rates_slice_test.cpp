@@ -80,6 +80,19 @@ TEST_P(OnceWrong, IsNotNamed) {
 }
 INSTANTIATE_TEST_SUITE_P(RatesSlice, OnceWrong, testing::Values(2, 8, 33, 57));
 
+// Once saturation came out as an error of the torque constant beside a saturation of another curve,
+// and a gap as a delay beside the gap.
+TEST(RatesSlice, SaturationIsNotAlsoAnErrorOfTheConstant) {
+  const Count counted = count(LogClass::kTwo, 61, 1);
+  EXPECT_EQ(counted.wrong, 0) << counted.lines;
+  EXPECT_EQ(counted.not_all, 0) << counted.lines;
+}
+TEST(RatesSlice, AGapIsNoDelay) {
+  const Count counted = count(LogClass::kOne, 97, 1);
+  EXPECT_EQ(counted.wrong, 0) << counted.lines;
+  EXPECT_EQ(counted.not_right, 0) << counted.lines;
+}
+
 TEST(RatesSlice, CallsNothingCertainThatTheLogCannotTell) {
   const Count counted = count(LogClass::kCannotTell, kFirstSeed, 4);
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
