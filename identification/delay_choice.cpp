@@ -10,7 +10,7 @@ constexpr const char* kName = "channel_delay";
 constexpr double kClearlyLess = 0.95;  ///< Times the error.
 
 /// Share of what noise does not explain that must be gone with it and all that is named beside it,
-/// as in gates.cpp: what is not a delay may look a little like one.
+/// as of all names (doubts/too_little.cpp): what is not a delay may look a little like one.
 constexpr double kLeastExplained = 0.6;
 
 double square(double value) { return value * value; }

@@ -70,7 +70,7 @@ TEST(RatesSlice, NamesNoEffectForWhatIsOutsideTheLibrary) {
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
 
-// Each of these was once named wrongly, and what stops it is another rule of gates.cpp: a dead zone
+// Each of these was once named wrongly, and what stops it is another of identification/doubts: a dead zone
 // (what is left along the current), friction that grows with time (a table that takes more), spots
 // of friction (held-out runs that all names together do not help; a comb of waves).
 class OnceWrong : public testing::TestWithParam<std::uint64_t> {};
