@@ -13,6 +13,7 @@
 #include "identification/equation_fit.hpp"
 #include "identification/one_rig.hpp"
 #include "identification/refinement.hpp"
+#include "identification/starts.hpp"
 #include "identification/trials.hpp"
 #include "identification/verdict.hpp"
 
@@ -117,6 +118,15 @@ bool is_ambiguous(const EquationResult& result, const std::string& effect) {
   });
 }
 
+/// Where the search for a member's curve ended; without a spread if it has none.
+Starts starts_of(const RefinedModel& fine, std::size_t member) {
+  Starts starts{fine.starts, fine.agreeing, {}};
+  for (const ShapeEstimate& shape : fine.shapes) {
+    if (shape.member == member) starts.spread.emplace_back(shape.name, shape.spread);
+  }
+  return starts;
+}
+
 /// Curved parameters between the grid's values; the figures are then of that model.
 void refine(const Bench& bench, const Log& log, const EquationFit& fit, const Fit& model,
             EquationResult& result) {
@@ -143,6 +153,8 @@ void refine(const Bench& bench, const Log& log, const EquationFit& fit, const Fi
       if (effect.effect != named.effect.effect) continue;
       effect.parameters = named.effect.parameters;
       effect.standard_error = named.effect.standard_error;
+      const Starts starts = starts_of(*fine, named.members.front());
+      if (!starts.spread.empty()) effect.evidence += sentence_of(starts);
     }
   }
   result.added.back().holdout_rms_after = result.after.holdout_rms;

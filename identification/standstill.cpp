@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "actuator/effects/library.hpp"
+#include "identification/starts.hpp"
 #include "identification/with_effects.hpp"
 #include "optimization/local_fit.hpp"
 
@@ -96,19 +97,35 @@ class Trial {
     return actuator;
   }
 
-  /// The point of the variables that follows the positions of these windows best.
-  std::vector<double> fit(const Indices& windows, std::size_t starts) const {
+  /// The variables with which the positions of these windows are followed best.
+  optimization::LocalFit fit(const Indices& windows, std::size_t starts) const {
     optimization::FitOptions options;
     options.starts = starts;
     options.most_evaluations = 15 * candidate_.variables.size();
     options.tolerance = 1e-3;
     return optimization::fit_locally(
-               [&](std::span<const double> x) {
-                 const auto losses = log_.losses(of_point(x), windows);
-                 return std::accumulate(losses.begin(), losses.end(), 0.0);
-               },
-               candidate_.variables, options)
-        .point;
+        [&](std::span<const double> x) {
+          const auto losses = log_.losses(of_point(x), windows);
+          return std::accumulate(losses.begin(), losses.end(), 0.0);
+        },
+        candidate_.variables, options);
+  }
+
+  /// Where the starts of a fit ended, in the effect's parameters.
+  Starts starts_of(const optimization::LocalFit& fit) const {
+    Starts starts{fit.starts.size(), fit.agreeing, {}};
+    const actuator::EffectKind& kind = *actuator::find_effect(candidate_.effect);
+    for (std::size_t p = 0; p < candidate_.parameters(fit.point).size(); ++p) {
+      double least = INFINITY, most = -INFINITY;
+      for (const optimization::StartOutcome& each : fit.starts) {
+        if (each.value > (1.0 + optimization::FitOptions{}.same_value) * fit.value) continue;
+        const double value = candidate_.parameters(each.point)[p];
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+      starts.spread.emplace_back(kind.parameters[p].name, most - least);
+    }
+    return starts;
   }
 
   /// The next fits begin there.
@@ -176,8 +193,8 @@ std::pair<Indices, Indices> halves(const Indices& windows) {
 std::vector<double> crossed_losses(const ReplayCase& log, const Trial& trial,
                                    const Indices& training) {
   const auto [first, second] = halves(training);
-  std::vector<double> losses = log.losses(trial.of_point(trial.fit(second, 1)), first);
-  const std::vector<double> rest = log.losses(trial.of_point(trial.fit(first, 1)), second);
+  std::vector<double> losses = log.losses(trial.of_point(trial.fit(second, 1).point), first);
+  const std::vector<double> rest = log.losses(trial.of_point(trial.fit(first, 1).point), second);
   losses.insert(losses.end(), rest.begin(), rest.end());
   return losses;
 }
@@ -283,10 +300,11 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
                        : coulomb(1e-4 * scale.torque_Nm, scale.torque_Nm, 0.03 * scale.torque_Nm));
   Actuator before = known;
   if (has_level) {
-    plain.begin_at(plain.fit(training, 1));
+    plain.begin_at(plain.fit(training, 1).point);
     before = plain.of_start();
   }
-  with.begin_at(with.fit(training, kStarts));
+  const optimization::LocalFit best = with.fit(training, kStarts);
+  with.begin_at(best.point);
   const Actuator after = with.of_start();
   Standstill found;
   const std::string& name = with.candidate().effect;
@@ -313,6 +331,7 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
       "Simulated in {} windows of one second, it removes {:.0f} % of the squared error of position "
       "where it was not fitted, {:.1f} standard errors.",
       training.size(), 100.0 * std::min(1.0, gain.share), gain.t);
+  effect.evidence += sentence_of(with.starts_of(best));
   found.effect = std::move(effect);
   return found;
 }
