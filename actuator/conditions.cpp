@@ -24,17 +24,15 @@ double factor_at(const Actuator& actuator, Acts acts, double temperature_K) {
 }
 
 double resistance_factor(const Actuator& actuator, double temperature_K) {
-  const bool is_stated =
-      std::any_of(actuator.effects.begin(), actuator.effects.end(), [](const Effect& effect) {
-        return effect.kind->acts == Acts::kResistanceFactor;
-      });
+  const bool is_stated = std::any_of(
+      actuator.effects.begin(), actuator.effects.end(),
+      [](const Effect& effect) { return effect.kind->acts == Acts::kResistanceFactor; });
   if (is_stated) return factor_at(actuator, Acts::kResistanceFactor, temperature_K);
   return 1.0 + kCopperCoefficient_1_K * (temperature_K - actuator.motor.winding_temperature_K);
 }
 
 double phase_resistance_ohm(const Actuator& actuator, double temperature_K) {
-  return actuator.motor.resistance_ohm *
-         phase_ohms_per_ohm(actuator.motor.resistance_convention) *
+  return actuator.motor.resistance_ohm * phase_ohms_per_ohm(actuator.motor.resistance_convention) *
          resistance_factor(actuator, temperature_K);
 }
 
@@ -46,8 +44,8 @@ double cell_voltage_V(const Battery& battery, double state_of_charge) {
   if (above == curve.end()) return curve.back().voltage_V;
   if (above == curve.begin()) return curve.front().voltage_V;
   const ChargePoint& below = *(above - 1);
-  const double share = (state_of_charge - below.state_of_charge) /
-                       (above->state_of_charge - below.state_of_charge);
+  const double share =
+      (state_of_charge - below.state_of_charge) / (above->state_of_charge - below.state_of_charge);
   return below.voltage_V + share * (above->voltage_V - below.voltage_V);
 }
 

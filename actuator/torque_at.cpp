@@ -46,8 +46,8 @@ double reflected_inertia_kg_m2(const Actuator& actuator) {
   Instant unit;
   unit.acceleration_rad_s2 = 1.0;
   const double ratio = actuator.transmission.ratio;
-  return ratio * ratio * actuator.motor.rotor_inertia_kg_m2 +
-         actuator.transmission.inertia_kg_m2 - sum(actuator, Acts::kInertialTorque, unit);
+  return ratio * ratio * actuator.motor.rotor_inertia_kg_m2 + actuator.transmission.inertia_kg_m2 -
+         sum(actuator, Acts::kInertialTorque, unit);
 }
 
 double before_mesh_at_Nm(const Actuator& actuator, const Instant& at) {

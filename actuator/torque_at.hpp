@@ -27,8 +27,8 @@ double before_mesh_at_Nm(const Actuator& actuator, const Instant& at);
 /// Torque on the load: the above through the mesh, with the ripple of the output.
 double output_torque_Nm(const Actuator& actuator, const Instant& at);
 
-/// What of the torque on the load repeats with the output's angle; `at.load_torque_Nm` is what comes
-/// through the mesh.
+/// What of the torque on the load repeats with the output's angle; `at.load_torque_Nm` is what
+/// comes through the mesh.
 double ripple_Nm(const Actuator& actuator, const Instant& at);
 
 /// Of the motor, in the winding's convention, before the flux's factors: as the document states it,

@@ -79,8 +79,8 @@ int main(int count, char** arguments) {
   const LogClass log_class = class_of(arguments[1]);
   const auto first = std::strtoull(arguments[2], nullptr, 10);
   const auto many = std::strtoull(arguments[3], nullptr, 10);
-  const auto scratch = std::filesystem::temp_directory_path() /
-                       fmt::format("identification_rates_{}", getpid());
+  const auto scratch =
+      std::filesystem::temp_directory_path() / fmt::format("identification_rates_{}", getpid());
   const std::filesystem::path folder = count == 5 ? arguments[4] : scratch;
   int first_right = 0, all = 0, wrong = 0, grouped = 0, coordinate = 0, named = 0, parameters = 0,
       within = 0;

@@ -14,8 +14,8 @@ struct ConfidentSelection {
 
 /// Searches until every member is a confident name: what is doubtful is left out of the next
 /// search, and what it was is said. docs/derivations/identification.md section 6. Requires that the
-/// equation without any effect can be fitted. `before`: the structure of what that leaves. `settled`:
-/// effects that are not asked about.
+/// equation without any effect can be fitted. `before`: the structure of what that leaves.
+/// `settled`: effects that are not asked about.
 ConfidentSelection confident_search(const EquationFit& fit, const std::vector<Structure>& before,
                                     const std::vector<std::string>& settled = {});
 

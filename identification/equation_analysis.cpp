@@ -113,8 +113,8 @@ void describe_after(const EquationFit& fit, const Selection& selection, Equation
 /// True if the log shows another law as well in the place of this one.
 bool is_ambiguous(const EquationResult& result, const std::string& effect) {
   return std::any_of(result.confounded.begin(), result.confounded.end(), [&](const auto& group) {
-    return !group.exact && std::find(group.effects.begin(), group.effects.end(), effect) !=
-                               group.effects.end();
+    return !group.exact &&
+           std::find(group.effects.begin(), group.effects.end(), effect) != group.effects.end();
   });
 }
 

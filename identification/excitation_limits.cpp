@@ -48,8 +48,7 @@ ExcitationLimits::ExcitationLimits(const Rig& rig, const actuator::Actuator& act
     : limits_(limits),
       is_imposed_(rig.load.type == LoadType::kDynamometer),
       region_(peak_region(rig, actuator)),
-      per_ampere_Nm_A_(std::abs(actuator.transmission.ratio) *
-                       actuator.motor.torque_constant_Nm_A),
+      per_ampere_Nm_A_(std::abs(actuator.transmission.ratio) * actuator.motor.torque_constant_Nm_A),
       inertia_kg_m2_(load_inertia_kg_m2(rig.load) + actuator.motor.rotor_inertia_kg_m2 *
                                                         actuator.transmission.ratio *
                                                         actuator.transmission.ratio),
@@ -65,7 +64,8 @@ ExcitationLimits::ExcitationLimits(const Rig& rig, const actuator::Actuator& act
   }
   if (limits.speed_rad_s) speed_rad_s_ = std::min(speed_rad_s_, *limits.speed_rad_s);
   if (!(speed_rad_s_ > 0.0)) {
-    throw io::SpecError({{rig.file, "", "the actuator's region holds no motion in both directions"}});
+    throw io::SpecError(
+        {{rig.file, "", "the actuator's region holds no motion in both directions"}});
   }
 }
 
@@ -80,8 +80,8 @@ double ExcitationLimits::current_A(double speed_rad_s, double sign) const {
 double ExcitationLimits::current_for_A(double speed_rad_s, double frequency_Hz) const {
   const double omega = 2.0 * std::numbers::pi * frequency_Hz;
   // Near the pendulum's own frequency hardly any torque is needed; friction asks for some.
-  const double needed_Nm_rad = std::max(std::abs(stiffness_Nm_rad_ - inertia_kg_m2_ * omega * omega),
-                                        0.3 * stiffness_Nm_rad_);
+  const double needed_Nm_rad = std::max(
+      std::abs(stiffness_Nm_rad_ - inertia_kg_m2_ * omega * omega), 0.3 * stiffness_Nm_rad_);
   return needed_Nm_rad * speed_rad_s / omega / per_ampere_Nm_A_;
 }
 

@@ -11,9 +11,9 @@
 namespace torquewright::identification {
 
 /// Why a member of a model is no confident name yet; empty: it is one. A name has to explain most
-/// of what can be explained, and more than a table over any one coordinate, hold in runs that no fit
-/// saw, keep one amplitude over the log and its parameters from run to run, and leave nothing along
-/// its own coordinate. `before`: the structure of the residual without any member.
+/// of what can be explained, and more than a table over any one coordinate, hold in runs that no
+/// fit saw, keep one amplitude over the log and its parameters from run to run, and leave nothing
+/// along its own coordinate. `before`: the structure of the residual without any member.
 /// docs/derivations/identification.md section 6.
 std::vector<std::string> doubts(const EquationFit& fit, const Selection& selection,
                                 const std::vector<Structure>& before);

@@ -80,8 +80,8 @@ std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signa
         load_Nm[i] = load.mass_kg * load_mass_column(rig, at);
         break;
       case LoadType::kPendulum:
-        load_Nm[i] = load.inertia_kg_m2 * at.acceleration_rad_s2 +
-                     load.mass_kg * load_mass_column(rig, at);
+        load_Nm[i] =
+            load.inertia_kg_m2 * at.acceleration_rad_s2 + load.mass_kg * load_mass_column(rig, at);
         break;
       case LoadType::kDynamometer:
       case LoadType::kSerialArm:

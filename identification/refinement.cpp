@@ -249,9 +249,9 @@ void add_doubt_of_shapes(const Eigen::MatrixXd& whole, std::size_t always, std::
 }
 
 /// Standard errors of the shapes: their derivatives join the linear coefficients in one covariance.
-void add_errors(const ShapeSearch& search, const Equation& equation,
-                const SignalSource& source, const std::vector<std::size_t>& fold_of_block,
-                const BandOptions& band, const optimization::LocalFit& found, RefinedModel& out) {
+void add_errors(const ShapeSearch& search, const Equation& equation, const SignalSource& source,
+                const std::vector<std::size_t>& fold_of_block, const BandOptions& band,
+                const optimization::LocalFit& found, RefinedModel& out) {
   Dictionary dictionary = out.dictionary;
   std::vector<Coefficient> always = equation.always;
   for (const ShapedMember& member : search.members()) {

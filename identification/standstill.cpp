@@ -241,18 +241,19 @@ NamedEffect named(const Trial& trial, const std::vector<double>& parameters,
 }
 
 std::string too_little(const std::string& effect, double share, double held_out_share) {
-  return fmt::format("simulated with {}, {:.0f} % of the squared error of position goes, and {:.0f} "
-                     "% where nothing was fitted; more than {:.0f} and {:.0f} are needed",
-                     effect, 100.0 * share, 100.0 * held_out_share, 100.0 * kLeastShare,
-                     100.0 * kLeastHeldOut);
+  return fmt::format(
+      "simulated with {}, {:.0f} % of the squared error of position goes, and {:.0f} "
+      "% where nothing was fitted; more than {:.0f} and {:.0f} are needed",
+      effect, 100.0 * share, 100.0 * held_out_share, 100.0 * kLeastShare, 100.0 * kLeastHeldOut);
 }
 
 /// Empty if it is accepted.
 std::string objection_to(const std::string& effect, const Gain& gain, double held_out_share) {
   if (gain.t <= kLeastT) {
-    return fmt::format("simulated with {}, the position is followed better by {:.1f} standard "
-                       "errors; more than {:g} are needed",
-                       effect, gain.t, kLeastT);
+    return fmt::format(
+        "simulated with {}, the position is followed better by {:.1f} standard "
+        "errors; more than {:g} are needed",
+        effect, gain.t, kLeastT);
   }
   if (gain.share <= kLeastShare || held_out_share <= kLeastHeldOut) {
     return too_little(effect, gain.share, held_out_share);
@@ -314,9 +315,9 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
     found.objection = too_little(name, fitted.share, fitted.share);
     return found;
   }
-  const Gain gain = gain_between(has_level ? crossed_losses(log, plain, training)
-                                           : log.losses(known, training),
-                                 crossed_losses(log, with, training));
+  const Gain gain =
+      gain_between(has_level ? crossed_losses(log, plain, training) : log.losses(known, training),
+                   crossed_losses(log, with, training));
   const std::vector<double> seen = log.losses(before, held_out);
   const std::vector<double> unseen = log.losses(after, held_out);
   const double held_out_share = seen.empty() ? gain.share : gain_between(seen, unseen).share;

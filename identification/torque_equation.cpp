@@ -120,11 +120,12 @@ Equation torque_equation(const Bench& bench, const Extent& extent, const Orders&
     }
     equation.dictionary.columns.push_back(std::move(column));
     // No mass, inertia, constant or ratio changes its sign.
-    const double most_down = *value > 0.0 && !is_inverse_of(pointer, *balance) ? -*value : -kUnlimited;
+    const double most_down =
+        *value > 0.0 && !is_inverse_of(pointer, *balance) ? -*value : -kUnlimited;
     // A motor-side residual holds the stated over the true constant: the change is bounded above.
     const double most_up = is_inverse_of(pointer, *balance) ? kMostInverse * *value
-                           : *value < 0.0 ? -*value
-                                          : kUnlimited;
+                           : *value < 0.0                   ? -*value
+                                                            : kUnlimited;
     equation.always.push_back(
         {{{equation.dictionary.columns.size() - 1, 1.0}}, most_down, most_up});
     equation.corrections.push_back({pointer, *value, *value, 0.0});
@@ -138,8 +139,8 @@ Equation torque_equation(const Bench& bench, const Extent& extent, const Orders&
   };
   std::erase_if(equation.dictionary.variants, [&](const Variant& variant) {
     if (variant.effect == "torque_constant_error") return is_uncertain(kTorqueConstant);
-    // Driving less back-driving load friction is the load itself: beside an open torque constant the
-    // sum of the two coefficients is all that a log can hold, and half of it stands for each.
+    // Driving less back-driving load friction is the load itself: beside an open torque constant
+    // the sum of the two coefficients is all that a log can hold, and half of it stands for each.
     const bool is_one_way = variant.effect == "load_dependent_friction" &&
                             variant.shape != std::vector<std::vector<double>>{{1.0}};
     if (is_one_way && is_uncertain(kTorqueConstant)) return true;

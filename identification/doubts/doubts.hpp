@@ -29,8 +29,8 @@ using DoubtOfAll = std::string(const EquationFit& fit, const Selection& selectio
 
 /// They have to explain most of what is explainable.
 DoubtOfAll too_little;
-/// The right laws know more than their values over any one coordinate. Where the target is part of a
-/// coordinate, its table explains it by itself and says nothing.
+/// The right laws know more than their values over any one coordinate. Where the target is part of
+/// a coordinate, its table explains it by itself and says nothing.
 DoubtOfAll table_knows_more;
 /// Members that need one another may together be no better than none, where no fit saw.
 DoubtOfAll not_confirmed_together;

@@ -21,7 +21,8 @@ std::string is_a_spot(const EquationFit& fit, const Fit& model, std::size_t memb
   if (dictionary.variants[model.members[member]].effect != effect) return "";
   std::vector<double> orders;
   for (const std::size_t each : model.members) {
-    if (dictionary.variants[each].effect == effect) orders.push_back(dictionary.variants[each].order);
+    if (dictionary.variants[each].effect == effect)
+      orders.push_back(dictionary.variants[each].order);
   }
   const double lowest = *std::min_element(orders.begin(), orders.end());
   const bool is_comb = std::all_of(orders.begin(), orders.end(), [&](double order) {

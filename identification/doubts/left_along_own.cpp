@@ -33,8 +33,8 @@ bool is_of_torque_constant(const std::string& effect) {
 }
 
 bool has_pair_of_torque_constant(const Fitter& fitter, const Fit& model) {
-  const auto count = std::count_if(
-      model.members.begin(), model.members.end(), [&](std::size_t member) {
+  const auto count =
+      std::count_if(model.members.begin(), model.members.end(), [&](std::size_t member) {
         return is_of_torque_constant(fitter.dictionary().variants[member].effect);
       });
   return count > 1;

@@ -19,7 +19,8 @@ std::string table_knows_more(const EquationFit& fit, const Selection& selection,
     if (each.coordinate == "motor_current_A" && equation.target_is_motor_side) continue;
     if (each.share < explained + kTableAhead || !is_significant(each)) continue;
     return fmt::format(
-        "with it {:.0f} % of the squared error is gone, and a table over {}{} alone takes {:.0f} %: "
+        "with it {:.0f} % of the squared error is gone, and a table over {}{} alone takes {:.0f} "
+        "%: "
         "so it is something else that varies with that",
         100.0 * explained, each.coordinate, each.times_direction ? " x direction" : "",
         100.0 * each.share);

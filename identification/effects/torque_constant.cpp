@@ -50,7 +50,8 @@ void add_torque_constant(DictionaryBuilder& builder) {
   if (builder.bench().drive == Drive::kTorque) return;
   const double large_A = builder.extent().current_A;
   const std::vector<double> grid_A = geometric(0.5 * large_A, 5.0 * large_A, 8);
-  for (const double exponent : {1.5, 2.0, 2.5, 3.0, 4.0, 6.0}) add_saturation(builder, grid_A, exponent);
+  for (const double exponent : {1.5, 2.0, 2.5, 3.0, 4.0, 6.0})
+    add_saturation(builder, grid_A, exponent);
 }
 
 }  // namespace torquewright::identification

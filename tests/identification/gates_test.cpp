@@ -39,9 +39,8 @@ double bump(double angle_rad) {
 
 TEST(Gates, FrictionOfOneSpotIsNoWaveOfFriction) {
   const MadeBench made;
-  const EquationResult result = torque_of(made.log([](const Made& at) {
-    return -sign(at.speed_rad_s) * (0.2 + 0.8 * bump(at.angle_rad));
-  }));
+  const EquationResult result = torque_of(made.log(
+      [](const Made& at) { return -sign(at.speed_rad_s) * (0.2 + 0.8 * bump(at.angle_rad)); }));
   for (const NamedEffect& each : result.added) {
     EXPECT_NE(each.effect, "position_dependent_friction") << each.parameters;
   }
@@ -74,8 +73,8 @@ TEST(Gates, FrictionOfOneSpeedIsNoFrictionOfTheLibrary) {
 /// Friction that grows by the clock: at no speed, load or angle is it what it is.
 TEST(Gates, FrictionThatGrowsWithTimeIsNoFrictionOfTheLibrary) {
   const MadeBench made;
-  const EquationResult result = torque_of(
-      made.log([](const Made& at) { return -sign(at.speed_rad_s) * 0.08 * at.time_s; }));
+  const EquationResult result =
+      torque_of(made.log([](const Made& at) { return -sign(at.speed_rad_s) * 0.08 * at.time_s; }));
   EXPECT_TRUE(result.added.empty()) << result.added.front().effect;
   EXPECT_EQ(result.verdict, Verdict::kUnexplained);
   ASSERT_FALSE(result.structure_before.empty());
@@ -86,9 +85,7 @@ TEST(Gates, FrictionThatGrowsWithTimeIsNoFrictionOfTheLibrary) {
 TEST(Gates, WhatOnlyHoldsWhereItWasFittedIsNotNamed) {
   const MadeBench made;
   const auto of_phase = [](double phase_rad) {
-    return [phase_rad](const Made& at) {
-      return 0.5 * std::sin(3.0 * at.angle_rad + phase_rad);
-    };
+    return [phase_rad](const Made& at) { return 0.5 * std::sin(3.0 * at.angle_rad + phase_rad); };
   };
   Log log = made.log(of_phase(0.0));
   const Log other = made.log(of_phase(std::numbers::pi));

@@ -13,7 +13,8 @@ TEST(Starts, SayWhereTheyAgree) {
 }
 
 TEST(Starts, OneAloneAgreesWithNothing) {
-  EXPECT_EQ(sentence_of({3, 1, {{"exponent", 0.0}}}), " Sought from 3 starts, of which 1 found the best value.");
+  EXPECT_EQ(sentence_of({3, 1, {{"exponent", 0.0}}}),
+            " Sought from 3 starts, of which 1 found the best value.");
 }
 
 }  // namespace

@@ -365,7 +365,9 @@ std::vector<Comparison> cases() {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachEffect, TwoSimulations, testing::ValuesIn(cases()),
-                         [](const testing::TestParamInfo<Comparison>& of) { return of.param.name; });
+                         [](const testing::TestParamInfo<Comparison>& of) {
+                           return of.param.name;
+                         });
 
 }  // namespace
 }  // namespace torquewright::identification
