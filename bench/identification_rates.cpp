@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -56,6 +57,17 @@ void print_confusions(const std::map<std::string, Confusions>& rows) {
     fmt::print("| {} | {} | {} | {} | {} | {} | {} |\n", truth.empty() ? "nothing" : truth,
                row.logs, row.naming[0], row.naming[1], row.naming[2], row.naming[3], wrong);
   }
+}
+
+/// Of `all`, with Wilson's interval at 95 %.
+void print_share(const char* what, int part, unsigned long long all) {
+  constexpr double z = 1.959964;
+  const auto n = static_cast<double>(all);
+  const double share = part / n, shrink = 1.0 + z * z / n;
+  const double centre = (share + z * z / (2.0 * n)) / shrink;
+  const double half = z * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n)) / shrink;
+  fmt::print("  {} {} of {}: {:.1f} % ({:.1f} to {:.1f} %)\n", what, part, all, 100.0 * share,
+             100.0 * std::max(0.0, centre - half), 100.0 * std::min(1.0, centre + half));
 }
 
 /// Held-out errors over a noise, where something was named and nothing wrongly.
@@ -119,6 +131,11 @@ int main(int count, char** arguments) {
       "{}: {} logs; named {}, first right {}, all and nothing wrong {}, wrong {}, grouped {}, "
       "coordinate right {}, parameters within 3 errors {} of {}\n",
       arguments[1], many, named, first_right, all, wrong, grouped, coordinate, within, parameters);
+  print_share("something named", named, many);
+  print_share("first right, alone or in a group", first_right, many);
+  print_share("all found, nothing wrong", all, many);
+  print_share("a wrong name", wrong, many);
+  print_share("a coordinate right", coordinate, many);
   print_spread("as estimated", over_estimate);
   print_spread("put in", over_truth);
   print_confusions(confusions);
