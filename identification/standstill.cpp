@@ -3,16 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 #include "actuator/effects/library.hpp"
-#include "identification/starts.hpp"
+#include "identification/standstill_trial.hpp"
 #include "identification/with_effects.hpp"
-#include "optimization/local_fit.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -22,17 +19,9 @@ constexpr std::size_t kStarts = 3;
 constexpr double kLeastT = 3.0;
 constexpr double kLeastShare = 0.08;    ///< Of the squared error.
 constexpr double kLeastHeldOut = 0.04;  ///< The same in windows that no fit saw.
-constexpr double kDifference = 0.02;    ///< Relative, for derivatives by the parameters.
 
 using actuator::Actuator;
 using Indices = std::vector<std::size_t>;
-
-constexpr const char* kLevels[] = {"coulomb_friction", "stribeck_friction"};
-
-bool is_level(const actuator::Effect& effect) {
-  return std::any_of(std::begin(kLevels), std::end(kLevels),
-                     [&](const char* name) { return effect.kind->name == name; });
-}
 
 /// Of Coulomb friction, and of Stribeck's in motion.
 double level_Nm(const Actuator& actuator) {
@@ -56,133 +45,6 @@ bool is_searched_beside(const Actuator& actuator) {
       });
 }
 
-/// A friction that may stand in the place of the known level.
-struct Candidate {
-  std::string effect;
-  std::vector<optimization::FitVariable> variables;
-  /// The effect's parameters, in its order, of a point of the variables.
-  std::function<std::vector<double>(std::span<const double>)> parameters;
-};
-
-Candidate coulomb(double lowest_Nm, double highest_Nm, double start_Nm) {
-  return {"coulomb_friction",
-          {{lowest_Nm, highest_Nm, start_Nm, true}},
-          [](std::span<const double> x) { return std::vector<double>{x[0]}; }};
-}
-
-/// Over the level, breakaway's excess in shares of it, and the speed at which it fades in shares of
-/// the log's.
-Candidate stribeck(double level_Nm, double speed_rad_s) {
-  return {"stribeck_friction",
-          {{0.5 * level_Nm, 1.5 * level_Nm, level_Nm, true},
-           {0.01, 4.0, 0.4, true},
-           {0.001, 1.0, 0.03, true}},
-          [speed_rad_s](std::span<const double> x) {
-            return std::vector<double>{x[0], x[0] * (1.0 + x[1]), x[2] * speed_rad_s};
-          }};
-}
-
-class Trial {
- public:
-  Trial(const ReplayCase& log, const Actuator& known, Candidate candidate)
-      : log_(log), base_(known), candidate_(std::move(candidate)) {
-    std::erase_if(base_.effects, is_level);
-  }
-
-  Actuator at(const std::vector<double>& parameters) const {
-    Actuator actuator = base_;
-    actuator::Effect effect = actuator::neutral(*actuator::find_effect(candidate_.effect));
-    effect.values = parameters;
-    actuator.effects.push_back(std::move(effect));
-    return actuator;
-  }
-
-  /// The variables with which the positions of these windows are followed best.
-  optimization::LocalFit fit(const Indices& windows, std::size_t starts) const {
-    optimization::FitOptions options;
-    options.starts = starts;
-    options.most_evaluations = 15 * candidate_.variables.size();
-    options.tolerance = 1e-3;
-    return optimization::fit_locally(
-        [&](std::span<const double> x) {
-          const auto losses = log_.losses(of_point(x), windows);
-          return std::accumulate(losses.begin(), losses.end(), 0.0);
-        },
-        candidate_.variables, options);
-  }
-
-  /// Where the starts of a fit ended, in the effect's parameters.
-  Starts starts_of(const optimization::LocalFit& fit) const {
-    Starts starts{fit.starts.size(), fit.agreeing, {}};
-    const actuator::EffectKind& kind = *actuator::find_effect(candidate_.effect);
-    for (std::size_t p = 0; p < candidate_.parameters(fit.point).size(); ++p) {
-      double least = INFINITY, most = -INFINITY;
-      for (const optimization::StartOutcome& each : fit.starts) {
-        if (each.value > (1.0 + optimization::FitOptions{}.same_value) * fit.value) continue;
-        const double value = candidate_.parameters(each.point)[p];
-        least = std::min(least, value);
-        most = std::max(most, value);
-      }
-      starts.spread.emplace_back(kind.parameters[p].name, most - least);
-    }
-    return starts;
-  }
-
-  /// The next fits begin there.
-  void begin_at(const std::vector<double>& point) {
-    for (std::size_t k = 0; k < point.size(); ++k) candidate_.variables[k].start = point[k];
-  }
-
-  Actuator of_point(std::span<const double> point) const {
-    return at(candidate_.parameters(point));
-  }
-
-  std::vector<double> parameters_of_start() const {
-    std::vector<double> point;
-    for (const auto& variable : candidate_.variables) point.push_back(variable.start);
-    return candidate_.parameters(point);
-  }
-  Actuator of_start() const { return at(parameters_of_start()); }
-
-  const Candidate& candidate() const { return candidate_; }
-
-  /// White's estimate over windows: A^-1 (sum g g') A^-1 with A the products of the errors'
-  /// derivatives and g the windows' scores.
-  Eigen::VectorXd standard_errors(const std::vector<double>& parameters,
-                                  const Indices& windows) const {
-    const auto count = static_cast<Eigen::Index>(parameters.size());
-    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(count, count), scores = products;
-    for (const std::size_t w : windows) {
-      const Eigen::VectorXd errors = log_.replay.errors(at(parameters), log_.windows[w]);
-      Eigen::MatrixXd slopes(errors.size(), count);
-      for (Eigen::Index k = 0; k < count; ++k) slopes.col(k) = slope(parameters, k, w);
-      const Eigen::VectorXd score = slopes.transpose() * errors;
-      products += slopes.transpose() * slopes;
-      scores += score * score.transpose();
-    }
-    const Eigen::LDLT<Eigen::MatrixXd> factors(products);
-    const Eigen::MatrixXd covariance = factors.solve(factors.solve(scores).transpose());
-    return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-  }
-
- private:
-  Eigen::VectorXd slope(const std::vector<double>& parameters, Eigen::Index k,
-                        std::size_t w) const {
-    const auto index = static_cast<std::size_t>(k);
-    const double step = kDifference * parameters[index];
-    std::vector<double> above = parameters, below = parameters;
-    above[index] += step;
-    below[index] -= step;
-    return (log_.replay.errors(at(above), log_.windows[w]) -
-            log_.replay.errors(at(below), log_.windows[w])) /
-           (2.0 * step);
-  }
-
-  const ReplayCase& log_;
-  Actuator base_;
-  Candidate candidate_;
-};
-
 /// Training windows by the half of the log that they stand in.
 std::pair<Indices, Indices> halves(const Indices& windows) {
   const auto middle = windows.begin() + static_cast<std::ptrdiff_t>(windows.size() / 2);
@@ -190,7 +52,7 @@ std::pair<Indices, Indices> halves(const Indices& windows) {
 }
 
 /// Losses of each training window by a fit to the other half.
-std::vector<double> crossed_losses(const ReplayCase& log, const Trial& trial,
+std::vector<double> crossed_losses(const ReplayCase& log, const StandstillTrial& trial,
                                    const Indices& training) {
   const auto [first, second] = halves(training);
   std::vector<double> losses = log.losses(trial.of_point(trial.fit(second, 1).point), first);
@@ -226,7 +88,7 @@ double rms(const std::vector<double>& losses) {
                    static_cast<double>(losses.size()));
 }
 
-NamedEffect named(const Trial& trial, const std::vector<double>& parameters,
+NamedEffect named(const StandstillTrial& trial, const std::vector<double>& parameters,
                   const Eigen::VectorXd& errors) {
   NamedEffect effect;
   effect.effect = trial.candidate().effect;
@@ -295,10 +157,11 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
   // The level is fitted anew in both, so that only what breakaway adds is weighed.
   const double level = level_Nm(known);
   const bool has_level = level > 0.0;
-  Trial plain(log, known, coulomb(0.3 * level, 3.0 * level, level));
-  Trial with(log, known,
-             has_level ? stribeck(level, scale.speed_rad_s)
-                       : coulomb(1e-4 * scale.torque_Nm, scale.torque_Nm, 0.03 * scale.torque_Nm));
+  StandstillTrial plain(log, known, coulomb_candidate(0.3 * level, 3.0 * level, level));
+  StandstillTrial with(log, known,
+                       has_level ? stribeck_candidate(level, scale.speed_rad_s)
+                                 : coulomb_candidate(1e-4 * scale.torque_Nm, scale.torque_Nm,
+                                                     0.03 * scale.torque_Nm));
   Actuator before = known;
   if (has_level) {
     plain.begin_at(plain.fit(training, 1).point);
