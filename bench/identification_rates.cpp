@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // identification_rates CLASS FIRST_SEED COUNT [FOLDER]: how often the right effect is named in logs
-// with a known truth. One line for each log, then the counts and the table of confusions. The last
-// log and its documents stay in the FOLDER, if one is given.
+// with a known truth; CLASS may be a situation to which a regression is blind. One line for each
+// log, then the counts and the table of confusions. The last log and its documents stay in the
+// FOLDER, if one is given.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,13 +23,25 @@ namespace {
 
 using torquewright::oracles::LogClass;
 
-LogClass class_of(const std::string& name) {
+using torquewright::oracles::Scenario;
+
+/// A class of logs, or a situation to which a regression is blind.
+Scenario drawn(const std::string& name, unsigned long long seed) {
   for (const LogClass each : {LogClass::kNone, LogClass::kOne, LogClass::kTwo,
                               LogClass::kCannotTell, LogClass::kOutside, LogClass::kShort}) {
-    if (name == torquewright::oracles::name_of(each)) return each;
+    if (name == torquewright::oracles::name_of(each))
+      return torquewright::oracles::draw(each, seed);
   }
-  fmt::print(stderr, "classes: none, one, two, cannot_tell, outside, short\n");
-  std::exit(2);
+  try {
+    return torquewright::oracles::draw_blind(name, seed);
+  } catch (const std::invalid_argument& fault) {
+    fmt::print(stderr,
+               "{}; classes: none, one, two, cannot_tell, outside, short; situations: nothing, "
+               "backlash_output_encoder, backlash_motor_encoder, breakaway, standstill, "
+               "backlash_and_friction\n",
+               fault.what());
+    std::exit(2);
+  }
 }
 
 /// What stands in one row of the table of confusions: one truth, many logs.
@@ -88,7 +102,6 @@ int main(int count, char** arguments) {
     fmt::print(stderr, "usage: identification_rates CLASS FIRST_SEED COUNT [FOLDER]\n");
     return 2;
   }
-  const LogClass log_class = class_of(arguments[1]);
   const auto first = std::strtoull(arguments[2], nullptr, 10);
   const auto many = std::strtoull(arguments[3], nullptr, 10);
   const auto scratch =
@@ -99,7 +112,7 @@ int main(int count, char** arguments) {
   std::map<std::string, Confusions> confusions;
   std::vector<double> over_estimate, over_truth;
   for (unsigned long long seed = first; seed < first + many; ++seed) {
-    const auto scenario = torquewright::oracles::draw(log_class, seed);
+    const auto scenario = drawn(arguments[1], seed);
     const auto start = std::chrono::steady_clock::now();
     const auto outcome = torquewright::rates::try_out(scenario, folder);
     const double seconds =

@@ -52,13 +52,19 @@ TEST(Directions, TurnWithinASampleWhereTheVelocityIsStraight) {
 }
 
 // A low-pass moves the reversal by about (a2 - a1)/(a2 + a1) times its kernel's mean reach, some
-// 5 ms; a wider band less, where noise lets it decide.
+// 5 ms at 25 Hz; in eight times the band, where no noise forbids it, less than the quarter that
+// four times leave (samples of 2 ms add to an eighth). Where noise hides it the narrow band
+// decides.
 TEST(Directions, TurnInTheWidestBandThatShowsIt) {
   const std::vector<double> position_rad = bent(1.0, 2.0, 30.0);
-  const double filtered = std::abs(reversal_s(directions_of(position_rad, 1e-5, false)) - 1.0);
-  const double wide = std::abs(reversal_s(directions_of(position_rad, 1e-5, true)) - 1.0);
-  EXPECT_GT(filtered, 1.5e-3);
-  EXPECT_LT(wide, filtered - 1e-3);
+  const auto error_s = [&](double deviation_rad, bool is_position_known) {
+    return std::abs(reversal_s(directions_of(position_rad, deviation_rad, is_position_known)) -
+                    1.0);
+  };
+  const double filtered_s = error_s(0.0, false);
+  EXPECT_GT(filtered_s, 1.5e-3);
+  EXPECT_LT(error_s(0.0, true), 0.25 * filtered_s);
+  EXPECT_NEAR(error_s(1e-3, true), error_s(1e-3, false), 1e-5);
 }
 
 TEST(Directions, AreNoneAtRest) {
