@@ -2,10 +2,11 @@
 /* Torque limits for a simulator's inner loop. C99 and C++, header only, no allocation, no library.
  *
  * Two descriptions of a region: the parallelogram of a motor without losses, and a table for
- * anything else (friction, saturation, field weakening, battery; made by actuator/clip_table.hpp).
- * Torque in Nm, speed in rad/s, both of the same side of the gearbox. Every function is pure; the
- * batched ones work through arrays of `count` samples, where `clipped_Nm` may be `torque_Nm`
- * itself. A speed or torque that is not a number yields one that is not.
+ * anything else (friction, saturation, field weakening, battery; made by
+ * actuator/region/clip_table.hpp). Torque in Nm, speed in rad/s, both of the same side of the
+ * gearbox. Every function is pure; the batched ones work through arrays of `count` samples, where
+ * `clipped_Nm` may be `torque_Nm` itself. A speed or torque that is not a number yields one that is
+ * not.
  */
 #pragma once
 

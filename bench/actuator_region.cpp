@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The region of one actuator as a table, beside writing that table as CSV and beside the closed form
-// of the simplest motor at as many speeds: what generality costs.
+// The region of one actuator as a table, beside writing that table as CSV and beside the closed
+// form of the simplest motor at as many speeds: what generality costs.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 
-#include "actuator/mor_table_spec.hpp"
+#include "actuator/region/mor_table_spec.hpp"
 
 namespace {
 

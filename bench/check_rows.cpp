@@ -13,8 +13,8 @@
 #include <filesystem>
 #include <string>
 
-#include "actuator/actuator_spec.hpp"
 #include "actuator/check/check.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::bench {

@@ -5,7 +5,7 @@
 
 #include "bench/cubic_spline.hpp"
 #include "dynamics/tree_state.hpp"
-#include "hopper/whole_body.hpp"
+#include "hopper/robot/whole_body.hpp"
 
 namespace torquewright::bench {
 

@@ -100,7 +100,7 @@ std::string teeth(const Answer& answer) {
   return fmt::format("{}/{}/{}", answer.teeth[0], answer.teeth[1], answer.teeth[2]);
 }
 
-// In CPU seconds: on a busy machine they vary least.
+// In CPU seconds: on a busy model they vary least.
 std::string times(double cpu_s, double ours_cpu_s) {
   return ours_cpu_s > 0 ? fmt::format("{:.3g}", cpu_s / ours_cpu_s) : "-";
 }

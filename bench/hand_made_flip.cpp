@@ -13,7 +13,7 @@
 
 #include "bench/flip_motion.hpp"
 #include "dynamics/point.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 
 namespace torquewright::bench {
 namespace {

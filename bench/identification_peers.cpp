@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "bench/peers/torque_regressions.hpp"
 #include "identification/confusions.hpp"
 #include "identification/orders.hpp"

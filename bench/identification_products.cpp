@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/equation_fit.hpp"
 #include "identification/orders.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"

@@ -1,31 +1,39 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every target of ours is warned about alike; other people's headers are not.
-# (-Wno-restrict: GCC 12 in Release finds overlaps inside std::string's own operator+, GCC bug 105651.)
+# Every target of ours is warned about alike; other people's headers are not. What runs once per
+# command asks for less optimisation than what runs in loops: a level is the last argument.
+# (Switched off in Release: what GCC 12 finds inside std::string's own operator+, GCC bug 105651.)
 function(torquewright_flags target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
-    -Wno-restrict)
+    -Wno-restrict $<$<CONFIG:Release>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;${ARGN}>)
 endfunction()
 
 # One static library per module; a module links only what stands before it in CMakeLists.txt.
 # PLUGINS are files of one kind that call their parts by the same names (law, gradient, write): they
 # are compiled one by one, where preset `release` compiles SOURCES several at a time.
+# EDGE: reads or writes documents and computes nothing.
 function(add_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;PLUGINS;LINKS" ${ARGN})
+  cmake_parse_arguments(arg "EDGE" "" "SOURCES;PLUGINS;LINKS" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES} ${arg_PLUGINS})
   set_source_files_properties(${arg_PLUGINS} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${arg_LINKS})
-  torquewright_flags(${name})
+  if(arg_EDGE)
+    torquewright_flags(${name} -O1)
+    use_precompiled(${name} precompiled_edge)
+  else()
+    torquewright_flags(${name})
+    use_precompiled(${name} precompiled_library)
+  endif()
 endfunction()
 
-# One GoogleTest program per folder of tests.
+# One GoogleTest program; each of its suites is one test of CTest's (cmake/suites.cmake).
 function(add_module_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE TORQUEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  torquewright_flags(${name})
-  # Values in names would be bytes and addresses; an index is the same in every build.
+  torquewright_flags(${name} -O1)
+  use_precompiled(${name} precompiled_test)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
 endfunction()

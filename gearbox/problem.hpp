@@ -30,9 +30,9 @@ enum class Objective {
 /// Which teeth? A document of kind `gearbox_problem`. Every number is the decimal that was written.
 struct Problem {
   std::string name;
-  std::string topology;                           ///< "3k" or "planetary".
-  Rational target_ratio;                          ///< Input speed over output speed, signed.
-  Rational ratio_tolerance;                       ///< Relative; 0 is exact.
+  std::string topology;      ///< "3k" or "planetary".
+  Rational target_ratio;     ///< Input speed over output speed, signed.
+  Rational ratio_tolerance;  ///< Relative; 0 is exact.
   Rational rotor_inner_diameter_mm;
   std::vector<Rational> module_mm;                ///< Choices, ascending, at least one.
   std::vector<std::int64_t> planet_count;         ///< Choices, ascending, at least one.
@@ -42,18 +42,18 @@ struct Problem {
   Objective objective = Objective::kPaperCost;
 
   Rational min_contact_ratio = Rational(6, 5);
-  Rational min_neighbour_clearance_mm = 0;          ///< Tip to tip; must be exceeded.
-  std::optional<Rational> ring_outer_diameter_mm;   ///< Of both rings' blanks; enforced if given.
-  std::optional<Rational> ring_wall_mm;             ///< Behind the ring's root; default 2.25 module.
-  bool sun_under_second_layer = true;               ///< The sun reaches under planet 2.
+  Rational min_neighbour_clearance_mm = 0;         ///< Tip to tip; must be exceeded.
+  std::optional<Rational> ring_outer_diameter_mm;  ///< Of both rings' blanks; enforced if given.
+  std::optional<Rational> ring_wall_mm;            ///< Behind the ring's root; default 2.25 module.
+  bool sun_under_second_layer = true;              ///< The sun reaches under planet 2.
 
-  std::optional<Rational> friction_coefficient;     ///< Of the teeth; dimensionless.
+  std::optional<Rational> friction_coefficient;  ///< Of the teeth; dimensionless.
   std::optional<Rational> load_output_torque_Nm;
-  Rational hollow_shaft_wall_mm = 0;                ///< Sun rim, rotor tube, gap, per side.
-  std::map<std::string, Rational> face_width_mm;    ///< layer_1, layer_2 (planetary: layer_1).
+  Rational hollow_shaft_wall_mm = 0;              ///< Sun rim, rotor tube, gap, per side.
+  std::map<std::string, Rational> face_width_mm;  ///< layer_1, layer_2 (planetary: layer_1).
   std::optional<Rational> density_kg_m3;
-  Rational rotor_inertia_kg_m2 = 0;                 ///< Of the motor, about its own axis.
-  std::vector<std::string> assumed;                 ///< JSON pointers of assumed values.
+  Rational rotor_inertia_kg_m2 = 0;  ///< Of the motor, about its own axis.
+  std::vector<std::string> assumed;  ///< JSON pointers of assumed values.
 };
 
 /// One way to make the gears: all tooth counts in the topology's order, planets and module.

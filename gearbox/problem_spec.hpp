@@ -6,9 +6,10 @@
 
 namespace torquewright::gearbox {
 
-/// Reads a checked document of kind `gearbox_problem`. Throws io::SpecError for what a schema cannot
-/// say: `paper` with `planetary`, `paper_cost` with `planetary`, minima of gears the topology does
-/// not have, an objective without the values it needs (friction, face widths, density).
+/// Reads a checked document of kind `gearbox_problem`. Throws io::SpecError for what a schema
+/// cannot say: `paper` with `planetary`, `paper_cost` with `planetary`, minima of gears the
+/// topology does not have, an objective without the values it needs (friction, face widths,
+/// density).
 Problem read_problem(const io::Document& document);
 
 }  // namespace torquewright::gearbox

@@ -88,9 +88,8 @@ class JointAnalysis {
   void add_torque_and_position(const SignalSource& source, std::vector<EquationResult>& results) {
     EquationResult torque = torque_result(source);
     say("simulating the log", 0.75);
-    std::optional<EquationResult> position =
-        study_position({bench_, source.rows(), source.noisy_rows(), held_out()}, torque,
-                       options_.select);
+    std::optional<EquationResult> position = study_position(
+        {bench_, source.rows(), source.noisy_rows(), held_out()}, torque, options_.select);
     if (position && !position->added.empty()) {
       const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];
       const actuator::Actuator informed = with_standstill(nominal, position->added.front());

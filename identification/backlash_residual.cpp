@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/gear_losses.hpp"
-#include "actuator/torque_at.hpp"
+#include "actuator/region/gear_losses.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "dynamics/gravity.hpp"
 #include "identification/free_play.hpp"
 #include "identification/load_model.hpp"

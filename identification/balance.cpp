@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "actuator/gear_losses.hpp"
-#include "actuator/torque_at.hpp"
+#include "actuator/region/gear_losses.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "identification/load_model.hpp"
 
 namespace torquewright::identification {

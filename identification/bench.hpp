@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "actuator/actuator.hpp"
+#include "actuator/motor/actuator.hpp"
 #include "identification/log.hpp"
 #include "identification/rig.hpp"
 #include "identification/signals.hpp"

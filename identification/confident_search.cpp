@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "identification/gates.hpp"
+#include "identification/acceptance_tests.hpp"
 #include "identification/trials.hpp"
 
 namespace torquewright::identification {
@@ -52,7 +52,7 @@ Selection reduced_to(const EquationFit& fit, const Members& kept, const Selectio
 }
 
 /// Members without a doubt, until none that stays has one.
-Selection sure_part(const EquationFit& fit, const std::vector<Structure>& before,
+Selection sure_part(const EquationFit& fit, const std::vector<ResidualStructure>& before,
                     Selection selection, std::vector<std::string> of_member) {
   const auto is_doubt = [](const std::string& each) { return !each.empty(); };
   while (std::any_of(of_member.begin(), of_member.end(), is_doubt)) {
@@ -61,12 +61,12 @@ Selection sure_part(const EquationFit& fit, const std::vector<Structure>& before
       if (of_member[m].empty()) kept.push_back(selection.model.members[m]);
     }
     selection = reduced_to(fit, kept, selection);
-    of_member = doubts(fit, selection, before);
+    of_member = failed_acceptance_tests(fit, selection, before);
   }
   return selection;
 }
 
-/// The effects of doubtful members, whose doubts join the list.
+/// The effects of doubtful members, whose failed_acceptance_tests join the list.
 std::set<std::string> collect_doubtful(const EquationFit& fit, const Selection& selection,
                                        const std::vector<std::string>& of_member,
                                        std::vector<Rejection>& doubtful) {
@@ -82,7 +82,8 @@ std::set<std::string> collect_doubtful(const EquationFit& fit, const Selection& 
 
 }  // namespace
 
-ConfidentSelection confident_search(const EquationFit& fit, const std::vector<Structure>& before,
+ConfidentSelection confident_search(const EquationFit& fit,
+                                    const std::vector<ResidualStructure>& before,
                                     const std::vector<std::string>& settled) {
   SearchOptions options;
   options.target_is_motor_side = fit.equation().target_is_motor_side;
@@ -94,7 +95,7 @@ ConfidentSelection confident_search(const EquationFit& fit, const std::vector<St
   std::vector<Rejection> doubtful;
   for (int round = 1;; ++round) {
     Selection selection = search(fit.fitter(), options);
-    const std::vector<std::string> of_member = doubts(fit, selection, before);
+    const std::vector<std::string> of_member = failed_acceptance_tests(fit, selection, before);
     const auto left_out = collect_doubtful(fit, selection, of_member, doubtful);
     const bool is_sure = left_out.empty();
     if (is_sure || round == kMostSearches || left_out.size() == effects_of(fit, selection).size()) {

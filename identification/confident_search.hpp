@@ -16,7 +16,8 @@ struct ConfidentSelection {
 /// search, and what it was is said. docs/derivations/identification.md section 6. Requires that the
 /// equation without any effect can be fitted. `before`: the structure of what that leaves.
 /// `settled`: effects that are not asked about.
-ConfidentSelection confident_search(const EquationFit& fit, const std::vector<Structure>& before,
+ConfidentSelection confident_search(const EquationFit& fit,
+                                    const std::vector<ResidualStructure>& before,
                                     const std::vector<std::string>& settled = {});
 
 }  // namespace torquewright::identification

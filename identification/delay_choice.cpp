@@ -10,7 +10,8 @@ constexpr const char* kName = "channel_delay";
 constexpr double kClearlyLess = 0.95;  ///< Times the error.
 
 /// Share of what noise does not explain that must be gone with it and all that is named beside it,
-/// as of all names (doubts/too_little.cpp): what is not a delay may look a little like one.
+/// as of all names (failed_acceptance_tests/insufficient_share.cpp): what is not a delay may look a
+/// little like one.
 constexpr double kLeastExplained = 0.6;
 
 double square(double value) { return value * value; }
@@ -29,7 +30,7 @@ bool is_clearly_better(const EquationResult& aligned, const EquationResult& plai
 NamedEffect named(const Delay& delay, const EquationResult& plain, const EquationResult& aligned) {
   NamedEffect late;
   late.effect = kName;
-  late.family = Family::kLog;
+  late.family = EffectFamily::kLog;
   late.parameters = {{"channel", std::string(name_of(delay.channel))}, {"delay_s", delay.delay_s}};
   late.standard_error = {{"delay_s", delay.error_s}};
   late.gain = delay.gain;

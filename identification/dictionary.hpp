@@ -9,8 +9,8 @@
 
 namespace torquewright::identification {
 
-enum class Family { kActuator, kRig, kLog };
-std::string_view name_of(Family family);
+enum class EffectFamily { kActuator, kRig, kLog };
+std::string_view name_of(EffectFamily family);
 
 /// A column of the regression: what one unit of a coefficient adds to the residual.
 struct Column {
@@ -33,7 +33,7 @@ struct Coefficient {
 /// nonlinear parameters (the "shape") that its columns were made for.
 struct Variant {
   std::string effect;
-  Family family = Family::kActuator;
+  EffectFamily family = EffectFamily::kActuator;
   std::vector<Coefficient> coefficients;
   std::vector<std::vector<double>> shape;  ///< One per coefficient where columns lie on a grid.
   std::vector<std::string> replaces;       ///< Effects whose columns it holds as well.
@@ -66,8 +66,8 @@ struct Extent {
   double current_A = 0.0;
   double output_angle_rad = 0.0;  ///< Range of the widest stretch.
   double motor_angle_rad = 0.0;
-  double warmth_K = 0.0;       ///< Largest distance from the actuator's reference.
-  double slow_share = 0.0;     ///< Of samples slower than a tenth of that speed, and not at rest.
+  double warmth_K = 0.0;    ///< Largest distance from the actuator's reference.
+  double slow_share = 0.0;  ///< Of samples slower than a tenth of that speed, and not at rest.
 };
 Extent extent_of(const std::vector<Signals>& signals);
 

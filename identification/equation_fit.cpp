@@ -83,18 +83,18 @@ double EquationFit::floor_loss(const Fit& fit) const {
   return fitter_.noise_loss(fit) * fitter_.samples(false);
 }
 
-std::vector<Structure> EquationFit::structure(const Fit& fit) const {
-  return structures(residual_traces(equation_, fit, source_.rows(), folds_, band_));
+std::vector<ResidualStructure> EquationFit::structure(const Fit& fit) const {
+  return residual_structures(residual_traces(equation_, fit, source_.rows(), folds_, band_));
 }
 
-bool EquationFit::is_noise(const Fit& fit, const std::vector<Structure>& structure) const {
+bool EquationFit::is_noise(const Fit& fit, const std::vector<ResidualStructure>& structure) const {
   if (errors(fit).holdout_rms > kHeldOutFloors * noise_floor_rms(fit)) return false;
   // At the floor itself coordinates share the channels' noise: tables say nothing there.
   const double floor = floor_loss(fit);
   if (fit.loss + floor <= kAtFloor * floor) return true;
   if (fit.loss + floor > kNoise * floor) return false;
   return std::none_of(structure.begin(), structure.end(),
-                      [](const Structure& each) { return is_significant(each); });
+                      [](const ResidualStructure& each) { return is_significant(each); });
 }
 
 }  // namespace torquewright::identification

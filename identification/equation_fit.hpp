@@ -40,10 +40,10 @@ class EquationFit {
   double floor_loss(const Fit& fit) const;
 
   /// What a valid fit leaves along each coordinate.
-  std::vector<Structure> structure(const Fit& fit) const;
+  std::vector<ResidualStructure> structure(const Fit& fit) const;
 
   /// True if nothing but noise is left.
-  bool is_noise(const Fit& fit, const std::vector<Structure>& structure) const;
+  bool is_noise(const Fit& fit, const std::vector<ResidualStructure>& structure) const;
 
  private:
   Equation equation_;

@@ -87,7 +87,8 @@ ExcitationRun imposed_mix(const ExcitationLimits& limits, const ExcitationFrame&
   const double length_s = frame.duration_s / static_cast<double>(frame.runs.size());
   const double triangle_Hz = log_share(mix[3], 0.2, 0.9);
   const double sine_Hz = linear_share(mix[5], 1.0, 5.0);
-  const double fast_rad_s = scale * linear_share(mix[0], 0.5, 1.0) * limits.speed_at(triangle_Hz) / 1.3;
+  const double fast_rad_s =
+      scale * linear_share(mix[0], 0.5, 1.0) * limits.speed_at(triangle_Hz) / 1.3;
   const double slow_share = log_share(mix[1], 0.02, 0.3);
   const double slow_until_s = linear_share(mix[2], 0.2, 0.6) * length_s;
   const double sine_share = linear_share(mix[4], 0.0, 0.3);
@@ -96,7 +97,8 @@ ExcitationRun imposed_mix(const ExcitationLimits& limits, const ExcitationFrame&
   const double current_Hz = linear_share(mix[8], 0.3, 4.0);
   const double current = linear_share(mix[9], 0.6, 1.0);
   const auto speed = [=](double t) {
-    const double share = slow_share + (1.0 - slow_share) * smooth_step((t - slow_until_s) / kRamp_s);
+    const double share =
+        slow_share + (1.0 - slow_share) * smooth_step((t - slow_until_s) / kRamp_s);
     return fast_rad_s * share * ramp(t, length_s) *
            (triangle(triangle_Hz * t) + sine_share * std::sin(kTurn * sine_Hz * t));
   };
@@ -112,15 +114,17 @@ ExcitationRun imposed_mix(const ExcitationLimits& limits, const ExcitationFrame&
 ExcitationRun driven_mix(const ExcitationLimits& limits, const ExcitationFrame& frame,
                          std::size_t number, std::span<const double> mix, double scale) {
   const double length_s = frame.duration_s / static_cast<double>(frame.runs.size());
-  const std::array<double, 3> frequency_Hz = {log_share(mix[0], 0.1, 0.5), log_share(mix[2], 0.5, 2.0),
-                                              log_share(mix[4], 2.0, 7.0)};
-  const std::array<double, 3> share = {linear_share(mix[1], 0.1, 0.6), linear_share(mix[3], 0.1, 0.6),
+  const std::array<double, 3> frequency_Hz = {
+      log_share(mix[0], 0.1, 0.5), log_share(mix[2], 0.5, 2.0), log_share(mix[4], 2.0, 7.0)};
+  const std::array<double, 3> share = {linear_share(mix[1], 0.1, 0.6),
+                                       linear_share(mix[3], 0.1, 0.6),
                                        linear_share(mix[5], 0.1, 0.6)};
   std::array<double, 3> current_A{};
   const double most_A = limits.current_A(0.0, 1.0);
   for (std::size_t k = 0; k < current_A.size(); ++k) {
     const double speed = share[k] * limits.speed_at(frequency_Hz[k]);
-    current_A[k] = scale * std::min(limits.current_for_A(speed, frequency_Hz[k]), share[k] * most_A);
+    current_A[k] =
+        scale * std::min(limits.current_for_A(speed, frequency_Hz[k]), share[k] * most_A);
     if ((number + k) % 2 == 1) current_A[k] = -current_A[k];
   }
   const double pause_from_s = linear_share(mix[6], 0.6, 1.0) * length_s;
@@ -158,13 +162,17 @@ std::vector<ExcitationRun> chirp_excitation(const ExcitationLimits& limits,
   for (const std::string& name : frame.runs) {
     if (limits.is_imposed()) {
       const auto speed = [&](double t) {
-        return scale * limits.speed_at(kChirpFrom_Hz) * ramp(t, length_s) * std::sin(kTurn * turns(t));
+        return scale * limits.speed_at(kChirpFrom_Hz) * ramp(t, length_s) *
+               std::sin(kTurn * turns(t));
       };
-      const auto part = [&](double t) { return scale * ramp(t, length_s) * std::sin(kTurn * turns(t)); };
+      const auto part = [&](double t) {
+        return scale * ramp(t, length_s) * std::sin(kTurn * turns(t));
+      };
       runs.push_back(imposed_run(limits, frame, name, speed, part));
     } else {
       const double most_A = scale * limits.current_A(0.0, 1.0);
-      runs.push_back(driven_run(frame, name, [&](double t) { return most_A * std::cos(kTurn * turns(t)); }));
+      runs.push_back(
+          driven_run(frame, name, [&](double t) { return most_A * std::cos(kTurn * turns(t)); }));
     }
   }
   return runs;
@@ -174,7 +182,8 @@ std::string excitation_csv(const std::vector<ExcitationRun>& runs) {
   const bool has_runs = !runs.front().name.empty();
   const bool is_imposed = !runs.front().excitation.joints[0].speed_rad_s.empty();
   std::string text = has_runs ? "run," : "";
-  text += is_imposed ? "time_s,motor_current_A,output_velocity_rad_s\n" : "time_s,motor_current_A\n";
+  text +=
+      is_imposed ? "time_s,motor_current_A,output_velocity_rad_s\n" : "time_s,motor_current_A\n";
   for (const ExcitationRun& run : runs) {
     const JointDrive& joint = run.excitation.joints[0];
     for (std::size_t i = 0; i < joint.value.size(); ++i) {

@@ -17,7 +17,7 @@ constexpr double kShareOfRegion = 0.9;  ///< What is planned for, of what the re
 constexpr int kSpeedsTried = 64;
 
 actuator::Region peak_region(const Rig& rig, const actuator::Actuator& actuator) {
-  const actuator::Conditions conditions;
+  const actuator::OperatingConditions conditions;
   const std::vector<std::string> why = actuator::objections(actuator, conditions);
   if (!why.empty()) throw io::SpecError({{rig.file, "", "no region to plan in: " + why.front()}});
   return actuator::Region(actuator, conditions);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "actuator/joint_region.hpp"
+#include "actuator/region/joint_region.hpp"
 #include "identification/simulation.hpp"
 
 namespace torquewright::identification {

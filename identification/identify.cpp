@@ -57,7 +57,7 @@ std::vector<EmpiricalTable> tables_of(const std::vector<EquationResult>& equatio
   std::vector<EmpiricalTable> tables;
   for (const EquationResult& equation : equations) {
     if (equation.structure_after.empty()) continue;
-    const Structure& strongest = equation.structure_after.front();
+    const ResidualStructure& strongest = equation.structure_after.front();
     if (!is_significant(strongest)) continue;
     tables.push_back({strongest.coordinate, strongest.times_direction, strongest.centre,
                       strongest.level, strongest.share});
@@ -114,7 +114,7 @@ nlohmann::ordered_json refined_actuator(const Identification& found,
   for (const EquationResult& equation : found.equations) {
     if (equation.joint != actuator.joint) continue;
     for (const NamedEffect& effect : equation.added) {
-      if (effect.family != Family::kActuator) continue;
+      if (effect.family != EffectFamily::kActuator) continue;
       if (!effect.replaces.empty()) {
         auto& effects = document["effects"];
         for (auto it = effects.begin(); it != effects.end();) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/result.hpp"
 
 namespace torquewright::identification {

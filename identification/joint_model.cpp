@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/gear_losses.hpp"
-#include "actuator/torque_at.hpp"
+#include "actuator/region/gear_losses.hpp"
+#include "actuator/region/torque_at.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "actuator/actuator.hpp"
+#include "actuator/motor/actuator.hpp"
 #include "identification/load_model.hpp"
 #include "identification/simulation.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actuator/torque_at.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "dynamics/gravity.hpp"
 #include "dynamics/serial_arm.hpp"
 

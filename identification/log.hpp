@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/actuator.hpp"
+#include "actuator/motor/actuator.hpp"
 #include "identification/log/runs.hpp"
 #include "identification/rig.hpp"
 

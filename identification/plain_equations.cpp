@@ -32,8 +32,8 @@ class PlainBuilder {
   }
 
   /// `parameters`: what the coefficients are, and how they follow from them.
-  void variant(std::string effect, Family family, std::vector<std::size_t> columns, double lowest,
-               double highest) {
+  void variant(std::string effect, EffectFamily family, std::vector<std::size_t> columns,
+               double lowest, double highest) {
     Variant added;
     added.effect = std::move(effect);
     added.family = family;
@@ -101,9 +101,9 @@ Equation twist_equation(const Bench& /*bench*/) {
       });
   const std::size_t speed = builder.add(
       "speed", [](const Signals& signals, std::size_t i) { return signals.at[i].speed_rad_s; });
-  builder.variant("backlash", Family::kActuator, {side}, 0.0, kUnlimited);
-  builder.variant("torsional_compliance", Family::kActuator, {spring}, 0.0, kUnlimited);
-  builder.variant("channel_delay", Family::kLog, {speed}, -0.2, 0.2);
+  builder.variant("backlash", EffectFamily::kActuator, {side}, 0.0, kUnlimited);
+  builder.variant("torsional_compliance", EffectFamily::kActuator, {spring}, 0.0, kUnlimited);
+  builder.variant("channel_delay", EffectFamily::kLog, {speed}, -0.2, 0.2);
   return builder.build([](const Variant& variant, const Eigen::VectorXd& values,
                           const Eigen::VectorXd& errors, NamedEffect& named) {
     if (variant.effect == "backlash") return set(named, "gap_rad", values[0], errors[0]);
@@ -150,12 +150,12 @@ Equation voltage_equation(const Bench& bench) {
     return current > 0.0 ? 1.0 : current < 0.0 ? -1.0 : 0.0;
   });
   if (!bench.actuator().motor.back_emf_constant_V_s_rad) {
-    builder.variant("torque_constant_error", Family::kActuator, {constant}, -0.7, 3.0);
+    builder.variant("torque_constant_error", EffectFamily::kActuator, {constant}, -0.7, 3.0);
   }
   if (bench.has_temperature) {
-    builder.variant("winding_resistance_temperature", Family::kActuator, {warm}, -0.02, 0.02);
+    builder.variant("winding_resistance_temperature", EffectFamily::kActuator, {warm}, -0.02, 0.02);
   }
-  builder.variant("inverter_dead_time", Family::kActuator, {dead}, 0.0, kUnlimited);
+  builder.variant("inverter_dead_time", EffectFamily::kActuator, {dead}, 0.0, kUnlimited);
   for (const std::string& pointer : bench.rig->uncertain) {
     if (pointer != "/motor/resistance_ohm") continue;
     builder.always(builder.add("resistance", [winding](const Signals& signals, std::size_t i) {
@@ -185,7 +185,7 @@ Equation bus_equation(const Bench& bench) {
   builder.always(builder.add("open circuit", [](const Signals&, std::size_t) { return 1.0; }));
   const std::size_t current = builder.add(
       "bus current", [](const Signals& signals, std::size_t i) { return -signals.bus_A[i]; });
-  builder.variant("voltage_sag", Family::kActuator, {current}, 0.0, kUnlimited);
+  builder.variant("voltage_sag", EffectFamily::kActuator, {current}, 0.0, kUnlimited);
   return builder.build(
       [](const Variant&, const Eigen::VectorXd& values, const Eigen::VectorXd& errors,
          NamedEffect& named) { set(named, "resistance_ohm", values[0], errors[0]); });
@@ -206,7 +206,7 @@ Equation velocity_equation(const Bench& bench) {
   const std::size_t late = builder.add("acceleration", [](const Signals& signals, std::size_t i) {
     return -signals.at[i].acceleration_rad_s2;
   });
-  builder.variant("velocity_mismatch", Family::kLog, {scale, late}, -kUnlimited, kUnlimited);
+  builder.variant("velocity_mismatch", EffectFamily::kLog, {scale, late}, -kUnlimited, kUnlimited);
   return builder.build([](const Variant&, const Eigen::VectorXd& values,
                           const Eigen::VectorXd& errors, NamedEffect& named) {
     const double factor = 1.0 + values[0];

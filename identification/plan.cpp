@@ -11,7 +11,7 @@
 #include "identification/plan_trial.hpp"
 #include "io/nearest.hpp"
 #include "io/spec_error.hpp"
-#include "optimization/local_fit.hpp"
+#include "optimization/fit/local_fit.hpp"
 
 namespace torquewright::identification {
 namespace {

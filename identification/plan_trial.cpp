@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "actuator/torque_at.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "identification/load_model.hpp"
 
 namespace torquewright::identification {

@@ -11,7 +11,7 @@ namespace torquewright::identification {
 namespace {
 
 // Typical values at which effects that are not linear are planned for.
-constexpr double kStribeckShare = 0.05;       ///< Of the greatest speed.
+constexpr double kStribeckShare = 0.05;  ///< Of the greatest speed.
 constexpr double kPreslidingLength_rad = 0.01;
 constexpr double kSaturationExponent = 2.0;
 constexpr double kLag_s = 0.008;
@@ -115,21 +115,41 @@ std::vector<PlannedColumn> planned_columns(const Dictionary& dictionary, const E
     std::string name = names == parameter_names().end()
                            ? fmt::format("{}_{:g}_Nm", k == 0 ? "sine" : "cosine", variant->order)
                            : names->second[std::min(k, names->second.size() - 1)];
-    columns.push_back(column_of(effect, std::move(name), typical_values(*variant), fitted[k].terms));
+    columns.push_back(
+        column_of(effect, std::move(name), typical_values(*variant), fitted[k].terms));
   }
   return columns;
 }
 
 const std::vector<std::string>& effects_of_the_contract() {
-  static const std::vector<std::string> names = {
-      "viscous_friction", "coulomb_friction", "stribeck_friction", "asymmetric_friction",
-      "quadratic_drag", "load_dependent_friction", "presliding_friction",
-      "torque_constant_saturation", "torque_constant_temperature", "friction_temperature",
-      "cogging_torque", "gear_ripple", "position_dependent_friction", "backlash",
-      "torsional_compliance", "reflected_inertia", "torque_lag", "voltage_sag",
-      "winding_resistance_temperature", "inverter_dead_time", "torque_constant_error",
-      "gravity_imbalance", "load_inertia_error", "load_mass_error", "channel_delay",
-      "torque_offset", "current_offset", "velocity_mismatch"};
+  static const std::vector<std::string> names = {"viscous_friction",
+                                                 "coulomb_friction",
+                                                 "stribeck_friction",
+                                                 "asymmetric_friction",
+                                                 "quadratic_drag",
+                                                 "load_dependent_friction",
+                                                 "presliding_friction",
+                                                 "torque_constant_saturation",
+                                                 "torque_constant_temperature",
+                                                 "friction_temperature",
+                                                 "cogging_torque",
+                                                 "gear_ripple",
+                                                 "position_dependent_friction",
+                                                 "backlash",
+                                                 "torsional_compliance",
+                                                 "reflected_inertia",
+                                                 "torque_lag",
+                                                 "voltage_sag",
+                                                 "winding_resistance_temperature",
+                                                 "inverter_dead_time",
+                                                 "torque_constant_error",
+                                                 "gravity_imbalance",
+                                                 "load_inertia_error",
+                                                 "load_mass_error",
+                                                 "channel_delay",
+                                                 "torque_offset",
+                                                 "current_offset",
+                                                 "velocity_mismatch"};
   return names;
 }
 

@@ -15,7 +15,8 @@ constexpr std::size_t kLeastWindows = 4;  ///< Of training.
 constexpr double kBand_Hz = 25.0;         ///< Of the signals.
 constexpr double kNoiseLoss = 2.5;        ///< In floors: what is left is noise.
 
-/// The offset of the motor's current that an effect of the log stands for; nothing where it is none.
+/// The offset of the motor's current that an effect of the log stands for; nothing where it is
+/// none.
 std::optional<double> offset_A(const NamedEffect& effect, const actuator::Actuator& actuator) {
   if (effect.effect == "current_offset") return effect.parameters.value("value", 0.0);
   if (effect.effect != "torque_offset") return std::nullopt;
@@ -29,7 +30,7 @@ std::optional<double> known_offset_A(const EquationResult& torque,
   if (!torque.unusable.empty() || !torque.corrected.empty()) return std::nullopt;
   double sum = 0.0;
   for (const NamedEffect& effect : torque.added) {
-    if (effect.family == Family::kActuator) continue;
+    if (effect.family == EffectFamily::kActuator) continue;
     const auto offset = offset_A(effect, actuator);
     if (!offset) return std::nullopt;
     sum += *offset;
@@ -44,7 +45,8 @@ double rms(const std::vector<double>& losses) {
 }
 
 Errors errors_of(const ReplayCase& log, const actuator::Actuator& actuator) {
-  return {rms(log.losses(actuator, log.chosen(false))), rms(log.losses(actuator, log.chosen(true)))};
+  return {rms(log.losses(actuator, log.chosen(false))),
+          rms(log.losses(actuator, log.chosen(true)))};
 }
 
 /// What the channels' noise does to the errors: of the start, the drive and the position.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "actuator/gear_losses.hpp"
-#include "actuator/torque_at.hpp"
+#include "actuator/region/gear_losses.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "identification/channel_grid.hpp"
 #include "identification/direction.hpp"
 #include "identification/load_model.hpp"

@@ -14,20 +14,20 @@ namespace torquewright::identification {
 
 /// A shape parameter as found.
 struct ShapeEstimate {
-  std::size_t member = 0;   ///< Place in the model.
+  std::size_t member = 0;  ///< Place in the model.
   std::string name;
   double value = 0.0;
   double standard_error = 0.0;
-  double spread = 0.0;      ///< Over the starts that agree: wide means a valley.
+  double spread = 0.0;  ///< Over the starts that agree: wide means a valley.
 };
 
 /// The model with its curved parameters found between the grid's values: NLopt over the shapes,
 /// everything linear solved for at each. docs/derivations/identification.md section 7.
 struct RefinedModel {
   Dictionary dictionary;
-  Target target;            ///< Less what is all shape.
+  Target target;  ///< Less what is all shape.
   std::shared_ptr<Gram> gram;
-  Fit fit;                  ///< Members in the model's order; those that are all shape have no coefficient.
+  Fit fit;  ///< Members in the model's order; those that are all shape have no coefficient.
   std::vector<ShapeEstimate> shapes;
   std::size_t starts = 0;
   std::size_t agreeing = 0;

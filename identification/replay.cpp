@@ -106,8 +106,9 @@ Eigen::VectorXd Replay::errors(const actuator::Actuator& actuator,
   if (sees_motor) start.position_rad -= start.motor_ahead_rad;
   SimulationOptions options;
   options.longest_step_s = kStep_s;
-  const SimulatedRun simulated = simulate(
-      *bench_.rig, {&actuator}, excitation_of(bench_, stretch, window, offset_A_), {start}, options);
+  const SimulatedRun simulated =
+      simulate(*bench_.rig, {&actuator}, excitation_of(bench_, stretch, window, offset_A_), {start},
+               options);
   const JointTrace& trace = simulated.joints[0];
   const std::vector<double>& position = sees_motor ? trace.motor_position_rad : trace.position_rad;
   const double per_rad = sees_motor ? 1.0 / actuator.transmission.ratio : 1.0;
@@ -116,7 +117,8 @@ Eigen::VectorXd Replay::errors(const actuator::Actuator& actuator,
   for (std::size_t k = 0; k < count; ++k) {
     const bool there = k < position.size() && std::isfinite(position[k]);
     const double measured = stretch.at[window.first + k].output_angle_rad;
-    errors[static_cast<Eigen::Index>(k)] = there ? per_rad * position[k] - measured : std::numbers::pi;
+    errors[static_cast<Eigen::Index>(k)] =
+        there ? per_rad * position[k] - measured : std::numbers::pi;
   }
   return errors;
 }

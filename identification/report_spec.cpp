@@ -60,9 +60,9 @@ ordered_json effect_json(const EquationResult& equation, const NamedEffect& effe
   return entry;
 }
 
-ordered_json structures_json(const std::vector<Structure>& structures) {
+ordered_json structures_json(const std::vector<ResidualStructure>& structures) {
   ordered_json list = ordered_json::array();
-  for (const Structure& each : structures) {
+  for (const ResidualStructure& each : structures) {
     list.push_back({{"coordinate", each.coordinate},
                     {"times_direction", each.times_direction},
                     {"share", number(each.share)},
@@ -122,7 +122,7 @@ void add_entries(ordered_json& document, const EquationResult& equation) {
     ordered_json& list = document["not_excited"];
     if (std::find(list.begin(), list.end(), effect) == list.end()) list.push_back(effect);
   }
-  for (const Structure& structure : significant_of(equation.structure_after)) {
+  for (const ResidualStructure& structure : significant_of(equation.structure_after)) {
     ordered_json entry{{"coordinate", structure.coordinate}, {"share", number(structure.share)}};
     entry["times_direction"] = structure.times_direction;
     entry.update(entry_of(equation));
@@ -175,7 +175,7 @@ std::string noise_floor_method() {
          "added to the channels again, and what it adds to the residual in the band is the floor.";
 }
 
-std::string sentence_of(const Structure& structure) {
+std::string sentence_of(const ResidualStructure& structure) {
   return fmt::format(
       "{:.0f} % of what is left varies with {}{} where it was not fitted; chance does as well in "
       "{:.3g} of 100 trials.",
@@ -184,21 +184,22 @@ std::string sentence_of(const Structure& structure) {
       100.0 * structure.chance);
 }
 
-std::vector<Structure> significant_of(const std::vector<Structure>& structures) {
-  std::vector<Structure> chosen;
-  for (const Structure& each : structures) {
+std::vector<ResidualStructure> significant_of(const std::vector<ResidualStructure>& structures) {
+  std::vector<ResidualStructure> chosen;
+  for (const ResidualStructure& each : structures) {
     if (!is_significant(each)) continue;
-    const auto same = std::find_if(chosen.begin(), chosen.end(), [&](const Structure& other) {
-      return other.coordinate == each.coordinate;
-    });
+    const auto same = std::find_if(
+        chosen.begin(), chosen.end(),
+        [&](const ResidualStructure& other) { return other.coordinate == each.coordinate; });
     if (same == chosen.end()) {
       chosen.push_back(each);
     } else if (each.share > same->share) {
       *same = each;
     }
   }
-  std::stable_sort(chosen.begin(), chosen.end(),
-                   [](const Structure& a, const Structure& b) { return a.share > b.share; });
+  std::stable_sort(
+      chosen.begin(), chosen.end(),
+      [](const ResidualStructure& a, const ResidualStructure& b) { return a.share > b.share; });
   return chosen;
 }
 

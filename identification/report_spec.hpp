@@ -16,10 +16,10 @@ nlohmann::ordered_json identification_report_json(const Identification& found);
 std::string noise_floor_method();
 
 /// What is left along a coordinate: a sentence.
-std::string sentence_of(const Structure& structure);
+std::string sentence_of(const ResidualStructure& structure);
 
 /// The coordinates along which something is left beyond chance, each once, the strongest first.
-std::vector<Structure> significant_of(const std::vector<Structure>& structures);
+std::vector<ResidualStructure> significant_of(const std::vector<ResidualStructure>& structures);
 
 /// What was rejected and did not come in in another form (another delay, another harmonic).
 std::vector<Rejection> rejections_of(const EquationResult& equation);

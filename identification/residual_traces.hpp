@@ -3,7 +3,7 @@
 
 #include "identification/equation.hpp"
 #include "identification/folds.hpp"
-#include "identification/leftover.hpp"
+#include "identification/residual_structure.hpp"
 
 namespace torquewright::identification {
 

@@ -16,8 +16,9 @@ double position_play(const Bench& bench, const NoiseLevels& levels);
 
 constexpr double kStandstill_s = 0.015;  ///< Longer rests are masked.
 
-/// 1 where the output rests for longer than that (friction is undetermined there), and around it as far as the filters
-/// carry what happens there; and at both ends, where the filters have not settled. step_s > 0.
+/// 1 where the output rests for longer than that (friction is undetermined there), and around it as
+/// far as the filters carry what happens there; and at both ends, where the filters have not
+/// settled. step_s > 0.
 std::vector<std::uint8_t> rest_mask(const std::vector<double>& velocity_rad_s, double play_rad,
                                     double step_s, double longer_than_s = kStandstill_s);
 

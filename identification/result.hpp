@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "identification/leftover.hpp"
 #include "identification/log.hpp"
+#include "identification/residual_structure.hpp"
 #include "identification/search.hpp"
 
 namespace torquewright::identification {
@@ -20,7 +20,7 @@ struct Errors {
 /// An effect that earned its place.
 struct NamedEffect {
   std::string effect;
-  Family family = Family::kActuator;
+  EffectFamily family = EffectFamily::kActuator;
   nlohmann::ordered_json parameters;
   nlohmann::ordered_json standard_error;  ///< By the same keys.
   double holdout_rms_before = 0.0;        ///< Of the model with the effects before it.
@@ -62,7 +62,7 @@ struct EquationResult {
   std::vector<Rejection> rejected;
   std::vector<Confounded> confounded;
   std::vector<std::string> not_excited;
-  std::vector<Structure> structure_before, structure_after;
+  std::vector<ResidualStructure> structure_before, structure_after;
   bool is_noise_before = false;  ///< Nothing to explain.
   bool is_noise_after = false;
   bool has_tentative = false;  ///< Something helps, but no name is sure.

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "identification/growth.hpp"
+#include "identification/forward_selection.hpp"
 #include "identification/rivals.hpp"
 #include "identification/trials.hpp"
 

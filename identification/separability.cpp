@@ -31,8 +31,8 @@ Separability separability(const Eigen::MatrixXd& information) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
   result.smallest_eigenvalue = excited.size() == all ? std::max(0.0, solver.eigenvalues()[0]) : 0.0;
   const Eigen::VectorXd values = solver.eigenvalues().cwiseMax(kLeastEigenvalue);
-  const Eigen::MatrixXd inverse =
-      solver.eigenvectors() * values.cwiseInverse().asDiagonal() * solver.eigenvectors().transpose();
+  const Eigen::MatrixXd inverse = solver.eigenvectors() * values.cwiseInverse().asDiagonal() *
+                                  solver.eigenvectors().transpose();
   for (std::size_t k = 0; k < excited.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
     const auto parameter = static_cast<std::size_t>(excited[k]);

@@ -9,7 +9,7 @@
 
 #include "identification/equation.hpp"
 #include "identification/shape.hpp"
-#include "optimization/local_fit.hpp"
+#include "optimization/fit/local_fit.hpp"
 
 namespace torquewright::identification {
 

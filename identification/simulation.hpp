@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "actuator/actuator.hpp"
+#include "actuator/motor/actuator.hpp"
 #include "identification/rig.hpp"
 
 namespace torquewright::identification {

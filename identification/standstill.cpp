@@ -92,7 +92,7 @@ NamedEffect named(const StandstillTrial& trial, const std::vector<double>& param
                   const Eigen::VectorXd& errors) {
   NamedEffect effect;
   effect.effect = trial.candidate().effect;
-  effect.family = Family::kActuator;
+  effect.family = EffectFamily::kActuator;
   const actuator::EffectKind& kind = *actuator::find_effect(effect.effect);
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     const std::string name(kind.parameters[p].name);
@@ -102,7 +102,7 @@ NamedEffect named(const StandstillTrial& trial, const std::vector<double>& param
   return effect;
 }
 
-std::string too_little(const std::string& effect, double share, double held_out_share) {
+std::string insufficient_share(const std::string& effect, double share, double held_out_share) {
   return fmt::format(
       "simulated with {}, {:.0f} % of the squared error of position goes, and {:.0f} "
       "% where nothing was fitted; more than {:.0f} and {:.0f} are needed",
@@ -118,7 +118,7 @@ std::string objection_to(const std::string& effect, const Gain& gain, double hel
         effect, gain.t, kLeastT);
   }
   if (gain.share <= kLeastShare || held_out_share <= kLeastHeldOut) {
-    return too_little(effect, gain.share, held_out_share);
+    return insufficient_share(effect, gain.share, held_out_share);
   }
   return "";
 }
@@ -175,7 +175,7 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
   // What gains too little where it was fitted gains no more elsewhere.
   const Gain fitted = gain_between(log.losses(before, training), log.losses(after, training));
   if (fitted.share <= kLeastShare) {
-    found.objection = too_little(name, fitted.share, fitted.share);
+    found.objection = insufficient_share(name, fitted.share, fitted.share);
     return found;
   }
   const Gain gain =

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "identification/result.hpp"
 #include "identification/replay.hpp"
+#include "identification/result.hpp"
 
 namespace torquewright::identification {
 
@@ -31,7 +31,7 @@ struct Standstill {
 
 /// Sizes that parameters are searched in shares of.
 struct StandstillScale {
-  double torque_Nm = 0.0;   ///< Largest of the motor's.
+  double torque_Nm = 0.0;  ///< Largest of the motor's.
   double speed_rad_s = 0.0;
 };
 

@@ -9,7 +9,7 @@
 
 #include "identification/standstill.hpp"
 #include "identification/starts.hpp"
-#include "optimization/local_fit.hpp"
+#include "optimization/fit/local_fit.hpp"
 
 namespace torquewright::identification {
 

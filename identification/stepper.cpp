@@ -55,7 +55,8 @@ void stop_slowed(const RigState& from, RigState& to, const std::vector<JointMode
   for (std::size_t j = 0; j < models.size(); ++j) {
     JointState& joint = to.joints[j];
     const double before = from.joints[j].motor_speed_rad_s;
-    if (std::abs(joint.motor_speed_rad_s) > kAllSpeed * std::abs(before - joint.motor_speed_rad_s)) {
+    if (std::abs(joint.motor_speed_rad_s) >
+        kAllSpeed * std::abs(before - joint.motor_speed_rad_s)) {
       continue;
     }
     joint.motor_speed_rad_s = 0.0;

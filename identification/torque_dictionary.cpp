@@ -5,13 +5,13 @@
 
 namespace torquewright::identification {
 
-std::string_view name_of(Family family) {
+std::string_view name_of(EffectFamily family) {
   switch (family) {
-    case Family::kActuator:
+    case EffectFamily::kActuator:
       return "actuator";
-    case Family::kRig:
+    case EffectFamily::kRig:
       return "rig";
-    case Family::kLog:
+    case EffectFamily::kLog:
       return "log";
   }
   return "";

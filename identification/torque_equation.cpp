@@ -3,7 +3,7 @@
 #include <limits>
 #include <memory>
 
-#include "actuator/torque_at.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "dynamics/serial_arm.hpp"
 #include "identification/equation.hpp"
 #include "identification/load_model.hpp"

@@ -33,7 +33,7 @@ bool is_listed(const std::string& names, std::string_view name) {
 actuator::Actuator with_effects(actuator::Actuator actuator,
                                 const std::vector<NamedEffect>& found) {
   for (const NamedEffect& named : found) {
-    if (named.family != Family::kActuator) continue;
+    if (named.family != EffectFamily::kActuator) continue;
     std::erase_if(actuator.effects, [&](const actuator::Effect& stated) {
       return is_listed(named.replaces, stated.kind->name);
     });

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "actuator/actuator.hpp"
+#include "actuator/motor/actuator.hpp"
 #include "identification/result.hpp"
 
 namespace torquewright::identification {

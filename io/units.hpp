@@ -21,7 +21,8 @@ enum class Dimension {
   kNumber,  ///< Has no unit.
 };
 
-/// A unit of a column or an option, and how much of the SI unit (s, rad, rad/s, Nm, m, ...) one of it is.
+/// A unit of a column or an option, and how much of the SI unit (s, rad, rad/s, Nm, m, ...) one of
+/// it is.
 struct Unit {
   std::string_view name;
   Dimension dimension;

@@ -41,7 +41,8 @@ int run(int argc, char** argv) {
   torquewright::cli::add_strength_command(*gearbox, result);
   CLI::App* actuator = app.add_subcommand("actuator", "What can the actuator do?");
   actuator->require_subcommand(1);
-  actuator->footer("Example:\n  torquewright actuator mor specs/actuator/d110a_ankle.json --need 100@15");
+  actuator->footer(
+      "Example:\n  torquewright actuator mor specs/actuator/d110a_ankle.json --need 100@15");
   torquewright::cli::add_lint_command(*actuator, result);
   torquewright::cli::add_mor_command(*actuator, result);
   torquewright::cli::add_check_command(*actuator, result);

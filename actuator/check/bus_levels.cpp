@@ -11,10 +11,10 @@ constexpr double kRoundOff = 1e-9;  // of a step
 
 }  // namespace
 
-BusLevels::Level::Level(Actuator held, const Conditions& conditions)
+BusLevels::Level::Level(Actuator held, const OperatingConditions& conditions)
     : actuator(std::move(held)), basis(actuator, conditions) {}
 
-BusLevels::BusLevels(const Actuator& actuator, const Conditions& conditions)
+BusLevels::BusLevels(const Actuator& actuator, const OperatingConditions& conditions)
     : actuator_(actuator),
       conditions_(conditions),
       step_V_(kStep * open_circuit_voltage_V(actuator, conditions)) {
@@ -24,8 +24,7 @@ BusLevels::BusLevels(const Actuator& actuator, const Conditions& conditions)
 }
 
 const CheckBasis& BusLevels::at(double bus_voltage_V) {
-  const int level =
-      std::max(1, static_cast<int>(std::floor(bus_voltage_V / step_V_ + kRoundOff)));
+  const int level = std::max(1, static_cast<int>(std::floor(bus_voltage_V / step_V_ + kRoundOff)));
   std::unique_ptr<Level>& found = levels_[level];
   if (!found) {
     actuator_.drive.bus_voltage_V = level * step_V_;

@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "actuator/check/reading_check.hpp"
+#include "actuator/check/interpretation_check.hpp"
 
 namespace torquewright::actuator {
 
@@ -15,7 +15,7 @@ class BusLevels {
   static constexpr double kStep = 1e-3;
 
   /// Requires no objections to the conditions, whose own voltage is the open circuit's.
-  BusLevels(const Actuator& actuator, const Conditions& conditions);
+  BusLevels(const Actuator& actuator, const OperatingConditions& conditions);
 
   /// At the level at or next below that voltage, the bus held there: so the region is, by at most
   /// a step, too small rather than too large.
@@ -23,12 +23,12 @@ class BusLevels {
 
  private:
   struct Level {
-    Level(Actuator held, const Conditions& conditions);
+    Level(Actuator held, const OperatingConditions& conditions);
     Actuator actuator;
     CheckBasis basis;
   };
   Actuator actuator_;
-  Conditions conditions_;
+  OperatingConditions conditions_;
   double step_V_;
   std::map<int, std::unique_ptr<Level>> levels_;
 };

@@ -43,22 +43,23 @@ ordered_json winding_json(const WindingReport& winding) {
           {"resolution_s", winding.resolution_s}};
 }
 
-/// The keys of a reading, which are a joint's own, too.
-void add_reading(const Reading& reading, std::size_t samples, ordered_json& entry) {
-  entry["clipped_samples"] = reading.clipped_samples;
-  entry["clipped_share"] = share(reading.clipped_samples, samples);
-  entry["clipped_time_s"] = reading.clipped_time_s;
-  entry["worst"] = worst_json(reading.worst);
-  entry["margin_Nm"] = number(reading.margin_Nm);
-  entry["speed_margin_rad_s"] = number(reading.speed_margin_rad_s);
-  entry["voltage_margin_V"] = number(reading.voltage_margin_V);
-  entry["peak_torque_Nm"] = reading.peak_torque_Nm;
-  entry["rms_torque_Nm"] = reading.rms_torque_Nm;
-  entry["peak_current_A"] = reading.peak_current_A;
-  entry["rms_current_A"] = reading.rms_current_A;
-  entry["energy_drawn_J"] = reading.energy_drawn_J;
-  entry["energy_returned_J"] = reading.energy_returned_J;
-  entry["winding"] = reading.winding ? winding_json(*reading.winding) : ordered_json();
+/// The keys of a interpretation, which are a joint's own, too.
+void add_reading(const Interpretation& interpretation, std::size_t samples, ordered_json& entry) {
+  entry["clipped_samples"] = interpretation.clipped_samples;
+  entry["clipped_share"] = share(interpretation.clipped_samples, samples);
+  entry["clipped_time_s"] = interpretation.clipped_time_s;
+  entry["worst"] = worst_json(interpretation.worst);
+  entry["margin_Nm"] = number(interpretation.margin_Nm);
+  entry["speed_margin_rad_s"] = number(interpretation.speed_margin_rad_s);
+  entry["voltage_margin_V"] = number(interpretation.voltage_margin_V);
+  entry["peak_torque_Nm"] = interpretation.peak_torque_Nm;
+  entry["rms_torque_Nm"] = interpretation.rms_torque_Nm;
+  entry["peak_current_A"] = interpretation.peak_current_A;
+  entry["rms_current_A"] = interpretation.rms_current_A;
+  entry["energy_drawn_J"] = interpretation.energy_drawn_J;
+  entry["energy_returned_J"] = interpretation.energy_returned_J;
+  entry["winding"] =
+      interpretation.winding ? winding_json(*interpretation.winding) : ordered_json();
 }
 
 /// A joint without torque has the same keys, with what cannot be told null.
@@ -74,10 +75,11 @@ void add_unknown_reading(const DriveReport& drive, ordered_json& entry) {
   }
 }
 
-ordered_json reading_json(const Reading& reading, std::size_t samples, bool includes_inertia) {
+ordered_json reading_json(const Interpretation& interpretation, std::size_t samples,
+                          bool includes_inertia) {
   ordered_json entry{{"torque_includes_inertia", includes_inertia},
-                     {"verdict", fails(reading) ? "fail" : "pass"}};
-  add_reading(reading, samples, entry);
+                     {"verdict", fails(interpretation) ? "fail" : "pass"}};
+  add_reading(interpretation, samples, entry);
   return entry;
 }
 
@@ -98,7 +100,7 @@ ordered_json joint_json(const DriveReport& drive) {
       {"name", drive.name},       {"actuator", drive.actuator}, {"verdict", name_of(drive.verdict)},
       {"samples", drive.samples}, {"from_s", drive.from_s},     {"until_s", drive.until_s}};
   if (drive.has_torque) {
-    add_reading(drive.reading, drive.samples, entry);
+    add_reading(drive.interpretation, drive.samples, entry);
   } else {
     add_unknown_reading(drive, entry);
   }
@@ -107,7 +109,7 @@ ordered_json joint_json(const DriveReport& drive) {
   entry["armature_kg_m2"] = drive.armature_kg_m2;
   entry["torque_includes_inertia"] = inertia_json(drive);
   if (drive.with_inertia) {
-    entry["readings"] = {reading_json(drive.reading, drive.samples, true),
+    entry["readings"] = {reading_json(drive.interpretation, drive.samples, true),
                          reading_json(*drive.with_inertia, drive.samples, false)};
   }
   entry["velocity_differentiated"] = drive.is_speed_differentiated;

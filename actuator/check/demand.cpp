@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "actuator/current_choice.hpp"
-#include "actuator/gear_losses.hpp"
+#include "actuator/region/current_choice.hpp"
+#include "actuator/region/gear_losses.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -25,20 +25,20 @@ double motor_torque_Nm(const Actuator& actuator, double temperature_K, double sp
 
 }  // namespace
 
-std::optional<Demand> demand_at(const Actuator& actuator, const Machine& machine,
+std::optional<Demand> demand_at(const Actuator& actuator, const PhaseModel& model,
                                 double temperature_K, double speed_rad_s, double torque_Nm) {
   const double motor_Nm = motor_torque_Nm(actuator, temperature_K, speed_rad_s, torque_Nm);
   const double motor_rad_s = actuator.transmission.ratio * speed_rad_s;
-  const Current current = chosen_current(machine, motor_Nm, motor_rad_s);
+  const Current current = chosen_current(model, motor_Nm, motor_rad_s);
   Demand demand;
   demand.phase_current_A = current.amplitude_A();
   if (!std::isfinite(demand.phase_current_A)) return std::nullopt;
   demand.current_A =
       demand.phase_current_A / phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
-  demand.bus_power_W = bus_power_W(machine, current, motor_rad_s);
-  const Current gentlest = gentlest_current(machine, motor_Nm, motor_rad_s);
+  demand.bus_power_W = bus_power_W(model, current, motor_rad_s);
+  const Current gentlest = gentlest_current(model, motor_Nm, motor_rad_s);
   demand.voltage_margin_V =
-      voltage_margin_V(machine, gentlest, motor_rad_s) / machine.phase_volts_per_bus_volt;
+      voltage_margin_V(model, gentlest, motor_rad_s) / model.phase_volts_per_bus_volt;
   return demand;
 }
 

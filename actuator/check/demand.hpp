@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "actuator/joint_region.hpp"
+#include "actuator/region/joint_region.hpp"
 
 namespace torquewright::actuator {
 
@@ -20,7 +20,7 @@ struct Demand {
 /// then drag (cogging at no torque: its mean). At rest friction helps to hold, as it does in the
 /// region. Empty where no current yields the torque (saturation). docs/derivations/check.md eq.
 /// (3), (4).
-std::optional<Demand> demand_at(const Actuator& actuator, const Machine& machine,
+std::optional<Demand> demand_at(const Actuator& actuator, const PhaseModel& model,
                                 double temperature_K, double speed_rad_s, double torque_Nm);
 
 }  // namespace torquewright::actuator

@@ -24,7 +24,7 @@ DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
       conditions_(drive.conditions),
       basis_(*drive.actuator, drive.conditions),
       armature_kg_m2_(actuator::armature_kg_m2(*drive.actuator)),
-      reading_(basis_) {
+      interpretation_(basis_) {
   const bool is_open = options.inertia == InertiaConvention::kUnstated && armature_kg_m2_ > 0.0;
   if (is_open && options.has_torque) with_inertia_.emplace(basis_);
   report_.name = drive.name;
@@ -32,7 +32,7 @@ DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
   report_.armature_kg_m2 = armature_kg_m2_;
   report_.has_torque = options.has_torque;
   report_.inertia = options.inertia;
-  report_.no_load_speed_rad_s = no_load_speed_rad_s(basis_.lookup.region().machine()) /
+  report_.no_load_speed_rad_s = no_load_speed_rad_s(basis_.lookup.region().model()) /
                                 std::abs(drive.actuator->transmission.ratio);
   report_.left_out = left_out(*drive.actuator);
   report_.assumed = drive.actuator->assumed;
@@ -41,7 +41,7 @@ DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
 void DriveCheck::set_bus_voltage_V(double voltage_V) {
   if (!levels_) levels_.emplace(*basis_.actuator, conditions_);
   const CheckBasis& basis = levels_->at(voltage_V);
-  reading_.use(basis);
+  interpretation_.use(basis);
   if (with_inertia_) with_inertia_->use(basis);
 }
 
@@ -54,7 +54,7 @@ void DriveCheck::add(double time_s, double speed_rad_s, double torque_Nm,
   const double rotor_Nm = armature_kg_m2_ * acceleration_rad_s2;
   const bool is_excluded = options_.inertia == InertiaConvention::kExcluded;
   const double read_Nm = is_excluded ? torque_Nm + rotor_Nm : torque_Nm;
-  const bool is_outside = reading_.add(time_s, speed_rad_s, read_Nm);
+  const bool is_outside = interpretation_.add(time_s, speed_rad_s, read_Nm);
   if (with_inertia_) with_inertia_->add(time_s, speed_rad_s, torque_Nm + rotor_Nm);
   if (options_.keep_trace) trace_.add({time_s, speed_rad_s, read_Nm, is_outside});
 }
@@ -77,8 +77,8 @@ DriveReport DriveCheck::finish() const {
     report.verdict = report.impossible_speeds > 0 ? Verdict::kFail : Verdict::kUndecided;
     return report;
   }
-  report.reading = reading_.finish(options_.runs, options_.pause_s);
-  const bool as_it_stands = fails(report.reading);
+  report.interpretation = interpretation_.finish(options_.runs, options_.pause_s);
+  const bool as_it_stands = fails(report.interpretation);
   report.verdict = as_it_stands ? Verdict::kFail : Verdict::kPass;
   if (!with_inertia_) return report;
   report.with_inertia = with_inertia_->finish(options_.runs, options_.pause_s);

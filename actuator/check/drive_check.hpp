@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "actuator/check/bus_levels.hpp"
-#include "actuator/check/reading_check.hpp"
+#include "actuator/check/interpretation_check.hpp"
 #include "actuator/check/trace.hpp"
 
 namespace torquewright::actuator {
@@ -14,7 +14,7 @@ namespace torquewright::actuator {
 struct CheckedDrive {
   std::string name;  ///< Of its joint in the trajectory, or of its row in a Jacobian.
   const Actuator* actuator = nullptr;
-  Conditions conditions;
+  OperatingConditions conditions;
 };
 
 /// How its samples are to be read.
@@ -49,12 +49,12 @@ class DriveCheck {
 
   std::string name_;
   DriveOptions options_;
-  Conditions conditions_;
+  OperatingConditions conditions_;
   CheckBasis basis_;
   std::optional<BusLevels> levels_;
   double armature_kg_m2_;
-  ReadingCheck reading_;
-  std::optional<ReadingCheck> with_inertia_;
+  InterpretationCheck interpretation_;
+  std::optional<InterpretationCheck> with_inertia_;
   DriveReport report_;
   Trace trace_;
 };

@@ -31,16 +31,16 @@ std::string limit_words(const WorstSample& worst) {
   return fmt::format("{:.6g} Nm ({})", *worst.limit_Nm, name_of(worst.limiter));
 }
 
-Finding region_violation(const DriveReport& drive, const Reading& reading, Severity severity,
-                         const char* how) {
-  const WorstSample& worst = reading.worst;
+Finding region_violation(const DriveReport& drive, const Interpretation& interpretation,
+                         Severity severity, const char* how) {
+  const WorstSample& worst = interpretation.worst;
   Finding result = finding(
       drive, severity, "motor-operating-region",
       fmt::format("{}{}: {} of {} samples ({}) lie outside the region, the worst at t = {:.6g} s: "
                   "{:.6g} Nm at {:.6g} rad/s, where the region ends at {}",
-                  drive.name, how, reading.clipped_samples, drive.samples,
-                  percent(reading.clipped_samples, drive.samples), worst.time_s, worst.torque_Nm,
-                  worst.speed_rad_s, limit_words(worst)));
+                  drive.name, how, interpretation.clipped_samples, drive.samples,
+                  percent(interpretation.clipped_samples, drive.samples), worst.time_s,
+                  worst.torque_Nm, worst.speed_rad_s, limit_words(worst)));
   result.time_s = worst.time_s;
   result.value = worst.torque_Nm;
   result.limit = worst.limit_Nm;
@@ -48,10 +48,10 @@ Finding region_violation(const DriveReport& drive, const Reading& reading, Sever
   return result;
 }
 
-std::string in_brief(const DriveReport& drive, const Reading& reading) {
+std::string in_brief(const DriveReport& drive, const Interpretation& interpretation) {
   std::string text =
-      fmt::format("{} ({} clipped, margin {:.6g} Nm)", fails(reading) ? "fails" : "passes",
-                  percent(reading.clipped_samples, drive.samples), reading.margin_Nm);
+      fmt::format("{} ({} clipped, margin {:.6g} Nm)", fails(interpretation) ? "fails" : "passes",
+                  percent(interpretation.clipped_samples, drive.samples), interpretation.margin_Nm);
   return text;
 }
 
@@ -77,15 +77,15 @@ void add_inertia(const DriveReport& drive, std::vector<Finding>& findings) {
         fmt::format(
             "{}: nothing says whether torque includes that of the reflected inertia, {:.6g} "
             "kg m^2. If it does, the joint {}; if it does not, it {}{}",
-            drive.name, drive.armature_kg_m2, in_brief(drive, drive.reading),
+            drive.name, drive.armature_kg_m2, in_brief(drive, drive.interpretation),
             in_brief(drive, *drive.with_inertia),
             is_open ? "; say --torque-includes-inertia or --torque-excludes-inertia" : ""));
   }
 }
 
 void add_winding(const DriveReport& drive, std::vector<Finding>& findings) {
-  if (!drive.reading.winding) return;
-  const WindingReport& winding = *drive.reading.winding;
+  if (!drive.interpretation.winding) return;
+  const WindingReport& winding = *drive.interpretation.winding;
   const bool is_passed = !(winding.peak_K <= winding.limit_K);
   if (!is_passed && !winding.runs_to_limit) return;
   Finding result = finding(drive, is_passed ? Severity::kViolation : Severity::kWarning,
@@ -134,15 +134,15 @@ void add_agreement(const DriveReport& drive, std::vector<Finding>& findings) {
 
 void add_torque(const DriveReport& drive, std::vector<Finding>& findings) {
   if (drive.has_torque) {
-    if (drive.reading.clipped_samples > 0) {
-      findings.push_back(region_violation(drive, drive.reading, Severity::kViolation, ""));
+    if (drive.interpretation.clipped_samples > 0) {
+      findings.push_back(region_violation(drive, drive.interpretation, Severity::kViolation, ""));
     }
-    if (drive.reading.unreachable_samples > 0) {
+    if (drive.interpretation.unreachable_samples > 0) {
       findings.push_back(finding(
           drive, Severity::kNote, "saturation",
           fmt::format("{}: no current yields the torque of {} samples; current, energy and heat "
                       "count them at the region's bound",
-                      drive.name, drive.reading.unreachable_samples)));
+                      drive.name, drive.interpretation.unreachable_samples)));
     }
     return;
   }

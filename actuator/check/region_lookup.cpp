@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/search.hpp"
+#include "actuator/region/bracketed_search.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -36,7 +36,7 @@ double TorqueRange::excess_Nm(double torque_Nm) const {
   return std::max(torque_Nm - greatest_Nm, least_Nm - torque_Nm);
 }
 
-RegionLookup::RegionLookup(const Actuator& actuator, const Conditions& conditions)
+RegionLookup::RegionLookup(const Actuator& actuator, const OperatingConditions& conditions)
     : region_(actuator, conditions),
       table_(mor_table(region_)),
       doubt_Nm_(kDoubtOverTableAccuracy * kTableAccuracy * table_.peak_torque_Nm),

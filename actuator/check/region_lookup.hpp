@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "actuator/mor_table.hpp"
+#include "actuator/region/mor_table.hpp"
 
 namespace torquewright::actuator {
 
@@ -22,7 +22,7 @@ struct TorqueRange {
 /// the table might be wrong. What it says of a torque being inside or outside is exact.
 class RegionLookup {
  public:
-  RegionLookup(const Actuator& actuator, const Conditions& conditions);
+  RegionLookup(const Actuator& actuator, const OperatingConditions& conditions);
 
   /// By the table; beyond its rows and beside empty ranges by the region itself.
   TorqueRange near(double speed_rad_s) const;

@@ -15,9 +15,10 @@ std::string_view name_of(Verdict verdict) {
   return "undecided";
 }
 
-bool fails(const Reading& reading) {
-  if (reading.clipped_samples > 0) return true;
-  return reading.winding && !(reading.winding->peak_K <= reading.winding->limit_K);
+bool fails(const Interpretation& interpretation) {
+  if (interpretation.clipped_samples > 0) return true;
+  return interpretation.winding &&
+         !(interpretation.winding->peak_K <= interpretation.winding->limit_K);
 }
 
 }  // namespace torquewright::actuator

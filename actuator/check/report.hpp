@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "actuator/check/winding_heat.hpp"
-#include "actuator/motor_region.hpp"
+#include "actuator/region/motor_region.hpp"
 #include "actuator/severity.hpp"
 
 namespace torquewright::actuator {
@@ -38,12 +38,12 @@ struct WorstSample {
   Limiter limiter = Limiter::kCurrent;
 };
 
-/// What follows from torque and speed against the region: one reading of the data.
-struct Reading {
+/// What follows from torque and speed against the region: one interpretation of the data.
+struct Interpretation {
   std::size_t clipped_samples = 0;
   double clipped_time_s = 0.0;  ///< By the trapezoidal rule, like all integrals over time.
   WorstSample worst;
-  std::optional<WorstSample> first;  ///< That lies outside.
+  std::optional<WorstSample> first;          ///< That lies outside.
   double margin_Nm = 0.0;                    ///< To the nearer bound, the least; negative: missing.
   std::optional<double> speed_margin_rad_s;  ///< Empty: some torque is there at no speed.
   std::optional<double> voltage_margin_V;    ///< At the bus; empty: the supply gives out.
@@ -77,10 +77,11 @@ struct DriveReport {
   std::optional<double> limiting_time_s;
   std::size_t impossible_speeds = 0;  ///< Samples at speeds where the region is empty.
   InertiaConvention inertia = InertiaConvention::kUnstated;
-  Reading reading;                      ///< As the file has it, or as the user says it is.
-  std::optional<Reading> with_inertia;  ///< Where that is open: with the rotor's torque added.
-  double velocity_over_slope = 1.0;     ///< Logged velocity over d(position)/dt, least squares.
-  double velocity_correlation = 0.0;    ///< Of the two, squared; 0: not compared.
+  Interpretation interpretation;  ///< As the file has it, or as the user says it is.
+  std::optional<Interpretation>
+      with_inertia;                   ///< Where that is open: with the rotor's torque added.
+  double velocity_over_slope = 1.0;   ///< Logged velocity over d(position)/dt, least squares.
+  double velocity_correlation = 0.0;  ///< Of the two, squared; 0: not compared.
   std::vector<std::string> left_out;
   std::vector<std::string> assumed;
 };
@@ -101,7 +102,8 @@ struct CheckReport {
   std::string sha256;                           ///< Of the trajectory.
 };
 
-/// A reading fails where a sample is clipped or the winding passes its limit in the runs asked for.
-bool fails(const Reading& reading);
+/// A interpretation fails where a sample is clipped or the winding passes its limit in the runs
+/// asked for.
+bool fails(const Interpretation& interpretation);
 
 }  // namespace torquewright::actuator

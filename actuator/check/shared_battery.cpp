@@ -18,9 +18,8 @@ std::vector<Finding> shared_battery_findings(const std::vector<CheckedDrive>& dr
   for (const CheckedDrive& drive : drives) {
     if (!drive.actuator->battery) continue;
     const Battery& battery = *drive.actuator->battery;
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-      return *group.battery == battery;
-    });
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const Group& group) { return *group.battery == battery; });
     Group& group = same != groups.end() ? *same : groups.emplace_back(Group{&battery, {}});
     group.joints.push_back(drive.name);
   }

@@ -51,13 +51,13 @@ HeatStep then(const HeatStep& first, const HeatStep& second) {
           first.duration_s + second.duration_s};
 }
 
-HeatModel::HeatModel(const Actuator& actuator, const Conditions& conditions)
+HeatModel::HeatModel(const Actuator& actuator, const OperatingConditions& conditions)
     : thermal_(*actuator.thermal) {
   // The resistance is linear in the temperature: two places tell it.
   const auto resistance_ohm = [&](double temperature_K) {
-    Conditions changed = conditions;
+    OperatingConditions changed = conditions;
     changed.winding_temperature_K = temperature_K;
-    return machine_at(actuator, changed).resistance_ohm;
+    return phase_model_at(actuator, changed).resistance_ohm;
   };
   constexpr double kSpan_K = 100.0;
   resistance_ohm_ = resistance_ohm(thermal_.ambient_K);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "actuator/conditions.hpp"
+#include "actuator/region/operating_conditions.hpp"
 
 namespace torquewright::actuator {
 
@@ -30,7 +30,7 @@ HeatStep then(const HeatStep& first, const HeatStep& second);
 class HeatModel {
  public:
   /// Requires `thermal` in the actuator and no objections to the conditions.
-  HeatModel(const Actuator& actuator, const Conditions& conditions);
+  HeatModel(const Actuator& actuator, const OperatingConditions& conditions);
 
   /// A step with that mean square of the phase current's amplitude.
   HeatStep step(double square_A2, double duration_s) const;

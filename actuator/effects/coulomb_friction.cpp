@@ -13,9 +13,7 @@ constexpr Parameter kParameters[] = {
 };
 constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
-double law(const Effect& effect, const Instant& at) {
-  return -effect.values[0] * at.direction;
-}
+double law(const Effect& effect, const Instant& at) { return -effect.values[0] * at.direction; }
 
 void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
   derivative[0] = -at.direction;

@@ -31,25 +31,25 @@ struct Instant {
   /// for a time in which the motion reverses.
   double direction = 0.0;
   double acceleration_rad_s2 = 0.0;
-  double load_torque_Nm = 0.0;    ///< On the load; driving where its sign is that of the motion.
-  double current_A = 0.0;         ///< In the actuator's convention.
+  double load_torque_Nm = 0.0;  ///< On the load; driving where its sign is that of the motion.
+  double current_A = 0.0;       ///< In the actuator's convention.
   double bus_current_A = 0.0;
   double output_angle_rad = 0.0;
-  double motor_angle_rad = 0.0;   ///< Mechanical.
+  double motor_angle_rad = 0.0;  ///< Mechanical.
   double winding_temperature_K = 298.15;
   double reference_temperature_K = 298.15;
-  double twist_rad = 0.0;         ///< Motor angle over ratio, less output angle.
+  double twist_rad = 0.0;  ///< Motor angle over ratio, less output angle.
   double twist_rate_rad_s = 0.0;
-  double input = 0.0;             ///< What a lag follows: the torque that was asked for.
-  double state = 0.0;             ///< Of an effect that has one.
+  double input = 0.0;  ///< What a lag follows: the torque that was asked for.
+  double state = 0.0;  ///< Of an effect that has one.
 };
 
 /// One parameter: its unit is the end of its name (dimensionless where there is none).
 struct Parameter {
   std::string_view name;
-  double lowest;       ///< Physically possible bounds.
+  double lowest;  ///< Physically possible bounds.
   double highest;
-  double neutral;      ///< At which the effect changes nothing; may be infinite.
+  double neutral;  ///< At which the effect changes nothing; may be infinite.
   std::string_view meaning;
 };
 
@@ -68,26 +68,26 @@ struct Effect;
 struct EffectKind {
   std::string_view name;
   Acts acts;
-  std::string_view sentence;               ///< The physics, for a person.
-  std::span<const Parameter> parameters;   ///< The scalar ones.
-  bool has_harmonics = false;              ///< Parameters are a list of harmonics besides.
-  std::span<const std::string_view> needs; ///< Quantities a log must hold to show it.
+  std::string_view sentence;                ///< The physics, for a person.
+  std::span<const Parameter> parameters;    ///< The scalar ones.
+  bool has_harmonics = false;               ///< Parameters are a list of harmonics besides.
+  std::span<const std::string_view> needs;  ///< Quantities a log must hold to show it.
   double (*law)(const Effect&, const Instant&);
   /// d law / d parameter: the scalar ones, then amplitude and phase of each harmonic. Orders are
   /// not fitted.
   void (*gradient)(const Effect&, const Instant&, std::span<double> derivative);
   /// d state / dt; null: no state.
   double (*state_rate)(const Effect&, const Instant&) = nullptr;
-  std::string_view state;                  ///< What the state is, with its unit.
+  std::string_view state;  ///< What the state is, with its unit.
 };
 
 /// An effect as a document states it.
 struct Effect {
   const EffectKind* kind = nullptr;
-  std::vector<double> values;        ///< In the order of kind->parameters.
+  std::vector<double> values;  ///< In the order of kind->parameters.
   std::vector<Harmonic> harmonics;
-  bool proportional = false;         ///< gear_ripple: amplitudes are ratios of the load.
-  std::string provenance;            ///< As written: "assumed", "measured", "identified", ...
+  bool proportional = false;  ///< gear_ripple: amplitudes are ratios of the load.
+  std::string provenance;     ///< As written: "assumed", "measured", "identified", ...
 };
 
 /// Parameters that a gradient covers.

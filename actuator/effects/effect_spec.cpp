@@ -29,7 +29,8 @@ class EffectReader {
     const std::string name = entry_["effect"];
     const EffectKind* kind = find_effect(name);
     if (kind == nullptr) {
-      report("/effect", fmt::format("\"{}\" is no effect of an actuator{}", name, known_effects(name)));
+      report("/effect",
+             fmt::format("\"{}\" is no effect of an actuator{}", name, known_effects(name)));
       return std::nullopt;
     }
     effect_.kind = kind;
@@ -77,8 +78,8 @@ class EffectReader {
     const std::vector<std::string> known = known_names();
     for (const auto& item : parameters().items()) {
       if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
-      report("/parameters/" + item.key(),
-             fmt::format("{} has no such parameter, only {}", effect_.kind->name, io::listed(known)));
+      report("/parameters/" + item.key(), fmt::format("{} has no such parameter, only {}",
+                                                      effect_.kind->name, io::listed(known)));
     }
   }
 
@@ -96,9 +97,9 @@ class EffectReader {
     }
     const double number = value.get<double>();
     if (number < parameter.lowest || number > parameter.highest) {
-      report(path, fmt::format("{} is outside what is possible, {} to {}: {}",
-                               io::as_written(value), parameter.lowest, parameter.highest,
-                               parameter.meaning));
+      report(path,
+             fmt::format("{} is outside what is possible, {} to {}: {}", io::as_written(value),
+                         parameter.lowest, parameter.highest, parameter.meaning));
     }
     effect_.values.push_back(number);
   }
@@ -126,8 +127,8 @@ class EffectReader {
     const std::vector<std::string> keys = {"order", amplitude_key(), "phase_rad"};
     for (const std::string& key : keys) {
       if (!wave.is_object() || !wave.contains(key) || !wave[key].is_number()) {
-        report(path, fmt::format("{} is missing or no number; a harmonic has {}", key,
-                                 io::listed(keys)));
+        report(path,
+               fmt::format("{} is missing or no number; a harmonic has {}", key, io::listed(keys)));
         return;
       }
     }
@@ -139,8 +140,7 @@ class EffectReader {
     }
     const Harmonic harmonic{wave["order"], wave[amplitude_key()], wave["phase_rad"]};
     if (harmonic.order <= 0.0 || harmonic.order > 10000.0) {
-      report(path + "/order",
-             fmt::format("{} is outside 0 to 10000 waves a turn", harmonic.order));
+      report(path + "/order", fmt::format("{} is outside 0 to 10000 waves a turn", harmonic.order));
     }
     if (effect_.proportional && std::abs(harmonic.amplitude) >= 1.0) {
       report(path + "/amplitude_ratio", "must be below 1: the ripple would exceed the load");

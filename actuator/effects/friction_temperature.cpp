@@ -7,7 +7,8 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"coefficient_1_K", -0.1, 0.1, 0.0, "Relative change per kelvin."},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm", "winding_temperature_K"};
+constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm",
+                                       "winding_temperature_K"};
 
 double law(const Effect& effect, const Instant& at) {
   return 1.0 + effect.values[0] * (at.winding_temperature_K - at.reference_temperature_K);

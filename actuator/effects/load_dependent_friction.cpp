@@ -14,7 +14,8 @@ constexpr Parameter kParameters[] = {
     {"backdriving_coefficient", 0.0, 1.0, 0.0,
      "Friction per torque while the load drives: efficiency 1 - k."},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm", "motor_current_A"};
+constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm",
+                                       "motor_current_A"};
 
 /// Share of the instant's time in which motor and load turn the same way.
 double driving_share(const Instant& at) {

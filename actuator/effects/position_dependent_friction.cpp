@@ -5,7 +5,8 @@
 namespace torquewright::actuator::effects {
 namespace {
 
-constexpr std::string_view kNeeds[] = {"output_position_rad", "output_velocity_rad_s", "output_torque_Nm"};
+constexpr std::string_view kNeeds[] = {"output_position_rad", "output_velocity_rad_s",
+                                       "output_torque_Nm"};
 
 double law(const Effect& effect, const Instant& at) {
   return -harmonic_sum(effect.harmonics, at.output_angle_rad) * at.direction;

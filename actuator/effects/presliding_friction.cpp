@@ -13,11 +13,10 @@ constexpr Parameter kParameters[] = {
     {"stiffness_Nm_rad", 0.0, kInfinity, kInfinity,
      "Slope before slip, at the output; infinite: it slips at once."},
 };
-constexpr std::string_view kNeeds[] = {"output_position_rad", "output_velocity_rad_s", "output_torque_Nm"};
+constexpr std::string_view kNeeds[] = {"output_position_rad", "output_velocity_rad_s",
+                                       "output_torque_Nm"};
 
-double law(const Effect& /*effect*/, const Instant& at) {
-  return -at.state;
-}
+double law(const Effect& /*effect*/, const Instant& at) { return -at.state; }
 
 void gradient(const Effect& /*effect*/, const Instant& /*at*/, std::span<double> derivative) {
   // The state holds all of it; how the state depends on the parameters is found by simulation.

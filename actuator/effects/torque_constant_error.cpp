@@ -13,9 +13,7 @@ constexpr Parameter kParameters[] = {
 };
 constexpr std::string_view kNeeds[] = {"motor_current_A", "output_torque_Nm"};
 
-double law(const Effect& effect, const Instant& /*at*/) {
-  return effect.values[0];
-}
+double law(const Effect& effect, const Instant& /*at*/) { return effect.values[0]; }
 
 void gradient(const Effect& /*effect*/, const Instant& /*at*/, std::span<double> derivative) {
   derivative[0] = 1.0;

@@ -13,9 +13,7 @@ constexpr Parameter kParameters[] = {
 };
 constexpr std::string_view kNeeds[] = {"commanded_torque_Nm", "output_torque_Nm"};
 
-double law(const Effect& /*effect*/, const Instant& at) {
-  return at.state - at.input;
-}
+double law(const Effect& /*effect*/, const Instant& at) { return at.state - at.input; }
 
 void gradient(const Effect& /*effect*/, const Instant& /*at*/, std::span<double> derivative) {
   // The state holds all of it; how the state depends on the time constant is found by simulation.

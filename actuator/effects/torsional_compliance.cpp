@@ -13,7 +13,8 @@ constexpr Parameter kParameters[] = {
      "Torque per twist, at the output; infinite: rigid."},
     {"damping_Nm_s_rad", 0.0, kInfinity, 0.0, "Torque per rate of twist, at the output."},
 };
-constexpr std::string_view kNeeds[] = {"motor_position_rad", "output_position_rad", "output_torque_Nm"};
+constexpr std::string_view kNeeds[] = {"motor_position_rad", "output_position_rad",
+                                       "output_torque_Nm"};
 
 double law(const Effect& effect, const Instant& at) {
   // Rigid (infinite stiffness) there is no twist, and the torque is whatever the load takes.
@@ -31,7 +32,8 @@ void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> der
 const EffectKind torsional_compliance = {
     .name = "torsional_compliance",
     .acts = Acts::kDynamics,
-    .sentence = "Shafts and teeth twist under load: a spring and a damper between motor and output.",
+    .sentence =
+        "Shafts and teeth twist under load: a spring and a damper between motor and output.",
     .parameters = kParameters,
     .has_harmonics = false,
     .needs = kNeeds,

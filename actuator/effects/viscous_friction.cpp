@@ -13,9 +13,7 @@ constexpr Parameter kParameters[] = {
 };
 constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
-double law(const Effect& effect, const Instant& at) {
-  return -effect.values[0] * at.speed_rad_s;
-}
+double law(const Effect& effect, const Instant& at) { return -effect.values[0] * at.speed_rad_s; }
 
 void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
   derivative[0] = -at.speed_rad_s;

@@ -13,9 +13,7 @@ constexpr Parameter kParameters[] = {
 };
 constexpr std::string_view kNeeds[] = {"bus_voltage_V", "motor_current_A"};
 
-double law(const Effect& effect, const Instant& at) {
-  return -effect.values[0] * at.bus_current_A;
-}
+double law(const Effect& effect, const Instant& at) { return -effect.values[0] * at.bus_current_A; }
 
 void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
   derivative[0] = -at.bus_current_A;

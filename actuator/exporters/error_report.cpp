@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/search.hpp"
+#include "actuator/region/bracketed_search.hpp"
 
 namespace torquewright::actuator {
 namespace {

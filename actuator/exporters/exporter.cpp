@@ -5,7 +5,7 @@
 
 namespace torquewright::actuator {
 
-std::string_view name_of(Fit fit) { return fit == Fit::kBest ? "best" : "conservative"; }
+std::string_view name_of(LawFit fit) { return fit == LawFit::kBest ? "best" : "conservative"; }
 
 double Subject::ratio() const {
   return region.side() == Side::kMotor ? 1.0 : actuator.transmission.ratio;

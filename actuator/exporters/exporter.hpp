@@ -6,29 +6,29 @@
 #include <string_view>
 #include <vector>
 
-#include "actuator/joint_region.hpp"
-#include "actuator/mor_table.hpp"
+#include "actuator/region/joint_region.hpp"
+#include "actuator/region/mor_table.hpp"
 
 namespace torquewright::actuator {
 
 /// How the numbers of a law are chosen that cannot take the shape of the region: by least squares
 /// of both bounds over every speed up to the region's greatest.
-enum class Fit {
+enum class LawFit {
   /// Among the laws that lie inside the region wherever it holds zero torque. (Past those speeds
   /// the
   /// region leaves zero and ends in a point: no law that narrows down to zero can stay inside it.)
   kConservative,
   kBest,  ///< Among all.
 };
-std::string_view name_of(Fit fit);
+std::string_view name_of(LawFit fit);
 
 /// What a file is written about.
 struct Subject {
   const Actuator& actuator;
-  Conditions conditions;
+  OperatingConditions conditions;
   const Region& region;
   const MorTable& table;  ///< Of the region.
-  Fit fit = Fit::kConservative;
+  LawFit fit = LawFit::kConservative;
 
   /// Rotor speed over the speed of the side that is exported; 1 on the motor's side.
   double ratio() const;

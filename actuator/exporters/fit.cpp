@@ -130,7 +130,7 @@ Shape largest_inside(const Judge& judge, const Shape& shape) {
 Shape fitted(const Subject& subject, const Exporter& exporter, const Shape& start) {
   const Judge judge(subject, exporter);
   if (!judge.has_samples() || judge.cost(start, 0.0) < kExact * kExact) return start;
-  if (subject.fit == Fit::kBest) return least_cost(judge, start, 0.0);
+  if (subject.fit == LawFit::kBest) return least_cost(judge, start, 0.0);
   Shape shape = start;
   for (const double price : {1e2, 1e4, 1e6}) shape = least_cost(judge, shape, price);
   // The start, drawn in, may be the answer itself, which the search meets only nearly.

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actuator/motor_region.hpp"
+#include "actuator/region/motor_region.hpp"
 
 namespace torquewright::actuator {
 
@@ -12,11 +12,11 @@ Parallelogram parallelogram_of(std::span<const double> shape) {
 }
 
 Shape line_start(const Subject& subject) {
-  const Machine& machine = subject.region.machine();
+  const PhaseModel& model = subject.region.model();
   const double ratio = std::abs(subject.ratio());
-  const double phase_V = machine.phase_volts_per_bus_volt * subject.bus_voltage_V();
-  const double stall_Nm = machine.torque_constant_Nm_A * phase_V / machine.resistance_ohm;
-  return {ratio * stall_Nm, no_load_speed_rad_s(machine) / ratio, subject.table.peak_torque_Nm};
+  const double phase_V = model.phase_volts_per_bus_volt * subject.bus_voltage_V();
+  const double stall_Nm = model.torque_constant_Nm_A * phase_V / model.resistance_ohm;
+  return {ratio * stall_Nm, no_load_speed_rad_s(model) / ratio, subject.table.peak_torque_Nm};
 }
 
 TorqueLimits line_law(std::span<const double> shape, double speed_rad_s) {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "actuator/mor_table_spec.hpp"
+#include "actuator/region/mor_table_spec.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -30,11 +30,11 @@ std::string armature_line(const Subject& subject) {
 
 std::string fit_line(const Exporter& exporter, const Subject& subject) {
   if (exporter.parameters.empty()) {
-    return subject.fit == Fit::kConservative
+    return subject.fit == LawFit::kConservative
                ? "Fit: conservative (the region's table, drawn in by its interpolation error)."
                : "Fit: best (the region's table).";
   }
-  return subject.fit == Fit::kConservative
+  return subject.fit == LawFit::kConservative
              ? "Fit: conservative (inside the region wherever that holds zero torque)."
              : "Fit: best (least squares of both bounds).";
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/clip_table.hpp"
+#include "actuator/region/clip_table.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -26,7 +26,7 @@ std::string array(std::string_view name, std::span<const double> values) {
 Shape table_shape(const Subject& subject) {
   const ClipPoints points = clip_points(subject.table);
   const double inset_Nm =
-      subject.fit == Fit::kConservative ? subject.table.interpolation_error_Nm : 0.0;
+      subject.fit == LawFit::kConservative ? subject.table.interpolation_error_Nm : 0.0;
   Shape shape = points.speeds_rad_s;
   const std::size_t rows = shape.size();
   const auto middle_Nm = [&](std::size_t i) {

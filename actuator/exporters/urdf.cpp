@@ -37,7 +37,7 @@ double box_torque_Nm(const Subject& subject, double speed_rad_s) {
 /// Conservative: the box of the greatest area inside the region. Best: what datasheets are copied
 /// from, peak torque and no-load speed; least squares has no meaning for a box of any width.
 Shape shape(const Subject& subject) {
-  if (subject.fit == Fit::kBest) {
+  if (subject.fit == LawFit::kBest) {
     return {subject.table.peak_torque_Nm, plateaus_of(subject).no_load_rad_s};
   }
   std::vector<double> speeds_rad_s;

@@ -10,28 +10,28 @@ namespace {
 constexpr double kRpmPerRad_s = 30.0 / std::numbers::pi;
 
 /// What a machine without losses of that torque constant would show: 2/3 Kt per phase.
-Term phase_back_emf_of_torque_constant(const Actuator& document) {
+RoundedInterval phase_back_emf_of_torque_constant(const Actuator& document) {
   return derive(product, phase_torque_constant(document), exact(2.0 / 3.0));
 }
 
-std::optional<Term> back_emf_stated(const Actuator& document) {
+std::optional<RoundedInterval> back_emf_stated(const Actuator& document) {
   const std::optional<double>& constant = document.motor.back_emf_constant_V_s_rad;
   if (!constant) return std::nullopt;
   return rounded(*constant, "/motor/back_emf_constant_V_s_rad");
 }
 
-std::optional<Term> back_emf_expected(const Reading& reading) {
-  return derive(product, phase_back_emf_of_torque_constant(reading.document),
-                exact(volts_per_phase_volt(reading.emf_measure)));
+std::optional<RoundedInterval> back_emf_expected(const Interpretation& interpretation) {
+  return derive(product, phase_back_emf_of_torque_constant(interpretation.document),
+                exact(volts_per_phase_volt(interpretation.emf_measure)));
 }
 
 /// Kv = 60 / (2 pi Ke), Ke line to line unless read otherwise.
-std::optional<Term> velocity_constant_expected(const Reading& reading) {
+std::optional<RoundedInterval> velocity_constant_expected(const Interpretation& interpretation) {
   return derive([](double back_emf, double volts_per_volt,
                    double turns) { return kRpmPerRad_s / (back_emf * volts_per_volt * turns); },
-                phase_back_emf_of_torque_constant(reading.document),
-                exact(volts_per_phase_volt(reading.speed_constant_measure)),
-                sheet_ratio(reading.document));
+                phase_back_emf_of_torque_constant(interpretation.document),
+                exact(volts_per_phase_volt(interpretation.speed_constant_measure)),
+                sheet_ratio(interpretation.document));
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ const Check back_emf_constant = {
     .weight = Weight::kContradiction,
     .stated = back_emf_stated,
     .expected = back_emf_expected,
-    .families = {emf_readings},
+    .families = {emf_interpretations},
 };
 
 const Check velocity_constant = {
@@ -59,7 +59,7 @@ const Check velocity_constant = {
                               "velocity_constant_rpm_V");
         },
     .expected = velocity_constant_expected,
-    .families = {emf_readings, side_readings},
+    .families = {emf_interpretations, side_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

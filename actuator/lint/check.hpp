@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "actuator/lint/reading.hpp"
-#include "actuator/lint/term.hpp"
+#include "actuator/lint/interpretation.hpp"
+#include "actuator/lint/rounded_interval.hpp"
 
 namespace torquewright::actuator::lint {
 
@@ -21,7 +21,7 @@ enum class Weight {
 };
 
 /// How well an explanation would do.
-enum class Fit {
+enum class Agreement {
   kFits,
   kAdmits,  ///< The stated speed stays below what is possible: loaded or capped.
   kExcludes,
@@ -30,8 +30,8 @@ enum class Fit {
 /// One way in which the numbers would agree, or would not.
 struct Explanation {
   std::string sentence;
-  std::optional<Term> expected;  ///< What the others would then say.
-  Fit fit = Fit::kExcludes;
+  std::optional<RoundedInterval> expected;  ///< What the others would then say.
+  Agreement fit = Agreement::kExcludes;
 };
 
 /// One thing that is stated twice: a number, and the others that it follows from. One of these per
@@ -42,22 +42,23 @@ struct Check {
   std::string_view equation;  ///< For a person, in the symbols of docs/lint.md.
   Demand demand = Demand::kEqual;
   Weight weight = Weight::kContradiction;
-  std::optional<Term> (*stated)(const Actuator& document) = nullptr;
-  std::optional<Term> (*expected)(const Reading& reading) = nullptr;
-  std::vector<ReadingFamily> families;  ///< Other readings that are tried on a contradiction.
-  bool below_is_load = false;           ///< A smaller number may be a loaded or capped one.
-  /// Explanations that are no reading of the document.
-  std::vector<Explanation> (*further)(const Actuator& document, const Term& stated,
-                                      const Term& expected) = nullptr;
+  std::optional<RoundedInterval> (*stated)(const Actuator& document) = nullptr;
+  std::optional<RoundedInterval> (*expected)(const Interpretation& interpretation) = nullptr;
+  std::vector<Interpreter> families;  ///< Other interpretations that are tried on a contradiction.
+  bool below_is_load = false;         ///< A smaller number may be a loaded or capped one.
+  /// Explanations that are no interpretation of the document.
+  std::vector<Explanation> (*further)(const Actuator& document, const RoundedInterval& stated,
+                                      const RoundedInterval& expected) = nullptr;
 };
 
 /// Every check there is.
 std::span<const Check* const> library();
 
-/// True if the two terms meet the demand, within their rounding.
-bool is_met(Demand demand, const Term& stated, const Term& expected);
+/// True if the two intervals meet the demand, within their rounding.
+bool is_met(Demand demand, const RoundedInterval& stated, const RoundedInterval& expected);
 
-/// The candidate table of a check for one document: each reading that changes what is expected.
+/// The candidate table of a check for one document: each interpretation that changes what is
+/// expected.
 std::vector<Explanation> explanations(const Check& check, const Actuator& document);
 
 }  // namespace torquewright::actuator::lint

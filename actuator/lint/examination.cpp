@@ -23,7 +23,7 @@ std::vector<std::string> assumed_among(const Actuator& document,
 }
 
 /// How far apart the nearest ends of both intervals are, in percent of what is expected.
-std::string distance(const Term& stated, const Term& expected) {
+std::string distance(const RoundedInterval& stated, const RoundedInterval& expected) {
   if (expected.low <= 0.0) return "";
   const bool is_above = lies_above(stated, expected);
   const double nearest = is_above ? stated.low / expected.high : stated.high / expected.low;
@@ -43,14 +43,15 @@ std::string_view wording(Demand demand) {
   return "follows as";
 }
 
-std::string sentence_of(const Check& check, const Term& stated, const Term& expected) {
+std::string sentence_of(const Check& check, const RoundedInterval& stated,
+                        const RoundedInterval& expected) {
   return fmt::format("{} says {}; by {} it {} {}{}", stated.pointers.front(),
                      with_interval(stated, check.unit), check.equation, wording(check.demand),
                      with_interval(expected, check.unit), distance(stated, expected));
 }
 
-Finding finding_of(const Check& check, const Actuator& document, const Term& stated,
-                   const Term& expected) {
+Finding finding_of(const Check& check, const Actuator& document, const RoundedInterval& stated,
+                   const RoundedInterval& expected) {
   Finding finding;
   finding.rule = check.rule;
   finding.actuator = document.name;
@@ -62,8 +63,8 @@ Finding finding_of(const Check& check, const Actuator& document, const Term& sta
   return finding;
 }
 
-Finding contradiction_of(const Check& check, const Actuator& document, const Term& stated,
-                         const Term& expected) {
+Finding contradiction_of(const Check& check, const Actuator& document,
+                         const RoundedInterval& stated, const RoundedInterval& expected) {
   Finding finding = finding_of(check, document, stated, expected);
   finding.sentence = sentence_of(check, stated, expected);
   if (check.weight == Weight::kPlausibility) {
@@ -80,17 +81,17 @@ Finding contradiction_of(const Check& check, const Actuator& document, const Ter
 }
 
 /// An assumed convention with which the numbers agree, where another would do as well.
-std::optional<Finding> rivals_of(const Check& check, const Actuator& document, const Term& stated,
-                                 const Term& expected) {
+std::optional<Finding> rivals_of(const Check& check, const Actuator& document,
+                                 const RoundedInterval& stated, const RoundedInterval& expected) {
   constexpr std::string_view kConvention = "/motor/torque_constant_convention";
   const bool is_assumed = std::find(document.assumed.begin(), document.assumed.end(),
                                     kConvention) != document.assumed.end();
-  if (!is_assumed || check.families.empty() || check.families.front() != speed_readings) {
+  if (!is_assumed || check.families.empty() || check.families.front() != speed_interpretations) {
     return std::nullopt;
   }
   Finding finding = finding_of(check, document, stated, expected);
   std::erase_if(finding.explanations, [](const Explanation& one) { return !one.expected; });
-  const auto fits = [](const Explanation& one) { return one.fit == Fit::kFits; };
+  const auto fits = [](const Explanation& one) { return one.fit == Agreement::kFits; };
   if (std::none_of(finding.explanations.begin(), finding.explanations.end(), fits)) {
     return std::nullopt;
   }
@@ -104,9 +105,9 @@ std::optional<Finding> rivals_of(const Check& check, const Actuator& document, c
 }
 
 void apply(const Check& check, const Actuator& document, Examination& examination) {
-  const std::optional<Term> stated = check.stated(document);
+  const std::optional<RoundedInterval> stated = check.stated(document);
   if (!stated) return;
-  const std::optional<Term> expected = check.expected(as_stated(document));
+  const std::optional<RoundedInterval> expected = check.expected(as_stated(document));
   if (!expected) return;
   const bool agrees = is_met(check.demand, *stated, *expected);
   examination.comparisons.push_back({std::string(check.rule), std::string(check.unit),

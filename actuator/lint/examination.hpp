@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/lint/family.hpp"
+#include "actuator/lint/common_convention.hpp"
 #include "actuator/lint/finding.hpp"
 
 namespace torquewright::actuator::lint {

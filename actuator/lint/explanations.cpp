@@ -11,57 +11,60 @@ namespace {
 /// A loaded or capped speed is at least this part of the no-load speed; less is another matter.
 constexpr double kLeastLoadedShare = 0.5;
 
-Fit fit_of(const Check& check, const Term& stated, const Term& expected) {
-  if (is_met(check.demand, stated, expected)) return Fit::kFits;
+Agreement fit_of(const Check& check, const RoundedInterval& stated,
+                 const RoundedInterval& expected) {
+  if (is_met(check.demand, stated, expected)) return Agreement::kFits;
   const bool may_be_loaded = check.below_is_load && lies_above(expected, stated) &&
                              stated.high >= kLeastLoadedShare * expected.low;
-  return may_be_loaded ? Fit::kAdmits : Fit::kExcludes;
+  return may_be_loaded ? Agreement::kAdmits : Agreement::kExcludes;
 }
 
-bool is_same(const Term& one, const Term& other) {
+bool is_same(const RoundedInterval& one, const RoundedInterval& other) {
   return one.low == other.low && one.high == other.high;
 }
 
-/// The reading that is the document's own may still be a load: a speed that is not the no-load one.
-void add_load(const Check& check, const Term& stated, const Term& expected,
+/// The interpretation that is the document's own may still be a load: a speed that is not the
+/// no-load one.
+void add_load(const Check& check, const RoundedInterval& stated, const RoundedInterval& expected,
               std::vector<Explanation>& list) {
-  if (fit_of(check, stated, expected) != Fit::kAdmits) return;
-  list.push_back({"a loaded or capped speed, not the no-load speed", expected, Fit::kAdmits});
+  if (fit_of(check, stated, expected) != Agreement::kAdmits) return;
+  list.push_back({"a loaded or capped speed, not the no-load speed", expected, Agreement::kAdmits});
 }
 
 /// Whole numbers that end in zeros may be targets of fewer figures: 20 as 15 to 25.
-void add_round_number(const Check& check, const Term& stated, const Term& expected,
-                      std::vector<Explanation>& list) {
+void add_round_number(const Check& check, const RoundedInterval& stated,
+                      const RoundedInterval& expected, std::vector<Explanation>& list) {
   if (stated.low == stated.high || std::fmod(stated.value, 10.0) != 0.0) return;
   double unit = 10.0;
   while (std::fmod(stated.value, 10.0 * unit) == 0.0) unit *= 10.0;
-  const Term target{stated.value, stated.value - 0.5 * unit, stated.value + 0.5 * unit, {}};
+  const RoundedInterval target{
+      stated.value, stated.value - 0.5 * unit, stated.value + 0.5 * unit, {}};
   if (!is_met(check.demand, target, expected)) return;
   list.push_back({fmt::format("a round number: {:g} printed for {:g} to {:g}", stated.value,
                               target.low, target.high),
-                  std::nullopt, Fit::kFits});
+                  std::nullopt, Agreement::kFits});
 }
 
 }  // namespace
 
-bool is_met(Demand demand, const Term& stated, const Term& expected) {
+bool is_met(Demand demand, const RoundedInterval& stated, const RoundedInterval& expected) {
   const bool is_too_high = lies_above(stated, expected);
   const bool is_too_low = lies_above(expected, stated);
   return !(is_too_high && demand != Demand::kAtLeast) && !(is_too_low && demand != Demand::kAtMost);
 }
 
 std::vector<Explanation> explanations(const Check& check, const Actuator& document) {
-  const Reading own = as_stated(document);
-  const std::optional<Term> stated = check.stated(document);
-  const std::optional<Term> expected = check.expected(own);
+  const Interpretation own = as_stated(document);
+  const std::optional<RoundedInterval> stated = check.stated(document);
+  const std::optional<RoundedInterval> expected = check.expected(own);
   if (!stated || !expected) return {};
   std::vector<Explanation> list;
   add_load(check, *stated, *expected, list);
-  for (const ReadingFamily family : check.families) {
-    for (const Reading& reading : family(own)) {
-      const std::optional<Term> then = check.expected(reading);
+  for (const Interpreter family : check.families) {
+    for (const Interpretation& interpretation : family(own)) {
+      const std::optional<RoundedInterval> then = check.expected(interpretation);
       if (!then || is_same(*then, *expected)) continue;
-      list.push_back({reading.sentence, then, fit_of(check, *stated, *then)});
+      list.push_back({interpretation.sentence, then, fit_of(check, *stated, *then)});
     }
   }
   if (check.further) {

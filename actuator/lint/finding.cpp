@@ -11,16 +11,17 @@ double limit(const Finding& finding) {
   return std::clamp(finding.stated.value, finding.expected.low, finding.expected.high);
 }
 
-std::string with_interval(const Term& term, std::string_view unit) {
-  std::string text = fmt::format("{:.4g}", term.value);
-  if (term.low != term.high) text += fmt::format(" ({:.4g} to {:.4g})", term.low, term.high);
+std::string with_interval(const RoundedInterval& interval, std::string_view unit) {
+  std::string text = fmt::format("{:.4g}", interval.value);
+  if (interval.low != interval.high)
+    text += fmt::format(" ({:.4g} to {:.4g})", interval.low, interval.high);
   return unit.empty() ? text : fmt::format("{} {}", text, unit);
 }
 
 Severity contradiction(const std::vector<Explanation>& explanations) {
   const bool is_reconciled =
       std::any_of(explanations.begin(), explanations.end(),
-                  [](const Explanation& one) { return one.fit != Fit::kExcludes; });
+                  [](const Explanation& one) { return one.fit != Agreement::kExcludes; });
   return is_reconciled ? Severity::kWarning : Severity::kViolation;
 }
 

@@ -16,8 +16,8 @@ struct Comparison {
   std::string unit;
   std::string equation;
   Demand demand = Demand::kEqual;
-  Term stated;
-  Term expected;
+  RoundedInterval stated;
+  RoundedInterval expected;
   bool agrees = true;
 };
 
@@ -27,8 +27,8 @@ struct Finding {
   std::string actuator;  ///< Name, or names.
   std::string unit;
   std::string sentence;
-  Term stated;                       ///< Its pointers: what is stated.
-  Term expected;                     ///< Its pointers: what that follows from.
+  RoundedInterval stated;            ///< Its pointers: what is stated.
+  RoundedInterval expected;          ///< Its pointers: what that follows from.
   std::vector<std::string> assumed;  ///< Those of the pointers that the document assumes.
   std::vector<Explanation> explanations;
 };
@@ -37,7 +37,7 @@ struct Finding {
 double limit(const Finding& finding);
 
 /// A number with its interval and unit: 20 (19.5 to 20.5) rad/s.
-std::string with_interval(const Term& term, std::string_view unit);
+std::string with_interval(const RoundedInterval& interval, std::string_view unit);
 
 /// Warning if an explanation fits or admits, violation if none does.
 Severity contradiction(const std::vector<Explanation>& explanations);

@@ -8,8 +8,8 @@ namespace torquewright::actuator::lint {
 namespace {
 
 /// What the gears carry, at the data sheet's side.
-std::optional<Term> gear_peak(const Reading& reading) {
-  const Actuator& document = reading.document;
+std::optional<RoundedInterval> gear_peak(const Interpretation& interpretation) {
+  const Actuator& document = interpretation.document;
   if (document.transmission.peak_torque_Nm == kUnlimited) return std::nullopt;
   return derive([](double torque_Nm, double turns,
                    double sheet_turns) { return torque_Nm * sheet_turns / turns; },
@@ -18,7 +18,7 @@ std::optional<Term> gear_peak(const Reading& reading) {
 }
 
 /// N Kt I at the joint.
-std::optional<Term> motor_peak(const Actuator& document) {
+std::optional<RoundedInterval> motor_peak(const Actuator& document) {
   return derive([](double turns, double constant_Nm_A,
                    double amperes) { return turns * constant_Nm_A * amperes; },
                 ratio(document), torque_constant(document), peak_current(document));
@@ -32,11 +32,12 @@ double equal_loss_backward(double forward) { return std::max(0.0, 2.0 - 1.0 / fo
 /// gearbox that loses less when driven back.
 constexpr double kLossFactor = 1.5;
 
-std::optional<Term> backward_expected(const Reading& reading) {
-  const Transmission& gear = reading.document.transmission;
+std::optional<RoundedInterval> backward_expected(const Interpretation& interpretation) {
+  const Transmission& gear = interpretation.document.transmission;
   if (!gear.source.empty()) return std::nullopt;  // computed from teeth, nothing is stated twice
-  const Term forward = efficiency(gear.forward_efficiency, "/gearbox/forward_efficiency");
-  Term expected = derive(equal_loss_backward, forward);
+  const RoundedInterval forward =
+      efficiency(gear.forward_efficiency, "/gearbox/forward_efficiency");
+  RoundedInterval expected = derive(equal_loss_backward, forward);
   expected.low = std::max(0.0, 1.0 - kLossFactor * (1.0 - expected.low));
   expected.high = forward.value > 0.5 ? forward.high : expected.high;
   return expected;
@@ -55,7 +56,7 @@ const Check gear_limit = {
           return sheet_number(document, &Datasheet::peak_torque_Nm, "peak_torque_Nm");
         },
     .expected = gear_peak,
-    .families = {side_readings},
+    .families = {side_interpretations},
 };
 
 const Check motor_against_gear = {
@@ -64,11 +65,12 @@ const Check motor_against_gear = {
     .equation = "N Kt I at the drive's peak current",
     .demand = Demand::kAtLeast,
     .weight = Weight::kPlausibility,
-    .stated = [](const Actuator& document) -> std::optional<Term> {
+    .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
       if (document.transmission.peak_torque_Nm == kUnlimited) return std::nullopt;
       return rounded(document.transmission.peak_torque_Nm, "/gearbox/peak_torque_Nm");
     },
-    .expected = [](const Reading& reading) { return motor_peak(reading.document); },
+    .expected =
+        [](const Interpretation& interpretation) { return motor_peak(interpretation.document); },
     .families = {},
 };
 

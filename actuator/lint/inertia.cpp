@@ -7,17 +7,17 @@
 namespace torquewright::actuator::lint {
 namespace {
 
-Term gear_inertia(const Transmission& gear) {
+RoundedInterval gear_inertia(const Transmission& gear) {
   if (gear.inertia_kg_m2 == 0.0) return exact(0.0);
   return gear.source.empty() ? rounded(gear.inertia_kg_m2, "/gearbox/inertia_kg_m2")
                              : exact(gear.inertia_kg_m2, "/gearbox/file");
 }
 
 /// N^2 J + J_gear.
-std::optional<Term> expected(const Reading& reading) {
-  const Actuator& document = reading.document;
+std::optional<RoundedInterval> expected(const Interpretation& interpretation) {
+  const Actuator& document = interpretation.document;
   if (document.motor.rotor_inertia_kg_m2 == 0.0) return std::nullopt;
-  const int power = reading.ratio_power_of_inertia;
+  const int power = interpretation.ratio_power_of_inertia;
   return derive([power](double turns, double rotor,
                         double gears) { return std::pow(turns, power) * rotor + gears; },
                 ratio(document),
@@ -25,25 +25,26 @@ std::optional<Term> expected(const Reading& reading) {
                 gear_inertia(document.transmission));
 }
 
-std::vector<Reading> inertia_readings(const Reading& stated) {
-  Reading rotor = stated;
+std::vector<Interpretation> inertia_interpretations(const Interpretation& stated) {
+  Interpretation rotor = stated;
   rotor.ratio_power_of_inertia = 0;
   rotor.sentence = "the rotor's own inertia, not carried to the joint";
-  Reading once = stated;
+  Interpretation once = stated;
   once.ratio_power_of_inertia = 1;
   once.sentence = "carried over by the ratio instead of its square";
-  Reading bare = stated;
+  Interpretation bare = stated;
   bare.document.transmission.inertia_kg_m2 = 0.0;
   bare.sentence = "without the gears' own inertia";
   return {rotor, once, bare};
 }
 
 /// More than the rotor's: what the gears would have to add.
-std::vector<Explanation> further(const Actuator& /*document*/, const Term& stated,
-                                 const Term& expected) {
+std::vector<Explanation> further(const Actuator& /*document*/, const RoundedInterval& stated,
+                                 const RoundedInterval& expected) {
   if (!lies_above(stated, expected) || stated.low > 2.0 * expected.high) return {};
-  Term missing = derive([](double all, double rotor) { return all - rotor; }, stated, expected);
-  return {{"inertia of the gears beyond what is stated, of", missing, Fit::kFits}};
+  RoundedInterval missing =
+      derive([](double all, double rotor) { return all - rotor; }, stated, expected);
+  return {{"inertia of the gears beyond what is stated, of", missing, Agreement::kFits}};
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ const Check reflected_inertia = {
                               "reflected_inertia_kg_m2");
         },
     .expected = expected,
-    .families = {inertia_readings},
+    .families = {inertia_interpretations},
     .further = further,
 };
 

@@ -12,22 +12,23 @@ double greatest_power_W(double volts, double ohms, double limit_A, bool is_elect
   return 1.5 * amperes * (is_electrical ? volts : volts - ohms * amperes);
 }
 
-std::optional<Term> expected(const Reading& reading) {
-  const bool is_electrical = reading.power_is_electrical;
-  const Term gears = is_electrical ? exact(1.0) : sheet_efficiency(reading.document);
+std::optional<RoundedInterval> expected(const Interpretation& interpretation) {
+  const bool is_electrical = interpretation.power_is_electrical;
+  const RoundedInterval gears =
+      is_electrical ? exact(1.0) : sheet_efficiency(interpretation.document);
   return derive(
       [is_electrical](double volts, double ohms, double limit_A, double efficiency) {
         return efficiency * greatest_power_W(volts, ohms, limit_A, is_electrical);
       },
-      phase_voltage(reading.document), phase_resistance(reading.document),
-      phase_current(reading, peak_current(reading.document)), gears);
+      phase_voltage(interpretation.document), phase_resistance(interpretation.document),
+      phase_current(interpretation, peak_current(interpretation.document)), gears);
 }
 
-std::vector<Reading> electrical_readings(const Reading& stated) {
-  Reading reading = stated;
-  reading.power_is_electrical = true;
-  reading.sentence = "power drawn from the bus, not at the shaft";
-  return {reading};
+std::vector<Interpretation> electrical_interpretations(const Interpretation& stated) {
+  Interpretation interpretation = stated;
+  interpretation.power_is_electrical = true;
+  interpretation.sentence = "power drawn from the bus, not at the shaft";
+  return {interpretation};
 }
 
 }  // namespace
@@ -43,7 +44,8 @@ const Check peak_power = {
           return sheet_number(document, &Datasheet::peak_power_W, "peak_power_W");
         },
     .expected = expected,
-    .families = {electrical_readings, loss_readings, ohm_readings, speed_readings, ampere_readings},
+    .families = {electrical_interpretations, loss_interpretations, ohm_interpretations,
+                 speed_interpretations, ampere_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

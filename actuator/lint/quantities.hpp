@@ -3,41 +3,46 @@
 
 #include <optional>
 
-#include "actuator/lint/reading.hpp"
-#include "actuator/lint/term.hpp"
+#include "actuator/lint/interpretation.hpp"
+#include "actuator/lint/rounded_interval.hpp"
 
 namespace torquewright::actuator::lint {
 
-/// The numbers of a document as terms of the checks' equations. Electrical ones are amplitudes of
-/// one phase. What is a condition (voltages and currents at which something else is stated) and
+/// The numbers of a document as intervals of the checks' equations. Electrical ones are amplitudes
+/// of one phase. What is a condition (voltages and currents at which something else is stated) and
 /// what is counted (whole ratios, ratios of gearboxes with known teeth, efficiencies of 0 and 1) is
 /// exact.
 
 using SheetKey = std::optional<double> Datasheet::*;
 
 /// A number of the data sheet as printed; empty where absent.
-std::optional<Term> sheet_number(const Actuator& document, SheetKey key, const char* name);
+std::optional<RoundedInterval> sheet_number(const Actuator& document, SheetKey key,
+                                            const char* name);
 /// The same as a condition.
-std::optional<Term> sheet_condition(const Actuator& document, SheetKey key, const char* name);
+std::optional<RoundedInterval> sheet_condition(const Actuator& document, SheetKey key,
+                                               const char* name);
 
 /// Magnitude of rotor speed over joint speed.
-Term ratio(const Actuator& document);
+RoundedInterval ratio(const Actuator& document);
 /// Rotor speed over the speed at the data sheet's side: 1 on the motor's.
-Term sheet_ratio(const Actuator& document);
+RoundedInterval sheet_ratio(const Actuator& document);
 /// Between the rotor and the data sheet's side: 1 on the motor's.
-Term sheet_efficiency(const Actuator& document);
-Term efficiency(double value, const char* pointer);
+RoundedInterval sheet_efficiency(const Actuator& document);
+RoundedInterval efficiency(double value, const char* pointer);
 
-Term torque_constant(const Actuator& document);        ///< As printed, Nm/A.
-Term phase_torque_constant(const Actuator& document);  ///< Per ampere of phase amplitude.
-Term phase_back_emf(const Reading& reading);           ///< V s/rad; from Kt where it is not stated.
-Term phase_resistance(const Actuator& document);
+RoundedInterval torque_constant(const Actuator& document);  ///< As printed, Nm/A.
+RoundedInterval phase_torque_constant(
+    const Actuator& document);  ///< Per ampere of phase amplitude.
+RoundedInterval phase_back_emf(
+    const Interpretation& interpretation);  ///< V s/rad; from Kt where it is not stated.
+RoundedInterval phase_resistance(const Actuator& document);
 /// Largest phase amplitude at the data sheet's voltage, or else the drive's.
-Term phase_voltage(const Actuator& document);
+RoundedInterval phase_voltage(const Actuator& document);
 /// Phase amplitude of a current stated elsewhere than in the torque constant.
-Term phase_current(const Reading& reading, const Term& current_A);
+RoundedInterval phase_current(const Interpretation& interpretation,
+                              const RoundedInterval& current_A);
 /// The drive's peak current as a condition.
-Term peak_current(const Actuator& document);
+RoundedInterval peak_current(const Actuator& document);
 
 double product(double one, double other);
 

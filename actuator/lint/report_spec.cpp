@@ -12,11 +12,11 @@ ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json();
 }
 
-ordered_json term_json(const Term& term) {
-  return {{"value", number(term.value)},
-          {"low", number(term.low)},
-          {"high", number(term.high)},
-          {"pointers", term.pointers}};
+ordered_json term_json(const RoundedInterval& interval) {
+  return {{"value", number(interval.value)},
+          {"low", number(interval.low)},
+          {"high", number(interval.high)},
+          {"pointers", interval.pointers}};
 }
 
 const char* name_of(Demand demand) {
@@ -31,13 +31,13 @@ const char* name_of(Demand demand) {
   return "equal";
 }
 
-const char* name_of(Fit fit) {
+const char* name_of(Agreement fit) {
   switch (fit) {
-    case Fit::kFits:
+    case Agreement::kFits:
       return "fits";
-    case Fit::kAdmits:
+    case Agreement::kAdmits:
       return "admits";
-    case Fit::kExcludes:
+    case Agreement::kExcludes:
       break;
   }
   return "excludes";
@@ -93,7 +93,7 @@ ordered_json required_json(const RequiredFactor& required) {
 
 ordered_json candidate_json(const FactorCandidate& candidate) {
   ordered_json speeds = ordered_json::array();
-  for (const Term& speed_rad_s : candidate.speeds_rad_s)
+  for (const RoundedInterval& speed_rad_s : candidate.speeds_rad_s)
     speeds.push_back(number(speed_rad_s.value));
   return {{"sentence", candidate.sentence},
           {"factor", candidate.factor},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "actuator/lint/family.hpp"
+#include "actuator/lint/common_convention.hpp"
 #include "actuator/lint/quantities.hpp"
 
 namespace torquewright::actuator::lint {
@@ -11,12 +11,12 @@ namespace {
 struct AtRotor {
   const char* rule;
   const char* unit;
-  std::optional<Term> (*term)(const Actuator& document);
+  std::optional<RoundedInterval> (*interval)(const Actuator& document);
 };
 
-std::optional<Term> scaled(const Actuator& document, SheetKey key, const char* name,
-                           double (*scale)(double number, double turns)) {
-  const std::optional<Term> number = sheet_number(document, key, name);
+std::optional<RoundedInterval> scaled(const Actuator& document, SheetKey key, const char* name,
+                                      double (*scale)(double number, double turns)) {
+  const std::optional<RoundedInterval> number = sheet_number(document, key, name);
   if (!number) return std::nullopt;
   return derive(scale, *number, sheet_ratio(document));
 }
@@ -29,7 +29,7 @@ const AtRotor kNumbers[] = {
      }},
     {"same-motor-torque", "Nm",
      [](const Actuator& document) {
-       std::optional<Term> torque =
+       std::optional<RoundedInterval> torque =
            scaled(document, &Datasheet::peak_torque_Nm, "peak_torque_Nm",
                   [](double torque_Nm, double turns) { return torque_Nm / turns; });
        if (!torque) return torque;
@@ -38,7 +38,7 @@ const AtRotor kNumbers[] = {
                   sheet_efficiency(document)));
      }},
     {"same-motor-inertia", "kg m^2",
-     [](const Actuator& document) -> std::optional<Term> {
+     [](const Actuator& document) -> std::optional<RoundedInterval> {
        const auto inertia =
            sheet_number(document, &Datasheet::reflected_inertia_kg_m2, "reflected_inertia_kg_m2");
        if (!inertia) return std::nullopt;
@@ -68,12 +68,12 @@ std::vector<Explanation> gear_inertia(const Actuator& one, const Actuator& other
   const bool is_possible = rotor > 0.0 && gears >= 0.0;
   return {{fmt::format("a rotor of {:.4g} kg m^2 and gears of {:.4g} kg m^2 at each joint", rotor,
                        gears),
-           std::nullopt, is_possible ? Fit::kFits : Fit::kExcludes}};
+           std::nullopt, is_possible ? Agreement::kFits : Agreement::kExcludes}};
 }
 
 std::optional<Finding> compare(const AtRotor& number, const Actuator& one, const Actuator& other) {
-  const std::optional<Term> first = number.term(one);
-  const std::optional<Term> second = number.term(other);
+  const std::optional<RoundedInterval> first = number.interval(one);
+  const std::optional<RoundedInterval> second = number.interval(other);
   if (!first || !second || overlap(*first, *second)) return std::nullopt;
   Finding finding;
   finding.rule = number.rule;

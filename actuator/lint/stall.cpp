@@ -6,29 +6,29 @@
 namespace torquewright::actuator::lint {
 namespace {
 
-std::optional<Term> stated_current(const Actuator& document) {
+std::optional<RoundedInterval> stated_current(const Actuator& document) {
   return sheet_number(document, &Datasheet::stall_current_A, "stall_current_A");
 }
 
 /// I = V / R, in the amperes of the torque constant over those of the sheet.
-Term current_of_resistance(const Reading& reading) {
-  if (reading.stalls_at_peak_current) return peak_current(reading.document);
+RoundedInterval current_of_resistance(const Interpretation& interpretation) {
+  if (interpretation.stalls_at_peak_current) return peak_current(interpretation.document);
   return derive([](double volts, double ohms, double amperes) { return volts / (ohms * amperes); },
-                phase_voltage(reading.document), phase_resistance(reading.document),
-                phase_current(reading, exact(1.0)));
+                phase_voltage(interpretation.document), phase_resistance(interpretation.document),
+                phase_current(interpretation, exact(1.0)));
 }
 
-std::vector<Reading> limited_readings(const Reading& stated) {
-  Reading reading = stated;
-  reading.stalls_at_peak_current = true;
-  reading.sentence = "stall at the drive's peak current";
-  return {reading};
+std::vector<Interpretation> limited_interpretations(const Interpretation& stated) {
+  Interpretation interpretation = stated;
+  interpretation.stalls_at_peak_current = true;
+  interpretation.sentence = "stall at the drive's peak current";
+  return {interpretation};
 }
 
-std::optional<Term> torque_expected(const Reading& reading) {
-  const std::optional<Term> stated = stated_current(reading.document);
-  const bool is_stated = stated && !reading.stalls_at_peak_current;
-  return sheet_torque(reading, is_stated ? *stated : current_of_resistance(reading));
+std::optional<RoundedInterval> torque_expected(const Interpretation& interpretation) {
+  const std::optional<RoundedInterval> stated = stated_current(interpretation.document);
+  const bool is_stated = stated && !interpretation.stalls_at_peak_current;
+  return sheet_torque(interpretation, is_stated ? *stated : current_of_resistance(interpretation));
 }
 
 }  // namespace
@@ -41,8 +41,11 @@ const Check stall_current = {
     .weight = Weight::kContradiction,
     .stated = stated_current,
     .expected =
-        [](const Reading& reading) { return std::optional(current_of_resistance(reading)); },
-    .families = {ohm_readings, speed_readings, ampere_readings, limited_readings},
+        [](const Interpretation& interpretation) {
+          return std::optional(current_of_resistance(interpretation));
+        },
+    .families = {ohm_interpretations, speed_interpretations, ampere_interpretations,
+                 limited_interpretations},
 };
 
 const Check stall_torque = {
@@ -56,7 +59,8 @@ const Check stall_torque = {
           return sheet_number(document, &Datasheet::stall_torque_Nm, "stall_torque_Nm");
         },
     .expected = torque_expected,
-    .families = {loss_readings, side_readings, ohm_readings, ampere_readings, limited_readings},
+    .families = {loss_interpretations, side_interpretations, ohm_interpretations,
+                 ampere_interpretations, limited_interpretations},
     .further = losses,
 };
 

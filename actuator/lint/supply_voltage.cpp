@@ -10,40 +10,40 @@ namespace {
 constexpr const char* kCell = "/battery/cell_open_circuit_V";
 
 /// The pack without load when it is full (`index` the last entry) or at another entry of its curve.
-Term pack_voltage(const Battery& battery, std::size_t index) {
+RoundedInterval pack_voltage(const Battery& battery, std::size_t index) {
   return derive(product, exact(battery.series_cells, "/battery/series_cells"),
                 rounded(battery.cell_open_circuit[index].voltage_V, kCell));
 }
 
-std::optional<Term> full_pack(const Actuator& document) {
+std::optional<RoundedInterval> full_pack(const Actuator& document) {
   if (!document.battery || document.battery->cell_open_circuit.empty()) return std::nullopt;
   return pack_voltage(*document.battery, document.battery->cell_open_circuit.size() - 1);
 }
 
-std::vector<Reading> charge_readings(const Reading& stated) {
-  std::vector<Reading> readings;
-  if (!stated.document.battery) return readings;
+std::vector<Interpretation> charge_interpretations(const Interpretation& stated) {
+  std::vector<Interpretation> interpretations;
+  if (!stated.document.battery) return interpretations;
   for (std::size_t left = stated.document.battery->cell_open_circuit.size(); left > 1; --left) {
-    Reading reading = stated;
-    reading.document.battery->cell_open_circuit.resize(left - 1);
-    const double charge = reading.document.battery->cell_open_circuit.back().state_of_charge;
-    reading.sentence = fmt::format("the battery at a state of charge of {:g}", charge);
-    readings.push_back(reading);
+    Interpretation interpretation = stated;
+    interpretation.document.battery->cell_open_circuit.resize(left - 1);
+    const double charge = interpretation.document.battery->cell_open_circuit.back().state_of_charge;
+    interpretation.sentence = fmt::format("the battery at a state of charge of {:g}", charge);
+    interpretations.push_back(interpretation);
   }
-  return readings;
+  return interpretations;
 }
 
 /// A cell that is neither empty nor full: the bus may be stated for its nominal voltage.
 constexpr double kEmptyCell_V = 2.5;
 constexpr double kFullCell_V = 4.4;
 
-std::vector<Explanation> nominal_cell(const Actuator& document, const Term& stated,
-                                      const Term& /*expected*/) {
+std::vector<Explanation> nominal_cell(const Actuator& document, const RoundedInterval& stated,
+                                      const RoundedInterval& /*expected*/) {
   const double cell_V = stated.value / document.battery->series_cells;
   const bool is_cell = cell_V >= kEmptyCell_V && cell_V <= kFullCell_V;
   return {
       {fmt::format("a bus stated for cells of {:.4g} V (nominal, or at another charge)", cell_V),
-       std::nullopt, is_cell ? Fit::kFits : Fit::kExcludes}};
+       std::nullopt, is_cell ? Agreement::kFits : Agreement::kExcludes}};
 }
 
 }  // namespace
@@ -58,8 +58,9 @@ const Check bus_voltage = {
         [](const Actuator& document) {
           return std::optional(rounded(document.drive.bus_voltage_V, "/drive/bus_voltage_V"));
         },
-    .expected = [](const Reading& reading) { return full_pack(reading.document); },
-    .families = {charge_readings},
+    .expected =
+        [](const Interpretation& interpretation) { return full_pack(interpretation.document); },
+    .families = {charge_interpretations},
     .further = nominal_cell,
 };
 
@@ -69,14 +70,15 @@ const Check charge_voltage = {
     .equation = "open-circuit voltage of the full pack",
     .demand = Demand::kAtLeast,
     .weight = Weight::kContradiction,
-    .stated = [](const Actuator& document) -> std::optional<Term> {
+    .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
       if (!document.battery || document.battery->maximum_voltage_V == kUnlimited) {
         return std::nullopt;
       }
       return rounded(document.battery->maximum_voltage_V, "/battery/maximum_voltage_V");
     },
-    .expected = [](const Reading& reading) { return full_pack(reading.document); },
-    .families = {charge_readings},
+    .expected =
+        [](const Interpretation& interpretation) { return full_pack(interpretation.document); },
+    .families = {charge_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

@@ -9,37 +9,38 @@
 namespace torquewright::actuator::lint {
 namespace {
 
-std::optional<Term> stated_peak(const Actuator& document) {
+std::optional<RoundedInterval> stated_peak(const Actuator& document) {
   return sheet_number(document, &Datasheet::peak_torque_Nm, "peak_torque_Nm");
 }
 
-std::optional<Term> stated_peak_current(const Actuator& document) {
+std::optional<RoundedInterval> stated_peak_current(const Actuator& document) {
   return sheet_condition(document, &Datasheet::peak_torque_current_A, "peak_torque_current_A");
 }
 
-std::optional<Term> peak_expected(const Reading& reading) {
+std::optional<RoundedInterval> peak_expected(const Interpretation& interpretation) {
   return sheet_torque(
-      reading, stated_peak_current(reading.document).value_or(peak_current(reading.document)));
+      interpretation,
+      stated_peak_current(interpretation.document).value_or(peak_current(interpretation.document)));
 }
 
-std::optional<Term> stated_rated(const Actuator& document) {
+std::optional<RoundedInterval> stated_rated(const Actuator& document) {
   return sheet_number(document, &Datasheet::rated_torque_Nm, "rated_torque_Nm");
 }
 
-std::optional<Term> rated_expected(const Reading& reading) {
-  const std::optional<double>& current_A = reading.document.drive.continuous_current_A;
+std::optional<RoundedInterval> rated_expected(const Interpretation& interpretation) {
+  const std::optional<double>& current_A = interpretation.document.drive.continuous_current_A;
   if (!current_A) return std::nullopt;
-  return sheet_torque(reading, exact(*current_A, "/drive/continuous_current_A"));
+  return sheet_torque(interpretation, exact(*current_A, "/drive/continuous_current_A"));
 }
 
-std::optional<Term> stated_braking(const Actuator& document) {
+std::optional<RoundedInterval> stated_braking(const Actuator& document) {
   return sheet_number(document, &Datasheet::peak_braking_torque_Nm, "peak_braking_torque_Nm");
 }
 
 /// Driving: eta_f N tau. Driven back: N tau / eta_b. So their ratio is 1 / (eta_f eta_b).
-std::optional<Term> braking_expected(const Reading& reading) {
-  const Transmission& gear = reading.document.transmission;
-  const std::optional<Term> driving = stated_peak(reading.document);
+std::optional<RoundedInterval> braking_expected(const Interpretation& interpretation) {
+  const Transmission& gear = interpretation.document.transmission;
+  const std::optional<RoundedInterval> driving = stated_peak(interpretation.document);
   if (!driving || !(gear.backward_efficiency > 0.0)) return std::nullopt;
   return derive([](double torque_Nm, double forward,
                    double backward) { return torque_Nm / (forward * backward); },
@@ -49,23 +50,25 @@ std::optional<Term> braking_expected(const Reading& reading) {
 
 }  // namespace
 
-Term sheet_torque(const Reading& reading, const Term& current_A) {
+RoundedInterval sheet_torque(const Interpretation& interpretation,
+                             const RoundedInterval& current_A) {
   return derive([](double efficiency, double turns, double constant_Nm_A, double amperes,
                    double factor) { return efficiency * turns * constant_Nm_A * amperes * factor; },
-                sheet_efficiency(reading.document), sheet_ratio(reading.document),
-                torque_constant(reading.document), current_A, exact(reading.current_factor));
+                sheet_efficiency(interpretation.document), sheet_ratio(interpretation.document),
+                torque_constant(interpretation.document), current_A,
+                exact(interpretation.current_factor));
 }
 
-std::vector<Explanation> losses(const Actuator& /*document*/, const Term& stated,
-                                const Term& expected) {
+std::vector<Explanation> losses(const Actuator& /*document*/, const RoundedInterval& stated,
+                                const RoundedInterval& expected) {
   if (!lies_above(expected, stated)) return {};
-  const Term share =
+  const RoundedInterval share =
       derive([](double is, double was) { return 100.0 * (1.0 - is / was); }, stated, expected);
   if (share.low > kGreatestLoss_percent) return {};
   return {
       {fmt::format("friction, gear losses or saturation that take {:.1f} % ({:.1f} to {:.1f} %)",
                    share.value, share.low, share.high),
-       std::nullopt, Fit::kFits}};
+       std::nullopt, Agreement::kFits}};
 }
 
 const Check peak_torque = {
@@ -76,7 +79,7 @@ const Check peak_torque = {
     .weight = Weight::kContradiction,
     .stated = stated_peak,
     .expected = peak_expected,
-    .families = {loss_readings, side_readings, ampere_readings},
+    .families = {loss_interpretations, side_interpretations, ampere_interpretations},
     .further = losses,
 };
 
@@ -88,11 +91,11 @@ const Check peak_torque_current = {
     .weight = Weight::kPlausibility,
     .stated = stated_peak_current,
     .expected =
-        [](const Reading& reading) {
-          return std::optional(
-              derive(product, peak_current(reading.document), exact(1.0 / reading.current_factor)));
+        [](const Interpretation& interpretation) {
+          return std::optional(derive(product, peak_current(interpretation.document),
+                                      exact(1.0 / interpretation.current_factor)));
         },
-    .families = {ampere_readings},
+    .families = {ampere_interpretations},
 };
 
 const Check rated_torque = {
@@ -103,7 +106,7 @@ const Check rated_torque = {
     .weight = Weight::kContradiction,
     .stated = stated_rated,
     .expected = rated_expected,
-    .families = {loss_readings, side_readings, ampere_readings},
+    .families = {loss_interpretations, side_interpretations, ampere_interpretations},
     .further = losses,
 };
 
@@ -115,7 +118,7 @@ const Check peak_braking_torque = {
     .weight = Weight::kContradiction,
     .stated = stated_braking,
     .expected = braking_expected,
-    .families = {loss_readings},
+    .families = {loss_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

@@ -6,10 +6,12 @@
 namespace torquewright::actuator::lint {
 
 /// eta N Kt I at the data sheet's side, I as stated there.
-Term sheet_torque(const Reading& reading, const Term& current_A);
+RoundedInterval sheet_torque(const Interpretation& interpretation,
+                             const RoundedInterval& current_A);
 
 /// The share that losses or saturation would have to take, where less is stated than follows.
-std::vector<Explanation> losses(const Actuator& document, const Term& stated, const Term& expected);
+std::vector<Explanation> losses(const Actuator& document, const RoundedInterval& stated,
+                                const RoundedInterval& expected);
 constexpr double kGreatestLoss_percent = 30.0;  ///< Above it this explains nothing.
 
 }  // namespace torquewright::actuator::lint

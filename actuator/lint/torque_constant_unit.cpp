@@ -17,11 +17,11 @@ constexpr double kMilli = 1e-3;
 
 /// The greatest torque constant that a motor of that winding and voltage has; only said where it is
 /// exceeded, since it is no statement of the document.
-std::optional<Term> greatest_plausible(const Reading& reading) {
-  const Actuator& document = reading.document;
+std::optional<RoundedInterval> greatest_plausible(const Interpretation& interpretation) {
+  const Actuator& document = interpretation.document;
   const double stated_Nm_A = document.motor.torque_constant_Nm_A;
   const double per_phase = phase_torque_constant(document).value / stated_Nm_A;
-  Term limit = phase_resistance(document);
+  RoundedInterval limit = phase_resistance(document);
   limit.value = std::min(kGreatestMotorConstant_Nm_sqrtW * std::sqrt(1.5 * limit.value) / per_phase,
                          document.drive.bus_voltage_V / kSlowest_rad_s);
   if (stated_Nm_A <= limit.value) return std::nullopt;
@@ -31,12 +31,13 @@ std::optional<Term> greatest_plausible(const Reading& reading) {
   return limit;
 }
 
-std::vector<Explanation> further(const Actuator& /*document*/, const Term& stated,
-                                 const Term& expected) {
-  Term in_milli = stated;
+std::vector<Explanation> further(const Actuator& /*document*/, const RoundedInterval& stated,
+                                 const RoundedInterval& expected) {
+  RoundedInterval in_milli = stated;
   for (double* value : {&in_milli.value, &in_milli.low, &in_milli.high}) *value *= kMilli;
   const bool fits = in_milli.value <= expected.value;
-  return {{"written in mNm/A: then it is", in_milli, fits ? Fit::kFits : Fit::kExcludes}};
+  return {
+      {"written in mNm/A: then it is", in_milli, fits ? Agreement::kFits : Agreement::kExcludes}};
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ const Check torque_constant_unit = {
     .equation = "the most that motors of that resistance and voltage have",
     .demand = Demand::kAtMost,
     .weight = Weight::kContradiction,
-    .stated = [](const Actuator& document) -> std::optional<Term> {
+    .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
       return rounded(document.motor.torque_constant_Nm_A, "/motor/torque_constant_Nm_A");
     },
     .expected = greatest_plausible,

@@ -12,30 +12,30 @@ constexpr double kLongest_s = 2e-2;
 constexpr double kUsefulShare = 0.05;
 
 /// L / R of one phase, the longer of both axes.
-std::optional<Term> electrical_expected(const Reading& reading) {
-  const Motor& motor = reading.document.motor;
+std::optional<RoundedInterval> electrical_expected(const Interpretation& interpretation) {
+  const Motor& motor = interpretation.document.motor;
   const bool is_q = motor.inductance_q_H >= motor.inductance_d_H;
   const double inductance_H = is_q ? motor.inductance_q_H : motor.inductance_d_H;
   if (inductance_H == 0.0) return std::nullopt;
   return derive([](double henry, double ohms) { return henry / ohms; },
                 rounded(inductance_H, is_q ? "/motor/inductance_q_H" : "/motor/inductance_d_H"),
-                phase_resistance(reading.document));
+                phase_resistance(interpretation.document));
 }
 
 /// J R / (Kt Ke), of the rotor alone.
-std::optional<Term> mechanical_expected(const Reading& reading) {
-  const double inertia_kg_m2 = reading.document.motor.rotor_inertia_kg_m2;
+std::optional<RoundedInterval> mechanical_expected(const Interpretation& interpretation) {
+  const double inertia_kg_m2 = interpretation.document.motor.rotor_inertia_kg_m2;
   if (inertia_kg_m2 == 0.0) return std::nullopt;
   return derive([](double inertia, double ohms, double torque_constant,
                    double back_emf) { return inertia * ohms / (torque_constant * back_emf); },
                 rounded(inertia_kg_m2, "/motor/rotor_inertia_kg_m2"),
-                phase_resistance(reading.document), phase_torque_constant(reading.document),
-                phase_back_emf(reading));
+                phase_resistance(interpretation.document),
+                phase_torque_constant(interpretation.document), phase_back_emf(interpretation));
 }
 
-std::optional<Term> plausible_inductance(const Reading& reading) {
-  const Term ohms = phase_resistance(reading.document);
-  Term expected = ohms;
+std::optional<RoundedInterval> plausible_inductance(const Interpretation& interpretation) {
+  const RoundedInterval ohms = phase_resistance(interpretation.document);
+  RoundedInterval expected = ohms;
   expected.value = 1e-3 * ohms.value;
   expected.low = kShortest_s * ohms.low;
   expected.high = kLongest_s * ohms.high;
@@ -47,15 +47,16 @@ bool weakens(const Actuator& document) {
 }
 
 /// Ke / (p L_d), in the amperes of the drive's peak current, times the useful share.
-std::optional<Term> least_useful_current(const Reading& reading) {
-  const Motor& motor = reading.document.motor;
-  if (!weakens(reading.document)) return std::nullopt;
+std::optional<RoundedInterval> least_useful_current(const Interpretation& interpretation) {
+  const Motor& motor = interpretation.document.motor;
+  if (!weakens(interpretation.document)) return std::nullopt;
   return derive(
       [](double back_emf, double pole_pairs, double henry, double amperes) {
         return kUsefulShare * back_emf / (pole_pairs * henry * amperes);
       },
-      phase_back_emf(reading), exact(motor.pole_pairs, "/motor/pole_pairs"),
-      rounded(motor.inductance_d_H, "/motor/inductance_d_H"), phase_current(reading, exact(1.0)));
+      phase_back_emf(interpretation), exact(motor.pole_pairs, "/motor/pole_pairs"),
+      rounded(motor.inductance_d_H, "/motor/inductance_d_H"),
+      phase_current(interpretation, exact(1.0)));
 }
 
 }  // namespace
@@ -72,7 +73,7 @@ const Check electrical_time_constant = {
                               "electrical_time_constant_s");
         },
     .expected = electrical_expected,
-    .families = {ohm_readings},
+    .families = {ohm_interpretations},
 };
 
 const Check mechanical_time_constant = {
@@ -87,7 +88,7 @@ const Check mechanical_time_constant = {
                               "mechanical_time_constant_s");
         },
     .expected = mechanical_expected,
-    .families = {ohm_readings, speed_readings},
+    .families = {ohm_interpretations, speed_interpretations},
 };
 
 const Check winding_inductance = {
@@ -96,12 +97,12 @@ const Check winding_inductance = {
     .equation = "R of one phase times 20 us to 20 ms",
     .demand = Demand::kEqual,
     .weight = Weight::kPlausibility,
-    .stated = [](const Actuator& document) -> std::optional<Term> {
+    .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
       if (document.motor.inductance_q_H == 0.0) return std::nullopt;
       return rounded(document.motor.inductance_q_H, "/motor/inductance_q_H");
     },
     .expected = plausible_inductance,
-    .families = {ohm_readings},
+    .families = {ohm_interpretations},
 };
 
 const Check characteristic_current = {
@@ -121,13 +122,13 @@ const Check magnet_limit = {
     .equation = "the drive's peak current, which field weakening would turn against the magnets",
     .demand = Demand::kAtLeast,
     .weight = Weight::kPlausibility,
-    .stated = [](const Actuator& document) -> std::optional<Term> {
+    .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
       if (document.motor.demagnetisation_current_A == kUnlimited) return std::nullopt;
       return rounded(document.motor.demagnetisation_current_A, "/motor/demagnetisation_current_A");
     },
-    .expected = [](const Reading& reading) -> std::optional<Term> {
-      if (!weakens(reading.document)) return std::nullopt;
-      return peak_current(reading.document);
+    .expected = [](const Interpretation& interpretation) -> std::optional<RoundedInterval> {
+      if (!weakens(interpretation.document)) return std::nullopt;
+      return peak_current(interpretation.document);
     },
     .families = {},
 };

@@ -48,7 +48,7 @@ double read_factor(const std::string& text, const std::string& factor) {
   const auto [rest, error] = std::from_chars(factor.data(), end, value);
   if (error != std::errc() || rest != end || !std::isfinite(value) || value == 0.0) {
     refuse_mapping(text,
-                  fmt::format("the factor \"{}\" is not a finite number other than 0", factor));
+                   fmt::format("the factor \"{}\" is not a finite number other than 0", factor));
   }
   return value;
 }
@@ -58,7 +58,7 @@ double read_unit(const std::string& text, const std::string& name, Quantity quan
   const std::optional<io::Unit> unit = io::find_unit(name);
   if (unit && unit->dimension == dimension) return unit->in_SI;
   refuse_mapping(text, fmt::format("\"{}\" is no unit of {}, which must be {}", name,
-                                  name_of(quantity), io::either(io::unit_names(dimension))));
+                                   name_of(quantity), io::either(io::unit_names(dimension))));
 }
 
 Quantity read_quantity(const std::string& text, const std::string& name) {
@@ -67,8 +67,8 @@ Quantity read_quantity(const std::string& text, const std::string& name) {
   for (const QuantityWords& words : kQuantities) names.emplace_back(words.name);
   const std::optional<std::string> near = io::nearest(name, names);
   refuse_mapping(text, fmt::format("\"{}\" is no quantity{}; they are {}", name,
-                                  near ? fmt::format(" (did you mean \"{}\"?)", *near) : "",
-                                  io::either(names)));
+                                   near ? fmt::format(" (did you mean \"{}\"?)", *near) : "",
+                                   io::either(names)));
 }
 
 }  // namespace
@@ -92,7 +92,8 @@ void refuse_mapping(const std::string& text, const std::string& why) {
 MappingText split_mapping(const std::string& text) {
   std::string rest = text;
   std::string target = cut_behind_last(rest, '=');
-  if (target.empty() || rest.empty() || rest == text) refuse_mapping(text, "no NAME=JOINT.QUANTITY");
+  if (target.empty() || rest.empty() || rest == text)
+    refuse_mapping(text, "no NAME=JOINT.QUANTITY");
   MappingText mapping;
   mapping.column = rest;
   if (target.find('*') != std::string::npos) {

@@ -129,7 +129,8 @@ std::vector<std::string> significant(const LeastSquares& squares,
   const auto& equation = squares.fit().equation();
   std::vector<Coefficient> coefficients = equation.always;
   std::vector<std::string> owner(coefficients.size());
-  // What holds others (asymmetric friction holds Coulomb's) comes after them: the rest of it counts.
+  // What holds others (asymmetric friction holds Coulomb's) comes after them: the rest of it
+  // counts.
   for (const bool holds_others : {false, true}) {
     for (const auto& [effect, v] : effects) {
       if (equation.dictionary.variants[v].replaces.empty() == holds_others) continue;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gearbox/design_report.hpp"
+#include "gearbox/constraints/design_report.hpp"
 
 namespace torquewright::gearbox {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearbox/constraints/condition.hpp"
-#include "gearbox/profile_shift.hpp"
+#include "gearbox/teeth/profile_shift.hpp"
 
 namespace torquewright::gearbox {
 

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "gearbox/design_report.hpp"
-#include "gearbox/mesh.hpp"
+#include "gearbox/constraints/design_report.hpp"
+#include "gearbox/teeth/mesh.hpp"
 
 namespace torquewright::gearbox {
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "gearbox/assembly.hpp"
 #include "gearbox/constraints/condition.hpp"
+#include "gearbox/train/assembly.hpp"
 
 namespace torquewright::gearbox {
 

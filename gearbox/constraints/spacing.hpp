@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "gearbox/design_report.hpp"
-#include "gearbox/kinematics.hpp"
+#include "gearbox/constraints/design_report.hpp"
+#include "gearbox/train/kinematics.hpp"
 
 namespace torquewright::gearbox {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "gearbox/constraints/condition.hpp"
-#include "gearbox/tooth_geometry.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
 
 namespace torquewright::gearbox {
 

@@ -74,7 +74,7 @@ std::optional<Rational> check_ring_limit(const Problem& problem, const Claim& cl
                                          const Json& json, const std::string& place,
                                          Faults& faults) {
   const Json* written = present(json, "ring_limit");
-  if (claim.holds(Family::kRotorBore) || claim.kind == ClaimKind::kLeastRelaxation) {
+  if (claim.holds(ConstraintFamily::kRotorBore) || claim.kind == ClaimKind::kLeastRelaxation) {
     if (written != nullptr) faults.add(place + "/ring_limit", "has to be null here");
     return std::nullopt;
   }
@@ -96,19 +96,19 @@ std::optional<Rational> check_ring_limit(const Problem& problem, const Claim& cl
 void order_by_cost(std::vector<Constraint>& hypotheses) {
   const auto cost = [](const Constraint& each) {
     switch (each.family) {
-      case Family::kPositiveTeeth:
+      case ConstraintFamily::kPositiveTeeth:
         return -1;
-      case Family::kMinTeeth:
-      case Family::kToothDifference:
-      case Family::kSunUnderLayer2:
-      case Family::kEqualSpacing:
+      case ConstraintFamily::kMinTeeth:
+      case ConstraintFamily::kToothDifference:
+      case ConstraintFamily::kSunUnderLayer2:
+      case ConstraintFamily::kEqualSpacing:
         return 0;
-      case Family::kRotorBore:
+      case ConstraintFamily::kRotorBore:
         return 1;
-      case Family::kRatio:
+      case ConstraintFamily::kRatio:
         return 2;
-      case Family::kIdenticalPlanets:
-      case Family::kRingWall:
+      case ConstraintFamily::kIdenticalPlanets:
+      case ConstraintFamily::kRingWall:
         return 3;
       default:
         return 4;
@@ -172,10 +172,10 @@ void check_claim(const Problem& problem, const DemandedClaim& demanded, const Js
 
   // Never listed, but what makes a point a design: without it the others mean nothing.
   if (!is_planetary(problem)) {
-    claim.hypotheses.push_back({"positive_teeth", Family::kPositiveTeeth, 0, ""});
+    claim.hypotheses.push_back({"positive_teeth", ConstraintFamily::kPositiveTeeth, 0, ""});
   }
   if (claim.ring_limit) {
-    claim.hypotheses.push_back({"rotor_bore", Family::kRotorBore, 1, ""});
+    claim.hypotheses.push_back({"rotor_bore", ConstraintFamily::kRotorBore, 1, ""});
   }
   if (claim.reference) {
     const Candidate& design = *claim.reference;

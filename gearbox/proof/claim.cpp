@@ -6,14 +6,14 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
-bool can_be_judged_on_boxes(Family family) {
+bool can_be_judged_on_boxes(ConstraintFamily family) {
   switch (family) {
-    case Family::kRatio:  // under two names of its own
-    case Family::kEqualSpacing:
-    case Family::kIdenticalPlanets:
-    case Family::kInvoluteInterference:
-    case Family::kTrochoidInterference:
-    case Family::kContactRatio:
+    case ConstraintFamily::kRatio:  // under two names of its own
+    case ConstraintFamily::kEqualSpacing:
+    case ConstraintFamily::kIdenticalPlanets:
+    case ConstraintFamily::kInvoluteInterference:
+    case ConstraintFamily::kTrochoidInterference:
+    case ConstraintFamily::kContactRatio:
       return false;
     default:
       return true;
@@ -22,7 +22,7 @@ bool can_be_judged_on_boxes(Family family) {
 
 }  // namespace
 
-bool Claim::holds(Family family) const {
+bool Claim::holds(ConstraintFamily family) const {
   return std::any_of(hypotheses.begin(), hypotheses.end(),
                      [&](const Constraint& each) { return each.family == family; });
 }
@@ -31,7 +31,7 @@ Alternative alternative_of(const Problem& problem, const Claim& claim, std::int6
                            const Rational& module_mm) {
   Alternative alternative(problem, planet_count, module_mm);
   if (claim.ring_limit) alternative.largest_ring = *claim.ring_limit;
-  if (claim.kind == ClaimKind::kLeastRelaxation && !claim.holds(Family::kRotorBore)) {
+  if (claim.kind == ClaimKind::kLeastRelaxation && !claim.holds(ConstraintFamily::kRotorBore)) {
     const Candidate& reference = *claim.reference;
     alternative.largest_ring =
         reference.module_mm * static_cast<long>(ring(teeth_at(reference.point), 1)) / module_mm;

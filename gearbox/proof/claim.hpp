@@ -36,7 +36,7 @@ struct Claim {
   bool may_be_open = false;            ///< Leaves may be left open.
   std::optional<Rational> open_bound;  ///< Holds in open leaves; empty: nothing is said of them.
 
-  bool holds(Family family) const;
+  bool holds(ConstraintFamily family) const;
 };
 
 /// The problem's alternative as the claim sees it: its ring limit in place of the rotor's bore.

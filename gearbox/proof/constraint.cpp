@@ -9,38 +9,39 @@ namespace {
 using Constraints = std::vector<Constraint>;
 
 void add_paper(const Problem& problem, Constraints& all) {
-  all.push_back({"ratio", Family::kRatio, 0, "/ratio_tolerance"});
+  all.push_back({"ratio", ConstraintFamily::kRatio, 0, "/ratio_tolerance"});
   const std::vector<std::string>& gears = free_gear_names(problem);
   for (int gear = 0; gear < static_cast<int>(gears.size()); ++gear) {
     const std::string& name = gears[static_cast<std::size_t>(gear)];
-    all.push_back({"min_teeth." + name, Family::kMinTeeth, gear, "/min_teeth/" + name});
+    all.push_back({"min_teeth." + name, ConstraintFamily::kMinTeeth, gear, "/min_teeth/" + name});
   }
-  all.push_back({"carrier_clearance", Family::kCarrierClearance, 1, "/min_carrier_clearance_rad"});
-  all.push_back({"rotor_bore", Family::kRotorBore, 1, "/rotor_inner_diameter_mm"});
+  all.push_back(
+      {"carrier_clearance", ConstraintFamily::kCarrierClearance, 1, "/min_carrier_clearance_rad"});
+  all.push_back({"rotor_bore", ConstraintFamily::kRotorBore, 1, "/rotor_inner_diameter_mm"});
   if (!is_planetary(problem)) {
-    all.push_back({"tooth_difference", Family::kToothDifference, 0, ""});
+    all.push_back({"tooth_difference", ConstraintFamily::kToothDifference, 0, ""});
   }
-  all.push_back({"equal_spacing", Family::kEqualSpacing, 0, ""});
+  all.push_back({"equal_spacing", ConstraintFamily::kEqualSpacing, 0, ""});
 }
 
 void add_clearances(const Problem& problem, Constraints& all) {
   const bool planetary = is_planetary(problem);
-  if (!planetary) all.push_back({"identical_planets", Family::kIdenticalPlanets, 0, ""});
+  if (!planetary) all.push_back({"identical_planets", ConstraintFamily::kIdenticalPlanets, 0, ""});
   for (int layer = 1; layer <= (planetary ? 1 : 2); ++layer) {
     all.push_back({"neighbour_clearance.layer_" + std::to_string(layer),
-                   Family::kNeighbourClearance, layer, "/min_neighbour_clearance_mm"});
+                   ConstraintFamily::kNeighbourClearance, layer, "/min_neighbour_clearance_mm"});
   }
   const std::vector<std::string>& gears = free_gear_names(problem);
   for (int gear = 0; gear < static_cast<int>(gears.size()); ++gear) {
-    all.push_back(
-        {"undercut." + gears[static_cast<std::size_t>(gear)], Family::kUndercut, gear, ""});
+    all.push_back({"undercut." + gears[static_cast<std::size_t>(gear)], ConstraintFamily::kUndercut,
+                   gear, ""});
   }
   if (!planetary && problem.sun_under_second_layer) {
-    all.push_back({"sun_under_layer_2", Family::kSunUnderLayer2, 0, ""});
+    all.push_back({"sun_under_layer_2", ConstraintFamily::kSunUnderLayer2, 0, ""});
   }
 }
 
-void add_for_rings(const Problem& problem, const std::string& prefix, Family family,
+void add_for_rings(const Problem& problem, const std::string& prefix, ConstraintFamily family,
                    const std::string& key, Constraints& all) {
   const std::vector<std::string>& gears = gear_names(problem);
   for (std::size_t gear = free_gear_names(problem).size(); gear < gears.size(); ++gear) {
@@ -49,13 +50,13 @@ void add_for_rings(const Problem& problem, const std::string& prefix, Family fam
   }
 }
 
-void add_for_meshes(const Problem& problem, const std::string& prefix, Family family,
+void add_for_meshes(const Problem& problem, const std::string& prefix, ConstraintFamily family,
                     const std::string& key, Constraints& all) {
   static const std::vector<std::string> stepped{"sun_planet_1", "planet_1_fixed_ring",
                                                 "planet_2_output_ring"};
   static const std::vector<std::string> single{"sun_planet", "planet_ring"};
   const std::vector<std::string>& meshes = is_planetary(problem) ? single : stepped;
-  const bool internal_only = family != Family::kContactRatio;
+  const bool internal_only = family != ConstraintFamily::kContactRatio;
   for (std::size_t mesh = internal_only ? 1 : 0; mesh < meshes.size(); ++mesh) {
     all.push_back({prefix + meshes[mesh], family, static_cast<int>(mesh), key});
   }
@@ -69,12 +70,16 @@ Constraints constraints_of(const Problem& problem) {
   if (problem.constraints == ConstraintSet::kPaper) return all;
   add_clearances(problem, all);
   if (problem.ring_outer_diameter_mm) {
-    add_for_rings(problem, "ring_wall.", Family::kRingWall, "/ring_outer_diameter_mm", all);
+    add_for_rings(problem, "ring_wall.", ConstraintFamily::kRingWall, "/ring_outer_diameter_mm",
+                  all);
   }
-  add_for_rings(problem, "ring_tip.", Family::kRingTip, "", all);
-  add_for_meshes(problem, "interference.involute.", Family::kInvoluteInterference, "", all);
-  add_for_meshes(problem, "interference.trochoid.", Family::kTrochoidInterference, "", all);
-  add_for_meshes(problem, "contact_ratio.", Family::kContactRatio, "/min_contact_ratio", all);
+  add_for_rings(problem, "ring_tip.", ConstraintFamily::kRingTip, "", all);
+  add_for_meshes(problem, "interference.involute.", ConstraintFamily::kInvoluteInterference, "",
+                 all);
+  add_for_meshes(problem, "interference.trochoid.", ConstraintFamily::kTrochoidInterference, "",
+                 all);
+  add_for_meshes(problem, "contact_ratio.", ConstraintFamily::kContactRatio, "/min_contact_ratio",
+                 all);
   return all;
 }
 

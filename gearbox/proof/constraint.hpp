@@ -9,7 +9,7 @@
 
 namespace torquewright::gearbox::proof {
 
-enum class Family {
+enum class ConstraintFamily {
   kPositiveTeeth,  ///< planet_2 >= 1: what makes a point of a 3k box a design.
   kRatio,
   kMinTeeth,
@@ -31,7 +31,7 @@ enum class Family {
 /// One named constraint of docs/gearbox_constraints.md.
 struct Constraint {
   std::string name;
-  Family family;
+  ConstraintFamily family;
   int place = 0;    ///< Gear 0.. (minima, undercut), layer 1.. (clearances, rings), mesh 0...
   std::string key;  ///< Of the bound that sets its limit, as a JSON pointer; empty: none.
 };

@@ -16,23 +16,23 @@ Teeth best_corner(const Constraint& constraint, const Box& box) {
   const bool is_second = constraint.place == 2;
   Point corner = box.upper;
   switch (constraint.family) {
-    case Family::kRotorBore:
+    case ConstraintFamily::kRotorBore:
       corner = box.lower;
       break;
-    case Family::kRingWall:
+    case ConstraintFamily::kRingWall:
       corner = {box.lower[0], box.lower[1], box.upper[2]};
       break;
-    case Family::kCarrierClearance:
-    case Family::kNeighbourClearance:
+    case ConstraintFamily::kCarrierClearance:
+    case ConstraintFamily::kNeighbourClearance:
       // (S + P1) sin(pi/n) - P1 + d - 2 falls with P1 in layer 2 as well.
       corner[1] = box.lower[1];
       break;
-    case Family::kPositiveTeeth:
+    case ConstraintFamily::kPositiveTeeth:
       corner[2] = box.lower[2];
       break;
-    case Family::kMinTeeth:
-    case Family::kUndercut:
-    case Family::kRingTip:
+    case ConstraintFamily::kMinTeeth:
+    case ConstraintFamily::kUndercut:
+    case ConstraintFamily::kRingTip:
       if (is_second) corner[2] = box.lower[2];
       break;
     default:
@@ -47,7 +47,7 @@ bool needs_ratio(Measure measure) {
 }
 
 bool violates_ratio(const Claim& claim, const Alternative& alternative, const Box& box) {
-  return claim.holds(Family::kRatio) &&
+  return claim.holds(ConstraintFamily::kRatio) &&
          (exceeds_everywhere(alternative.greatest_ratio, alternative, box) ||
           falls_short_everywhere(alternative.least_ratio, alternative, box));
 }

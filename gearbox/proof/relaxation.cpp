@@ -10,25 +10,25 @@ std::optional<Linearization> linearize_constraint(const Constraint& constraint,
                                                   const Alternative& alternative,
                                                   const RealPoint& point) {
   switch (constraint.family) {
-    case Family::kRotorBore:
+    case ConstraintFamily::kRotorBore:
       return affine(point, alternative.largest_ring, {-1, -2, 0});
-    case Family::kToothDifference:
+    case ConstraintFamily::kToothDifference:
       return affine(point, -Interval(static_cast<long>(alternative.planet_count)), {0, 0, 1});
-    case Family::kPositiveTeeth:
+    case ConstraintFamily::kPositiveTeeth:
       return teeth_form(1, -1, 2, point);
-    case Family::kMinTeeth:
+    case ConstraintFamily::kMinTeeth:
       return min_teeth_form(alternative, constraint.place, point);
-    case Family::kCarrierClearance:
+    case ConstraintFamily::kCarrierClearance:
       return carrier_clearance_form(alternative, point);
-    case Family::kNeighbourClearance:
+    case ConstraintFamily::kNeighbourClearance:
       return neighbour_clearance_form(alternative, constraint.place, point);
-    case Family::kUndercut:
+    case ConstraintFamily::kUndercut:
       return undercut_form(constraint.place, point);
-    case Family::kSunUnderLayer2:
+    case ConstraintFamily::kSunUnderLayer2:
       return sun_under_layer_2_form(alternative, point);
-    case Family::kRingWall:
+    case ConstraintFamily::kRingWall:
       return ring_wall_form(alternative, constraint.place, point);
-    case Family::kRingTip:
+    case ConstraintFamily::kRingTip:
       return ring_tip_form(alternative, constraint.place, point);
     default:
       return std::nullopt;

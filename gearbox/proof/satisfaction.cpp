@@ -76,39 +76,39 @@ bool has_contact_ratio(const Alternative& alternative, const Teeth& teeth, int m
 bool satisfies(const Constraint& constraint, const Alternative& alternative, const Teeth& teeth) {
   const int place = constraint.place;
   switch (constraint.family) {
-    case Family::kPositiveTeeth:
+    case ConstraintFamily::kPositiveTeeth:
       return teeth.planet_2 >= 1;
-    case Family::kRatio:
+    case ConstraintFamily::kRatio:
       return has_ratio_in({alternative.least_ratio, alternative.greatest_ratio}, alternative,
                           teeth);
-    case Family::kMinTeeth:
+    case ConstraintFamily::kMinTeeth:
       return has_min_teeth(alternative, teeth, place);
-    case Family::kCarrierClearance:
+    case ConstraintFamily::kCarrierClearance:
       return has_carrier_clearance(alternative, teeth);
-    case Family::kRotorBore:
+    case ConstraintFamily::kRotorBore:
       return Rational(static_cast<long>(ring(teeth, 1))) <= alternative.largest_ring;
-    case Family::kToothDifference:
+    case ConstraintFamily::kToothDifference:
       return teeth.planet_1 - teeth.planet_2 >= alternative.planet_count;
-    case Family::kEqualSpacing:
+    case ConstraintFamily::kEqualSpacing:
       return 2 * (teeth.sun + teeth.planet_1) % alternative.planet_count == 0;
-    case Family::kIdenticalPlanets:
+    case ConstraintFamily::kIdenticalPlanets:
       return has_identical_planets(alternative, teeth);
-    case Family::kNeighbourClearance:
+    case ConstraintFamily::kNeighbourClearance:
       return has_neighbour_clearance(alternative, teeth, place);
-    case Family::kUndercut:
+    case ConstraintFamily::kUndercut:
       return is_not_undercut(teeth_of(teeth, place));
-    case Family::kSunUnderLayer2:
+    case ConstraintFamily::kSunUnderLayer2:
       return teeth.planet_1 - teeth.planet_2 > 4;
-    case Family::kRingWall:
+    case ConstraintFamily::kRingWall:
       return has_ring_wall(alternative, ring(teeth, place));
-    case Family::kRingTip:
+    case ConstraintFamily::kRingTip:
       return has_ring_tip_outside_base(ring(teeth, place));
-    case Family::kInvoluteInterference:
+    case ConstraintFamily::kInvoluteInterference:
       return is_free_of_involute_interference(planet(teeth, place), ring(teeth, place));
-    case Family::kTrochoidInterference:
+    case ConstraintFamily::kTrochoidInterference:
       return has_ring_tip_outside_base(ring(teeth, place)) &&
              is_free_of_trochoid_interference(planet(teeth, place), ring(teeth, place));
-    case Family::kContactRatio:
+    case ConstraintFamily::kContactRatio:
       return has_contact_ratio(alternative, teeth, place);
   }
   return false;

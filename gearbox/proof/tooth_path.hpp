@@ -11,7 +11,8 @@ const Interval& pressure_angle();
 /// tan x - x
 Interval involute(const Interval& angle);
 
-/// Whether the tip circle of a ring lies outside its base circle; where not, nothing meshes with it.
+/// Whether the tip circle of a ring lies outside its base circle; where not, nothing meshes with
+/// it.
 bool has_tip_outside_base(std::int64_t ring);
 
 /// Pressure angles at the tip circles of a gear with external teeth (always defined) and of a ring.

@@ -3,10 +3,10 @@
 
 #include <numeric>
 
-#include "gearbox/assembly.hpp"
 #include "gearbox/constraints/meshing.hpp"
-#include "gearbox/shifted_mesh.hpp"
+#include "gearbox/teeth/shifted_mesh.hpp"
 #include "gearbox/topologies/report_parts.hpp"
+#include "gearbox/train/assembly.hpp"
 
 namespace torquewright::gearbox {
 

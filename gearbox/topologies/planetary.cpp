@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/topologies/planetary.hpp"
 
-#include "gearbox/backlash.hpp"
 #include "gearbox/constraints/meshing.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
-#include "gearbox/inertia.hpp"
-#include "gearbox/loads.hpp"
-#include "gearbox/power_flow.hpp"
 #include "gearbox/topologies/report_parts.hpp"
+#include "gearbox/train/backlash.hpp"
+#include "gearbox/train/inertia.hpp"
+#include "gearbox/train/loads.hpp"
+#include "gearbox/train/power_flow.hpp"
 
 namespace torquewright::gearbox::planetary {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "gearbox/design_report.hpp"
+#include "gearbox/constraints/design_report.hpp"
 
 namespace torquewright::gearbox::planetary {
 

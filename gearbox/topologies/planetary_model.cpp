@@ -3,11 +3,11 @@
 
 #include <stdexcept>
 
-#include "gearbox/efficiency.hpp"
-#include "gearbox/inertia.hpp"
-#include "gearbox/mass.hpp"
-#include "gearbox/synthesis_goals.hpp"
-#include "gearbox/tooth_conditions.hpp"
+#include "gearbox/constraints/goals.hpp"
+#include "gearbox/constraints/tooth_conditions.hpp"
+#include "gearbox/train/efficiency.hpp"
+#include "gearbox/train/inertia.hpp"
+#include "gearbox/train/mass.hpp"
 
 namespace torquewright::gearbox::planetary {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gearbox/problem.hpp"
-#include "optimization/problem.hpp"
+#include "optimization/discrete/problem.hpp"
 
 namespace torquewright::gearbox::planetary {
 

@@ -11,7 +11,7 @@
 
 #include "gearbox/constraints/condition.hpp"
 #include "gearbox/constraints/teeth.hpp"
-#include "gearbox/tooth_geometry.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
 
 namespace torquewright::gearbox {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "gearbox/design_report.hpp"
-#include "gearbox/mass.hpp"
-#include "gearbox/mesh.hpp"
+#include "gearbox/constraints/design_report.hpp"
+#include "gearbox/teeth/mesh.hpp"
+#include "gearbox/train/mass.hpp"
 
 namespace torquewright::gearbox {
 

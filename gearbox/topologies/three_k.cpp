@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "gearbox/assembly.hpp"
-#include "gearbox/backlash.hpp"
 #include "gearbox/constraints/meshing.hpp"
-#include "gearbox/inertia.hpp"
-#include "gearbox/power_flow.hpp"
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/topologies/three_k_design.hpp"
+#include "gearbox/train/assembly.hpp"
+#include "gearbox/train/backlash.hpp"
+#include "gearbox/train/inertia.hpp"
+#include "gearbox/train/power_flow.hpp"
 
 namespace torquewright::gearbox::three_k {
 

@@ -3,12 +3,12 @@
 
 #include <stdexcept>
 
-#include "gearbox/assembly.hpp"
-#include "gearbox/efficiency.hpp"
-#include "gearbox/inertia.hpp"
-#include "gearbox/mass.hpp"
-#include "gearbox/synthesis_goals.hpp"
-#include "gearbox/tooth_conditions.hpp"
+#include "gearbox/constraints/goals.hpp"
+#include "gearbox/constraints/tooth_conditions.hpp"
+#include "gearbox/train/assembly.hpp"
+#include "gearbox/train/efficiency.hpp"
+#include "gearbox/train/inertia.hpp"
+#include "gearbox/train/mass.hpp"
 
 namespace torquewright::gearbox::three_k {
 namespace {
@@ -151,7 +151,7 @@ Expression enclosed_efficiency(const Problem& problem, const Variables& x, bool 
   const Expression first = mesh.sun_planet_1 * mesh.planet_1_fixed_ring;
   const Expression second = mesh.planet_1_fixed_ring * mesh.planet_2_output_ring;
   const Expression carrier = 1.0 / (1.0 + basic_ratio_1(teeth));  // 1/(1 + I1)
-  const Expression stepped = allowed_ratio(problem) * carrier;  // 1/(1 - I2)
+  const Expression stepped = allowed_ratio(problem) * carrier;    // 1/(1 - I2)
   if (forward) {
     return (carrier + first * (1.0 - carrier)) / (1.0 + (1.0 - second) * (stepped - 1.0));
   }
@@ -174,8 +174,7 @@ Goal efficiency(const Problem& problem, const Variables& x, bool forward) {
             transmitted(teeth, forward ? three_k_forward_efficiency(i1, i2, mesh)
                                        : three_k_backward_efficiency(i1, i2, mesh)),
             /*maximise=*/true};
-  goal.enclosure =
-      transmitted(teeth_with_planet_2(x), enclosed_efficiency(problem, x, forward));
+  goal.enclosure = transmitted(teeth_with_planet_2(x), enclosed_efficiency(problem, x, forward));
   return goal;
 }
 
@@ -188,11 +187,10 @@ Goal inertia(const Problem& problem, std::int64_t planet_count, const Rational& 
   Goal goal = inertia_goal(reflected_inertia_kg_m2(
       three_k_reduction(teeth),
       three_k_inertia_at_sun_kg_m2(bodies, rotor_kg_m2, planet_count, teeth)));
-  goal.enclosure =
-      reflected_inertia_kg_m2(
-          allowed_ratio(problem),
-          three_k_input_inertia_kg_m2(bodies, rotor_kg_m2, planet_count, enclosing)) +
-      ring_inertia_kg_m2(bodies, bodies.face_width_2_m, enclosing.output_ring);
+  goal.enclosure = reflected_inertia_kg_m2(
+                       allowed_ratio(problem),
+                       three_k_input_inertia_kg_m2(bodies, rotor_kg_m2, planet_count, enclosing)) +
+                   ring_inertia_kg_m2(bodies, bodies.face_width_2_m, enclosing.output_ring);
   return goal;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "gearbox/assembly.hpp"
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/topologies/three_k_design.hpp"
+#include "gearbox/train/assembly.hpp"
 
 namespace torquewright::gearbox::three_k {
 

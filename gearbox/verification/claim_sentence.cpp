@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "gearbox/topology.hpp"
+#include "gearbox/topologies/topology.hpp"
 
 namespace torquewright::gearbox {
 namespace {

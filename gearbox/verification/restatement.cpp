@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/verification/restatement.hpp"
 
-#include "gearbox/conflict.hpp"
-#include "gearbox/looser_bound.hpp"
-#include "gearbox/result_spec.hpp"
+#include "gearbox/search/conflict.hpp"
+#include "gearbox/search/looser_bound.hpp"
+#include "gearbox/search/result_spec.hpp"
 #include "io/provenance.hpp"
 
 namespace torquewright::gearbox {
@@ -26,9 +26,9 @@ std::optional<Design> design_or_none(const Topology& topology, const Json& json)
   return design_from(topology, json);
 }
 
-SynthesisStatus status_from(const Json& name) {
-  if (name == "optimal") return SynthesisStatus::kOptimal;
-  return name == "limit" ? SynthesisStatus::kLimit : SynthesisStatus::kInfeasible;
+DesignSearchStatus status_from(const Json& name) {
+  if (name == "optimal") return DesignSearchStatus::kOptimal;
+  return name == "limit" ? DesignSearchStatus::kLimit : DesignSearchStatus::kInfeasible;
 }
 
 /// What a result lists; absent is empty, as for the checker.
@@ -38,7 +38,7 @@ Json list(const Json& result, const char* key) { return result.value(key, Json::
 
 Json restated(const Problem& problem, const Json& result, const proof::Counts& counts) {
   const Topology& topology = *find_topology(problem.topology);
-  SynthesisResult proved;
+  DesignSearchResult proved;
   proved.status = status_from(result["status"]);
   for (const Json& json : list(result, "designs")) {
     proved.designs.push_back(design_from(topology, json));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "optimization/local_fit.hpp"
+#include "optimization/fit/local_fit.hpp"
 
 namespace torquewright::hopper::calibration {
 namespace {
@@ -58,9 +58,8 @@ struct Aim {
   double pull = 0.0;     ///< On the distance from the document.
 };
 
-std::optional<Candidate> fitted(const Question& question,
-                                const std::vector<FitVariable>& variables, const Aim& aim,
-                                std::size_t starts = kStarts) {
+std::optional<Candidate> fitted(const Question& question, const std::vector<FitVariable>& variables,
+                                const Aim& aim, std::size_t starts = kStarts) {
   optimization::FitOptions options;
   options.starts = starts;
   options.tolerance = kFitTolerance;

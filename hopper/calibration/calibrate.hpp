@@ -35,12 +35,12 @@ struct ProfilePoint {
 
 /// Along one free value, the others fitted anew at each point: the valley.
 struct Profile {
-  std::vector<ProfilePoint> points;                ///< A grid over its bounds.
+  std::vector<ProfilePoint> points;  ///< A grid over its bounds.
   struct Range {
     double low = 0.0;
     double high = 0.0;
   };
-  std::vector<Range> ranges;  ///< Where the figures can be met; ends found by halving.
+  std::vector<Range> ranges;   ///< Where the figures can be met; ends found by halving.
   bool is_determined = false;  ///< One range, narrower than a twentieth of the bounds.
 };
 

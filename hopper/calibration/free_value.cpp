@@ -147,8 +147,8 @@ void set_stated_bounds(const std::string& bounds, const std::string& whole, cons
   value.lowest = number_of(bounds.substr(0, colon), whole);
   value.highest = number_of(bounds.substr(colon + 1), whole);
   if (!(value.lowest < value.highest)) {
-    io::refuse(kOption, fmt::format("{} is not below {} in \"{}\"", value.lowest, value.highest,
-                                    whole));
+    io::refuse(kOption,
+               fmt::format("{} is not below {} in \"{}\"", value.lowest, value.highest, whole));
   }
   for (const Knob& knob : value.knobs) {
     if (knob.kind == Kind::kMass && !(value.lowest > 0.0)) {

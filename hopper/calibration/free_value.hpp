@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/robot.hpp"
+#include "hopper/robot/robot.hpp"
 #include "io/document.hpp"
 
 namespace torquewright::hopper::calibration {

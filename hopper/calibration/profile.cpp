@@ -78,8 +78,8 @@ Profile profile_of(const Question& question, std::size_t index,
         i + 1 == points.size() ? points[i].value : valley.edge(points[i], points[i + 1].value);
   }
   profile.is_determined =
-      profile.ranges.size() == 1 && profile.ranges[0].high - profile.ranges[0].low <
-                                        kNarrow * (free.highest - free.lowest);
+      profile.ranges.size() == 1 &&
+      profile.ranges[0].high - profile.ranges[0].low < kNarrow * (free.highest - free.lowest);
   return profile;
 }
 

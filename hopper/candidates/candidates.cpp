@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "actuator/check/drive_check.hpp"
-#include "actuator/joint_region.hpp"
+#include "actuator/region/joint_region.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -83,38 +83,41 @@ Robot with(const Robot& robot, std::size_t drivetrain, const Candidate& candidat
   return changed;
 }
 
-double stall_torque_Nm(const actuator::Actuator& actuator, const actuator::Conditions& conditions) {
+double stall_torque_Nm(const actuator::Actuator& actuator,
+                       const actuator::OperatingConditions& conditions) {
   const actuator::JointRange range = actuator::Region(actuator, conditions).at(0.0);
   if (range.is_empty) return 0.0;
   return std::max(range.greatest.torque_Nm, -range.least.torque_Nm);
 }
 
 /// 1.5 R i^2 over the run, i the amplitude of a phase's current.
-double copper_loss_J(const actuator::Actuator& actuator, const actuator::Conditions& conditions,
+double copper_loss_J(const actuator::Actuator& actuator,
+                     const actuator::OperatingConditions& conditions,
                      const actuator::DriveReport& report) {
-  const actuator::Machine machine = actuator::machine_at(actuator, conditions);
+  const actuator::PhaseModel model = actuator::phase_model_at(actuator, conditions);
   const double phase_A =
-      report.reading.rms_current_A *
+      report.interpretation.rms_current_A *
       actuator::phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
-  return 1.5 * machine.resistance_ohm * phase_A * phase_A * (report.until_s - report.from_s);
+  return 1.5 * model.resistance_ohm * phase_A * phase_A * (report.until_s - report.from_s);
 }
 
 std::string reason(const actuator::DriveReport& report) {
-  const actuator::Reading& reading = report.reading;
-  if (reading.first) {
-    const actuator::WorstSample& first = *reading.first;
+  const actuator::Interpretation& interpretation = report.interpretation;
+  if (interpretation.first) {
+    const actuator::WorstSample& first = *interpretation.first;
     const std::string limit = first.limit_Nm ? fmt::format("{:.4g} Nm", *first.limit_Nm) : "none";
     return fmt::format(
         "{} at t = {:.4g} s: {:.4g} Nm at {:.4g} rad/s asked, {} there ({}); "
         "{:.3g} % of the samples, {:.4g} Nm short at worst",
         report.name, first.time_s, first.torque_Nm, first.speed_rad_s, limit,
         actuator::name_of(first.limiter),
-        100.0 * static_cast<double>(reading.clipped_samples) / static_cast<double>(report.samples),
-        reading.worst.excess_Nm);
+        100.0 * static_cast<double>(interpretation.clipped_samples) /
+            static_cast<double>(report.samples),
+        interpretation.worst.excess_Nm);
   }
-  if (reading.winding && reading.winding->runs_to_limit) {
+  if (interpretation.winding && interpretation.winding->runs_to_limit) {
     return fmt::format("{}: its winding passes {:.4g} K in run {}", report.name,
-                       reading.winding->limit_K, *reading.winding->runs_to_limit);
+                       interpretation.winding->limit_K, *interpretation.winding->runs_to_limit);
   }
   return fmt::format("{}: undecided, {}", report.name,
                      "whether the file's torque includes the rotor's decides");
@@ -151,14 +154,15 @@ CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions
   std::size_t first = 0;
   for (std::size_t i = 0; i < drivetrain; ++i) first += robot.drivetrains[i].actuators.size();
   for (const actuator::DriveReport& report : reports.drives) {
-    const actuator::Reading& reading = report.reading;
-    result.margin_share = std::min(result.margin_share, reading.margin_Nm / stall_Nm);
-    result.energy_J += reading.energy_drawn_J - reading.energy_returned_J;
+    const actuator::Interpretation& interpretation = report.interpretation;
+    result.margin_share = std::min(result.margin_share, interpretation.margin_Nm / stall_Nm);
+    result.energy_J += interpretation.energy_drawn_J - interpretation.energy_returned_J;
     result.copper_loss_J += copper_loss_J(candidate.actuator, options.conditions, report);
-    result.peak_torque_Nm = std::max(result.peak_torque_Nm, reading.peak_torque_Nm);
-    if (reading.speed_margin_rad_s &&
-        (!result.speed_margin_rad_s || *reading.speed_margin_rad_s < *result.speed_margin_rad_s)) {
-      result.speed_margin_rad_s = reading.speed_margin_rad_s;
+    result.peak_torque_Nm = std::max(result.peak_torque_Nm, interpretation.peak_torque_Nm);
+    if (interpretation.speed_margin_rad_s &&
+        (!result.speed_margin_rad_s ||
+         *interpretation.speed_margin_rad_s < *result.speed_margin_rad_s)) {
+      result.speed_margin_rad_s = interpretation.speed_margin_rad_s;
     }
     if (report.verdict == Verdict::kPass || result.verdict == Verdict::kFail) continue;
     result.verdict = report.verdict;

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "actuator/check/report.hpp"
-#include "actuator/conditions.hpp"
+#include "actuator/region/operating_conditions.hpp"
 #include "hopper/check/demand.hpp"
 
 namespace torquewright::hopper {
@@ -22,7 +22,7 @@ struct CheckOptions {
   double residual_window_s = 0.01;  ///< Over which the residual is averaged.
   double load_window_s = 0.01;      ///< Over which a transmission's load is.
   TorqueSource torques = TorqueSource::kBest;
-  actuator::Conditions conditions;
+  actuator::OperatingConditions conditions;
   std::size_t runs = 1;
   double pause_s = 0.0;
   bool keep_traces = false;

@@ -15,7 +15,7 @@ using actuator::InertiaConvention;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kClearlyBetter = 0.5;  // share of the other reading's mismatch
+constexpr double kClearlyBetter = 0.5;  // share of the other interpretation's mismatch
 constexpr double kNotable = 0.05;       // share of a drive's rms torque
 
 MatrixXd by_dynamics(const Demand& demand, double DriveInstant::*torque) {

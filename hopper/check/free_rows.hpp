@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/whole_body.hpp"
+#include "hopper/robot/whole_body.hpp"
 
 namespace torquewright::hopper {
 

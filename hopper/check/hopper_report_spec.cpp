@@ -56,8 +56,8 @@ ordered_json load_json(const TransmissionLoad& load) {
 ordered_json heat_json(const HopperReport& report) {
   ordered_json heat = ordered_json::array();
   for (const actuator::DriveReport& drive : report.check.drives) {
-    if (!drive.reading.winding) continue;
-    const actuator::WindingReport& winding = *drive.reading.winding;
+    if (!drive.interpretation.winding) continue;
+    const actuator::WindingReport& winding = *drive.interpretation.winding;
     heat.push_back({{"drive", drive.name},
                     {"first_run_peak_K", number(winding.first_peak_K)},
                     {"limit_K", winding.limit_K},

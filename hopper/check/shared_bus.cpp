@@ -39,11 +39,11 @@ std::vector<SharedBus> groups_of(const std::vector<const actuator::Actuator*>& d
 /// check says so).
 void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator, std::size_t drive,
                const Eigen::MatrixXd& torques_Nm, Eigen::VectorXd& power_W) {
-  const actuator::Machine machine = actuator::machine_at(actuator, checked.options.conditions);
+  const actuator::PhaseModel model = actuator::phase_model_at(actuator, checked.options.conditions);
   const double temperature_K = winding_temperature_K(actuator, checked.options.conditions);
   for (Index sample = 0; sample < power_W.size(); ++sample) {
     const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
-    const auto asked = actuator::demand_at(actuator, machine, temperature_K, at.speed_rad_s,
+    const auto asked = actuator::demand_at(actuator, model, temperature_K, at.speed_rad_s,
                                            torques_Nm(static_cast<Index>(drive), sample));
     if (asked) power_W[sample] += asked->bus_power_W;
   }
@@ -93,9 +93,9 @@ std::vector<SharedBus> shared_buses(const CheckedMotion& checked,
     for (const std::size_t drive : bus.drives) {
       add_power(checked, *drives[drive], drive, torques_Nm, power_W);
     }
-    const actuator::Machine machine =
-        actuator::machine_at(*drives[bus.drives.front()], checked.options.conditions);
-    settle(checked, machine.supply, power_W, bus);
+    const actuator::PhaseModel model =
+        actuator::phase_model_at(*drives[bus.drives.front()], checked.options.conditions);
+    settle(checked, model.supply, power_W, bus);
   }
   return buses;
 }

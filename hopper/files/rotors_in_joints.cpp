@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "actuator/check/drive_check.hpp"
-#include "hopper/mechanism_reach.hpp"
+#include "hopper/robot/mechanism_reach.hpp"
 
 namespace torquewright::hopper {
 

@@ -9,10 +9,10 @@
 #include <map>
 
 #include "dynamics/rigid_inertia.hpp"
-#include "hopper/files/rotations.hpp"
 #include "hopper/files/xml.hpp"
 #include "hopper/find_name.hpp"
-#include "hopper/tree_order.hpp"
+#include "hopper/robot/rotations.hpp"
+#include "hopper/robot/tree_order.hpp"
 
 namespace torquewright::hopper {
 namespace {

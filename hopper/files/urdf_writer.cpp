@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "hopper/files/rotations.hpp"
 #include "hopper/files/rotors_in_joints.hpp"
 #include "hopper/files/xml_text.hpp"
+#include "hopper/robot/rotations.hpp"
 
 namespace torquewright::hopper {
 namespace {

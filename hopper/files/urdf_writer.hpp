@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/robot.hpp"
+#include "hopper/robot/robot.hpp"
 
 namespace torquewright::hopper {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "actuator/trajectory/columns.hpp"
-#include "hopper/robot.hpp"
+#include "hopper/robot/robot.hpp"
 #include "io/units.hpp"
 
 namespace torquewright::hopper {

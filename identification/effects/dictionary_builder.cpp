@@ -48,7 +48,7 @@ std::size_t DictionaryBuilder::add_drag(const std::string& name, const actuator:
 }
 
 Variant& DictionaryBuilder::variant(const std::string& effect,
-                                    std::vector<Coefficient> coefficients, Family family) {
+                                    std::vector<Coefficient> coefficients, EffectFamily family) {
   Variant added;
   added.effect = effect;
   added.family = family;

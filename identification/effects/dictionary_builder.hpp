@@ -41,7 +41,7 @@ class DictionaryBuilder {
 
   /// Adds a variant; the reference stands until the next one is added.
   Variant& variant(const std::string& effect, std::vector<Coefficient> coefficients,
-                   Family family = Family::kActuator);
+                   EffectFamily family = EffectFamily::kActuator);
 
   /// A parameter of an effect that the document states; 0 where it does not.
   double stated(std::string_view name, std::size_t parameter = 0) const;

@@ -64,7 +64,7 @@ void add_lag_and_delay(DictionaryBuilder& builder) {
       "delay", [balance = builder.balance()](const Signals& signals, std::vector<double>& out) {
         fill_delay(*balance, signals, out);
       });
-  builder.variant("channel_delay", {one(column, -0.2, 0.2)}, Family::kLog);
+  builder.variant("channel_delay", {one(column, -0.2, 0.2)}, EffectFamily::kLog);
 }
 
 }  // namespace torquewright::identification

@@ -7,7 +7,7 @@ namespace torquewright::identification {
 void add_offsets(DictionaryBuilder& builder) {
   const std::size_t constant =
       builder.add("offset", [](const Signals&, std::size_t) { return 1.0; });
-  builder.variant("torque_offset", {one(constant, -kInfinity, kInfinity)}, Family::kLog);
+  builder.variant("torque_offset", {one(constant, -kInfinity, kInfinity)}, EffectFamily::kLog);
 }
 
 }  // namespace torquewright::identification

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What follows the winding's or the case's temperature.
-#include "actuator/torque_at.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "identification/effects/families.hpp"
 
 namespace torquewright::identification {

@@ -67,7 +67,7 @@ void add_ripple(DictionaryBuilder& builder, double order) {
   builder
       .variant(order == 1.0 ? "gravity_imbalance" : "gear_ripple",
                wave(builder, "ripple", order, Angle::kOutput, below_folding(order, 1.0, unit)),
-               order == 1.0 ? Family::kRig : Family::kActuator)
+               order == 1.0 ? EffectFamily::kRig : EffectFamily::kActuator)
       .order = order;
 }
 

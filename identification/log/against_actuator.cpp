@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "actuator/convention.hpp"
-#include "actuator/torque_at.hpp"
+#include "actuator/motor/convention.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "identification/log.hpp"
 #include "identification/log/agreement.hpp"
 #include "identification/log/channel.hpp"

@@ -7,11 +7,11 @@
 #include <string>
 
 #include "actuator/check/check_report_spec.hpp"
-#include "actuator/mor_table.hpp"
+#include "actuator/region/mor_table.hpp"
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
-#include "src/commands/check_request.hpp"
+#include "src/options/check_request.hpp"
 #include "src/report/check_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/report/region_plot.hpp"

@@ -16,9 +16,10 @@ std::vector<std::string> mor_formats() {
   return names;
 }
 
-Exported exported_file(const actuator::ReadActuator& read, const actuator::Conditions& conditions,
+Exported exported_file(const actuator::ReadActuator& read,
+                       const actuator::OperatingConditions& conditions,
                        const actuator::Region& region, double table_accuracy,
-                       const actuator::Exporter& exporter, actuator::Fit fit) {
+                       const actuator::Exporter& exporter, actuator::LawFit fit) {
   if (region.at(0.0).is_empty) {
     throw io::SpecError({{read.documents.front().file, "",
                           fmt::format("no torque is possible at rest (limiter {}): there is no "

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "actuator/actuator_spec.hpp"
 #include "actuator/exporters/exporter.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 
 namespace torquewright::cli {
 
@@ -20,8 +20,9 @@ struct Exported {
 };
 
 /// Throws io::SpecError where the region is empty at rest: there is nothing to write.
-Exported exported_file(const actuator::ReadActuator& read, const actuator::Conditions& conditions,
+Exported exported_file(const actuator::ReadActuator& read,
+                       const actuator::OperatingConditions& conditions,
                        const actuator::Region& region, double table_accuracy,
-                       const actuator::Exporter& exporter, actuator::Fit fit);
+                       const actuator::Exporter& exporter, actuator::LawFit fit);
 
 }  // namespace torquewright::cli

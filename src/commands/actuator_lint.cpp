@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "actuator/actuator_spec.hpp"
 #include "actuator/lint/report_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/report/lint_text.hpp"
@@ -50,8 +50,7 @@ void add_lint_command(CLI::App& actuator, ExitCode& result) {
                    "Documents of kind actuator; several are compared with one another too")
       ->required();
   command->add_flag("--json", options->json, "The same as JSON");
-  command->footer(
-      "Example:\n  torquewright actuator lint specs/actuator/d151_knee.json");
+  command->footer("Example:\n  torquewright actuator lint specs/actuator/d151_knee.json");
   command->callback([options, &result] { result = run_lint(*options); });
 }
 

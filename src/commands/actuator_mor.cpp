@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "actuator/actuator_spec.hpp"
-#include "actuator/mor_table_spec.hpp"
-#include "actuator/need.hpp"
+#include "actuator/motor/actuator_spec.hpp"
+#include "actuator/region/mor_table_spec.hpp"
+#include "actuator/region/need.hpp"
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
 #include "io/refusal.hpp"
@@ -18,7 +18,7 @@
 #include "src/commands/actuator_export.hpp"
 #include "src/commands/mor_compare.hpp"
 #include "src/commands/mor_plot.hpp"
-#include "src/commands/operating_options.hpp"
+#include "src/options/operating_options.hpp"
 #include "src/report/actuator_text.hpp"
 #include "src/standard_output.hpp"
 
@@ -80,20 +80,20 @@ std::string with_provenance(nlohmann::ordered_json document, const actuator::Rea
 }
 
 ExitCode run_sweep(const MorOptions& options, const actuator::ReadActuator& read,
-                   const actuator::Conditions& conditions) {
+                   const actuator::OperatingConditions& conditions) {
   const auto [low, high] = number_pair("--ratio", options.ratios, ':');
   if (!(low >= 0.01 && high >= low && high <= 10000.0)) {
     io::refuse("--ratio", fmt::format("\"{}\" must ascend, from 0.01 to 10000", options.ratios));
   }
-  const auto rows = actuator::ratio_sweep(read.actuator, conditions, low, high, kRatiosInSweep,
-                                          need_of(options));
+  const auto rows =
+      actuator::ratio_sweep(read.actuator, conditions, low, high, kRatiosInSweep, need_of(options));
   deliver(options, options.json ? with_provenance(report::sweep_json(rows), read)
                                 : report::sweep_text(rows));
   return ExitCode::kPasses;
 }
 
 ExitCode run_need(const MorOptions& options, const actuator::ReadActuator& read,
-                  const actuator::Conditions& conditions) {
+                  const actuator::OperatingConditions& conditions) {
   const actuator::Need need = *need_of(options);
   const actuator::NeedAnswer answer = actuator::answer(read.actuator, conditions, need);
   deliver(options, options.json ? with_provenance(report::need_json(need, answer), read)
@@ -103,7 +103,7 @@ ExitCode run_need(const MorOptions& options, const actuator::ReadActuator& read,
 
 /// Both regions as a table, and drawn where a picture was asked for.
 ExitCode run_compare(const MorOptions& options, const actuator::ReadActuator& read,
-                     const actuator::Conditions& conditions, actuator::Side side) {
+                     const actuator::OperatingConditions& conditions, actuator::Side side) {
   const actuator::ReadActuator other = actuator::read_actuator(options.compare_file);
   const ComparedActuator from{options.compare_file, other, conditions_of(options.operating, other)};
   const ComparedActuator to{options.actuator_file, read, conditions};
@@ -117,14 +117,14 @@ ExitCode run_compare(const MorOptions& options, const actuator::ReadActuator& re
 
 void check_accuracy(double accuracy) {
   if (accuracy >= actuator::kFinestTableAccuracy && accuracy <= 0.1) return;
-  io::refuse("--accuracy", fmt::format("{} must be from {} to 0.1, a part of the peak torque", accuracy,
-                                   actuator::kFinestTableAccuracy));
+  io::refuse("--accuracy", fmt::format("{} must be from {} to 0.1, a part of the peak torque",
+                                       accuracy, actuator::kFinestTableAccuracy));
 }
 
 ExitCode run_mor(const MorOptions& options) {
   check_accuracy(options.accuracy);
   const actuator::ReadActuator read = actuator::read_actuator(options.actuator_file);
-  const actuator::Conditions conditions = conditions_of(options.operating, read);
+  const actuator::OperatingConditions conditions = conditions_of(options.operating, read);
   if (!options.ratios.empty()) return run_sweep(options, read, conditions);
   if (!options.need.empty()) return run_need(options, read, conditions);
 
@@ -137,8 +137,10 @@ ExitCode run_mor(const MorOptions& options) {
   const actuator::Region region(read.actuator, conditions, side);
   if (const actuator::Exporter* exporter = actuator::find_exporter(options.format)) {
     if (!options.speeds_rad_s.empty()) io::refuse("--at-speed", "rows are for csv and json");
-    const auto fit = options.fit == "best" ? actuator::Fit::kBest : actuator::Fit::kConservative;
-    const Exported exported = exported_file(read, conditions, region, options.accuracy, *exporter, fit);
+    const auto fit =
+        options.fit == "best" ? actuator::LawFit::kBest : actuator::LawFit::kConservative;
+    const Exported exported =
+        exported_file(read, conditions, region, options.accuracy, *exporter, fit);
     deliver(options, options.json ? with_provenance(exported.json, read) : exported.text);
     return ExitCode::kPasses;
   }
@@ -171,9 +173,9 @@ void add_mor_command(CLI::App& actuator, ExitCode& result) {
   command->add_option("--at-speed", options->speeds_rad_s, "Rows at these speeds only, in rad/s")
       ->delimiter(',')
       ->check(CLI::Range(-1e6, 1e6));
-  command
-      ->add_option("--accuracy", options->accuracy,
-                   "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1");
+  command->add_option(
+      "--accuracy", options->accuracy,
+      "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1");
   command->add_option("--need", options->need,
                       "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do");
   command->add_option("--ratio", options->ratios,
@@ -187,7 +189,8 @@ void add_mor_command(CLI::App& actuator, ExitCode& result) {
   command->add_option("-o,--output", options->output_file, "Write to this file");
   add_mor_plot_options(*command, options->plot);
   command->add_flag("--json", options->json, "The same as JSON");
-  command->footer("Example:\n  torquewright actuator mor specs/actuator/d151_knee.json --at-speed 0,5,10");
+  command->footer(
+      "Example:\n  torquewright actuator mor specs/actuator/d151_knee.json --at-speed 0,5,10");
   command->callback([options, &result] { result = run_mor(*options); });
 }
 

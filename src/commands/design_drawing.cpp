@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/commands/design_drawing.hpp"
 
-#include "gearbox/topology.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "src/report/gearbox_drawing.hpp"
 
 namespace torquewright::cli {

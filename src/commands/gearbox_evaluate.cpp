@@ -7,15 +7,15 @@
 #include <string>
 
 #include "gearbox/problem_spec.hpp"
-#include "gearbox/result_spec.hpp"
-#include "gearbox/topology.hpp"
+#include "gearbox/search/result_spec.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/design_drawing.hpp"
 #include "src/commands/gearbox_commands.hpp"
-#include "src/commands/output_files.hpp"
 #include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/gearbox_text.hpp"
 #include "src/standard_output.hpp"
 

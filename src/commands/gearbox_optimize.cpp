@@ -8,15 +8,15 @@
 #include <string>
 
 #include "gearbox/problem_spec.hpp"
-#include "gearbox/result_spec.hpp"
-#include "gearbox/synthesis.hpp"
+#include "gearbox/search/result_spec.hpp"
+#include "gearbox/search/search.hpp"
 #include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/design_drawing.hpp"
 #include "src/commands/gearbox_commands.hpp"
-#include "src/commands/output_files.hpp"
 #include "src/commands/proof_check.hpp"
 #include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/gearbox_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/standard_output.hpp"
@@ -49,9 +49,9 @@ nlohmann::ordered_json non_default_options(const OptimizeOptions& options) {
   return changed;
 }
 
-gearbox::SynthesisOptions synthesis_options(const OptimizeOptions& options,
-                                            report::ProgressLine& line) {
-  gearbox::SynthesisOptions result;
+gearbox::DesignSearchOptions synthesis_options(const OptimizeOptions& options,
+                                               report::ProgressLine& line) {
+  gearbox::DesignSearchOptions result;
   result.top = options.top;
   result.relaxation = kRelaxationUses.at(options.relaxation);
   if (options.max_nodes > 0) result.max_nodes = options.max_nodes;
@@ -64,13 +64,13 @@ gearbox::SynthesisOptions synthesis_options(const OptimizeOptions& options,
   return result;
 }
 
-ExitCode exit_code(gearbox::SynthesisStatus status) {
+ExitCode exit_code(gearbox::DesignSearchStatus status) {
   switch (status) {
-    case gearbox::SynthesisStatus::kOptimal:
+    case gearbox::DesignSearchStatus::kOptimal:
       return ExitCode::kPasses;
-    case gearbox::SynthesisStatus::kInfeasible:
+    case gearbox::DesignSearchStatus::kInfeasible:
       return ExitCode::kFails;
-    case gearbox::SynthesisStatus::kLimit:
+    case gearbox::DesignSearchStatus::kLimit:
       break;
   }
   return ExitCode::kUndecided;
@@ -82,7 +82,7 @@ ExitCode run_optimize(const OptimizeOptions& options) {
   check_outputs(options.outputs, options.problem_file);
   catch_interrupt();
   const auto start = std::chrono::steady_clock::now();
-  gearbox::SynthesisResult found;
+  gearbox::DesignSearchResult found;
   {
     report::ProgressLine line;
     found = gearbox::optimize(problem, synthesis_options(options, line));

@@ -30,8 +30,7 @@ void check_numbers(const std::vector<double>& numbers, const char* option, doubl
                    double greatest) {
   for (const double number : numbers) {
     if (number >= least && number <= greatest) continue;
-    io::refuse(option,
-               fmt::format("{} must be from {:g} to {:g}", number, least, greatest));
+    io::refuse(option, fmt::format("{} must be from {:g} to {:g}", number, least, greatest));
   }
 }
 

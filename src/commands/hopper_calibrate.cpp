@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "io/atomic_file.hpp"
 #include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "io/refusal.hpp"
-#include "src/commands/calibration_request.hpp"
 #include "src/commands/hopper_commands.hpp"
+#include "src/options/calibration_request.hpp"
 #include "src/report/calibration_text.hpp"
 #include "src/standard_output.hpp"
 
@@ -98,23 +98,25 @@ ExitCode run_calibrate(const CalibrateOptions& options) {
   io::Document document = io::read_document(options.robot_file, "robot");
   const std::string sha256 = document.sha256;
   add_postures(options.request, document);
-  hopper::ReadRobot read = hopper::robot_of(
-      io::check_document(document.root, "robot", document.file, document.path));
+  hopper::ReadRobot read =
+      hopper::robot_of(io::check_document(document.root, "robot", document.file, document.path));
   read.documents.front().sha256 = sha256;  // of the file that was read
   check_calibration_files(options, read);
   report::CalibrationReport report{
-      read.robot.name, calibration_question(options.request, read.documents.front(), read.robot), {}};
+      read.robot.name,
+      calibration_question(options.request, read.documents.front(), read.robot),
+      {}};
   report.found = calibration::calibrate(report.question);
 
   std::vector<io::FileContent> files;
   if (!options.output_file.empty() && report.found.best) {
-    files.push_back({options.output_file,
-                     calibrated_robot(options, read.documents.front(), report)});
+    files.push_back(
+        {options.output_file, calibrated_robot(options, read.documents.front(), report)});
   }
   if (!options.plot_file.empty() && report.found.is_met) {
     const report::PlotFormat format = report::plot_format(options.plot_file);
-    files.push_back({options.plot_file,
-                     report::picture_by_gnuplot(report::calibration_plot(report, format))});
+    files.push_back(
+        {options.plot_file, report::picture_by_gnuplot(report::calibration_plot(report, format))});
   }
   io::write_whole_files(files);
   print_result(calibration_result(options, read, report));

@@ -8,8 +8,8 @@
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/identify_commands.hpp"
-#include "src/commands/identify_request.hpp"
 #include "src/commands/refined_actuators.hpp"
+#include "src/options/identify_request.hpp"
 #include "src/report/gnuplot.hpp"
 #include "src/report/identification_html.hpp"
 #include "src/report/identification_text.hpp"
@@ -73,13 +73,13 @@ ExitCode run_identify(const IdentifyRequest& request) {
   if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
   const Identification found = run_identification(request, inputs);
   const std::vector<RefinedActuator> refined = refined_actuators(inputs, found);
-  report::IdentificationContext context{request.logs, request.rig_file, inputs.rig.name,
-                                        request.actuators, {}, request.select};
+  report::IdentificationContext context{
+      request.logs, request.rig_file, inputs.rig.name, request.actuators, {}, request.select};
   std::vector<io::FileContent> files = refined_files(inputs, refined);
   for (const io::FileContent& file : files) context.refined_files.push_back(file.file.string());
   if (!request.report_file.empty()) {
-    files.push_back({request.report_file,
-                     report::identification_html(found, context, region_sections(inputs, refined))});
+    files.push_back({request.report_file, report::identification_html(
+                                              found, context, region_sections(inputs, refined))});
   }
   io::write_whole_files(files);
   print_result(request.json ? json_text(request, inputs, found)
@@ -107,8 +107,9 @@ void add_identify_command(CLI::App& app, ExitCode& result) {
       app.add_subcommand("identify", "Is the model true, and if not, which effect is missing?");
   add_log_options(*command, *request);
   command
-      ->add_option("-o,--output", request->outputs,
-                   "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
+      ->add_option(
+          "-o,--output", request->outputs,
+          "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
       ->allow_extra_args(false);
   command->add_option("--report", request->report_file, "Write the report with pictures, as HTML");
   command->add_flag("--empirical", request->empirical,

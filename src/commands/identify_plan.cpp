@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/plan.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
@@ -14,7 +14,7 @@
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
 #include "src/commands/identify_commands.hpp"
-#include "src/commands/noise_option.hpp"
+#include "src/options/noise_option.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -100,7 +100,8 @@ std::string plan_text(const Plan& plan, const PlanRequest& request) {
       fmt::format("An excitation of {:g} s in {} run(s), beside a plain chirp as long.\n",
                   request.options.duration_s, plan.runs.size());
   for (const PlannedParameter& each : plan.parameters) text += parameter_text(each);
-  text += "Made for the parameter that is worst off; others may have smaller errors by the chirp.\n";
+  text +=
+      "Made for the parameter that is worst off; others may have smaller errors by the chirp.\n";
   text += fmt::format("Smallest eigenvalue of the scaled information: {:.3g} ({:.3g}).\n",
                       plan.smallest_eigenvalue, plan.chirp_smallest_eigenvalue);
   for (const Plan::Unseen& each : plan.unseen) {

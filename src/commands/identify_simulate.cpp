@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/rig.hpp"
 #include "identification/simulated_log.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "src/commands/identify_commands.hpp"
-#include "src/commands/noise_option.hpp"
+#include "src/options/noise_option.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {

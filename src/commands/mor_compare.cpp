@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "actuator/mor_table.hpp"
-#include "actuator/region_comparison.hpp"
+#include "actuator/region/mor_table.hpp"
+#include "actuator/region/region_comparison.hpp"
 #include "io/provenance.hpp"
 #include "src/report/comparison_text.hpp"
 
@@ -44,10 +44,8 @@ std::string comparison_plot(report::PlotFormat format, const ComparedActuator& f
   const std::vector<report::PlottedRegion> regions{
       {to.file, actuator::mor_table(region_of(to, side))},
       {from.file, actuator::mor_table(region_of(from, side))}};
-  return report::region_plot(format,
-                             fmt::format("{}: motor operating regions compared",
-                                         to.read.actuator.name),
-                             regions);
+  return report::region_plot(
+      format, fmt::format("{}: motor operating regions compared", to.read.actuator.name), regions);
 }
 
 }  // namespace torquewright::cli

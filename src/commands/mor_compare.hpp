@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "actuator/actuator_spec.hpp"
-#include "actuator/conditions.hpp"
-#include "actuator/joint_region.hpp"
+#include "actuator/motor/actuator_spec.hpp"
+#include "actuator/region/joint_region.hpp"
+#include "actuator/region/operating_conditions.hpp"
 #include "src/report/region_plot.hpp"
 
 namespace torquewright::cli {
@@ -14,7 +14,7 @@ namespace torquewright::cli {
 struct ComparedActuator {
   std::string file;
   actuator::ReadActuator read;
-  actuator::Conditions conditions;
+  actuator::OperatingConditions conditions;
 };
 
 /// Both regions as a table: text, or JSON with its provenance.

@@ -9,35 +9,35 @@
 namespace torquewright::cli {
 namespace {
 
-using actuator::Conditions;
+using actuator::OperatingConditions;
 
 struct Overlay {
   std::string label;
-  Conditions conditions;
+  OperatingConditions conditions;
 };
 
 /// The region asked for first, then its continuous rating, then the others.
 std::vector<Overlay> overlays(const MorPlotOptions& options, const actuator::Actuator& actuator,
-                              const Conditions& conditions) {
+                              const OperatingConditions& conditions) {
   const double voltage_V = actuator::open_circuit_voltage_V(actuator, conditions);
   const double temperature_K = actuator::winding_temperature_K(actuator, conditions);
   const bool is_peak = conditions.rating == actuator::Rating::kPeak;
   std::vector<Overlay> all{{fmt::format("{}, {:.4g} V, {:.4g} K", is_peak ? "peak" : "continuous",
                                         voltage_V, temperature_K),
                             conditions}};
-  Conditions continuous = conditions;
+  OperatingConditions continuous = conditions;
   continuous.rating = actuator::Rating::kContinuous;
   if (is_peak && actuator::objections(actuator, continuous).empty()) {
     all.push_back({"continuous", continuous});
   }
   for (const double other_V : options.voltages_V) {
-    Conditions changed = conditions;
+    OperatingConditions changed = conditions;
     changed.bus_voltage_V = other_V;
     changed.state_of_charge.reset();
     all.push_back({fmt::format("{:.4g} V", other_V), changed});
   }
   for (const double other_K : options.temperatures_K) {
-    Conditions changed = conditions;
+    OperatingConditions changed = conditions;
     changed.winding_temperature_K = other_K;
     all.push_back({fmt::format("{:.4g} K", other_K), changed});
   }
@@ -62,7 +62,7 @@ void add_mor_plot_options(CLI::App& command, MorPlotOptions& options) {
 }
 
 void draw_region(const MorPlotOptions& options, const actuator::Actuator& actuator,
-                 const Conditions& conditions, actuator::Side side) {
+                 const OperatingConditions& conditions, actuator::Side side) {
   const report::PlotFormat format = report::plot_format(options.file);
   std::vector<report::PlottedRegion> regions;
   for (const Overlay& overlay : overlays(options, actuator, conditions)) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/joint_region.hpp"
+#include "actuator/region/joint_region.hpp"
 
 namespace torquewright::cli {
 
@@ -22,6 +22,6 @@ void add_mor_plot_options(CLI::App& command, MorPlotOptions& options);
 /// Draws the region under the conditions; over it, dashed, the continuous rating where the document
 /// has one, and what other voltages and temperatures make of it. Throws io::SpecError.
 void draw_region(const MorPlotOptions& options, const actuator::Actuator& actuator,
-                 const actuator::Conditions& conditions, actuator::Side side);
+                 const actuator::OperatingConditions& conditions, actuator::Side side);
 
 }  // namespace torquewright::cli

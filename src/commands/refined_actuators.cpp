@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "actuator/conditions.hpp"
-#include "actuator/mor_table.hpp"
-#include "actuator/region_comparison.hpp"
+#include "actuator/region/mor_table.hpp"
+#include "actuator/region/operating_conditions.hpp"
+#include "actuator/region/region_comparison.hpp"
 #include "src/report/comparison_text.hpp"
 #include "src/report/region_plot.hpp"
 
@@ -20,12 +20,14 @@ using identification::Verdict;
 using nlohmann::ordered_json;
 
 /// As it is to stand in the file: a gearbox in a file of its own is found from there.
-std::string text_for(const ordered_json& document, const fs::path& nominal, const fs::path& output) {
+std::string text_for(const ordered_json& document, const fs::path& nominal,
+                     const fs::path& output) {
   ordered_json moved = document;
   ordered_json& gearbox = moved["gearbox"];
   if (gearbox.contains("file") && !output.empty()) {
     const fs::path file = nominal.parent_path() / gearbox["file"].get<std::string>();
-    gearbox["file"] = fs::proximate(fs::absolute(file), fs::absolute(output).parent_path()).string();
+    gearbox["file"] =
+        fs::proximate(fs::absolute(file), fs::absolute(output).parent_path()).string();
   }
   return moved.dump(2) + "\n";
 }
@@ -83,7 +85,7 @@ std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
 std::vector<report::RegionSection> region_sections(const IdentifyInputs& inputs,
                                                    const std::vector<RefinedActuator>& refined) {
   std::vector<report::RegionSection> sections;
-  const actuator::Conditions conditions;
+  const actuator::OperatingConditions conditions;
   for (std::size_t i = 0; i < refined.size(); ++i) {
     const actuator::Actuator& nominal = inputs.actuators[i].nominal.actuator;
     const actuator::Actuator& changed = refined[i].read.actuator;

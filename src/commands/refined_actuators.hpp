@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "io/atomic_file.hpp"
-#include "src/commands/identify_request.hpp"
+#include "src/options/identify_request.hpp"
 #include "src/report/identification_html.hpp"
 
 namespace torquewright::cli {

@@ -4,7 +4,7 @@
 
 #include "hopper/files/mjcf_writer.hpp"
 #include "hopper/files/urdf_writer.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "io/atomic_file.hpp"
 #include "src/commands/robot_commands.hpp"
 #include "src/standard_output.hpp"

@@ -7,8 +7,8 @@
 
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/urdf_reader.hpp"
-#include "hopper/robot_json.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_json.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "io/json_text.hpp"

@@ -36,13 +36,14 @@ ordered_json or_null(const std::optional<double>& value) {
 }  // namespace
 
 std::string need_text(const Actuator& actuator, const Need& need, const NeedAnswer& answer) {
-  std::string text = fmt::format("{} Nm at {} rad/s: {}; {}", need.torque_Nm, need.speed_rad_s,
-                                 answer.is_reached ? "reached" : "not reached",
-                                 range_sentence(answer.range));
+  std::string text =
+      fmt::format("{} Nm at {} rad/s: {}; {}", need.torque_Nm, need.speed_rad_s,
+                  answer.is_reached ? "reached" : "not reached", range_sentence(answer.range));
   if (answer.is_reached) {
     text += fmt::format("; margin {:.6g} Nm to {}\n", answer.margin_Nm, name_of(answer.limiter));
   } else {
-    if (std::isfinite(answer.margin_Nm)) text += fmt::format("; {:.6g} Nm are missing", -answer.margin_Nm);
+    if (std::isfinite(answer.margin_Nm))
+      text += fmt::format("; {:.6g} Nm are missing", -answer.margin_Nm);
     text += "\nAlone, with everything else as it is:\n";
     text += remedy("bus voltage", answer.least_bus_voltage_V, " V");
     text += remedy("current", answer.least_current_A, " A");
@@ -77,8 +78,7 @@ ordered_json need_json(const Need& need, const NeedAnswer& answer) {
 
 std::string sweep_text(const std::vector<RatioRow>& rows) {
   const bool has_need = !rows.empty() && rows.front().margin_Nm.has_value();
-  std::string text =
-      "   ratio  stall Nm  no-load rad/s  power W  at rad/s  reflected kg m^2";
+  std::string text = "   ratio  stall Nm  no-load rad/s  power W  at rad/s  reflected kg m^2";
   text += has_need ? "  margin Nm\n" : "\n";
   for (const RatioRow& row : rows) {
     text += fmt::format("{:>8.4g}{:>10.4g}{:>15.4g}{:>9.4g}{:>10.4g}{:>18.4g}", row.ratio,

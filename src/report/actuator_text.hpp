@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "actuator/need.hpp"
+#include "actuator/region/need.hpp"
 
 namespace torquewright::report {
 
-/// What `actuator mor --need` says (JSON: kind mor_need): reached or not, by how much, and what alone would do.
+/// What `actuator mor --need` says (JSON: kind mor_need): reached or not, by how much, and what
+/// alone would do.
 std::string need_text(const actuator::Actuator& actuator, const actuator::Need& need,
                       const actuator::NeedAnswer& answer);
 nlohmann::ordered_json need_json(const actuator::Need& need, const actuator::NeedAnswer& answer);

@@ -11,7 +11,8 @@ ordered_json targets_json(const CalibrationReport& report) {
   const calibration::Figures& figures = report.question.figures;
   ordered_json targets = ordered_json::array();
   std::vector<double> inertias;
-  if (report.found.best) inertias = calibration::inertias_kg_m2(report.question, report.found.best->values);
+  if (report.found.best)
+    inertias = calibration::inertias_kg_m2(report.question, report.found.best->values);
   for (std::size_t i = 0; i < figures.speeds.size(); ++i) {
     const calibration::SpeedTarget& target = figures.speeds[i];
     targets.push_back({{"posture", report.question.postures[target.posture].name},
@@ -24,7 +25,8 @@ ordered_json targets_json(const CalibrationReport& report) {
   return targets;
 }
 
-ordered_json profile_json(const calibration::Profile& profile, const calibration::Figures& figures) {
+ordered_json profile_json(const calibration::Profile& profile,
+                          const calibration::Figures& figures) {
   ordered_json result;
   result["is_determined"] = profile.is_determined;
   result["ranges"] = ordered_json::array();
@@ -64,7 +66,7 @@ ordered_json calibration_json(const CalibrationReport& report) {
   document["kind"] = "calibration_report";
   document["version"] = 1;
   document["robot"] = report.robot;
-  document["verdict"] = !report.found.is_met               ? "not_met"
+  document["verdict"] = !report.found.is_met           ? "not_met"
                         : report.found.is_determined() ? "determined"
                                                        : "valley";
   document["sentence"] = calibration_verdict(report);

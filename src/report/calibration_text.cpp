@@ -48,9 +48,8 @@ std::size_t longest_name(const CalibrationReport& report) {
 
 std::string values_text(const CalibrationReport& report) {
   const std::size_t width = longest_name(report);
-  std::string text =
-      fmt::format("  {:<{}} {:>10} {:>10} {:>22}  {}\n", "free value", width, "document", "fitted",
-                  "bounds", "met, the others fitted anew");
+  std::string text = fmt::format("  {:<{}} {:>10} {:>10} {:>22}  {}\n", "free value", width,
+                                 "document", "fitted", "bounds", "met, the others fitted anew");
   for (std::size_t i = 0; i < report.question.free.size(); ++i) {
     const calibration::FreeValue& free = report.question.free[i];
     text += fmt::format(
@@ -68,9 +67,9 @@ std::string values_text(const CalibrationReport& report) {
 
 std::string point_row(const calibration::ProfilePoint& point, const calibration::Figures& figures) {
   if (!point.best) return fmt::format("  {:>10.4g}   no body has such inertias\n", point.value);
-  std::string text = fmt::format("  {:>10.4g} {:>8.2f}% {:>4}  ", point.value,
-                                 100.0 * point.best->worst_error,
-                                 calibration::meets(figures, point.best) ? "met" : "-");
+  std::string text =
+      fmt::format("  {:>10.4g} {:>8.2f}% {:>4}  ", point.value, 100.0 * point.best->worst_error,
+                  calibration::meets(figures, point.best) ? "met" : "-");
   // A fit ends next to a bound of zero, at 1e-8 or so.
   for (const double value : point.best->values) {
     text += fmt::format(" {:>10.4g}", std::abs(value) < 1e-6 ? 0.0 : value);
@@ -80,9 +79,8 @@ std::string point_row(const calibration::ProfilePoint& point, const calibration:
 
 std::string profile_text(const CalibrationReport& report, std::size_t index) {
   const calibration::Profile& profile = report.found.profiles[index];
-  std::string text =
-      fmt::format("\nAlong {}: worst error, and all free values in their order\n",
-                  report.question.free[index].name());
+  std::string text = fmt::format("\nAlong {}: worst error, and all free values in their order\n",
+                                 report.question.free[index].name());
   for (std::size_t i = 0; i < profile.points.size(); i += kEveryPoint) {
     text += point_row(profile.points[i], report.question.figures);
   }
@@ -108,16 +106,17 @@ std::string calibration_verdict(const CalibrationReport& report) {
     open += fmt::format("{}{} ({})", open.empty() ? "" : ", ", report.question.free[i].name(),
                         ranges_text(found.profiles[i]));
   }
-  return fmt::format("met within {:.3g} %, but by a valley of solutions: the figures leave open {}.",
-                     allowed, open);
+  return fmt::format(
+      "met within {:.3g} %, but by a valley of solutions: the figures leave open {}.", allowed,
+      open);
 }
 
 std::string calibration_provenance(const CalibrationReport& report, std::size_t index,
                                    const std::string& pointer) {
   const calibration::Figures& figures = report.question.figures;
-  std::string text = fmt::format("{} = {:.6g}: fitted by hopper calibrate to CAM {:.6g} N m s",
-                                 pointer, report.found.best->values[index],
-                                 figures.angular_momentum_Nm_s);
+  std::string text =
+      fmt::format("{} = {:.6g}: fitted by hopper calibrate to CAM {:.6g} N m s", pointer,
+                  report.found.best->values[index], figures.angular_momentum_Nm_s);
   for (const calibration::SpeedTarget& target : figures.speeds) {
     text += fmt::format(", CAV {:.6g} rad/s at {}", target.speed_rad_s,
                         report.question.postures[target.posture].name);
@@ -133,8 +132,10 @@ std::string calibration_provenance(const CalibrationReport& report, std::size_t 
 std::string calibration_text(const CalibrationReport& report) {
   std::string text = fmt::format("{}: {}\n", report.robot, calibration_verdict(report));
   text += fmt::format(
-      "CAM {:.4g} N m s about the pitch axis, conserved in flight; CAV = CAM/inertia of the posture,\n"
-      "whatever the joints' speeds (with joints at rest it is the robot's own angular velocity).\n\n",
+      "CAM {:.4g} N m s about the pitch axis, conserved in flight; CAV = CAM/inertia of the "
+      "posture,\n"
+      "whatever the joints' speeds (with joints at rest it is the robot's own angular "
+      "velocity).\n\n",
       report.question.figures.angular_momentum_Nm_s);
   if (!report.found.best) return text;
   text += targets_text(report) + "\n" + values_text(report);

@@ -15,16 +15,17 @@ std::string or_none(const std::optional<double>& value, const char* unit, const 
   return value ? fmt::format("{:.4g} {}", *value, unit) : none;
 }
 
-std::string clipped_line(const DriveReport& drive, const Reading& reading) {
-  if (reading.clipped_samples == 0) return "  clipped  none\n";
-  const WorstSample& worst = reading.worst;
+std::string clipped_line(const DriveReport& drive, const Interpretation& interpretation) {
+  if (interpretation.clipped_samples == 0) return "  clipped  none\n";
+  const WorstSample& worst = interpretation.worst;
   return fmt::format(
       "  clipped  {:.3g} % of samples ({}), {:.4g} s\n"
       "  worst    {:.6g} Nm at {:.6g} rad/s, t = {:.6g} s: {:.6g} Nm beyond {} (limiter: {})\n",
-      100.0 * static_cast<double>(reading.clipped_samples) / static_cast<double>(drive.samples),
-      reading.clipped_samples, reading.clipped_time_s, worst.torque_Nm, worst.speed_rad_s,
-      worst.time_s, worst.excess_Nm, or_none(worst.limit_Nm, "Nm", "an empty region"),
-      name_of(worst.limiter));
+      100.0 * static_cast<double>(interpretation.clipped_samples) /
+          static_cast<double>(drive.samples),
+      interpretation.clipped_samples, interpretation.clipped_time_s, worst.torque_Nm,
+      worst.speed_rad_s, worst.time_s, worst.excess_Nm,
+      or_none(worst.limit_Nm, "Nm", "an empty region"), name_of(worst.limiter));
 }
 
 std::string winding_line(const WindingReport& winding) {
@@ -44,18 +45,19 @@ std::string winding_line(const WindingReport& winding) {
   return text + "\n";
 }
 
-std::string reading_lines(const DriveReport& drive, const Reading& reading) {
-  std::string text = clipped_line(drive, reading);
+std::string reading_lines(const DriveReport& drive, const Interpretation& interpretation) {
+  std::string text = clipped_line(drive, interpretation);
   text += fmt::format(
       "  margin   torque {:.4g} Nm, speed {}, voltage {}\n"
       "  torque   peak {:.4g} Nm, rms {:.4g} Nm\n"
       "  current  peak {:.4g} A, rms {:.4g} A\n"
       "  energy   {:.4g} J drawn, {:.4g} J returned\n",
-      reading.margin_Nm, or_none(reading.speed_margin_rad_s, "rad/s", "none"),
-      or_none(reading.voltage_margin_V, "V", "none: the supply gives out"), reading.peak_torque_Nm,
-      reading.rms_torque_Nm, reading.peak_current_A, reading.rms_current_A, reading.energy_drawn_J,
-      reading.energy_returned_J);
-  if (reading.winding) text += winding_line(*reading.winding);
+      interpretation.margin_Nm, or_none(interpretation.speed_margin_rad_s, "rad/s", "none"),
+      or_none(interpretation.voltage_margin_V, "V", "none: the supply gives out"),
+      interpretation.peak_torque_Nm, interpretation.rms_torque_Nm, interpretation.peak_current_A,
+      interpretation.rms_current_A, interpretation.energy_drawn_J,
+      interpretation.energy_returned_J);
+  if (interpretation.winding) text += winding_line(*interpretation.winding);
   return text;
 }
 
@@ -68,7 +70,7 @@ std::string drive_text(const DriveReport& drive) {
       drive.name, drive.actuator, name_of(drive.verdict), drive.samples, drive.from_s,
       drive.until_s, drive.peak_speed_rad_s, drive.no_load_speed_rad_s);
   if (!drive.has_torque) return text;
-  text += reading_lines(drive, drive.reading);
+  text += reading_lines(drive, drive.interpretation);
   if (drive.verdict != Verdict::kUndecided || !drive.with_inertia) return text;
   text += " if the torque of the reflected inertia is to be added:\n";
   return text + reading_lines(drive, *drive.with_inertia);

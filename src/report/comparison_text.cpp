@@ -15,9 +15,8 @@ using nlohmann::ordered_json;
 std::string change_text(const TorqueChange& change) {
   if (change.change_Nm == 0.0) return "none";
   const std::string share =
-      change.from_Nm > 0.0
-          ? fmt::format(" ({:+.1f} %)", 100.0 * change.change_Nm / change.from_Nm)
-          : std::string();
+      change.from_Nm > 0.0 ? fmt::format(" ({:+.1f} %)", 100.0 * change.change_Nm / change.from_Nm)
+                           : std::string();
   return fmt::format("{:+.4g} Nm{} at {:.4g} rad/s", change.change_Nm, share, change.speed_rad_s);
 }
 
@@ -44,7 +43,8 @@ ordered_json change_json(const TorqueChange& change) {
 
 std::string comparison_text(const std::string& from, const std::string& to,
                             const RegionComparison& comparison) {
-  std::string text = fmt::format("from {}\nto   {}\n  {:<16} {:>12} {:>12}\n", from, to, "", "from", "to");
+  std::string text =
+      fmt::format("from {}\nto   {}\n  {:<16} {:>12} {:>12}\n", from, to, "", "from", "to");
   const RegionFigures &a = comparison.from, &b = comparison.to;
   text += figure_row("peak torque", a.peak_torque_Nm, b.peak_torque_Nm, "Nm");
   text += figure_row("stall torque", a.stall_torque_Nm, b.stall_torque_Nm, "Nm");

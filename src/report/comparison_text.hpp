@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "actuator/region_comparison.hpp"
+#include "actuator/region/region_comparison.hpp"
 
 namespace torquewright::report {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "gearbox/topology.hpp"
+#include "gearbox/topologies/topology.hpp"
 
 namespace torquewright::report {
 namespace {

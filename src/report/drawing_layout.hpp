@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gearbox/assembly_phase.hpp"
-#include "gearbox/tooth_form.hpp"
+#include "gearbox/teeth/tooth_form.hpp"
+#include "gearbox/train/assembly_phase.hpp"
 #include "src/report/gearbox_drawing.hpp"
 
 namespace torquewright::report {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "gearbox/tooth_outline.hpp"
+#include "gearbox/teeth/tooth_outline.hpp"
 #include "src/report/svg.hpp"
 
 namespace torquewright::report {

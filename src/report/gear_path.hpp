@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gearbox/tooth_form.hpp"
+#include "gearbox/teeth/tooth_form.hpp"
 
 namespace torquewright::report {
 

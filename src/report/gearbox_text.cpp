@@ -19,14 +19,14 @@ std::string assumed_text(const Problem& problem) {
                      fmt::join(problem.assumed, ", "));
 }
 
-std::string proof_text(const SynthesisResult& result) {
+std::string proof_text(const DesignSearchResult& result) {
   return fmt::format(
       "Search: {} boxes, {} Ipopt solves ({} boxes closed by their bounds), {} points looked at.\n",
       result.search.nodes, result.search.relaxations, result.search.refuted_by_relaxation,
       result.search.points_enumerated);
 }
 
-std::string infeasible_text(const SynthesisResult& result) {
+std::string infeasible_text(const DesignSearchResult& result) {
   std::string text = "infeasible: no design satisfies all constraints.\nThese conflict:\n";
   for (const ConflictMember& member : result.conflict) {
     text += fmt::format("  {}: {}\n", member.constraint, member.sentence);
@@ -114,11 +114,11 @@ std::string rank_text(const Problem& problem, const DesignReport& report,
 
 }  // namespace
 
-std::string optimization_text(const Problem& problem, const SynthesisResult& result) {
-  if (result.status == SynthesisStatus::kInfeasible) {
+std::string optimization_text(const Problem& problem, const DesignSearchResult& result) {
+  if (result.status == DesignSearchStatus::kInfeasible) {
     return infeasible_text(result) + assumed_text(problem) + proof_text(result);
   }
-  std::string text = result.status == SynthesisStatus::kOptimal
+  std::string text = result.status == DesignSearchStatus::kOptimal
                          ? "optimal: proved, nothing is better.\n"
                          : "limit: the search was ended; what follows is the best so far.\n";
   const Topology& topology = *find_topology(problem.topology);

@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "gearbox/ranking.hpp"
-#include "gearbox/synthesis.hpp"
-#include "gearbox/topology.hpp"
+#include "gearbox/search/ranking.hpp"
+#include "gearbox/search/search.hpp"
+#include "gearbox/topologies/topology.hpp"
 
 namespace torquewright::report {
 
 /// What `gearbox optimize` prints: status, designs, proof; or the conflict and what would help.
 std::string optimization_text(const gearbox::Problem& problem,
-                              const gearbox::SynthesisResult& result);
+                              const gearbox::DesignSearchResult& result);
 
 /// What `gearbox evaluate` prints: everything about one design and where it stands.
 std::string evaluation_text(const gearbox::Problem& problem, const gearbox::DesignReport& report,

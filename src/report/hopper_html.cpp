@@ -53,18 +53,18 @@ std::string drives_table(const HopperPage& page) {
                               "peak current", "energy", "contacts' load: joint, motor"});
   for (std::size_t i = 0; i < page.report.check.drives.size(); ++i) {
     const actuator::DriveReport& drive = page.report.check.drives[i];
-    const actuator::Reading& reading = drive.reading;
+    const actuator::Interpretation& interpretation = drive.interpretation;
     std::string load = "-";
     if (i < page.report.transmission_loads.size()) {
       const hopper::TransmissionLoad& gears = page.report.transmission_loads[i];
       load = fmt::format("{:.4g} Nm, {:.4g} Nm", gears.joint_Nm, gears.motor_Nm);
     }
     text += cells({drive.name, drive.actuator, std::string(actuator::name_of(drive.verdict)),
-                   fmt::format("{:.4g} Nm", reading.margin_Nm),
-                   fmt::format("{:.4g} Nm", reading.peak_torque_Nm),
-                   fmt::format("{:.4g} A", reading.peak_current_A),
-                   fmt::format("{:.4g} J drawn, {:.4g} J returned", reading.energy_drawn_J,
-                               reading.energy_returned_J),
+                   fmt::format("{:.4g} Nm", interpretation.margin_Nm),
+                   fmt::format("{:.4g} Nm", interpretation.peak_torque_Nm),
+                   fmt::format("{:.4g} A", interpretation.peak_current_A),
+                   fmt::format("{:.4g} J drawn, {:.4g} J returned", interpretation.energy_drawn_J,
+                               interpretation.energy_returned_J),
                    load});
   }
   return text + "</table>\n";

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "actuator/mor_table.hpp"
+#include "actuator/region/mor_table.hpp"
 #include "src/report/region_plot.hpp"
 
 namespace torquewright::report {
@@ -95,7 +95,7 @@ std::vector<LoadPanel> panels_of(const HopperReport& report) {
 }  // namespace
 
 std::string drives_plot(PlotFormat format, const hopper::Robot& robot,
-                        const actuator::Conditions& conditions, const std::string& title,
+                        const actuator::OperatingConditions& conditions, const std::string& title,
                         const HopperReport& report) {
   std::vector<PlottedMotion> motions;
   std::size_t drive = 0;

@@ -11,7 +11,7 @@ namespace torquewright::report {
 
 /// A script for gnuplot: each drive's region and in it the motion. Requires kept traces.
 std::string drives_plot(PlotFormat format, const hopper::Robot& robot,
-                        const actuator::Conditions& conditions, const std::string& title,
+                        const actuator::OperatingConditions& conditions, const std::string& title,
                         const hopper::HopperReport& report);
 
 /// A script for gnuplot, over time: the drives' torques, the ground's force, what contacts put on

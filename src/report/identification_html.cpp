@@ -72,7 +72,7 @@ std::string effects_table(const EquationResult& equation) {
       parameters += (parameters.empty() ? "" : "<br/>") + escaped(each);
     }
     const std::string place =
-        effect.family == Family::kActuator
+        effect.family == EffectFamily::kActuator
             ? "of the actuator"
             : fmt::format("corrects the {}", identification::name_of(effect.family));
     text += fmt::format(
@@ -116,13 +116,13 @@ std::string groups(const EquationResult& equation) {
 
 std::string remainder(const EquationResult& equation) {
   std::string text = "<h3>What is left</h3>\n";
-  const std::vector<Structure> left = significant_of(equation.structure_after);
+  const std::vector<ResidualStructure> left = significant_of(equation.structure_after);
   if (equation.is_noise_after) return text + paragraph("Noise.");
   if (left.empty()) {
     return text + paragraph("More than noise, but along no coordinate that was tried.");
   }
   std::vector<std::string> items;
-  for (const Structure& each : left) items.push_back(sentence_of(each));
+  for (const ResidualStructure& each : left) items.push_back(sentence_of(each));
   return text + list(items);
 }
 
@@ -137,14 +137,16 @@ std::string coordinates_section(const EquationResult& equation, Pictures& pictur
 }
 
 std::string equation_section(const EquationResult& equation, bool select, Pictures& pictures) {
-  std::string text = fmt::format(
-      "<section>\n<h2>{} <span class=\"badge {}\">{}</span></h2>\n", escaped(name_of_equation(equation)),
-      identification::name_of(equation.verdict), identification::name_of(equation.verdict));
+  std::string text =
+      fmt::format("<section>\n<h2>{} <span class=\"badge {}\">{}</span></h2>\n",
+                  escaped(name_of_equation(equation)), identification::name_of(equation.verdict),
+                  identification::name_of(equation.verdict));
   if (!equation.unusable.empty()) return text + paragraph(equation.unusable) + "</section>\n";
-  text += paragraph(fmt::format(
-      "Up to {:g} Hz: {} rms on held-out runs, {} on fitted ones; noise floor {}.",
-      equation.band_Hz, rms_text(equation.before.holdout_rms, equation.unit),
-      rms_text(equation.before.train_rms, equation.unit), rms_text(equation.noise_floor_rms, equation.unit)));
+  text += paragraph(
+      fmt::format("Up to {:g} Hz: {} rms on held-out runs, {} on fitted ones; noise floor {}.",
+                  equation.band_Hz, rms_text(equation.before.holdout_rms, equation.unit),
+                  rms_text(equation.before.train_rms, equation.unit),
+                  rms_text(equation.noise_floor_rms, equation.unit)));
   if (select) text += pictures.draw(waterfall_plot(equation)) + effects_table(equation);
   text += corrections(equation) + coordinates_section(equation, pictures);
   if (select) text += remainder(equation) + groups(equation) + rejections(equation);
@@ -156,9 +158,10 @@ std::string equation_section(const EquationResult& equation, bool select, Pictur
 }
 
 std::string region_section(const RegionSection& region, Pictures& pictures) {
-  return fmt::format("<section>\n<h2>Operating region, refined over stated{}</h2>\n{}<pre>{}</pre>\n</section>\n",
-                     region.joint.empty() ? "" : escaped(": " + region.joint),
-                     pictures.draw(region.plot), escaped_lines(region.comparison));
+  return fmt::format(
+      "<section>\n<h2>Operating region, refined over stated{}</h2>\n{}<pre>{}</pre>\n</section>\n",
+      region.joint.empty() ? "" : escaped(": " + region.joint), pictures.draw(region.plot),
+      escaped_lines(region.comparison));
 }
 
 std::string data_section(const Identification& found, const IdentificationContext& context) {
@@ -182,9 +185,8 @@ std::string data_section(const Identification& found, const IdentificationContex
 }
 
 std::string head(const Identification& found, const IdentificationContext& context) {
-  const std::string title = fmt::format("{}: is the model true?", context.rig_name.empty()
-                                                                      ? context.rig_file
-                                                                      : context.rig_name);
+  const std::string title = fmt::format(
+      "{}: is the model true?", context.rig_name.empty() ? context.rig_file : context.rig_name);
   const auto verdict = identification::name_of(found.verdict);
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>{0}</title>\n"
@@ -206,8 +208,9 @@ std::string tables_section(const Identification& found) {
         escaped(table.coordinate), table.times_direction ? " x direction" : "",
         100.0 * table.share);
     for (std::size_t i = 0; i < table.at.size() && i < table.level.size(); ++i) {
-      text += fmt::format("<tr><td class=\"number\">{:.5g}</td><td class=\"number\">{:.5g}</td></tr>\n",
-                          table.at[i], table.level[i]);
+      text +=
+          fmt::format("<tr><td class=\"number\">{:.5g}</td><td class=\"number\">{:.5g}</td></tr>\n",
+                      table.at[i], table.level[i]);
     }
     text += "</table>\n</section>\n";
   }

@@ -25,12 +25,13 @@ constexpr const char* kAfter = "#0072b2";
 
 /// One coordinate before and after; what opposes the motion is shown so.
 struct Panel {
-  const Structure* before = nullptr;
-  const Structure* after = nullptr;
+  const ResidualStructure* before = nullptr;
+  const ResidualStructure* after = nullptr;
 };
 
-const Structure* same(const std::vector<Structure>& structures, const Structure& as) {
-  for (const Structure& each : structures) {
+const ResidualStructure* same(const std::vector<ResidualStructure>& structures,
+                              const ResidualStructure& as) {
+  for (const ResidualStructure& each : structures) {
     if (each.coordinate == as.coordinate && each.times_direction == as.times_direction) {
       return &each;
     }
@@ -41,7 +42,7 @@ const Structure* same(const std::vector<Structure>& structures, const Structure&
 /// Each coordinate once, as the table that explains more; the strongest first.
 std::vector<Panel> panels_of(const EquationResult& equation) {
   std::vector<Panel> panels;
-  for (const Structure& each : equation.structure_before) {
+  for (const ResidualStructure& each : equation.structure_before) {
     if (each.centre.empty() || each.centre.size() != each.level.size()) continue;
     const auto known = std::find_if(panels.begin(), panels.end(), [&](const Panel& panel) {
       return panel.before->coordinate == each.coordinate;
@@ -60,7 +61,7 @@ std::vector<Panel> panels_of(const EquationResult& equation) {
   return panels;
 }
 
-std::string data_block(const std::string& name, const Structure* structure) {
+std::string data_block(const std::string& name, const ResidualStructure* structure) {
   std::string text = "$" + name + " << END\n";
   for (std::size_t i = 0; structure != nullptr && i < structure->level.size(); ++i) {
     if (!std::isfinite(structure->centre[i]) || !std::isfinite(structure->level[i])) continue;
@@ -69,17 +70,17 @@ std::string data_block(const std::string& name, const Structure* structure) {
   return text + "END\n";
 }
 
-double percent(const Structure* structure) {
+double percent(const ResidualStructure* structure) {
   return structure == nullptr ? 0.0 : 100.0 * std::max(0.0, structure->share);
 }
 
 std::string panel_script(const Panel& panel, std::size_t index) {
   const std::string before = fmt::format("before{}", index), after = fmt::format("after{}", index);
   std::string script = data_block(before, panel.before) + data_block(after, panel.after);
-  script += fmt::format("set title {}\n",
-                        gnuplot_quoted(fmt::format("{}: {:.0f} % → {:.0f} %",
-                                                   name_of_coordinate(*panel.before),
-                                                   percent(panel.before), percent(panel.after))));
+  script += fmt::format(
+      "set title {}\n",
+      gnuplot_quoted(fmt::format("{}: {:.0f} % → {:.0f} %", name_of_coordinate(*panel.before),
+                                 percent(panel.before), percent(panel.after))));
   script += fmt::format(
       "plot ${} using 1:2 with linespoints pointtype 7 pointsize 0.45 linewidth 1.6 linecolor rgb "
       "'{}' notitle",
@@ -94,7 +95,8 @@ std::string panel_script(const Panel& panel, std::size_t index) {
 }
 
 std::string thin_axes() {
-  return "set border 3 linecolor rgb '#888888'\nset tics nomirror scale 0.5 textcolor rgb '#333333'\n"
+  return "set border 3 linecolor rgb '#888888'\nset tics nomirror scale 0.5 textcolor rgb "
+         "'#333333'\n"
          "set grid linecolor rgb '#e6e6e6' linewidth 1 linetype 1\nset datafile separator ','\n";
 }
 
@@ -114,11 +116,12 @@ std::string waterfall_plot(const EquationResult& equation) {
     labels += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_quoted(steps[i].label), i);
   }
   script += "END\n";
-  script += fmt::format("set xrange [0:{:.7g}]\nset yrange [{}:-0.6]\nset ytics ({})\n",
-                        most > 0.0 ? 1.16 * most : 1.0,
-                        static_cast<double>(steps.size()) - 0.4, labels);
-  script += fmt::format("set xlabel {} offset 0,0.4\nset style fill solid 1.0 noborder\nunset key\n",
-                        gnuplot_quoted("rms error on runs that were not fitted, " + equation.unit));
+  script +=
+      fmt::format("set xrange [0:{:.7g}]\nset yrange [{}:-0.6]\nset ytics ({})\n",
+                  most > 0.0 ? 1.16 * most : 1.0, static_cast<double>(steps.size()) - 0.4, labels);
+  script +=
+      fmt::format("set xlabel {} offset 0,0.4\nset style fill solid 1.0 noborder\nunset key\n",
+                  gnuplot_quoted("rms error on runs that were not fitted, " + equation.unit));
   if (equation.noise_floor_rms > 0.0) {
     script += fmt::format(
         "set arrow from {0:.7g}, graph 0 to {0:.7g}, graph 1 nohead front dashtype 2 linewidth 1.5 "
@@ -138,7 +141,8 @@ std::string structure_plot(const EquationResult& equation) {
   if (panels.empty()) return "";
   const std::size_t rows = (panels.size() + kColumns - 1) / kColumns;
   std::string script =
-      gnuplot_terminal(PlotFormat::kSvg, kWidth, static_cast<int>(rows) * kPanelHeight) + thin_axes();
+      gnuplot_terminal(PlotFormat::kSvg, kWidth, static_cast<int>(rows) * kPanelHeight) +
+      thin_axes();
   script += "set xzeroaxis linetype 1 linecolor rgb '#888888'\nset title font ',10'\n";
   script += "set format x '%.3g'\nset format y '%.2g'\nset tics font ',9'\nset xtics autofreq\n";
   script += fmt::format("set multiplot layout {},{}\n", rows, kColumns);

@@ -28,25 +28,25 @@ std::string rms(double value, const std::string& unit) {
 }
 
 std::string log_lines(const Identification& found) {
-  std::string text = line("1 log", fmt::format("fitted: {}; held out: {}",
-                                               fmt::join(found.train_runs, ", "),
-                                               found.holdout_runs.empty()
-                                                   ? "none"
-                                                   : fmt::format("{}", fmt::join(found.holdout_runs, ", "))));
+  std::string text =
+      line("1 log", fmt::format("fitted: {}; held out: {}", fmt::join(found.train_runs, ", "),
+                                found.holdout_runs.empty()
+                                    ? "none"
+                                    : fmt::format("{}", fmt::join(found.holdout_runs, ", "))));
   static constexpr const char* kWeights[] = {"note", "warning", "error"};
   for (const DataFinding& finding : found.findings) {
-    text += line("", fmt::format("{}: {}", kWeights[static_cast<int>(finding.weight)],
-                                 finding.sentence));
+    text += line(
+        "", fmt::format("{}: {}", kWeights[static_cast<int>(finding.weight)], finding.sentence));
   }
   return text;
 }
 
 std::string residual_lines(const EquationResult& equation) {
-  std::string text = line(
-      "2 residual", fmt::format("{} up to {:g} Hz: {} rms on held-out runs, {} on fitted ones",
-                                equation.quantity, equation.band_Hz,
-                                rms(equation.before.holdout_rms, equation.unit),
-                                rms(equation.before.train_rms, equation.unit)));
+  std::string text =
+      line("2 residual", fmt::format("{} up to {:g} Hz: {} rms on held-out runs, {} on fitted ones",
+                                     equation.quantity, equation.band_Hz,
+                                     rms(equation.before.holdout_rms, equation.unit),
+                                     rms(equation.before.train_rms, equation.unit)));
   text += line("3 noise floor",
                fmt::format("{}; {}", rms(equation.noise_floor_rms, equation.unit),
                            equation.is_noise_before ? "the residual is noise"
@@ -54,9 +54,9 @@ std::string residual_lines(const EquationResult& equation) {
   return text;
 }
 
-std::string coordinates(const std::vector<Structure>& structures) {
+std::string coordinates(const std::vector<ResidualStructure>& structures) {
   std::vector<std::string> parts;
-  for (const Structure& each : significant_of(structures)) {
+  for (const ResidualStructure& each : significant_of(structures)) {
     if (parts.size() == kMostCoordinates) break;
     parts.push_back(fmt::format("{} {:.0f} %", name_of_coordinate(each), 100.0 * each.share));
   }
@@ -64,10 +64,11 @@ std::string coordinates(const std::vector<Structure>& structures) {
 }
 
 std::string evidence_lines(const EquationResult& equation) {
-  std::string text = line("4 evidence", "of the residual along " + coordinates(equation.structure_before));
+  std::string text =
+      line("4 evidence", "of the residual along " + coordinates(equation.structure_before));
   if (!equation.not_excited.empty()) {
-    text += line("", fmt::format("not excited, so not judged: {}",
-                                 fmt::join(equation.not_excited, ", ")));
+    text += line(
+        "", fmt::format("not excited, so not judged: {}", fmt::join(equation.not_excited, ", ")));
   }
   return text;
 }
@@ -84,11 +85,11 @@ std::string waterfall_lines(const EquationResult& equation) {
   const double full = steps.front().rms;
   const bool is_held_out = equation.before.holdout_rms > 0.0;
   std::string text =
-      line("5 selection", fmt::format("error on {} runs, {}", is_held_out ? "held-out" : "fitted",
-                                      equation.unit));
+      line("5 selection",
+           fmt::format("error on {} runs, {}", is_held_out ? "held-out" : "fitted", equation.unit));
   for (const WaterfallStep& step : steps) {
-    text += line("", fmt::format("  {:<{}} {:>9.4g} {}", step.label, width, step.rms,
-                                 bar(step.rms, full)));
+    text += line(
+        "", fmt::format("  {:<{}} {:>9.4g} {}", step.label, width, step.rms, bar(step.rms, full)));
   }
   const double floor = equation.noise_floor_rms;
   return text + line("", fmt::format("  {:<{}} {:>9.4g} {}", "noise floor", width, floor,
@@ -99,7 +100,7 @@ std::string effect_lines(const EquationResult& equation) {
   std::string text;
   for (const NamedEffect& effect : equation.added) {
     const std::string whose =
-        effect.family == Family::kActuator
+        effect.family == EffectFamily::kActuator
             ? std::string()
             : fmt::format(", corrects the {}", identification::name_of(effect.family));
     const std::string replaced =
@@ -135,9 +136,9 @@ std::string rejection_lines(const EquationResult& equation) {
 
 std::string left_line(const EquationResult& equation) {
   if (equation.is_noise_after) return line("", "left: noise");
-  return line("", fmt::format("left: {} rms, along {}",
-                              rms(shown_error(equation.after), equation.unit),
-                              coordinates(equation.structure_after)));
+  return line("",
+              fmt::format("left: {} rms, along {}", rms(shown_error(equation.after), equation.unit),
+                          coordinates(equation.structure_after)));
 }
 
 std::string equation_text(const EquationResult& equation, bool select, bool is_only) {
@@ -156,11 +157,12 @@ std::string equation_text(const EquationResult& equation, bool select, bool is_o
 /// An equation in which nothing is missing, in one line.
 std::string noise_line(const EquationResult& equation) {
   if (equation.after.train_rms != equation.before.train_rms) {
-    return fmt::format("\n{}: simulated as stated and with what was found, {} -> {} rms, noise floor "
-                       "{}\n",
-                       name_of_equation(equation), rms(shown_error(equation.before), equation.unit),
-                       rms(shown_error(equation.after), equation.unit),
-                       rms(equation.noise_floor_rms, equation.unit));
+    return fmt::format(
+        "\n{}: simulated as stated and with what was found, {} -> {} rms, noise floor "
+        "{}\n",
+        name_of_equation(equation), rms(shown_error(equation.before), equation.unit),
+        rms(shown_error(equation.after), equation.unit),
+        rms(equation.noise_floor_rms, equation.unit));
   }
   return fmt::format("\n{}: {}, {} rms, noise floor {}\n", name_of_equation(equation),
                      identification::name_of(equation.verdict),
@@ -176,7 +178,8 @@ std::string refined_lines(const Identification& found, const IdentificationConte
     text += line(step, "written to " + file);
     step = "";
   }
-  const bool is_sure = found.verdict != Verdict::kCannotTell && found.verdict != Verdict::kUnexplained;
+  const bool is_sure =
+      found.verdict != Verdict::kCannotTell && found.verdict != Verdict::kUnexplained;
   if (text.empty()) {
     text = line(step, is_sure ? "not asked for (-o)" : "none: there is nothing sure to add");
   }
@@ -200,18 +203,17 @@ std::string headline(const Identification& found, const IdentificationContext& c
   const std::string logs = context.log_files.size() > 2
                                ? fmt::format("{} logs", context.log_files.size())
                                : fmt::format("{}", fmt::join(context.log_files, ", "));
-  std::string text = fmt::format("{} on {}: {}\n{}\n", logs,
-                                 context.rig_name.empty() ? context.rig_file : context.rig_name,
-                                 identification::name_of(found.verdict),
-                                 verdict_sentence(found, context.select));
+  std::string text = fmt::format(
+      "{} on {}: {}\n{}\n", logs, context.rig_name.empty() ? context.rig_file : context.rig_name,
+      identification::name_of(found.verdict), verdict_sentence(found, context.select));
   if (!context.select || found.leading >= found.equations.size()) return text;
   const EquationResult& equation = found.equations[found.leading];
   if (equation.added.empty() && equation.corrected.empty()) return text;
   const bool is_held_out = equation.before.holdout_rms > 0.0;
   return text + fmt::format("Error on {} runs, {}: {:.4g} -> {:.4g} {} rms; noise floor {:.4g}.\n",
                             is_held_out ? "held-out" : "fitted", equation.quantity,
-                            shown_error(equation.before), shown_error(equation.after), equation.unit,
-                            equation.noise_floor_rms);
+                            shown_error(equation.before), shown_error(equation.after),
+                            equation.unit, equation.noise_floor_rms);
 }
 
 }  // namespace

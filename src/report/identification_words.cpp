@@ -118,8 +118,7 @@ void add_separation(const Identification& found, std::vector<std::string>& steps
   for (const EquationResult& equation : found.equations) {
     for (const Confounded& group : equation.confounded) {
       if (group.exact || group.separated_by.empty()) continue;
-      steps.push_back(
-          fmt::format("measure again with {}", group.separated_by));
+      steps.push_back(fmt::format("measure again with {}", group.separated_by));
     }
   }
 }
@@ -128,7 +127,8 @@ void add_separation(const Identification& found, std::vector<std::string>& steps
 
 std::string with_error(double value, double standard_error) {
   if (!std::isfinite(value)) return "unlimited";
-  if (!(standard_error > 0.0) || !std::isfinite(standard_error)) return fmt::format("{:.4g}", value);
+  if (!(standard_error > 0.0) || !std::isfinite(standard_error))
+    return fmt::format("{:.4g}", value);
   const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(standard_error))));
   if (decimals > kMostDecimals) return fmt::format("{:.4g} ± {:.2g}", value, standard_error);
   return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, standard_error, decimals);
@@ -166,7 +166,7 @@ std::string name_of_equation(const EquationResult& equation) {
   return equation.joint.empty() ? equation.quantity : equation.joint + ": " + equation.quantity;
 }
 
-std::string name_of_coordinate(const Structure& structure) {
+std::string name_of_coordinate(const ResidualStructure& structure) {
   return structure.coordinate + (structure.times_direction ? " x direction" : "");
 }
 
@@ -181,8 +181,8 @@ std::string verdict_sentence(const Identification& found, bool select) {
   if (!select) return "There is something to explain: " + along(found) + ".";
   const std::string names = fmt::format("{}", fmt::join(names_added(found), ", "));
   if (found.verdict == Verdict::kExplained) {
-    return fmt::format("Missing from the model: {}. With {} what is left is noise.",
-                       names, names_added(found).size() == 1 ? "it" : "them");
+    return fmt::format("Missing from the model: {}. With {} what is left is noise.", names,
+                       names_added(found).size() == 1 ? "it" : "them");
   }
   if (found.verdict == Verdict::kPartlyExplained) {
     return fmt::format("Missing from the model: {}; that is not all: {}.", names, along(found));
@@ -204,10 +204,9 @@ std::vector<std::string> next_steps(const Identification& found,
   if (found.verdict == Verdict::kUnexplained) {
     steps.emplace_back("--empirical puts a table of what is left into the report");
   }
-  const bool has_added =
-      std::any_of(found.equations.begin(), found.equations.end(), [](const EquationResult& each) {
-        return !each.added.empty() || !each.corrected.empty();
-      });
+  const bool has_added = std::any_of(
+      found.equations.begin(), found.equations.end(),
+      [](const EquationResult& each) { return !each.added.empty() || !each.corrected.empty(); });
   if (!has_added || found.verdict == Verdict::kCannotTell) return steps;
   if (context.refined_files.empty()) {
     steps.push_back("-o REFINED writes the refined actuator; then " +
@@ -226,8 +225,8 @@ double shown_error(const Errors& errors) {
 std::vector<WaterfallStep> waterfall(const EquationResult& equation) {
   std::vector<WaterfallStep> steps{{"as stated", shown_error(equation.before)}};
   for (const NamedEffect& effect : equation.added) {
-    const double rms = effect.holdout_rms_after > 0.0 ? effect.holdout_rms_after
-                                                      : equation.after.train_rms;
+    const double rms =
+        effect.holdout_rms_after > 0.0 ? effect.holdout_rms_after : equation.after.train_rms;
     steps.push_back({"+ " + effect.effect, rms});
   }
   return steps;

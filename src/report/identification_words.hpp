@@ -34,7 +34,7 @@ std::string correction_text(const identification::Correction& correction);
 std::string name_of_equation(const identification::EquationResult& equation);
 
 /// "load_torque_Nm x direction".
-std::string name_of_coordinate(const identification::Structure& structure);
+std::string name_of_coordinate(const identification::ResidualStructure& structure);
 
 /// "a", "a or b", "a, b or c".
 std::string alternatives(const std::vector<std::string>& names);

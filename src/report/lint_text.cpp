@@ -16,13 +16,13 @@ constexpr const char* kRounding =
     "ratios,\n"
     "efficiencies of 1, and voltages and currents at which something is stated count as exact.\n";
 
-std::string_view mark(actuator::lint::Fit fit) {
+std::string_view mark(actuator::lint::Agreement fit) {
   switch (fit) {
-    case actuator::lint::Fit::kFits:
+    case actuator::lint::Agreement::kFits:
       return "fits";
-    case actuator::lint::Fit::kAdmits:
+    case actuator::lint::Agreement::kAdmits:
       return "if loaded or capped";
-    case actuator::lint::Fit::kExcludes:
+    case actuator::lint::Agreement::kExcludes:
       break;
   }
   return "no";
@@ -83,7 +83,7 @@ std::string common_text(const CommonFactor& common) {
   text += "\n";
   for (const FactorCandidate& row : common.candidates) {
     text += fmt::format("  {:<29}{:>6.3f}", row.sentence, row.factor);
-    for (const Term& speed_rad_s : row.speeds_rad_s)
+    for (const RoundedInterval& speed_rad_s : row.speeds_rad_s)
       text += fmt::format("{:>16.2f}", speed_rad_s.value);
     text += fmt::format("  {}\n", mark(row.fit));
   }

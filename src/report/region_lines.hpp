@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/mor_table.hpp"
+#include "actuator/region/mor_table.hpp"
 
 namespace torquewright::report {
 

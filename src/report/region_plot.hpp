@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "actuator/check/report.hpp"
-#include "actuator/mor_table.hpp"
+#include "actuator/region/mor_table.hpp"
 #include "src/report/gnuplot.hpp"
 
 namespace torquewright::report {

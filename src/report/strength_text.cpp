@@ -32,39 +32,41 @@ std::string train_line(const StrengthReport& report) {
 std::string tooth_row(const ToothLoad& load) {
   const ToothStress& root = load.root;
   const ToothStress& flank = load.flank;
-  return fmt::format("  {:<12} {:<21} {:>8.0f} {:>9.0f} {:>7.2f} {:>7.2f} {:>11.0f} {:>7.2f} {:>7.2f}\n",
-                     load.gear, load.mesh, load.tangential_force_N, root.stress_MPa,
-                     root.static_safety(), root.life_safety(), flank.stress_MPa,
-                     flank.static_safety(), flank.life_safety());
+  return fmt::format(
+      "  {:<12} {:<21} {:>8.0f} {:>9.0f} {:>7.2f} {:>7.2f} {:>11.0f} {:>7.2f} {:>7.2f}\n",
+      load.gear, load.mesh, load.tangential_force_N, root.stress_MPa, root.static_safety(),
+      root.life_safety(), flank.stress_MPa, flank.static_safety(), flank.life_safety());
 }
 
 std::string torque_text(const StrengthReport& report, double torque_Nm) {
   const StrengthCase& strength = report.read.strength;
   const double sun_Nm = gearbox::sun_torque_Nm(strength.train, torque_Nm, report.side);
   const auto loads = gearbox::tooth_loads(strength, sun_Nm);
-  std::string text = fmt::format("\n{}: {}\n", both_sides(strength.train, sun_Nm),
-                                 gearbox::has_demanded_safety(strength, loads)
-                                     ? "borne"
-                                     : "BELOW the demanded safety");
-  text += fmt::format("  {:<12} {:<21} {:>8} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}\n", "gear", "mesh",
-                      "force N", "root MPa", "S_F 1", "S_F N", "contact MPa", "S_H 1", "S_H N");
+  std::string text = fmt::format(
+      "\n{}: {}\n", both_sides(strength.train, sun_Nm),
+      gearbox::has_demanded_safety(strength, loads) ? "borne" : "BELOW the demanded safety");
+  text +=
+      fmt::format("  {:<12} {:<21} {:>8} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}\n", "gear", "mesh",
+                  "force N", "root MPa", "S_F 1", "S_F N", "contact MPa", "S_H 1", "S_H N");
   for (const ToothLoad& load : loads) text += tooth_row(load);
   return text;
 }
 
 std::string limit_line(const std::string& when, const StrengthCase& strength,
                        const TorqueLimit& limit) {
-  return fmt::format(
-      "  {:<14} {}: {} of {} in {}\n", when, both_sides(strength.train, limit.motor_Nm),
-      limit.mode == gearbox::FailureMode::kBending ? "bending at the root" : "pressure on the flank",
-      limit.gear, limit.mesh);
+  return fmt::format("  {:<14} {}: {} of {} in {}\n", when,
+                     both_sides(strength.train, limit.motor_Nm),
+                     limit.mode == gearbox::FailureMode::kBending ? "bending at the root"
+                                                                  : "pressure on the flank",
+                     limit.gear, limit.mesh);
 }
 
 std::string limits_text(const StrengthCase& strength) {
   const gearbox::TorqueLimits limits = gearbox::torque_limits(strength);
-  return fmt::format("\nGreatest torque with safety {} at the root and {} at the flank, and what "
-                     "limits it:\n",
-                     strength.demanded_root_safety, strength.demanded_flank_safety) +
+  return fmt::format(
+             "\nGreatest torque with safety {} at the root and {} at the flank, and what "
+             "limits it:\n",
+             strength.demanded_root_safety, strength.demanded_flank_safety) +
          limit_line("once", strength, limits.once) +
          limit_line(fmt::format("{:.6g} loads", strength.cycles), strength, limits.for_cycles);
 }
@@ -76,7 +78,8 @@ std::string variant_row(const StrengthReport& report, const StrengthCase& varian
   const auto loads = gearbox::tooth_loads(variant, sun_Nm);
   const ToothLoad& sun = loads.front();
   return fmt::format(
-      "  {:>6} {:<22} {:>6} {:>7.4g} {:>7.4g} {:>8.0f} {:>9.0f} {:>6.2f} {:>6.2f} {:>11.0f} {:>6.2f} "
+      "  {:>6} {:<22} {:>6} {:>7.4g} {:>7.4g} {:>8.0f} {:>9.0f} {:>6.2f} {:>6.2f} {:>11.0f} "
+      "{:>6.2f} "
       "{:>6.2f} {:>9.4g} {:>9.4g}  {}\n",
       variant.train.module_mm, fmt::format("{}", fmt::join(variant.train.teeth, "/")),
       variant.train.face_width_mm.front(), sun_Nm,
@@ -91,14 +94,16 @@ std::string variant_row(const StrengthReport& report, const StrengthCase& varian
 std::string variants_text(const StrengthReport& report) {
   if (report.variants.cases.empty() && report.variants.left_out.empty()) return "";
   std::string text =
-      "\nThe sun in other sizes of the gearbox, and the greatest torque at the motor that all gears "
+      "\nThe sun in other sizes of the gearbox, and the greatest torque at the motor that all "
+      "gears "
       "bear:\n";
   text += fmt::format(
       "  {:>6} {:<22} {:>6} {:>7} {:>7} {:>8} {:>9} {:>6} {:>6} {:>11} {:>6} {:>6} {:>9} {:>9}\n",
       "module", "teeth", "width", "motor", "joint", "force", "root", "S_F 1", "S_F N", "contact",
       "S_H 1", "S_H N", "once", "N loads");
-  text += fmt::format("  {:>6} {:<22} {:>6} {:>7} {:>7} {:>8} {:>9} {:>6} {:>6} {:>11} {:>6} {:>6} {:>9} {:>9}\n",
-                      "mm", "", "mm", "Nm", "Nm", "N", "MPa", "", "", "MPa", "", "", "Nm", "Nm");
+  text += fmt::format(
+      "  {:>6} {:<22} {:>6} {:>7} {:>7} {:>8} {:>9} {:>6} {:>6} {:>11} {:>6} {:>6} {:>9} {:>9}\n",
+      "mm", "", "mm", "Nm", "Nm", "N", "MPa", "", "", "MPa", "", "", "Nm", "Nm");
   for (const double torque_Nm : report.torques_Nm) {
     for (const StrengthCase& variant : report.variants.cases) {
       text += variant_row(report, variant, torque_Nm);
@@ -125,9 +130,10 @@ std::string strength_text(const StrengthReport& report) {
     text += fmt::format("Assumed, neither published nor measured: {}\n",
                         fmt::join(report.read.assumed, ", "));
   }
-  text += fmt::format("Forces are the mean planet's; S_F and S_H are safeties of root and flank "
-                      "against 1 load and N = {:.6g}.\n",
-                      strength.cycles);
+  text += fmt::format(
+      "Forces are the mean planet's; S_F and S_H are safeties of root and flank "
+      "against 1 load and N = {:.6g}.\n",
+      strength.cycles);
   for (const double torque_Nm : report.torques_Nm) text += torque_text(report, torque_Nm);
   return text + limits_text(strength) + variants_text(report);
 }

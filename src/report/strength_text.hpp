@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "gearbox/strength_spec.hpp"
-#include "gearbox/strength_table.hpp"
-#include "gearbox/torque_limit.hpp"
+#include "gearbox/strength/strength_spec.hpp"
+#include "gearbox/strength/strength_table.hpp"
+#include "gearbox/strength/torque_limit.hpp"
 
 namespace torquewright::report {
 
@@ -15,8 +15,8 @@ namespace torquewright::report {
 struct StrengthReport {
   gearbox::ReadStrength read;
   gearbox::TorqueSide side = gearbox::TorqueSide::kMotor;
-  std::vector<double> torques_Nm;       ///< On that side.
-  gearbox::StrengthVariants variants;   ///< Other sizes; empty where none were asked for.
+  std::vector<double> torques_Nm;      ///< On that side.
+  gearbox::StrengthVariants variants;  ///< Other sizes; empty where none were asked for.
 
   /// Do the gears of the document bear every torque with the demanded safeties?
   bool passes() const;

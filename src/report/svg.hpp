@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "gearbox/tooth_outline.hpp"
+#include "gearbox/teeth/tooth_outline.hpp"
 
 namespace torquewright::report {
 

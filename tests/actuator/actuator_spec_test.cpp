@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "actuator/conditions.hpp"
+#include "actuator/region/operating_conditions.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {
@@ -66,19 +66,15 @@ struct BadKey {
 };
 
 TEST_F(ActuatorSpec, RefusesWhatIsImplausible) {
-  for (const BadKey& bad : {BadKey{"/motor/resistance_ohm", 0.0},
-                            BadKey{"/motor/rotor_inertia_kg_m2", -1e-3},
-                            BadKey{"/motor/torque_constant_Nm_A", 320.0},  // mNm/A by mistake
-                            BadKey{"/motor/torque_constant_convention", "rms"},
-                            BadKey{"/drive/bus_voltage_V", -48},
-                            BadKey{"/drive/continuous_current_A", 60},
-                            BadKey{"/gearbox/forward_efficiency", 1.2},
-                            BadKey{"/gearbox/ratio", 0},
-                            BadKey{"/thermal/winding_limit_K", 290},
-                            BadKey{"/effects/0/effect", "coulomb_fricton"},
-                            BadKey{"/effects/0/parameters/coulomb_Nm", -1.0},
-                            BadKey{"/motor/resistance", 0.2},
-                            BadKey{"/battery/cell_open_circuit_V", json::array()}}) {
+  for (const BadKey& bad :
+       {BadKey{"/motor/resistance_ohm", 0.0}, BadKey{"/motor/rotor_inertia_kg_m2", -1e-3},
+        BadKey{"/motor/torque_constant_Nm_A", 320.0},  // mNm/A by mistake
+        BadKey{"/motor/torque_constant_convention", "rms"}, BadKey{"/drive/bus_voltage_V", -48},
+        BadKey{"/drive/continuous_current_A", 60}, BadKey{"/gearbox/forward_efficiency", 1.2},
+        BadKey{"/gearbox/ratio", 0}, BadKey{"/thermal/winding_limit_K", 290},
+        BadKey{"/effects/0/effect", "coulomb_fricton"},
+        BadKey{"/effects/0/parameters/coulomb_Nm", -1.0}, BadKey{"/motor/resistance", 0.2},
+        BadKey{"/battery/cell_open_circuit_V", json::array()}}) {
     json document = contract_example();
     document[json::json_pointer(bad.pointer)] = bad.value;
     const std::vector<io::Fault> faults = faults_of(document);
@@ -106,12 +102,11 @@ TEST_F(ActuatorSpec, RefusesEffectsThatCountTwice) {
   json document = contract_example();
   document["effects"].push_back(document["effects"][0]);
   EXPECT_EQ(faults_of(document).size(), 1u);
-  document["effects"][1] = {{"effect", "stribeck_friction"},
-                            {"replaces", "coulomb_friction"},
-                            {"parameters",
-                             {{"coulomb_Nm", 0.5},
-                              {"breakaway_Nm", 0.8},
-                              {"stribeck_velocity_rad_s", 0.1}}}};
+  document["effects"][1] = {
+      {"effect", "stribeck_friction"},
+      {"replaces", "coulomb_friction"},
+      {"parameters",
+       {{"coulomb_Nm", 0.5}, {"breakaway_Nm", 0.8}, {"stribeck_velocity_rad_s", 0.1}}}};
   const std::vector<io::Fault> faults = faults_of(document);
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults.front().path, "/effects/1/replaces");

@@ -1,33 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/conditions.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "actuator/motor_region.hpp"
+#include "actuator/region/motor_region.hpp"
+#include "actuator/region/operating_conditions.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
 // Oracle: copper's 0.0039 1/K, unless an effect says otherwise.
-TEST(Conditions, WarmTheWinding) {
+TEST(OperatingConditions, WarmTheWinding) {
   Actuator actuator = round_actuator();
-  Conditions warm;
+  OperatingConditions warm;
   warm.winding_temperature_K = 398.15;
-  EXPECT_NEAR(machine_at(actuator, warm).resistance_ohm, 0.25 * 1.39, 1e-15);
+  EXPECT_NEAR(phase_model_at(actuator, warm).resistance_ohm, 0.25 * 1.39, 1e-15);
   actuator.effects.push_back(effect("winding_resistance_temperature", {0.005}));
-  EXPECT_NEAR(machine_at(actuator, warm).resistance_ohm, 0.25 * 1.5, 1e-15);
+  EXPECT_NEAR(phase_model_at(actuator, warm).resistance_ohm, 0.25 * 1.5, 1e-15);
 }
 
-TEST(Conditions, WeakenMagnetsInTorqueAndBackEmf) {
+TEST(OperatingConditions, WeakenMagnetsInTorqueAndBackEmf) {
   Actuator actuator = round_actuator();
   actuator.effects.push_back(effect("torque_constant_temperature", {-0.001}));
-  Conditions warm;
+  OperatingConditions warm;
   warm.winding_temperature_K = 398.15;
-  const Machine cold = machine_at(actuator, {});
-  const Machine hot = machine_at(actuator, warm);
+  const PhaseModel cold = phase_model_at(actuator, {});
+  const PhaseModel hot = phase_model_at(actuator, warm);
   EXPECT_NEAR(hot.torque_constant_Nm_A / cold.torque_constant_Nm_A, 0.9, 1e-14);
   EXPECT_NEAR(hot.back_emf_V_s_rad / cold.back_emf_V_s_rad, 0.9, 1e-14);
 }
@@ -41,23 +40,24 @@ TEST(SteadyCurrent, WarmsTheWindingToItsLimit) {
   EXPECT_NEAR(current_A * current_A * hot_ohm * 3.0, 100.0, 1e-10);
 }
 
-TEST(Conditions, TakeTheLowerOfStatedAndThermalCurrent) {
+TEST(OperatingConditions, TakeTheLowerOfStatedAndThermalCurrent) {
   Actuator actuator = round_actuator();
-  Conditions continuous;
+  OperatingConditions continuous;
   continuous.rating = Rating::kContinuous;
   EXPECT_EQ(objections(actuator, continuous).size(), 1u);
   actuator.thermal = Thermal{1.0, 2.0, 50.0, 500.0, 398.15, 298.15};
   EXPECT_TRUE(objections(actuator, continuous).empty());
-  EXPECT_EQ(motor_range(machine_at(actuator, continuous), 0.0).greatest.limiter, Limiter::kThermal);
+  EXPECT_EQ(motor_range(phase_model_at(actuator, continuous), 0.0).greatest.limiter,
+            Limiter::kThermal);
   actuator.drive.continuous_current_A = 1.0;
-  const MotorRange range = motor_range(machine_at(actuator, continuous), 0.0);
+  const MotorRange range = motor_range(phase_model_at(actuator, continuous), 0.0);
   EXPECT_NEAR(range.greatest.torque_Nm, 0.5, 1e-14);
   EXPECT_EQ(range.greatest.limiter, Limiter::kCurrent);
 }
 
-TEST(Conditions, ReadTheBatterysCurve) {
+TEST(OperatingConditions, ReadTheBatterysCurve) {
   Actuator actuator = round_actuator();
-  Conditions half;
+  OperatingConditions half;
   half.state_of_charge = 0.5;
   EXPECT_EQ(objections(actuator, half).size(), 1u);  // no battery
   actuator.battery = Battery{};
@@ -71,7 +71,7 @@ TEST(Conditions, ReadTheBatterysCurve) {
 }
 
 // Oracle: Kirchhoff. Cells in series over cells in parallel, cable and voltage_sag in series.
-TEST(Conditions, AddUpTheSuppliesResistance) {
+TEST(OperatingConditions, AddUpTheSuppliesResistance) {
   Actuator actuator = round_actuator();
   actuator.battery = Battery{};
   actuator.battery->series_cells = 16.0;
@@ -80,7 +80,7 @@ TEST(Conditions, AddUpTheSuppliesResistance) {
   actuator.battery->cell_resistance_ohm = 0.015;
   actuator.battery->wiring_resistance_ohm = 0.02;
   actuator.effects.push_back(effect("voltage_sag", {0.01}));
-  EXPECT_NEAR(machine_at(actuator, {}).supply.resistance_ohm, 0.06 + 0.02 + 0.01, 1e-15);
+  EXPECT_NEAR(phase_model_at(actuator, {}).supply.resistance_ohm, 0.06 + 0.02 + 0.01, 1e-15);
 }
 
 // Oracle: V^2 - Voc V + R P = 0.
@@ -94,7 +94,7 @@ TEST(BusVoltage, SolvesTheQuadratic) {
   EXPECT_FALSE(bus_voltage_V(supply, 67.2 * 67.2 / 0.24 + 1e-6));
 }
 
-TEST(Conditions, RefuseASelfLockingGearWithoutItsStrength) {
+TEST(OperatingConditions, RefuseASelfLockingGearWithoutItsStrength) {
   Actuator actuator = round_actuator();
   actuator.transmission.backward_efficiency = 0.0;
   EXPECT_EQ(objections(actuator, {}).size(), 1u);

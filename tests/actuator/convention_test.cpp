@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/convention.hpp"
+#include "actuator/motor/convention.hpp"
 
 #include <gtest/gtest.h>
 
-#include "actuator/conditions.hpp"
-#include "actuator/motor_region.hpp"
+#include "actuator/region/motor_region.hpp"
+#include "actuator/region/operating_conditions.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -35,7 +35,7 @@ double no_load_rad_s(double torque_constant_Nm_A, double ratio, const TableTwoRo
   actuator.drive.bus_voltage_V = 67.2;
   actuator.drive.peak_current_A = 50.0;
   actuator.drive.modulation = row.modulation;
-  return no_load_speed_rad_s(machine_at(actuator, {})) / ratio;
+  return no_load_speed_rad_s(phase_model_at(actuator, {})) / ratio;
 }
 
 TEST(Conventions, GiveTheNoLoadSpeedsOfTableTwo) {
@@ -45,14 +45,14 @@ TEST(Conventions, GiveTheNoLoadSpeedsOfTableTwo) {
   }
 }
 
-// Oracle: conservation of power. An ideal machine turns electrical into mechanical power, 1.5 e i
+// Oracle: conservation of power. An ideal model turns electrical into mechanical power, 1.5 e i
 // per phase amplitudes, whatever ampere its torque constant counts.
 TEST(Conventions, ConservePower) {
-  for (const auto convention : {CurrentConvention::kDc, CurrentConvention::kPeakPhase,
-                                CurrentConvention::kRmsPhase}) {
+  for (const auto convention :
+       {CurrentConvention::kDc, CurrentConvention::kPeakPhase, CurrentConvention::kRmsPhase}) {
     const double phase_Nm_A = 1.0 / phase_amperes_per_ampere(convention);
-    const double phase_V_s = back_emf_per_torque_constant(convention) *
-                             phase_volts_per_winding_volt(convention);
+    const double phase_V_s =
+        back_emf_per_torque_constant(convention) * phase_volts_per_winding_volt(convention);
     EXPECT_NEAR(1.5 * phase_V_s, phase_Nm_A, 1e-15) << name_of(convention);
   }
 }

@@ -13,7 +13,7 @@ struct Trial {
   double torque_Nm;
 };
 
-Trial try_current(const actuator::Machine& m, double w, double d, double q) {
+Trial try_current(const actuator::PhaseModel& m, double w, double d, double q) {
   const double p = m.pole_pairs;
   const double lambda = m.back_emf_V_s_rad / p;
   const double vd = m.resistance_ohm * d - p * w * m.inductance_q_H * q;
@@ -33,18 +33,17 @@ Trial try_current(const actuator::Machine& m, double w, double d, double q) {
 
 }  // namespace
 
-std::optional<TorqueRange> brute_force_range(const actuator::Machine& machine, double speed_rad_s,
+std::optional<TorqueRange> brute_force_range(const actuator::PhaseModel& model, double speed_rad_s,
                                              int rings, int rays) {
   std::optional<TorqueRange> range;
-  const int used_rays = machine.field_weakening ? rays : 2;
+  const int used_rays = model.field_weakening ? rays : 2;
   for (int ring = 0; ring <= rings; ++ring) {
-    const double amplitude = machine.current_limit_A * ring / rings;
+    const double amplitude = model.current_limit_A * ring / rings;
     for (int ray = 0; ray < used_rays; ++ray) {
-      const double angle = machine.field_weakening
-                               ? 2.0 * std::numbers::pi * ray / rays
-                               : std::numbers::pi * (0.5 + ray);
-      const double d = machine.field_weakening ? amplitude * std::cos(angle) : 0.0;
-      const Trial trial = try_current(machine, speed_rad_s, d, amplitude * std::sin(angle));
+      const double angle = model.field_weakening ? 2.0 * std::numbers::pi * ray / rays
+                                                 : std::numbers::pi * (0.5 + ray);
+      const double d = model.field_weakening ? amplitude * std::cos(angle) : 0.0;
+      const Trial trial = try_current(model, speed_rad_s, d, amplitude * std::sin(angle));
       if (!trial.is_possible) continue;
       if (!range) range = TorqueRange{trial.torque_Nm, trial.torque_Nm};
       range->least_Nm = std::min(range->least_Nm, trial.torque_Nm);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "actuator/machine.hpp"
+#include "actuator/motor/phase_model.hpp"
 
 namespace torquewright::oracles {
 
@@ -16,7 +16,7 @@ struct TorqueRange {
 /// demagnetisation limit, the voltage with the bus that its own power leaves, and the power limits.
 /// Equations written anew from the reference (actuator.md 2.2), sharing nothing with the search.
 /// Without field weakening only i_d = 0 is tried (equal inductances). No saturation, no dead time.
-std::optional<TorqueRange> brute_force_range(const actuator::Machine& machine, double speed_rad_s,
+std::optional<TorqueRange> brute_force_range(const actuator::PhaseModel& model, double speed_rad_s,
                                              int rings, int rays);
 
 }  // namespace torquewright::oracles

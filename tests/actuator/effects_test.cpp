@@ -170,12 +170,14 @@ TEST(HarmonicRange, HoldsEveryAngleAndIsTight) {
   EXPECT_LE(range.smallest, smallest);
   EXPECT_GE(range.largest, largest);
   // The allowance is curvature h^2 / 8 with h = 2 pi/768.
-  const double allowance = (0.7 + 0.5 * 9.0 + 0.2 * 144.0) * std::pow(2.0 * 3.1416 / 768.0, 2) / 4.0;
+  const double allowance =
+      (0.7 + 0.5 * 9.0 + 0.2 * 144.0) * std::pow(2.0 * 3.1416 / 768.0, 2) / 4.0;
   EXPECT_NEAR(range.largest, largest, allowance);
 }
 
 TEST(HarmonicRange, OfOrdersThatNeverMeetIsTheSumOfAmplitudes) {
-  const HarmonicRange range = harmonic_range(std::vector<Harmonic>{{1.0, 1.0, 0.0}, {1.5, 2.0, 0.0}});
+  const HarmonicRange range =
+      harmonic_range(std::vector<Harmonic>{{1.0, 1.0, 0.0}, {1.5, 2.0, 0.0}});
   EXPECT_EQ(range.largest, 3.0);
   EXPECT_EQ(range.smallest, -3.0);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "actuator/actuator.hpp"
 #include "actuator/effects/library.hpp"
+#include "actuator/motor/actuator.hpp"
 
 namespace torquewright::actuator {
 

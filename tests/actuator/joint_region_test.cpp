@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/joint_region.hpp"
+#include "actuator/region/joint_region.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/mor_table.hpp"
+#include "actuator/region/mor_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/mor_table_spec.hpp"
+#include "actuator/region/mor_table_spec.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
 
@@ -19,8 +19,7 @@ double interpolated_Nm(const MorTable& table, double speed_rad_s, bool greatest)
   while (above + 1 < table.rows.size() && table.rows[above].speed_rad_s < speed_rad_s) ++above;
   const MorRow& low = table.rows[above - 1];
   const MorRow& high = table.rows[above];
-  const double share =
-      (speed_rad_s - low.speed_rad_s) / (high.speed_rad_s - low.speed_rad_s);
+  const double share = (speed_rad_s - low.speed_rad_s) / (high.speed_rad_s - low.speed_rad_s);
   const double low_Nm = greatest ? low.range.greatest.torque_Nm : low.range.least.torque_Nm;
   const double high_Nm = greatest ? high.range.greatest.torque_Nm : high.range.least.torque_Nm;
   return low_Nm + share * (high_Nm - low_Nm);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/motor_region.hpp"
+#include "actuator/region/motor_region.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "actuator/conditions.hpp"
+#include "actuator/region/operating_conditions.hpp"
 #include "tests/actuator/dq_oracle.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
@@ -14,19 +14,19 @@ namespace torquewright::actuator {
 namespace {
 
 /// The motor of the reference's dq table: p 21, lambda 0.0024 Wb, L 30 uH, R 0.105, 24 V, 40 A.
-Machine reference_machine(double inductance_H, bool field_weakening) {
-  Machine machine;
-  machine.torque_constant_Nm_A = 0.0756;
-  machine.back_emf_V_s_rad = 21.0 * 0.0024;
-  machine.resistance_ohm = 0.105;
-  machine.inductance_d_H = machine.inductance_q_H = inductance_H;
-  machine.pole_pairs = 21.0;
-  machine.current_limit_A = 40.0;
-  machine.demagnetisation_current_A = kUnlimited;
-  machine.field_weakening = field_weakening;
-  machine.supply = {24.0, 0.0, kUnlimited, -kUnlimited};
-  machine.phase_volts_per_bus_volt = 1.0 / std::sqrt(3.0);
-  return machine;
+PhaseModel reference_machine(double inductance_H, bool field_weakening) {
+  PhaseModel model;
+  model.torque_constant_Nm_A = 0.0756;
+  model.back_emf_V_s_rad = 21.0 * 0.0024;
+  model.resistance_ohm = 0.105;
+  model.inductance_d_H = model.inductance_q_H = inductance_H;
+  model.pole_pairs = 21.0;
+  model.current_limit_A = 40.0;
+  model.demagnetisation_current_A = kUnlimited;
+  model.field_weakening = field_weakening;
+  model.supply = {24.0, 0.0, kUnlimited, -kUnlimited};
+  model.phase_volts_per_bus_volt = 1.0 / std::sqrt(3.0);
+  return model;
 }
 
 // Oracle: the reference's brute force (actuator.md 2.5, printed to 0.001 Nm).
@@ -36,8 +36,8 @@ TEST(MotorRange, GivesTheTorquesOfTheReferencesDqTable) {
   };
   for (const Row& row : {Row{180.0, 3.024, 2.930, 3.019}, Row{220.0, 1.993, 1.729, 2.633},
                          Row{260.0, 0.542, 0.510, 2.173}}) {
-    const auto greatest_Nm = [&](const Machine& machine) {
-      return motor_range(machine, row.speed_rad_s).greatest.torque_Nm;
+    const auto greatest_Nm = [&](const PhaseModel& model) {
+      return motor_range(model, row.speed_rad_s).greatest.torque_Nm;
     };
     EXPECT_NEAR(greatest_Nm(reference_machine(0.0, false)), row.line_Nm, 0.00051);
     EXPECT_NEAR(greatest_Nm(reference_machine(3e-5, false)), row.dq_Nm, 0.00051);
@@ -50,8 +50,8 @@ TEST(MotorRange, GivesTheTorquesOfTheReferencesDqTable) {
 // Oracle: the closed forms of the quasi-static line: corner (V - R cap/K)/K, no load V/K, overspeed
 // (V + R cap/K)/K, torque K (V - K w)/R between.
 TEST(MotorRange, IsTheParallelogramOfTheQuasiStaticLine) {
-  const Machine machine = machine_at(round_actuator(), {});
-  const auto greatest = [&](double w) { return motor_range(machine, w).greatest; };
+  const PhaseModel model = phase_model_at(round_actuator(), {});
+  const auto greatest = [&](double w) { return motor_range(model, w).greatest; };
   EXPECT_NEAR(greatest(0.0).torque_Nm, 20.0, 1e-12);
   EXPECT_NEAR(greatest(59.999).torque_Nm, 20.0, 1e-12);
   EXPECT_EQ(greatest(59.999).limiter, Limiter::kCurrent);
@@ -59,10 +59,10 @@ TEST(MotorRange, IsTheParallelogramOfTheQuasiStaticLine) {
   EXPECT_EQ(greatest(60.002).limiter, Limiter::kVoltage);
   EXPECT_NEAR(greatest(100.0).torque_Nm, 0.0, 1e-12);
   EXPECT_NEAR(greatest(120.0).torque_Nm, -10.0, 1e-12);
-  EXPECT_NEAR(motor_range(machine, 120.0).least.torque_Nm, -20.0, 1e-12);
-  EXPECT_NEAR(greatest_speed_rad_s(machine, 400.0), 140.0, 1e-9);
-  EXPECT_TRUE(motor_range(machine, 140.001).is_empty);
-  EXPECT_EQ(motor_range(machine, 140.001).why_empty, Limiter::kVoltage);
+  EXPECT_NEAR(motor_range(model, 120.0).least.torque_Nm, -20.0, 1e-12);
+  EXPECT_NEAR(greatest_speed_rad_s(model, 400.0), 140.0, 1e-9);
+  EXPECT_TRUE(motor_range(model, 140.001).is_empty);
+  EXPECT_EQ(motor_range(model, 140.001).why_empty, Limiter::kVoltage);
 }
 
 // Oracle: RaiSim 2's documented motor: R 0.2, Kt 0.1, 24 V, peak 1.5: 240 rad/s without load, and
@@ -74,17 +74,17 @@ TEST(MotorRange, GivesTheNumbersOfRaiSimsDocumentation) {
   actuator.drive.bus_voltage_V = 24.0;
   actuator.drive.peak_current_A = 15.0;
   actuator.transmission.ratio = 10.0;
-  const Machine machine = machine_at(actuator, {});
-  EXPECT_NEAR(motor_range(machine, 0.0).greatest.torque_Nm, 1.5, 1e-12);
-  EXPECT_NEAR(no_load_speed_rad_s(machine), 240.0, 1e-10);
-  EXPECT_NEAR(motor_range(machine, 238.0).greatest.torque_Nm, 0.1, 1e-12);
+  const PhaseModel model = phase_model_at(actuator, {});
+  EXPECT_NEAR(motor_range(model, 0.0).greatest.torque_Nm, 1.5, 1e-12);
+  EXPECT_NEAR(no_load_speed_rad_s(model), 240.0, 1e-10);
+  EXPECT_NEAR(motor_range(model, 238.0).greatest.torque_Nm, 0.1, 1e-12);
 }
 
 TEST(MotorRange, IsTheSameBackwards) {
-  const Machine machine = reference_machine(3e-5, true);
+  const PhaseModel model = reference_machine(3e-5, true);
   for (const double w : {0.0, 100.0, 220.0, 300.0}) {
-    const MotorRange forward = motor_range(machine, w);
-    const MotorRange backward = motor_range(machine, -w);
+    const MotorRange forward = motor_range(model, w);
+    const MotorRange backward = motor_range(model, -w);
     EXPECT_EQ(forward.greatest.torque_Nm, -backward.least.torque_Nm);
     EXPECT_EQ(forward.greatest.limiter, backward.least.limiter);
     EXPECT_EQ(forward.least.bus_power_W, backward.greatest.bus_power_W);
@@ -93,14 +93,14 @@ TEST(MotorRange, IsTheSameBackwards) {
 
 // Oracle: brute force over (i_d, i_q), see dq_oracle.hpp. Its grid misses the bound by at most a
 // step of current; the search must be beyond it, and no further than that.
-void compare_with_brute_force(const Machine& machine, double speed_rad_s) {
+void compare_with_brute_force(const PhaseModel& model, double speed_rad_s) {
   constexpr int kRings = 400;
   constexpr int kRays = 1440;
-  const auto brute = oracles::brute_force_range(machine, speed_rad_s, kRings, kRays);
-  const MotorRange range = motor_range(machine, speed_rad_s);
+  const auto brute = oracles::brute_force_range(model, speed_rad_s, kRings, kRays);
+  const MotorRange range = motor_range(model, speed_rad_s);
   const double cap_Nm =
-      machine.torque_constant_Nm_A * machine.current_limit_A +
-      std::abs(machine.reluctance_Nm_A2()) * machine.current_limit_A * machine.current_limit_A;
+      model.torque_constant_Nm_A * model.current_limit_A +
+      std::abs(model.reluctance_Nm_A2()) * model.current_limit_A * model.current_limit_A;
   const double beyond_Nm = 1e-9 * cap_Nm;
   const double short_Nm = 0.02 * cap_Nm;
   if (range.is_empty) {
@@ -123,10 +123,10 @@ TEST(MotorRange, AgreesWithBruteForceOverCurrents) {
     options.with_effects = false;
     options.regeneration_limits = false;  // a gap in the middle is no range for the oracle
     options.field_weakening = seed % 2 == 0;
-    const Machine machine = machine_at(random_actuator(seed, options), {});
-    const double no_load_rad_s = no_load_speed_rad_s(machine);
+    const PhaseModel model = phase_model_at(random_actuator(seed, options), {});
+    const double no_load_rad_s = no_load_speed_rad_s(model);
     for (const double share : {0.0, 0.4, 0.8, 0.97, 1.1, 1.4}) {
-      compare_with_brute_force(machine, share * no_load_rad_s);
+      compare_with_brute_force(model, share * no_load_rad_s);
     }
   }
 }
@@ -134,9 +134,9 @@ TEST(MotorRange, AgreesWithBruteForceOverCurrents) {
 // Salient machines: reluctance torque, so that the least current has a d part.
 TEST(MotorRange, AgreesWithBruteForceForUnequalInductances) {
   for (const double quotient : {0.5, 2.0, 4.0}) {
-    Machine machine = reference_machine(3e-5, true);
-    machine.inductance_q_H = 3e-5 * quotient;
-    for (const double w : {0.0, 120.0, 200.0, 280.0, 360.0}) compare_with_brute_force(machine, w);
+    PhaseModel model = reference_machine(3e-5, true);
+    model.inductance_q_H = 3e-5 * quotient;
+    for (const double w : {0.0, 120.0, 200.0, 280.0, 360.0}) compare_with_brute_force(model, w);
   }
 }
 
@@ -160,13 +160,13 @@ TEST(MotorRange, IsTheSameByCirclesByNewtonAndByBrackets) {
     options.with_effects = false;
     options.field_weakening = seed % 3 != 0;
     const Actuator actuator = random_actuator(seed, options);
-    Machine circles = machine_at(actuator, {});
+    PhaseModel circles = phase_model_at(actuator, {});
     circles.supply.resistance_ohm = 0.0;
     if (seed % 4 == 1) circles.inductance_q_H *= 2.0;  // then only Newton against brackets
     if (seed % 5 == 2) circles.demagnetisation_current_A = 0.3 * circles.current_limit_A;
-    Machine newton = circles;
+    PhaseModel newton = circles;
     newton.supply.resistance_ohm = 1e-13 * circles.resistance_ohm;
-    Machine brackets = newton;
+    PhaseModel brackets = newton;
     brackets.dead_time_V = 1e-13 * circles.supply.open_circuit_V;
     const double cap_Nm = circles.torque_constant_Nm_A * circles.current_limit_A;
     for (const double share : {0.0, 0.3, 0.7, 0.9, 0.99, 1.03, 1.2, 1.7}) {
@@ -182,11 +182,11 @@ TEST(MotorRange, IsTheSameByCirclesByNewtonAndByBrackets) {
 }
 
 TEST(MotorRange, NamesDemagnetisationWhereItLimits) {
-  Machine machine = reference_machine(3e-5, true);
-  machine.demagnetisation_current_A = 5.0;
-  const MotorRange range = motor_range(machine, 260.0);
+  PhaseModel model = reference_machine(3e-5, true);
+  model.demagnetisation_current_A = 5.0;
+  const MotorRange range = motor_range(model, 260.0);
   EXPECT_EQ(range.greatest.limiter, Limiter::kDemagnetisation);
-  compare_with_brute_force(machine, 260.0);
+  compare_with_brute_force(model, 260.0);
 }
 
 // Oracle: closed form of the sag. At i amperes (dc) and w, V - R_b P/V = bus with P = K i w + R
@@ -197,9 +197,9 @@ TEST(MotorRange, SagsAsTheClosedFormSays) {
   actuator.battery = Battery{};
   actuator.battery->cell_open_circuit = {{1.0, 50.0}};
   actuator.battery->cell_resistance_ohm = 0.1;
-  const Machine machine = machine_at(actuator, {});
+  const PhaseModel model = phase_model_at(actuator, {});
   for (const double w : {70.0, 80.0, 90.0, 99.0}) {
-    const MotorRange range = motor_range(machine, w);
+    const MotorRange range = motor_range(model, w);
     EXPECT_NEAR(range.greatest.torque_Nm, 0.5 * (50.0 - 0.5 * w) / 0.6, 1e-10);
     EXPECT_EQ(range.greatest.limiter, Limiter::kVoltage);
   }
@@ -211,7 +211,7 @@ TEST(MotorRange, StopsAtTheBatterysPower) {
   actuator.battery = Battery{};
   actuator.battery->cell_open_circuit = {{1.0, 50.0}};
   actuator.battery->discharge_limit_A = 12.0;
-  const MotorRange range = motor_range(machine_at(actuator, {}), 40.0);
+  const MotorRange range = motor_range(phase_model_at(actuator, {}), 40.0);
   const double power_W = 600.0;
   const double i = (-20.0 + std::sqrt(400.0 + 4.0 * 0.5 * power_W)) / (2.0 * 0.5);
   EXPECT_NEAR(range.greatest.torque_Nm, 0.5 * i, 1e-10);
@@ -224,15 +224,15 @@ TEST(MotorRange, StopsAtTheBatterysPower) {
 TEST(MotorRange, EndsAtZeroWithoutRegenerationAndReportsPlugging) {
   Actuator actuator = round_actuator();
   actuator.drive.regeneration = false;
-  const Machine machine = machine_at(actuator, {});
-  const MotorRange slow = motor_range(machine, 30.0);
+  const PhaseModel model = phase_model_at(actuator, {});
+  const MotorRange slow = motor_range(model, 30.0);
   EXPECT_NEAR(slow.least.torque_Nm, 0.0, 1e-12);
   EXPECT_EQ(slow.least.limiter, Limiter::kRegeneration);
   ASSERT_TRUE(slow.plugging);
   EXPECT_NEAR(slow.plugging->greatest_Nm, -0.5 * 0.5 * 30.0 / 0.5, 1e-10);
   EXPECT_NEAR(slow.plugging->least_Nm, -20.0, 1e-10);
-  EXPECT_FALSE(motor_range(machine, 90.0).plugging);  // 90 K/R is beyond 40 A
-  const MotorRange fast = motor_range(machine, 110.0);
+  EXPECT_FALSE(motor_range(model, 90.0).plugging);  // 90 K/R is beyond 40 A
+  const MotorRange fast = motor_range(model, 110.0);
   EXPECT_TRUE(fast.is_empty);
   EXPECT_EQ(fast.why_empty, Limiter::kRegeneration);
 }
@@ -243,18 +243,18 @@ TEST(MotorRange, ConservesPowerAtEveryBound) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     RandomActuatorOptions options;
     options.with_effects = false;
-    const Machine machine = machine_at(random_actuator(seed, options), {});
+    const PhaseModel model = phase_model_at(random_actuator(seed, options), {});
     for (const double share : {0.0, 0.5, 0.95, 1.05}) {
-      const double w = share * no_load_speed_rad_s(machine);
-      const MotorRange range = motor_range(machine, w);
+      const double w = share * no_load_speed_rad_s(model);
+      const MotorRange range = motor_range(model, w);
       if (range.is_empty) continue;
       for (const MotorBound& bound : {range.least, range.greatest}) {
-        const double electrical = machine.pole_pairs * w;
+        const double electrical = model.pole_pairs * w;
         const double d = bound.current.d_A;
         const double q = bound.current.q_A;
-        const double v_d = machine.resistance_ohm * d - electrical * machine.inductance_q_H * q;
-        const double v_q = machine.resistance_ohm * q + electrical * machine.inductance_d_H * d +
-                           machine.back_emf_V_s_rad * w;
+        const double v_d = model.resistance_ohm * d - electrical * model.inductance_q_H * q;
+        const double v_q = model.resistance_ohm * q + electrical * model.inductance_d_H * d +
+                           model.back_emf_V_s_rad * w;
         const double scale_W = 1.0 + std::abs(bound.bus_power_W) + std::abs(bound.torque_Nm * w);
         EXPECT_NEAR(bound.bus_power_W, 1.5 * (v_d * d + v_q * q), 1e-9 * scale_W) << seed;
       }
@@ -263,14 +263,14 @@ TEST(MotorRange, ConservesPowerAtEveryBound) {
 }
 
 // Oracle: the saturated torque at the current limit, and its inverse.
-TEST(Machine, SaturatesAndInverts) {
-  Machine machine = reference_machine(0.0, false);
-  machine.saturation_current_A = 30.0;
-  machine.saturation_exponent = 3.0;
-  EXPECT_NEAR(motor_range(machine, 0.0).greatest.torque_Nm,
+TEST(PhaseModel, SaturatesAndInverts) {
+  PhaseModel model = reference_machine(0.0, false);
+  model.saturation_current_A = 30.0;
+  model.saturation_exponent = 3.0;
+  EXPECT_NEAR(motor_range(model, 0.0).greatest.torque_Nm,
               0.0756 * 40.0 / std::cbrt(1.0 + std::pow(40.0 / 30.0, 3)), 1e-12);
   for (const double q_A : {-35.0, -1.0, 0.0, 20.0, 40.0}) {
-    EXPECT_NEAR(q_current_A(machine, torque_Nm(machine, {0.0, q_A}), 0.0), q_A, 1e-10);
+    EXPECT_NEAR(q_current_A(model, torque_Nm(model, {0.0, q_A}), 0.0), q_A, 1e-10);
   }
 }
 
@@ -278,7 +278,7 @@ TEST(Machine, SaturatesAndInverts) {
 TEST(MotorRange, LosesTheDeadTimesVoltage) {
   Actuator actuator = round_actuator();
   actuator.effects.push_back(effect("inverter_dead_time", {2.0}));
-  const MotorRange range = motor_range(machine_at(actuator, {}), 80.0);
+  const MotorRange range = motor_range(phase_model_at(actuator, {}), 80.0);
   EXPECT_NEAR(range.greatest.torque_Nm, 0.5 * (50.0 - 2.0 - 40.0) / 0.5, 1e-10);
   // At full voltage the bus delivers V i, bridge included.
   EXPECT_NEAR(range.greatest.bus_power_W, 50.0 * 16.0, 1e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/need.hpp"
+#include "actuator/region/need.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,8 +46,8 @@ TEST(Need, GivesTheMarginWhereItIsReached) {
   EXPECT_EQ(result.limiter, Limiter::kCurrent);
 }
 
-// Oracle: a lossless motor's stall torque N K i, no-load speed V/(K N), and power: 60 rad/s at 20 Nm
-// is 1200 W, beyond the corner T w = (50 - 0.5 w) w falls from w = 50 on; so the corner has it.
+// Oracle: a lossless motor's stall torque N K i, no-load speed V/(K N), and power: 60 rad/s at 20
+// Nm is 1200 W, beyond the corner T w = (50 - 0.5 w) w falls from w = 50 on; so the corner has it.
 TEST(RatioSweep, GivesTheClosedFormsOfTheLine) {
   const auto rows = ratio_sweep(round_actuator(), {}, 5.0, 20.0, 3, Need{100.0, 5.0});
   ASSERT_EQ(rows.size(), 3u);

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "actuator/actuator_spec.hpp"
-#include "actuator/convention.hpp"
-#include "actuator/mor_table.hpp"
+#include "actuator/motor/actuator_spec.hpp"
+#include "actuator/motor/convention.hpp"
+#include "actuator/region/mor_table.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
 
@@ -21,7 +21,7 @@ constexpr double kRounding = 1e-9;  // of the powers that are added up
 
 class Balance {
  public:
-  Balance(const Actuator& actuator, const Conditions& conditions)
+  Balance(const Actuator& actuator, const OperatingConditions& conditions)
       : actuator_(actuator),
         temperature_K_(winding_temperature_K(actuator, conditions)),
         joint_(actuator, conditions),
@@ -37,17 +37,16 @@ class Balance {
   int points() const { return points_; }
 
  private:
-  const Machine& machine() const { return joint_.machine(); }
+  const PhaseModel& model() const { return joint_.model(); }
   double ratio() const { return actuator_.transmission.ratio; }
 
   /// Torque at the rotor, from the current; with field weakening, which splits the current, from
   /// the rotor's own region.
   double rotor_torque_Nm(double speed_rad_s, const JointBound& bound, double amplitude_A,
                          bool is_upper) const {
-    const bool has_d =
-        machine().field_weakening || machine().inductance_d_H != machine().inductance_q_H;
+    const bool has_d = model().field_weakening || model().inductance_d_H != model().inductance_q_H;
     if (!has_d) {
-      return torque_Nm(machine(), {0.0, std::copysign(amplitude_A, bound.current_A)});
+      return torque_Nm(model(), {0.0, std::copysign(amplitude_A, bound.current_A)});
     }
     const JointRange range = motor_.at(ratio() * speed_rad_s);
     return is_upper == (ratio() > 0.0) ? range.greatest.torque_Nm : range.least.torque_Nm;
@@ -88,8 +87,8 @@ class Balance {
     const double amplitude_A = std::abs(bound.current_A) *
                                phase_amperes_per_ampere(actuator_.motor.torque_constant_convention);
     const double rotor_Nm = rotor_torque_Nm(speed_rad_s, bound, amplitude_A, is_upper);
-    const double copper_W = 1.5 * machine().resistance_ohm * amplitude_A * amplitude_A;
-    const double bridge_W = 1.5 * machine().dead_time_V * amplitude_A;
+    const double copper_W = 1.5 * model().resistance_ohm * amplitude_A * amplitude_A;
+    const double bridge_W = 1.5 * model().dead_time_V * amplitude_A;
     const double shaft_W = rotor_Nm * ratio() * speed_rad_s;
     const double scale_W = copper_W + bridge_W + std::abs(shaft_W) + 1e-6;
     EXPECT_NEAR(bound.bus_power_W, copper_W + bridge_W + shaft_W, kRounding * scale_W)
@@ -131,7 +130,7 @@ TEST(PowerBalance, HoldsAtEveryPointOfTheExamples) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const Actuator actuator = read_actuator(entry.path()).actuator;
     for (const Rating rating : {Rating::kPeak, Rating::kContinuous}) {
-      Conditions conditions;
+      OperatingConditions conditions;
       conditions.rating = rating;
       if (!objections(actuator, conditions).empty()) continue;
       Balance balance(actuator, conditions);
@@ -159,7 +158,7 @@ TEST(PowerBalance, HoldsAtEveryPointOfRandomActuators) {
 // At another temperature of the winding, where R, Kt and the grease differ.
 TEST(PowerBalance, HoldsWarm) {
   for (unsigned seed = 0; seed < 50; ++seed) {
-    Conditions warm;
+    OperatingConditions warm;
     warm.winding_temperature_K = 373.15;
     Actuator actuator = random_actuator(seed, {});
     actuator.effects.push_back(effect("torque_constant_temperature", {-0.0011}));

@@ -65,8 +65,7 @@ void choose_effects(Dice& dice, Actuator& actuator) {
   const Motor& motor = actuator.motor;
   const double ratio = std::abs(actuator.transmission.ratio);
   const double torque_Nm = ratio * motor.torque_constant_Nm_A * actuator.drive.peak_current_A;
-  const double speed_rad_s =
-      actuator.drive.bus_voltage_V / (motor.torque_constant_Nm_A * ratio);
+  const double speed_rad_s = actuator.drive.bus_voltage_V / (motor.torque_constant_Nm_A * ratio);
   const auto maybe = [&](const char* name, std::vector<double> values) {
     if (dice.says_yes(0.3)) actuator.effects.push_back(effect(name, std::move(values)));
   };
@@ -75,7 +74,8 @@ void choose_effects(Dice& dice, Actuator& actuator) {
   maybe("stribeck_friction", {0.02 * torque_Nm, 0.04 * torque_Nm, 0.1 * speed_rad_s});
   maybe("quadratic_drag", {0.03 * torque_Nm / (speed_rad_s * speed_rad_s)});
   maybe("load_dependent_friction", {0.1, 0.08});
-  maybe("torque_constant_saturation", {dice.between(0.5, 3.0) * actuator.drive.peak_current_A, 2.0});
+  maybe("torque_constant_saturation",
+        {dice.between(0.5, 3.0) * actuator.drive.peak_current_A, 2.0});
   maybe("voltage_sag", {dice.between(0.0, 0.1) * motor.resistance_ohm});
   maybe("inverter_dead_time", {0.01 * actuator.drive.bus_voltage_V});
   maybe("asymmetric_friction", {0.01 * torque_Nm, 0.02 * torque_Nm, 0.0, 0.0});

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "actuator/joint_region.hpp"
+#include "actuator/region/joint_region.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
 
@@ -14,12 +14,12 @@ constexpr unsigned kActuators = 10000;
 constexpr double kShares[] = {-1.3, -0.7, -0.2, 0.1, 0.5, 0.9, 1.2};  // of the no-load speed
 
 double joint_no_load_rad_s(const Region& region, const Actuator& actuator) {
-  return no_load_speed_rad_s(region.machine()) / std::abs(actuator.transmission.ratio);
+  return no_load_speed_rad_s(region.model()) / std::abs(actuator.transmission.ratio);
 }
 
 double scale_Nm(const Actuator& actuator, const Region& region) {
-  return std::abs(actuator.transmission.ratio) * region.machine().torque_constant_Nm_A *
-         region.machine().current_limit_A;
+  return std::abs(actuator.transmission.ratio) * region.model().torque_constant_Nm_A *
+         region.model().current_limit_A;
 }
 
 // Oracle: the definition. Up to no-load speed zero current is allowed, and the range of the motor
@@ -28,24 +28,24 @@ TEST(RegionProperty, IsOneIntervalThatHoldsZeroCurrentUpToNoLoad) {
   for (unsigned seed = 0; seed < kActuators; ++seed) {
     RandomActuatorOptions options;
     options.field_weakening = seed % 50 == 0;
-    const Machine machine = machine_at(random_actuator(seed, options), {});
+    const PhaseModel model = phase_model_at(random_actuator(seed, options), {});
     for (const double share : kShares) {
-      const double w = share * no_load_speed_rad_s(machine);
-      const MotorRange range = motor_range(machine, w);
+      const double w = share * no_load_speed_rad_s(model);
+      const MotorRange range = motor_range(model, w);
       if (std::abs(share) < 1.0) {
         ASSERT_FALSE(range.is_empty) << seed;
         EXPECT_LE(range.least.torque_Nm, 0.0) << seed;
         EXPECT_GE(range.greatest.torque_Nm, 0.0) << seed;
       }
       if (range.is_empty) continue;
-      const double tolerance_V = 1e-9 * machine.supply.open_circuit_V;
+      const double tolerance_V = 1e-9 * model.supply.open_circuit_V;
       for (const double part : {0.1, 0.5, 0.9}) {
-        const double torque_Nm = range.least.torque_Nm +
-                                 part * (range.greatest.torque_Nm - range.least.torque_Nm);
-        const MotorBound point = motor_point(machine, torque_Nm, w, Limiter::kCurrent);
-        EXPECT_GE(voltage_margin_V(machine, point.current, w), -tolerance_V) << seed;
-        EXPECT_LE(point.current.amplitude_A(), machine.current_limit_A * (1.0 + 1e-9)) << seed;
-        EXPECT_GE(point.bus_power_W, machine.supply.least_power_W - 1e-6) << seed;
+        const double torque_Nm =
+            range.least.torque_Nm + part * (range.greatest.torque_Nm - range.least.torque_Nm);
+        const MotorBound point = motor_point(model, torque_Nm, w, Limiter::kCurrent);
+        EXPECT_GE(voltage_margin_V(model, point.current, w), -tolerance_V) << seed;
+        EXPECT_LE(point.current.amplitude_A(), model.current_limit_A * (1.0 + 1e-9)) << seed;
+        EXPECT_GE(point.bus_power_W, model.supply.least_power_W - 1e-6) << seed;
       }
     }
   }
@@ -60,7 +60,7 @@ TEST(RegionProperty, GrowsWithTheBusVoltage) {
     Actuator actuator = random_actuator(seed, options);
     if (actuator.battery) actuator.battery->discharge_limit_A = kUnlimited;
     const Region region(actuator, {});
-    Conditions more;
+    OperatingConditions more;
     more.bus_voltage_V = 1.1 * open_circuit_voltage_V(actuator, {});
     const Region larger(actuator, more);
     const double tolerance_Nm = 1e-9 * scale_Nm(actuator, region);
@@ -70,7 +70,8 @@ TEST(RegionProperty, GrowsWithTheBusVoltage) {
       if (inner.is_empty) continue;
       const JointRange outer = larger.at(w);
       ASSERT_FALSE(outer.is_empty) << seed;
-      EXPECT_LE(outer.least.torque_Nm, inner.least.torque_Nm + tolerance_Nm) << seed << " " << share;
+      EXPECT_LE(outer.least.torque_Nm, inner.least.torque_Nm + tolerance_Nm)
+          << seed << " " << share;
       EXPECT_GE(outer.greatest.torque_Nm, inner.greatest.torque_Nm - tolerance_Nm)
           << seed << " " << share;
     }
@@ -100,7 +101,8 @@ TEST(RegionProperty, IsUnchangedByNeutralEffects) {
   }
 }
 
-// Oracle: without losses the joint's region is the rotor's, speed over ratio and torque times ratio.
+// Oracle: without losses the joint's region is the rotor's, speed over ratio and torque times
+// ratio.
 TEST(RegionProperty, AgreesBetweenMotorAndJoint) {
   for (unsigned seed = 0; seed < kActuators; seed += 5) {
     RandomActuatorOptions options;

@@ -19,7 +19,9 @@ const std::string kThigh = "/bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/x
 /// A copy of the examples, where files may be written.
 class Calibrate : public ::testing::Test {
  protected:
-  Calibrate() { fs::copy(in_repository("specs"), place_.path("specs"), fs::copy_options::recursive); }
+  Calibrate() {
+    fs::copy(in_repository("specs"), place_.path("specs"), fs::copy_options::recursive);
+  }
 
   Outcome calibrate(const Words& options) const {
     Words command{"hopper", "calibrate", "specs/robot/hopper.json"};
@@ -34,8 +36,8 @@ class Calibrate : public ::testing::Test {
 };
 
 TEST_F(Calibrate, MeetsThePublishedFiguresByAValley) {
-  const Words free{"--free", kThigh + "=0.05:0.45", "--free", "/postures/takeoff/knee", "--free",
-                   "/postures/tuck/knee"};
+  const Words free{"--free", kThigh + "=0.05:0.45", "--free", "/postures/takeoff/knee",
+                   "--free", "/postures/tuck/knee"};
   Words options = free;
   options.insert(options.end(), {"--json", "-o", "fitted.json"});
   const Outcome outcome = with_figures(options);
@@ -53,26 +55,25 @@ TEST_F(Calibrate, MeetsThePublishedFiguresByAValley) {
   const std::vector<std::string> assumed = fitted["assumed"];
   EXPECT_EQ(std::count(assumed.begin(), assumed.end(), "/bodies/0/inertia_kg_m2/yy"), 1);
   EXPECT_EQ(fitted["provenance"].size(), 4u);
-  const Outcome again = place_.run({"hopper", "calibrate", "fitted.json", "--target", "cam=6",
-                                    "--target", "cav=7.4:10.6", "--free", "/postures/tuck/knee",
-                                    "--tolerance", "0.001"});
+  const Outcome again =
+      place_.run({"hopper", "calibrate", "fitted.json", "--target", "cam=6", "--target",
+                  "cav=7.4:10.6", "--free", "/postures/tuck/knee", "--tolerance", "0.001"});
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
 }
 
 TEST_F(Calibrate, FailsWhereTheFiguresCannotBeMet) {
   // A thigh alone moves both inertias alike: 0.81 - 0.566 is what the postures make of it.
-  const Outcome outcome = calibrate({"--target", "cam=6", "--target", "cav=7.4:20", "--free",
-                                     kThigh + "=0.05:0.45"});
+  const Outcome outcome =
+      calibrate({"--target", "cam=6", "--target", "cav=7.4:20", "--free", kThigh + "=0.05:0.45"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("not met: the best is off by"), std::string::npos) << outcome.out;
 }
 
 TEST_F(Calibrate, TakesPosturesFromTheCommandLine) {
-  const Outcome outcome = calibrate(
-      {"--target", "cam=6", "--target", "cav@stretched=6", "--posture",
-       "stretched=knee:0.1,ankle_pitch:0.3", "--free", kThigh + "=0.05:0.45", "--tolerance", "0.005",
-       "--json"});
+  const Outcome outcome = calibrate({"--target", "cam=6", "--target", "cav@stretched=6",
+                                     "--posture", "stretched=knee:0.1,ankle_pitch:0.3", "--free",
+                                     kThigh + "=0.05:0.45", "--tolerance", "0.005", "--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(outcome.out);
   EXPECT_EQ(report["verdict"], "determined");
@@ -80,9 +81,9 @@ TEST_F(Calibrate, TakesPosturesFromTheCommandLine) {
 }
 
 TEST_F(Calibrate, DrawsTheValley) {
-  const Outcome outcome = with_figures({"--free", kThigh + "=0.05:0.45", "--free",
-                                        "/postures/takeoff/knee", "--free", "/postures/tuck/knee",
-                                        "--plot", "valley.svg"});
+  const Outcome outcome =
+      with_figures({"--free", kThigh + "=0.05:0.45", "--free", "/postures/takeoff/knee", "--free",
+                    "/postures/tuck/knee", "--plot", "valley.svg"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(place_.text("valley.svg").find("</svg>"), std::string::npos);
 }

@@ -5,8 +5,8 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/proof/certificate.hpp"
-#include "gearbox/result_spec.hpp"
-#include "gearbox/synthesis.hpp"
+#include "gearbox/search/result_spec.hpp"
+#include "gearbox/search/search.hpp"
 #include "io/document.hpp"
 
 namespace torquewright::gearbox {
@@ -45,7 +45,7 @@ Problem problem_of(const json& document) {
   return read_problem(io::check_document(document, "gearbox_problem", "test", ""));
 }
 
-proof::Verdict verdict_on(const Problem& problem, const SynthesisResult& found) {
+proof::Verdict verdict_on(const Problem& problem, const DesignSearchResult& found) {
   return proof::check_certificate(problem, json::parse(result_json(problem, found).dump()));
 }
 
@@ -62,13 +62,13 @@ class EndedSearch : public testing::TestWithParam<Case> {};
 TEST_P(EndedSearch, HasAProvedBound) {
   const Problem problem = problem_of(problem_document(GetParam().topology, GetParam().objective));
   for (const std::int64_t nodes : {1, 2, 5, 20, 100, 400}) {
-    SynthesisOptions options;
+    DesignSearchOptions options;
     options.max_nodes = nodes;
     options.top = 2;
-    const SynthesisResult found = optimize(problem, options);
+    const DesignSearchResult found = optimize(problem, options);
     const proof::Verdict verdict = verdict_on(problem, found);
     EXPECT_TRUE(verdict.accepted) << nodes << ": " << testing::PrintToString(verdict.faults);
-    EXPECT_EQ(verdict.undecided, found.status == SynthesisStatus::kLimit);
+    EXPECT_EQ(verdict.undecided, found.status == DesignSearchStatus::kLimit);
     EXPECT_TRUE(found.bound.has_value());
   }
 }
@@ -88,18 +88,18 @@ TEST(EndedSearch, KeepsTheProofThatNoDesignExists) {
   document["target_ratio"] = 60;
   document["min_carrier_clearance_rad"] = 0.9;
   const Problem problem = problem_of(document);
-  ASSERT_EQ(optimize(problem, {}).status, SynthesisStatus::kInfeasible);
+  ASSERT_EQ(optimize(problem, {}).status, DesignSearchStatus::kInfeasible);
   bool is_ended = true;
   int infeasible = 0;
   for (int patience = 1; is_ended; patience += 1 + patience / 4) {
     int questions = 0;
-    SynthesisOptions options;
+    DesignSearchOptions options;
     options.should_stop = [&] { return ++questions >= patience; };
-    const SynthesisResult found = optimize(problem, options);
+    const DesignSearchResult found = optimize(problem, options);
     is_ended = questions >= patience;
     const proof::Verdict verdict = verdict_on(problem, found);
     EXPECT_TRUE(verdict.accepted) << patience << ": " << testing::PrintToString(verdict.faults);
-    infeasible += is_ended && found.status == SynthesisStatus::kInfeasible ? 1 : 0;
+    infeasible += is_ended && found.status == DesignSearchStatus::kInfeasible ? 1 : 0;
   }
   EXPECT_GT(infeasible, 3);
 }

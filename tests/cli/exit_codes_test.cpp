@@ -22,7 +22,8 @@ TEST(ExitCode, IsZeroForTheBestGearbox) {
                               "1. sun 44, planet_1 44, planet_2 32, fixed_ring 132, "
                               "output_ring 120; 4 planets, module 0.6 mm\n"))
       << outcome.out;
-  EXPECT_TRUE(outcome.out.find("\naccepted: 44/44/32/132/120 with n = 4") != std::string::npos) << outcome.out;
+  EXPECT_TRUE(outcome.out.find("\naccepted: 44/44/32/132/120 with n = 4") != std::string::npos)
+      << outcome.out;
 }
 
 TEST(ExitCode, IsOneWhereNoDesignIsFeasible) {

@@ -26,10 +26,9 @@ constexpr double kErrors = 4.0;
 class Bench {
  public:
   Bench() {
-    for (const auto& [name, file] :
-         {std::pair{"log.csv", "specs/log/bench_as_built.csv"},
-          std::pair{"rig.json", "specs/log/bench_rig.json"},
-          std::pair{"actuator.json", "specs/log/bench_actuator.json"}}) {
+    for (const auto& [name, file] : {std::pair{"log.csv", "specs/log/bench_as_built.csv"},
+                                     std::pair{"rig.json", "specs/log/bench_rig.json"},
+                                     std::pair{"actuator.json", "specs/log/bench_actuator.json"}}) {
       place.write(name, text_of(in_repository(file)));
     }
   }
@@ -73,8 +72,7 @@ TEST(Identify, NamesTheUndeclaredEffect) {
   EXPECT_EQ(effect["effect"], "viscous_friction");
   EXPECT_EQ(effect["family"], "actuator");
   const char* key = "viscous_Nm_s_rad";
-  EXPECT_NEAR(effect["parameters"][key].get<double>(),
-              scenario.truth.effects[0].parameters.at(key),
+  EXPECT_NEAR(effect["parameters"][key].get<double>(), scenario.truth.effects[0].parameters.at(key),
               kErrors * effect["standard_error"][key].get<double>());
   EXPECT_LT(report["after"]["holdout_rms"], report["before"]["holdout_rms"]);
   EXPECT_EQ(report["inputs"].size(), bench.logs.size() + 2);
@@ -95,9 +93,10 @@ TEST(Identify, SaysAllStepsInItsText) {
   const Outcome outcome = Bench().run({"identify"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_TRUE(outcome.out.starts_with("log.csv on knee on the bench: explained\n"
-                                      "Missing from the model: load_dependent_friction. With it "
-                                      "what is left is noise.\n"))
+  EXPECT_TRUE(
+      outcome.out.starts_with("log.csv on knee on the bench: explained\n"
+                              "Missing from the model: load_dependent_friction. With it "
+                              "what is left is noise.\n"))
       << outcome.out;
   for (const char* step : {"\n1 log ", "\n2 residual ", "\n3 noise floor ", "\n4 evidence ",
                            "\n5 selection ", "\n6 refined ", "\nnext "}) {
@@ -122,8 +121,8 @@ TEST(Identify, RefusesToTellFromAShortLog) {
   std::string few, line;
   for (int i = 0; i <= 500 && std::getline(log, line); ++i) few += line + "\n";
   bench.place.write("log.csv", few);
-  bench.place.write("rig.json", with(bench.place.text("rig.json"),
-                                     ",\n \"holdout_runs\": [\"run_4\"]", ""));
+  bench.place.write("rig.json",
+                    with(bench.place.text("rig.json"), ",\n \"holdout_runs\": [\"run_4\"]", ""));
   const Outcome outcome = bench.run({"identify"}, {"--json", "-o", "refined.json"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_EQ(report_of(outcome)["verdict"], "cannot_tell");
@@ -141,10 +140,12 @@ TEST(Identify, RefusesBadInput) {
       {{"identify", "log.csv", "--actuator", "actuator.json"}, "--rig is required"},
       {{"identify", "log.csv", "--rig", "rig.json"}, "--actuator is required"},
       {{"identify", "--rig", "rig.json", "--actuator", "actuator.json"}, "logs is required"},
-      {{"identify", "absent.csv", "--rig", "rig.json", "--actuator", "actuator.json"}, "absent.csv"},
+      {{"identify", "absent.csv", "--rig", "rig.json", "--actuator", "actuator.json"},
+       "absent.csv"},
       {{"identify", "log.csv", "--rig", "rig.json", "--actuator", "a.json", "--actuator", "b.json"},
        "--actuator: the rig has one joint"},
-      {{"identify", "log.csv", "--rig", "rig.json", "--actuator", "actuator.json", "-o", "rig.json"},
+      {{"identify", "log.csv", "--rig", "rig.json", "--actuator", "actuator.json", "-o",
+        "rig.json"},
        "rig.json"}};
   for (const Case& each : cases) {
     const Outcome outcome = bench.place.run(each.words);
@@ -162,8 +163,8 @@ TEST(Identify, RefinedActuatorIsReadBackWithLessTorque) {
   EXPECT_EQ(effect["provenance"]["source"], "identified");
   const double k = effect["parameters"]["driving_coefficient"];
   EXPECT_NEAR(k, 0.14, kErrors * effect["standard_error"]["driving_coefficient"].get<double>());
-  const Outcome compared = bench.place.run(
-      {"actuator", "mor", "refined.json", "--compare", "actuator.json", "--json"});
+  const Outcome compared =
+      bench.place.run({"actuator", "mor", "refined.json", "--compare", "actuator.json", "--json"});
   ASSERT_EQ(compared.exit_code, 0) << compared.err;
   const json comparison = json::parse(compared.out);
   EXPECT_TRUE(io::conforms(comparison, "region_comparison")) << compared.out;
@@ -190,7 +191,8 @@ TEST(Identify, ReportIsAPageThatHoldsAll) {
   EXPECT_EQ(page.find("<link"), std::string::npos);
   EXPECT_NE(page.find("&lt;b&gt;knee&lt;/b&gt; &amp; "), std::string::npos);
   std::size_t pictures = 0;
-  for (std::size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) {
+  for (std::size_t at = page.find("<svg"); at != std::string::npos;
+       at = page.find("<svg", at + 1)) {
     ++pictures;
   }
   EXPECT_EQ(pictures, 3u);  // waterfall, coordinates, regions

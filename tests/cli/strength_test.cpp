@@ -39,8 +39,8 @@ TEST(Strength, FailsWhereASafetyIsBelowTheDemandedOne) {
 }
 
 TEST(Strength, GoesOverSizes) {
-  const Outcome outcome = strength({"--torque", "21,17", "--face-widths", "6,8,10,12", "--modules",
-                                    "0.5,0.6,1", "--json"});
+  const Outcome outcome = strength(
+      {"--torque", "21,17", "--face-widths", "6,8,10,12", "--modules", "0.5,0.6,1", "--json"});
   EXPECT_EQ(outcome.exit_code, 0);
   const json report = json::parse(outcome.out);
   EXPECT_TRUE(io::conforms(report, "strength_report"));
@@ -55,21 +55,20 @@ TEST(Strength, GoesOverSizes) {
 // More loads are borne less well; the document's number gives way to the option's.
 TEST(Strength, TakesTheNumberOfLoads) {
   const auto life = [](const char* cycles) {
-    const json report =
-        json::parse(strength({"--torque", "21", "--json", "--cycles", cycles}).out);
+    const json report = json::parse(strength({"--torque", "21", "--json", "--cycles", cycles}).out);
     return report["gearbox"]["greatest_torque"]["for_cycles"]["motor_torque_Nm"].get<double>();
   };
   EXPECT_GT(life("1"), life("1000000"));
 }
 
 TEST(Strength, RefusesWhatIsNoLoad) {
-  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
-           {"--torque", "0"},
-           {"--torque", "nan"},
-           {"--torque", "-21"},
-           {"--face-widths", "inf"},
-           {"--modules", "0"},
-           {"--cycles", "0.5"}}) {
+  for (const auto& [option, value] :
+       std::vector<std::pair<std::string, std::string>>{{"--torque", "0"},
+                                                        {"--torque", "nan"},
+                                                        {"--torque", "-21"},
+                                                        {"--face-widths", "inf"},
+                                                        {"--modules", "0"},
+                                                        {"--cycles", "0.5"}}) {
     std::vector<std::string> options{option, value};
     if (option != "--torque") options.insert(options.end(), {"--torque", "21"});
     const Outcome outcome = strength(options);

@@ -73,9 +73,10 @@ TEST(Verify, RefusesAnEvaluation) {
   const Workplace place;
   place.write("knee.json", knee());
   place.run({"gearbox", "evaluate", "knee.json", "--teeth", "44,44,32", "-o", "evaluation.json"});
-  EXPECT_EQ(refusal(place, "evaluation.json"),
-            "evaluation.json#/certificate: holds no claims: this is what `gearbox evaluate` says of "
-            "one design; `gearbox verify` checks the proof in a result of `gearbox optimize`\n");
+  EXPECT_EQ(
+      refusal(place, "evaluation.json"),
+      "evaluation.json#/certificate: holds no claims: this is what `gearbox evaluate` says of "
+      "one design; `gearbox verify` checks the proof in a result of `gearbox optimize`\n");
 }
 
 TEST(Verify, RefusesWhatIsNoResult) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/assembly_phase.hpp"
+#include "gearbox/train/assembly_phase.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearbox/root_fillet.hpp"
+#include "gearbox/teeth/root_fillet.hpp"
 
 namespace torquewright::gearbox {
 namespace {

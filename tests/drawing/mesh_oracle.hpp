@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "gearbox/tooth_form.hpp"
-#include "gearbox/tooth_outline.hpp"
+#include "gearbox/teeth/tooth_form.hpp"
+#include "gearbox/teeth/tooth_outline.hpp"
 
 namespace torquewright::gearbox {
 

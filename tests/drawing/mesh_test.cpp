@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gearbox/assembly_phase.hpp"
-#include "gearbox/tooth_geometry.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
+#include "gearbox/train/assembly_phase.hpp"
 #include "tests/drawing/mesh_oracle.hpp"
 
 namespace torquewright::gearbox {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/tooth_outline.hpp"
+#include "gearbox/teeth/tooth_outline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "gearbox/root_fillet.hpp"
+#include "gearbox/teeth/root_fillet.hpp"
 
 namespace torquewright::gearbox {
 namespace {

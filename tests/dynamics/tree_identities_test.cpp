@@ -22,8 +22,8 @@ using test::difference;
 using test::uniform_vector;
 using Matrix3X = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
-constexpr double kIdentityRoundOff = 1e-11;   // a few hundred roundings, scaled to 1
-constexpr double kStep = 6e-6;        // cube root of the machine's epsilon
+constexpr double kIdentityRoundOff = 1e-11;  // a few hundred roundings, scaled to 1
+constexpr double kStep = 6e-6;               // cube root of the machine's epsilon
 constexpr double kDifference = 1e-7;  // of central differences of that step, values up to 100
 
 /// A random tree at a random state, rotors' spin included.

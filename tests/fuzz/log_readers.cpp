@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/log.hpp"
 #include "io/document.hpp"
 #include "tests/fuzz/readers.hpp"

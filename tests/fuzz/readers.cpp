@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/readers.hpp"
 
-#include "actuator/actuator_spec.hpp"
-#include "actuator/joint_region.hpp"
+#include "actuator/motor/actuator_spec.hpp"
+#include "actuator/region/joint_region.hpp"
 #include "actuator/trajectory/trajectory_reader.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "gearbox/problem_spec.hpp"
-#include "gearbox/strength_spec.hpp"
-#include "gearbox/torque_limit.hpp"
+#include "gearbox/strength/strength_spec.hpp"
+#include "gearbox/strength/torque_limit.hpp"
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/urdf_reader.hpp"
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "io/document.hpp"
 #include "io/schema.hpp"
 #include "tests/fuzz/log_readers.hpp"
@@ -44,7 +44,8 @@ void read_actuator(const fs::path& file) {
   for (const double speed_rad_s : {0.0, 1.0, -100.0}) {
     const actuator::JointRange range = region.at(speed_rad_s);
     if (range.is_empty) continue;
-    if (!(range.least.torque_Nm <= range.greatest.torque_Nm)) throw Misbehaviour("a range whose ends are not in order");
+    if (!(range.least.torque_Nm <= range.greatest.torque_Nm))
+      throw Misbehaviour("a range whose ends are not in order");
   }
 }
 

@@ -6,16 +6,16 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/proof/certificate.hpp"
-#include "gearbox/synthesis.hpp"
-#include "gearbox/topology.hpp"
+#include "gearbox/search/search.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "io/document.hpp"
 #include "tests/fuzz/readers.hpp"
 
 namespace torquewright::fuzz {
 namespace {
 
-using gearbox::SynthesisResult;
-using gearbox::SynthesisStatus;
+using gearbox::DesignSearchResult;
+using gearbox::DesignSearchStatus;
 using nlohmann::json;
 
 /// A problem that takes longer is not held against a search.
@@ -43,7 +43,7 @@ gearbox::Design design_of(const gearbox::Topology& topology, const json& documen
 
 /// Equally good designs may come in any order: each has to be among the best or their ties.
 void compare_designs(const gearbox::Problem& problem, const json& result,
-                     const SynthesisResult& found) {
+                     const DesignSearchResult& found) {
   const json& designs = result["designs"];
   if (designs.size() != found.designs.size())
     throw Misbehaviour("accepted another list of designs");
@@ -63,22 +63,23 @@ void compare_designs(const gearbox::Problem& problem, const json& result,
 }
 
 void compare_bound(const gearbox::Problem& problem, const json& result,
-                   const SynthesisResult& found) {
-  if (found.objectives.empty() || result["bound"].is_null()) return;  // A null bound claims nothing.
+                   const DesignSearchResult& found) {
+  if (found.objectives.empty() || result["bound"].is_null())
+    return;  // A null bound claims nothing.
   const double best = found.objectives.front(), bound = result["bound"];
   const double beyond = is_greater_better(problem.objective) ? best - bound : bound - best;
   if (beyond > kSame * std::max(1.0, std::abs(best))) throw Misbehaviour("accepted a false bound");
 }
 
 void compare_with_search(const gearbox::Problem& problem, const json& result) {
-  gearbox::SynthesisOptions options;
+  gearbox::DesignSearchOptions options;
   options.max_nodes = kMostNodes;
   options.top = std::clamp<std::size_t>(result["designs"].size(), 1, 10);
-  const SynthesisResult found = gearbox::optimize(problem, options);
-  if (found.status == SynthesisStatus::kLimit) return;
+  const DesignSearchResult found = gearbox::optimize(problem, options);
+  if (found.status == DesignSearchStatus::kLimit) return;
   const std::string status = result["status"];
   if (status == "limit") return compare_bound(problem, result, found);
-  const bool is_infeasible = found.status == SynthesisStatus::kInfeasible;
+  const bool is_infeasible = found.status == DesignSearchStatus::kInfeasible;
   if ((status == "infeasible") != is_infeasible) throw Misbehaviour("accepted another status");
   if (!is_infeasible) compare_designs(problem, result, found);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/assembly.hpp"
+#include "gearbox/train/assembly.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/efficiency.hpp"
+#include "gearbox/train/efficiency.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "gearbox/power_flow.hpp"
+#include "gearbox/train/power_flow.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "gearbox/design_report.hpp"
+#include "gearbox/constraints/design_report.hpp"
 
 namespace torquewright::gearbox::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gearbox/tooth_load.hpp"
+#include "gearbox/strength/tooth_load.hpp"
 
 namespace torquewright::gearbox::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/kinematics.hpp"
+#include "gearbox/train/kinematics.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/life_curve.hpp"
+#include "gearbox/strength/life_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 
 GearMaterial steel(Treatment treatment) { return {treatment, 206e3, .3, 400, 1000, 900.0}; }
 
-// Oracle: the printed exponents of DIN 3990-11, four digits: 0.2876 lg(static/endurance) from 1e3 to
-// 3e6 loads (5.06), 0.4037 from 1e4 (5.05), 0.3705 for flanks from 1e5 to 5e7 (4.05), 0.7686 for
+// Oracle: the printed exponents of DIN 3990-11, four digits: 0.2876 lg(static/endurance) from 1e3
+// to 3e6 loads (5.06), 0.4037 from 1e4 (5.05), 0.3705 for flanks from 1e5 to 5e7 (4.05), 0.7686 for
 // nitrided ones to 2e6 (4.10).
 void expect_exponent(const LifeCurve& curve, double printed) {
   const double exponent = printed * std::log10(curve.static_MPa / curve.endurance_MPa);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/loads.hpp"
+#include "gearbox/train/loads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "gearbox/backlash.hpp"
-#include "gearbox/inertia.hpp"
-#include "gearbox/tooth_geometry.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
+#include "gearbox/train/backlash.hpp"
+#include "gearbox/train/inertia.hpp"
 #include "linear_solve.hpp"
 
 namespace torquewright::gearbox {

@@ -6,9 +6,9 @@
 #include <random>
 
 #include "example_problem.hpp"
-#include "gearbox/power_flow.hpp"
 #include "gearbox/topologies/planetary.hpp"
 #include "gearbox/topologies/three_k.hpp"
+#include "gearbox/train/power_flow.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/mesh.hpp"
+#include "gearbox/teeth/mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "gearbox/shifted_mesh.hpp"
+#include "gearbox/teeth/shifted_mesh.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/profile_shift.hpp"
+#include "gearbox/teeth/profile_shift.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "gearbox/shifted_mesh.hpp"
+#include "gearbox/teeth/shifted_mesh.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -98,25 +98,6 @@ TEST(ShiftedTrain, MeetsMatsukisGeometry) {
   EXPECT_NEAR(contact_ratio(*contact_path({fixed, angle_b, full_tip, tip_fixed})), 1.420, 5e-4);
   const CutPair cut{output, angle_c, tip_diameter_external(32, .536), tip_diameter_ring(81, 1.21)};
   EXPECT_NEAR(contact_ratio(*contact_path(cut)), 1.565, 5.001e-4);
-}
-
-TEST(ShiftedTrain, ClosingShiftsCloseAllThreeMeshes) {
-  // Oracle: working_angle_rad of the shifted pairs gives back the one centre distance.
-  const ThreeKTeeth<double> z{12, 39, 32, 90, 81};
-  const double centre_mm = 21.3;
-  const auto x = coaxial_shifts(z, centre_mm / .8, centre_mm / .8467, 1.5, 0.9);
-  ASSERT_TRUE(x);
-  for (const auto& [pair, module_mm] :
-       {std::pair{ShiftedPair{MeshKind::kExternal, z.sun, z.planet_1, x->sun, x->planet_1}, .8},
-        std::pair{
-            ShiftedPair{MeshKind::kInternal, z.planet_1, z.fixed_ring, x->planet_1, x->fixed_ring},
-            .8},
-        std::pair{ShiftedPair{MeshKind::kInternal, z.planet_2, z.output_ring, x->planet_2,
-                              x->output_ring},
-                  .8467}}) {
-    EXPECT_NEAR(module_mm * centre_distance(pair, *working_angle_rad(pair)), centre_mm, 1e-11);
-  }
-  EXPECT_FALSE(coaxial_shifts(z, 20.0, 20.0, 0.0, 0.0));  // base circles apart
 }
 
 TEST(ToothThickness, IsHalfThePitchAtThePitchCircle) {

@@ -7,10 +7,10 @@
 #include <numeric>
 
 #include "example_problem.hpp"
-#include "gearbox/assembly.hpp"
-#include "gearbox/power_flow.hpp"
-#include "gearbox/shifted_mesh.hpp"
+#include "gearbox/teeth/shifted_mesh.hpp"
 #include "gearbox/topologies/three_k.hpp"
+#include "gearbox/train/assembly.hpp"
+#include "gearbox/train/power_flow.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "gearbox/efficiency.hpp"
-#include "gearbox/inertia.hpp"
-#include "gearbox/mass.hpp"
+#include "gearbox/train/efficiency.hpp"
+#include "gearbox/train/inertia.hpp"
+#include "gearbox/train/mass.hpp"
 
 // A scalar that can do exactly what the formulas may ask of one: arithmetic with itself and with
 // double, the functions below by argument-dependent lookup, no comparison, no conversion.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/strength_spec.hpp"
+#include "gearbox/strength/strength_spec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "gearbox/strength_table.hpp"
+#include "gearbox/strength/strength_table.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 const fs::path kSpecs = fs::path(TORQUEWRIGHT_SOURCE_DIR) / "specs" / "gearbox";
 
-json ankle_document() { return io::read_document(kSpecs / "d110a_strength.json", "gear_strength").root; }
+json ankle_document() {
+  return io::read_document(kSpecs / "d110a_strength.json", "gear_strength").root;
+}
 
 /// What the ankle's document is refused with once it is changed by a JSON merge patch.
 std::string refusal(const json& patch) {
@@ -66,9 +68,10 @@ TEST(ReadStrength, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refusal(json::object()), "");
   EXPECT_EQ(refusal({{"face_width_mm", {{"layer_2", 5}}}}),
             "#/face_width_mm/layer_2: is for 3k trains; a planetary stage has one layer");
-  EXPECT_EQ(refusal({{"material", {{"treatment", "through_hardened"}}}}),
-            "#/material/yield_MPa: missing; the static strength of through-hardened teeth depends on "
-            "it");
+  EXPECT_EQ(
+      refusal({{"material", {{"treatment", "through_hardened"}}}}),
+      "#/material/yield_MPa: missing; the static strength of through-hardened teeth depends on "
+      "it");
   EXPECT_EQ(refusal({{"gearbox", {{"teeth", {{"ring", nullptr}}}}}}),
             "#/gearbox/teeth/ring: missing; the topology \"planetary\" has it");
   EXPECT_EQ(refusal({{"gearbox", {{"topology", "3k"}}}, {"face_width_mm", {{"layer_2", 5}}}}),
@@ -76,17 +79,18 @@ TEST(ReadStrength, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refusal({{"gearbox", {{"teeth", {{"ring", 150}}}}}}),
             "#/gearbox: planet_ring do not mesh for teeth 21,63,150: it does not fit the centre "
             "distance of sun and planet");
-  EXPECT_EQ(refusal({{"gearbox", {{"teeth", {{"sun", 12}, {"planet", 36}, {"ring", 84}}}}}}),
-            "#/gearbox: sun_planet do not mesh for teeth 12,36,84: contact would reach inside a base "
-            "circle (undercut)");
+  EXPECT_EQ(
+      refusal({{"gearbox", {{"teeth", {{"sun", 12}, {"planet", 36}, {"ring", 84}}}}}}),
+      "#/gearbox: sun_planet do not mesh for teeth 12,36,84: contact would reach inside a base "
+      "circle (undercut)");
   EXPECT_EQ(refusal({{"gearbox", {{"teeth", {{"sun", 6}, {"planet", 18}, {"ring", 42}}}}}}),
             "#/gearbox: sun_planet do not mesh for teeth 6,18,42: stresses are computed for eight "
             "teeth and more");
 }
 
 TEST(ReadStrength, RefusesA3kTrainThatStandsStill) {
-  const json teeth = {{"sun", 20}, {"planet_1", 30}, {"planet_2", 30}, {"fixed_ring", 80},
-                      {"output_ring", 80}};
+  const json teeth = {
+      {"sun", 20}, {"planet_1", 30}, {"planet_2", 30}, {"fixed_ring", 80}, {"output_ring", 80}};
   json root = ankle_document();
   root["gearbox"] = {{"topology", "3k"}, {"teeth", teeth}, {"planet_count", 3}, {"module_mm", .6}};
   root["face_width_mm"]["layer_2"] = 5;
@@ -101,7 +105,8 @@ std::int64_t most_sun_teeth(std::int64_t ring_limit, std::int64_t planets) {
       if (ring != 7 * sun || (ring - sun) % 2 != 0 || (ring + sun) % planets != 0) continue;
       const double chord = static_cast<double>(sun + (ring - sun) / 2) *
                            std::sin(std::numbers::pi / static_cast<double>(planets));
-      if (chord > static_cast<double>((ring - sun) / 2 + 2) && sun >= 15) best = std::max(best, sun);
+      if (chord > static_cast<double>((ring - sun) / 2 + 2) && sun >= 15)
+        best = std::max(best, sun);
     }
   }
   return best;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/strength.hpp"
+#include "gearbox/strength/strength.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "gearbox/efficiency.hpp"
-#include "gearbox/shifted_mesh.hpp"
+#include "gearbox/teeth/shifted_mesh.hpp"
+#include "gearbox/train/efficiency.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/tooth_load.hpp"
+#include "gearbox/strength/tooth_load.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "example_strength.hpp"
-#include "gearbox/tooth_geometry.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -26,8 +26,7 @@ const ToothLoad& at(const std::vector<ToothLoad>& loads, std::string_view gear,
 // Reference section 7: 320 Nm at the joint of the D151 make 303, 1919 and 2222 N.
 TEST(ToothForces, OfTheD151AreThePublishedOnes) {
   const StrengthCase strength = d151_strength();
-  const auto loads =
-      tooth_loads(strength, sun_torque_Nm(strength.train, 320, TorqueSide::kJoint));
+  const auto loads = tooth_loads(strength, sun_torque_Nm(strength.train, 320, TorqueSide::kJoint));
   EXPECT_NEAR(at(loads, "sun", "sun_planet_1").tangential_force_N, 303, .5);
   EXPECT_NEAR(at(loads, "planet_1", "planet_1_fixed_ring").tangential_force_N, 1919, .5);
   EXPECT_NEAR(at(loads, "output_ring", "planet_2_output_ring").tangential_force_N, 2222, .5);
@@ -67,8 +66,8 @@ double hertz_MPa(double pinion, double mate, bool internal, double force_N) {
   const double tip_end = std::sqrt(std::pow(pinion / 2 + 1, 2) - base * base);
   const double pitch = std::numbers::pi * kReferenceCosine;
   const double mate_base = mate * kReferenceCosine / 2;
-  const double mate_tip = std::sqrt(std::pow(mate / 2 + (internal ? -1 : 1), 2) -
-                                    mate_base * mate_base);
+  const double mate_tip =
+      std::sqrt(std::pow(mate / 2 + (internal ? -1 : 1), 2) - mate_base * mate_base);
   const double length = internal ? tip_end + line - mate_tip : tip_end + mate_tip - line;
   const double overlap = std::sqrt((4 - length / pitch) / 3);
   const auto pressure = [&](double radius) {

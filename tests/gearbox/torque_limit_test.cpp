@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/torque_limit.hpp"
+#include "gearbox/strength/torque_limit.hpp"
 
 #include <gtest/gtest.h>
 

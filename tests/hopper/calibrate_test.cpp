@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 
 namespace torquewright::hopper::calibration {
 namespace {
@@ -95,10 +95,10 @@ TEST(Profile, EndsWhereTheToleranceIsUsedUp) {
 TEST(Calibrate, TellsThePointNearestToTheDocument) {
   const ReadRobot read = robot_from(two_bars());
   const double wanted = two_bar_inertia_kg_m2(.9, .08);
-  const Calibration found = calibrate(
-      question_of(read, 1.0, {{0, 1 / wanted}},
-                  {"/bodies/1/inertia_kg_m2/yy,/bodies/1/inertia_kg_m2/xx=0.01:0.21",
-                   "/postures/takeoff/hinge"}));
+  const Calibration found =
+      calibrate(question_of(read, 1.0, {{0, 1 / wanted}},
+                            {"/bodies/1/inertia_kg_m2/yy,/bodies/1/inertia_kg_m2/xx=0.01:0.21",
+                             "/postures/takeoff/hinge"}));
   double nearest = 1e9;
   double nearest_angle_rad = 0;
   for (double angle_rad = 0; angle_rad < 3; angle_rad += 1e-4) {
@@ -135,8 +135,8 @@ TEST(Calibrate, SaysWhereTheFiguresCannotBeMet) {
 // No body is wider about one axis than about the two others together.
 TEST(Calibrate, KeepsToInertiasThatBodiesHave) {
   const ReadRobot read = robot_from(two_bars());
-  const Question question = question_of(
-      read, 1.0, {{0, 1 / two_bar_inertia_kg_m2(.5, .2)}}, {"/bodies/1/inertia_kg_m2/yy=0.01:0.5"});
+  const Question question = question_of(read, 1.0, {{0, 1 / two_bar_inertia_kg_m2(.5, .2)}},
+                                        {"/bodies/1/inertia_kg_m2/yy=0.01:0.5"});
   const Calibration found = calibrate(question);
   ASSERT_TRUE(found.best);
   EXPECT_FALSE(found.is_met);
@@ -203,11 +203,10 @@ TEST(Hopper, LeavesTheValleyOfTheReference) {
   const ReadRobot read = read_robot(kHopper);
   ASSERT_EQ(read.robot.postures[0].name, "takeoff");
   ASSERT_EQ(read.robot.postures[1].name, "tuck");
-  const Question question =
-      question_of(read, 6.0, {{0, 7.4}, {1, 10.6}},
-                  {"/bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45",
-                   "/postures/takeoff/knee", "/postures/takeoff/ankle_pitch", "/postures/tuck/knee",
-                   "/postures/tuck/ankle_pitch"});
+  const Question question = question_of(
+      read, 6.0, {{0, 7.4}, {1, 10.6}},
+      {"/bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45", "/postures/takeoff/knee",
+       "/postures/takeoff/ankle_pitch", "/postures/tuck/knee", "/postures/tuck/ankle_pitch"});
   const std::optional<Candidate> best = nearest_candidate(question);
   ASSERT_TRUE(meets(question.figures, best));
   const std::vector<double> inertias = inertias_kg_m2(question, best->values);

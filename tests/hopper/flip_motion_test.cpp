@@ -15,8 +15,8 @@
 #include "dynamics/momentum.hpp"
 #include "dynamics/position_step.hpp"
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot_spec.hpp"
-#include "hopper/whole_body.hpp"
+#include "hopper/robot/robot_spec.hpp"
+#include "hopper/robot/whole_body.hpp"
 
 namespace torquewright {
 namespace {

@@ -5,7 +5,7 @@
 #include "dynamics/mass_matrix.hpp"
 #include "hopper/files/mjcf_writer.hpp"
 #include "hopper/files/rotors_in_joints.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "tests/dynamics/mujoco_engine.hpp"
 #include "tests/dynamics/tree_mjcf.hpp"
 #include "tests/hopper/same_robot.hpp"

@@ -6,10 +6,10 @@
 
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/mjcf_writer.hpp"
-#include "hopper/files/rotations.hpp"
 #include "hopper/files/urdf_reader.hpp"
-#include "hopper/robot_json.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_json.hpp"
+#include "hopper/robot/robot_spec.hpp"
+#include "hopper/robot/rotations.hpp"
 #include "tests/hopper/same_robot.hpp"
 #include "tests/io/scratch_folder.hpp"
 

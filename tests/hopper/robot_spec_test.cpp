@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 
 #include <gtest/gtest.h>
 

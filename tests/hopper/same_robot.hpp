@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/robot.hpp"
+#include "hopper/robot/robot.hpp"
 #include "tests/dynamics/random_tree.hpp"
 
 namespace torquewright::test {

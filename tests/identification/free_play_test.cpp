@@ -73,8 +73,7 @@ TEST(FreePlay, AccelerationsHoldTheMeetingOfTheFlanks) {
 
 // A push that reverses before the gap is crossed brings it back.
 TEST(FreePlay, ComesBackIfThePushReturns) {
-  const GapMotion motion =
-      moved(200, [](double t) { return t > 0.1 && t < 0.11 ? -1.0 : 1.0; });
+  const GapMotion motion = moved(200, [](double t) { return t > 0.1 && t < 0.11 ? -1.0 : 1.0; });
   EXPECT_EQ(motion.place_rad.back(), 0.5 * kWidth_rad);
   EXPECT_GT(*std::min_element(motion.place_rad.begin(), motion.place_rad.end()), -0.5 * kWidth_rad);
   EXPECT_LT(*std::min_element(motion.place_rad.begin(), motion.place_rad.end()), 0.5 * kWidth_rad);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: logs by closed form that hold something which no effect of the library is. No name is the
 // only right answer.
-#include "identification/gates.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "identification/acceptance_tests.hpp"
 #include "identification/analysis.hpp"
 #include "tests/identification/made_bench.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/leftover.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
+
+#include "identification/residual_structure.hpp"
 
 namespace torquewright::identification::leftover_test {
 namespace {
@@ -48,9 +48,9 @@ struct Swings {
   }
 };
 
-const Structure& of(const std::vector<Structure>& found, const std::string& coordinate,
-                    bool times_direction) {
-  return *std::find_if(found.begin(), found.end(), [&](const Structure& each) {
+const ResidualStructure& of(const std::vector<ResidualStructure>& found,
+                            const std::string& coordinate, bool times_direction) {
+  return *std::find_if(found.begin(), found.end(), [&](const ResidualStructure& each) {
     return each.coordinate == coordinate && each.times_direction == times_direction;
   });
 }
@@ -64,8 +64,8 @@ TEST(Structures, ShareIsTheVarianceThatVariesWithTheCoordinate) {
   const Swings swings([&](const actuator::Instant& at, double noise) {
     return (at.current_A > 0.0 ? a : -a) + s * noise;
   });
-  const auto found = structures(swings.traces);
-  const Structure& current = of(found, "motor_current_A", false);
+  const auto found = residual_structures(swings.traces);
+  const ResidualStructure& current = of(found, "motor_current_A", false);
   EXPECT_NEAR(current.share, a * a / (a * a + s * s), 0.03);
   EXPECT_TRUE(is_significant(current));
   EXPECT_NEAR(current.level.front(), -a, 5.0 * s / std::sqrt(kRuns * kSamples / 16.0));
@@ -78,7 +78,7 @@ TEST(Structures, FrictionLikeIsSeenTimesTheDirectionOnly) {
   const Swings swings([](const actuator::Instant& at, double noise) {
     return -at.direction * (at.output_angle_rad > 0.3 ? 2.0 : 0.0) + 0.3 * noise;
   });
-  const auto found = structures(swings.traces);
+  const auto found = residual_structures(swings.traces);
   EXPECT_GT(of(found, "output_position_rad", true).share, 0.8);
   EXPECT_LT(of(found, "output_position_rad", false).share, 0.05);
 }
@@ -87,7 +87,7 @@ TEST(Structures, FrictionLikeIsSeenTimesTheDirectionOnly) {
 // with a probability of no more than 0.05 even if its share came to 5 %; of 6000 rows it does not.
 TEST(Structures, OfNoiseAreNotSignificant) {
   const Swings swings([](const actuator::Instant&, double noise) { return noise; });
-  for (const Structure& each : structures(swings.traces)) {
+  for (const ResidualStructure& each : residual_structures(swings.traces)) {
     EXPECT_FALSE(is_significant(each)) << each.coordinate << " " << each.share;
   }
 }
@@ -98,7 +98,7 @@ TEST(Structures, AConstantOfOneRunIsNoStructure) {
   Swings swings([](const actuator::Instant&, double noise) { return 0.1 * noise; });
   for (double& value : swings.traces[0].value) value += 1.0;
   for (const char* name : {"output_position_rad", "motor_current_A", "output_velocity_rad_s"}) {
-    EXPECT_FALSE(is_significant(of(structures(swings.traces), name, false))) << name;
+    EXPECT_FALSE(is_significant(of(residual_structures(swings.traces), name, false))) << name;
   }
 }
 

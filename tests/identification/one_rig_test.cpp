@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/identify.hpp"
 #include "tests/io/scratch_folder.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"

@@ -49,8 +49,8 @@ struct Refined {
     }
     EXPECT_TRUE(best.is_valid);
     grid_loss = best.loss;
-    model = refined(bench, fit.equation(), best, source, fit.folds().of_run,
-                    fit.folds().of_block, fit.band());
+    model = refined(bench, fit.equation(), best, source, fit.folds().of_run, fit.folds().of_block,
+                    fit.band());
   }
 
   void expect(const char* name, double truth) const {

@@ -27,9 +27,68 @@ const std::map<std::string, Folders, std::less<>> kMayInclude = {
     {"src", {"io", "optimization", "gearbox", "actuator", "dynamics", "hopper", "identification"}},
 };
 
+/// The rooms of a folder, and which of its other rooms the files of each may include. What lies
+/// beside the rooms is their common ground: every room may include it, and it includes none.
+using Rooms = std::map<std::string, Folders, std::less<>>;
+const std::map<std::string, Rooms, std::less<>> kRooms = {
+    {"io", {}},
+    {"optimization", {{"expressions", {}}, {"discrete", {"expressions"}}, {"fit", {}}}},
+    {"gearbox",
+     {{"teeth", {}},
+      {"train", {"teeth"}},
+      {"constraints", {"teeth", "train"}},
+      {"topologies", {"teeth", "train", "constraints"}},
+      {"strength", {"teeth", "train", "topologies"}},
+      {"search", {"topologies"}},
+      {"proof", {}},
+      {"verification", {"topologies", "search", "proof"}}}},
+    {"actuator",
+     {{"effects", {}},
+      {"motor", {"effects"}},
+      {"region", {"effects", "motor"}},
+      {"trajectory", {}},
+      {"check", {"region", "trajectory"}},
+      {"lint", {"motor", "region"}},
+      {"exporters", {"region"}}}},
+    {"dynamics", {}},
+    {"hopper",
+     {{"mechanisms", {}},
+      {"robot", {"mechanisms"}},
+      {"files", {"robot"}},
+      {"motion", {"robot"}},
+      {"contact", {"motion"}},
+      {"check", {"robot", "contact"}},
+      {"candidates", {"robot", "check"}},
+      {"calibration", {"robot"}}}},
+    {"src", {{"report", {}}, {"options", {}}, {"commands", {"report", "options"}}}},
+};
+
+/// The only file that stands above the rooms of its folder.
+constexpr std::string_view kMain = "src/main.cpp";
+
 std::string folder_of(std::string_view name) {
   const std::size_t slash = name.find('/');
   return slash == std::string_view::npos ? "" : std::string(name.substr(0, slash));
+}
+
+/// The folder inside the folder; empty where the file lies beside the rooms.
+std::string room_of(std::string_view name) {
+  return folder_of(name.substr(std::min(name.size(), name.find('/') + 1)));
+}
+
+std::string objection_inside(const std::string& folder, const std::string& from,
+                             const std::string& to) {
+  const auto rooms = kRooms.find(folder);
+  if (rooms == kRooms.end()) return "";
+  for (const std::string& room : {from, to}) {
+    if (room.empty() || rooms->second.contains(room)) continue;
+    return "the layer test does not know the room " + folder + "/" + room;
+  }
+  if (to.empty() || from == to) return "";
+  if (!from.empty() && rooms->second.at(from).contains(to)) return "";
+  const std::string above =
+      from.empty() ? "what lies beside the rooms of " + folder + "/" : folder + "/" + from + "/";
+  return above + " does not stand above " + folder + "/" + to + "/";
 }
 
 bool is_solver(std::string_view header) {
@@ -67,7 +126,10 @@ std::string objection(std::string_view file, std::string_view included) {
   if (file.starts_with("gearbox/proof/") && !is_shared_with_the_checker(included)) {
     return "the checker of proofs shares only the reader of problems with the search";
   }
-  if (from == to || kMayInclude.at(from).contains(to)) return "";
+  if (from == to) {
+    return file == kMain ? "" : objection_inside(from, room_of(file), room_of(included));
+  }
+  if (kMayInclude.at(from).contains(to)) return "";
   return from + "/ does not stand above " + to + "/";
 }
 

@@ -46,14 +46,37 @@ TEST(Objection, IsNotRaisedDownward) {
   }
 }
 
+TEST(Objection, IsRaisedBetweenRooms) {
+  EXPECT_EQ(objection("actuator/motor/a.cpp", "actuator/region/b.hpp"),
+            "actuator/motor/ does not stand above actuator/region/");
+  EXPECT_EQ(objection("gearbox/problem.cpp", "gearbox/teeth/b.hpp"),
+            "what lies beside the rooms of gearbox/ does not stand above gearbox/teeth/");
+  EXPECT_EQ(objection("gearbox/cellar/a.cpp", "gearbox/problem.hpp"),
+            "the layer test does not know the room gearbox/cellar");
+  EXPECT_NE(objection("src/options/a.cpp", "src/commands/b.hpp"), "");
+  EXPECT_NE(objection("hopper/check/rules/a.cpp", "hopper/candidates/b.hpp"), "");
+}
+
+TEST(Objection, IsNotRaisedFromRoomToRoomDownward) {
+  for (const auto& [file, included] : std::vector<std::pair<std::string, std::string>>{
+           {"actuator/region/a.cpp", "actuator/motor/b.hpp"},
+           {"actuator/region/a.cpp", "actuator/severity.hpp"},
+           {"gearbox/teeth/a.cpp", "gearbox/teeth/b.hpp"},
+           {"hopper/check/rules/a.cpp", "hopper/check/b.hpp"},
+           {"hopper/check/a.cpp", "hopper/check/rules/b.hpp"},
+           {"src/main.cpp", "src/commands/b.hpp"}}) {
+    EXPECT_EQ(objection(file, included), "") << file << " " << included;
+  }
+}
+
 TEST(Objection, KeepsTheCheckerOfProofsApart) {
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/proof/b.hpp"), "");
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem.hpp"), "");
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem_spec.hpp"), "");
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "io/rational.hpp"), "");
-  EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/efficiency.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/train/efficiency.hpp"), "");
   EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/verification/verification.hpp"), "");
-  EXPECT_NE(objection("gearbox/proof/a.cpp", "optimization/interval.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/a.cpp", "optimization/expressions/interval.hpp"), "");
   EXPECT_NE(objection("gearbox/proof/a.cpp", "../efficiency.hpp"), "");
   EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/proof/../efficiency.hpp"), "");
 }

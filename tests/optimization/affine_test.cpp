@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Affine forms. Oracle: exact fractions; a linear function is extreme at the corners of a box, and
 // these are enumerated.
-#include "optimization/affine.hpp"
+#include "optimization/expressions/affine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "optimization/box.hpp"
+#include "optimization/expressions/box.hpp"
 #include "tests/optimization/true_values.hpp"
 #include "tests/oracles/dice.hpp"
 

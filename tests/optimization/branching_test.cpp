@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Halves and points of boxes. Oracle: sets of points.
-#include "optimization/branching.hpp"
+#include "optimization/discrete/branching.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "optimization/enumeration.hpp"
+#include "optimization/discrete/enumeration.hpp"
 #include "tests/optimization/boxes.hpp"
 #include "tests/optimization/toy_problems.hpp"
 

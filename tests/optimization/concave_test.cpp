@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Concave functions from above.
-#include "optimization/concave.hpp"
+#include "optimization/expressions/concave.hpp"
 
 #include <gtest/gtest.h>
 

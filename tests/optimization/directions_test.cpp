@@ -7,7 +7,7 @@
 
 #include "gearbox/topologies/planetary_model.hpp"
 #include "gearbox/topologies/three_k_model.hpp"
-#include "optimization/judge.hpp"
+#include "optimization/discrete/judge.hpp"
 #include "tests/optimization/boxes.hpp"
 
 namespace torquewright::optimization {

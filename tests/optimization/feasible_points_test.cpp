@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "optimization/branch_and_bound.hpp"
+#include "optimization/discrete/branch_and_bound.hpp"
 #include "tests/optimization/toy_problems.hpp"
 
 namespace torquewright::optimization {

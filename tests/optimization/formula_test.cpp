@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Expressions, laid out and evaluated. Oracle: the same formula, written by hand in exact fractions
 // (MPFR where there are roots or angles).
-#include "optimization/formula.hpp"
+#include "optimization/expressions/formula.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "optimization/apply.hpp"
+#include "optimization/expressions/apply.hpp"
 #include "tests/optimization/random_intervals.hpp"
 
 namespace torquewright::optimization {

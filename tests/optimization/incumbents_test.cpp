@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The best points found. Oracle: sorting all that was offered.
-#include "optimization/incumbents.hpp"
+#include "optimization/discrete/incumbents.hpp"
 
 #include <gtest/gtest.h>
 

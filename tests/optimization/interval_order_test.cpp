@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "optimization/apply.hpp"
+#include "optimization/expressions/apply.hpp"
 #include "tests/optimization/random_intervals.hpp"
 
 namespace torquewright::optimization {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arithmetic of intervals. Oracle: the same operation on members, in exact fractions.
-#include "optimization/interval.hpp"
+#include "optimization/expressions/interval.hpp"
 
 #include <gtest/gtest.h>
 

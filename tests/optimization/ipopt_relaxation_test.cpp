@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "optimization/relaxation.hpp"
+#include "optimization/discrete/relaxation.hpp"
 #include "tests/optimization/toy_problems.hpp"
 
 namespace torquewright::optimization {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a judge says of points and boxes. Oracle: exact fractions, all points of small boxes.
-#include "optimization/judge.hpp"
+#include "optimization/discrete/judge.hpp"
 
 #include <gtest/gtest.h>
 

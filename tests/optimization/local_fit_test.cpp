@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracles: optima in closed form.
-#include "optimization/local_fit.hpp"
+#include "optimization/fit/local_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -76,8 +76,9 @@ TEST(LocalFit, SeveralStartsFindTheDeeperValley) {
 
 // What is not determined shows as a spread: only the sum of x and y matters.
 TEST(LocalFit, ShowsAValleyBySpread) {
-  const LocalFit fit = fit_locally([](Parameters x) { return std::pow(x[0] + x[1] - 1.0, 2.0) + 1.0; },
-                                   {{0.0, 1.0, 0.1}, {0.0, 1.0, 0.9}});
+  const LocalFit fit =
+      fit_locally([](Parameters x) { return std::pow(x[0] + x[1] - 1.0, 2.0) + 1.0; },
+                  {{0.0, 1.0, 0.1}, {0.0, 1.0, 0.9}});
   EXPECT_EQ(fit.agreeing, 5U);
   EXPECT_GT(fit.point_spread[0], 0.2);
 }
@@ -100,8 +101,8 @@ TEST(LocalFit, AvoidsWhereNothingIsFinite) {
       },
       {{0.0, 1.0, 0.1}, {0.0, 1.0, 0.1}});
   EXPECT_NEAR(fit.point[0], 0.5, 1e-3);
-  const LocalFit none = fit_locally([](Parameters) { return std::numeric_limits<double>::quiet_NaN(); },
-                                    {{0.0, 1.0, 0.1}});
+  const LocalFit none = fit_locally(
+      [](Parameters) { return std::numeric_limits<double>::quiet_NaN(); }, {{0.0, 1.0, 0.1}});
   EXPECT_EQ(none.stop, FitStop::kFailed);
 }
 

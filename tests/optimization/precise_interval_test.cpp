@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Intervals of 256 bits. Oracle: exact fractions; for functions MPFR at 400 bits.
-#include "optimization/precise_interval.hpp"
+#include "optimization/expressions/precise_interval.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
-#include "optimization/apply.hpp"
+#include "optimization/expressions/apply.hpp"
 #include "tests/optimization/random_fraction.hpp"
 #include "tests/optimization/random_intervals.hpp"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tree that a search leaves behind says why no other point is better. Oracle: every claim of
 // it, checked on all points of the box it is about, in exact fractions.
-#include "optimization/proof_tree.hpp"
+#include "optimization/discrete/proof_tree.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "optimization/branch_and_bound.hpp"
+#include "optimization/discrete/branch_and_bound.hpp"
 #include "tests/optimization/toy_problems.hpp"
 
 namespace torquewright::optimization {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Propagation keeps every feasible point that is good enough. Oracle: all points of small boxes.
-#include "optimization/propagation.hpp"
+#include "optimization/discrete/propagation.hpp"
 
 #include <gtest/gtest.h>
 

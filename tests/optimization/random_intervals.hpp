@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "optimization/interval.hpp"
+#include "optimization/expressions/interval.hpp"
 #include "tests/optimization/true_values.hpp"
 #include "tests/oracles/dice.hpp"
 

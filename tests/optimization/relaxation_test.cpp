@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dual bounds. Any point and any multipliers must give a true bound. Oracle: all points of the box,
 // in exact fractions.
-#include "optimization/relaxation.hpp"
+#include "optimization/discrete/relaxation.hpp"
 
 #include <gtest/gtest.h>
 

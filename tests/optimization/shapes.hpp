@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optimization/expression.hpp"
+#include "optimization/expressions/expression.hpp"
 #include "tests/optimization/boxes.hpp"
 
 namespace torquewright::optimization {

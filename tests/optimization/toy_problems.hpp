@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optimization/problem.hpp"
+#include "optimization/discrete/problem.hpp"
 #include "tests/optimization/true_values.hpp"
 #include "tests/oracles/dice.hpp"
 

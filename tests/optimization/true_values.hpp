@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/rational.hpp"
-#include "optimization/precise_interval.hpp"
+#include "optimization/expressions/precise_interval.hpp"
 
 namespace torquewright::optimization {
 

@@ -47,9 +47,9 @@ TEST(GearboxObjectives, EfficiencyOfCompactsTrain) {
   EXPECT_NEAR(static_cast<double>(eta.backward), .5372, 5e-5);
 }
 
-// Oracle: docs/derivations/efficiency.md, "What transmits nothing". A ring's tip lies inside its base
-// circle below 33.16 teeth. Sun 40, planet 1: e_A + e_R = .784 + .425, so Lambda > 1/2, and .9 pi
-// (1 + 1/40) Lambda > 1: friction takes all power.
+// Oracle: docs/derivations/efficiency.md, "What transmits nothing". A ring's tip lies inside its
+// base circle below 33.16 teeth. Sun 40, planet 1: e_A + e_R = .784 + .425, so Lambda > 1/2, and .9
+// pi (1 + 1/40) Lambda > 1: friction takes all power.
 TEST(GearboxObjectives, EfficiencyIsZeroWhereAMeshPassesNothing) {
   Problem problem = d151_problem();
   problem.friction_coefficient = Rational(1, 10);

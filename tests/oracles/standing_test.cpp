@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearbox/ranking.hpp"
-#include "gearbox/result_spec.hpp"
-#include "gearbox/topology.hpp"
+#include "gearbox/search/ranking.hpp"
+#include "gearbox/search/result_spec.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "io/document.hpp"
 #include "tests/oracles/dice.hpp"
 #include "tests/oracles/gearbox_enumeration.hpp"

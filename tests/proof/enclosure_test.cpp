@@ -163,7 +163,7 @@ TEST(ConcaveForm, NeverRefutesWhatSatisfiesIt) {
   std::mt19937 random(5);
   proof::Claim claim;
   claim.hypotheses = proof::constraints_of(problem);
-  claim.hypotheses.push_back({"positive_teeth", proof::Family::kPositiveTeeth, 0, ""});
+  claim.hypotheses.push_back({"positive_teeth", proof::ConstraintFamily::kPositiveTeeth, 0, ""});
   const Alternative alternative(problem, 4, Rational(3, 5));
   const Choice choice{&problem, 4, 0.6};
   PlainClaim plain{&problem, "optimum", {}, "", PlainDesign{{44, 44, 32}, 4, 0.6}, {}, "", 0};

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <map>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/log.hpp"
 #include "io/document.hpp"
 #include "io/spec_error.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The servo's log from the voltage equation to a refined document, and that document's motion by
-// simulation, which no part of the regression knows. Oracle: the study by hand of the same log: mean
-// absolute position error, runs at gain 200 held out, viscous 0.094 rad, with load friction 0.052 to
-// 0.058. (Constants fitted by simulation: bam_servos_test.cpp.)
+// simulation, which no part of the regression knows. Oracle: the study by hand of the same log:
+// mean absolute position error, runs at gain 200 held out, viscous 0.094 rad, with load friction
+// 0.052 to 0.058. (Constants fitted by simulation: bam_servos_test.cpp.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,11 +35,11 @@ PositionScore motion_of(const ServoLog& log, const actuator::Actuator& actuator)
 }
 
 bool is_in_doubt(const EquationResult& equation, const std::string& effect) {
-  return std::any_of(equation.confounded.begin(), equation.confounded.end(),
-                     [&](const Confounded& group) {
-                       return !group.exact && std::find(group.effects.begin(), group.effects.end(),
-                                                        effect) != group.effects.end();
-                     });
+  return std::any_of(
+      equation.confounded.begin(), equation.confounded.end(), [&](const Confounded& group) {
+        return !group.exact &&
+               std::find(group.effects.begin(), group.effects.end(), effect) != group.effects.end();
+      });
 }
 
 TEST(RefinedServo, LoadFrictionAloneIsCertainAndTheMotionIsRight) {

@@ -9,17 +9,17 @@
 #include <cmath>
 
 #include "gearbox/proof/certificate.hpp"
-#include "gearbox/result_spec.hpp"
-#include "gearbox/topology.hpp"
+#include "gearbox/search/result_spec.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "tests/oracles/gearbox_objectives.hpp"
 
 namespace torquewright::search_test {
 namespace {
 
 using gearbox::Design;
+using gearbox::DesignSearchResult;
+using gearbox::DesignSearchStatus;
 using gearbox::Problem;
-using gearbox::SynthesisResult;
-using gearbox::SynthesisStatus;
 using oracles::Found;
 
 // docs/certificate.md: values with roots or angles count as equal below this relative difference.
@@ -82,10 +82,10 @@ std::string text(const std::vector<Design>& designs) {
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
-const char* text(SynthesisStatus status) {
-  return status == SynthesisStatus::kOptimal      ? "optimal"
-         : status == SynthesisStatus::kInfeasible ? "infeasible"
-                                                  : "limit";
+const char* text(DesignSearchStatus status) {
+  return status == DesignSearchStatus::kOptimal      ? "optimal"
+         : status == DesignSearchStatus::kInfeasible ? "infeasible"
+                                                     : "limit";
 }
 
 std::vector<Design> designs_of(const Problem& problem, const std::vector<Found>& list,
@@ -149,7 +149,7 @@ class Observer {
 };
 
 void compare_designs(const Problem& problem, const std::vector<Found>& ranked, std::size_t top,
-                     const SynthesisResult& found, std::vector<std::string>& disagreements) {
+                     const DesignSearchResult& found, std::vector<std::string>& disagreements) {
   const auto expect = [&](const char* what, const std::vector<Design>& ours,
                           const std::vector<Design>& right) {
     if (ours == right) return;
@@ -175,7 +175,7 @@ void compare_objective(const std::string& what, double ours, const Problem& prob
 }
 
 void compare_objectives(const Problem& problem, const std::vector<Found>& ranked,
-                        const SynthesisResult& found, std::vector<std::string>& disagreements) {
+                        const DesignSearchResult& found, std::vector<std::string>& disagreements) {
   const gearbox::Topology& topology = *gearbox::find_topology(problem.topology);
   for (std::size_t i = 0; i < std::min(found.designs.size(), ranked.size()); ++i) {
     compare_objective("the search's objective", found.objectives[i], problem, ranked[i],
@@ -192,7 +192,7 @@ void compare_objectives(const Problem& problem, const std::vector<Found>& ranked
 }
 
 // Of a conflict's members each design satisfies all but one.
-void compare_conflict(const Problem& problem, const SynthesisResult& found,
+void compare_conflict(const Problem& problem, const DesignSearchResult& found,
                       std::vector<std::string>& disagreements) {
   for (const gearbox::ConflictMember& member : found.conflict) {
     if (!member.without_it) continue;
@@ -208,7 +208,7 @@ void compare_conflict(const Problem& problem, const SynthesisResult& found,
   }
 }
 
-void check_proof(const Problem& problem, const SynthesisResult& found,
+void check_proof(const Problem& problem, const DesignSearchResult& found,
                  std::vector<std::string>& disagreements) {
   const auto json = nlohmann::json::parse(gearbox::result_json(problem, found).dump());
   const auto verdict = gearbox::proof::check_certificate(problem, json);
@@ -241,19 +241,19 @@ Comparison compare(const Problem& problem, const Truth& truth,
   Comparison result;
   Observer observer(problem,
                     designs_of(problem, truth.ranked, 0, kept_count(problem, truth.ranked, top)));
-  gearbox::SynthesisOptions options;
+  gearbox::DesignSearchOptions options;
   options.top = top;
   options.relaxation = relaxation;
   options.on_close = [&](std::size_t alternative, const optimization::Box& box, double ceiling) {
     observer.on_close(alternative, box, ceiling);
   };
   const auto start = std::chrono::steady_clock::now();
-  const SynthesisResult found = gearbox::optimize(problem, options);
+  const DesignSearchResult found = gearbox::optimize(problem, options);
   result.search_s = seconds_since(start);
   result.counts = found.search;
 
   const auto right =
-      truth.ranked.empty() ? SynthesisStatus::kInfeasible : SynthesisStatus::kOptimal;
+      truth.ranked.empty() ? DesignSearchStatus::kInfeasible : DesignSearchStatus::kOptimal;
   if (found.status != right) {
     result.disagreements.push_back(
         fmt::format("status {}, by enumeration {}", text(found.status), text(right)));

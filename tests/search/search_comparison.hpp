@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gearbox/synthesis.hpp"
+#include "gearbox/search/search.hpp"
 #include "tests/oracles/gearbox_enumeration.hpp"
 
 namespace torquewright::search_test {

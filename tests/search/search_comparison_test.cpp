@@ -51,8 +51,8 @@ TEST(Search, AgreesWithEnumerationOnRandomProblems) {
 // The answers, found by enumeration, to problems on which other solvers were seen to be wrong.
 TEST(Search, IsRightWhereOthersFail) {
   for (const oracles::HardProblem& hard : oracles::hard_problems()) {
-    const gearbox::SynthesisResult found = gearbox::optimize(hard.problem, {});
-    ASSERT_EQ(found.status, gearbox::SynthesisStatus::kOptimal) << hard.problem.name;
+    const gearbox::DesignSearchResult found = gearbox::optimize(hard.problem, {});
+    ASSERT_EQ(found.status, gearbox::DesignSearchStatus::kOptimal) << hard.problem.name;
     EXPECT_EQ(found.designs.front().teeth, hard.teeth) << hard.problem.name;
     for (const RelaxationUse use : kUses) expect_agreement(hard.problem, use, 1);
   }

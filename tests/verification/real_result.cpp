@@ -4,14 +4,15 @@
 #include <fstream>
 
 #include "gearbox/problem_spec.hpp"
-#include "gearbox/result_spec.hpp"
+#include "gearbox/search/result_spec.hpp"
+#include "gearbox/search/search.hpp"
 #include "io/provenance.hpp"
 
 namespace torquewright::gearbox::verification_test {
 namespace {
 
-SynthesisOptions options_from(const Json& json) {
-  SynthesisOptions options;
+DesignSearchOptions options_from(const Json& json) {
+  DesignSearchOptions options;
   options.top = json.value("top", options.top);
   options.max_nodes = json.value("max_nodes", options.max_nodes);
   const std::string use = json.value("relaxation", "auto");

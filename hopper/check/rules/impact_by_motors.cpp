@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "actuator/joint_region.hpp"
+#include "actuator/region/joint_region.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 
 namespace torquewright::hopper {
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kNegligible = 1e-3;  // of weight times size times the window
 
-double peak_torque_Nm(const actuator::Actuator& actuator, const actuator::Conditions& conditions) {
+double peak_torque_Nm(const actuator::Actuator& actuator,
+                      const actuator::OperatingConditions& conditions) {
   const actuator::JointRange range = actuator::Region(actuator, conditions).at(0.0);
   return std::max(range.greatest.torque_Nm, -range.least.torque_Nm);
 }

@@ -78,24 +78,24 @@ TEST(Check, FiguresOfARamp) {
   Checked checked;
   const CheckReport report = checked.report(motion(1000, nullptr, steady_5, ramp_40));
   const DriveReport& drive = report.drives.at(0);
-  const Reading& reading = drive.reading;
+  const Interpretation& interpretation = drive.interpretation;
   EXPECT_EQ(report.verdict, Verdict::kFail);
   EXPECT_EQ(drive.samples, 1001u);
-  EXPECT_EQ(reading.clipped_samples, 250u);
-  EXPECT_NEAR(reading.clipped_time_s, 0.2495, 1e-12);
-  EXPECT_NEAR(reading.worst.time_s, 1.0, 0.0);
-  EXPECT_NEAR(reading.worst.excess_Nm, 10.0, 1e-12);
-  EXPECT_NEAR(*reading.worst.limit_Nm, 30.0, 1e-12);
-  EXPECT_EQ(reading.worst.limiter, Limiter::kCurrent);
-  EXPECT_NEAR(reading.margin_Nm, -10.0, 1e-12);
-  EXPECT_FALSE(reading.speed_margin_rad_s.has_value());
-  EXPECT_NEAR(*reading.voltage_margin_V, 48.0 - 0.5 * 40.0 - 5.0, 1e-12);
-  EXPECT_NEAR(reading.peak_torque_Nm, 40.0, 0.0);
-  EXPECT_NEAR(reading.rms_torque_Nm, 40.0 / std::sqrt(3.0), 1e-5);
-  EXPECT_NEAR(reading.peak_current_A, 40.0, 1e-12);
-  EXPECT_NEAR(reading.rms_current_A, 40.0 / std::sqrt(3.0), 1e-5);
-  EXPECT_NEAR(reading.energy_drawn_J, 100.0 + 0.5 * 1600.0 / 3.0, 1e-3);
-  EXPECT_EQ(reading.energy_returned_J, 0.0);
+  EXPECT_EQ(interpretation.clipped_samples, 250u);
+  EXPECT_NEAR(interpretation.clipped_time_s, 0.2495, 1e-12);
+  EXPECT_NEAR(interpretation.worst.time_s, 1.0, 0.0);
+  EXPECT_NEAR(interpretation.worst.excess_Nm, 10.0, 1e-12);
+  EXPECT_NEAR(*interpretation.worst.limit_Nm, 30.0, 1e-12);
+  EXPECT_EQ(interpretation.worst.limiter, Limiter::kCurrent);
+  EXPECT_NEAR(interpretation.margin_Nm, -10.0, 1e-12);
+  EXPECT_FALSE(interpretation.speed_margin_rad_s.has_value());
+  EXPECT_NEAR(*interpretation.voltage_margin_V, 48.0 - 0.5 * 40.0 - 5.0, 1e-12);
+  EXPECT_NEAR(interpretation.peak_torque_Nm, 40.0, 0.0);
+  EXPECT_NEAR(interpretation.rms_torque_Nm, 40.0 / std::sqrt(3.0), 1e-5);
+  EXPECT_NEAR(interpretation.peak_current_A, 40.0, 1e-12);
+  EXPECT_NEAR(interpretation.rms_current_A, 40.0 / std::sqrt(3.0), 1e-5);
+  EXPECT_NEAR(interpretation.energy_drawn_J, 100.0 + 0.5 * 1600.0 / 3.0, 1e-3);
+  EXPECT_EQ(interpretation.energy_returned_J, 0.0);
   EXPECT_TRUE(has_finding(report, "motor-operating-region", Severity::kViolation));
 }
 
@@ -105,12 +105,12 @@ double braking(double) { return -4.0; }
 TEST(Check, CountsReturnedEnergy) {
   Checked checked;
   const CheckReport report = checked.report(motion(10, nullptr, steady_5, braking));
-  EXPECT_NEAR(report.drives[0].reading.energy_returned_J, 12.0, 1e-12);
-  EXPECT_EQ(report.drives[0].reading.energy_drawn_J, 0.0);
+  EXPECT_NEAR(report.drives[0].interpretation.energy_returned_J, 12.0, 1e-12);
+  EXPECT_EQ(report.drives[0].interpretation.energy_drawn_J, 0.0);
   EXPECT_EQ(report.verdict, Verdict::kPass);
   // The torque bounds are 30 above and below -30 Nm; the speed bound for -4 Nm is 48 + 2 rad/s.
-  EXPECT_NEAR(report.drives[0].reading.margin_Nm, 26.0, 1e-9);
-  EXPECT_NEAR(*report.drives[0].reading.speed_margin_rad_s, 45.0, 1e-6);
+  EXPECT_NEAR(report.drives[0].interpretation.margin_Nm, 26.0, 1e-9);
+  EXPECT_NEAR(*report.drives[0].interpretation.speed_margin_rad_s, 45.0, 1e-6);
 }
 
 double at_the_cap(double) { return 30.0; }
@@ -137,7 +137,7 @@ TEST(Check, ReflectedInertiaDecidesAndIsNotDecided) {
   const CheckReport open = checked.report(text);
   EXPECT_EQ(open.verdict, Verdict::kUndecided);
   ASSERT_TRUE(open.drives[0].with_inertia.has_value());
-  EXPECT_EQ(open.drives[0].reading.clipped_samples, 0u);
+  EXPECT_EQ(open.drives[0].interpretation.clipped_samples, 0u);
   EXPECT_NEAR(open.drives[0].with_inertia->peak_torque_Nm, peak_Nm, 1e-4);
   EXPECT_TRUE(has_finding(open, "reflected-inertia", Severity::kWarning));
   const auto json = check_report_json(open);
@@ -151,7 +151,7 @@ TEST(Check, ReflectedInertiaDecidesAndIsNotDecided) {
   const CheckReport added = checked.report(text);
   EXPECT_EQ(added.verdict, Verdict::kFail);
   EXPECT_FALSE(added.drives[0].with_inertia.has_value());
-  EXPECT_NEAR(added.drives[0].reading.peak_torque_Nm, peak_Nm, 1e-4);
+  EXPECT_NEAR(added.drives[0].interpretation.peak_torque_Nm, peak_Nm, 1e-4);
 }
 
 TEST(Check, BothReadingsAgreeingDecide) {
@@ -190,8 +190,8 @@ TEST(Check, DifferentiatesThePosition) {
   EXPECT_FALSE(given.drives[0].is_speed_differentiated);
   EXPECT_TRUE(derived.drives[0].is_speed_differentiated);
   EXPECT_NEAR(derived.drives[0].peak_speed_rad_s, given.drives[0].peak_speed_rad_s, 1e-4);
-  EXPECT_NEAR(derived.drives[0].reading.energy_drawn_J, given.drives[0].reading.energy_drawn_J,
-              1e-3);
+  EXPECT_NEAR(derived.drives[0].interpretation.energy_drawn_J,
+              given.drives[0].interpretation.energy_drawn_J, 1e-3);
   EXPECT_TRUE(has_finding(derived, "velocity-differentiated", Severity::kNote));
 }
 
@@ -222,12 +222,12 @@ TEST(Check, WindingOverRepeatedRuns) {
   const CheckReport once = checked.report(text);
   EXPECT_EQ(once.verdict, Verdict::kPass);
   EXPECT_TRUE(has_finding(once, "winding-temperature", Severity::kWarning));
-  EXPECT_NEAR(*once.drives[0].reading.winding->steady_peak_K, 400.0, 1e-6);
+  EXPECT_NEAR(*once.drives[0].interpretation.winding->steady_peak_K, 400.0, 1e-6);
   checked.request().runs = 100000;
   const CheckReport often = checked.report(text);
   EXPECT_EQ(often.verdict, Verdict::kFail);
   EXPECT_TRUE(has_finding(often, "winding-temperature", Severity::kViolation));
-  EXPECT_NEAR(often.drives[0].reading.winding->peak_K, 400.0, 1e-6);
+  EXPECT_NEAR(often.drives[0].interpretation.winding->peak_K, 400.0, 1e-6);
 }
 
 std::string ankle_motion() {
@@ -248,11 +248,12 @@ TEST(Check, TwoActuatorsMoveOneAnkle) {
   request.parallels = {ankle};
   const CheckReport report = checked.report(ankle_motion());
   EXPECT_EQ(report.verdict, Verdict::kPass);
-  EXPECT_NEAR(report.drives[0].reading.peak_torque_Nm, 26.0, 1e-12);
-  EXPECT_NEAR(report.drives[1].reading.peak_torque_Nm, 14.0, 1e-12);
+  EXPECT_NEAR(report.drives[0].interpretation.peak_torque_Nm, 26.0, 1e-12);
+  EXPECT_NEAR(report.drives[1].interpretation.peak_torque_Nm, 14.0, 1e-12);
   EXPECT_NEAR(report.drives[0].peak_speed_rad_s, 4.0, 1e-12);
   EXPECT_NEAR(report.drives[1].peak_speed_rad_s, 2.0, 1e-12);
-  EXPECT_NEAR(report.drives[0].reading.energy_drawn_J + report.drives[1].reading.energy_drawn_J,
+  EXPECT_NEAR(report.drives[0].interpretation.energy_drawn_J +
+                  report.drives[1].interpretation.energy_drawn_J,
               0.2 * (132.0 + 0.5 * (26.0 * 26.0 + 14.0 * 14.0)), 1e-10);
 
   ankle.first_rad = {0.0, 0.5};
@@ -284,8 +285,8 @@ TEST(Check, ASingleRowIsChecked) {
   Checked checked;
   const CheckReport report = checked.report("time_s,k_velocity_rad_s,k_torque_Nm\n0,5,40\n");
   EXPECT_EQ(report.verdict, Verdict::kFail);
-  EXPECT_EQ(report.drives[0].reading.rms_torque_Nm, 40.0);
-  EXPECT_EQ(report.drives[0].reading.clipped_time_s, 0.0);
+  EXPECT_EQ(report.drives[0].interpretation.rms_torque_Nm, 40.0);
+  EXPECT_EQ(report.drives[0].interpretation.clipped_time_s, 0.0);
 }
 
 TEST(Check, TracesAreThinnedButKeepViolations) {

@@ -101,34 +101,37 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{"a,b\n1.5,2,3\n", "line 2: has 3 cells, the header has 2"},
         MistakenText{"a,b\n1,2,3,4,5\n", "line 2: has 5 cells, the header has 2"},
         MistakenText{"a,b\n1,5,2\n",  // only one of the numbers has a fraction
-                "line 2: has 3 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
+                     "line 2: has 3 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
         MistakenText{"a,b\n1,5,2,5\n",
-                "line 2: has 4 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
+                     "line 2: has 4 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
         MistakenText{"a,b\n\"1,5\",2\n",
-                "line 2, column 1 (a): \"1,5\" has a decimal comma; write 1.5, not 1,5"},
-        MistakenText{"a;b\n1,5;2,5\n",
-                "line 1: the columns are separated by semicolons; must be commas, and decimals "
-                "points"},
-        MistakenText{"a\tb\n1\t2\n",
-                "line 1: the columns are separated by tabs; must be commas, and decimals points"},
+                     "line 2, column 1 (a): \"1,5\" has a decimal comma; write 1.5, not 1,5"},
+        MistakenText{
+            "a;b\n1,5;2,5\n",
+            "line 1: the columns are separated by semicolons; must be commas, and decimals "
+            "points"},
+        MistakenText{
+            "a\tb\n1\t2\n",
+            "line 1: the columns are separated by tabs; must be commas, and decimals points"},
         MistakenText{"a,b\n1;2\n",
-                "line 2: has 1 cells, the header has 2; separated by semicolons? they "
-                "must be commas, and decimals points"},
+                     "line 2: has 1 cells, the header has 2; separated by semicolons? they "
+                     "must be commas, and decimals points"},
         MistakenText{"a,b\n1,2\na,b\n1,2\n",
-                "line 3: the header stands here again; one file holds one table"},
+                     "line 3: the header stands here again; one file holds one table"},
         MistakenText{"a,b,a\n1,2,3\n",
-                "line 1, column 3 (a): the name \"a\" stands twice in the header"},
+                     "line 1, column 3 (a): the name \"a\" stands twice in the header"},
         MistakenText{"1,2\n3,4\n",
-                "line 1, column 1 (1): 1 is a number; the first line must name the columns"},
+                     "line 1, column 1 (1): 1 is a number; the first line must name the columns"},
         MistakenText{"a,b\n1,2\n\n3,4\n", "line 3: empty, between rows"},
         MistakenText{"a,b\n1,\"2\n", "line 2, column 2 (b): a quote opens here and never closes"},
-        MistakenText{"a,b\n1,\"2\"3\n", "line 2, column 2 (b): text stands behind the closing quote"},
+        MistakenText{"a,b\n1,\"2\"3\n",
+                     "line 2, column 2 (b): text stands behind the closing quote"},
         MistakenText{std::string("a,b\n1,\0\n", 8),
-                "line 2: holds bytes that are no text; save it as UTF-8"},
+                     "line 2: holds bytes that are no text; save it as UTF-8"},
         MistakenText{std::string("\xFF\xFE"
-                            "a\0,\0",
-                            6),
-                "line 1: holds bytes that are no text; save it as UTF-8"}));
+                                 "a\0,\0",
+                                 6),
+                     "line 1: holds bytes that are no text; save it as UTF-8"}));
 
 TEST(Csv, RefusesFoldersAndMissingFiles) {
   const test::ScratchFolder folder;

@@ -12,7 +12,7 @@ namespace torquewright::actuator {
 namespace {
 
 Demand demand(const Actuator& actuator, double speed_rad_s, double torque_Nm) {
-  return *demand_at(actuator, machine_at(actuator, {}), kDefaultTemperature_K, speed_rad_s,
+  return *demand_at(actuator, phase_model_at(actuator, {}), kDefaultTemperature_K, speed_rad_s,
                     torque_Nm);
 }
 
@@ -64,9 +64,9 @@ TEST(Demand, IsEmptyWhereSaturationYieldsNoTorque) {
   Actuator actuator = test::simple_actuator();
   actuator.effects.push_back(
       {find_effect("torque_constant_saturation"), {20.0, 2.0}, {}, false, ""});
-  const Machine machine = machine_at(actuator, {});
-  EXPECT_TRUE(demand_at(actuator, machine, kDefaultTemperature_K, 0.0, 19.9).has_value());
-  EXPECT_FALSE(demand_at(actuator, machine, kDefaultTemperature_K, 0.0, 20.1).has_value());
+  const PhaseModel model = phase_model_at(actuator, {});
+  EXPECT_TRUE(demand_at(actuator, model, kDefaultTemperature_K, 0.0, 19.9).has_value());
+  EXPECT_FALSE(demand_at(actuator, model, kDefaultTemperature_K, 0.0, 20.1).has_value());
 }
 
 }  // namespace

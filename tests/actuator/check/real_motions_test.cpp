@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <list>
 
-#include "actuator/actuator_spec.hpp"
 #include "actuator/check/check.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "actuator/trajectory/columns_spec.hpp"
 
 namespace torquewright::actuator {
@@ -75,7 +75,8 @@ TEST_P(MiniCheetah, BackFlipPasses) {
     flip.request.window.until_s = until_s;
     const CheckReport report = check(flip.request);
     EXPECT_EQ(report.verdict, Verdict::kPass);
-    for (const DriveReport& drive : report.drives) EXPECT_EQ(drive.reading.clipped_samples, 0u);
+    for (const DriveReport& drive : report.drives)
+      EXPECT_EQ(drive.interpretation.clipped_samples, 0u);
   }
 }
 
@@ -85,21 +86,21 @@ TEST_P(MiniCheetah, FrontJumpClipsTheRearHip) {
   EXPECT_EQ(whole.verdict, Verdict::kFail);
   const DriveReport& hip = whole.drives[2];
   ASSERT_EQ(hip.name, "rhip");
-  EXPECT_EQ(hip.reading.clipped_samples, 97u);  // 10.2 % of 950
+  EXPECT_EQ(hip.interpretation.clipped_samples, 97u);  // 10.2 % of 950
   EXPECT_EQ(hip.samples, 950u);
-  EXPECT_NEAR(hip.reading.worst.excess_Nm, 1.271, 5e-4);
-  EXPECT_NEAR(hip.reading.worst.time_s, 0.504, 1e-9);
-  EXPECT_EQ(hip.reading.worst.limiter, Limiter::kCurrent);
+  EXPECT_NEAR(hip.interpretation.worst.excess_Nm, 1.271, 5e-4);
+  EXPECT_NEAR(hip.interpretation.worst.time_s, 0.504, 1e-9);
+  EXPECT_EQ(hip.interpretation.worst.limiter, Limiter::kCurrent);
   for (const std::size_t other : {0u, 1u, 3u}) {
-    EXPECT_EQ(whole.drives[other].reading.clipped_samples, 0u);
+    EXPECT_EQ(whole.drives[other].interpretation.clipped_samples, 0u);
   }
   // The rear knee keeps 0.095 Nm as the file stands; the rotor's torque on top would clip it.
   EXPECT_EQ(whole.drives[3].verdict, Verdict::kUndecided);
-  EXPECT_NEAR(whole.drives[3].reading.margin_Nm, 0.095, 5e-4);
+  EXPECT_NEAR(whole.drives[3].interpretation.margin_Nm, 0.095, 5e-4);
 
   jump.request.window.until_s = 0.6;
   const CheckReport start = check(jump.request);
-  EXPECT_EQ(start.drives[2].reading.clipped_samples, 97u);  // 16.1 % of 601
+  EXPECT_EQ(start.drives[2].interpretation.clipped_samples, 97u);  // 16.1 % of 601
   EXPECT_EQ(start.drives[2].samples, 601u);
 }
 
@@ -132,25 +133,25 @@ TEST(Cassie, JumpIsInsideEveryTorqueBoxAndLeavesTheRegionInBothKnees) {
   for (std::size_t i = 0; i < 10; ++i) {
     const DriveReport& drive = report.drives[i];
     EXPECT_EQ(drive.samples, 22u);
-    EXPECT_LE(drive.reading.peak_torque_Nm, joints[i % 5].effort_Nm) << drive.name;
+    EXPECT_LE(drive.interpretation.peak_torque_Nm, joints[i % 5].effort_Nm) << drive.name;
     const bool is_knee = i % 5 == 3;
     EXPECT_EQ(drive.verdict, is_knee ? Verdict::kFail : Verdict::kPass) << drive.name;
     if (!is_knee) continue;
-    EXPECT_EQ(drive.reading.clipped_samples, 1u);
-    EXPECT_NEAR(drive.reading.worst.time_s, 0.558, 5e-4);
-    EXPECT_EQ(drive.reading.worst.limiter, Limiter::kVoltage);
+    EXPECT_EQ(drive.interpretation.clipped_samples, 1u);
+    EXPECT_NEAR(drive.interpretation.worst.time_s, 0.558, 5e-4);
+    EXPECT_EQ(drive.interpretation.worst.limiter, Limiter::kVoltage);
   }
   const DriveReport& left = report.drives[3];
   const DriveReport& right = report.drives[8];
-  EXPECT_NEAR(left.reading.worst.torque_Nm, 73.3, 0.05);
-  EXPECT_NEAR(left.reading.worst.speed_rad_s, 8.80, 5e-3);
+  EXPECT_NEAR(left.interpretation.worst.torque_Nm, 73.3, 0.05);
+  EXPECT_NEAR(left.interpretation.worst.speed_rad_s, 8.80, 5e-3);
   EXPECT_NEAR(left.no_load_speed_rad_s, 136.136 / 16.0, 1e-9);  // printed as 8.509
   // Beyond no-load speed the region begins below zero: their law, continued.
-  EXPECT_NEAR(*left.reading.worst.limit_Nm,
-              2.0 * 195.2 * (1.0 - left.reading.worst.speed_rad_s / 8.5085), 1e-3);
-  EXPECT_NEAR(right.reading.worst.torque_Nm, 61.3, 0.05);
-  EXPECT_NEAR(right.reading.worst.speed_rad_s, 8.409, 5e-4);
-  EXPECT_NEAR(*right.reading.worst.limit_Nm, 4.5, 0.06);
+  EXPECT_NEAR(*left.interpretation.worst.limit_Nm,
+              2.0 * 195.2 * (1.0 - left.interpretation.worst.speed_rad_s / 8.5085), 1e-3);
+  EXPECT_NEAR(right.interpretation.worst.torque_Nm, 61.3, 0.05);
+  EXPECT_NEAR(right.interpretation.worst.speed_rad_s, 8.409, 5e-4);
+  EXPECT_NEAR(*right.interpretation.worst.limit_Nm, 4.5, 0.06);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "actuator/actuator.hpp"
+#include "actuator/motor/actuator.hpp"
 
 namespace torquewright::test {
 

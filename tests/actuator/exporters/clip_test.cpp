@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "actuator/clip_table.hpp"
+#include "actuator/region/clip_table.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 
 extern "C" double clip_parallelogram_in_c(double stall, double no_load, double greatest,
@@ -119,7 +119,8 @@ TEST(ClipToTable, FindsTheSameRowByIndexByBisectionAndInC) {
   const TableView indexed = table.view();
   TableView searched = indexed;
   searched.first_row = nullptr;
-  std::vector<double> speeds_rad_s = clip_points(example.table).speeds_rad_s;  // the rows themselves, too
+  std::vector<double> speeds_rad_s =
+      clip_points(example.table).speeds_rad_s;  // the rows themselves, too
   const double end_rad_s = 1.5 * example.region.greatest_speed_rad_s();
   for (int i = -5000; i <= 5000; ++i) speeds_rad_s.push_back(end_rad_s * i / 5000);
   const std::vector<double> torques_Nm(speeds_rad_s.size(), 1e9);

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <random>
 
-#include "actuator/actuator_spec.hpp"
 #include "actuator/effects/library.hpp"
 #include "actuator/exporters/exporter.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 
 namespace torquewright::actuator {
 
@@ -15,10 +15,10 @@ struct Example {
   explicit Example(Actuator of, Side side = Side::kJoint)
       : actuator(std::move(of)), region(actuator, conditions, side), table(mor_table(region)) {}
 
-  Subject subject(Fit fit) const { return {actuator, conditions, region, table, fit}; }
+  Subject subject(LawFit fit) const { return {actuator, conditions, region, table, fit}; }
 
   Actuator actuator;
-  Conditions conditions;
+  OperatingConditions conditions;
   Region region;
   MorTable table;
 };

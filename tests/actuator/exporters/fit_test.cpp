@@ -31,9 +31,9 @@ TEST(Downhill, FindsTheEndOfRosenbrocksValley) {
 }
 
 // Oracle: closed forms of the lossless knee, in example_actuators.hpp.
-TEST(Fit, OfALosslessActuatorIsItsParallelogram) {
+TEST(LawFit, OfALosslessActuatorIsItsParallelogram) {
   const Example example(knee());
-  for (const Fit fit : {Fit::kConservative, Fit::kBest}) {
+  for (const LawFit fit : {LawFit::kConservative, LawFit::kBest}) {
     for (const Exporter* exporter : kLines) {
       const Shape shape = exporter->shape(example.subject(fit));
       EXPECT_NEAR(shape[0], 1536.0, 1e-9);
@@ -43,13 +43,13 @@ TEST(Fit, OfALosslessActuatorIsItsParallelogram) {
   }
 }
 
-TEST(Fit, OnTheMotorsSideIsTheRotors) {
+TEST(LawFit, OnTheMotorsSideIsTheRotors) {
   const Example example(knee(), Side::kMotor);
-  const Shape shape = exporters::isaac_lab.shape(example.subject(Fit::kBest));
+  const Shape shape = exporters::isaac_lab.shape(example.subject(LawFit::kBest));
   EXPECT_NEAR(shape[0], 76.8, 1e-10);
   EXPECT_NEAR(shape[1], 210.0, 1e-10);
   EXPECT_NEAR(shape[2], 16.0, 1e-10);
-  EXPECT_NEAR(example.subject(Fit::kBest).armature_kg_m2(), 0.000922, 1e-15);
+  EXPECT_NEAR(example.subject(LawFit::kBest).armature_kg_m2(), 0.000922, 1e-15);
 }
 
 /// The greatest part of the law outside the region, where that holds zero torque: at speeds that
@@ -85,7 +85,7 @@ double mean_square_Nm2(const Example& example, const Exporter& exporter, const S
   return sum / kCount;
 }
 
-TEST(Fit, ConservativeStaysInsideAndBestIsNearerInTheMean) {
+TEST(LawFit, ConservativeStaysInsideAndBestIsNearerInTheMean) {
   std::mt19937 dice(20);
   for (int i = 0; i < 4; ++i) {
     const Example example(i == 0 ? lossy_knee() : random_actuator(dice));
@@ -93,12 +93,12 @@ TEST(Fit, ConservativeStaysInsideAndBestIsNearerInTheMean) {
     const double tolerance_Nm = 1e-3 * example.table.peak_torque_Nm;
     for (const Exporter* exporter : exporter_library()) {
       SCOPED_TRACE(exporter->name);
-      const Shape careful = exporter->shape(example.subject(Fit::kConservative));
+      const Shape careful = exporter->shape(example.subject(LawFit::kConservative));
       EXPECT_LE(greatest_excess_Nm(example, *exporter, careful), tolerance_Nm);
       EXPECT_TRUE(std::all_of(careful.begin(), careful.end(),
                               [](double value) { return std::isfinite(value); }));
       if (exporter->parameters.empty() || exporter == &exporters::urdf) continue;
-      const Shape best = exporter->shape(example.subject(Fit::kBest));
+      const Shape best = exporter->shape(example.subject(LawFit::kBest));
       EXPECT_LT(mean_square_Nm2(example, *exporter, best),
                 mean_square_Nm2(example, *exporter, careful));
       EXPECT_GT(greatest_excess_Nm(example, *exporter, best), tolerance_Nm);
@@ -107,12 +107,12 @@ TEST(Fit, ConservativeStaysInsideAndBestIsNearerInTheMean) {
 }
 
 // A conservative law that is needlessly small would pass the test above.
-TEST(Fit, ConservativeIsNotSmallerThanItMustBe) {
+TEST(LawFit, ConservativeIsNotSmallerThanItMustBe) {
   const Example example(lossy_knee());
   for (const Exporter* exporter : exporter_library()) {
     if (exporter->parameters.empty()) continue;
     SCOPED_TRACE(exporter->name);
-    Shape shape = exporter->shape(example.subject(Fit::kConservative));
+    Shape shape = exporter->shape(example.subject(LawFit::kConservative));
     for (std::size_t i = 0; i < shape.size(); ++i) {
       if (exporter->parameters[i].scales == Scales::kWithRegion) shape[i] *= 1.01;
     }
@@ -122,7 +122,7 @@ TEST(Fit, ConservativeIsNotSmallerThanItMustBe) {
 
 TEST(ErrorReport, OfTheRightLawIsNone) {
   const Example example(knee());
-  const Subject subject = example.subject(Fit::kConservative);
+  const Subject subject = example.subject(LawFit::kConservative);
   for (const Exporter* exporter : {&exporters::mujoco, &exporters::drake, &exporters::raisim2}) {
     const ErrorReport report = error_report(subject, *exporter, exporter->shape(subject));
     for (const QuadrantError& quadrant : report.quadrants) {
@@ -138,7 +138,7 @@ TEST(ErrorReport, OfTheRightLawIsNone) {
 // triangles: (w0 - wc) / (4 w0) = 2.1875 / 42 of its area, and by 320 Nm at 10.5 rad/s.
 TEST(ErrorReport, OfTheBoxIsTwoTriangles) {
   const Example example(knee());
-  const Subject subject = example.subject(Fit::kBest);
+  const Subject subject = example.subject(LawFit::kBest);
   const ErrorReport report = error_report(subject, exporters::urdf, exporters::urdf.shape(subject));
   EXPECT_NEAR(report.share_outside, 2.1875 / 42.0, 1e-6);
   const auto& [forward_upper, forward_lower, backward_upper, backward_lower] = report.quadrants;
@@ -156,7 +156,7 @@ TEST(ErrorReport, OfTheBoxIsTwoTriangles) {
 // where the motor brakes with 320 Nm, and no forced braking at the overspeed, where it cannot but.
 TEST(ErrorReport, OfTheSymmetricEnvelope) {
   const Example example(knee());
-  const Subject subject = example.subject(Fit::kConservative);
+  const Subject subject = example.subject(LawFit::kConservative);
   const ErrorReport report =
       error_report(subject, exporters::physx, Shape{320.0, 10.5, 10.5 / 1536.0});
   const QuadrantError& upper = report.quadrants[0];
@@ -171,7 +171,7 @@ TEST(ErrorReport, OfTheSymmetricEnvelope) {
 
 TEST(ErrorReport, SaysWhereNewtonContradictsItself) {
   const Example example(knee());
-  const Subject subject = example.subject(Fit::kConservative);
+  const Subject subject = example.subject(LawFit::kConservative);
   const ErrorReport right =
       error_report(subject, exporters::newton, exporters::newton.shape(subject));
   ASSERT_EQ(right.sentences.size(), 2u);
@@ -189,7 +189,7 @@ TEST(ErrorReport, SaysWhereNewtonContradictsItself) {
 
 TEST(ErrorReport, TellsTooMuchFromTooLittle) {
   const Example example(knee());
-  const Subject subject = example.subject(Fit::kConservative);
+  const Subject subject = example.subject(LawFit::kConservative);
   const ErrorReport more = error_report(subject, exporters::isaac_lab, Shape{1536.0, 10.5, 330.0});
   const ErrorReport less = error_report(subject, exporters::isaac_lab, Shape{1536.0, 10.5, 310.0});
   for (const QuadrantError& quadrant : more.quadrants) {
@@ -207,7 +207,7 @@ TEST(ErrorReport, SaysThatTheRegionIsEmptySomewhere) {
   Actuator actuator = knee();
   actuator.drive.regeneration = false;
   const Example example(actuator);
-  const Subject subject = example.subject(Fit::kConservative);
+  const Subject subject = example.subject(LawFit::kConservative);
   const ErrorReport report = error_report(subject, exporters::mujoco, line_start(subject));
   const bool is_said = std::any_of(
       report.sentences.begin(), report.sentences.end(), [](const std::string& sentence) {

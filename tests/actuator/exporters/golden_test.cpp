@@ -48,7 +48,7 @@ TEST(Golden, EveryFormatIsAsItWasReadBesideItsDocumentation) {
     ASSERT_FALSE(file.empty());
     const std::string golden = io::read_file_bytes(file);
     const std::string text =
-        simulator_file(example.subject(Fit::kConservative), *exporter, {"origin"}).text;
+        simulator_file(example.subject(LawFit::kConservative), *exporter, {"origin"}).text;
     EXPECT_EQ(without_numbers(text), without_numbers(golden));
     const std::vector<double> numbers = numbers_in(text);
     const std::vector<double> expected = numbers_in(golden);

@@ -10,9 +10,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "actuator/clip_table.hpp"
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
+#include "actuator/region/clip_table.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/io/scratch_folder.hpp"
 
@@ -49,7 +49,7 @@ struct Simulation {
   std::unique_ptr<mjData, Deleter> data;
 };
 
-std::string exported(const Example& example, Fit fit) {
+std::string exported(const Example& example, LawFit fit) {
   const Subject subject = example.subject(fit);
   const Shape shape = exporters::mujoco.shape(subject);
   return exporters::mujoco.write(subject, shape, {"a note -- with -- hyphens"});
@@ -57,7 +57,7 @@ std::string exported(const Example& example, Fit fit) {
 
 TEST(Mujoco, ReadsTheFileAsItWasMeant) {
   const Example example(knee());
-  const Simulation simulation(exported(example, Fit::kConservative));
+  const Simulation simulation(exported(example, LawFit::kConservative));
   ASSERT_EQ(simulation.model->nu, 1);
   ASSERT_EQ(simulation.model->nv, 1);
   EXPECT_NEAR(simulation.model->dof_armature[0], 400.0 * 0.000922, 1e-12);
@@ -69,7 +69,7 @@ TEST(Mujoco, ReadsTheFileAsItWasMeant) {
 
 TEST(Mujoco, DeliversTheRegionInAllFourQuadrants) {
   const Example example(knee());
-  Simulation simulation(exported(example, Fit::kConservative));
+  Simulation simulation(exported(example, LawFit::kConservative));
   const double end_rad_s = example.region.greatest_speed_rad_s();
   double worst_Nm = 0.0;
   for (int i = -kSpeeds; i <= kSpeeds; ++i) {
@@ -88,7 +88,7 @@ TEST(Mujoco, DeliversTheRegionInAllFourQuadrants) {
 // MuJoCo reads URDF as well.
 TEST(Mujoco, ReadsOurUrdf) {
   const Example example(knee());
-  const Subject subject = example.subject(Fit::kBest);
+  const Subject subject = example.subject(LawFit::kBest);
   std::string text = exporters::urdf.write(subject, exporters::urdf.shape(subject), {"note"});
   // It wants mass on whatever moves, which a limit's file does not know.
   const std::string link = "<link name=\"link\"/>";
@@ -103,14 +103,14 @@ TEST(Mujoco, ReadsOurUrdf) {
 
 // More voltage than there is, is not to be had.
 TEST(Mujoco, ClampsTheVoltage) {
-  Simulation simulation(exported(Example(knee()), Fit::kConservative));
+  Simulation simulation(exported(Example(knee()), LawFit::kConservative));
   EXPECT_EQ(simulation.force_Nm(9.0, 1000.0), simulation.force_Nm(9.0, 67.2));
   EXPECT_NEAR(simulation.force_Nm(0.0, 7.0), 160.0, 1e-9);  // 1536 Nm per 67.2 V
 }
 
 TEST(Mujoco, DoesWhatTheLawSaysWhereTheRegionIsNone) {
   const Example example(lossy_knee());
-  for (const Fit fit : {Fit::kConservative, Fit::kBest}) {
+  for (const LawFit fit : {LawFit::kConservative, LawFit::kBest}) {
     const Shape shape = exporters::mujoco.shape(example.subject(fit));
     Simulation simulation(exported(example, fit));
     const double end_rad_s = 1.2 * example.region.greatest_speed_rad_s();
@@ -216,7 +216,7 @@ TEST(Mujoco, DeliversTheRegionWithEffectsThroughATableAsFineAsAskedFor) {
 
 // Held at full voltage and let go, the joint ends at the no-load speed 67.2 / (20 0.32).
 TEST(Mujoco, RunsUpToTheNoLoadSpeed) {
-  Simulation simulation(exported(Example(knee()), Fit::kConservative));
+  Simulation simulation(exported(Example(knee()), LawFit::kConservative));
   simulation.model->opt.timestep = 1e-4;
   simulation.data->ctrl[0] = 67.2;
   for (int i = 0; i < 2000; ++i) mj_step(simulation.model.get(), simulation.data.get());

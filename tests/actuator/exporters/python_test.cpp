@@ -82,7 +82,7 @@ json arguments_in(const Exporter& exporter, const Example& example) {
   const std::string file =
       folder
           .write("config.py",
-                 simulator_file(example.subject(Fit::kConservative), exporter, {"origin"}).text)
+                 simulator_file(example.subject(LawFit::kConservative), exporter, {"origin"}).text)
           .string();
   int status = 0;
   const std::string text =

@@ -33,7 +33,7 @@ void expect_near(double value, double expected, double tolerance) {
   }
 }
 
-void expect_round_trip(const Example& example, Fit fit) {
+void expect_round_trip(const Example& example, LawFit fit) {
   const Subject subject = example.subject(fit);
   for (const Exporter* exporter : exporter_library()) {
     SCOPED_TRACE(exporter->name);
@@ -51,22 +51,22 @@ void expect_round_trip(const Example& example, Fit fit) {
   }
 }
 
-TEST(RoundTrip, OfALosslessActuator) { expect_round_trip(Example(knee()), Fit::kConservative); }
+TEST(RoundTrip, OfALosslessActuator) { expect_round_trip(Example(knee()), LawFit::kConservative); }
 
 TEST(RoundTrip, OfALossyActuatorConservatively) {
-  expect_round_trip(Example(lossy_knee()), Fit::kConservative);
+  expect_round_trip(Example(lossy_knee()), LawFit::kConservative);
 }
 
-TEST(RoundTrip, OfALossyActuatorAtBest) { expect_round_trip(Example(lossy_knee()), Fit::kBest); }
+TEST(RoundTrip, OfALossyActuatorAtBest) { expect_round_trip(Example(lossy_knee()), LawFit::kBest); }
 
 TEST(RoundTrip, OnTheMotorsSide) {
-  expect_round_trip(Example(lossy_knee(), Side::kMotor), Fit::kConservative);
+  expect_round_trip(Example(lossy_knee(), Side::kMotor), LawFit::kConservative);
 }
 
 // Each format's own units, by hand: 10.5 rad/s are 601.6056848873644 deg/s.
 TEST(Files, HoldTheDocumentedUnits) {
   const Example example(knee());
-  const Subject subject = example.subject(Fit::kConservative);
+  const Subject subject = example.subject(LawFit::kConservative);
   const auto text = [&](const Exporter& exporter) {
     return simulator_file(subject, exporter, {}).text;
   };
@@ -87,7 +87,7 @@ TEST(Files, HoldTheDocumentedUnits) {
 
 TEST(Files, SayWhatAReaderMustKnow) {
   const Example example(lossy_knee());
-  const Subject subject = example.subject(Fit::kBest);
+  const Subject subject = example.subject(LawFit::kBest);
   for (const Exporter* exporter : exporter_library()) {
     SCOPED_TRACE(exporter->name);
     const std::string text = simulator_file(subject, *exporter, {}).text;
@@ -109,7 +109,7 @@ TEST(Files, SurviveAnyName) {
   for (const Exporter* exporter : exporter_library()) {
     SCOPED_TRACE(exporter->name);
     const std::string text =
-        simulator_file(example.subject(Fit::kBest), *exporter, {"a --- b\\", "c"}).text;
+        simulator_file(example.subject(LawFit::kBest), *exporter, {"a --- b\\", "c"}).text;
     EXPECT_NO_THROW(law_of_file(std::string(exporter->name), text)(1.0));
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
@@ -122,7 +122,7 @@ TEST(Files, SurviveAnyName) {
 
 TEST(Json, HoldsTheFileItsNumbersAndItsErrors) {
   const Example example(knee());
-  const Subject subject = example.subject(Fit::kBest);
+  const Subject subject = example.subject(LawFit::kBest);
   const SimulatorFile file = simulator_file(subject, exporters::urdf, {});
   const auto json = simulator_file_json(subject, file);
   EXPECT_EQ(json.at("kind"), "simulator_file");
@@ -154,7 +154,7 @@ std::string output_of(const std::string& command, int& status) {
 // from and call (no part of RaiSim or Drake), clip as the law says.
 TEST(GeneratedCode, CompilesAndIsTheLaw) {
   const Example example(lossy_knee());
-  const Subject subject = example.subject(Fit::kConservative);
+  const Subject subject = example.subject(LawFit::kConservative);
   const test::ScratchFolder folder;
   std::filesystem::create_directories(folder.path() / "raisim");
   std::filesystem::create_directories(folder.path() / "Eigen");

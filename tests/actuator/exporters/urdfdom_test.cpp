@@ -12,7 +12,7 @@ namespace torquewright::actuator {
 namespace {
 
 TEST(Urdf, IsReadAsItWasMeant) {
-  for (const Fit fit : {Fit::kConservative, Fit::kBest}) {
+  for (const LawFit fit : {LawFit::kConservative, LawFit::kBest}) {
     const Example example(knee());
     const SimulatorFile file =
         simulator_file(example.subject(fit), exporters::urdf, {"a note -- with -- hyphens"});
@@ -35,7 +35,7 @@ TEST(Urdf, IsReadUnderAnyName) {
   actuator.name = "7 \"knees\" --> <x> & \\";
   const Example example(actuator);
   const SimulatorFile file =
-      simulator_file(example.subject(Fit::kBest), exporters::urdf, {"a --- b"});
+      simulator_file(example.subject(LawFit::kBest), exporters::urdf, {"a --- b"});
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(file.text);
   ASSERT_TRUE(model);
   EXPECT_EQ(model->getName(), actuator.name);

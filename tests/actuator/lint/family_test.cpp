@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/lint/family.hpp"
-
 #include <gtest/gtest.h>
 
+#include "actuator/lint/common_convention.hpp"
 #include "tests/actuator/lint/sample.hpp"
 
 namespace torquewright::actuator::lint {
@@ -25,7 +24,7 @@ TEST(CommonFactor, IsSilentWhereOneConventionFitsAll) {
   const auto common = common_factor(std::vector{with_speed(10, 19.2), with_speed(20, 9.6)});
   ASSERT_TRUE(common);
   EXPECT_TRUE(common->is_common_as_printed);
-  EXPECT_EQ(common->candidates[0].fit, Fit::kFits);
+  EXPECT_EQ(common->candidates[0].fit, Agreement::kFits);
   EXPECT_FALSE(finding_of(*common));
 }
 

@@ -92,7 +92,7 @@ TEST(ShopMotors, AreReconciledByTheRmsConventionWhereTheRatioIsRootThree) {
   ASSERT_TRUE(speed);
   const auto rms =
       explanation(*speed, "torque constant per rms ampere, back-EMF as line-to-line rms");
-  EXPECT_EQ(rms.fit, Fit::kFits);
+  EXPECT_EQ(rms.fit, Agreement::kFits);
   EXPECT_NEAR(rms.expected->value / speed->expected.value, std::numbers::sqrt3, 1e-12);
 }
 
@@ -174,7 +174,7 @@ TEST(M107, IsOneMotorOnTwoRatiosButForTheGears) {
   EXPECT_EQ(explanation(findings[0],
                         "a rotor of 0.000277 kg m^2 and gears of 0.0009403 kg m^2 at each joint")
                 .fit,
-            Fit::kFits);
+            Agreement::kFits);
 }
 
 }  // namespace

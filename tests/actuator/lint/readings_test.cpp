@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each other reading makes of a number. Oracle: the conversions of a sinusoidal machine of
-// flux linkage times pole pairs k: Kt = sqrt(3) k, 1.5 k, 1.5 sqrt(2) k per dc, peak and rms
+// What each other interpretation makes of a number. Oracle: the conversions of a sinusoidal machine
+// of flux linkage times pole pairs k: Kt = sqrt(3) k, 1.5 k, 1.5 sqrt(2) k per dc, peak and rms
 // ampere; Ke = sqrt(3) k, k, sqrt(3/2) k, sqrt(1/2) k line peak, phase peak, line rms, phase rms.
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRoundOff = 1e-12;
 
-void expect_reading(const Finding& finding, const std::string& sentence, double expected) {
+void expect_interpretation(const Finding& finding, const std::string& sentence, double expected) {
   const Explanation one = explanation(finding, sentence);
   ASSERT_TRUE(one.expected);
   EXPECT_NEAR(one.expected->value, expected, kRoundOff * expected) << sentence;
@@ -36,8 +36,9 @@ TEST(EmfReadings, CoverTwelvePairsOfConstants) {
   for (const auto& [ampere, torque] : kTorque) {
     for (const auto& [measure, volts] : kEmf) {
       if (ampere == "dc" && measure == "line-to-line peak") continue;  // the document's own
-      expect_reading(*emf, "torque constant per " + ampere + " ampere, back-EMF as " + measure,
-                     0.125 / torque * volts);
+      expect_interpretation(*emf,
+                            "torque constant per " + ampere + " ampere, back-EMF as " + measure,
+                            0.125 / torque * volts);
     }
   }
 }
@@ -50,8 +51,8 @@ TEST(SpeedReadings, UseTheStatedBackEmfWhereThereIsOne) {
   const auto speed = finding(document, "no-load-speed");
   ASSERT_TRUE(speed);
   EXPECT_NEAR(speed->expected.value, 24 / std::sqrt(3.0) / 0.833, 1e-12 * 20);
-  expect_reading(*speed, "back-EMF constant as line-to-line peak", 24 / 0.833);
-  EXPECT_EQ(explanation(*speed, "back-EMF constant as line-to-line peak").fit, Fit::kFits);
+  expect_interpretation(*speed, "back-EMF constant as line-to-line peak", 24 / 0.833);
+  EXPECT_EQ(explanation(*speed, "back-EMF constant as line-to-line peak").fit, Agreement::kFits);
 }
 
 TEST(StallReadings, ExchangeTerminalsAmperesAndLimits) {
@@ -59,11 +60,11 @@ TEST(StallReadings, ExchangeTerminalsAmperesAndLimits) {
   document.datasheet->stall_current_A = 40;
   const auto stall = finding(document, "stall-current");
   ASSERT_TRUE(stall);
-  expect_reading(*stall, "resistance of one phase", 48);
-  expect_reading(*stall, "current in peak amperes, torque constant per dc ampere",
-                 96 * 2 / std::sqrt(3.0));
-  expect_reading(*stall, "stall at the drive's peak current", 40);
-  EXPECT_EQ(explanation(*stall, "stall at the drive's peak current").fit, Fit::kFits);
+  expect_interpretation(*stall, "resistance of one phase", 48);
+  expect_interpretation(*stall, "current in peak amperes, torque constant per dc ampere",
+                        96 * 2 / std::sqrt(3.0));
+  expect_interpretation(*stall, "stall at the drive's peak current", 40);
+  EXPECT_EQ(explanation(*stall, "stall at the drive's peak current").fit, Agreement::kFits);
 }
 
 TEST(TorqueReadings, ExchangeSidesLossesAndAmperes) {
@@ -71,10 +72,10 @@ TEST(TorqueReadings, ExchangeSidesLossesAndAmperes) {
   document.datasheet->peak_torque_Nm = 5;
   const auto torque = finding(document, "peak-torque");
   ASSERT_TRUE(torque);
-  expect_reading(*torque, "data sheet at the motor", 5);
-  expect_reading(*torque, "without the gears' losses", 50);
-  expect_reading(*torque, "current in rms amperes, torque constant per dc ampere",
-                 47.5 * std::sqrt(2.0) * std::sqrt(3.0) / 2.0);
+  expect_interpretation(*torque, "data sheet at the motor", 5);
+  expect_interpretation(*torque, "without the gears' losses", 50);
+  expect_interpretation(*torque, "current in rms amperes, torque constant per dc ampere",
+                        47.5 * std::sqrt(2.0) * std::sqrt(3.0) / 2.0);
 }
 
 TEST(TorqueReadings, AllowForLossesUpToAShare) {
@@ -95,7 +96,7 @@ TEST(PowerReadings, TellShaftFromBus) {
   document.datasheet->peak_power_W = 961;
   const auto power = finding(document, "peak-power");
   ASSERT_TRUE(power);
-  expect_reading(*power, "power drawn from the bus, not at the shaft", 24 * 40);
+  expect_interpretation(*power, "power drawn from the bus, not at the shaft", 24 * 40);
 }
 
 TEST(InertiaReadings, TellRotorFromJoint) {
@@ -103,8 +104,8 @@ TEST(InertiaReadings, TellRotorFromJoint) {
   document.datasheet->reflected_inertia_kg_m2 = 0.0045;
   const auto inertia = finding(document, "reflected-inertia");
   ASSERT_TRUE(inertia);
-  expect_reading(*inertia, "the rotor's own inertia, not carried to the joint", 0.00045);
-  expect_reading(*inertia, "carried over by the ratio instead of its square", 0.0045);
+  expect_interpretation(*inertia, "the rotor's own inertia, not carried to the joint", 0.00045);
+  expect_interpretation(*inertia, "carried over by the ratio instead of its square", 0.0045);
 }
 
 TEST(ChargeReadings, FindTheStateOfChargeOfTheBus) {
@@ -115,7 +116,7 @@ TEST(ChargeReadings, FindTheStateOfChargeOfTheBus) {
   document.drive.bus_voltage_V = 57.6;
   const auto voltage = finding(document, "bus-voltage");
   ASSERT_TRUE(voltage);
-  expect_reading(*voltage, "the battery at a state of charge of 0.5", 57.6);
+  expect_interpretation(*voltage, "the battery at a state of charge of 0.5", 57.6);
   EXPECT_EQ(voltage->severity, Severity::kWarning);
 }
 
@@ -173,12 +174,14 @@ TEST(Explanations, StandANoLoadCurrentBeyondStall) {
 
 TEST(Readings, NeverTouchTheDocumentsOwnNumbers) {
   const Actuator document = sample();
-  for (const ReadingFamily family :
-       {speed_readings, emf_readings, ampere_readings, ohm_readings, side_readings}) {
-    for (const Reading& reading : family(as_stated(document))) {
-      EXPECT_EQ(reading.document.motor.torque_constant_Nm_A, document.motor.torque_constant_Nm_A);
-      EXPECT_EQ(reading.document.motor.resistance_ohm, document.motor.resistance_ohm);
-      EXPECT_FALSE(reading.sentence.empty());
+  for (const Interpreter family :
+       {speed_interpretations, emf_interpretations, ampere_interpretations, ohm_interpretations,
+        side_interpretations}) {
+    for (const Interpretation& interpretation : family(as_stated(document))) {
+      EXPECT_EQ(interpretation.document.motor.torque_constant_Nm_A,
+                document.motor.torque_constant_Nm_A);
+      EXPECT_EQ(interpretation.document.motor.resistance_ohm, document.motor.resistance_ohm);
+      EXPECT_FALSE(interpretation.sentence.empty());
     }
   }
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 
 namespace torquewright::actuator::lint {
 namespace {

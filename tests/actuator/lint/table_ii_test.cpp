@@ -52,7 +52,7 @@ TEST_F(TableII, AgreesForTheKneeAndNamesTheRivalConvention) {
   EXPECT_EQ(note->severity, Severity::kNote);
   EXPECT_NEAR(note->expected.value, 10.50, kPrinted);
   const auto six_step = explanation(*note, "torque constant per peak ampere, six_step modulation");
-  EXPECT_EQ(six_step.fit, Fit::kFits);
+  EXPECT_EQ(six_step.fit, Agreement::kFits);
   EXPECT_NEAR(six_step.expected->value, 10.03, kPrinted);
   EXPECT_EQ(note->assumed, std::vector<std::string>{"/motor/torque_constant_convention"});
 }
@@ -68,31 +68,31 @@ TEST_F(TableII, ContradictsItselfForTheAnkle) {
   EXPECT_NE(speed->sentence.find("19.09 (18.88 to 19.31) rad/s"), std::string::npos);
 
   const auto sine = explanation(*speed, "torque constant per rms ampere, sine modulation");
-  EXPECT_EQ(sine.fit, Fit::kFits);
+  EXPECT_EQ(sine.fit, Agreement::kFits);
   EXPECT_NEAR(sine.expected->value, 20.25, kPrinted);
   const auto svpwm = explanation(*speed, "torque constant per rms ampere, svpwm modulation");
-  EXPECT_EQ(svpwm.fit, Fit::kAdmits);
+  EXPECT_EQ(svpwm.fit, Agreement::kAdmits);
   const auto peak = explanation(*speed, "torque constant per peak ampere, svpwm modulation");
-  EXPECT_EQ(peak.fit, Fit::kExcludes);
-  EXPECT_EQ(explanation(*speed, "field weakening by 4.8 % (1.0 to 8.6 %)").fit, Fit::kFits);
-  EXPECT_EQ(explanation(*speed, "a round number: 20 printed for 15 to 25").fit, Fit::kFits);
+  EXPECT_EQ(peak.fit, Agreement::kExcludes);
+  EXPECT_EQ(explanation(*speed, "field weakening by 4.8 % (1.0 to 8.6 %)").fit, Agreement::kFits);
+  EXPECT_EQ(explanation(*speed, "a round number: 20 printed for 15 to 25").fit, Agreement::kFits);
 }
 
 struct Candidate {
   const char* sentence;
   double factor, knee_rad_s, ankle_rad_s;
-  Fit fit;
+  Agreement fit;
 };
 
 TEST_F(TableII, HasTheCandidatesOfBoth) {
   const Candidate kCandidates[] = {
-      {"Kt = Ke (dc ampere)", 1, 10.50, 19.09, Fit::kExcludes},
-      {"Nm per peak ampere, svpwm", 0.866, 9.09, 16.53, Fit::kExcludes},
-      {"Nm per peak ampere, sine", 0.75, 7.88, 14.32, Fit::kExcludes},
-      {"Nm per peak ampere, six_step", 0.955, 10.03, 18.23, Fit::kExcludes},
-      {"Nm per rms ampere, svpwm", 1.225, 12.86, 23.38, Fit::kAdmits},
-      {"Nm per rms ampere, sine", 1.061, 11.14, 20.25, Fit::kAdmits},
-      {"Nm per rms ampere, six_step", 1.350, 14.18, 25.78, Fit::kAdmits},
+      {"Kt = Ke (dc ampere)", 1, 10.50, 19.09, Agreement::kExcludes},
+      {"Nm per peak ampere, svpwm", 0.866, 9.09, 16.53, Agreement::kExcludes},
+      {"Nm per peak ampere, sine", 0.75, 7.88, 14.32, Agreement::kExcludes},
+      {"Nm per peak ampere, six_step", 0.955, 10.03, 18.23, Agreement::kExcludes},
+      {"Nm per rms ampere, svpwm", 1.225, 12.86, 23.38, Agreement::kAdmits},
+      {"Nm per rms ampere, sine", 1.061, 11.14, 20.25, Agreement::kAdmits},
+      {"Nm per rms ampere, six_step", 1.350, 14.18, 25.78, Agreement::kAdmits},
   };
   const auto common = common_factor(std::vector{knee_, ankle_});
   ASSERT_TRUE(common);
@@ -125,11 +125,11 @@ TEST_F(TableII, HasNoSingleFactorForBoth) {
   EXPECT_EQ(both.severity, Severity::kWarning);
   EXPECT_NE(both.sentence.find("no single factor fits both as printed"), std::string::npos);
   EXPECT_EQ(explanation(both, "Nm per rms ampere, sine: then 50 A are 70.7 A of amplitude").fit,
-            Fit::kAdmits);
+            Agreement::kAdmits);
   EXPECT_EQ(
       explanation(both, "Kt = Ke (dc ampere), and field weakening only on ankle D110A by 4.8 %")
           .fit,
-      Fit::kFits);
+      Agreement::kFits);
 }
 
 }  // namespace

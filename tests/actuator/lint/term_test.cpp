@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/lint/term.hpp"
-
 #include <gtest/gtest.h>
+
+#include "actuator/lint/rounded_interval.hpp"
 
 namespace torquewright::actuator::lint {
 namespace {
@@ -20,10 +20,10 @@ TEST(HalfUnit, IsReadFromTheShortestDecimal) {
 }
 
 TEST(Derive, TakesTheExtremesOverAllCornersAndEachPointerOnce) {
-  const Term one = rounded(0.5, "/a");  // 0.45 to 0.55
-  const Term other = rounded(2, "/b");  // 1.5 to 2.5
-  const Term result = derive([](double x, double y, double z) { return x / y - z; }, one, other,
-                             rounded(0.1, "/a"));
+  const RoundedInterval one = rounded(0.5, "/a");  // 0.45 to 0.55
+  const RoundedInterval other = rounded(2, "/b");  // 1.5 to 2.5
+  const RoundedInterval result = derive([](double x, double y, double z) { return x / y - z; }, one,
+                                        other, rounded(0.1, "/a"));
   constexpr double kFewRoundings = 1e-15;  // a few roundings of numbers below 1
   EXPECT_NEAR(result.value, 0.15, kFewRoundings);
   EXPECT_NEAR(result.low, 0.45 / 2.5 - 0.15, kFewRoundings);
@@ -32,7 +32,7 @@ TEST(Derive, TakesTheExtremesOverAllCornersAndEachPointerOnce) {
 }
 
 TEST(Intervals, OverlapWhereTheyTouch) {
-  const Term ten = rounded(10, "");
+  const RoundedInterval ten = rounded(10, "");
   EXPECT_TRUE(overlap(ten, rounded(11, "")));
   EXPECT_TRUE(overlap(exact(10.5), ten));
   EXPECT_FALSE(overlap(exact(10.500001), ten));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracles: the tree with the same inertia on its joints (where that is the same robot), kinetic
 // energy written out rotor by rotor, and power, which no mechanism makes.
-#include "hopper/whole_body.hpp"
+#include "hopper/robot/whole_body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include "actuator/check/drive_check.hpp"
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "tests/dynamics/mujoco_engine.hpp"
 #include "tests/dynamics/random_tree.hpp"
 #include "tests/dynamics/tree_mjcf.hpp"

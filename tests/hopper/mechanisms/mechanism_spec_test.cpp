@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/mechanism_spec.hpp"
+#include "hopper/robot/mechanism_spec.hpp"
 
 #include <gtest/gtest.h>
 
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/mjcf_writer.hpp"
 #include "hopper/files/urdf_writer.hpp"
-#include "hopper/robot_json.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_json.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "tests/hopper/mechanisms/ankles.hpp"
 #include "tests/io/scratch_folder.hpp"
 

@@ -21,10 +21,10 @@ constexpr double kDegree = kHalfTurn / 180.0;
 constexpr double kSpeed_rad_s = 2 * kHalfTurn * 0.7;
 
 const nlohmann::json kArmRig = test::rig_json({{"t", "time_s"},
-                                            {"q", "output_position_rad"},
-                                            {"w", "output_velocity_rad_s"},
-                                            {"i", "motor_current_A"},
-                                            {"tau", "output_torque_Nm"}});
+                                               {"q", "output_position_rad"},
+                                               {"w", "output_velocity_rad_s"},
+                                               {"i", "motor_current_A"},
+                                               {"tau", "output_torque_Nm"}});
 
 /// A swing with its speed, and a current along with it that makes 2 Nm/A; factors on each.
 struct Factors {

@@ -32,8 +32,9 @@ TEST(Saturation, IsNotSeenInRoundedSines) {
   for (const double period : {20.0, 57.3, 200.0, 777.7, 3000.0}) {
     for (const double step : {0.0, 0.001, 0.01, 0.1, 0.3}) {
       for (const double phase : {0.0, 0.4, 1.1}) {
-        const auto values = sampled(
-            6000, [&](double i) { return rounded(std::sin(2 * kStraightAngle * i / period + phase), step); });
+        const auto values = sampled(6000, [&](double i) {
+          return rounded(std::sin(2 * kStraightAngle * i / period + phase), step);
+        });
         EXPECT_TRUE(find_saturated_values(values).empty()) << period << " " << step;
       }
     }
@@ -61,7 +62,8 @@ TEST(Saturation, IsSeenInClippedSinesWithAndWithoutNoise) {
   for (const double period : {60.0, 200.0, 777.7}) {
     for (const bool noisy : {false, true}) {
       const auto values = sampled(6000, [&](double i) {
-        return std::min(0.7, std::sin(2 * kStraightAngle * i / period) + (noisy ? noise(random) : 0.0));
+        return std::min(0.7,
+                        std::sin(2 * kStraightAngle * i / period) + (noisy ? noise(random) : 0.0));
       });
       EXPECT_EQ(find_saturated_values(values), std::vector<double>{0.7}) << period << noisy;
     }
@@ -120,12 +122,13 @@ TEST(Isolated, AreAllFoundInNoise) {
 }
 
 TEST(Wrap, IsNotSeenWhereNothingStartsAnew) {
-  EXPECT_FALSE(
-      is_wrapped(sampled(1000, [](double i) { return 3.0 * std::sin(i / 50.0); }), 2 * kStraightAngle));
+  EXPECT_FALSE(is_wrapped(sampled(1000, [](double i) { return 3.0 * std::sin(i / 50.0); }),
+                          2 * kStraightAngle));
   EXPECT_FALSE(is_wrapped(sampled(1000, [](double i) { return 0.1 * i; }), 2 * kStraightAngle));
   // Steps of a turn that run on are turns that were asked for.
   EXPECT_FALSE(
-      is_wrapped(sampled(1000, [](double i) { return 2 * kStraightAngle * std::floor(i / 100.0); }), 2 * kStraightAngle));
+      is_wrapped(sampled(1000, [](double i) { return 2 * kStraightAngle * std::floor(i / 100.0); }),
+                 2 * kStraightAngle));
 }
 
 // From -2.5 to 2.5 rad and back at once: less than nine tenths of a turn.

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "actuator/actuator_spec.hpp"
 #include "actuator/effects/library.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/identify.hpp"
 #include "identification/plan.hpp"
 #include "tests/io/scratch_folder.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plan is inside the region at every sample, the same every time, no worse than the chirp for
-// what it is made for, and its standard errors are what repeated fits scatter by.
+// what it is made for, and its standard errors are what repeated fits parameter_scatter by.
 #include "identification/plan.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/plan_trial.hpp"
 #include "io/spec_error.hpp"
 

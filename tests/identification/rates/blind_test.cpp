@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/analysis.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"
 

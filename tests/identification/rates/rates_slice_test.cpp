@@ -70,9 +70,10 @@ TEST(RatesSlice, NamesNoEffectForWhatIsOutsideTheLibrary) {
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
 
-// Each of these was once named wrongly, and what stops it is another of identification/doubts: a
-// dead zone (what is left along the current), friction that grows with time (a table that takes
-// more), spots of friction (held-out runs that all names together do not help; a comb of waves).
+// Each of these was once named wrongly, and what stops it is another of
+// identification/failed_acceptance_tests: a dead zone (what is left along the current), friction
+// that grows with time (a table that takes more), spots of friction (held-out runs that all names
+// together do not help; a comb of waves).
 class OnceWrong : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(OnceWrong, IsNotNamed) {
   const Count counted = count(LogClass::kOutside, GetParam(), 1);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "actuator/actuator_spec.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "identification/analysis.hpp"
 
 namespace torquewright::rates {

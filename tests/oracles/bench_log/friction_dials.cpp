@@ -73,17 +73,17 @@ Dial friction_dial(const std::string& name, const Bench& bench, Chance& chance) 
   const double peak = peak_torque_Nm(bench.nominal);
   const double per_speed = bench.nominal.load.type == Load::Type::kLinearAxis ? 10.0 : 1.0;
   if (name == "viscous_friction") {
-    return {{},
-            1e-4 * peak,
-            1e-2 * peak,
-            0.1 * peak * per_speed,
-            [](Bench& b, TrueEffect& effect, double strength) {
-              b.truth.friction.viscous_positive_Nm_s_rad += strength;
-              b.truth.friction.viscous_negative_Nm_s_rad += strength;
-              // As a document would state it: all of it, with what was declared.
-              effect.parameters = {
-                  {"viscous_Nm_s_rad", b.truth.friction.viscous_positive_Nm_s_rad}};
-            }};
+    return {
+        {},
+        1e-4 * peak,
+        1e-2 * peak,
+        0.1 * peak * per_speed,
+        [](Bench& b, TrueEffect& effect, double strength) {
+          b.truth.friction.viscous_positive_Nm_s_rad += strength;
+          b.truth.friction.viscous_negative_Nm_s_rad += strength;
+          // As a document would state it: all of it, with what was declared.
+          effect.parameters = {{"viscous_Nm_s_rad", b.truth.friction.viscous_positive_Nm_s_rad}};
+        }};
   }
   if (name == "coulomb_friction") {
     return {{},

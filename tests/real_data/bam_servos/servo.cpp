@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <numbers>
 
-#include "actuator/actuator_spec.hpp"
 #include "actuator/effects/library.hpp"
+#include "actuator/motor/actuator_spec.hpp"
 #include "io/document.hpp"
 
 namespace torquewright::identification {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "actuator/actuator.hpp"
+#include "actuator/motor/actuator.hpp"
 #include "identification/simulated_position.hpp"
-#include "optimization/local_fit.hpp"
+#include "optimization/fit/local_fit.hpp"
 
 namespace torquewright::identification {
 

@@ -10,7 +10,7 @@
 #include <filesystem>
 
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "io/csv.hpp"
 
 namespace torquewright::hopper {
@@ -58,11 +58,11 @@ class PublishedMotion : public testing::Test {
 TEST_F(PublishedMotion, CassiesJumpLeavesTheRegionOfBothKnees) {
   const HopperReport report = check("cassie.json", "cassie/jump.csv", "cassie_columns.json");
   EXPECT_EQ(report.check.verdict, actuator::Verdict::kFail);
-  const auto& left = drive(report, "knee_left").reading;
+  const auto& left = drive(report, "knee_left").interpretation;
   EXPECT_NEAR(left.worst.time_s, 0.558, 5e-4);
   EXPECT_NEAR(left.worst.torque_Nm, 73, 0.5);
   EXPECT_NEAR(left.worst.speed_rad_s, 8.80, 5e-3);
-  const auto& right = drive(report, "knee_right").reading;
+  const auto& right = drive(report, "knee_right").interpretation;
   EXPECT_NEAR(right.worst.torque_Nm, 61.3, 0.05);
   EXPECT_NEAR(*right.worst.limit_Nm, 4.5, 0.05);
   for (const auto& one : report.check.drives) {
@@ -77,12 +77,12 @@ TEST_F(PublishedMotion, TheMiniCheetahsFrontJumpClipsItsRearHip) {
   const HopperReport whole = check("mini_cheetah.json", file, columns);
   const HopperReport part = check("mini_cheetah.json", file, columns, 0.6);
   const auto share = [](const actuator::DriveReport& drive) {
-    return 100.0 * static_cast<double>(drive.reading.clipped_samples) /
+    return 100.0 * static_cast<double>(drive.interpretation.clipped_samples) /
            static_cast<double>(drive.samples);
   };
   EXPECT_NEAR(share(drive(whole, "rhip")), 10.2, 0.05);
   EXPECT_NEAR(share(drive(part, "rhip")), 16.1, 0.05);
-  EXPECT_NEAR(drive(part, "rhip").reading.worst.excess_Nm, 1.271, 5e-4);
+  EXPECT_NEAR(drive(part, "rhip").interpretation.worst.excess_Nm, 1.271, 5e-4);
   const HopperReport flip = check("mini_cheetah.json", "mini_cheetah/mc_flip.csv", columns, 0.6);
   for (const auto& one : flip.check.drives) {
     EXPECT_EQ(one.verdict, actuator::Verdict::kPass) << one.name;

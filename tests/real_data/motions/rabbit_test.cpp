@@ -8,7 +8,7 @@
 
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
-#include "hopper/robot_spec.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "io/csv.hpp"
 
 namespace torquewright::hopper {

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/check/interpretation_check.hpp"
+
+#include <algorithm>
+
+namespace torquewright::actuator {
+namespace {
+
+std::optional<HeatModel> heat_model(const Actuator& actuator,
+                                    const OperatingConditions& conditions) {
+  if (!actuator.thermal) return std::nullopt;
+  return HeatModel(actuator, conditions);
+}
+
+/// Root mean square over the time, of a single sample its magnitude.
+double rms(const Integral& square, double duration_s, double peak) {
+  return duration_s > 0.0 ? std::sqrt(square.sum() / duration_s) : peak;
+}
+
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+}
+
+}  // namespace
+
+CheckBasis::CheckBasis(const Actuator& checked, const OperatingConditions& conditions)
+    : actuator(&checked),
+      temperature_K(winding_temperature_K(checked, conditions)),
+      lookup(checked, conditions),
+      heat(heat_model(checked, conditions)) {}
+
+InterpretationCheck::InterpretationCheck(const CheckBasis& basis)
+    : basis_(&basis), basis_of_worst_(&basis) {
+  if (basis.heat) heat_.emplace(*basis.heat);
+}
+
+bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_Nm) {
+  const RegionLookup& lookup = basis_->lookup;
+  const TorqueRange range = lookup.at(speed_rad_s, torque_Nm);
+  const bool is_outside = lookup.is_outside(range, torque_Nm);
+  if (samples_ == 0) first_s_ = time_s;
+  if (is_outside && interpretation_.clipped_samples++ == 0) {
+    basis_of_first_ = basis_;
+    interpretation_.first = WorstSample{time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
+  }
+  clipped_.add(time_s, is_outside ? 1.0 : 0.0);
+  const double excess_Nm = range.excess_Nm(torque_Nm);
+  if (excess_Nm > worst_excess_Nm_) {
+    worst_excess_Nm_ = excess_Nm;
+    basis_of_worst_ = basis_;
+    interpretation_.worst = {time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
+  }
+  if (lookup.has_less_speed_margin(speed_rad_s, torque_Nm, speed_margin_rad_s_)) {
+    speed_margin_rad_s_ =
+        std::min(speed_margin_rad_s_, lookup.speed_margin_rad_s(speed_rad_s, torque_Nm));
+  }
+  interpretation_.peak_torque_Nm = std::max(interpretation_.peak_torque_Nm, std::abs(torque_Nm));
+  torque_square_.add(time_s, torque_Nm * torque_Nm);
+  add_demand(time_s, speed_rad_s, torque_Nm, range);
+  ++samples_;
+  last_s_ = time_s;
+  return is_outside;
+}
+
+void InterpretationCheck::add_demand(double time_s, double speed_rad_s, double torque_Nm,
+                                     const TorqueRange& range) {
+  const auto demand_of = [&](double asked_Nm) {
+    return demand_at(*basis_->actuator, basis_->lookup.region().model(), basis_->temperature_K,
+                     speed_rad_s, asked_Nm);
+  };
+  std::optional<Demand> demand = demand_of(torque_Nm);
+  if (!demand) {
+    ++interpretation_.unreachable_samples;
+    demand =
+        demand_of(range.is_empty ? 0.0 : std::clamp(torque_Nm, range.least_Nm, range.greatest_Nm));
+  }
+  if (!demand) return;
+  interpretation_.peak_current_A = std::max(interpretation_.peak_current_A, demand->current_A);
+  voltage_margin_V_ = std::min(voltage_margin_V_, demand->voltage_margin_V);
+  current_square_.add(time_s, demand->current_A * demand->current_A);
+  drawn_.add(time_s, std::max(0.0, demand->bus_power_W));
+  returned_.add(time_s, std::max(0.0, -demand->bus_power_W));
+  if (heat_) add_heat(time_s, demand->phase_current_A * demand->phase_current_A);
+}
+
+void InterpretationCheck::add_heat(double time_s, double square_A2) {
+  if (samples_ > 0) heat_->add(0.5 * (last_square_A2_ + square_A2), time_s - last_s_);
+  last_square_A2_ = square_A2;
+}
+
+/// A sample with the bound of the region itself.
+WorstSample InterpretationCheck::exactly(WorstSample sample, const CheckBasis& basis) {
+  const JointRange range = basis.lookup.exact(sample.speed_rad_s);
+  if (range.is_empty) {
+    sample.limiter = range.why_empty;
+    sample.excess_Nm = std::abs(sample.torque_Nm);
+    return sample;
+  }
+  const bool is_upper =
+      sample.torque_Nm - range.greatest.torque_Nm >= range.least.torque_Nm - sample.torque_Nm;
+  const JointBound& bound = is_upper ? range.greatest : range.least;
+  const double excess_Nm =
+      is_upper ? sample.torque_Nm - bound.torque_Nm : bound.torque_Nm - sample.torque_Nm;
+  sample.limit_Nm = bound.torque_Nm;
+  sample.limiter = bound.limiter;
+  sample.excess_Nm = excess_Nm > basis.lookup.round_off_Nm() ? excess_Nm : 0.0;
+  return sample;
+}
+
+Interpretation InterpretationCheck::finish(std::size_t runs, double pause_s) const {
+  Interpretation interpretation = interpretation_;
+  const double duration_s = last_s_ - first_s_;
+  interpretation.clipped_time_s = clipped_.sum();
+  interpretation.worst = exactly(interpretation_.worst, *basis_of_worst_);
+  if (basis_of_first_ != nullptr)
+    interpretation.first = exactly(*interpretation_.first, *basis_of_first_);
+  interpretation.margin_Nm = -interpretation.worst.excess_Nm;
+  if (interpretation.worst.excess_Nm == 0.0 && interpretation.worst.limit_Nm) {
+    interpretation.margin_Nm =
+        std::abs(*interpretation.worst.limit_Nm - interpretation.worst.torque_Nm);
+  }
+  interpretation.speed_margin_rad_s = finite(speed_margin_rad_s_);
+  interpretation.voltage_margin_V = finite(voltage_margin_V_);
+  interpretation.rms_torque_Nm = rms(torque_square_, duration_s, interpretation.peak_torque_Nm);
+  interpretation.rms_current_A = rms(current_square_, duration_s, interpretation.peak_current_A);
+  interpretation.energy_drawn_J = drawn_.sum();
+  interpretation.energy_returned_J = returned_.sum();
+  if (heat_) interpretation.winding = heat_->report(runs, pause_s);
+  return interpretation;
+}
+
+}  // namespace torquewright::actuator

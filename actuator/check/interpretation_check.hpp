@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "actuator/check/demand.hpp"
+#include "actuator/check/integral.hpp"
+#include "actuator/check/region_lookup.hpp"
+#include "actuator/check/report.hpp"
+#include "actuator/check/winding_heat.hpp"
+
+namespace torquewright::actuator {
+
+/// What all samples of one actuator are held against.
+struct CheckBasis {
+  CheckBasis(const Actuator& actuator, const OperatingConditions& conditions);
+
+  const Actuator* actuator;
+  double temperature_K;
+  RegionLookup lookup;
+  std::optional<HeatModel> heat;
+};
+
+/// Gathers one interpretation of an actuator's samples, in flat memory.
+class InterpretationCheck {
+ public:
+  explicit InterpretationCheck(const CheckBasis& basis);
+
+  /// Holds the samples that follow against this basis, of the same actuator on another bus.
+  void use(const CheckBasis& basis) { basis_ = &basis; }
+
+  /// Times ascend. True if the sample lies outside the region.
+  bool add(double time_s, double speed_rad_s, double torque_Nm);
+
+  Interpretation finish(std::size_t runs, double pause_s) const;
+
+ private:
+  void add_demand(double time_s, double speed_rad_s, double torque_Nm, const TorqueRange& range);
+  void add_heat(double time_s, double square_A2);
+  static WorstSample exactly(WorstSample sample, const CheckBasis& basis);
+
+  const CheckBasis* basis_;
+  const CheckBasis* basis_of_worst_;
+  const CheckBasis* basis_of_first_ = nullptr;  ///< Null: none lies outside.
+  Interpretation interpretation_;
+  std::size_t samples_ = 0;
+  double worst_excess_Nm_ = -kUnlimited;
+  double speed_margin_rad_s_ = kUnlimited;
+  double voltage_margin_V_ = kUnlimited;
+  double first_s_ = 0.0;
+  double last_s_ = 0.0;
+  double last_square_A2_ = 0.0;
+  Integral clipped_, torque_square_, current_square_, drawn_, returned_;
+  std::optional<WindingHeat> heat_;
+};
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "actuator/lint/finding.hpp"
+
+namespace torquewright::actuator::lint {
+
+/// Several actuators of one maker: does one convention of the torque constant fit them all?
+
+/// The factor c of w0 = c V / (Kt N) that a document's printed numbers demand.
+struct RequiredFactor {
+  std::string actuator;
+  RoundedInterval factor;
+  RoundedInterval speed_rad_s;  ///< As stated.
+  double peak_current_A = 0.0;  ///< The drive's.
+};
+
+/// What one convention and modulation make of c, and of each actuator's speed.
+struct FactorCandidate {
+  CurrentConvention convention = CurrentConvention::kDc;
+  std::string sentence;
+  double factor = 1.0;
+  std::vector<RoundedInterval> speeds_rad_s;  ///< In the order of the actuators.
+  Agreement fit = Agreement::kExcludes;       ///< Admits: no stated speed exceeds what is possible.
+};
+
+struct CommonFactor {
+  std::vector<RequiredFactor> required;
+  bool is_common_as_printed = false;  ///< All factors equal without rounding.
+  double low = 0.0;                   ///< Of the intervals' overlap; above `high` if there is none.
+  double high = 0.0;
+  std::vector<FactorCandidate> candidates;
+};
+
+/// Empty with fewer than two documents that state a no-load speed.
+std::optional<CommonFactor> common_factor(std::span<const Actuator> documents);
+
+/// Empty if one candidate fits all.
+std::optional<Finding> finding_of(const CommonFactor& common);
+
+/// One motor on several gearboxes (pairs with the same constants and drive, but another ratio):
+/// no-load speed times ratio, peak torque over ratio and reflected inertia over its square agree.
+std::vector<Finding> same_motor(std::span<const Actuator> documents);
+
+}  // namespace torquewright::actuator::lint

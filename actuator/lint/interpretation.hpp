@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "actuator/motor/actuator.hpp"
+
+namespace torquewright::actuator::lint {
+
+/// How a back-EMF was measured on a machine of sinusoidal EMF.
+enum class EmfMeasure { kLinePeak, kPhasePeak, kLineRms, kPhaseRms };
+
+/// "line-to-line peak", ...
+std::string_view name_of(EmfMeasure measure);
+
+/// Volts of the measure per volt of phase amplitude: sqrt(3), 1, sqrt(3/2), sqrt(1/2).
+double volts_per_phase_volt(EmfMeasure measure);
+
+/// A document under one way of interpretation its numbers. Nothing of the document is repaired: a
+/// interpretation only says what the same numerals would mean elsewhere.
+struct Interpretation {
+  std::string sentence;  ///< What is read differently; empty: nothing.
+  Actuator document;
+  EmfMeasure emf_measure = EmfMeasure::kLinePeak;             ///< Of back_emf_constant_V_s_rad.
+  EmfMeasure speed_constant_measure = EmfMeasure::kLinePeak;  ///< Of 1 / velocity_constant_rpm_V.
+  double current_factor = 1.0;  ///< Amperes of the torque constant per ampere stated elsewhere.
+  bool stalls_at_peak_current = false;  ///< The drive's, instead of V / R.
+  bool power_is_electrical = false;
+  int ratio_power_of_inertia = 2;
+};
+
+/// As the document states it.
+Interpretation as_stated(const Actuator& document);
+
+/// Families of other interpretations; each leaves out the document's own.
+using Interpreter = std::vector<Interpretation> (*)(const Interpretation& stated);
+
+/// Torque constant per dc, peak or rms ampere, with each modulation: the candidate table of speeds.
+/// With a stated back-EMF constant, which then sets the speed: each of its measures instead.
+std::vector<Interpretation> speed_interpretations(const Interpretation& stated);
+/// Torque constant per dc, peak or rms ampere, with each measure of the back-EMF.
+std::vector<Interpretation> emf_interpretations(const Interpretation& stated);
+/// Currents counted in another ampere than the torque constant's.
+std::vector<Interpretation> ampere_interpretations(const Interpretation& stated);
+/// Resistance between other terminals.
+std::vector<Interpretation> ohm_interpretations(const Interpretation& stated);
+/// The data sheet's numbers on the other side of the gearbox.
+std::vector<Interpretation> side_interpretations(const Interpretation& stated);
+/// Gears without loss.
+std::vector<Interpretation> loss_interpretations(const Interpretation& stated);
+
+}  // namespace torquewright::actuator::lint

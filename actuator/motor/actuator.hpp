@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actuator/effects/effect.hpp"
+#include "actuator/motor/convention.hpp"
+#include "actuator/unlimited.hpp"
+
+namespace torquewright::actuator {
+
+constexpr double kDefaultTemperature_K = 298.15;
+/// Of copper's resistance around room temperature.
+constexpr double kCopperCoefficient_1_K = 0.0039;
+
+/// The motor as its document states it: amperes, ohms and volts in the stated conventions.
+/// Source of the conversions: convention.hpp.
+struct Motor {
+  double torque_constant_Nm_A = 0.0;
+  CurrentConvention torque_constant_convention = CurrentConvention::kDc;
+  std::optional<double> back_emf_constant_V_s_rad;  ///< Absent: follows from the torque constant.
+  double resistance_ohm = 0.0;
+  ResistanceConvention resistance_convention = ResistanceConvention::kDc;
+  double inductance_d_H = 0.0;  ///< Of one phase.
+  double inductance_q_H = 0.0;
+  double pole_pairs = 1.0;
+  double rotor_inertia_kg_m2 = 0.0;
+  double winding_temperature_K = kDefaultTemperature_K;  ///< At which the above holds.
+  double demagnetisation_current_A = kUnlimited;         ///< Largest negative d current.
+};
+
+struct Drive {
+  double bus_voltage_V = 0.0;
+  double peak_current_A = 0.0;
+  std::optional<double> continuous_current_A;
+  Modulation modulation = Modulation::kSvpwm;
+  bool field_weakening = false;
+  bool regeneration = true;  ///< False: no power flows back to the bus.
+  double regeneration_limit_W = kUnlimited;
+};
+
+/// Open-circuit voltage of one cell at a state of charge (1 full).
+struct ChargePoint {
+  double state_of_charge;
+  double voltage_V;
+  friend bool operator==(const ChargePoint&, const ChargePoint&) = default;
+};
+
+struct Battery {
+  double series_cells = 1.0;
+  double parallel_cells = 1.0;
+  std::vector<ChargePoint> cell_open_circuit;  ///< Ascending in charge; one: no curve was stated.
+  double cell_resistance_ohm = 0.0;
+  double wiring_resistance_ohm = 0.0;  ///< Between pack and drive.
+  double discharge_limit_A = kUnlimited;
+  double charge_limit_A = kUnlimited;
+  double maximum_voltage_V = kUnlimited;  ///< Of the pack while it is charged.
+  friend bool operator==(const Battery&, const Battery&) = default;
+};
+
+/// Two nodes: winding and case. Resistances in K/W, capacities in J/K.
+struct Thermal {
+  double winding_to_case_K_W = 0.0;
+  double case_to_ambient_K_W = 0.0;
+  double winding_J_K = 0.0;
+  double case_J_K = 0.0;
+  double winding_limit_K = 0.0;
+  double ambient_K = kDefaultTemperature_K;
+};
+
+/// What stands between rotor and joint. `ratio` is rotor speed over joint speed, signed.
+struct Transmission {
+  double ratio = 1.0;
+  double forward_efficiency = 1.0;   ///< Motor drives.
+  double backward_efficiency = 1.0;  ///< Joint drives; 0: self-locking.
+  double inertia_kg_m2 = 0.0;        ///< Of the gears, at the joint.
+  double peak_torque_Nm = kUnlimited;
+  std::string source;  ///< The document it was computed from; empty: stated inline.
+};
+
+/// Numbers of the datasheet that follow from others: for the lint only, no region uses them.
+struct Datasheet {
+  bool joint_side = false;
+  std::optional<double> voltage_V;  ///< At which the speeds hold; absent: the bus voltage.
+  std::optional<double> no_load_speed_rad_s;
+  std::optional<double> no_load_current_A;
+  std::optional<double> stall_torque_Nm;
+  std::optional<double> stall_current_A;
+  std::optional<double> peak_torque_Nm;
+  std::optional<double> peak_torque_current_A;
+  std::optional<double> peak_braking_torque_Nm;  ///< The joint driven back at the peak current.
+  std::optional<double> rated_torque_Nm;
+  std::optional<double> peak_power_W;
+  std::optional<double> velocity_constant_rpm_V;
+  std::optional<double> reflected_inertia_kg_m2;
+  std::optional<double> electrical_time_constant_s;
+  std::optional<double> mechanical_time_constant_s;  ///< Of the rotor alone.
+};
+
+/// A document of kind `actuator`.
+struct Actuator {
+  std::string name;
+  Motor motor;
+  Drive drive;
+  std::optional<Battery> battery;
+  std::optional<Thermal> thermal;
+  Transmission transmission;
+  std::vector<Effect> effects;
+  std::optional<double> mass_kg;  ///< Of all of it.
+  std::optional<Datasheet> datasheet;
+  std::vector<std::string> assumed;  ///< JSON pointers of assumed values.
+};
+
+}  // namespace torquewright::actuator

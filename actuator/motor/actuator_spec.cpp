@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/motor/actuator_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "actuator/effects/effect_spec.hpp"
+#include "actuator/motor/gearbox_source.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+using nlohmann::json;
+
+CurrentConvention current_convention(const std::string& word) {
+  if (word == "peak_phase") return CurrentConvention::kPeakPhase;
+  return word == "rms_phase" ? CurrentConvention::kRmsPhase : CurrentConvention::kDc;
+}
+
+ResistanceConvention resistance_convention(const std::string& word) {
+  if (word == "phase") return ResistanceConvention::kPhase;
+  return word == "line_to_line" ? ResistanceConvention::kLineToLine : ResistanceConvention::kDc;
+}
+
+Modulation modulation(const std::string& word) {
+  if (word == "sine") return Modulation::kSine;
+  return word == "six_step" ? Modulation::kSixStep : Modulation::kSvpwm;
+}
+
+std::optional<double> find(const json& object, const char* key) {
+  if (!object.contains(key)) return std::nullopt;
+  return object[key].get<double>();
+}
+
+/// Reads the keys of one document; faults gather until all of it is read.
+class ActuatorReader {
+ public:
+  explicit ActuatorReader(io::Document document) : documents_{std::move(document)} {}
+
+  ReadActuator read() {
+    actuator_.name = root().value("name", std::filesystem::path(document().file).stem().string());
+    actuator_.mass_kg = find(root(), "mass_kg");
+    read_motor();
+    read_drive();
+    if (root().contains("battery")) read_battery(root()["battery"]);
+    if (root().contains("thermal")) read_thermal(root()["thermal"]);
+    if (root().contains("datasheet")) read_datasheet(root()["datasheet"]);
+    read_effects();
+    actuator_.assumed = root().value("assumed", actuator_.assumed);
+    read_gearbox();
+    if (!faults_.empty()) throw io::SpecError(std::move(faults_));
+    return {std::move(actuator_), std::move(documents_)};
+  }
+
+ private:
+  const io::Document& document() const { return documents_.front(); }
+  const json& root() const { return document().root; }
+
+  void report(const std::string& path, std::string message) {
+    faults_.push_back({document().file, path, std::move(message)});
+  }
+
+  void read_motor() {
+    const json& keys = root()["motor"];
+    Motor& motor = actuator_.motor;
+    motor.torque_constant_Nm_A = keys["torque_constant_Nm_A"];
+    motor.torque_constant_convention = current_convention(keys["torque_constant_convention"]);
+    motor.back_emf_constant_V_s_rad = find(keys, "back_emf_constant_V_s_rad");
+    motor.resistance_ohm = keys["resistance_ohm"];
+    motor.resistance_convention = resistance_convention(keys["resistance_convention"]);
+    motor.inductance_d_H = keys.value("inductance_d_H", 0.0);
+    motor.inductance_q_H = keys.value("inductance_q_H", 0.0);
+    motor.pole_pairs = keys.value("pole_pairs", 1.0);
+    motor.rotor_inertia_kg_m2 = keys.value("rotor_inertia_kg_m2", 0.0);
+    motor.winding_temperature_K = keys.value("winding_temperature_K", kDefaultTemperature_K);
+    motor.demagnetisation_current_A = keys.value("demagnetisation_current_A", kUnlimited);
+    const bool has_inductance = motor.inductance_d_H > 0.0 || motor.inductance_q_H > 0.0;
+    if (has_inductance && !keys.contains("pole_pairs")) {
+      report("/motor/pole_pairs", "missing; the voltage over an inductance needs it");
+    }
+  }
+
+  void read_drive() {
+    const json& keys = root()["drive"];
+    Drive& drive = actuator_.drive;
+    drive.bus_voltage_V = keys["bus_voltage_V"];
+    drive.peak_current_A = keys["peak_current_A"];
+    drive.continuous_current_A = find(keys, "continuous_current_A");
+    drive.modulation = modulation(keys.value("modulation", "svpwm"));
+    drive.field_weakening = keys.value("field_weakening", false);
+    drive.regeneration = keys.value("regeneration", true);
+    drive.regeneration_limit_W = keys.value("regeneration_limit_W", kUnlimited);
+    const bool is_dc = actuator_.motor.torque_constant_convention == CurrentConvention::kDc;
+    if (!is_dc && !keys.contains("modulation")) {
+      report("/drive/modulation",
+             "missing; outside the dc convention it sets the voltage: sine, svpwm or six_step");
+    }
+    if (drive.continuous_current_A > drive.peak_current_A) {
+      report("/drive/continuous_current_A",
+             fmt::format("{} is above /drive/peak_current_A, {}", *drive.continuous_current_A,
+                         drive.peak_current_A));
+    }
+    if (drive.field_weakening && actuator_.motor.inductance_d_H == 0.0) {
+      report("/drive/field_weakening",
+             "needs /motor/inductance_d_H: without inductance no current weakens the field");
+    }
+  }
+
+  void read_battery(const json& keys) {
+    Battery battery;
+    battery.series_cells = keys["series_cells"];
+    battery.parallel_cells = keys["parallel_cells"];
+    battery.cell_resistance_ohm = keys["cell_resistance_ohm"];
+    battery.wiring_resistance_ohm = keys.value("wiring_resistance_ohm", 0.0);
+    battery.discharge_limit_A = keys.value("discharge_limit_A", kUnlimited);
+    battery.charge_limit_A = keys.value("charge_limit_A", kUnlimited);
+    battery.maximum_voltage_V = keys.value("maximum_voltage_V", kUnlimited);
+    read_open_circuit(keys["cell_open_circuit_V"], battery);
+    actuator_.battery = battery;
+  }
+
+  void read_open_circuit(const json& value, Battery& battery) {
+    if (value.is_number()) {
+      battery.cell_open_circuit = {{1.0, value.get<double>()}};
+      return;
+    }
+    for (const json& point : value) {
+      battery.cell_open_circuit.push_back({point["state_of_charge"], point["voltage_V"]});
+    }
+    for (std::size_t i = 1; i < battery.cell_open_circuit.size(); ++i) {
+      const ChargePoint& before = battery.cell_open_circuit[i - 1];
+      const ChargePoint& here = battery.cell_open_circuit[i];
+      if (here.state_of_charge > before.state_of_charge && here.voltage_V >= before.voltage_V) {
+        continue;
+      }
+      report(fmt::format("/battery/cell_open_circuit_V/{}", i),
+             "must ascend: more charge than the entry before, and no less voltage");
+    }
+  }
+
+  void read_thermal(const json& keys) {
+    Thermal thermal;
+    thermal.winding_to_case_K_W = keys["winding_to_case_K_W"];
+    thermal.case_to_ambient_K_W = keys["case_to_ambient_K_W"];
+    thermal.winding_J_K = keys["winding_J_K"];
+    thermal.case_J_K = keys["case_J_K"];
+    thermal.winding_limit_K = keys["winding_limit_K"];
+    thermal.ambient_K = keys.value("ambient_K", kDefaultTemperature_K);
+    if (thermal.winding_limit_K <= thermal.ambient_K) {
+      report("/thermal/winding_limit_K", fmt::format("{} K is not above the ambient's {} K",
+                                                     thermal.winding_limit_K, thermal.ambient_K));
+    }
+    actuator_.thermal = thermal;
+  }
+
+  void read_datasheet(const json& keys) {
+    Datasheet sheet;
+    sheet.joint_side = keys.value("side", "motor") == "joint";
+    sheet.voltage_V = find(keys, "voltage_V");
+    sheet.no_load_speed_rad_s = find(keys, "no_load_speed_rad_s");
+    sheet.no_load_current_A = find(keys, "no_load_current_A");
+    sheet.stall_torque_Nm = find(keys, "stall_torque_Nm");
+    sheet.stall_current_A = find(keys, "stall_current_A");
+    sheet.peak_torque_Nm = find(keys, "peak_torque_Nm");
+    sheet.peak_torque_current_A = find(keys, "peak_torque_current_A");
+    sheet.peak_braking_torque_Nm = find(keys, "peak_braking_torque_Nm");
+    sheet.rated_torque_Nm = find(keys, "rated_torque_Nm");
+    sheet.peak_power_W = find(keys, "peak_power_W");
+    sheet.velocity_constant_rpm_V = find(keys, "velocity_constant_rpm_V");
+    sheet.reflected_inertia_kg_m2 = find(keys, "reflected_inertia_kg_m2");
+    sheet.electrical_time_constant_s = find(keys, "electrical_time_constant_s");
+    sheet.mechanical_time_constant_s = find(keys, "mechanical_time_constant_s");
+    actuator_.datasheet = sheet;
+  }
+
+  void read_effects() {
+    const json effects = root().value("effects", json::array());
+    for (std::size_t i = 0; i < effects.size(); ++i) {
+      const std::string path = fmt::format("/effects/{}", i);
+      std::optional<Effect> effect = read_effect(effects[i], document().file, path, faults_);
+      if (!effect) continue;
+      for (const Effect& other : actuator_.effects) {
+        if (other.kind == effect->kind) {
+          report(path + "/effect",
+                 fmt::format("{} stands twice; one of them would be counted twice",
+                             effect->kind->name));
+        }
+      }
+      actuator_.effects.push_back(std::move(*effect));
+    }
+    for (std::size_t i = 0; i < effects.size(); ++i) check_replaced(effects[i], i);
+  }
+
+  void check_replaced(const json& entry, std::size_t index) {
+    const std::string replaced = entry.value("replaces", "");
+    if (replaced.empty()) return;
+    for (const Effect& other : actuator_.effects) {
+      if (other.kind->name != replaced) continue;
+      report(fmt::format("/effects/{}/replaces", index),
+             fmt::format("{} is declared besides what replaces it and would be counted twice; "
+                         "remove it",
+                         replaced));
+    }
+  }
+
+  void read_gearbox() {
+    const json& keys = root()["gearbox"];
+    Transmission& transmission = actuator_.transmission;
+    if (keys.contains("file")) {
+      transmission = transmission_from_file(keys, document(), documents_);
+    } else {
+      transmission.ratio = keys["ratio"];
+      transmission.forward_efficiency = keys["forward_efficiency"];
+      transmission.backward_efficiency = keys["backward_efficiency"];
+      transmission.inertia_kg_m2 = keys.value("inertia_kg_m2", 0.0);
+    }
+    transmission.peak_torque_Nm = keys.value("peak_torque_Nm", kUnlimited);
+    if (std::abs(transmission.ratio) < 0.01) {
+      report("/gearbox/ratio",
+             fmt::format("{} is no ratio; must be at least 0.01 in magnitude", transmission.ratio));
+    }
+  }
+
+  std::vector<io::Document> documents_;
+  Actuator actuator_;
+  std::vector<io::Fault> faults_;
+};
+
+}  // namespace
+
+ReadActuator read_actuator(const std::filesystem::path& file) {
+  return ActuatorReader(io::read_document(file, "actuator")).read();
+}
+
+ReadActuator read_actuator(io::Document document) {
+  return ActuatorReader(std::move(document)).read();
+}
+
+}  // namespace torquewright::actuator

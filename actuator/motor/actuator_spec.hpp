@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "actuator/motor/actuator.hpp"
+#include "io/document.hpp"
+
+namespace torquewright::actuator {
+
+/// An actuator and every document that was read for it: its own first, then its gearbox's.
+struct ReadActuator {
+  Actuator actuator;
+  std::vector<io::Document> documents;
+};
+
+/// Reads a document of kind `actuator`; a gearbox in a file of its own (kind `gearbox` or
+/// `gearbox_result`) is read too, and its efficiencies, ratio and inertia are computed from its
+/// teeth. Throws io::SpecError for what a schema cannot say: unknown effects and parameters (with
+/// the nearest known name), a gearbox without friction to compute efficiencies from, a state of
+/// charge that does not ascend, conflicting limits.
+ReadActuator read_actuator(const std::filesystem::path& file);
+
+/// The same for one that has been read and checked; what it refers to is looked for beside its
+/// file.
+ReadActuator read_actuator(io::Document document);
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/motor/gearbox_source.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "gearbox/problem_spec.hpp"
+#include "gearbox/topologies/topology.hpp"
+#include "io/rational.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+using nlohmann::json;
+
+/// What the evaluation of a gearbox asks for.
+struct Gearbox {
+  gearbox::Problem problem;
+  gearbox::Design design;
+};
+
+[[noreturn]] void refuse(const io::Document& document, const std::string& path,
+                         std::string message) {
+  throw io::SpecError({{document.file, document.path + path, std::move(message)}});
+}
+
+/// All tooth counts in the topology's order.
+std::vector<std::int64_t> teeth_of(const json& teeth, const gearbox::Topology& topology,
+                                   const io::Document& document, const std::string& path) {
+  std::vector<std::int64_t> counts;
+  for (const std::string_view gear : topology.gears) {
+    const std::string name(gear);
+    if (!teeth.contains(name)) {
+      refuse(document, path + "/" + name,
+             fmt::format("missing; the topology \"{}\" has it", topology.name));
+    }
+    counts.push_back(teeth[name]);
+  }
+  return counts;
+}
+
+gearbox::Design design_of(const json& root, const gearbox::Topology& topology,
+                          const io::Document& document, const std::string& path) {
+  return {teeth_of(root["teeth"], topology, document, path + "/teeth"), root["planet_count"],
+          io::exact(root["module_mm"].get<double>())};
+}
+
+Gearbox from_result(const io::Document& document) {
+  if (document.root["designs"].empty()) {
+    refuse(document, "/designs", "holds no design: there is no gearbox to take");
+  }
+  Gearbox gearbox;
+  gearbox.problem = gearbox::read_problem(
+      io::check_document(document.root["problem"], "gearbox_problem", document.file, "/problem"));
+  const gearbox::Topology& topology = *gearbox::find_topology(gearbox.problem.topology);
+  gearbox.design = design_of(document.root["designs"][0], topology, document, "/designs/0");
+  return gearbox;
+}
+
+Gearbox from_gearbox(const io::Document& document) {
+  const json& root = document.root;
+  const json shifts = root.value("profile_shift", json::object());
+  for (const auto& shift : shifts.items()) {
+    if (shift.value().get<double>() == 0.0) continue;
+    refuse(document, "/profile_shift/" + shift.key(),
+           "efficiencies are computed for gears without profile shift only; state ratio and "
+           "efficiencies in the actuator instead");
+  }
+  Gearbox gearbox;
+  gearbox.problem.topology = root["topology"];
+  gearbox.problem.name = root.value("name", "");
+  // No limits are asked of a gearbox that exists: the widest ones.
+  gearbox.problem.target_ratio = 1;
+  gearbox.problem.rotor_inner_diameter_mm = 1000000;
+  gearbox.problem.constraints = gearbox::ConstraintSet::kBuildable;
+  gearbox.problem.objective = gearbox::Objective::kHollowShaft;
+  const gearbox::Topology& topology = *gearbox::find_topology(gearbox.problem.topology);
+  for (std::size_t i = 0; i < topology.free_gears; ++i) {
+    gearbox.problem.min_teeth[std::string(topology.gears[i])] = 1;
+  }
+  const json widths = root.value("face_width_mm", json::object());
+  for (const auto& width : widths.items()) {
+    gearbox.problem.face_width_mm[width.key()] = io::exact(width.value().get<double>());
+  }
+  gearbox.design = design_of(root, topology, document, "");
+  gearbox.problem.planet_count = {gearbox.design.planet_count};
+  gearbox.problem.module_mm = {gearbox.design.module_mm};
+  return gearbox;
+}
+
+}  // namespace
+
+Transmission transmission_from_file(const json& reference, const io::Document& actuator,
+                                    std::vector<io::Document>& documents) {
+  const std::filesystem::path file =
+      std::filesystem::path(actuator.file).parent_path() / reference["file"].get<std::string>();
+  const io::Document document = io::read_document(file, {"gearbox", "gearbox_result"});
+  Gearbox gearbox =
+      document.root["kind"] == "gearbox" ? from_gearbox(document) : from_result(document);
+  if (reference.contains("friction_coefficient")) {
+    gearbox.problem.friction_coefficient =
+        io::exact(reference["friction_coefficient"].get<double>());
+  }
+  if (!gearbox.problem.friction_coefficient) {
+    refuse(actuator, "/gearbox/friction_coefficient",
+           fmt::format("missing; {} states none, and efficiencies follow from it", document.file));
+  }
+  gearbox.problem.rotor_inertia_kg_m2 = 0;  // the actuator's own motor stands in its document
+  const gearbox::Topology& topology = *gearbox::find_topology(gearbox.problem.topology);
+  const gearbox::DesignReport report = topology.evaluate(gearbox.problem, gearbox.design);
+  for (const gearbox::MeshReport& mesh : report.meshes) {
+    if (mesh.efficiency > 0.0) continue;
+    refuse(document, "", fmt::format("the mesh {} does not exist for these teeth", mesh.name));
+  }
+  Transmission transmission;
+  transmission.ratio = report.ratio.get_d();
+  transmission.forward_efficiency = report.forward_efficiency;
+  transmission.backward_efficiency = report.backward_efficiency;
+  transmission.inertia_kg_m2 = report.reflected_inertia_kg_m2.value_or(0.0);
+  transmission.source = document.file;
+  documents.push_back(document);
+  return transmission;
+}
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "actuator/motor/actuator.hpp"
+#include "io/document.hpp"
+
+namespace torquewright::actuator {
+
+/// The transmission of a gearbox that stands in a file of its own: ratio, efficiencies and inertia
+/// computed from its teeth. `reference` is the actuator's "gearbox", which stands in `actuator` and
+/// may hold "friction_coefficient" where the gearbox's document has none. The documents read are
+/// appended to `documents`. Throws io::SpecError.
+Transmission transmission_from_file(const nlohmann::json& reference, const io::Document& actuator,
+                                    std::vector<io::Document>& documents);
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/region/joint_region.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "actuator/region/gear_losses.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+double signed_current_A(const Actuator& actuator, const Current& current) {
+  return std::copysign(current.amplitude_A(), current.q_A) /
+         phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
+}
+
+JointBound at_rotor(const Actuator& actuator, const MotorBound& bound) {
+  return {bound.torque_Nm, signed_current_A(actuator, bound.current), bound.bus_power_W,
+          bound.limiter};
+}
+
+/// How torque at the rotor becomes torque on the load at one speed and direction of the joint.
+class Path {
+ public:
+  Path(const Actuator& actuator, double speed_rad_s, double direction, double temperature_K)
+      : actuator_(actuator),
+        direction_(direction),
+        side_Nm_(motor_side_torque_Nm(actuator, speed_rad_s, direction, temperature_K)) {}
+
+  /// The most that is there at every angle.
+  double greatest_Nm(double motor_Nm) const {
+    const double mesh_Nm =
+        after_mesh_Nm(actuator_, ratio() * motor_Nm + side_Nm_.least, direction_);
+    return mesh_Nm + output_ripple_Nm(actuator_, mesh_Nm).least;
+  }
+
+  double least_Nm(double motor_Nm) const {
+    const double mesh_Nm =
+        after_mesh_Nm(actuator_, ratio() * motor_Nm + side_Nm_.greatest, direction_);
+    return mesh_Nm + output_ripple_Nm(actuator_, mesh_Nm).greatest;
+  }
+
+  /// Rotor torque that yields the joint torque at its greatest (ripple, at worst, neglected: the
+  /// gear's limit is on what its teeth carry).
+  double motor_Nm(double joint_Nm, bool of_greatest) const {
+    const double side_Nm = of_greatest ? side_Nm_.least : side_Nm_.greatest;
+    return (before_mesh_Nm(actuator_, joint_Nm, direction_) - side_Nm) / ratio();
+  }
+
+ private:
+  double ratio() const { return actuator_.transmission.ratio; }
+
+  const Actuator& actuator_;
+  double direction_;
+  Span side_Nm_;
+};
+
+void unite(JointRange& range, const JointRange& other) {
+  if (other.is_empty) return;
+  if (range.is_empty) {
+    range = other;
+    return;
+  }
+  if (other.least.torque_Nm < range.least.torque_Nm) range.least = other.least;
+  if (other.greatest.torque_Nm > range.greatest.torque_Nm) range.greatest = other.greatest;
+}
+
+}  // namespace
+
+Region::Region(const Actuator& actuator, const OperatingConditions& conditions, Side side)
+    : actuator_(actuator),
+      temperature_K_(actuator::winding_temperature_K(actuator, conditions)),
+      machine_(phase_model_at(actuator, conditions)),
+      side_(side) {
+  const double no_load_rad_s = no_load_speed_rad_s(machine_);
+  const double motor_rad_s =
+      actuator::greatest_speed_rad_s(machine_, kSpeedsLookedAt * no_load_rad_s);
+  greatest_speed_rad_s_ =
+      side == Side::kMotor ? motor_rad_s : motor_rad_s / std::abs(actuator.transmission.ratio);
+}
+
+JointRange Region::at(double speed_rad_s, double direction) const {
+  return side_ == Side::kMotor ? at_motor(speed_rad_s) : at_joint(speed_rad_s, direction);
+}
+
+JointRange Region::at(double speed_rad_s) const {
+  if (speed_rad_s != 0.0) return at(speed_rad_s, std::copysign(1.0, speed_rad_s));
+  JointRange range = at(0.0, -1.0);
+  unite(range, at(0.0, 1.0));
+  return range;
+}
+
+JointRange Region::at_motor(double speed_rad_s) const {
+  const MotorRange motor = motor_range(machine_, speed_rad_s);
+  JointRange range{motor.is_empty, motor.why_empty, {}, {}, motor.plugging};
+  if (motor.is_empty) return range;
+  range.least = at_rotor(actuator_, motor.least);
+  range.greatest = at_rotor(actuator_, motor.greatest);
+  return range;
+}
+
+JointRange Region::at_joint(double speed_rad_s, double direction) const {
+  const double ratio = actuator_.transmission.ratio;
+  const double motor_rad_s = ratio * speed_rad_s;
+  MotorRange motor = motor_range(machine_, motor_rad_s);
+  JointRange range{motor.is_empty, motor.why_empty, {}, {}, {}};
+  const Path path(actuator_, speed_rad_s, direction, temperature_K_);
+  if (motor.plugging) {
+    const double one_Nm = path.greatest_Nm(motor.plugging->least_Nm);
+    const double other_Nm = path.greatest_Nm(motor.plugging->greatest_Nm);
+    range.plugging = {std::min(one_Nm, other_Nm), std::max(one_Nm, other_Nm)};
+  }
+  if (motor.is_empty) return range;
+  // A negative ratio turns the rotor the other way: its greatest torque is the joint's least.
+  if (ratio < 0.0) std::swap(motor.least, motor.greatest);
+  range.least = at_rotor(actuator_, motor.least);
+  range.greatest = at_rotor(actuator_, motor.greatest);
+  range.least.torque_Nm = path.least_Nm(motor.least.torque_Nm);
+  range.greatest.torque_Nm = path.greatest_Nm(motor.greatest.torque_Nm);
+
+  const double gear_Nm = actuator_.transmission.peak_torque_Nm;
+  const auto limit_by_gear = [&](JointBound& bound, double limit_Nm, bool of_greatest) {
+    const double motor_Nm = std::clamp(path.motor_Nm(limit_Nm, of_greatest),
+                                       std::min(motor.least.torque_Nm, motor.greatest.torque_Nm),
+                                       std::max(motor.least.torque_Nm, motor.greatest.torque_Nm));
+    bound = at_rotor(actuator_, motor_point(machine_, motor_Nm, motor_rad_s, Limiter::kGear));
+    bound.torque_Nm = limit_Nm;
+  };
+  if (range.greatest.torque_Nm > gear_Nm) limit_by_gear(range.greatest, gear_Nm, true);
+  if (range.least.torque_Nm < -gear_Nm) limit_by_gear(range.least, -gear_Nm, false);
+  if (range.least.torque_Nm > range.greatest.torque_Nm) {
+    range.is_empty = true;
+    const bool by_gear = range.least.torque_Nm > gear_Nm || range.greatest.torque_Nm < -gear_Nm;
+    range.why_empty = by_gear ? Limiter::kGear : range.greatest.limiter;
+  }
+  return range;
+}
+
+std::vector<std::string> left_out(const Actuator& actuator) {
+  std::vector<std::string> sentences;
+  for (const Effect& effect : actuator.effects) {
+    if (effect.kind->acts == Acts::kDynamics || effect.kind->acts == Acts::kInertialTorque) {
+      sentences.push_back(fmt::format(
+          "{}: depends on the motion's history, which no region of torque over speed can hold",
+          effect.kind->name));
+    }
+  }
+  if (!actuator.battery) sentences.emplace_back("battery: none stated; the bus voltage is stiff");
+  if (!actuator.thermal) {
+    sentences.emplace_back("thermal: none stated; the winding stays at its temperature");
+  }
+  if (actuator.motor.inductance_q_H == 0.0 && actuator.motor.inductance_d_H == 0.0) {
+    sentences.emplace_back("inductance: none stated; voltage is lost over the resistance alone");
+  }
+  if (actuator.effects.empty()) {
+    sentences.emplace_back("friction: no effects stated; losses are the gearbox's efficiencies");
+  }
+  return sentences;
+}
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actuator/region/motor_region.hpp"
+#include "actuator/region/operating_conditions.hpp"
+
+namespace torquewright::actuator {
+
+/// One end of the region at the joint.
+struct JointBound {
+  double torque_Nm = 0.0;  ///< On the load.
+  double current_A = 0.0;  ///< In the document's convention, signed like the q current.
+  double bus_power_W = 0.0;
+  Limiter limiter = Limiter::kCurrent;
+};
+
+struct JointRange {
+  bool is_empty = false;
+  Limiter why_empty = Limiter::kVoltage;
+  JointBound least;
+  JointBound greatest;
+  std::optional<MotorRange::Plugging> plugging;  ///< At the joint, after all losses.
+};
+
+/// Which side of the gearbox speeds and torques are of. The motor's side is the rotor: before any
+/// friction.
+enum class Side { kJoint, kMotor };
+
+/// The region of an actuator under conditions: asked at a speed, as often as need be.
+class Region {
+ public:
+  /// Requires that there are no objections to the conditions.
+  Region(const Actuator& actuator, const OperatingConditions& conditions, Side side = Side::kJoint);
+
+  /// The torques at that speed; `direction` (-1, 1) is the sign of the motion where the speed is 0.
+  JointRange at(double speed_rad_s, double direction) const;
+
+  /// The same at any speed; at rest the union of both directions.
+  JointRange at(double speed_rad_s) const;
+
+  /// The region is empty beyond these speeds (or goes on past the last that is looked at, which is
+  /// kSpeedsLookedAt times the no-load speed).
+  double greatest_speed_rad_s() const { return greatest_speed_rad_s_; }
+  static constexpr double kSpeedsLookedAt = 4.0;
+
+  const PhaseModel& model() const { return machine_; }
+  Side side() const { return side_; }
+
+ private:
+  JointRange at_motor(double speed_rad_s) const;
+  JointRange at_joint(double speed_rad_s, double direction) const;
+
+  Actuator actuator_;
+  double temperature_K_;
+  PhaseModel machine_;
+  Side side_;
+  double greatest_speed_rad_s_ = 0.0;
+};
+
+/// Effects that no static region can hold (lag, presliding, backlash, compliance, inertia), and
+/// what the document leaves open: a sentence each.
+std::vector<std::string> left_out(const Actuator& actuator);
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "actuator/region/mor_table.hpp"
+
+namespace torquewright::actuator {
+
+/// What a table says of itself besides its rows.
+struct MorHeader {
+  const Actuator* actuator = nullptr;
+  OperatingConditions conditions;
+  Side side = Side::kJoint;
+};
+
+/// A document of kind `mor_table` without its provenance ("tool", "inputs").
+nlohmann::ordered_json mor_table_json(const MorHeader& header, const MorTable& table);
+
+/// The columns of the contract under a block of comment lines (#). Numbers are the shortest that
+/// read back the same; bounds of an empty range are left empty.
+std::string mor_table_csv(const MorHeader& header, const MorTable& table);
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/region/motor_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "actuator/region/bracketed_search.hpp"
+#include "actuator/region/current_choice.hpp"
+#include "actuator/region/voltage_disc.hpp"
+#include "actuator/unlimited.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr double kRelativeTolerance = 1e-14;  // of the greatest torque or speed
+constexpr double kPeakTolerance = 1e-9;       // where only the place of a flat top is sought
+constexpr double kVoltageTolerance = 2e-15;   // of the phase voltage: rounding in a square root
+
+/// What the motor can do at one speed >= 0.
+class RangeSearch {
+ public:
+  RangeSearch(const PhaseModel& model, double speed_rad_s)
+      : machine_(model),
+        speed_rad_s_(speed_rad_s),
+        cap_Nm_(greatest_torque_Nm(model)),
+        slack_V_(kVoltageTolerance * model.phase_volts_per_bus_volt * model.supply.open_circuit_V) {
+  }
+
+  MotorRange run() {
+    find_by_voltage();
+    if (range_.is_empty) return range_;
+    find_by_power();
+    if (range_.is_empty) return range_;
+    range_.least = at(range_.least.torque_Nm, range_.least.limiter);
+    range_.greatest = at(range_.greatest.torque_Nm, range_.greatest.limiter);
+    return range_;
+  }
+
+ private:
+  double margin_V(double torque_Nm) const {
+    const Current current = gentlest_current(machine_, torque_Nm, speed_rad_s_);
+    return voltage_margin_V(machine_, current, speed_rad_s_) + slack_V_;
+  }
+
+  double power_W(double torque_Nm) const {
+    return bus_power_W(machine_, chosen_current(machine_, torque_Nm, speed_rad_s_), speed_rad_s_);
+  }
+
+  MotorBound at(double torque_Nm, Limiter limiter) const {
+    return motor_point(machine_, torque_Nm, speed_rad_s_, limiter);
+  }
+
+  void be_empty(Limiter why) {
+    range_.is_empty = true;
+    range_.why_empty = why;
+  }
+
+  /// What stands in the way just past a bound that margin_V set.
+  Limiter voltage_limiter(double past_Nm) const {
+    const Current current = gentlest_current(machine_, past_Nm, speed_rad_s_);
+    if (voltage_margin_V(machine_, current, speed_rad_s_) == -kUnlimited) {
+      return Limiter::kBatteryPower;
+    }
+    return weakening_limiter(current.d_A);
+  }
+
+  Limiter weakening_limiter(double d_A) const {
+    if (!machine_.field_weakening) return Limiter::kVoltage;
+    const bool at_floor = d_A <= -machine_.demagnetisation_current_A * (1.0 - 1e-9);
+    return at_floor ? Limiter::kDemagnetisation : Limiter::kFieldWeakening;
+  }
+
+  /// The end of the range from a torque that the voltage allows, towards +-cap.
+  MotorBound end_towards(double from_Nm, double cap_Nm) const {
+    if (margin_V(cap_Nm) >= 0.0) return {cap_Nm, {}, 0.0, machine_.current_limiter};
+    const auto margin = [this](double torque_Nm) { return margin_V(torque_Nm); };
+    const double tolerance_Nm = kRelativeTolerance * cap_Nm_;
+    const double end_Nm = last_nonnegative(margin, from_Nm, cap_Nm, tolerance_Nm);
+    const double past_Nm = end_Nm + std::copysign(2.0 * tolerance_Nm, cap_Nm);
+    return {end_Nm, {}, 0.0, voltage_limiter(past_Nm)};
+  }
+
+  void find_by_voltage() {
+    const std::optional<VoltageDisc> disc = voltage_disc(machine_, speed_rad_s_, slack_V_);
+    const std::optional<DiscRange> closed = disc ? disc_range(*disc, machine_) : std::nullopt;
+    if (!closed) return search_by_voltage();
+    if (closed->is_empty) return be_empty(weakening_limiter(0.0));
+    range_.least = end_of(closed->least);
+    range_.greatest = end_of(closed->greatest);
+  }
+
+  MotorBound end_of(const DiscEnd& end) const {
+    const double torque_at_end_Nm = actuator::torque_Nm(machine_, {0.0, end.current.q_A});
+    const Limiter limiter =
+        end.by_current_limit ? machine_.current_limiter : weakening_limiter(end.current.d_A);
+    return {torque_at_end_Nm, {}, 0.0, limiter};
+  }
+
+  void search_by_voltage() {
+    double from_Nm = 0.0;
+    if (margin_V(0.0) < 0.0) {
+      // Beyond no-load speed only braking current, whose drop opposes the back-EMF, is possible.
+      const auto margin = [this](double torque_Nm) { return margin_V(torque_Nm); };
+      from_Nm = greatest_point(margin, -cap_Nm_, 0.0, kPeakTolerance * cap_Nm_);
+      if (margin_V(from_Nm) < 0.0) return be_empty(voltage_limiter(from_Nm));
+      range_.greatest = end_towards(from_Nm, 0.0);
+      range_.greatest.limiter = voltage_limiter(0.0);
+    } else {
+      range_.greatest = end_towards(0.0, cap_Nm_);
+    }
+    range_.least = end_towards(from_Nm, -cap_Nm_);
+  }
+
+  void find_by_power() {
+    if (machine_.supply.greatest_power_W < kUnlimited) limit_drawn_power();
+    if (machine_.supply.least_power_W > -kUnlimited && !range_.is_empty) limit_returned_power();
+  }
+
+  /// The torque of the range at which the least power is drawn; driving draws more than none.
+  double frugal_Nm() const {
+    const auto saved_W = [this](double torque_Nm) { return -power_W(torque_Nm); };
+    const double top_Nm = std::min(0.0, range_.greatest.torque_Nm);
+    if (range_.least.torque_Nm >= top_Nm) return range_.least.torque_Nm;
+    return greatest_point(saved_W, range_.least.torque_Nm, top_Nm, kPeakTolerance * cap_Nm_);
+  }
+
+  void limit_drawn_power() {
+    const auto room_W = [this](double torque_Nm) {
+      return machine_.supply.greatest_power_W - power_W(torque_Nm);
+    };
+    const double start_Nm = frugal_Nm();
+    if (room_W(start_Nm) < 0.0) return be_empty(Limiter::kBatteryPower);
+    for (MotorBound* bound : {&range_.least, &range_.greatest}) {
+      if (room_W(bound->torque_Nm) >= 0.0) continue;
+      bound->torque_Nm =
+          last_nonnegative(room_W, start_Nm, bound->torque_Nm, kRelativeTolerance * cap_Nm_);
+      bound->limiter = Limiter::kBatteryPower;
+    }
+  }
+
+  void limit_returned_power() {
+    const auto room_W = [this](double torque_Nm) {
+      return power_W(torque_Nm) - machine_.supply.least_power_W;
+    };
+    const double valley_Nm = frugal_Nm();
+    if (room_W(valley_Nm) >= 0.0) return;
+    const double tolerance_Nm = kRelativeTolerance * cap_Nm_;
+    const double bottom_Nm = range_.least.torque_Nm;
+    if (room_W(bottom_Nm) >= 0.0) {
+      range_.plugging = {bottom_Nm, last_nonnegative(room_W, bottom_Nm, valley_Nm, tolerance_Nm)};
+    }
+    const double top_Nm = std::min(0.0, range_.greatest.torque_Nm);
+    if (room_W(top_Nm) < 0.0) return be_empty(Limiter::kRegeneration);
+    range_.least.torque_Nm = last_nonnegative(room_W, top_Nm, valley_Nm, tolerance_Nm);
+    range_.least.limiter = Limiter::kRegeneration;
+  }
+
+  const PhaseModel& machine_;
+  double speed_rad_s_;
+  double cap_Nm_;
+  double slack_V_;
+  MotorRange range_;
+};
+
+MotorBound mirrored(MotorBound bound) {
+  bound.torque_Nm = -bound.torque_Nm;
+  bound.current.q_A = -bound.current.q_A;
+  return bound;
+}
+
+/// The model is the same both ways round.
+MotorRange mirrored(const MotorRange& range) {
+  MotorRange result = range;
+  result.least = mirrored(range.greatest);
+  result.greatest = mirrored(range.least);
+  if (range.plugging) {
+    result.plugging = {-range.plugging->greatest_Nm, -range.plugging->least_Nm};
+  }
+  return result;
+}
+
+}  // namespace
+
+MotorRange motor_range(const PhaseModel& model, double speed_rad_s) {
+  if (speed_rad_s < 0.0) return mirrored(RangeSearch(model, -speed_rad_s).run());
+  return RangeSearch(model, speed_rad_s).run();
+}
+
+MotorBound motor_point(const PhaseModel& model, double torque_Nm, double speed_rad_s,
+                       Limiter limiter) {
+  const Current current = chosen_current(model, torque_Nm, speed_rad_s);
+  return {torque_Nm, current, bus_power_W(model, current, speed_rad_s), limiter};
+}
+
+double no_load_speed_rad_s(const PhaseModel& model) {
+  const double voltage_V = model.phase_volts_per_bus_volt * model.supply.open_circuit_V;
+  return model.back_emf_V_s_rad > 0.0 ? voltage_V / model.back_emf_V_s_rad : kUnlimited;
+}
+
+double greatest_speed_rad_s(const PhaseModel& model, double limit_rad_s) {
+  const auto holds = [&](double speed_rad_s) {
+    return motor_range(model, speed_rad_s).is_empty ? -1.0 : 1.0;
+  };
+  if (holds(limit_rad_s) > 0.0) return limit_rad_s;
+  return last_nonnegative(holds, 0.0, limit_rad_s, kRelativeTolerance * limit_rad_s);
+}
+
+}  // namespace torquewright::actuator

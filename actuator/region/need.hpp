@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "actuator/region/joint_region.hpp"
+
+namespace torquewright::actuator {
+
+/// A torque that must be there at a speed, at the joint.
+struct Need {
+  double torque_Nm = 0.0;
+  double speed_rad_s = 0.0;
+};
+
+/// Does the actuator reach it? If not: what alone would, each the least change, everything else as
+/// it is; empty where no change up to kGreatestChange does.
+struct NeedAnswer {
+  bool is_reached = false;
+  double margin_Nm = 0.0;  ///< To the nearer bound; negative: so much is missing.
+  Limiter limiter = Limiter::kVoltage;
+  JointRange range;
+  std::optional<double> least_bus_voltage_V;
+  std::optional<double> least_current_A;  ///< Of the rating, in the document's convention.
+  std::optional<double> nearest_ratio;
+};
+constexpr double kGreatestChange = 10.0;  ///< Factor on voltage, current or ratio.
+
+/// Requires that there are no objections to the conditions.
+NeedAnswer answer(const Actuator& actuator, const OperatingConditions& conditions,
+                  const Need& need);
+
+/// What one ratio would make of the same motor, drive and losses.
+struct RatioRow {
+  double ratio = 0.0;
+  double stall_torque_Nm = 0.0;      ///< Greatest driving torque at rest.
+  double no_load_speed_rad_s = 0.0;  ///< Highest speed at which some torque still drives.
+  double greatest_power_W = 0.0;     ///< Mechanical, driving.
+  double power_speed_rad_s = 0.0;    ///< Where it is.
+  double reflected_inertia_kg_m2 = 0.0;
+  std::optional<double> margin_Nm;  ///< At the need, if one was given.
+};
+
+/// `count` ratios from `low` to `high`, evenly spaced in their logarithm. The sign is the present
+/// ratio's. Requires 0 < low <= high and count >= 1.
+std::vector<RatioRow> ratio_sweep(const Actuator& actuator, const OperatingConditions& conditions,
+                                  double low, double high, std::size_t count,
+                                  const std::optional<Need>& need);
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/region/newton_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMostSteps = 100;
+constexpr double kShortStep = 1e-8;  // relative; the next one would be its square
+
+/// A slope and its own derivative.
+struct Slope {
+  double value;
+  double change;
+};
+
+/// Where the slope, which falls from plus to minus, crosses zero between two points; else the end.
+template <typename Function>
+double top_between(const Function& slope, double low, double high) {
+  if (!(low < high)) return high;
+  if (slope(low).value <= 0.0) return low;
+  const double shortest = kShortStep * std::max(std::abs(low), std::abs(high));
+  double point = high;
+  for (int step = 0; step < kMostSteps && high - low > shortest; ++step) {
+    const Slope at = slope(point);
+    if (at.value == 0.0) return point;
+    if (at.value > 0.0 && point == high) return high;
+    (at.value > 0.0 ? low : high) = point;
+    const double newton = point - at.value / at.change;
+    const bool is_inside = newton > low && newton < high;
+    if (is_inside && std::abs(newton - point) <= shortest) return newton;
+    point = is_inside ? newton : 0.5 * (low + high);
+  }
+  return point;
+}
+
+/// The q current of a torque and its first two derivatives by i_d: T/(K + r i_d).
+struct QCurrent {
+  double A, first, second;
+};
+
+QCurrent q_of(const PhaseModel& model, double torque_Nm, double d_A) {
+  const double q_A = q_current_A(model, torque_Nm, d_A);
+  const double r = model.reluctance_Nm_A2();
+  if (r == 0.0) return {q_A, 0.0, 0.0};
+  const double share = r / (model.torque_constant_Nm_A + r * d_A);
+  return {q_A, -share * q_A, 2.0 * share * share * q_A};
+}
+
+/// d/di_d of the phase voltage's amplitude, eq. (2) and (3).
+Slope voltage_slope(const PhaseModel& model, const QCurrent& q, double d_A, double speed_rad_s) {
+  const double w = model.pole_pairs * speed_rad_s;
+  const double R = model.resistance_ohm;
+  const double wL_d = w * model.inductance_d_H;
+  const double wL_q = w * model.inductance_q_H;
+  const double v_d = R * d_A - wL_q * q.A;
+  const double v_q = R * q.A + wL_d * d_A + model.back_emf_V_s_rad * speed_rad_s;
+  const double v_d_first = R - wL_q * q.first;
+  const double v_q_first = R * q.first + wL_d;
+  const double square = v_d * v_d + v_q * v_q;
+  const double product = v_d * v_d_first + v_q * v_q_first;
+  const double bend =
+      v_d_first * v_d_first + v_q_first * v_q_first + q.second * (R * v_q - wL_q * v_d);
+  if (square == 0.0) return {0.0, 1.0};
+  const double amplitude = std::sqrt(square);
+  return {product / amplitude, (bend - product * product / square) / amplitude};
+}
+
+/// d/di_d of the bus voltage that the power leaves, eq. (5). Where the supply cannot deliver it,
+/// rising: less current is the way back.
+Slope bus_slope(const PhaseModel& model, const QCurrent& q, double d_A, double torque_Nm,
+                double speed_rad_s) {
+  const Supply& supply = model.supply;
+  if (supply.resistance_ohm == 0.0) return {0.0, 0.0};
+  const double R = model.resistance_ohm;
+  const double power_W = torque_Nm * speed_rad_s + 1.5 * R * (d_A * d_A + q.A * q.A);
+  const double square =
+      supply.open_circuit_V * supply.open_circuit_V - 4.0 * supply.resistance_ohm * power_W;
+  if (!(square > 0.0)) return {kInfinity, 1.0};
+  const double root = std::sqrt(square);
+  const double first_W = 3.0 * R * (d_A + q.A * q.first);
+  const double second_W = 3.0 * R * (1.0 + q.first * q.first + q.A * q.second);
+  const double per_W = -supply.resistance_ohm / root;
+  return {per_W * first_W, per_W * second_W - 2.0 * per_W * per_W * first_W * first_W / root};
+}
+
+}  // namespace
+
+bool has_smooth_choice(const PhaseModel& model) {
+  return model.dead_time_V == 0.0 &&
+         (model.saturation_current_A == 0.0 || model.reluctance_Nm_A2() == 0.0);
+}
+
+double least_current_d_A(const PhaseModel& model, double torque_Nm, double low_A, double high_A) {
+  const double r = model.reluctance_Nm_A2();
+  const double K = model.torque_constant_Nm_A;
+  // Beyond the pole of T/(K + r i_d) there is no torque of that sign.
+  if (r > 0.0) low_A = std::max(low_A, -K / r);
+  if (r < 0.0) high_A = std::min(high_A, -K / r);
+  const auto slope = [&](double d_A) -> Slope {
+    const QCurrent q = q_of(model, torque_Nm, d_A);
+    if (!std::isfinite(q.A)) return {r > 0.0 ? kInfinity : -kInfinity, 1.0};
+    return {-(d_A + q.A * q.first), -(1.0 + q.first * q.first + q.A * q.second)};
+  };
+  return top_between(slope, low_A, high_A);
+}
+
+double greatest_margin_d_A(const PhaseModel& model, double torque_Nm, double speed_rad_s,
+                           double low_A, double high_A) {
+  const double volts = model.phase_volts_per_bus_volt;
+  const auto slope = [&](double d_A) -> Slope {
+    const QCurrent q = q_of(model, torque_Nm, d_A);
+    if (!std::isfinite(q.A)) return {kInfinity, 1.0};
+    const Slope bus = bus_slope(model, q, d_A, torque_Nm, speed_rad_s);
+    const Slope phase = voltage_slope(model, q, d_A, speed_rad_s);
+    return {volts * bus.value - phase.value, volts * bus.change - phase.change};
+  };
+  return top_between(slope, low_A, high_A);
+}
+
+double greatest_torque_d_A(const PhaseModel& model) {
+  const double r = model.reluctance_Nm_A2();
+  const double K = model.torque_constant_Nm_A;
+  const double I = model.current_limit_A;
+  if (r == 0.0) return 0.0;
+  // d/di_d of (K + r i_d) sqrt(I^2 - i_d^2): 2 r i_d^2 + K i_d - r I^2 = 0.
+  const double d_A = 2.0 * r * I * I / (K + std::sqrt(K * K + 8.0 * r * r * I * I));
+  return std::max(d_A, -std::min(model.demagnetisation_current_A, I));
+}
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/region/operating_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "actuator/region/torque_at.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+/// Product of the factors of one kind at that temperature (1 without such effects).
+double factor_at(const Actuator& actuator, Acts acts, double temperature_K) {
+  Instant at;
+  at.winding_temperature_K = temperature_K;
+  at.reference_temperature_K = actuator.motor.winding_temperature_K;
+  double factor = 1.0;
+  for (const Effect& effect : actuator.effects) {
+    if (effect.kind->acts == acts) factor *= effect.kind->law(effect, at);
+  }
+  return factor;
+}
+
+double resistance_factor(const Actuator& actuator, double temperature_K) {
+  const bool is_stated = std::any_of(
+      actuator.effects.begin(), actuator.effects.end(),
+      [](const Effect& effect) { return effect.kind->acts == Acts::kResistanceFactor; });
+  if (is_stated) return factor_at(actuator, Acts::kResistanceFactor, temperature_K);
+  return 1.0 + kCopperCoefficient_1_K * (temperature_K - actuator.motor.winding_temperature_K);
+}
+
+double phase_resistance_ohm(const Actuator& actuator, double temperature_K) {
+  return actuator.motor.resistance_ohm * phase_ohms_per_ohm(actuator.motor.resistance_convention) *
+         resistance_factor(actuator, temperature_K);
+}
+
+double cell_voltage_V(const Battery& battery, double state_of_charge) {
+  const std::vector<ChargePoint>& curve = battery.cell_open_circuit;
+  const auto above = std::find_if(curve.begin(), curve.end(), [&](const ChargePoint& point) {
+    return point.state_of_charge >= state_of_charge;
+  });
+  if (above == curve.end()) return curve.back().voltage_V;
+  if (above == curve.begin()) return curve.front().voltage_V;
+  const ChargePoint& below = *(above - 1);
+  const double share =
+      (state_of_charge - below.state_of_charge) / (above->state_of_charge - below.state_of_charge);
+  return below.voltage_V + share * (above->voltage_V - below.voltage_V);
+}
+
+/// Series resistance of everything between the open-circuit voltage and the drive.
+double supply_resistance_ohm(const Actuator& actuator) {
+  Instant at;
+  at.bus_current_A = 1.0;
+  double resistance_ohm = 0.0;
+  for (const Effect& effect : actuator.effects) {
+    if (effect.kind->acts == Acts::kBusVoltage) resistance_ohm -= effect.kind->law(effect, at);
+  }
+  if (!actuator.battery) return resistance_ohm;
+  const Battery& battery = *actuator.battery;
+  return resistance_ohm + battery.wiring_resistance_ohm +
+         battery.cell_resistance_ohm * battery.series_cells / battery.parallel_cells;
+}
+
+/// Power at the drive when that current flows out of the supply.
+double power_at_W(const Supply& supply, double current_A) {
+  return current_A * (supply.open_circuit_V - supply.resistance_ohm * current_A);
+}
+
+Supply supply_at(const Actuator& actuator, const OperatingConditions& conditions) {
+  Supply supply;
+  supply.open_circuit_V = open_circuit_voltage_V(actuator, conditions);
+  supply.resistance_ohm = supply_resistance_ohm(actuator);
+  supply.greatest_power_W = kUnlimited;
+  supply.least_power_W = actuator.drive.regeneration ? -actuator.drive.regeneration_limit_W : 0.0;
+  if (!actuator.battery) return supply;
+  const Battery& battery = *actuator.battery;
+  if (battery.discharge_limit_A < kUnlimited) {
+    supply.greatest_power_W = power_at_W(supply, battery.discharge_limit_A);
+  }
+  if (battery.charge_limit_A < kUnlimited) {
+    supply.least_power_W =
+        std::max(supply.least_power_W, power_at_W(supply, -battery.charge_limit_A));
+  }
+  if (battery.maximum_voltage_V < kUnlimited && supply.resistance_ohm > 0.0) {
+    const double room_V = std::max(0.0, battery.maximum_voltage_V - supply.open_circuit_V);
+    supply.least_power_W =
+        std::max(supply.least_power_W, power_at_W(supply, -room_V / supply.resistance_ohm));
+  }
+  return supply;
+}
+
+void set_saturation(const Actuator& actuator, PhaseModel& model) {
+  for (const Effect& effect : actuator.effects) {
+    if (effect.kind->name != "torque_constant_saturation") continue;
+    if (!std::isfinite(effect.values[0])) continue;
+    model.saturation_current_A =
+        effect.values[0] * phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
+    model.saturation_exponent = effect.values[1];
+  }
+}
+
+double dead_time_V(const Actuator& actuator) {
+  Instant at;
+  at.current_A = 1.0;
+  double lost_V = 0.0;
+  for (const Effect& effect : actuator.effects) {
+    if (effect.kind->acts == Acts::kWindingVoltage) lost_V -= effect.kind->law(effect, at);
+  }
+  return lost_V * phase_volts_per_winding_volt(actuator.motor.torque_constant_convention);
+}
+
+/// A wrong torque constant is wrong at every current: what the law gives at no current.
+double torque_constant_factor(const Actuator& actuator) {
+  return factor_at(actuator, Acts::kTorqueFactor, actuator.motor.winding_temperature_K);
+}
+
+void set_constants(const Actuator& actuator, double temperature_K, PhaseModel& model) {
+  const Motor& motor = actuator.motor;
+  const CurrentConvention convention = motor.torque_constant_convention;
+  const double flux = factor_at(actuator, Acts::kFluxFactor, temperature_K);
+  const double torque_constant_Nm_A = motor.torque_constant_Nm_A * torque_constant_factor(actuator);
+  const double back_emf_V_s_rad = back_emf_constant_V_s_rad(actuator);
+  model.torque_constant_Nm_A = flux * torque_constant_Nm_A / phase_amperes_per_ampere(convention);
+  model.back_emf_V_s_rad = flux * back_emf_V_s_rad * phase_volts_per_winding_volt(convention);
+  model.resistance_ohm = phase_resistance_ohm(actuator, temperature_K);
+  model.inductance_d_H = motor.inductance_d_H;
+  model.inductance_q_H = motor.inductance_q_H;
+  model.pole_pairs = motor.pole_pairs;
+  model.dead_time_V = dead_time_V(actuator);
+  set_saturation(actuator, model);
+}
+
+void set_current_limit(const Actuator& actuator, Rating rating, PhaseModel& model) {
+  const double per_ampere = phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
+  double limit_A = actuator.drive.peak_current_A;
+  if (rating == Rating::kContinuous) {
+    const double stated_A = actuator.drive.continuous_current_A.value_or(kUnlimited);
+    const double steady_A = steady_current_A(actuator).value_or(kUnlimited);
+    if (std::min(stated_A, steady_A) < limit_A && steady_A < stated_A) {
+      model.current_limiter = Limiter::kThermal;
+    }
+    limit_A = std::min({limit_A, stated_A, steady_A});
+  }
+  model.current_limit_A = limit_A * per_ampere;
+  model.demagnetisation_current_A = actuator.motor.demagnetisation_current_A * per_ampere;
+}
+
+}  // namespace
+
+std::vector<std::string> objections(const Actuator& actuator,
+                                    const OperatingConditions& conditions) {
+  std::vector<std::string> sentences;
+  const bool has_rating = actuator.drive.continuous_current_A || actuator.thermal;
+  if (conditions.rating == Rating::kContinuous && !has_rating) {
+    sentences.push_back(
+        "the continuous rating needs /drive/continuous_current_A or /thermal; the document has "
+        "neither");
+  }
+  if (conditions.state_of_charge && conditions.bus_voltage_V) {
+    sentences.push_back("a bus voltage and a state of charge were asked for; one sets the other");
+  } else if (conditions.state_of_charge &&
+             (!actuator.battery || actuator.battery->cell_open_circuit.size() < 2)) {
+    sentences.push_back(
+        "a state of charge needs /battery/cell_open_circuit_V as a list of {state_of_charge, "
+        "voltage_V}; the document has no such curve");
+  }
+  const double temperature_K = winding_temperature_K(actuator, conditions);
+  if (resistance_factor(actuator, temperature_K) <= 0.0 ||
+      factor_at(actuator, Acts::kFluxFactor, temperature_K) <= 0.0) {
+    sentences.push_back(fmt::format(
+        "at a winding temperature of {} K the temperature coefficients leave no resistance or no "
+        "magnet; the laws are linear about {} K",
+        temperature_K, actuator.motor.winding_temperature_K));
+  }
+  const Transmission& gear = actuator.transmission;
+  if (gear.backward_efficiency <= 0.0 && gear.peak_torque_Nm == kUnlimited) {
+    sentences.push_back(
+        "the gearbox locks itself: braking torque is held by its teeth, not by the motor; state "
+        "/gearbox/peak_torque_Nm");
+  }
+  return sentences;
+}
+
+double winding_temperature_K(const Actuator& actuator, const OperatingConditions& conditions) {
+  return conditions.winding_temperature_K.value_or(actuator.motor.winding_temperature_K);
+}
+
+double open_circuit_voltage_V(const Actuator& actuator, const OperatingConditions& conditions) {
+  if (conditions.bus_voltage_V) return *conditions.bus_voltage_V;
+  if (!actuator.battery) return actuator.drive.bus_voltage_V;
+  return actuator.battery->series_cells *
+         cell_voltage_V(*actuator.battery, conditions.state_of_charge.value_or(1.0));
+}
+
+std::optional<double> steady_current_A(const Actuator& actuator) {
+  if (!actuator.thermal) return std::nullopt;
+  const Thermal& thermal = *actuator.thermal;
+  const double room_K = thermal.winding_limit_K - thermal.ambient_K;
+  if (room_K <= 0.0) return 0.0;
+  const double loss_W = room_K / (thermal.winding_to_case_K_W + thermal.case_to_ambient_K_W);
+  const double resistance_ohm = phase_resistance_ohm(actuator, thermal.winding_limit_K);
+  return std::sqrt(loss_W / (1.5 * resistance_ohm)) /
+         phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
+}
+
+PhaseModel phase_model_at(const Actuator& actuator, const OperatingConditions& conditions) {
+  PhaseModel model;
+  set_constants(actuator, winding_temperature_K(actuator, conditions), model);
+  set_current_limit(actuator, conditions.rating, model);
+  model.field_weakening = actuator.drive.field_weakening;
+  model.supply = supply_at(actuator, conditions);
+  model.phase_volts_per_bus_volt = phase_volts_per_bus_volt(
+      actuator.motor.torque_constant_convention, actuator.drive.modulation);
+  return model;
+}
+
+}  // namespace torquewright::actuator

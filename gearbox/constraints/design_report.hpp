@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearbox/problem.hpp"
+
+namespace torquewright::gearbox {
+
+/// One constraint at one design. margin >= 0 (> 0 where strict) is satisfied; its sign is that of
+/// "how far inside", in the unit of the value.
+struct ConstraintReport {
+  std::string name;  ///< docs/gearbox_constraints.md
+  std::string key;   ///< JSON pointer of the bound that sets the limit; empty: none.
+  double value = 0.0;
+  double limit = 0.0;
+  double margin = 0.0;
+  std::string unit;
+  bool satisfied = false;
+  std::string sentence;
+};
+
+/// Something worth knowing that forbids nothing: trimming, hunting tooth, phasing, ring blank.
+struct Remark {
+  std::string name;
+  std::string sentence;
+};
+
+struct GearReport {
+  std::string name;  ///< sun, planet_1, ...
+  std::int64_t teeth = 0;
+  std::string layer;  ///< layer_1 or layer_2
+  bool internal = false;
+  double pitch_diameter_mm = 0.0;
+  double tip_diameter_mm = 0.0;
+  double root_diameter_mm = 0.0;
+  double base_diameter_mm = 0.0;
+  double speed_per_input = 0.0;  ///< Absolute speed over the sun's. Dimensionless, signed.
+};
+
+struct MeshReport {
+  std::string name;         ///< sun_planet_1, planet_1_fixed_ring, ...
+  double efficiency = 1.0;  ///< Basic (carrier fixed). NaN-free: 1 if friction is absent.
+  double contact_ratio = 0.0;
+  double approach_ratio = 0.0;      ///< epsilon_A: path beyond the pitch point at the mate's tip.
+  double recess_ratio = 0.0;        ///< epsilon_R
+  double forward_loss = 0.0;        ///< Share of the input power, sun driving; sum 1 - efficiency.
+  double backward_loss = 0.0;       ///< The same, output driving; all 0 if self-locking.
+  double loss_share = 0.0;          ///< Of the forward loss; without friction of its limit. Sum 1.
+  double backlash_share = 0.0;      ///< Of the output backlash for equal mesh backlash; sum 1.
+  double tangential_force_N = 0.0;  ///< Per planet at the load; 0 if no load is given.
+};
+
+/// Everything about one design.
+struct DesignReport {
+  Design design;
+  std::vector<GearReport> gears;  ///< In the topology's order.
+  std::vector<MeshReport> meshes;
+  std::int64_t planet_types = 1;  ///< Different planets needed; 1: all alike.
+  Rational ratio;                 ///< Sun over output, signed.
+  double carrier_speed_per_input = 0.0;
+  double objective = 0.0;  ///< In the problem's objective, as the user reads it.
+  std::string objective_unit;
+  double forward_efficiency = 1.0;   ///< 1 where no friction coefficient is given.
+  double backward_efficiency = 1.0;  ///< 0 if self-locking.
+  bool self_locking = false;
+  double hollow_shaft_diameter_mm = 0.0;
+  double ring_blank_diameter_mm = 0.0;            ///< Largest ring's root circle plus two walls.
+  std::optional<double> mass_kg;                  ///< Needs face widths and density.
+  std::optional<double> reflected_inertia_kg_m2;  ///< At the output; needs the same.
+  std::optional<double> rotor_inertia_at_output_kg_m2;  ///< The motor's share, if it is given.
+  std::optional<double> input_torque_Nm;                ///< Lossless, at the given load.
+  std::optional<double> driving_torque_Nm;  ///< At the sun, to deliver the load in spite of losses.
+  std::optional<double>
+      backdriven_torque_Nm;  ///< At the sun, when the load drives; 0: self-locking.
+  std::optional<double> fixed_ring_torque_Nm;    ///< Lossless, at the given load.
+  std::optional<double> planet_tilting_force_N;  ///< Force in each layer that tilts a planet.
+  double output_backlash_rad_per_mm = 0.0;       ///< For the same normal backlash in every mesh.
+  std::vector<ConstraintReport> constraints;
+  std::vector<Remark> remarks;
+
+  bool feasible() const;
+};
+
+}  // namespace torquewright::gearbox

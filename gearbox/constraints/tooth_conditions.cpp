@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/constraints/tooth_conditions.hpp"
+
+#include "gearbox/teeth/mesh.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+Expression constant(std::int64_t number) { return Expression(static_cast<double>(number)); }
+Expression half_pitch_angle(std::int64_t planet_count) {
+  return Expression::pi() / constant(planet_count);
+}
+Expression reference_angle() { return Expression::pi() / 9.0; }
+
+}  // namespace
+
+Rational least_ratio(const Problem& problem) {
+  return problem.target_ratio * (1 - problem.ratio_tolerance);
+}
+Rational greatest_ratio(const Problem& problem) {
+  return problem.target_ratio * (1 + problem.ratio_tolerance);
+}
+
+Condition at_least(const std::string& gear, const Expression& teeth, std::int64_t minimum) {
+  const std::string name = "min_teeth." + gear;
+  return {name, name, "/min_teeth/" + gear, teeth - constant(minimum)};
+}
+
+Condition carrier_clearance(const Problem& problem, std::int64_t planet_count,
+                            const Expression& sun, const Expression& planet) {
+  const Expression k =
+      sin(half_pitch_angle(planet_count) - Expression(problem.min_carrier_clearance_rad));
+  return {"carrier_clearance", "carrier_clearance", "/min_carrier_clearance_rad",
+          k * sun - (1.0 - k) * planet};
+}
+
+Expression carrier_clearance_rad(std::int64_t planet_count, const Expression& sun,
+                                 const Expression& planet) {
+  return half_pitch_angle(planet_count) - asin(planet / (sun + planet));
+}
+
+Condition rotor_bore(const Problem& problem, const Rational& module_mm, const Expression& ring) {
+  const Rational limit = problem.rotor_inner_diameter_mm / module_mm;
+  return {"rotor_bore", "rotor_bore", "/rotor_inner_diameter_mm", Expression(limit) - ring};
+}
+
+Condition neighbour_clearance(const Problem& problem, const std::string& layer,
+                              std::int64_t planet_count, const Rational& module_mm,
+                              const Expression& tooth_sum, const Expression& planet) {
+  const std::string name = "neighbour_clearance." + layer;
+  const Rational limit = problem.min_neighbour_clearance_mm / module_mm;
+  return {name, name, "/min_neighbour_clearance_mm",
+          sin(half_pitch_angle(planet_count)) * tooth_sum - (planet + 2.0) - Expression(limit),
+          /*strict=*/true};
+}
+
+Expression neighbour_clearance_mm(std::int64_t planet_count, const Rational& module_mm,
+                                  const Expression& tooth_sum, const Expression& planet) {
+  return Expression(module_mm) * (sin(half_pitch_angle(planet_count)) * tooth_sum - (planet + 2.0));
+}
+
+Condition undercut(const std::string& gear, const Expression& teeth) {
+  const std::string name = "undercut." + gear;
+  return {name, name, "", teeth - 2.0 / square(sin(reference_angle()))};
+}
+
+Condition ring_tip(const std::string& ring, const Rational& module_mm, const Expression& teeth) {
+  const std::string name = "ring_tip." + ring;
+  const Expression inside = (1.0 - cos(reference_angle())) * teeth - 2.0;
+  return {name, name, "", Expression(module_mm) / 2.0 * inside, /*strict=*/true};
+}
+
+std::vector<Condition> ring_wall(const Problem& problem, const std::string& ring,
+                                 const Rational& module_mm, const Expression& teeth) {
+  if (!problem.ring_outer_diameter_mm) return {};
+  const std::string name = "ring_wall." + ring;
+  const Expression root_mm = Expression(module_mm) * (teeth + 2.5);
+  const Rational wall_mm = ring_wall_mm(problem, module_mm);
+  return {{name, name, "/ring_outer_diameter_mm",
+           (Expression(*problem.ring_outer_diameter_mm) - root_mm) / 2.0 - Expression(wall_mm)}};
+}
+
+std::vector<Condition> interference(const std::string& mesh, const Expression& planet,
+                                    const Expression& ring) {
+  const std::string involute = "interference.involute." + mesh;
+  const std::string trochoid = "interference.trochoid." + mesh;
+  return {{involute, involute, "", involute_interference_margin(planet, ring), false, false},
+          {trochoid, trochoid, "",
+           min(trochoid_interference_margin(planet, ring), ring_tip_margin(ring)), false, false}};
+}
+
+Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& ratio) {
+  const std::string name = "contact_ratio." + mesh;
+  return {name,
+          name,
+          "/min_contact_ratio",
+          ratio - Expression(problem.min_contact_ratio),
+          false,
+          /*on_boxes=*/false};
+}
+
+Condition contact_ratio_in_ring(const Problem& problem, const std::string& mesh,
+                                const Expression& planet, const Expression& ring) {
+  Condition condition = contact_ratio(problem, mesh, contact_ratio(internal_path(planet, ring)));
+  condition.body = min(condition.body, ring_tip_margin(ring));
+  return condition;
+}
+
+}  // namespace torquewright::gearbox

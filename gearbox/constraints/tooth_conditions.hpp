@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearbox/problem.hpp"
+#include "optimization/discrete/problem.hpp"
+
+namespace torquewright::gearbox {
+
+// The constraints of docs/gearbox_constraints.md that topologies share, as conditions on
+// expressions of tooth counts. Lengths are in modules unless a name says otherwise.
+
+using optimization::Condition;
+using optimization::Expression;
+
+/// G(1-t) and G(1+t).
+Rational least_ratio(const Problem& problem);
+Rational greatest_ratio(const Problem& problem);
+
+Condition at_least(const std::string& gear, const Expression& teeth, std::int64_t minimum);
+
+/// pi/n - asin(P/(S + P)) >= alpha_min, made linear: k S - (1 - k) P >= 0, k = sin(pi/n -
+/// alpha_min).
+Condition carrier_clearance(const Problem& problem, std::int64_t planet_count,
+                            const Expression& sun, const Expression& planet);
+Expression carrier_clearance_rad(std::int64_t planet_count, const Expression& sun,
+                                 const Expression& planet);
+
+Condition rotor_bore(const Problem& problem, const Rational& module_mm, const Expression& ring);
+
+/// Planet `planet` of the layer on the centre distance of sun and planet 1.
+Condition neighbour_clearance(const Problem& problem, const std::string& layer,
+                              std::int64_t planet_count, const Rational& module_mm,
+                              const Expression& tooth_sum, const Expression& planet);
+Expression neighbour_clearance_mm(std::int64_t planet_count, const Rational& module_mm,
+                                  const Expression& tooth_sum, const Expression& planet);
+
+Condition undercut(const std::string& gear, const Expression& teeth);
+Condition ring_tip(const std::string& ring, const Rational& module_mm, const Expression& teeth);
+
+/// Empty unless the problem limits the rings' blanks.
+std::vector<Condition> ring_wall(const Problem& problem, const std::string& ring,
+                                 const Rational& module_mm, const Expression& teeth);
+Rational ring_wall_mm(const Problem& problem, const Rational& module_mm);
+
+/// Involute and trochoid interference of a planet in a ring; judged at points.
+std::vector<Condition> interference(const std::string& mesh, const Expression& planet,
+                                    const Expression& ring);
+Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& ratio);
+/// There is no contact in a ring whose tip circle lies inside its base circle.
+Condition contact_ratio_in_ring(const Problem& problem, const std::string& mesh,
+                                const Expression& planet, const Expression& ring);
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "gearbox/search/search_result.hpp"
+#include "gearbox/topologies/topology.hpp"
+
+namespace torquewright::gearbox {
+
+/// {"teeth": {...}, "planet_count", "module_mm"}
+nlohmann::ordered_json design_json(const Topology& topology, const Design& design);
+
+/// A result's "certificate", in the form of docs/certificate.md.
+nlohmann::ordered_json certificate_json(const Topology& topology, const std::vector<Claim>& claims);
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearbox/teeth/shifted_mesh.hpp"
+
+namespace torquewright::gearbox {
+
+/// A train as it was made.
+struct GearTrain {
+  std::string topology;             ///< "3k" or "planetary".
+  std::vector<std::int64_t> teeth;  ///< In the topology's order.
+  std::vector<double> shifts;       ///< Profile shifts in modules, likewise.
+  std::int64_t planet_count = 0;
+  double module_mm = 0.0;
+  std::vector<double> face_width_mm;  ///< By layer: one, or two of a 3K train.
+};
+
+/// Sun speed over output speed, signed. Requires a train that moves.
+double reduction(const GearTrain& train);
+
+/// The layers of a topology's gears: 1 or 2.
+std::size_t layer_count(std::string_view topology);
+
+/// Two gears of a train and what one planet's teeth carry between them.
+struct LoadedMesh {
+  std::string_view name;
+  std::array<std::string_view, 2> gears;  ///< The second is the ring of an internal mesh.
+  std::array<bool, 2> bends_both_ways{};  ///< Loaded on the other flank in another mesh.
+  CutPair cut;
+  double contact_ratio = 0.0;
+  double face_width_mm = 0.0;
+  /// Tangential, on the working pitch circles, all planets sharing alike, without losses.
+  double force_per_sun_torque_N_Nm = 0.0;
+};
+
+/// The meshes of a train with their forces, docs/derivations/strength.md eq. (1)...(3).
+struct LoadedTrain {
+  std::vector<LoadedMesh> meshes;
+  std::vector<std::string> objections;  ///< Sentences; any: the gears do not mesh.
+};
+LoadedTrain loaded_train(const GearTrain& train);
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/strength/strength_spec.hpp"
+
+#include <fmt/format.h>
+
+#include "gearbox/topologies/topology.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+using nlohmann::json;
+
+[[noreturn]] void refuse_strength(const io::Document& document, const std::string& path,
+                                  std::string message) {
+  throw io::SpecError({{document.file, document.path + path, std::move(message)}});
+}
+
+/// Teeth, shifts, planets and module from the keys of a gearbox at `path` of a document.
+GearTrain train_of(const json& keys, const std::string& topology_name, const io::Document& document,
+                   const std::string& path) {
+  GearTrain train;
+  train.topology = topology_name;
+  train.planet_count = keys["planet_count"];
+  train.module_mm = keys["module_mm"];
+  const Topology& topology = *find_topology(topology_name);
+  const json shifts = keys.value("profile_shift", json::object());
+  for (const std::string_view gear : topology.gears) {
+    const std::string name(gear);
+    if (!keys["teeth"].contains(name)) {
+      refuse_strength(document, path + "/teeth/" + name,
+                      fmt::format("missing; the topology \"{}\" has it", topology_name));
+    }
+    train.teeth.push_back(keys["teeth"][name]);
+    train.shifts.push_back(shifts.value(name, 0.0));
+  }
+  return train;
+}
+
+GearTrain train_from_file(const io::Document& gearbox) {
+  const json& root = gearbox.root;
+  if (root["kind"] == "gearbox") return train_of(root, root["topology"], gearbox, "");
+  if (root["designs"].empty()) {
+    refuse_strength(gearbox, "/designs", "holds no design: there is no gearbox to take");
+  }
+  return train_of(root["designs"][0], root["problem"]["topology"], gearbox, "/designs/0");
+}
+
+GearTrain read_train(ReadStrength& read) {
+  const io::Document document = read.documents.front();
+  const json& keys = document.root["gearbox"];
+  if (!keys.contains("file")) return train_of(keys, keys["topology"], document, "/gearbox");
+  const std::filesystem::path file =
+      std::filesystem::path(document.file).parent_path() / keys["file"].get<std::string>();
+  read.documents.push_back(io::read_document(file, {"gearbox", "gearbox_result"}));
+  return train_from_file(read.documents.back());
+}
+
+void read_face_widths(const io::Document& document, GearTrain& train) {
+  const json& widths = document.root["face_width_mm"];
+  train.face_width_mm = {widths["layer_1"].get<double>()};
+  const bool has_second = layer_count(train.topology) == 2;
+  if (widths.contains("layer_2") != has_second) {
+    refuse_strength(document, "/face_width_mm/layer_2",
+                    has_second ? "missing; a 3k train has two layers"
+                               : "is for 3k trains; a planetary stage has one layer");
+  }
+  if (has_second) train.face_width_mm.push_back(widths["layer_2"]);
+}
+
+GearMaterial read_material(const io::Document& document) {
+  const json& keys = document.root["material"];
+  GearMaterial material;
+  const std::string treatment = keys["treatment"];
+  material.treatment = treatment == "case_hardened"      ? Treatment::kCaseHardened
+                       : treatment == "through_hardened" ? Treatment::kThroughHardened
+                                                         : Treatment::kNitrided;
+  material.young_MPa = keys["young_MPa"];
+  material.poisson = keys["poisson"];
+  material.bending_endurance_MPa = keys["bending_endurance_MPa"];
+  material.contact_endurance_MPa = keys["contact_endurance_MPa"];
+  if (keys.contains("yield_MPa")) material.yield_MPa = keys["yield_MPa"].get<double>();
+  if (material.treatment == Treatment::kThroughHardened && !material.yield_MPa) {
+    refuse_strength(document, "/material/yield_MPa",
+                    "missing; the static strength of through-hardened teeth depends on it");
+  }
+  return material;
+}
+
+LoadFactors read_factors(const json& keys) {
+  return {keys["application"],    keys["dynamic"],         keys["load_sharing"],
+          keys["face_load_root"], keys["face_load_flank"], keys["alternating_bending"]};
+}
+
+}  // namespace
+
+ReadStrength read_strength(const std::filesystem::path& file) {
+  return strength_of(io::read_document(file, "gear_strength"));
+}
+
+ReadStrength strength_of(io::Document document) {
+  const json root = document.root;
+  ReadStrength read;
+  read.name = root.value("name", std::filesystem::path(document.file).stem().string());
+  read.assumed = root.value("assumed", read.assumed);
+  read.documents.push_back(std::move(document));
+  StrengthCase& strength = read.strength;
+  strength.train = read_train(read);
+  read_face_widths(read.documents.front(), strength.train);
+  strength.material = read_material(read.documents.front());
+  strength.factors = read_factors(root["factors"]);
+  strength.cycles = root["cycles"];
+  strength.demanded_root_safety = root["safety_factor"]["root"];
+  strength.demanded_flank_safety = root["safety_factor"]["flank"];
+  if (root.contains("rotor_inner_diameter_mm")) {
+    read.ring_space_mm = root["rotor_inner_diameter_mm"].get<double>();
+  }
+  const LoadedTrain train = loaded_train(strength.train);
+  if (!train.objections.empty()) {
+    refuse_strength(read.documents.back(), read.documents.size() == 1 ? "/gearbox" : "",
+                    train.objections.front());
+  }
+  return read;
+}
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/strength/strength_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace torquewright::gearbox {
+namespace {
+
+/// Planets in one plane whose tips do not touch: 2 a sin(pi/n) above the tip diameter.
+bool has_room_for_planets(std::int64_t sun, std::int64_t planet, std::int64_t count) {
+  const double chord =
+      static_cast<double>(sun + planet) * std::sin(std::numbers::pi / static_cast<double>(count));
+  return chord > static_cast<double>(planet + 2);
+}
+
+std::vector<StrengthCase> over_widths(const StrengthCase& strength,
+                                      const std::vector<double>& widths_mm) {
+  if (widths_mm.empty()) return {strength};
+  std::vector<StrengthCase> cases;
+  for (const double width_mm : widths_mm) {
+    cases.push_back(strength);
+    for (double& own_mm : cases.back().train.face_width_mm) own_mm = width_mm;
+  }
+  return cases;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> stage_with_most_teeth(const GearTrain& stage, double module_mm,
+                                                double ring_space_mm) {
+  GearTrain tried = stage;
+  tried.module_mm = module_mm;
+  tried.shifts.assign(3, 0.0);
+  const auto most = static_cast<std::int64_t>(std::floor(ring_space_mm / module_mm + 1e-9));
+  const std::int64_t own_sun = stage.teeth[0];
+  const std::int64_t own_ring = stage.teeth[2];
+  for (std::int64_t sun = most * own_sun / own_ring; sun > 0; --sun) {
+    if (sun * own_ring % own_sun != 0) continue;
+    const std::int64_t ring = sun * own_ring / own_sun;
+    const std::int64_t planet = (ring - sun) / 2;
+    if ((ring - sun) % 2 != 0 || (sun + ring) % stage.planet_count != 0) continue;
+    if (!has_room_for_planets(sun, planet, stage.planet_count)) continue;
+    tried.teeth = {sun, planet, ring};
+    if (loaded_train(tried).objections.empty()) return tried.teeth;
+  }
+  return {};
+}
+
+StrengthVariants strength_variants(const StrengthCase& strength,
+                                   const std::vector<double>& modules_mm,
+                                   const std::vector<double>& face_widths_mm,
+                                   double ring_space_mm) {
+  StrengthVariants variants;
+  const auto add = [&](const StrengthCase& sized) {
+    for (StrengthCase& each : over_widths(sized, face_widths_mm)) {
+      variants.cases.push_back(std::move(each));
+    }
+  };
+  if (modules_mm.empty()) add(strength);
+  for (const double module_mm : modules_mm) {
+    StrengthCase sized = strength;
+    sized.train.module_mm = module_mm;
+    if (strength.train.topology == "planetary") {
+      sized.train.teeth = stage_with_most_teeth(strength.train, module_mm, ring_space_mm);
+      sized.train.shifts.assign(3, 0.0);
+      if (sized.train.teeth.empty()) {
+        variants.left_out.push_back(
+            fmt::format("module {} mm: no teeth of that ratio without undercut fit a ring of {} mm",
+                        module_mm, ring_space_mm));
+        continue;
+      }
+    }
+    add(sized);
+  }
+  return variants;
+}
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/strength/tooth_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearbox/strength/strength.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+constexpr RackTool kTool;
+constexpr double kFullToothHeight = 2.25;  // in modules; shift moves tip and root of a ring alike
+
+/// Root factors with the load at the tip, and Y_S with it at the outer point of single contact,
+/// which the static notch factor asks for. A ring has factors for the tip only.
+struct RootShape {
+  RootFactors tip;
+  double working_concentration = 0.0;
+};
+
+RootShape root_shape(const CutPair& cut, std::size_t which, double contact_ratio) {
+  if (which == 1 && cut.pair.kind == MeshKind::kInternal) {
+    const RootFactors ring = din3990_ring_root_factors(kFullToothHeight, kTool);
+    return {ring, ring.concentration};
+  }
+  const double teeth = which == 0 ? cut.pair.teeth_1 : cut.pair.teeth_2;
+  const double shift = which == 0 ? cut.pair.shift_1 : cut.pair.shift_2;
+  const double tip = which == 0 ? cut.tip_diameter_1 : cut.tip_diameter_2;
+  return {
+      din3990_root_factors(teeth, shift, tip, 1.0, kTool),
+      din3990_root_factors(teeth, shift, tip, std::min(contact_ratio, 2.0), kTool).concentration};
+}
+
+ToothStress against(const LifeCurve& life, double cycles, double stress_MPa) {
+  return {stress_MPa, life.static_MPa, life.at_MPa(cycles)};
+}
+
+/// docs/derivations/strength.md eq. (4), (5).
+ToothStress root_stress(const StrengthCase& strength, const LoadedMesh& mesh, std::size_t which,
+                        double force_N) {
+  const LoadFactors& factors = strength.factors;
+  const RootShape shape = root_shape(mesh.cut, which, mesh.contact_ratio);
+  const double nominal_MPa =
+      din3990_root_stress_MPa(force_N, mesh.face_width_mm, strength.train.module_mm, shape.tip) *
+      contact_ratio_factor(mesh.contact_ratio);
+  const double stress_MPa = nominal_MPa * factors.application * factors.dynamic *
+                            factors.load_sharing * factors.face_load_root;
+  const double share = mesh.bends_both_ways[which] ? factors.alternating_bending : 1.0;
+  return against(root_life(strength.material, shape.working_concentration, share), strength.cycles,
+                 stress_MPa);
+}
+
+/// The same pair of flanks seen from its other gear; the ring's point is the planet's.
+double flank_factor(const LoadedMesh& mesh, ContactPair pair, std::size_t which) {
+  if (which == 0 || pair.internal) {
+    return single_contact_factor(pair, mesh.cut.tip_diameter_1, mesh.cut.tip_diameter_2);
+  }
+  std::swap(pair.teeth_1, pair.teeth_2);
+  return single_contact_factor(pair, mesh.cut.tip_diameter_2, mesh.cut.tip_diameter_1);
+}
+
+/// docs/derivations/strength.md eq. (8)...(10).
+ToothStress flank_stress(const StrengthCase& strength, const LoadedMesh& mesh, std::size_t which,
+                         double force_N) {
+  const LoadFactors& factors = strength.factors;
+  const GearMaterial& steel = strength.material;
+  const ShiftedPair& teeth = mesh.cut.pair;
+  const ContactPair pair{teeth.kind == MeshKind::kInternal,
+                         teeth.teeth_1,
+                         teeth.teeth_2,
+                         teeth.teeth_1 * strength.train.module_mm,
+                         mesh.face_width_mm,
+                         mesh.cut.working_angle_rad,
+                         mesh.contact_ratio};
+  const double elasticity =
+      elasticity_factor(steel.young_MPa, steel.poisson, steel.young_MPa, steel.poisson);
+  const double stress_MPa = contact_stress_MPa(pair, force_N, elasticity) *
+                            flank_factor(mesh, pair, which) *
+                            std::sqrt(factors.application * factors.dynamic * factors.load_sharing *
+                                      factors.face_load_flank);
+  return against(flank_life(steel), strength.cycles, stress_MPa);
+}
+
+}  // namespace
+
+double sun_torque_Nm(const GearTrain& train, double torque_Nm, TorqueSide side) {
+  const double magnitude_Nm = std::abs(torque_Nm);
+  return side == TorqueSide::kMotor ? magnitude_Nm : magnitude_Nm / std::abs(reduction(train));
+}
+
+std::vector<ToothLoad> tooth_loads(const StrengthCase& strength, double torque_Nm) {
+  std::vector<ToothLoad> loads;
+  for (const LoadedMesh& mesh : loaded_train(strength.train).meshes) {
+    const double force_N = mesh.force_per_sun_torque_N_Nm * torque_Nm;
+    for (std::size_t which : {0u, 1u}) {
+      loads.push_back({mesh.gears[which], mesh.name, force_N,
+                       root_stress(strength, mesh, which, force_N),
+                       flank_stress(strength, mesh, which, force_N)});
+    }
+  }
+  return loads;
+}
+
+bool has_demanded_safety(const StrengthCase& strength, const std::vector<ToothLoad>& loads) {
+  return std::all_of(loads.begin(), loads.end(), [&](const ToothLoad& load) {
+    return load.root.least_safety() >= strength.demanded_root_safety &&
+           load.flank.least_safety() >= strength.demanded_flank_safety;
+  });
+}
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/teeth/root_fillet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace torquewright::gearbox {
+namespace {
+
+constexpr int kBisections = 60;  // Halves an interval of order 1 below round-off.
+
+// A root of `function` between `inside`, where it is negative, and `outside`, where it is not.
+template <typename Function>
+double bisect(double inside, double outside, Function function) {
+  for (int step = 0; step < kBisections; ++step) {
+    const double middle = 0.5 * (inside + outside);
+    (function(middle) < 0.0 ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+// Undercut, eq. (6): the hob's arc ends beyond the base tangent point and cuts into the involute.
+bool is_undercut(const HobTrochoid& trochoid) {
+  const double sine = std::sin(kPressureAngle_rad);
+  const double end_distance = trochoid.hob_tip_radius - trochoid.arc_center_height / sine;
+  return end_distance > trochoid.pitch_radius * sine;
+}
+
+// The normal with which the trochoid crosses the involute of an undercut tooth.
+double undercut_normal_rad(const ToothForm& form, const HobTrochoid& trochoid) {
+  const double base = base_radius(form);
+  const double base_normal_rad =
+      bisect(kPressureAngle_rad, 0.5 * std::numbers::pi,
+             [&](double normal_rad) { return base - trochoid_point(trochoid, normal_rad).radius; });
+  return bisect(base_normal_rad, kPressureAngle_rad, [&](double normal_rad) {
+    const PolarPoint point = trochoid_point(trochoid, normal_rad);
+    return point.angle_rad - half_angle_rad(form, point.radius);
+  });
+}
+
+}  // namespace
+
+HobTrochoid hob_trochoid(const ToothForm& external) {
+  const double pitch_radius = 0.5 * static_cast<double>(external.teeth);
+  const double hob_depth = pitch_radius + external.profile_shift - external.root_radius;
+  const double sine = std::sin(kPressureAngle_rad);
+  const double cosine = std::cos(kPressureAngle_rad);
+  HobTrochoid trochoid{
+      .pitch_radius = pitch_radius,
+      .half_pitch_rad = std::numbers::pi / static_cast<double>(external.teeth),
+      .hob_tip_radius = external.fillet_radius,
+      // Eq. (3): the arc touches the hob's flank and its tip line.
+      .arc_center_offset = 0.25 * std::numbers::pi - hob_depth * sine / cosine -
+                           external.fillet_radius * (1.0 - sine) / cosine,
+      .arc_center_height = external.profile_shift - hob_depth + external.fillet_radius,
+      .end_normal_rad = kPressureAngle_rad};
+  if (is_undercut(trochoid)) trochoid.end_normal_rad = undercut_normal_rad(external, trochoid);
+  return trochoid;
+}
+
+PolarPoint trochoid_point(const HobTrochoid& trochoid, double normal_rad) {
+  // Eq. (4): the common normal of hob and gear passes through the pitch point.
+  const double along = -trochoid.arc_center_height / std::tan(normal_rad);
+  const double roll_rad = (along - trochoid.arc_center_offset) / trochoid.pitch_radius;
+  // Eq. (5): the point on the arc, seen from the gear's axis and turned back by the roll.
+  const double x = along + trochoid.hob_tip_radius * std::cos(normal_rad);
+  const double y = trochoid.pitch_radius + trochoid.arc_center_height -
+                   trochoid.hob_tip_radius * std::sin(normal_rad);
+  return {std::hypot(x, y), trochoid.half_pitch_rad - (std::atan2(x, y) - roll_rad)};
+}
+
+RingFillet ring_fillet(const ToothForm& internal) {
+  const double base = base_radius(internal);
+  // Eq. (7): the parallel of an involute at distance r is the same involute turned by r / r_b.
+  const auto center_angle_rad = [&](double radius) {
+    return half_angle_rad(internal, internal.root_radius - radius) - radius / base;
+  };
+  double radius = internal.fillet_radius;
+  if (center_angle_rad(radius) < 0.0) {
+    radius = bisect(0.0, radius, [&](double trial) { return -center_angle_rad(trial); });
+  }
+  const double center_radius = internal.root_radius - radius;
+  const double string =
+      std::sqrt(std::max(0.0, center_radius * center_radius - base * base)) + radius;
+  const double flank_radius = std::hypot(base, string);
+  return {.radius = radius,
+          .center = {center_radius, std::max(0.0, center_angle_rad(radius))},
+          .flank_end = {flank_radius, half_angle_rad(internal, flank_radius)}};
+}
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gearbox/teeth/tooth_form.hpp"
+
+namespace torquewright::gearbox {
+
+/// A point of a gear's plane by radius [modules] and angle from the middle of the tooth (internal:
+/// of the space) [rad].
+struct PolarPoint {
+  double radius = 0.0;
+  double angle_rad = 0.0;
+};
+
+/// The root of an external tooth as the rounded tip of a hob cuts it: a trochoid, eqs. (3)-(6).
+struct HobTrochoid {
+  double pitch_radius = 0.0;
+  double half_pitch_rad = 0.0;
+  double hob_tip_radius = 0.0;
+  double arc_center_offset = 0.0;  ///< From the middle of the hob's tooth.
+  double arc_center_height = 0.0;  ///< Above the rolling line; below it if negative.
+  double end_normal_rad = 0.0;     ///< Where the trochoid meets the involute.
+};
+
+HobTrochoid hob_trochoid(const ToothForm& external);
+
+/// Where the hob's arc cuts with its normal at `normal_rad` below the rolling line: pi/2 at the
+/// root circle, the pressure angle at the end of the hob's straight flank.
+PolarPoint trochoid_point(const HobTrochoid& trochoid, double normal_rad);
+
+/// The circular root fillet of a ring, tangent to the root circle and to the involute, eq. (7).
+struct RingFillet {
+  double radius = 0.0;  ///< The form's, or what finds room between the flanks of a narrow space.
+  PolarPoint center;
+  PolarPoint flank_end;  ///< Where it touches the involute.
+};
+
+RingFillet ring_fillet(const ToothForm& internal);
+
+}  // namespace torquewright::gearbox

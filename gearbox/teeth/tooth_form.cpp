@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/teeth/tooth_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "gearbox/teeth/tooth_geometry.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+constexpr double kAddendum = 1.0;
+constexpr double kHobTipRadius = 0.38;     // ISO 53 profile A.
+constexpr double kRingFilletRadius = 0.3;  // Stays clear of a standard planet's tip, eq. (9).
+
+void require_drawable(std::int64_t teeth, double profile_shift) {
+  if (teeth < kMinDrawnTeeth) throw std::invalid_argument("tooth form: fewer than 7 teeth");
+  if (!std::isfinite(profile_shift)) throw std::invalid_argument("tooth form: shift not finite");
+}
+
+}  // namespace
+
+double base_radius(const ToothForm& form) {
+  return 0.5 * static_cast<double>(form.teeth) * std::cos(kPressureAngle_rad);
+}
+
+double base_half_angle_rad(const ToothForm& form) {
+  const double thickness =
+      0.5 * std::numbers::pi + 2.0 * form.profile_shift * std::tan(kPressureAngle_rad);
+  return thickness / static_cast<double>(form.teeth) + involute(kPressureAngle_rad);
+}
+
+double half_angle_rad(const ToothForm& form, double radius) {
+  const double ratio = std::min(1.0, base_radius(form) / radius);
+  return base_half_angle_rad(form) - involute(std::acos(ratio));
+}
+
+ToothForm external_gear(std::int64_t teeth, double profile_shift) {
+  require_drawable(teeth, profile_shift);
+  const double pitch_radius = 0.5 * static_cast<double>(teeth);
+  const ToothForm form{.teeth = teeth,
+                       .internal = false,
+                       .profile_shift = profile_shift,
+                       .tip_radius = pitch_radius + kAddendum + profile_shift,
+                       .root_radius = pitch_radius - kDedendum + profile_shift,
+                       .fillet_radius = kHobTipRadius};
+  if (form.tip_radius <= base_radius(form) || half_angle_rad(form, form.tip_radius) <= 0.0) {
+    throw std::invalid_argument("tooth form: no tooth tip with this profile shift");
+  }
+  return form;
+}
+
+ToothForm internal_gear(std::int64_t teeth, double profile_shift) {
+  require_drawable(teeth, profile_shift);
+  const double pitch_radius = 0.5 * static_cast<double>(teeth);
+  const ToothForm form{.teeth = teeth,
+                       .internal = true,
+                       .profile_shift = profile_shift,
+                       .tip_radius = pitch_radius - kAddendum + profile_shift,
+                       .root_radius = pitch_radius + kDedendum + profile_shift,
+                       .fillet_radius = kRingFilletRadius};
+  if (form.root_radius <= base_radius(form) || half_angle_rad(form, form.root_radius) <= 0.0) {
+    throw std::invalid_argument("tooth form: no tooth space with this profile shift");
+  }
+  return form;
+}
+
+ToothForm external_gear_in_ring(std::int64_t teeth, double profile_shift, const ToothForm& ring,
+                                double center_distance) {
+  ToothForm form = external_gear(teeth, profile_shift);
+  const double ring_base = base_radius(ring);
+  if (ring.tip_radius <= ring_base || center_distance <= 0.0) return form;
+  // Eq. (8): distance from the planet's base tangent point to where the ring's tip touches it.
+  const double working_cosine = (ring_base - base_radius(form)) / center_distance;
+  if (working_cosine <= 0.0 || working_cosine > 1.0) return form;
+  const double tangent_distance =
+      center_distance * std::sqrt(1.0 - working_cosine * working_cosine);
+  const double lowest_contact =
+      std::sqrt(ring.tip_radius * ring.tip_radius - ring_base * ring_base) - tangent_distance;
+  if (lowest_contact <= 0.0) return form;
+  const double sine = std::sin(kPressureAngle_rad);
+  const double hob_depth =
+      profile_shift + sine * (0.5 * static_cast<double>(teeth) * sine - lowest_contact);
+  form.fillet_radius = std::clamp((kDedendum - hob_depth) / (1.0 - sine), 0.0, kHobTipRadius);
+  return form;
+}
+
+}  // namespace torquewright::gearbox

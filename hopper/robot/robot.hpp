@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actuator/motor/actuator.hpp"
+#include "dynamics/point.hpp"
+#include "dynamics/tree.hpp"
+#include "hopper/mechanisms/mechanism.hpp"
+#include "hopper/robot/posture.hpp"
+#include "hopper/robot/transmission_limit.hpp"
+
+namespace torquewright::hopper {
+
+/// Where the robot may touch the ground.
+struct ContactPoint {
+  std::string name;
+  dynamics::BodyPoint point;
+  double friction_coefficient = 0;
+  double restitution = 0;
+};
+
+/// A ball that stands for part of a body where bodies must not meet.
+struct CollisionSphere {
+  dynamics::BodyPoint center;
+  double radius_m = 0.0;
+};
+
+/// Joints, the actuators that move them, and what stands between.
+struct Drivetrain {
+  std::shared_ptr<const Mechanism> mechanism;
+  std::vector<std::size_t> joints;  ///< By the body that the joint carries.
+  std::vector<actuator::Actuator> actuators;
+  std::vector<std::string> actuator_names;  ///< The joint's where one actuator moves one joint.
+  std::vector<std::string> actuator_files;  ///< As the document names them.
+  /// Whether the joints' reflected inertia in the tree holds that of these rotors already.
+  bool rotors_in_tree = true;
+  std::optional<dynamics::BodyPoint> mount;  ///< Where its actuators' mass sits, if stated.
+  std::optional<TransmissionLimit> transmission_limit;  ///< Of each of its actuators.
+};
+
+struct Robot {
+  std::string name;
+  dynamics::Tree tree;  ///< Joints carry their names.
+  std::vector<ContactPoint> contacts;
+  std::vector<Drivetrain> drivetrains;
+  std::vector<CollisionSphere> spheres;
+  nlohmann::json battery;            ///< As stated, for drives that state none; null: none.
+  std::vector<Posture> postures;     ///< By name.
+  std::vector<std::string> assumed;  ///< JSON pointers into its document.
+
+  /// Index of the body that the joint carries; none if no joint has that name.
+  std::optional<std::size_t> find_joint(const std::string& name) const;
+};
+
+}  // namespace torquewright::hopper

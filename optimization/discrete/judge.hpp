@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "optimization/discrete/problem.hpp"
+#include "optimization/expressions/affine.hpp"
+#include "optimization/expressions/formula.hpp"
+
+namespace torquewright::optimization {
+
+/// Two values of a goal with roots or angles that differ by less than this count as equal.
+inline constexpr double kTieRelative = 1e-12;
+
+/// A problem made ready for many questions: which boxes and points satisfy which condition, and
+/// what can a point cost at least? A cost is the goal's value, with its sign turned where it is
+/// maximised, so that less is better. All answers are rigorous.
+class Judge {
+ public:
+  explicit Judge(const Problem& problem);
+
+  std::size_t condition_count() const { return conditions_.size(); }
+  const Condition& condition(std::size_t index) const { return problem_.conditions[index]; }
+  const Problem& problem() const { return problem_; }
+  bool on_boxes(std::size_t index) const { return problem_.conditions[index].on_boxes; }
+  const std::optional<Affine>& affine(std::size_t index) const { return conditions_[index].affine; }
+
+  /// True when the condition holds nowhere in the box.
+  bool refutes(std::size_t index, const Box& box) const;
+  /// Exact: doubtful cases are decided with 256 bits.
+  bool holds(std::size_t index, std::span<const std::int64_t> point) const;
+  /// All conditions and predicates.
+  bool is_feasible(std::span<const std::int64_t> point) const;
+
+  /// Encloses the cost of every point of the box that satisfies all conditions. -infinity below
+  /// where nothing is known.
+  Interval cost_over(const Box& box) const;
+  /// A lower bound of the cost at one point.
+  double least_cost_at(std::span<const std::int64_t> point) const;
+  PreciseInterval cost_at(std::span<const std::int64_t> point) const;
+  bool has_exact_cost() const { return problem_.goal.exact; }
+
+  /// -1, 0, 1: a is better than, as good as, worse than b.
+  int compare(const PreciseInterval& a, const PreciseInterval& b) const;
+  /// The least double that every cost as good as this one stays below or at.
+  double ceiling(const PreciseInterval& cost) const;
+
+ private:
+  struct Ready {
+    Formula body;
+    std::optional<Affine> affine;
+    std::vector<Direction> directions;
+  };
+  Problem problem_;
+  std::vector<Ready> conditions_;
+  Formula value_;
+  std::optional<Formula> enclosure_;
+};
+
+}  // namespace torquewright::optimization

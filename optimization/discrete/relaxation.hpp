@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "optimization/discrete/judge.hpp"
+#include "optimization/discrete/proof_tree.hpp"
+#include "optimization/expressions/concave.hpp"
+
+namespace torquewright::optimization {
+
+/// One condition on a box, relaxed: h(x) >= 0 with h concave.
+struct RelaxedCondition {
+  std::size_t condition;
+  ConcaveForm form;
+  double scale;  ///< Largest |h| on the box, for the solver's sake; > 0.
+};
+
+/// A convex problem whose feasible points include all of a box's: every condition that is judged on
+/// boxes, relaxed, and a concave function that is nowhere below minus the cost.
+struct Relaxation {
+  Box box;
+  std::vector<RelaxedCondition> conditions;
+  ConcaveForm gain;             ///< >= -cost
+  double gain_scale;            ///< How much it varies on the box; > 0.
+  std::size_t condition_count;  ///< Of the problem: parts of the box may relax more than the box.
+};
+
+Relaxation relax_box(const Judge& judge, const Box& box);
+
+/// A sum of relaxed conditions, linearised at a point: what a dual bound is made of.
+struct DualPoint {
+  std::vector<double> point;        ///< Inside the box.
+  std::vector<double> multipliers;  ///< By condition of the problem; >= 0, zero where not relaxed.
+};
+
+/// What a dual point proves of a box. Any point and any multipliers give valid numbers: negative or
+/// non-finite multipliers count as zero. So whatever a solver returns, converged or not, yields a
+/// true bound, if perhaps a useless one. Outward rounded.
+struct DualBound {
+  double least_cost;   ///< No point of the box that satisfies the conditions costs less.
+  bool is_infeasible;  ///< No point of the box satisfies the conditions.
+};
+DualBound dual_bound(const Relaxation& relaxation, const DualPoint& dual);
+
+/// Asks Ipopt for a good dual point. Its status is not used. Stops as soon as a dual point shows
+/// that nothing in the box costs `ceiling` or less, or when the bound is about as good as it gets.
+DualPoint solve(const Relaxation& relaxation, double ceiling);
+
+}  // namespace torquewright::optimization

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <list>
+#include <string>
+#include <vector>
+
+#include "actuator/check/check.hpp"
+#include "actuator/motor/actuator_spec.hpp"
+#include "src/options/operating_options.hpp"
+
+namespace torquewright::cli {
+
+/// The options of `actuator check`, as given.
+struct CheckOptions {
+  std::string trajectory_file;
+  std::vector<std::string> joints;   ///< NAME=FILE
+  std::vector<std::string> columns;  ///< NAME=JOINT.QUANTITY[:unit][*factor]
+  std::vector<std::string> columns_files;
+  std::vector<std::string> jacobian_files;
+  std::vector<double> from_s;  ///< At most one.
+  std::vector<double> until_s;
+  OperatingOptions operating;
+  bool torque_includes_inertia = false;
+  bool torque_excludes_inertia = false;
+  std::size_t runs = 1;
+  double pause_s = 0.0;
+  std::string plot_file;
+  std::string output_file;
+  bool json = false;
+};
+
+/// What is to be checked, and every document that was read for it.
+struct PreparedCheck {
+  actuator::CheckRequest request;
+  std::list<actuator::ReadActuator> actuators;  ///< The request points to them.
+  std::vector<io::Document> documents;
+};
+
+/// Reads all documents. Throws io::SpecError.
+PreparedCheck prepare_check(const CheckOptions& options);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/options/operating_options.hpp"
+
+namespace torquewright::cli {
+
+void add_operating_options(CLI::App& command, OperatingOptions& options) {
+  command.add_option("--rating", options.rating, "peak (for seconds) or continuous")
+      ->check(CLI::IsMember({"peak", "continuous"}));
+  command.add_option("--bus-voltage", options.bus_voltage_V, "Of the source, in V")
+      ->check(CLI::Range(0.5, 2000.0));
+  command
+      .add_option("--state-of-charge", options.state_of_charge, "Of the battery: 0 empty, 1 full")
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--winding-temperature", options.winding_temperature_K, "In K")
+      ->check(CLI::Range(200.0, 600.0));
+}
+
+actuator::OperatingConditions stated_conditions(const OperatingOptions& options) {
+  actuator::OperatingConditions conditions;
+  if (options.rating == "continuous") conditions.rating = actuator::Rating::kContinuous;
+  if (options.bus_voltage_V > 0.0) conditions.bus_voltage_V = options.bus_voltage_V;
+  if (options.state_of_charge >= 0.0) conditions.state_of_charge = options.state_of_charge;
+  if (options.winding_temperature_K > 0.0) {
+    conditions.winding_temperature_K = options.winding_temperature_K;
+  }
+  return conditions;
+}
+
+void require_possible(const actuator::Actuator& actuator, const std::string& file,
+                      const actuator::OperatingConditions& conditions) {
+  std::vector<io::Fault> faults;
+  for (const std::string& sentence : actuator::objections(actuator, conditions)) {
+    faults.push_back({file, "", sentence});
+  }
+  if (!faults.empty()) throw io::SpecError(std::move(faults));
+}
+
+actuator::OperatingConditions conditions_of(const OperatingOptions& options,
+                                            const actuator::ReadActuator& read) {
+  const actuator::OperatingConditions conditions = stated_conditions(options);
+  require_possible(read.actuator, read.documents.front().file, conditions);
+  return conditions;
+}
+
+}  // namespace torquewright::cli
