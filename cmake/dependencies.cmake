@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Everything comes from the system (packages.txt); nothing is downloaded or vendored.
-include(GoogleTest)
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(valijson REQUIRED)
-find_package(GTest REQUIRED)
-find_package(benchmark REQUIRED)
+if(BUILD_TESTING)
+  find_package(GTest REQUIRED)
+  find_package(benchmark REQUIRED)
+endif()
 find_package(Eigen3 REQUIRED)
 pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)

@@ -26,7 +26,8 @@ function(add_module name)
   endif()
 endfunction()
 
-# One GoogleTest program; each of its suites is one test of CTest's (cmake/suites.cmake).
+# One GoogleTest program; CTest runs each of its suites in a process of its own, so that what a suite
+# prepares once (a search, a log) is prepared once. (gtest_discover_tests makes a process per TEST.)
 function(add_module_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
@@ -35,5 +36,10 @@ function(add_module_test name)
   target_compile_definitions(${name} PRIVATE TORQUEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   torquewright_flags(${name} -O1)
   use_precompiled(${name} precompiled_test)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES)
+  set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
+  add_custom_command(TARGET ${name} POST_BUILD
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${suites}
+            -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake
+    BYPRODUCTS ${suites} VERBATIM)
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${suites})
 endfunction()

@@ -9,12 +9,23 @@ is_installed() {
   [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
+# The packages of the groups that are named; a group begins with a line "# GROUP: ...".
+packages_of() {
+  group=""
+  while read -r line; do
+    case $line in
+      '# '*:*) group=${line#'# '} group=${group%%:*} ;;
+      '' | '#'*) ;;
+      *) case " $* " in *" $group "*) echo "$line" ;; esac ;;
+    esac
+  done <packages.txt
+}
+
 install_missing_packages() {
   missing=""
-  while read -r package; do
-    case $package in '' | '#'*) continue ;; esac
+  for package in $(packages_of "$@"); do
     is_installed "$package" || missing="$missing $package"
-  done <packages.txt
+  done
   [ -n "$missing" ] || return 0
   if [ "$(id -u)" -ne 0 ]; then
     echo "These packages are missing; install them with" >&2
@@ -27,8 +38,17 @@ install_missing_packages() {
   apt-get install --yes --no-install-recommends $missing
 }
 
-# Everything, or what is asked for: build [--target NAME].
+# A compiler cache is used where there is one, never needed. Precompiled headers carry times, which
+# it must not mind.
+if command -v ccache >/dev/null; then
+  export CCACHE_SLOPPINESS=pch_defines,time_macros CMAKE_CXX_COMPILER_LAUNCHER=ccache
+fi
+
+configure() {
+  cmake --preset release "$@"
+}
+
+# What is asked for, or everything: build [--target NAME].
 build() {
-  [ -f build/release/build.ninja ] || cmake --preset release
   cmake --build --preset release --parallel "$(nproc)" "$@"
 }
