@@ -11,7 +11,7 @@
 #include <map>
 
 #include "tests/oracles/problem_document.hpp"
-#include "tests/search/search_comparison.hpp"
+#include "tests/gearbox/search/search_comparison.hpp"
 
 namespace torquewright::bench {
 namespace {

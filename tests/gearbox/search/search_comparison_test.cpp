@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle of all tests here: exhaustive enumeration (tests/oracles).
+#include "tests/gearbox/search/search_comparison.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearbox/problem_spec.hpp"
+#include "io/document.hpp"
+#include "tests/oracles/involute_meshes.hpp"
+#include "tests/oracles/named_problems.hpp"
+#include "tests/oracles/problem_document.hpp"
+#include "tests/oracles/random_problems.hpp"
+
+namespace torquewright::search_test {
+namespace {
+
+using gearbox::Problem;
+using optimization::RelaxationUse;
+
+constexpr std::uint64_t kSeed = 151;
+constexpr RelaxationUse kUses[] = {RelaxationUse::kAuto, RelaxationUse::kAlways,
+                                   RelaxationUse::kNever};
+
+void expect_agreement(const Problem& problem, RelaxationUse use, std::size_t top) {
+  const Truth truth = enumerated(problem);
+  ASSERT_FALSE(truth.is_doubtful) << problem.name;
+  const Comparison comparison = compare(problem, truth, use, top);
+  EXPECT_TRUE(comparison.disagreements.empty()) << fmt::format(
+      "{}, relaxation {}, top {}: {}\n{}", problem.name, static_cast<int>(use), top,
+      fmt::join(comparison.disagreements, "; "), oracles::problem_document(problem).dump());
+}
+
+Problem problem_in(const char* document) {
+  return gearbox::read_problem(
+      io::check_document(nlohmann::json::parse(document), "gearbox_problem", "problem.json", ""));
+}
+
+// The modes take turns; bench/random_problems has each of them solve each problem.
+TEST(Search, AgreesWithEnumerationOnRandomProblems) {
+  std::size_t index = 0;
+  for (const Problem& problem : oracles::random_problems(kSeed, 100)) {
+    expect_agreement(problem, kUses[index % 3], 1 + index % 5);
+    ++index;
+  }
+}
+
+// The answers, found by enumeration, to problems on which other solvers were seen to be wrong.
+TEST(Search, IsRightWhereOthersFail) {
+  for (const oracles::HardProblem& hard : oracles::hard_problems()) {
+    const gearbox::DesignSearchResult found = gearbox::optimize(hard.problem, {});
+    ASSERT_EQ(found.status, gearbox::DesignSearchStatus::kOptimal) << hard.problem.name;
+    EXPECT_EQ(found.designs.front().teeth, hard.teeth) << hard.problem.name;
+    for (const RelaxationUse use : kUses) expect_agreement(hard.problem, use, 1);
+  }
+}
+
+// Gears of so few teeth that their meshes do not exist or lose contact: only the paper's
+// constraints admit them, and their efficiency is 0 in the search, in the checker and in the
+// evaluation.
+Problem of_few_teeth(gearbox::Objective objective, std::int64_t ratio, std::int64_t bore) {
+  Problem problem = oracles::paper_problem({1, 1, 1}, 0);
+  problem.name = fmt::format("few teeth, {}:1, bore of {}", ratio, bore);
+  problem.objective = objective;
+  problem.target_ratio = ratio;
+  problem.ratio_tolerance = io::Rational(1, 20);
+  problem.module_mm = {1};
+  problem.rotor_inner_diameter_mm = bore;
+  problem.planet_count = {2, 3};
+  problem.friction_coefficient = io::Rational(9, 10);
+  return problem;
+}
+
+TEST(Search, AgreesWithEnumerationOnGearsOfFewTeeth) {
+  std::size_t index = 0;
+  for (const auto objective :
+       {gearbox::Objective::kForwardEfficiency, gearbox::Objective::kBackwardEfficiency}) {
+    for (const std::int64_t ratio : {4, 8, 20}) {
+      for (const std::int64_t bore : {14, 33, 36, 50}) {
+        expect_agreement(of_few_teeth(objective, ratio, bore), kUses[index++ % 3], 3);
+      }
+    }
+  }
+}
+
+// What the search builds on: whatever meshes with a ring of at least 34 teeth, the least whose tip
+// circle lies outside its base circle, is always in contact. Sun and planet reach less than one
+// pair only with rings of a few teeth; contact ratios grow with the teeth.
+TEST(Search, RingsThatMeshAreAlwaysInContact) {
+  for (std::int64_t planet = 1; planet <= 60; ++planet) {
+    for (std::int64_t sun = std::max<std::int64_t>(1, 34 - 2 * planet); sun <= 60; ++sun) {
+      EXPECT_GT(oracles::external_path(sun, planet).ratio(), 1);
+    }
+    for (std::int64_t ring = std::max<std::int64_t>(34, planet + 1); ring <= 400; ++ring) {
+      EXPECT_GT(oracles::internal_path(planet, ring).ratio(), 1);
+    }
+  }
+}
+
+// The smallest ring among those that the first, too small, domain admits is one of 230 teeth;
+// larger planets allow 225, and the proof has to be made for a bore of 225.
+TEST(Search, ProvesTheSmallestBoreThatWouldDo) {
+  const Problem problem = problem_in(R"({
+      "kind": "gearbox_problem", "version": 1, "name": "too small a bore", "topology": "3k",
+      "target_ratio": 35.5, "rotor_inner_diameter_mm": 49.9, "module_mm": 0.7,
+      "planet_count": [3, 4, 6], "min_teeth": {"sun": 12, "planet_1": 24, "planet_2": 15},
+      "min_carrier_clearance_rad": 0.33, "min_neighbour_clearance_mm": 0.5,
+      "constraints": "buildable", "objective": "hollow_shaft"})");
+  expect_agreement(problem, RelaxationUse::kAuto, 1);
+  const auto loosened = gearbox::optimize(problem, {}).would_be_feasible_with;
+  ASSERT_EQ(loosened.size(), 2u);
+  EXPECT_EQ(loosened[1].key, "/rotor_inner_diameter_mm");
+  EXPECT_EQ(loosened[1].needed, 157.5);
+}
+
+// With six planets the distance between neighbours is a fraction: 0.8 mm. They have to be further
+// apart than the limit, so a limit of 0.8 mm would not do.
+TEST(Search, NamesAClearanceThatIsExceeded) {
+  const Problem problem = problem_in(R"({
+      "kind": "gearbox_problem", "version": 1, "name": "crowded", "topology": "3k",
+      "target_ratio": 19.2, "rotor_inner_diameter_mm": 43.1, "module_mm": [0.4, 0.5],
+      "planet_count": [5, 6], "min_teeth": {"sun": 27, "planet_1": 12, "planet_2": 15},
+      "min_carrier_clearance_rad": 0, "min_neighbour_clearance_mm": 1,
+      "constraints": "buildable", "objective": "hollow_shaft"})");
+  expect_agreement(problem, RelaxationUse::kAuto, 1);
+  const auto loosened = gearbox::optimize(problem, {}).would_be_feasible_with;
+  ASSERT_EQ(loosened.size(), 3u);
+  EXPECT_EQ(loosened[2].key, "/min_neighbour_clearance_mm");
+  EXPECT_LT(loosened[2].needed, 0.8);
+  EXPECT_GT(loosened[2].needed, 0.8 - 1e-12);
+  EXPECT_NE(loosened[2].sentence.find("0.7999 mm would do"), std::string::npos);
+}
+
+// What is printed of a disagreement has to lead back to it.
+TEST(ProblemDocument, ReadsBackAsTheProblem) {
+  for (const Problem& problem : oracles::random_problems(kSeed, 100)) {
+    const auto document = oracles::problem_document(problem);
+    const Problem read =
+        gearbox::read_problem(io::check_document(document, "gearbox_problem", "problem.json", ""));
+    EXPECT_EQ(oracles::problem_document(read), document);
+    EXPECT_EQ(read.target_ratio, problem.target_ratio);
+    EXPECT_EQ(read.ratio_tolerance, problem.ratio_tolerance);
+    EXPECT_EQ(read.rotor_inner_diameter_mm, problem.rotor_inner_diameter_mm);
+    EXPECT_EQ(read.module_mm, problem.module_mm);
+    EXPECT_EQ(read.planet_count, problem.planet_count);
+    EXPECT_EQ(read.min_teeth, problem.min_teeth);
+    EXPECT_EQ(read.min_carrier_clearance_rad, problem.min_carrier_clearance_rad);
+    EXPECT_EQ(read.face_width_mm, problem.face_width_mm);
+    EXPECT_EQ(read.friction_coefficient, problem.friction_coefficient);
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::search_test
