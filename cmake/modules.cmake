@@ -10,19 +10,28 @@ endfunction()
 # One static library per module; a module links only what stands before it in CMakeLists.txt.
 # PLUGINS are files of one kind that call their parts by the same names (law, gradient, write): they
 # are compiled one by one, where preset `release` compiles SOURCES several at a time.
-# EDGE: reads or writes documents and computes nothing.
+# What reads or writes documents (*_spec, *_json; with EDGE the whole module) runs once per command
+# and is made of other people's templates: it asks for little optimisation.
 function(add_module name)
   cmake_parse_arguments(arg "EDGE" "" "SOURCES;PLUGINS;LINKS" ${ARGN})
+  set(documents ${arg_SOURCES})
+  if(NOT arg_EDGE)
+    list(FILTER documents INCLUDE REGEX "_(spec|json)\\.cpp$")
+  endif()
+  list(REMOVE_ITEM arg_SOURCES ${documents})
   add_library(${name} STATIC ${arg_SOURCES} ${arg_PLUGINS})
   set_source_files_properties(${arg_PLUGINS} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${arg_LINKS})
-  if(arg_EDGE)
-    torquewright_flags(${name} -O1)
-    use_precompiled(${name} precompiled_edge)
-  else()
-    torquewright_flags(${name})
-    use_precompiled(${name} precompiled_library)
+  torquewright_flags(${name})
+  use_precompiled(${name} precompiled_library)
+  if(documents)
+    add_library(${name}_documents OBJECT ${documents})
+    target_include_directories(${name}_documents PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${name}_documents PRIVATE ${arg_LINKS})
+    torquewright_flags(${name}_documents -O1)
+    use_precompiled(${name}_documents precompiled_edge)
+    target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_documents>)
   endif()
 endfunction()
 

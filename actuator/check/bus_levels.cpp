@@ -7,7 +7,7 @@
 namespace torquewright::actuator {
 namespace {
 
-constexpr double kRoundOff = 1e-9;  // of a step
+constexpr double kStepRoundOff = 1e-9;  // of a step
 
 }  // namespace
 
@@ -24,7 +24,8 @@ BusLevels::BusLevels(const Actuator& actuator, const OperatingConditions& condit
 }
 
 const CheckBasis& BusLevels::at(double bus_voltage_V) {
-  const int level = std::max(1, static_cast<int>(std::floor(bus_voltage_V / step_V_ + kRoundOff)));
+  const int level =
+      std::max(1, static_cast<int>(std::floor(bus_voltage_V / step_V_ + kStepRoundOff)));
   std::unique_ptr<Level>& found = levels_[level];
   if (!found) {
     actuator_.drive.bus_voltage_V = level * step_V_;
