@@ -3,7 +3,6 @@
 // enumeration, every answer checked against the enumeration. Prints a Markdown table.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -11,6 +10,8 @@
 #include <functional>
 
 #include "bench/timed_answer.hpp"
+#include "src/command_line/command_line.hpp"
+#include "src/command_line/exit_status.hpp"
 #include "tests/oracles/named_problems.hpp"
 
 namespace torquewright::bench {
@@ -150,21 +151,27 @@ void compare(const Problem& problem, const Options& options) {
             fmt::format("{} feasible", truth.feasible.size()), "reference", "");
 }
 
+cli::ExitCode compare_all(const Options& options) {
+  print_row("problem", "solver", "seconds", "CPU seconds", "times ours", "answer", "verdict",
+            "effort");
+  print_row("---", "---", "---", "---", "---", "---", "---", "---");
+  for (const Problem& problem : problems(options.largest_bore)) compare(problem, options);
+  return cli::ExitCode::kPasses;
+}
+
 }  // namespace
 }  // namespace torquewright::bench
 
 int main(int argc, char** argv) {
-  using namespace torquewright::bench;
-  Options options;
-  CLI::App app("Gearbox synthesis side by side");
-  app.add_option("--ours", options.ours, "The torquewright program")->check(CLI::ExistingFile);
-  app.add_option("--timeout", options.timeout_s, "s, for each solver and problem");
-  app.add_option("--repeats", options.repeats, "Runs of which the median is shown")
-      ->check(CLI::Range(1, 99));
-  app.add_option("--largest-bore", options.largest_bore, "Leave out problems with a larger D/M");
-  CLI11_PARSE(app, argc, argv);
-  print_row("problem", "solver", "seconds", "CPU seconds", "times ours", "answer", "verdict",
-            "effort");
-  print_row("---", "---", "---", "---", "---", "---", "---", "---");
-  for (const auto& problem : problems(options.largest_bore)) compare(problem, options);
+  using namespace torquewright;
+  bench::Options options;
+  command_line::Program program("gearbox_side_by_side", "Gearbox synthesis side by side");
+  command_line::Command& top = program.top();
+  top.add_option("--ours", options.ours, "The torquewright program").existing_file();
+  top.add_option("--timeout", options.timeout_s, "s, for each solver and problem");
+  top.add_option("--repeats", options.repeats, "Runs of which the median is shown")
+      .integer_between(1, 99);
+  top.add_option("--largest-bore", options.largest_bore, "Leave out problems with a larger D/M");
+  top.works([&] { return bench::compare_all(options); });
+  return command_line::exit_status([&] { return program.run(argc, argv); });
 }

@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <map>
 
+#include "src/command_line/command_line.hpp"
+#include "src/command_line/exit_status.hpp"
 #include "tests/oracles/problem_document.hpp"
 #include "tests/gearbox/search/search_comparison.hpp"
 
@@ -109,7 +110,7 @@ bool compare(const Problem& problem, std::size_t top, const Options& options, Ta
   return agrees;
 }
 
-int run(const Options& options) {
+cli::ExitCode run(const Options& options) {
   Tally tally;
   bool agrees = true;
   std::size_t index = 0;
@@ -118,21 +119,23 @@ int run(const Options& options) {
   }
   fmt::print("\n");
   tally.print();
-  return agrees ? 0 : 1;
+  return agrees ? cli::ExitCode::kPasses : cli::ExitCode::kFails;
 }
 
 }  // namespace
 }  // namespace torquewright::bench
 
 int main(int argc, char** argv) {
-  using namespace torquewright::bench;
-  Options options;
-  CLI::App app("Our search against exhaustive enumeration on random gearbox problems");
-  app.add_option("--seed", options.seed, "Of the problems (default 1)");
-  app.add_option("--count", options.count, "How many problems (default 1000)");
-  app.add_option("--relaxation", options.relaxation, "auto, always, never or all (default)")
-      ->check(CLI::IsMember({"auto", "always", "never", "all"}));
-  app.add_option("--slow", options.slow_s, "Also print what takes longer than this, s (default 5)");
-  CLI11_PARSE(app, argc, argv);
-  return run(options);
+  using namespace torquewright;
+  bench::Options options;
+  command_line::Program program(
+      "random_problems", "Our search against exhaustive enumeration on random gearbox problems");
+  command_line::Command& top = program.top();
+  top.add_option("--seed", options.seed, "Of the problems (default 1)");
+  top.add_option("--count", options.count, "How many problems (default 1000)");
+  top.add_option("--relaxation", options.relaxation, "auto, always, never or all (default)")
+      .one_of({"auto", "always", "never", "all"});
+  top.add_option("--slow", options.slow_s, "Also print what takes longer than this, s (default 5)");
+  top.works([&] { return bench::run(options); });
+  return command_line::exit_status([&] { return program.run(argc, argv); });
 }

@@ -1,85 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 #include <string>
 
 #include "io/atomic_file.hpp"
 #include "io/provenance.hpp"
-#include "io/spec_error.hpp"
+#include "src/command_line/command_line.hpp"
+#include "src/command_line/exit_status.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/robot_commands.hpp"
-#include "src/exit_code.hpp"
 
+namespace torquewright::cli {
 namespace {
 
-using torquewright::cli::ExitCode;
+using command_line::Command;
 
-int as_int(ExitCode code) { return static_cast<int>(code); }
-
-[[noreturn]] void refuse_command_line(const CLI::ParseError& error) {
-  throw torquewright::io::SpecError(
-      {{"command line", "", std::string(error.what()) + "; --help shows what is allowed"}});
+void add_gearbox_commands(Command& program) {
+  Command gearbox = program.add_command("gearbox", "Which teeth?");
+  gearbox.require_command();
+  gearbox.example("torquewright gearbox optimize specs/gearbox/d110a_ankle.json --top 3");
+  add_optimize_command(gearbox);
+  add_evaluate_command(gearbox);
+  add_verify_command(gearbox);
+  add_strength_command(gearbox);
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"Design tool for actuators and gearboxes of jumping robots", "torquewright"};
-  app.set_version_flag("--version", std::string(torquewright::io::tool_version()));
-  app.require_subcommand(1);
-  app.footer("Example:\n  torquewright gearbox optimize specs/gearbox/d151_knee.json");
-  ExitCode result = ExitCode::kPasses;
-  CLI::App* gearbox = app.add_subcommand("gearbox", "Which teeth?");
-  gearbox->require_subcommand(1);
-  gearbox->footer(
-      "Example:\n  torquewright gearbox optimize specs/gearbox/d110a_ankle.json --top 3");
-  torquewright::cli::add_optimize_command(*gearbox, result);
-  torquewright::cli::add_evaluate_command(*gearbox, result);
-  torquewright::cli::add_verify_command(*gearbox, result);
-  torquewright::cli::add_strength_command(*gearbox, result);
-  CLI::App* actuator = app.add_subcommand("actuator", "What can the actuator do?");
-  actuator->require_subcommand(1);
-  actuator->footer(
-      "Example:\n  torquewright actuator mor specs/actuator/d110a_ankle.json --need 100@15");
-  torquewright::cli::add_lint_command(*actuator, result);
-  torquewright::cli::add_mor_command(*actuator, result);
-  torquewright::cli::add_check_command(*actuator, result);
-  torquewright::cli::add_identify_command(app, result);
-  CLI::App* hopper = app.add_subcommand("hopper", "Can it do the motion?");
-  hopper->require_subcommand(1);
-  hopper->footer(
-      "Example:\n  torquewright hopper check specs/robot/hopper.json "
-      "specs/trajectory/hopper_flip.csv");
-  torquewright::cli::add_hopper_check_command(*hopper, result);
-  torquewright::cli::add_calibrate_command(*hopper, result);
-  CLI::App* robot = app.add_subcommand("robot", "Robots from and for other programs");
-  robot->require_subcommand(1);
-  robot->footer("Example:\n  torquewright robot export specs/robot/rabbit.json --format urdf");
-  torquewright::cli::add_import_command(*robot, result);
-  torquewright::cli::add_export_command(*robot, result);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    // --help and --version come this way too, with exit code 0.
-    if (error.get_exit_code() == 0) return app.exit(error);
-    refuse_command_line(error);
-  }
-  return as_int(result);
+void add_actuator_commands(Command& program) {
+  Command actuator = program.add_command("actuator", "What can the actuator do?");
+  actuator.require_command();
+  actuator.example("torquewright actuator mor specs/actuator/d110a_ankle.json --need 100@15");
+  add_lint_command(actuator);
+  add_mor_command(actuator);
+  add_check_command(actuator);
+}
+
+void add_hopper_commands(Command& program) {
+  Command hopper = program.add_command("hopper", "Can it do the motion?");
+  hopper.require_command();
+  hopper.example(
+      "torquewright hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv");
+  add_hopper_check_command(hopper);
+  add_calibrate_command(hopper);
+}
+
+void add_robot_commands(Command& program) {
+  Command robot = program.add_command("robot", "Robots from and for other programs");
+  robot.require_command();
+  robot.example("torquewright robot export specs/robot/rabbit.json --format urdf");
+  add_import_command(robot);
+  add_export_command(robot);
+}
+
+ExitCode run(int argc, const char* const* argv) {
+  command_line::Program program("torquewright",
+                                "Design tool for actuators and gearboxes of jumping robots",
+                                std::string(io::tool_version()));
+  Command& top = program.top();
+  top.require_command();
+  top.example("torquewright gearbox optimize specs/gearbox/d151_knee.json");
+  add_gearbox_commands(top);
+  add_actuator_commands(top);
+  add_identify_command(top);
+  add_hopper_commands(top);
+  add_robot_commands(top);
+  return program.run(argc, argv);
 }
 
 }  // namespace
+}  // namespace torquewright::cli
 
 int main(int argc, char** argv) {
   torquewright::io::ignore_file_size_signal();
-  try {
-    return run(argc, argv);
-  } catch (const torquewright::io::SpecError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return as_int(ExitCode::kBadInput);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "internal error: %s\n", error.what());
-    return 70;  // EX_SOFTWARE: no statement about the input
-  }
+  return torquewright::command_line::exit_status(
+      [&] { return torquewright::cli::run(argc, argv); });
 }

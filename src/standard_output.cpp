@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "io/atomic_file.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::cli {
@@ -14,6 +15,14 @@ void print_result(const std::string& text) {
   if (std::fputs(text.c_str(), stdout) != EOF && std::fflush(stdout) == 0) return;
   const std::string reason = std::generic_category().message(errno);
   throw io::SpecError({{"standard output", "", "cannot be written: " + reason}});
+}
+
+void deliver_result(const std::string& text, const std::string& file) {
+  if (file.empty()) {
+    print_result(text);
+  } else {
+    io::write_whole_file(file, text);
+  }
 }
 
 }  // namespace torquewright::cli

@@ -3,7 +3,6 @@
 #include <BonBonminSetup.hpp>
 #include <BonCbc.hpp>
 #include <BonTMINLP.hpp>
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -12,6 +11,7 @@
 #include "bench/peers/bonmin_model.hpp"
 #include "bench/peers/problem_options.hpp"
 #include "bench/verdict.hpp"
+#include "src/command_line/exit_status.hpp"
 
 namespace torquewright::bench {
 namespace {
@@ -172,15 +172,7 @@ nlohmann::json solve(const ProblemOptions& options) {
   return answer;
 }
 
-}  // namespace
-}  // namespace torquewright::bench
-
-int main(int argc, char** argv) {
-  using namespace torquewright::bench;
-  ProblemOptions options;
-  CLI::App app("The paper's gearbox problem, solved by Bonmin's B-BB");
-  add_problem_options(app, options);
-  CLI11_PARSE(app, argc, argv);
+cli::ExitCode print_answer(const ProblemOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   nlohmann::json answer;
   try {
@@ -192,4 +184,18 @@ int main(int argc, char** argv) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (options.check) answer["verdict"] = verdict(options.problem(), read_answer(answer));
   std::cout << answer.dump() << '\n';
+  return cli::ExitCode::kPasses;
+}
+
+}  // namespace
+}  // namespace torquewright::bench
+
+int main(int argc, char** argv) {
+  using namespace torquewright;
+  bench::ProblemOptions options;
+  command_line::Program program("bonmin_gearbox",
+                                "The paper's gearbox problem, solved by Bonmin's B-BB");
+  bench::add_problem_options(program.top(), options);
+  program.top().works([&] { return bench::print_answer(options); });
+  return command_line::exit_status([&] { return program.run(argc, argv); });
 }

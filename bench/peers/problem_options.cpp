@@ -20,21 +20,21 @@ gearbox::Problem ProblemOptions::problem() const {
   return problem;
 }
 
-void add_problem_options(CLI::App& app, ProblemOptions& options) {
-  app.add_option("--ratio", options.ratio, "Sun over output speed");
-  app.add_option("--tolerance", options.tolerance, "Relative; 0 is exact");
-  app.add_option("--rotor-inner-diameter", options.diameter_mm, "mm");
-  app.add_option("--module", options.module_mm, "mm");
-  app.add_option("--planets", options.planets, "Number of planets");
-  app.add_option("--minima", options.minima, "Least teeth of sun, planet 1, planet 2")->expected(3);
-  app.add_option("--alpha-min", options.alpha_min_rad, "rad, equation (6)");
-  app.add_flag("--eliminate-rings", options.rings_eliminated,
-               "Put F = S + 2 P1 and O = S + P1 + P2 in instead of keeping them as variables");
-  app.add_option("--start", options.start, "Starting point, 0 least values, 1 greatest values")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--resolves", options.resolves, "Starting points tried again at every node");
-  app.add_option("--time-limit", options.time_limit_s, "s");
-  app.add_flag("!--no-check", options.check, "Do not compare with the enumeration");
+void add_problem_options(command_line::Command& program, ProblemOptions& options) {
+  program.add_option("--ratio", options.ratio, "Sun over output speed");
+  program.add_option("--tolerance", options.tolerance, "Relative; 0 is exact");
+  program.add_option("--rotor-inner-diameter", options.diameter_mm, "mm");
+  program.add_option("--module", options.module_mm, "mm");
+  program.add_option("--planets", options.planets, "Number of planets");
+  program.add_option("--minima", options.minima, "Least teeth of sun, planet 1, planet 2").takes(3);
+  program.add_option("--alpha-min", options.alpha_min_rad, "rad, equation (6)");
+  program.add_flag("--eliminate-rings", options.rings_eliminated,
+                   "Put F = S + 2 P1 and O = S + P1 + P2 in instead of keeping them as variables");
+  program.add_option("--start", options.start, "Starting point, 0 least values, 1 greatest values")
+      .between(0.0, 1.0);
+  program.add_option("--resolves", options.resolves, "Starting points tried again at every node");
+  program.add_option("--time-limit", options.time_limit_s, "s");
+  program.add_flag("!--no-check", options.check, "Do not compare with the enumeration");
 }
 
 std::vector<std::string> problem_arguments(const gearbox::Problem& problem) {

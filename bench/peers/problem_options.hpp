@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "gearbox/problem.hpp"
+#include "src/command_line/command_line.hpp"
 
 namespace torquewright::bench {
 
@@ -27,7 +27,7 @@ struct ProblemOptions {
   gearbox::Problem problem() const;
 };
 
-void add_problem_options(CLI::App& app, ProblemOptions& options);
+void add_problem_options(command_line::Command& program, ProblemOptions& options);
 
 /// The same problem as command-line arguments.
 std::vector<std::string> problem_arguments(const gearbox::Problem& problem);

@@ -8,14 +8,6 @@
 
 namespace torquewright::cli {
 
-std::vector<std::string> mor_formats() {
-  std::vector<std::string> names{"csv", "json"};
-  for (const actuator::Exporter* exporter : actuator::exporter_library()) {
-    names.emplace_back(exporter->name);
-  }
-  return names;
-}
-
 Exported exported_file(const actuator::ReadActuator& read,
                        const actuator::OperatingConditions& conditions,
                        const actuator::Region& region, double table_accuracy,

@@ -3,15 +3,11 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "actuator/exporters/exporter.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 
 namespace torquewright::cli {
-
-/// What `actuator mor --format` takes: csv, json and the name of every exporter.
-std::vector<std::string> mor_formats();
 
 /// A simulator's file, and the same with all that is known of it.
 struct Exported {

@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
@@ -64,57 +66,76 @@ gearbox::Design design_of(const EvaluateOptions& options, const gearbox::Problem
   return design;
 }
 
-ExitCode run_evaluate(const EvaluateOptions& options) {
-  const io::Document document = io::read_document(options.problem_file, "gearbox_problem");
-  const gearbox::Problem problem = gearbox::read_problem(document);
-  const gearbox::Design design = design_of(options, problem);
-  const gearbox::Topology& topology = *gearbox::find_topology(problem.topology);
-  check_outputs(options.outputs, options.problem_file);
-  const gearbox::DesignReport report = topology.evaluate(problem, design);
-  catch_interrupt();
-  const gearbox::Standing standing = gearbox::standing_of(problem, design, is_interrupted);
+struct EvaluateInputs {
+  io::Document document;
+  gearbox::Problem problem;
+  gearbox::Design design;
+};
 
-  nlohmann::ordered_json result = gearbox::evaluation_json(problem, report, standing);
-  result["problem"] = document.root;
+EvaluateInputs read(const EvaluateOptions& options) {
+  io::Document document = io::read_document(options.problem_file, "gearbox_problem");
+  gearbox::Problem problem = gearbox::read_problem(document);
+  gearbox::Design design = design_of(options, problem);
+  check_outputs(options.outputs, options.problem_file);
+  return {std::move(document), std::move(problem), std::move(design)};
+}
+
+/// The design itself, and where it stands among all others.
+struct Evaluation {
+  gearbox::DesignReport report;
+  gearbox::Standing standing;
+};
+
+Evaluation compute(const EvaluateInputs& inputs) {
+  const gearbox::Topology& topology = *gearbox::find_topology(inputs.problem.topology);
+  gearbox::DesignReport report = topology.evaluate(inputs.problem, inputs.design);
+  catch_interrupt();
+  return {std::move(report), gearbox::standing_of(inputs.problem, inputs.design, is_interrupted)};
+}
+
+void write(const EvaluateOptions& options, const EvaluateInputs& inputs, const Evaluation& found) {
+  nlohmann::ordered_json result =
+      gearbox::evaluation_json(inputs.problem, found.report, found.standing);
+  result["problem"] = inputs.document.root;
   result["tool"] = io::tool_provenance();
-  result["inputs"] = io::input_provenance({&document, 1});
+  result["inputs"] = io::input_provenance({&inputs.document, 1});
   const std::string json_text = io::json_text(result);
   std::optional<std::string> drawing;
-  if (!options.outputs.drawing.empty()) drawing = drawing_of(problem, design);
+  if (!options.outputs.drawing.empty()) drawing = drawing_of(inputs.problem, inputs.design);
   write_outputs(options.outputs, json_text, drawing);
-  print_result(options.json ? json_text : report::evaluation_text(problem, report, standing));
-  if (!report.feasible()) return ExitCode::kFails;
+  print_result(options.json
+                   ? json_text
+                   : report::evaluation_text(inputs.problem, found.report, found.standing));
+}
+
+ExitCode run_evaluate(const EvaluateOptions& options) {
+  const EvaluateInputs inputs = read(options);
+  const Evaluation found = compute(inputs);
+  write(options, inputs, found);
+  if (!found.report.feasible()) return ExitCode::kFails;
   return is_interrupted() ? ExitCode::kUndecided : ExitCode::kPasses;
 }
 
 }  // namespace
 
-// A range lets NaN pass: it is neither below nor above.
-const CLI::Validator kNotNaN(
-    [](const std::string& text) {
-      return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : "";
-    },
-    "");
-
-void add_evaluate_command(CLI::App& gearbox, ExitCode& result) {
+void add_evaluate_command(command_line::Command& gearbox) {
   auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* command = gearbox.add_subcommand("evaluate", "Everything about one design");
-  command->add_option("problem", options->problem_file, "Document of kind gearbox_problem")
-      ->required();
-  command->add_option("--teeth", options->teeth, "Free tooth counts, or all: 44,44,32")
-      ->required()
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::Range(std::int64_t{1}, kMostTeeth));
-  command->add_option("--planet-count", options->planet_count, "Where the problem lists several")
-      ->check(CLI::Range(2, 20));
-  command->add_option("--module", options->module_mm, "In mm, where the problem lists several")
-      ->check(CLI::Range(0.05, 25.0) & kNotNaN);
-  add_output_options(*command, options->outputs);
-  command->add_flag("--json", options->json, "Print the evaluation as JSON");
-  command->footer(
-      "Example:\n  torquewright gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32");
-  command->callback([options, &result] { result = run_evaluate(*options); });
+  command_line::Command command = gearbox.add_command("evaluate", "Everything about one design");
+  command.add_option("problem", options->problem_file, "Document of kind gearbox_problem")
+      .required();
+  command.add_option("--teeth", options->teeth, "Free tooth counts, or all: 44,44,32")
+      .required()
+      .separated_by_commas()
+      .one_value_each()
+      .integer_between(1, kMostTeeth);
+  command.add_option("--planet-count", options->planet_count, "Where the problem lists several")
+      .integer_between(2, 20);
+  command.add_option("--module", options->module_mm, "In mm, where the problem lists several")
+      .number_between(0.05, 25.0);
+  add_output_options(command, options->outputs);
+  command.add_flag("--json", options->json, "Print the evaluation as JSON");
+  command.example("torquewright gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32");
+  command.works([options] { return run_evaluate(*options); });
 }
 
 }  // namespace torquewright::cli

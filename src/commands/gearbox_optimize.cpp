@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
@@ -49,8 +50,8 @@ nlohmann::ordered_json non_default_options(const OptimizeOptions& options) {
   return changed;
 }
 
-gearbox::DesignSearchOptions synthesis_options(const OptimizeOptions& options,
-                                               report::ProgressLine& line) {
+gearbox::DesignSearchOptions search_options(const OptimizeOptions& options,
+                                            report::ProgressLine& line) {
   gearbox::DesignSearchOptions result;
   result.top = options.top;
   result.relaxation = kRelaxationUses.at(options.relaxation);
@@ -64,8 +65,69 @@ gearbox::DesignSearchOptions synthesis_options(const OptimizeOptions& options,
   return result;
 }
 
-ExitCode exit_code(gearbox::DesignSearchStatus status) {
-  switch (status) {
+struct OptimizeInputs {
+  io::Document document;
+  gearbox::Problem problem;
+};
+
+OptimizeInputs read(const OptimizeOptions& options) {
+  io::Document document = io::read_document(options.problem_file, "gearbox_problem");
+  gearbox::Problem problem = gearbox::read_problem(document);
+  check_outputs(options.outputs, options.problem_file);
+  return {std::move(document), std::move(problem)};
+}
+
+/// What was found, as text and as the document of which the proof is checked.
+struct OptimizeAnswer {
+  gearbox::DesignSearchResult found;
+  std::string json;
+  std::string text;
+  std::optional<ProofCheck> check;
+};
+
+std::string json_text(const OptimizeOptions& options, const OptimizeInputs& inputs,
+                      const gearbox::DesignSearchResult& found, double seconds) {
+  nlohmann::ordered_json result = gearbox::result_json(inputs.problem, found);
+  if (options.timing) result["search"]["seconds"] = seconds;
+  result["problem"] = inputs.document.root;
+  result["tool"] = io::tool_provenance();
+  result["inputs"] = io::input_provenance({&inputs.document, 1});
+  result["options"] = non_default_options(options);
+  return io::json_text(result);
+}
+
+OptimizeAnswer compute(const OptimizeOptions& options, const OptimizeInputs& inputs) {
+  catch_interrupt();
+  OptimizeAnswer answer;
+  const auto start = std::chrono::steady_clock::now();
+  {
+    report::ProgressLine line;
+    answer.found = gearbox::optimize(inputs.problem, search_options(options, line));
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  answer.json = json_text(options, inputs, answer.found, seconds.count());
+  answer.text = report::optimization_text(inputs.problem, answer.found);
+  if (options.timing) answer.text += fmt::format("Search time: {:.4f} s\n", seconds.count());
+  if (options.verify) {
+    answer.check = check_proof(inputs.problem, nlohmann::json::parse(answer.json));
+    answer.text += answer.check->text;
+  }
+  return answer;
+}
+
+void write(const OptimizeOptions& options, const OptimizeInputs& inputs,
+           const OptimizeAnswer& answer) {
+  std::optional<std::string> drawing;
+  if (!options.outputs.drawing.empty() && !answer.found.designs.empty()) {
+    drawing = drawing_of(inputs.problem, answer.found.designs.front());
+  }
+  write_outputs(options.outputs, answer.json, drawing);
+  print_result(options.json ? answer.json : answer.text);
+}
+
+ExitCode exit_code_of(const OptimizeAnswer& answer) {
+  if (answer.check && !answer.check->is_accepted) return ExitCode::kFails;
+  switch (answer.found.status) {
     case gearbox::DesignSearchStatus::kOptimal:
       return ExitCode::kPasses;
     case gearbox::DesignSearchStatus::kInfeasible:
@@ -77,63 +139,32 @@ ExitCode exit_code(gearbox::DesignSearchStatus status) {
 }
 
 ExitCode run_optimize(const OptimizeOptions& options) {
-  const io::Document document = io::read_document(options.problem_file, "gearbox_problem");
-  const gearbox::Problem problem = gearbox::read_problem(document);
-  check_outputs(options.outputs, options.problem_file);
-  catch_interrupt();
-  const auto start = std::chrono::steady_clock::now();
-  gearbox::DesignSearchResult found;
-  {
-    report::ProgressLine line;
-    found = gearbox::optimize(problem, synthesis_options(options, line));
-  }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-
-  nlohmann::ordered_json result = gearbox::result_json(problem, found);
-  if (options.timing) result["search"]["seconds"] = seconds.count();
-  result["problem"] = document.root;
-  result["tool"] = io::tool_provenance();
-  result["inputs"] = io::input_provenance({&document, 1});
-  result["options"] = non_default_options(options);
-
-  const std::string json_text = io::json_text(result);
-  ExitCode code = exit_code(found.status);
-  std::string text = report::optimization_text(problem, found);
-  if (options.timing) text += fmt::format("Search time: {:.4f} s\n", seconds.count());
-  if (options.verify) {
-    const ProofCheck check = check_proof(problem, nlohmann::json::parse(json_text));
-    text += check.text;
-    if (!check.is_accepted) code = ExitCode::kFails;
-  }
-  std::optional<std::string> drawing;
-  if (!options.outputs.drawing.empty() && !found.designs.empty()) {
-    drawing = drawing_of(problem, found.designs.front());
-  }
-  write_outputs(options.outputs, json_text, drawing);
-  print_result(options.json ? json_text : text);
-  return code;
+  const OptimizeInputs inputs = read(options);
+  const OptimizeAnswer answer = compute(options, inputs);
+  write(options, inputs, answer);
+  return exit_code_of(answer);
 }
 
 }  // namespace
 
-void add_optimize_command(CLI::App& gearbox, ExitCode& result) {
+void add_optimize_command(command_line::Command& gearbox) {
   auto options = std::make_shared<OptimizeOptions>();
-  CLI::App* command = gearbox.add_subcommand("optimize", "The best gearbox of a problem, proved");
-  command->add_option("problem", options->problem_file, "Document of kind gearbox_problem")
-      ->required();
-  add_output_options(*command, options->outputs);
-  command->add_option("--top", options->top, "How many of the best designs (default 1)")
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("--relaxation", options->relaxation, "When Ipopt is asked (default auto)")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
-  command->add_option("--max-nodes", options->max_nodes, "End the search after so many boxes")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 60));
-  command->add_flag("--verify", options->verify, "Check the proof with the independent checker");
-  command->add_flag("--json", options->json, "Print the result as JSON");
-  command->add_flag("--timing", options->timing, "State the seconds (runs then differ in bytes)");
-  command->footer(
-      "Example:\n  torquewright gearbox optimize specs/gearbox/d151_knee.json --verify");
-  command->callback([options, &result] { result = run_optimize(*options); });
+  command_line::Command command =
+      gearbox.add_command("optimize", "The best gearbox of a problem, proved");
+  command.add_option("problem", options->problem_file, "Document of kind gearbox_problem")
+      .required();
+  add_output_options(command, options->outputs);
+  command.add_option("--top", options->top, "How many of the best designs (default 1)")
+      .integer_between(1, 1000000);
+  command.add_option("--relaxation", options->relaxation, "When Ipopt is asked (default auto)")
+      .one_of({"auto", "always", "never"});
+  command.add_option("--max-nodes", options->max_nodes, "End the search after so many boxes")
+      .integer_between(1, std::int64_t{1} << 60);
+  command.add_flag("--verify", options->verify, "Check the proof with the independent checker");
+  command.add_flag("--json", options->json, "Print the result as JSON");
+  command.add_flag("--timing", options->timing, "State the seconds (runs then differ in bytes)");
+  command.example("torquewright gearbox optimize specs/gearbox/d151_knee.json --verify");
+  command.works([options] { return run_optimize(*options); });
 }
 
 }  // namespace torquewright::cli

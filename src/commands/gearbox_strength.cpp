@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/json_text.hpp"
@@ -46,53 +47,63 @@ void check_options(const StrengthOptions& options, const gearbox::ReadStrength& 
   }
 }
 
-ExitCode run_strength(const StrengthOptions& options) {
+gearbox::ReadStrength read(const StrengthOptions& options) {
+  gearbox::ReadStrength read = gearbox::read_strength(options.file);
+  check_options(options, read);
+  if (options.cycles != 0.0) read.strength.cycles = options.cycles;
+  return read;
+}
+
+report::StrengthReport compute(const StrengthOptions& options, gearbox::ReadStrength read) {
   report::StrengthReport report;
-  report.read = gearbox::read_strength(options.file);
-  check_options(options, report.read);
-  gearbox::StrengthCase& strength = report.read.strength;
-  if (options.cycles != 0.0) strength.cycles = options.cycles;
+  report.read = std::move(read);
   report.side = options.side == "motor" ? gearbox::TorqueSide::kMotor : gearbox::TorqueSide::kJoint;
   report.torques_Nm = options.torques_Nm;
   if (!options.modules_mm.empty() || !options.face_widths_mm.empty()) {
     report.variants =
-        gearbox::strength_variants(strength, options.modules_mm, options.face_widths_mm,
+        gearbox::strength_variants(report.read.strength, options.modules_mm, options.face_widths_mm,
                                    report.read.ring_space_mm.value_or(0.0));
   }
-  if (options.json) {
-    nlohmann::ordered_json result = report::strength_json(report);
-    result["tool"] = io::tool_provenance();
-    result["inputs"] = io::input_provenance(report.read.documents);
-    print_result(io::json_text(result));
-  } else {
-    print_result(report::strength_text(report));
-  }
+  return report;
+}
+
+void write(const StrengthOptions& options, const report::StrengthReport& report) {
+  if (!options.json) return print_result(report::strength_text(report));
+  nlohmann::ordered_json result = report::strength_json(report);
+  result["tool"] = io::tool_provenance();
+  result["inputs"] = io::input_provenance(report.read.documents);
+  print_result(io::json_text(result));
+}
+
+ExitCode run_strength(const StrengthOptions& options) {
+  const report::StrengthReport report = compute(options, read(options));
+  write(options, report);
   return report.passes() ? ExitCode::kPasses : ExitCode::kFails;
 }
 
 }  // namespace
 
-void add_strength_command(CLI::App& gearbox, ExitCode& result) {
+void add_strength_command(command_line::Command& gearbox) {
   auto options = std::make_shared<StrengthOptions>();
-  CLI::App* command = gearbox.add_subcommand("strength", "What torques do to the teeth");
-  command->add_option("strength", options->file, "Document of kind gear_strength")->required();
-  command->add_option("--torque", options->torques_Nm, "In Nm; several: 21,17")
-      ->required()
-      ->delimiter(',');
-  command->add_option("--side", options->side, "Of the torques: motor (at the sun) or joint")
-      ->check(CLI::IsMember({"motor", "joint"}));
-  command->add_option("--face-widths", options->face_widths_mm, "Also with these, in mm: 6,8,10")
-      ->delimiter(',');
+  command_line::Command command = gearbox.add_command("strength", "What torques do to the teeth");
+  command.add_option("strength", options->file, "Document of kind gear_strength").required();
+  command.add_option("--torque", options->torques_Nm, "In Nm; several: 21,17")
+      .required()
+      .separated_by_commas();
+  command.add_option("--side", options->side, "Of the torques: motor (at the sun) or joint")
+      .one_of({"motor", "joint"});
+  command.add_option("--face-widths", options->face_widths_mm, "Also with these, in mm: 6,8,10")
+      .separated_by_commas();
   command
-      ->add_option("--modules", options->modules_mm,
-                   "Also with these, in mm; a single stage gets the most teeth that fit")
-      ->delimiter(',');
-  command->add_option("--cycles", options->cycles, "Loads, instead of the document's");
-  command->add_flag("--json", options->json, "Print the report as JSON");
-  command->footer(
-      "Example:\n  torquewright gearbox strength specs/gearbox/d110a_strength.json --torque 21,17 "
+      .add_option("--modules", options->modules_mm,
+                  "Also with these, in mm; a single stage gets the most teeth that fit")
+      .separated_by_commas();
+  command.add_option("--cycles", options->cycles, "Loads, instead of the document's");
+  command.add_flag("--json", options->json, "Print the report as JSON");
+  command.example(
+      "torquewright gearbox strength specs/gearbox/d110a_strength.json --torque 21,17 "
       "--face-widths 6,8,10,12 --modules 0.5,0.6,0.7");
-  command->callback([options, &result] { result = run_strength(*options); });
+  command.works([options] { return run_strength(*options); });
 }
 
 }  // namespace torquewright::cli

@@ -28,32 +28,46 @@ io::Document read_result(const std::string& file) {
   return io::check_document(std::move(text.root), "gearbox_result", file, "");
 }
 
-ExitCode run_verify(const std::string& result_file, bool json) {
-  const io::Document result = read_result(result_file);
+struct VerifyOptions {
+  std::string result_file;
+  bool json = false;
+};
+
+/// A result holds the problem that it answers.
+struct VerifyInputs {
+  io::Document result;
+  gearbox::Problem problem;
+};
+
+VerifyInputs read(const VerifyOptions& options) {
+  io::Document result = read_result(options.result_file);
   const io::Document document =
       io::check_document(result.root.at("problem"), "gearbox_problem", result.file, "/problem");
-  const ProofCheck check = check_proof(gearbox::read_problem(document), result.root);
-  print_result(json ? io::json_text(check.json) : check.text);
+  return {std::move(result), gearbox::read_problem(document)};
+}
+
+void write(const VerifyOptions& options, const ProofCheck& check) {
+  print_result(options.json ? io::json_text(check.json) : check.text);
+}
+
+ExitCode run_verify(const VerifyOptions& options) {
+  const VerifyInputs inputs = read(options);
+  const ProofCheck check = check_proof(inputs.problem, inputs.result.root);
+  write(options, check);
   if (!check.is_accepted) return ExitCode::kFails;
   return check.is_undecided ? ExitCode::kUndecided : ExitCode::kPasses;
 }
 
 }  // namespace
 
-void add_verify_command(CLI::App& gearbox, ExitCode& result) {
-  struct Options {
-    std::string result_file;
-    bool json = false;
-  };
-  auto options = std::make_shared<Options>();
-  CLI::App* command =
-      gearbox.add_subcommand("verify", "Check a result's certificate without the solver");
-  command->add_option("result", options->result_file, "Document of kind gearbox_result")
-      ->required();
-  command->add_flag("--json", options->json, "Print the verdict as JSON");
-  command->footer("Example:\n  torquewright gearbox verify specs/gearbox/d151_knee_result.json");
-  command->callback(
-      [options, &result] { result = run_verify(options->result_file, options->json); });
+void add_verify_command(command_line::Command& gearbox) {
+  auto options = std::make_shared<VerifyOptions>();
+  command_line::Command command =
+      gearbox.add_command("verify", "Check a result's certificate without the solver");
+  command.add_option("result", options->result_file, "Document of kind gearbox_result").required();
+  command.add_flag("--json", options->json, "Print the verdict as JSON");
+  command.example("torquewright gearbox verify specs/gearbox/d151_knee_result.json");
+  command.works([options] { return run_verify(*options); });
 }
 
 }  // namespace torquewright::cli

@@ -94,7 +94,7 @@ std::string calibration_result(const CalibrateOptions& options, const hopper::Re
   return io::json_text(result);
 }
 
-ExitCode run_calibrate(const CalibrateOptions& options) {
+hopper::ReadRobot read(const CalibrateOptions& options) {
   io::Document document = io::read_document(options.robot_file, "robot");
   const std::string sha256 = document.sha256;
   add_postures(options.request, document);
@@ -102,12 +102,20 @@ ExitCode run_calibrate(const CalibrateOptions& options) {
       hopper::robot_of(io::check_document(document.root, "robot", document.file, document.path));
   read.documents.front().sha256 = sha256;  // of the file that was read
   check_calibration_files(options, read);
+  return read;
+}
+
+report::CalibrationReport compute(const CalibrateOptions& options, const hopper::ReadRobot& read) {
   report::CalibrationReport report{
       read.robot.name,
       calibration_question(options.request, read.documents.front(), read.robot),
       {}};
   report.found = calibration::calibrate(report.question);
+  return report;
+}
 
+void write(const CalibrateOptions& options, const hopper::ReadRobot& read,
+           const report::CalibrationReport& report) {
   std::vector<io::FileContent> files;
   if (!options.output_file.empty() && report.found.best) {
     files.push_back(
@@ -120,26 +128,32 @@ ExitCode run_calibrate(const CalibrateOptions& options) {
   }
   io::write_whole_files(files);
   print_result(calibration_result(options, read, report));
+}
+
+ExitCode run_calibrate(const CalibrateOptions& options) {
+  const hopper::ReadRobot robot = read(options);
+  const report::CalibrationReport report = compute(options, robot);
+  write(options, robot, report);
   return report.found.is_met ? ExitCode::kPasses : ExitCode::kFails;
 }
 
 }  // namespace
 
-void add_calibrate_command(CLI::App& hopper, ExitCode& result) {
+void add_calibrate_command(command_line::Command& hopper) {
   auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* command =
-      hopper.add_subcommand("calibrate", "Unpublished values from published CAM and CAV");
-  command->add_option("robot", options->robot_file, "Document of kind robot")->required();
-  add_calibration_options(*command, options->request);
-  command->add_option("-o,--output", options->output_file,
-                      "Write the robot with the fitted values to this file");
-  command->add_option("--plot", options->plot_file, "Draw the valley to this SVG or PNG");
-  command->add_flag("--json", options->json, "Print the report as JSON");
-  command->footer(
-      "Example:\n  torquewright hopper calibrate specs/robot/hopper.json --target cam=6.0 --target "
+  command_line::Command command =
+      hopper.add_command("calibrate", "Unpublished values from published CAM and CAV");
+  command.add_option("robot", options->robot_file, "Document of kind robot").required();
+  add_calibration_options(command, options->request);
+  command.add_option("-o,--output", options->output_file,
+                     "Write the robot with the fitted values to this file");
+  command.add_option("--plot", options->plot_file, "Draw the valley to this SVG or PNG");
+  command.add_flag("--json", options->json, "Print the report as JSON");
+  command.example(
+      "torquewright hopper calibrate specs/robot/hopper.json --target cam=6.0 --target "
       "cav=7.4:10.6 --free /bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45 --free "
       "/postures/takeoff/knee --free /postures/tuck/knee");
-  command->callback([options, &result] { result = run_calibrate(*options); });
+  command.works([options] { return run_calibrate(*options); });
 }
 
 }  // namespace torquewright::cli

@@ -6,6 +6,7 @@
 
 #include "identification/report_spec.hpp"
 #include "io/atomic_file.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/refined_actuators.hpp"
@@ -38,10 +39,10 @@ std::string json_text(const IdentifyRequest& request, const IdentifyInputs& inpu
                      actuator.nominal.documents.end());
   }
   document["inputs"] = io::input_provenance(documents);
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return io::json_text(document);
 }
 
-Identification run_identification(const IdentifyRequest& request, const IdentifyInputs& inputs) {
+Identification compute(const IdentifyRequest& request, const IdentifyInputs& inputs) {
   report::ProgressLine progress;
   identification::IdentifyOptions options;
   options.select = request.select;
@@ -67,11 +68,8 @@ ExitCode exit_code_of(Verdict verdict) {
   return ExitCode::kUndecided;
 }
 
-ExitCode run_identify(const IdentifyRequest& request) {
-  require_log_options(request);
-  const IdentifyInputs inputs = read_inputs(request);
-  if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
-  const Identification found = run_identification(request, inputs);
+void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
+           const Identification& found) {
   const std::vector<RefinedActuator> refined = refined_actuators(inputs, found);
   report::IdentificationContext context{
       request.logs, request.rig_file, inputs.rig.name, request.actuators, {}, request.select};
@@ -84,45 +82,50 @@ ExitCode run_identify(const IdentifyRequest& request) {
   io::write_whole_files(files);
   print_result(request.json ? json_text(request, inputs, found)
                             : report::identification_text(found, context));
+}
+
+ExitCode run_identify(const IdentifyRequest& request) {
+  require_log_options(request);
+  const IdentifyInputs inputs = read_inputs(request);
+  if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
+  const Identification found = compute(request, inputs);
+  write(request, inputs, found);
   return exit_code_of(found.verdict);
 }
 
 }  // namespace
 
-void add_residual_command(CLI::App& identify, ExitCode& result) {
+void add_residual_command(command_line::Command& identify) {
   auto request = std::make_shared<IdentifyRequest>();
   request->select = false;
-  CLI::App* command =
-      identify.add_subcommand("residual", "How large is the error, and is it more than noise?");
-  add_log_options(*command, *request);
-  command->footer(
-      "Example:\n  torquewright identify residual specs/log/bench_as_built.csv --rig "
+  command_line::Command command =
+      identify.add_command("residual", "How large is the error, and is it more than noise?");
+  add_log_options(command, *request);
+  command.example(
+      "torquewright identify residual specs/log/bench_as_built.csv --rig "
       "specs/log/bench_rig.json --actuator specs/log/bench_refined.json");
-  command->callback([request, &result] { result = run_identify(*request); });
+  command.works([request] { return run_identify(*request); });
 }
 
-void add_identify_command(CLI::App& app, ExitCode& result) {
+void add_identify_command(command_line::Command& program) {
   auto request = std::make_shared<IdentifyRequest>();
-  CLI::App* command =
-      app.add_subcommand("identify", "Is the model true, and if not, which effect is missing?");
-  add_log_options(*command, *request);
+  command_line::Command command =
+      program.add_command("identify", "Is the model true, and if not, which effect is missing?");
+  add_log_options(command, *request);
   command
-      ->add_option(
-          "-o,--output", request->outputs,
-          "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
-      ->allow_extra_args(false);
-  command->add_option("--report", request->report_file, "Write the report with pictures, as HTML");
-  command->add_flag("--empirical", request->empirical,
-                    "Where no effect fits, a table over the coordinate along which most is left");
-  command->footer(
-      "Example:\n  torquewright identify specs/log/bench_as_built.csv --rig "
+      .add_option("-o,--output", request->outputs,
+                  "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
+      .one_value_each();
+  command.add_option("--report", request->report_file, "Write the report with pictures, as HTML");
+  command.add_flag("--empirical", request->empirical,
+                   "Where no effect fits, a table over the coordinate along which most is left");
+  command.example(
+      "torquewright identify specs/log/bench_as_built.csv --rig "
       "specs/log/bench_rig.json --actuator specs/log/bench_actuator.json");
-  add_residual_command(*command, result);
-  add_identify_simulate(*command, result);
-  add_identify_plan(*command, result);
-  command->callback([command, request, &result] {
-    if (command->get_subcommands().empty()) result = run_identify(*request);
-  });
+  add_residual_command(command);
+  add_identify_simulate(command);
+  add_identify_plan(command);
+  command.works([request] { return run_identify(*request); });
 }
 
 }  // namespace torquewright::cli

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
-
-#include "src/exit_code.hpp"
+#include "src/command_line/command_line.hpp"
 
 namespace torquewright::cli {
 
-/// Adds `torquewright identify LOG...` and its subcommands; when one has run, `result` is its exit
-/// code.
-void add_identify_command(CLI::App& app, ExitCode& result);
+/// Adds `identify LOG...` and its commands.
+void add_identify_command(command_line::Command& program);
 
-/// Subcommands of `torquewright identify`.
-void add_residual_command(CLI::App& identify, ExitCode& result);
-void add_identify_simulate(CLI::App& identify, ExitCode& result);
-void add_identify_plan(CLI::App& identify, ExitCode& result);
+/// Each adds one command to `identify`.
+void add_residual_command(command_line::Command& identify);
+void add_identify_simulate(command_line::Command& identify);
+void add_identify_plan(command_line::Command& identify);
 
 }  // namespace torquewright::cli

@@ -46,23 +46,8 @@ std::vector<Overlay> overlays(const MorPlotOptions& options, const actuator::Act
 
 }  // namespace
 
-void add_mor_plot_options(CLI::App& command, MorPlotOptions& options) {
-  CLI::Option* plot =
-      command.add_option("--plot", options.file, "Draw the region to this SVG or PNG instead");
-  command.add_option("--plot-voltage", options.voltages_V, "Over it, at these bus voltages, in V")
-      ->delimiter(',')
-      ->check(CLI::Range(0.5, 2000.0))
-      ->needs(plot);
-  command
-      .add_option("--plot-temperature", options.temperatures_K,
-                  "Over it, at these winding temperatures, in K")
-      ->delimiter(',')
-      ->check(CLI::Range(200.0, 600.0))
-      ->needs(plot);
-}
-
-void draw_region(const MorPlotOptions& options, const actuator::Actuator& actuator,
-                 const OperatingConditions& conditions, actuator::Side side) {
+std::string region_plot_of(const MorPlotOptions& options, const actuator::Actuator& actuator,
+                           const OperatingConditions& conditions, actuator::Side side) {
   const report::PlotFormat format = report::plot_format(options.file);
   std::vector<report::PlottedRegion> regions;
   for (const Overlay& overlay : overlays(options, actuator, conditions)) {
@@ -74,7 +59,7 @@ void draw_region(const MorPlotOptions& options, const actuator::Actuator& actuat
   const char* place = side == actuator::Side::kMotor ? "motor" : "joint";
   const std::string title =
       fmt::format("{}: motor operating region at the {}", actuator.name, place);
-  report::draw_with_gnuplot(report::region_plot(format, title, regions), options.file);
+  return report::region_plot(format, title, regions);
 }
 
 }  // namespace torquewright::cli

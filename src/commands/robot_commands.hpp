@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
-
-#include "src/exit_code.hpp"
+#include "src/command_line/command_line.hpp"
 
 namespace torquewright::cli {
 
-void add_import_command(CLI::App& robot, ExitCode& result);
-void add_export_command(CLI::App& robot, ExitCode& result);
+/// Each adds one command to `robot`.
+void add_import_command(command_line::Command& robot);
+void add_export_command(command_line::Command& robot);
 
 }  // namespace torquewright::cli

@@ -18,34 +18,41 @@ struct ExportOptions {
   std::string output_file;
 };
 
-ExitCode run_export(const ExportOptions& options) {
+hopper::Robot read(const ExportOptions& options) {
   if (!options.output_file.empty()) io::check_outputs({options.output_file}, {options.robot_file});
-  const hopper::Robot robot = hopper::read_robot(options.robot_file).robot;
-  const hopper::Exported exported =
-      options.format == "urdf" ? hopper::urdf_of(robot) : hopper::mjcf_of(robot);
-  if (options.output_file.empty()) {
-    print_result(exported.text);
-    return ExitCode::kPasses;
-  }
-  io::write_whole_file(options.output_file, exported.text);
+  return hopper::read_robot(options.robot_file).robot;
+}
+
+hopper::Exported compute(const ExportOptions& options, const hopper::Robot& robot) {
+  return options.format == "urdf" ? hopper::urdf_of(robot) : hopper::mjcf_of(robot);
+}
+
+void write(const ExportOptions& options, const hopper::Exported& exported) {
+  deliver_result(exported.text, options.output_file);
+  if (options.output_file.empty()) return;
   std::string said;
   for (const std::string& note : exported.notes) said += "note: " + note + "\n";
   print_result(said);
+}
+
+ExitCode run_export(const ExportOptions& options) {
+  const hopper::Robot robot = read(options);
+  write(options, compute(options, robot));
   return ExitCode::kPasses;
 }
 
 }  // namespace
 
-void add_export_command(CLI::App& robot, ExitCode& result) {
+void add_export_command(command_line::Command& robot) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = robot.add_subcommand("export", "URDF or MJCF out");
-  command->add_option("robot", options->robot_file, "Document of kind robot")->required();
-  command->add_option("--format", options->format, "urdf or mjcf")
-      ->required()
-      ->check(CLI::IsMember({"urdf", "mjcf"}));
-  command->add_option("-o,--output", options->output_file, "Write to this file");
-  command->footer("Example:\n  torquewright robot export specs/robot/hopper.json --format mjcf");
-  command->callback([options, &result] { result = run_export(*options); });
+  command_line::Command command = robot.add_command("export", "URDF or MJCF out");
+  command.add_option("robot", options->robot_file, "Document of kind robot").required();
+  command.add_option("--format", options->format, "urdf or mjcf")
+      .required()
+      .one_of({"urdf", "mjcf"});
+  command.add_option("-o,--output", options->output_file, "Write to this file");
+  command.example("torquewright robot export specs/robot/hopper.json --format mjcf");
+  command.works([options] { return run_export(*options); });
 }
 
 }  // namespace torquewright::cli

@@ -24,43 +24,52 @@ struct ImportOptions {
   std::string output_file;
 };
 
-hopper::Imported imported(const ImportOptions& options) {
+hopper::Imported read(const ImportOptions& options) {
+  if (!options.output_file.empty()) io::check_outputs({options.output_file}, {options.file});
   const bool is_urdf = options.format.empty()
                            ? std::filesystem::path(options.file).extension() == ".urdf"
                            : options.format == "urdf";
   return is_urdf ? hopper::read_urdf(options.file) : hopper::read_mjcf(options.file);
 }
 
-ExitCode run_import(const ImportOptions& options) {
-  if (!options.output_file.empty()) io::check_outputs({options.output_file}, {options.file});
-  const hopper::Imported read = imported(options);
-  const std::string text = io::json_text(hopper::robot_json(read.robot));
-  // What a file says may still be no robot (inertias that no body has): its document is refused.
+/// The robot's document. What a file says may still be no robot (inertias that no body has): such a
+/// document is refused.
+std::string compute(const ImportOptions& options, const hopper::Imported& imported) {
+  std::string text = io::json_text(hopper::robot_json(imported.robot));
   (void)hopper::robot_of(
       io::check_document(nlohmann::json::parse(text), "robot", options.file, ""));
-  if (options.output_file.empty()) {
-    print_result(text);
-    return ExitCode::kPasses;
-  }
-  io::write_whole_file(options.output_file, text);
-  std::string said = fmt::format("{}: {} bodies, {} joints\n", options.output_file,
-                                 read.robot.tree.bodies.size(), read.robot.tree.bodies.size() - 1);
-  for (const std::string& note : read.notes) said += "note: " + note + "\n";
+  return text;
+}
+
+void write(const ImportOptions& options, const hopper::Imported& imported,
+           const std::string& document) {
+  deliver_result(document, options.output_file);
+  if (options.output_file.empty()) return;
+  const std::size_t bodies = imported.robot.tree.bodies.size();
+  std::string said =
+      fmt::format("{}: {} bodies, {} joints\n", options.output_file, bodies, bodies - 1);
+  for (const std::string& note : imported.notes) said += "note: " + note + "\n";
   print_result(said);
+}
+
+ExitCode run_import(const ImportOptions& options) {
+  const hopper::Imported imported = read(options);
+  const std::string document = compute(options, imported);
+  write(options, imported, document);
   return ExitCode::kPasses;
 }
 
 }  // namespace
 
-void add_import_command(CLI::App& robot, ExitCode& result) {
+void add_import_command(command_line::Command& robot) {
   auto options = std::make_shared<ImportOptions>();
-  CLI::App* command = robot.add_subcommand("import", "URDF or MJCF in");
-  command->add_option("file", options->file, "A URDF file (.urdf) or an MJCF file")->required();
-  command->add_option("--format", options->format, "Where the file's ending does not say it")
-      ->check(CLI::IsMember({"urdf", "mjcf"}));
-  command->add_option("-o,--output", options->output_file, "Write the document to this file");
-  command->footer("Example:\n  torquewright robot import specs/robot/rabbit.urdf -o rabbit.json");
-  command->callback([options, &result] { result = run_import(*options); });
+  command_line::Command command = robot.add_command("import", "URDF or MJCF in");
+  command.add_option("file", options->file, "A URDF file (.urdf) or an MJCF file").required();
+  command.add_option("--format", options->format, "Where the file's ending does not say it")
+      .one_of({"urdf", "mjcf"});
+  command.add_option("-o,--output", options->output_file, "Write the document to this file");
+  command.example("torquewright robot import specs/robot/rabbit.urdf -o rabbit.json");
+  command.works([options] { return run_import(*options); });
 }
 
 }  // namespace torquewright::cli

@@ -104,28 +104,28 @@ void check_twice(const calibration::FreeValue& value,
 
 }  // namespace
 
-void add_calibration_options(CLI::App& command, CalibrationRequest& request) {
+void add_calibration_options(command_line::Command& command, CalibrationRequest& request) {
   command
       .add_option("--target", request.targets,
                   "cam=N in N m s; cav=N:N in rad/s at the postures takeoff and tuck, or "
                   "cav@POSTURE=N")
-      ->required()
-      ->allow_extra_args(false);
+      .required()
+      .one_value_each();
   command
       .add_option("--free", request.free,
                   "POINTER[,POINTER...][=LOW:HIGH]: a value of the document to be fitted; several "
                   "pointers move together")
-      ->required()
-      ->allow_extra_args(false);
+      .required()
+      .one_value_each();
   command
       .add_option("--posture", request.postures,
                   "NAME=JOINT:POSITION,...: instead of the document's, in rad or m")
-      ->allow_extra_args(false);
+      .one_value_each();
   command
       .add_option("--tolerance", request.tolerance,
                   "Within which a CAV counts as met, relative; 0.01 covers the rounding of 6.0 and "
                   "7.4")
-      ->check(CLI::Range(1e-6, 0.5));
+      .between(1e-6, 0.5);
 }
 
 void add_postures(const CalibrationRequest& request, io::Document& robot) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "hopper/calibration/figures.hpp"
+#include "src/command_line/command_line.hpp"
 
 namespace torquewright::cli {
 
@@ -18,7 +18,7 @@ struct CalibrationRequest {
 };
 
 /// Adds --target, --free, --posture and --tolerance.
-void add_calibration_options(CLI::App& command, CalibrationRequest& request);
+void add_calibration_options(command_line::Command& command, CalibrationRequest& request);
 
 /// Writes the postures of the command line into the robot's document, over those it has. Throws
 /// io::SpecError for what does not read as one.

@@ -54,24 +54,54 @@ void add_columns(const CheckOptions& options, PreparedCheck& prepared) {
   }
 }
 
-actuator::Window window_of(const CheckOptions& options) {
-  actuator::Window window;
-  if (!options.from_s.empty()) window.from_s = options.from_s.back();
-  if (!options.until_s.empty()) window.until_s = options.until_s.back();
-  if (window.from_s > window.until_s) {
-    io::refuse("--from",
-               fmt::format("{} s lies after --until {} s", window.from_s, window.until_s));
-  }
-  return window;
+void add_reading_options(command_line::Command& command, CheckOptions& options) {
+  command
+      .add_option("--column", options.columns,
+                  "NAME=JOINT.QUANTITY[:unit][*factor]: what a column is; NAME=time[:unit]")
+      .one_value_each();
+  command
+      .add_option("--columns", options.columns_files, "The same as a document: trajectory_columns")
+      .one_value_each();
+  command
+      .add_option("--jacobian", options.jacobian_files,
+                  "Document of kind jacobian: two joints moved by two actuators together")
+      .one_value_each();
+  add_window_options(command, options.window);
+  command.add_flag("--torque-includes-inertia", options.torque_includes_inertia,
+                   "The file's torque includes that of rotor and gears");
+  command
+      .add_flag("--torque-excludes-inertia", options.torque_excludes_inertia,
+                "It does not: add it. Neither: both readings count")
+      .excludes("--torque-includes-inertia");
 }
 
 }  // namespace
 
-PreparedCheck prepare_check(const CheckOptions& options) {
+void add_check_options(command_line::Command& command, CheckOptions& options) {
+  command
+      .add_option("trajectory", options.trajectory_file,
+                  "CSV: time_s, <joint>_position_rad, <joint>_velocity_rad_s, <joint>_torque_Nm")
+      .required();
+  command
+      .add_option("--joint", options.joints,
+                  "NAME=ACTUATOR: a joint and the file of its actuator; once for each joint")
+      .required()
+      .one_value_each();
+  add_reading_options(command, options);
+  add_operating_options(command, options.operating);
+  command.add_option("--repeat", options.runs, "Runs of the motion, for the winding's temperature")
+      .integer_between(1, 1000000000);
+  command.add_option("--pause", options.pause_s, "Between runs, in s").between(0.0, 1e9);
+  command.add_option("--plot", options.plot_file, "Draw regions and motion to this SVG or PNG");
+  command.add_option("-o,--output", options.output_file, "Write to this file");
+  command.add_flag("--json", options.json, "The report as JSON");
+}
+
+PreparedCheck read_inputs(const CheckOptions& options) {
   PreparedCheck prepared;
   actuator::CheckRequest& request = prepared.request;
   request.trajectory = options.trajectory_file;
-  request.window = window_of(options);
+  request.window = window_of(options.window);
   add_drives(options, prepared);
   add_columns(options, prepared);
   for (const std::string& file : options.jacobian_files) {

@@ -8,6 +8,7 @@
 #include "actuator/check/check.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "src/options/operating_options.hpp"
+#include "src/options/window_options.hpp"
 
 namespace torquewright::cli {
 
@@ -18,8 +19,7 @@ struct CheckOptions {
   std::vector<std::string> columns;  ///< NAME=JOINT.QUANTITY[:unit][*factor]
   std::vector<std::string> columns_files;
   std::vector<std::string> jacobian_files;
-  std::vector<double> from_s;  ///< At most one.
-  std::vector<double> until_s;
+  WindowOptions window;
   OperatingOptions operating;
   bool torque_includes_inertia = false;
   bool torque_excludes_inertia = false;
@@ -30,6 +30,9 @@ struct CheckOptions {
   bool json = false;
 };
 
+/// Adds everything that `actuator check` takes.
+void add_check_options(command_line::Command& command, CheckOptions& options);
+
 /// What is to be checked, and every document that was read for it.
 struct PreparedCheck {
   actuator::CheckRequest request;
@@ -37,7 +40,7 @@ struct PreparedCheck {
   std::vector<io::Document> documents;
 };
 
-/// Reads all documents. Throws io::SpecError.
-PreparedCheck prepare_check(const CheckOptions& options);
+/// Reads all documents; the trajectory is read as it is checked. Throws io::SpecError.
+PreparedCheck read_inputs(const CheckOptions& options);
 
 }  // namespace torquewright::cli

@@ -68,21 +68,21 @@ void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
 
 }  // namespace
 
-void add_log_options(CLI::App& command, IdentifyRequest& request) {
+void add_log_options(command_line::Command& command, IdentifyRequest& request) {
   command.add_option("logs", request.logs, "CSV files of one rig, with a header");
   command.add_option("--rig", request.rig_file, "Document of kind rig: what the columns are");
   command
       .add_option(
           "--actuator", request.actuators,
           "Document of kind actuator, as designed; JOINT=FILE, once for each, on a serial arm")
-      ->allow_extra_args(false);
+      .one_value_each();
   command.add_flag("--json", request.json, "The report as JSON");
 }
 
 void require_log_options(const IdentifyRequest& request) {
-  if (request.logs.empty()) throw CLI::RequiredError("logs");
-  if (request.rig_file.empty()) throw CLI::RequiredError("--rig");
-  if (request.actuators.empty()) throw CLI::RequiredError("--actuator");
+  if (request.logs.empty()) command_line::refuse("logs is required");
+  if (request.rig_file.empty()) command_line::refuse("--rig is required");
+  if (request.actuators.empty()) command_line::refuse("--actuator is required");
 }
 
 IdentifyInputs read_inputs(const IdentifyRequest& request) {

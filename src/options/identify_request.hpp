@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "identification/identify.hpp"
 #include "io/document.hpp"
+#include "src/command_line/command_line.hpp"
 
 namespace torquewright::cli {
 
@@ -23,9 +23,9 @@ struct IdentifyRequest {
 };
 
 /// Logs, --rig, --actuator and --json. None is required by the parser: a subcommand needs none.
-void add_log_options(CLI::App& command, IdentifyRequest& request);
+void add_log_options(command_line::Command& command, IdentifyRequest& request);
 
-/// Throws CLI::RequiredError for the first that is missing.
+/// Throws io::SpecError for the first that is missing.
 void require_log_options(const IdentifyRequest& request);
 
 /// What was read for a request. Both lists are in the order of the rig's joints.

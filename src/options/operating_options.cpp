@@ -3,16 +3,16 @@
 
 namespace torquewright::cli {
 
-void add_operating_options(CLI::App& command, OperatingOptions& options) {
+void add_operating_options(command_line::Command& command, OperatingOptions& options) {
   command.add_option("--rating", options.rating, "peak (for seconds) or continuous")
-      ->check(CLI::IsMember({"peak", "continuous"}));
+      .one_of({"peak", "continuous"});
   command.add_option("--bus-voltage", options.bus_voltage_V, "Of the source, in V")
-      ->check(CLI::Range(0.5, 2000.0));
+      .between(0.5, 2000.0);
   command
       .add_option("--state-of-charge", options.state_of_charge, "Of the battery: 0 empty, 1 full")
-      ->check(CLI::Range(0.0, 1.0));
+      .between(0.0, 1.0);
   command.add_option("--winding-temperature", options.winding_temperature_K, "In K")
-      ->check(CLI::Range(200.0, 600.0));
+      .between(200.0, 600.0);
 }
 
 actuator::OperatingConditions stated_conditions(const OperatingOptions& options) {

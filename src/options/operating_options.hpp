@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "actuator/region/operating_conditions.hpp"
+#include "src/command_line/command_line.hpp"
 
 namespace torquewright::cli {
 
@@ -18,7 +18,7 @@ struct OperatingOptions {
 };
 
 /// Adds --rating, --bus-voltage, --state-of-charge and --winding-temperature.
-void add_operating_options(CLI::App& command, OperatingOptions& options);
+void add_operating_options(command_line::Command& command, OperatingOptions& options);
 
 /// The conditions as the options state them.
 actuator::OperatingConditions stated_conditions(const OperatingOptions& options);

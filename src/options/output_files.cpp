@@ -8,20 +8,9 @@
 #include "io/atomic_file.hpp"
 
 namespace torquewright::cli {
-namespace {
-
-// An unset variable of a script, say: nothing would be written, and nobody would know.
-const CLI::Validator kNamed(
-    [](const std::string& file) {
-      return file.empty() ? std::string("a file's name is missing") : std::string();
-    },
-    "");
-
-}  // namespace
-
-void add_output_options(CLI::App& command, OutputFiles& files) {
-  command.add_option("-o,--output", files.result, "Write the result as JSON here")->check(kNamed);
-  command.add_option("--draw", files.drawing, "Draw the gearbox to this SVG file")->check(kNamed);
+void add_output_options(command_line::Command& command, OutputFiles& files) {
+  command.add_option("-o,--output", files.result, "Write the result as JSON here").names_a_file();
+  command.add_option("--draw", files.drawing, "Draw the gearbox to this SVG file").names_a_file();
 }
 
 void check_outputs(const OutputFiles& files, const std::string& input_file) {

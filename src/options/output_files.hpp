@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+
+#include "src/command_line/command_line.hpp"
 
 namespace torquewright::cli {
 
@@ -14,7 +15,7 @@ struct OutputFiles {
 };
 
 /// Adds -o and --draw, which say where to.
-void add_output_options(CLI::App& command, OutputFiles& files);
+void add_output_options(command_line::Command& command, OutputFiles& files);
 
 /// For before the work. Throws SpecError if a file cannot be written or is the input.
 void check_outputs(const OutputFiles& files, const std::string& input_file);

@@ -60,7 +60,11 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"check", {"robot", "contact"}},
       {"candidates", {"robot", "check"}},
       {"calibration", {"robot"}}}},
-    {"src", {{"report", {}}, {"options", {}}, {"commands", {"report", "options"}}}},
+    {"src",
+     {{"report", {}},
+      {"command_line", {}},
+      {"options", {"command_line"}},
+      {"commands", {"report", "command_line", "options"}}}},
 };
 
 /// The only file that stands above the rooms of its folder.
@@ -120,6 +124,9 @@ std::string objection(std::string_view file, std::string_view included) {
   const std::string from = folder_of(file);
   const std::string to = folder_of(included);
   if (!kMayInclude.contains(to)) {
+    if (included.starts_with("CLI/") && !file.starts_with("src/command_line/")) {
+      return "only src/command_line/ includes CLI11";
+    }
     const bool may_solve = from == "optimization" || !is_solver(included);
     return may_solve ? "" : "only optimization/ includes a solver";
   }

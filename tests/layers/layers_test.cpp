@@ -87,6 +87,14 @@ TEST(Objection, KeepsSolversInOptimization) {
   }
 }
 
+TEST(Objection, KeepsTheParserOfCommandLinesInItsRoom) {
+  EXPECT_EQ(objection("src/command_line/a.cpp", "CLI/CLI.hpp"), "");
+  for (const char* file : {"src/main.cpp", "src/commands/a.cpp", "src/options/a.hpp"}) {
+    EXPECT_EQ(objection(file, "CLI/CLI.hpp"), "only src/command_line/ includes CLI11") << file;
+  }
+  EXPECT_NE(objection("src/command_line/a.cpp", "src/options/b.hpp"), "");
+}
+
 TEST(IncludedNames, AreFoundHoweverTheyAreSpaced) {
   EXPECT_EQ(included_names("#include \"a/b.hpp\"\n  #  include <c>\nint x;\n// #include \"d\"\n"),
             (std::vector<std::string>{"a/b.hpp", "c"}));

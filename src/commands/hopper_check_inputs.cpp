@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/hopper_check_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "hopper/motion/motion_reader.hpp"
+#include "io/refusal.hpp"
+#include "src/report/progress_line.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+/// Where the motion lies and what its columns are.
+hopper::MotionFile motion_file(const HopperCheckRequest& request) {
+  hopper::MotionFile source;
+  source.file = request.trajectory_file;
+  source.mappings = request.columns;
+  for (const std::string& file : request.columns_files) {
+    source.documents.push_back(io::read_document(file, "trajectory_columns"));
+  }
+  source.window = window_of(request.window);
+  return source;
+}
+
+hopper::TorqueSource torque_source(const std::string& name) {
+  if (name == "file") return hopper::TorqueSource::kFile;
+  return name == "dynamics" ? hopper::TorqueSource::kDynamics : hopper::TorqueSource::kBest;
+}
+
+hopper::CheckOptions check_options(const HopperCheckRequest& request,
+                                   const hopper::ReadRobot& read) {
+  hopper::CheckOptions check = request.check;
+  check.conditions = stated_conditions(request.operating);
+  for (const hopper::Drivetrain& drivetrain : read.robot.drivetrains) {
+    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
+      require_possible(drivetrain.actuators[i], drivetrain.actuator_files[i], check.conditions);
+    }
+  }
+  check.torques = torque_source(request.torques);
+  check.keep_traces = !request.plot_file.empty() || !request.report_file.empty();
+  return check;
+}
+
+hopper::Motion motion_in(hopper::MotionFile source, const hopper::Robot& robot) {
+  report::ProgressLine progress;
+  source.on_progress = [&progress](double share) {
+    progress.show(fmt::format("reading the motion: {:.0f} %", 100.0 * share));
+  };
+  return hopper::read_motion(robot, source);
+}
+
+hopper::Shelf shelf_of(const HopperCheckRequest& request, const hopper::ReadRobot& robot) {
+  if (request.candidates_folder.empty()) {
+    if (!request.ratios.empty()) io::refuse("--ratios", "is for --candidates");
+    return {};
+  }
+  std::optional<hopper::RatioSweep> sweep;
+  if (!request.ratios.empty()) sweep = hopper::read_ratio_sweep(request.ratios);
+  return hopper::read_shelf(request.candidates_folder, robot, sweep);
+}
+
+}  // namespace
+
+HopperCheckInputs read_inputs(const HopperCheckRequest& request) {
+  HopperCheckInputs inputs;
+  inputs.robot = hopper::read_robot(request.robot_file);
+  const hopper::MotionFile source = motion_file(request);
+  inputs.columns = source.documents;
+  inputs.check = check_options(request, inputs.robot);
+  inputs.motion = motion_in(source, inputs.robot.robot);
+  inputs.shelf = shelf_of(request, inputs.robot);
+  return inputs;
+}
+
+}  // namespace torquewright::cli

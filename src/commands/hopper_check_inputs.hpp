@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "hopper/candidates/shelf.hpp"
+#include "hopper/check/checked_motion.hpp"
+#include "hopper/motion/motion.hpp"
+#include "hopper/robot/robot_spec.hpp"
+#include "src/options/hopper_check_request.hpp"
+
+namespace torquewright::cli {
+
+/// What was read for a whole-body check.
+struct HopperCheckInputs {
+  hopper::ReadRobot robot;
+  std::vector<io::Document> columns;  ///< Of kind trajectory_columns.
+  hopper::CheckOptions check;
+  hopper::Motion motion;
+  hopper::Shelf shelf;  ///< Of candidates; empty where no folder of them was given.
+};
+
+/// Reads all documents and the motion. Throws io::SpecError.
+HopperCheckInputs read_inputs(const HopperCheckRequest& request);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/options/hopper_check_request.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+void add_motion_options(command_line::Command& command, HopperCheckRequest& request) {
+  command
+      .add_option("--column", request.columns,
+                  "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are joints, "
+                  "base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
+      .one_value_each();
+  command
+      .add_option("--columns", request.columns_files, "The same as a document: trajectory_columns")
+      .one_value_each();
+  add_window_options(command, request.window);
+  command
+      .add_option("--torques", request.torques,
+                  "Which torques count: best (the file's where it has all), file, dynamics")
+      .one_of({"best", "file", "dynamics"});
+}
+
+void add_physics_options(command_line::Command& command, hopper::CheckOptions& check) {
+  command.add_option("--ground-height", check.contact.ground_height_m, "z of the ground, in m")
+      .between(-1e6, 1e6);
+  command
+      .add_option("--contact-height", check.contact.height_m,
+                  "Points no higher than this touch, in m")
+      .between(0.0, 10.0);
+  command
+      .add_option("--contact-speed", check.contact.speed_m_s,
+                  "and that move up or down no faster, in m/s")
+      .between(0.0, 100.0);
+  command
+      .add_option("--residual-limit", check.residual_share,
+                  "Force that nothing explains, in weights: more is no motion")
+      .between(0.0, 1e9);
+  command
+      .add_option("--load-window", check.load_window_s,
+                  "Over which a transmission's load is averaged, in s")
+      .between(1e-6, 10.0);
+  command.add_option("--repeat", check.runs, "Runs of the motion, for the windings' temperature")
+      .integer_between(1, 1000000000);
+  command.add_option("--pause", check.pause_s, "Between runs, in s").between(0.0, 1e9);
+}
+
+void add_candidate_options(command_line::Command& command, HopperCheckRequest& request) {
+  command.add_option("--candidates", request.candidates_folder,
+                     "Folder of actuators and gearboxes to try in every place");
+  command.add_option("--ratios", request.ratios,
+                     "FROM:TO[:STEP]: try the candidates with these gear ratios");
+  command.add_option("--threads", request.threads, "That try candidates").integer_between(1, 256);
+}
+
+void add_file_options(command_line::Command& command, HopperCheckRequest& request) {
+  command.add_option("--plot", request.plot_file,
+                     "Draw each region and in it the motion to this SVG or PNG");
+  command.add_option("--plot-loads", request.loads_file,
+                     "Draw torques, ground forces and gear loads over time to this SVG or PNG");
+  command.add_option("--figures", request.figures_file,
+                     "Draw the robot at moments of the motion to this SVG");
+  command.add_option("--report", request.report_file,
+                     "Write a page with everything, pictures included, to this HTML");
+  command.add_option("-o,--output", request.output_file, "Write to this file");
+  command.add_flag("--json", request.json, "The report as JSON");
+}
+
+}  // namespace
+
+void add_hopper_check_options(command_line::Command& command, HopperCheckRequest& request) {
+  command.add_option("robot", request.robot_file, "Document of kind robot").required();
+  command
+      .add_option("trajectory", request.trajectory_file,
+                  "CSV: time_s, base_..., <joint>_position_rad and, where known, velocities, "
+                  "accelerations, torques, contact forces")
+      .required();
+  add_motion_options(command, request);
+  add_physics_options(command, request.check);
+  add_operating_options(command, request.operating);
+  add_candidate_options(command, request);
+  add_file_options(command, request);
+}
+
+}  // namespace torquewright::cli

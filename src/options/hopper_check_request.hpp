@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hopper/check/checked_motion.hpp"
+#include "src/options/operating_options.hpp"
+#include "src/options/window_options.hpp"
+
+namespace torquewright::cli {
+
+/// What `hopper check` is asked, in the words of the command line. An empty name of a file: not
+/// asked for.
+struct HopperCheckRequest {
+  std::string robot_file;
+  std::string trajectory_file;
+  std::vector<std::string> columns;  ///< NAME=OWNER.QUANTITY[:unit][*factor]
+  std::vector<std::string> columns_files;
+  WindowOptions window;
+  OperatingOptions operating;
+  hopper::CheckOptions check;  ///< The numbers that have an option of their own.
+  std::string torques = "best";
+  std::string candidates_folder;
+  std::string ratios;  ///< FROM:TO[:STEP]
+  std::size_t threads = 1;
+  std::string plot_file;
+  std::string loads_file;
+  std::string figures_file;
+  std::string report_file;
+  std::string output_file;
+  bool json = false;
+};
+
+/// Adds everything that `hopper check` takes.
+void add_hopper_check_options(command_line::Command& command, HopperCheckRequest& request);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/options/mor_request.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "actuator/exporters/exporter.hpp"
+#include "io/refusal.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+/// Two finite numbers with a mark between them: 100@5, 4:40.
+std::pair<double, double> number_pair(const std::string& option, const std::string& text,
+                                      char mark) {
+  const std::size_t place = text.find(mark);
+  double numbers[2] = {0.0, 0.0};
+  bool is_read = place != std::string::npos;
+  for (int i = 0; i < 2 && is_read; ++i) {
+    const char* begin = text.data() + (i == 0 ? 0 : place + 1);
+    const char* end = text.data() + (i == 0 ? place : text.size());
+    const auto [rest, error] = std::from_chars(begin, end, numbers[i]);
+    is_read = error == std::errc() && rest == end && std::isfinite(numbers[i]);
+  }
+  if (!is_read) io::refuse(option, fmt::format("\"{}\" must be two numbers, A{}B", text, mark));
+  return {numbers[0], numbers[1]};
+}
+
+/// What `actuator mor --format` takes: csv, json and the name of every exporter.
+std::vector<std::string> mor_formats() {
+  std::vector<std::string> names{"csv", "json"};
+  for (const actuator::Exporter* exporter : actuator::exporter_library()) {
+    names.emplace_back(exporter->name);
+  }
+  return names;
+}
+
+void add_mor_plot_options(command_line::Command& command, MorPlotOptions& options) {
+  command.add_option("--plot", options.file, "Draw the region to this SVG or PNG instead");
+  command.add_option("--plot-voltage", options.voltages_V, "Over it, at these bus voltages, in V")
+      .separated_by_commas()
+      .between(0.5, 2000.0)
+      .needs("--plot");
+  command
+      .add_option("--plot-temperature", options.temperatures_K,
+                  "Over it, at these winding temperatures, in K")
+      .separated_by_commas()
+      .between(200.0, 600.0)
+      .needs("--plot");
+}
+
+}  // namespace
+
+void add_mor_options(command_line::Command& command, MorRequest& request) {
+  command.add_option("actuator", request.actuator_file, "Document of kind actuator").required();
+  add_operating_options(command, request.operating);
+  command.add_option("--side", request.side, "joint, or motor: at the rotor, before friction")
+      .one_of({"joint", "motor"});
+  command.add_option("--format", request.format, "csv, json or a simulator's file")
+      .one_of(mor_formats());
+  command
+      .add_option("--fit", request.fit,
+                  "Of a simulator's law that cannot take the region's shape: conservative (inside "
+                  "it) or best (least squares)")
+      .one_of({"conservative", "best"});
+  command.add_option("--at-speed", request.speeds_rad_s, "Rows at these speeds only, in rad/s")
+      .separated_by_commas()
+      .between(-1e6, 1e6);
+  command.add_option(
+      "--accuracy", request.accuracy,
+      "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1");
+  command.add_option("--need", request.need,
+                     "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do");
+  command.add_option("--ratio", request.ratios,
+                     "LOW:HIGH: what these gear ratios would make of the motor");
+  command
+      .add_option("--compare", request.compare_file,
+                  "An actuator from whose region this one's differs: where torque is lost and won")
+      .excludes("--need")
+      .excludes("--ratio")
+      .excludes("--at-speed");
+  command.add_option("-o,--output", request.output_file, "Write to this file");
+  add_mor_plot_options(command, request.plot);
+  command.add_flag("--json", request.json, "The same as JSON");
+}
+
+actuator::Side side_of(const MorRequest& request) {
+  return request.side == "motor" ? actuator::Side::kMotor : actuator::Side::kJoint;
+}
+
+void require_accuracy(const MorRequest& request) {
+  if (request.accuracy >= actuator::kFinestTableAccuracy && request.accuracy <= 0.1) return;
+  io::refuse("--accuracy", fmt::format("{} must be from {} to 0.1, a part of the peak torque",
+                                       request.accuracy, actuator::kFinestTableAccuracy));
+}
+
+std::optional<actuator::Need> need_of(const MorRequest& request) {
+  if (request.need.empty()) return std::nullopt;
+  const auto [torque_Nm, speed_rad_s] = number_pair("--need", request.need, '@');
+  return actuator::Need{torque_Nm, speed_rad_s};
+}
+
+std::pair<double, double> ratio_range_of(const MorRequest& request) {
+  const auto [low, high] = number_pair("--ratio", request.ratios, ':');
+  if (!(low >= 0.01 && high >= low && high <= 10000.0)) {
+    io::refuse("--ratio", fmt::format("\"{}\" must ascend, from 0.01 to 10000", request.ratios));
+  }
+  return {low, high};
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/options/window_options.hpp"
+
+#include <fmt/format.h>
+
+#include "io/refusal.hpp"
+
+namespace torquewright::cli {
+
+void add_window_options(command_line::Command& command, WindowOptions& options) {
+  command.add_option("--from", options.from_s, "Only rows from this time on, in s")
+      .takes(1)
+      .between(-1e12, 1e12);
+  command.add_option("--until", options.until_s, "Only rows up to this time, in s")
+      .takes(1)
+      .between(-1e12, 1e12);
+}
+
+actuator::Window window_of(const WindowOptions& options) {
+  actuator::Window window;
+  if (!options.from_s.empty()) window.from_s = options.from_s.back();
+  if (!options.until_s.empty()) window.until_s = options.until_s.back();
+  if (window.from_s > window.until_s) {
+    io::refuse("--from",
+               fmt::format("{} s lies after --until {} s", window.from_s, window.until_s));
+  }
+  return window;
+}
+
+}  // namespace torquewright::cli
