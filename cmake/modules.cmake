@@ -10,15 +10,16 @@ endfunction()
 # One static library per module; a module links only what stands before it in CMakeLists.txt.
 # PLUGINS are files of one kind that call their parts by the same names (law, gradient, write): they
 # are compiled one by one, where preset `release` compiles SOURCES several at a time.
-# What reads or writes documents (*_spec, *_json; with EDGE the whole module) runs once per command
-# and is made of other people's templates: it asks for little optimisation.
+# What reads or writes documents (*_spec, *_json, DOCUMENTS; with EDGE the whole module) runs once
+# per command and is made of other people's templates: it asks for little optimisation.
 function(add_module name)
-  cmake_parse_arguments(arg "EDGE" "" "SOURCES;PLUGINS;LINKS" ${ARGN})
+  cmake_parse_arguments(arg "EDGE" "" "SOURCES;PLUGINS;DOCUMENTS;LINKS" ${ARGN})
   set(documents ${arg_SOURCES})
   if(NOT arg_EDGE)
     list(FILTER documents INCLUDE REGEX "_(spec|json)\\.cpp$")
   endif()
   list(REMOVE_ITEM arg_SOURCES ${documents})
+  list(APPEND documents ${arg_DOCUMENTS})
   add_library(${name} STATIC ${arg_SOURCES} ${arg_PLUGINS})
   set_source_files_properties(${arg_PLUGINS} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
