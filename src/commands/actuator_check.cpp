@@ -9,6 +9,7 @@
 #include "actuator/check/check_report_spec.hpp"
 #include "actuator/region/mor_table.hpp"
 #include "io/atomic_file.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/options/check_request.hpp"
@@ -51,7 +52,7 @@ std::string json_text(const CheckOptions& options, const PreparedCheck& prepared
   std::vector<io::Document> inputs{{options.trajectory_file, "", {}, report.sha256}};
   inputs.insert(inputs.end(), prepared.documents.begin(), prepared.documents.end());
   document["inputs"] = io::input_provenance(inputs);
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return io::json_text(document);
 }
 
 void plot(const CheckOptions& options, const PreparedCheck& prepared,

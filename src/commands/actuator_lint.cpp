@@ -5,6 +5,7 @@
 
 #include "actuator/lint/report_spec.hpp"
 #include "actuator/motor/actuator_spec.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/report/lint_text.hpp"
@@ -23,7 +24,7 @@ std::string json_text(const actuator::lint::Report& report,
   nlohmann::ordered_json document = actuator::lint::report_json(report);
   document["tool"] = io::tool_provenance();
   document["inputs"] = io::input_provenance(documents);
-  return document.dump(1) + "\n";
+  return io::json_text(document);
 }
 
 ExitCode run_lint(const LintOptions& options) {

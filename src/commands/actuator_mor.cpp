@@ -12,6 +12,7 @@
 #include "actuator/region/mor_table_spec.hpp"
 #include "actuator/region/need.hpp"
 #include "io/atomic_file.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/actuator_commands.hpp"
@@ -19,6 +20,7 @@
 #include "src/commands/mor_compare.hpp"
 #include "src/commands/mor_plot.hpp"
 #include "src/options/operating_options.hpp"
+#include "src/report/actuator_json.hpp"
 #include "src/report/actuator_text.hpp"
 #include "src/standard_output.hpp"
 
@@ -76,7 +78,7 @@ void deliver(const MorOptions& options, const std::string& text) {
 std::string with_provenance(nlohmann::ordered_json document, const actuator::ReadActuator& read) {
   document["tool"] = io::tool_provenance();
   document["inputs"] = io::input_provenance(read.documents);
-  return document.dump(1) + "\n";
+  return io::json_text(document);
 }
 
 ExitCode run_sweep(const MorOptions& options, const actuator::ReadActuator& read,

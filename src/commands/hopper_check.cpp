@@ -11,6 +11,7 @@
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/robot/robot_spec.hpp"
 #include "io/atomic_file.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/hopper_commands.hpp"
@@ -151,7 +152,7 @@ std::string json_text(const HopperCheckOptions& options, const hopper::MotionFil
   inputs.insert(inputs.end(), source.documents.begin(), source.documents.end());
   inputs.insert(inputs.end(), tried.shelf.documents.begin(), tried.shelf.documents.end());
   document["inputs"] = io::input_provenance(inputs);
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return io::json_text(document);
 }
 
 /// What is wrong with the files to be written, before the work.

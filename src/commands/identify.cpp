@@ -6,6 +6,7 @@
 
 #include "identification/report_spec.hpp"
 #include "io/atomic_file.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/refined_actuators.hpp"
@@ -38,7 +39,7 @@ std::string json_text(const IdentifyRequest& request, const IdentifyInputs& inpu
                      actuator.nominal.documents.end());
   }
   document["inputs"] = io::input_provenance(documents);
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return io::json_text(document);
 }
 
 Identification run_identification(const IdentifyRequest& request, const IdentifyInputs& inputs) {

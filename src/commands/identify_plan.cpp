@@ -10,6 +10,7 @@
 #include "identification/plan.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
@@ -73,7 +74,7 @@ std::string plan_json(const Plan& plan, const PlanRequest& request,
                          {"seed", request.options.seed}};
   document["tool"] = io::tool_provenance();
   document["inputs"] = io::input_provenance(documents);
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return io::json_text(document);
 }
 
 std::string sigma_text(double value) {

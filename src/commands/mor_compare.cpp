@@ -5,7 +5,9 @@
 
 #include "actuator/region/mor_table.hpp"
 #include "actuator/region/region_comparison.hpp"
+#include "io/json_text.hpp"
 #include "io/provenance.hpp"
+#include "src/report/comparison_json.hpp"
 #include "src/report/comparison_text.hpp"
 
 namespace torquewright::cli {
@@ -36,7 +38,7 @@ std::string comparison_result(const ComparedActuator& from, const ComparedActuat
   std::vector<io::Document> inputs = from.read.documents;
   inputs.insert(inputs.end(), to.read.documents.begin(), to.read.documents.end());
   document["inputs"] = io::input_provenance(inputs);
-  return document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return io::json_text(document);
 }
 
 std::string comparison_plot(report::PlotFormat format, const ComparedActuator& from,
