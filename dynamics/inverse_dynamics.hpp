@@ -5,13 +5,14 @@
 
 namespace torquewright::dynamics {
 
-/// Forces that make the tree accelerate so, per element of the velocity: at joints Nm or N, at a
-/// floating base N in the world's axes and Nm in those of the velocity. Nothing else acts but
-/// gravity; other forces are subtracted by the caller (add_point_force()).
-/// Recursive Newton-Euler, docs/derivations/rigid_body.md eqs. (4)-(8).
+/// Forces (n x 1) that make the tree accelerate so (n x 1), per element of the velocity: at joints
+/// Nm or N, at a floating base N in the world's axes and Nm in those of the velocity. Nothing else
+/// acts but gravity; other forces are subtracted by the caller (add_point_force()). Recursive
+/// Newton-Euler, docs/derivations/rigid_body.md eqs. (4)-(8).
 void inverse_dynamics(TreeState& state, const VectorIn& acceleration, VectorOut force);
 
-/// The forces that hold accelerations at zero: Coriolis, centrifugal, gravity.
+/// The forces (n x 1) that hold accelerations at zero: Coriolis, centrifugal, gravity; eqs. (4)-(8)
+/// with q'' = 0.
 void bias(TreeState& state, VectorOut force);
 
 }  // namespace torquewright::dynamics

@@ -21,8 +21,8 @@ struct Centroid {
 /// docs/derivations/rigid_body.md eqs. (13)-(15).
 Centroid centroid(TreeState& state);
 
-/// Six rows, angular first: momentum about the centre of mass per unit of each velocity, so that
-/// matrix times velocity is (angular momentum, linear momentum); eq. (16).
+/// (6 x n), angular rows first: momentum about the centre of mass per unit of each velocity, so
+/// that matrix times velocity is (angular momentum, linear momentum); eq. (16).
 void centroidal_momentum_matrix(TreeState& state, MatrixOut out);
 
 /// v^T M v / 2, rotors as M has them.

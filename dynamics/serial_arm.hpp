@@ -51,13 +51,14 @@ class SerialArm {
   /// What the regressor's columns are multiplied with: (3 joints x 1).
   const Eigen::VectorXd& parameters() const { return parameters_; }
 
-  /// (joints x 3 joints); columns 3 i to 3 i + 2 belong to link i. Does not use the links' masses,
-  /// centres and inertias, only lengths and gravity.
+  /// (joints x 3 joints), eqs. (5)-(8); columns 3 i to 3 i + 2 belong to link i. Does not use the
+  /// links' masses, centres and inertias, only lengths and gravity.
   void regressor(const Vector& position_rad, const Vector& velocity_rad_s,
                  const Vector& acceleration_rad_s2, MatrixOut out);
+  /// Y parameters; eqs. (5)-(8).
   void inverse_dynamics(const Vector& position_rad, const Vector& velocity_rad_s,
                         const Vector& acceleration_rad_s2, VectorOut torque_Nm);
-  /// (joints x joints), kg m2.
+  /// (joints x joints), kg m2; eq. (4).
   void mass_matrix(const Vector& position_rad, MatrixOut out);
   /// Coriolis, centrifugal and gravity torques: those that hold still accelerations of zero.
   void bias(const Vector& position_rad, const Vector& velocity_rad_s, VectorOut torque_Nm);

@@ -8,14 +8,17 @@
 
 namespace torquewright::dynamics {
 
+// n velocities: those of the base (0, 3 or 6), then one per joint; positions of a spatial base are
+// one more (its quaternion). Tree::velocity_size(), Tree::position_size().
 using VectorIn = Eigen::Ref<const Eigen::VectorXd>;
 using VectorOut = Eigen::Ref<Eigen::VectorXd>;
 using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
-/// Of one direction per row of space and one column per velocity.
+/// (3 x n): a row per direction of space, a column per velocity.
 using Jacobian = Eigen::Ref<Eigen::Matrix<double, 3, Eigen::Dynamic>>;
 
 /// Where a body is and how it moves. All in the world's axes; places are relative to the base's
 /// origin, so that a robot far from the world's origin loses no digits.
+/// docs/derivations/rigid_body.md eqs. (1)-(3).
 struct BodyMotion {
   Eigen::Matrix3d R_WB;
   Eigen::Vector3d origin_m;       ///< Of the body's frame, which is at its joint.
@@ -83,7 +86,7 @@ class TreeState {
   Eigen::MatrixXd matrix_scratch_;
 };
 
-/// Position zero, with the quaternion of no rotation.
+/// Position zero, with the quaternion of no rotation: (position_size x 1).
 Eigen::VectorXd zero_position(const Tree& tree);
 
 /// std::invalid_argument where the vector does not have one element per velocity.

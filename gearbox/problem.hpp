@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/rational.hpp"
@@ -26,6 +29,22 @@ enum class Objective {
   kBackwardEfficiency,
   kReflectedInertia,
 };
+
+/// Each objective by its name in documents.
+inline constexpr std::array<std::pair<Objective, std::string_view>, 6> kObjectives{
+    {{Objective::kPaperCost, "paper_cost"},
+     {Objective::kMass, "mass"},
+     {Objective::kHollowShaft, "hollow_shaft"},
+     {Objective::kForwardEfficiency, "forward_efficiency"},
+     {Objective::kBackwardEfficiency, "backward_efficiency"},
+     {Objective::kReflectedInertia, "reflected_inertia"}}};
+
+constexpr std::string_view objective_name(Objective objective) {
+  for (const auto& [each, name] : kObjectives) {
+    if (each == objective) return name;
+  }
+  return "";
+}
 
 /// Which teeth? A document of kind `gearbox_problem`. Every number is the decimal that was written.
 struct Problem {

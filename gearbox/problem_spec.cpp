@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
@@ -12,15 +13,6 @@ namespace torquewright::gearbox {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::pair<std::string_view, Objective> kObjectives[] = {
-    {"paper_cost", Objective::kPaperCost},
-    {"mass", Objective::kMass},
-    {"hollow_shaft", Objective::kHollowShaft},
-    {"forward_efficiency", Objective::kForwardEfficiency},
-    {"backward_efficiency", Objective::kBackwardEfficiency},
-    {"reflected_inertia", Objective::kReflectedInertia},
-};
 
 /// The gears that have minima, and the layers they stand in.
 struct Parts {
@@ -90,9 +82,9 @@ class Reader {
     problem_.constraints =
         root()["constraints"] == "paper" ? ConstraintSet::kPaper : ConstraintSet::kBuildable;
     const auto* objective =
-        std::find_if(std::begin(kObjectives), std::end(kObjectives),
-                     [&](const auto& entry) { return root()["objective"] == entry.first; });
-    problem_.objective = objective->second;  // the schema admits no other word
+        std::find_if(kObjectives.begin(), kObjectives.end(),
+                     [&](const auto& entry) { return root()["objective"] == entry.second; });
+    problem_.objective = objective->first;  // the schema admits no other word
     problem_.module_mm = read_list<Rational>("module_mm", rational);
     problem_.planet_count = read_list<std::int64_t>(
         "planet_count", [](const json& count) { return count.get<std::int64_t>(); });

@@ -8,26 +8,11 @@
 #include "actuator/region/torque_at.hpp"
 #include "dynamics/gravity.hpp"
 #include "identification/free_play.hpp"
+#include "identification/load_inertia.hpp"
 #include "identification/load_model.hpp"
 
 namespace torquewright::identification {
 namespace {
-
-/// Of the load about the axis (kg on a linear axis); 0 where one number does not say it.
-double load_inertia_kg_m2(const Load& load) {
-  switch (load.type) {
-    case LoadType::kFree:
-      return load.inertia_kg_m2;
-    case LoadType::kPendulum:
-      return load.inertia_kg_m2 + load.mass_kg * load.length_m * load.length_m;
-    case LoadType::kLinearAxis:
-      return load.mass_kg;
-    case LoadType::kDynamometer:
-    case LoadType::kSerialArm:
-      return 0.0;
-  }
-  return 0.0;
-}
 
 /// The value between a sample and the next.
 double between(const std::vector<double>& values, std::size_t sample, double share) {

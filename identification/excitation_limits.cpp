@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "dynamics/gravity.hpp"
+#include "identification/load_inertia.hpp"
 #include "identification/load_model.hpp"
 #include "io/spec_error.hpp"
 
@@ -26,19 +27,6 @@ actuator::Region peak_region(const Rig& rig, const actuator::Actuator& actuator)
 /// Both signs of torque are there.
 bool is_two_sided(const actuator::JointRange& range) {
   return !range.is_empty && range.least.torque_Nm < 0.0 && range.greatest.torque_Nm > 0.0;
-}
-
-double load_inertia_kg_m2(const Load& load) {
-  switch (load.type) {
-    case LoadType::kFree:
-      return load.inertia_kg_m2;
-    case LoadType::kPendulum:
-      return load.inertia_kg_m2 + load.mass_kg * load.length_m * load.length_m;
-    case LoadType::kLinearAxis:
-      return load.mass_kg;
-    default:
-      return 0.0;
-  }
 }
 
 }  // namespace

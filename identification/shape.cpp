@@ -4,20 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/effects/library.hpp"
 #include "identification/backlash_residual.hpp"
+#include "identification/effects/dictionary_builder.hpp"
 
 namespace torquewright::identification {
 namespace {
 
 using actuator::Effect;
 using actuator::Instant;
-
-Effect effect_of(const std::string& name, std::vector<double> values) {
-  Effect effect = actuator::neutral(*actuator::find_effect(name));
-  effect.values = std::move(values);
-  return effect;
-}
 
 /// Mean of the grid's values by the weights that the regression gave them.
 double grid_mean(const Variant& variant, const std::vector<double>& weights,
@@ -33,7 +27,7 @@ double grid_mean(const Variant& variant, const std::vector<double>& weights,
 }
 
 Column stribeck_column(std::shared_ptr<const Balance> balance, double speed_rad_s) {
-  const Effect effect = effect_of("stribeck_friction", {0.0, 1.0, speed_rad_s});
+  const Effect effect = effect_with("stribeck_friction", {0.0, 1.0, speed_rad_s});
   return {"stribeck", [balance, effect](const Signals& signals, std::vector<double>& out) {
             for (std::size_t i = 0; i < signals.size(); ++i) {
               out[i] = balance->gain(signals, i) * effect.kind->law(effect, signals.at[i]);
@@ -57,7 +51,7 @@ Column presliding_shape(std::shared_ptr<const Balance> balance, double length_ra
 }
 
 Column saturation_shape(std::shared_ptr<const Balance> balance, double limit_A, double exponent) {
-  const Effect effect = effect_of("torque_constant_saturation", {limit_A, exponent});
+  const Effect effect = effect_with("torque_constant_saturation", {limit_A, exponent});
   const actuator::Actuator& actuator = balance->bench().actuator();
   const double per_ampere = actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A;
   return {"saturation",

@@ -2,6 +2,7 @@
 #include "io/document.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 

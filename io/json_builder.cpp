@@ -2,6 +2,7 @@
 #include "io/json_builder.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "io/syntax_fault.hpp"

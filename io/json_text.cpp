@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/json_text.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "io/json_builder.hpp"
 #include "io/syntax_fault.hpp"
 
@@ -18,8 +20,8 @@ JsonText read_json_text(std::string_view text, const std::string& file) {
   return builder.finish(complete);
 }
 
-std::string json_text(const nlohmann::ordered_json& document) {
-  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+std::string json_text(const nlohmann::ordered_json& document, int indent) {
+  return document.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string child_path(const std::string& path, std::string_view key) {

@@ -25,7 +25,7 @@ JsonText read_json_text(std::string_view text, const std::string& file);
 
 /// A document as it is written to files: one value a line, a line break at its end. Bytes that are
 /// no UTF-8 (the name of a file may hold some) become the replacement character.
-std::string json_text(const nlohmann::ordered_json& document);
+std::string json_text(const nlohmann::ordered_json& document, int indent = 1);
 
 /// `/a/b` and the key `c/d` give `/a/b/c~1d` (RFC 6901).
 std::string child_path(const std::string& path, std::string_view key);

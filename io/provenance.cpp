@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/provenance.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace torquewright::io {
 
 std::string_view tool_version() { return TORQUEWRIGHT_VERSION; }

@@ -2,6 +2,7 @@
 #include "io/schema.hpp"
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>

@@ -2,6 +2,7 @@
 #include "actuator/check/check_report_spec.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace torquewright::actuator {

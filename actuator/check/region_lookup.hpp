@@ -27,14 +27,14 @@ class RegionLookup {
   /// By the table; beyond its rows and beside empty ranges by the region itself.
   TorqueRange near(double speed_rad_s) const;
 
-  /// As near(), but by the region itself where the torque lies within doubt_Nm() of a bound.
+  /// As near(), but by the region itself where the torque lies so near a bound that
+  /// the table may be wrong about it.
   TorqueRange at(double speed_rad_s, double torque_Nm) const;
 
   JointRange exact(double speed_rad_s) const { return region_.at(speed_rad_s); }
 
   /// Torque past a bound that counts as inside: rounding.
   double round_off_Nm() const { return round_off_Nm_; }
-  double doubt_Nm() const { return doubt_Nm_; }
   bool is_outside(const TorqueRange& range, double torque_Nm) const {
     return range.is_empty || range.excess_Nm(torque_Nm) > round_off_Nm_;
   }

@@ -90,9 +90,4 @@ struct Effect {
   std::string provenance;     ///< As written: "assumed", "measured", "identified", ...
 };
 
-/// Parameters that a gradient covers.
-inline std::size_t gradient_size(const Effect& effect) {
-  return effect.kind->parameters.size() + 2 * effect.harmonics.size();
-}
-
 }  // namespace torquewright::actuator

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "actuator/effects/library.hpp"
 #include "io/nearest.hpp"

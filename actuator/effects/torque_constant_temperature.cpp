@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/effects/every_effect.hpp"
+#include "actuator/effects/temperature_factor.hpp"
 
 namespace torquewright::actuator::effects {
 namespace {
@@ -10,14 +11,6 @@ constexpr Parameter kParameters[] = {
 constexpr std::string_view kNeeds[] = {"motor_current_A", "output_torque_Nm",
                                        "winding_temperature_K"};
 
-double law(const Effect& effect, const Instant& at) {
-  return 1.0 + effect.values[0] * (at.winding_temperature_K - at.reference_temperature_K);
-}
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = at.winding_temperature_K - at.reference_temperature_K;
-}
-
 }  // namespace
 
 const EffectKind torque_constant_temperature = {
@@ -27,8 +20,8 @@ const EffectKind torque_constant_temperature = {
     .parameters = kParameters,
     .has_harmonics = false,
     .needs = kNeeds,
-    .law = law,
-    .gradient = gradient,
+    .law = temperature_factor,
+    .gradient = temperature_factor_gradient,
     .state_rate = nullptr,
     .state = "",
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/effects/every_effect.hpp"
+#include "actuator/effects/temperature_factor.hpp"
 
 namespace torquewright::actuator::effects {
 namespace {
@@ -9,14 +10,6 @@ constexpr Parameter kParameters[] = {
 };
 constexpr std::string_view kNeeds[] = {"winding_voltage_V", "motor_current_A",
                                        "winding_temperature_K"};
-
-double law(const Effect& effect, const Instant& at) {
-  return 1.0 + effect.values[0] * (at.winding_temperature_K - at.reference_temperature_K);
-}
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = at.winding_temperature_K - at.reference_temperature_K;
-}
 
 }  // namespace
 
@@ -29,8 +22,8 @@ const EffectKind winding_resistance_temperature = {
     .parameters = kParameters,
     .has_harmonics = false,
     .needs = kNeeds,
-    .law = law,
-    .gradient = gradient,
+    .law = temperature_factor,
+    .gradient = temperature_factor_gradient,
     .state_rate = nullptr,
     .state = "",
 };

@@ -4,8 +4,6 @@
 // groups keep the solver effort limit": joint_effort_limit at least actuator_effort_limit). Law:
 // DCMotor._clip_effort in actuator_pd.py: the speed is clamped to +-w0 (1 + cap / stall) first, so
 // that past it both limits are the cap against the motion. N m, rad/s, kg m^2.
-#include <fmt/format.h>
-
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/fit.hpp"
 #include "actuator/exporters/line_law.hpp"
@@ -19,25 +17,19 @@ Shape shape(const Subject& subject) { return fitted(subject, isaac_lab, line_sta
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
   const Parallelogram line = parallelogram_of(shape);
-  return line_comment(note, "# ") + fmt::format(R"(from isaaclab.actuators import DCMotorCfg
-
-{0} = DCMotorCfg(
-    joint_names_expr=["joint"],  # yours
-    saturation_effort={1},
-    actuator_velocity_limit={2},
-    actuator_effort_limit={3},
-    joint_effort_limit={3},
-    armature={4},
-    friction=0.0,
-    dynamic_friction=0.0,
-    viscous_friction=0.0,
-    stiffness=0.0,  # yours
-    damping=0.0,  # yours
-)
-)",
-                                                identifier(subject.actuator.name),
-                                                line.stall_torque_Nm, line.no_load_speed_rad_s,
-                                                line.greatest_torque_Nm, subject.armature_kg_m2());
+  return python_configuration(note, "isaaclab.actuators", "DCMotorCfg",
+                              identifier(subject.actuator.name),
+                              {{"joint_names_expr", "[\"joint\"]", true},
+                               python_argument("saturation_effort", line.stall_torque_Nm),
+                               python_argument("actuator_velocity_limit", line.no_load_speed_rad_s),
+                               python_argument("actuator_effort_limit", line.greatest_torque_Nm),
+                               python_argument("joint_effort_limit", line.greatest_torque_Nm),
+                               python_argument("armature", subject.armature_kg_m2()),
+                               {"friction", "0.0"},
+                               {"dynamic_friction", "0.0"},
+                               {"viscous_friction", "0.0"},
+                               {"stiffness", "0.0", true},
+                               {"damping", "0.0", true}});
 }
 
 }  // namespace

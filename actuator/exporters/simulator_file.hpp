@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,5 @@ struct SimulatorFile {
 /// rest.
 SimulatorFile simulator_file(const Subject& subject, const Exporter& exporter,
                              const std::vector<std::string>& origin);
-
-/// A document of kind `simulator_file` without its provenance.
-nlohmann::ordered_json simulator_file_json(const Subject& subject, const SimulatorFile& file);
 
 }  // namespace torquewright::actuator

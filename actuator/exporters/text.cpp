@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/exporters/text.hpp"
 
+#include <fmt/format.h>
+
 namespace torquewright::actuator {
 namespace {
 
@@ -73,6 +75,22 @@ std::string identifier(std::string_view text) {
   for (const char letter : text) name += is_word(letter) ? letter : '_';
   if (name.empty() || (name.front() >= '0' && name.front() <= '9')) name.insert(0, "a_");
   return name;
+}
+
+PythonArgument python_argument(std::string_view name, double value) {
+  return {name, fmt::format("{}", value), false};
+}
+
+std::string python_configuration(const std::vector<std::string>& note, std::string_view module,
+                                 std::string_view class_name, std::string_view variable,
+                                 const std::vector<PythonArgument>& arguments) {
+  std::string text = line_comment(note, "# ");
+  text += fmt::format("from {0} import {1}\n\n{2} = {1}(\n", module, class_name, variable);
+  for (const PythonArgument& argument : arguments) {
+    text += fmt::format("    {}={},{}\n", argument.name, argument.value,
+                        argument.is_yours ? "  # yours" : "");
+  }
+  return text + ")\n";
 }
 
 }  // namespace torquewright::actuator

@@ -21,4 +21,17 @@ std::string xml_quoted(std::string_view text);
 /// A name that C++, Python and USD accept: other characters become underscores.
 std::string identifier(std::string_view text);
 
+/// An argument of a Python call, its value as Python writes it.
+struct PythonArgument {
+  std::string_view name;
+  std::string value;
+  bool is_yours = false;  ///< What only the user knows: marked as such.
+};
+PythonArgument python_argument(std::string_view name, double value);
+
+/// Python that imports a configuration class from its module and calls it; `note` in front.
+std::string python_configuration(const std::vector<std::string>& note, std::string_view module,
+                                 std::string_view class_name, std::string_view variable,
+                                 const std::vector<PythonArgument>& arguments);
+
 }  // namespace torquewright::actuator

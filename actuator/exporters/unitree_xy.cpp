@@ -3,8 +3,6 @@
 // mjlab (UnitreeActuatorCfg), whose test gives the numbers ours is tested with. Effort is limited
 // to Y1 where speed times effort is positive, else (also at rest) to Y2; from X1 on both fall
 // linearly to zero at X2. rad/s, N m, kg m^2.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,25 +40,18 @@ TorqueLimits law(std::span<const double> shape, double speed_rad_s) {
 
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
-  return line_comment(note, "# ") +
-         fmt::format(
-             R"(from unitree_rl_lab.assets.robots.unitree_actuators import UnitreeActuatorCfg
-
-{0} = UnitreeActuatorCfg(
-    joint_names_expr=["joint"],  # yours
-    X1={1},
-    X2={2},
-    Y1={3},
-    Y2={4},
-    Fs=0.0,
-    Fd=0.0,
-    armature={5},
-    stiffness=0.0,  # yours
-    damping=0.0,  # yours
-)
-)",
-             identifier(subject.actuator.name), shape[0], shape[1], shape[2], shape[3],
-             subject.armature_kg_m2());
+  return python_configuration(note, "unitree_rl_lab.assets.robots.unitree_actuators",
+                              "UnitreeActuatorCfg", identifier(subject.actuator.name),
+                              {{"joint_names_expr", "[\"joint\"]", true},
+                               python_argument("X1", shape[0]),
+                               python_argument("X2", shape[1]),
+                               python_argument("Y1", shape[2]),
+                               python_argument("Y2", shape[3]),
+                               {"Fs", "0.0"},
+                               {"Fd", "0.0"},
+                               python_argument("armature", subject.armature_kg_m2()),
+                               {"stiffness", "0.0", true},
+                               {"damping", "0.0", true}});
 }
 
 }  // namespace

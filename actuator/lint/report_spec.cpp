@@ -2,6 +2,7 @@
 #include "actuator/lint/report_spec.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace torquewright::actuator::lint {
 namespace {

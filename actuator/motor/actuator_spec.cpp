@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "actuator/effects/effect_spec.hpp"
-#include "actuator/motor/gearbox_source.hpp"
+#include "actuator/motor/gearbox_source_spec.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -72,11 +72,11 @@ void unite(JointRange& range, const JointRange& other) {
 Region::Region(const Actuator& actuator, const OperatingConditions& conditions, Side side)
     : actuator_(actuator),
       temperature_K_(actuator::winding_temperature_K(actuator, conditions)),
-      machine_(phase_model_at(actuator, conditions)),
+      model_(phase_model_at(actuator, conditions)),
       side_(side) {
-  const double no_load_rad_s = no_load_speed_rad_s(machine_);
+  const double no_load_rad_s = no_load_speed_rad_s(model_);
   const double motor_rad_s =
-      actuator::greatest_speed_rad_s(machine_, kSpeedsLookedAt * no_load_rad_s);
+      actuator::greatest_speed_rad_s(model_, kSpeedsLookedAt * no_load_rad_s);
   greatest_speed_rad_s_ =
       side == Side::kMotor ? motor_rad_s : motor_rad_s / std::abs(actuator.transmission.ratio);
 }
@@ -93,7 +93,7 @@ JointRange Region::at(double speed_rad_s) const {
 }
 
 JointRange Region::at_motor(double speed_rad_s) const {
-  const MotorRange motor = motor_range(machine_, speed_rad_s);
+  const MotorRange motor = motor_range(model_, speed_rad_s);
   JointRange range{motor.is_empty, motor.why_empty, {}, {}, motor.plugging};
   if (motor.is_empty) return range;
   range.least = at_rotor(actuator_, motor.least);
@@ -104,7 +104,7 @@ JointRange Region::at_motor(double speed_rad_s) const {
 JointRange Region::at_joint(double speed_rad_s, double direction) const {
   const double ratio = actuator_.transmission.ratio;
   const double motor_rad_s = ratio * speed_rad_s;
-  MotorRange motor = motor_range(machine_, motor_rad_s);
+  MotorRange motor = motor_range(model_, motor_rad_s);
   JointRange range{motor.is_empty, motor.why_empty, {}, {}, {}};
   const Path path(actuator_, speed_rad_s, direction, temperature_K_);
   if (motor.plugging) {
@@ -125,7 +125,7 @@ JointRange Region::at_joint(double speed_rad_s, double direction) const {
     const double motor_Nm = std::clamp(path.motor_Nm(limit_Nm, of_greatest),
                                        std::min(motor.least.torque_Nm, motor.greatest.torque_Nm),
                                        std::max(motor.least.torque_Nm, motor.greatest.torque_Nm));
-    bound = at_rotor(actuator_, motor_point(machine_, motor_Nm, motor_rad_s, Limiter::kGear));
+    bound = at_rotor(actuator_, motor_point(model_, motor_Nm, motor_rad_s, Limiter::kGear));
     bound.torque_Nm = limit_Nm;
   };
   if (range.greatest.torque_Nm > gear_Nm) limit_by_gear(range.greatest, gear_Nm, true);

@@ -18,6 +18,7 @@ struct JointBound {
   Limiter limiter = Limiter::kCurrent;
 };
 
+/// The torques that an actuator can have on its load at one speed.
 struct JointRange {
   bool is_empty = false;
   Limiter why_empty = Limiter::kVoltage;
@@ -30,7 +31,8 @@ struct JointRange {
 /// friction.
 enum class Side { kJoint, kMotor };
 
-/// The region of an actuator under conditions: asked at a speed, as often as need be.
+/// The region of an actuator under conditions: asked at a speed, as often as need be. One object
+/// serves any number of threads. docs/derivations/motor_region.md sections 4 and 5.
 class Region {
  public:
   /// Requires that there are no objections to the conditions.
@@ -47,7 +49,7 @@ class Region {
   double greatest_speed_rad_s() const { return greatest_speed_rad_s_; }
   static constexpr double kSpeedsLookedAt = 4.0;
 
-  const PhaseModel& model() const { return machine_; }
+  const PhaseModel& model() const { return model_; }
   Side side() const { return side_; }
 
  private:
@@ -56,7 +58,7 @@ class Region {
 
   Actuator actuator_;
   double temperature_K_;
-  PhaseModel machine_;
+  PhaseModel model_;
   Side side_;
   double greatest_speed_rad_s_ = 0.0;
 };

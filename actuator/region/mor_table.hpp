@@ -7,6 +7,7 @@
 
 namespace torquewright::actuator {
 
+/// What a region allows at a speed.
 struct MorRow {
   double speed_rad_s = 0.0;
   JointRange range;
@@ -25,6 +26,7 @@ constexpr double kTableAccuracy = 2.5e-4;
 constexpr double kFinestTableAccuracy = 1e-8;  ///< Some 10,000 rows.
 
 /// The whole region, from the greatest negative speed to the greatest positive one.
+/// docs/derivations/motor_region.md section 6.
 MorTable mor_table(const Region& region, double accuracy = kTableAccuracy);
 
 /// Single rows, in the order asked for; empty ranges where the region ends.

@@ -3,31 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace torquewright::actuator {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::string_view name_of(Side side) { return side == Side::kJoint ? "joint" : "motor"; }
-
-std::string_view name_of(Rating rating) { return rating == Rating::kPeak ? "peak" : "continuous"; }
-
-/// What stands between the rotor's torque and the table's.
-std::string friction_sentence(const MorHeader& header) {
-  if (header.side == Side::kMotor) return "none: torque at the rotor, before any friction";
-  const Transmission& gear = header.actuator->transmission;
-  std::string sentence = fmt::format("gearbox efficiencies {} driving, {} back-driven",
-                                     gear.forward_efficiency, gear.backward_efficiency);
-  for (const Effect& effect : header.actuator->effects) {
-    const bool is_friction = effect.kind->acts == Acts::kDrag ||
-                             effect.kind->acts == Acts::kLoadFriction ||
-                             effect.kind->acts == Acts::kDragFactor;
-    if (is_friction) sentence += fmt::format("; {}", effect.kind->name);
-  }
-  return sentence;
-}
 
 /// Every effect with where it is from: "coulomb_friction (identified)".
 std::vector<std::string> effects_and_sources(const Actuator& actuator) {
@@ -63,8 +45,8 @@ ordered_json row_json(const MorRow& row) {
                      {"current_max_A", number_or_null(is_there, range.greatest.current_A)},
                      {"bus_power_at_min_W", number_or_null(is_there, range.least.bus_power_W)},
                      {"bus_power_at_max_W", number_or_null(is_there, range.greatest.bus_power_W)},
-                     {"limiter_min", actuator::name_of(least)},
-                     {"limiter_max", actuator::name_of(greatest)}};
+                     {"limiter_min", name_of(least)},
+                     {"limiter_max", name_of(greatest)}};
   if (range.plugging) {
     entry["plugging"] = {{"torque_min_Nm", rounded(range.plugging->least_Nm)},
                          {"torque_max_Nm", rounded(range.plugging->greatest_Nm)}};
@@ -90,7 +72,7 @@ ordered_json mor_table_json(const MorHeader& header, const MorTable& table) {
           {"rating", name_of(header.conditions.rating)},
           {"bus_voltage_V", open_circuit_voltage_V(actuator, header.conditions)},
           {"winding_temperature_K", winding_temperature_K(actuator, header.conditions)},
-          {"current_convention", actuator::name_of(actuator.motor.torque_constant_convention)},
+          {"current_convention", name_of(actuator.motor.torque_constant_convention)},
           {"friction_included", friction_sentence(header)},
           {"effects", effects_and_sources(actuator)},
           {"interpolation_error_Nm", table.interpolation_error_Nm},

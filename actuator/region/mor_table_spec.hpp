@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "actuator/region/mor_header.hpp"
 #include "actuator/region/mor_table.hpp"
 
 namespace torquewright::actuator {
-
-/// What a table says of itself besides its rows.
-struct MorHeader {
-  const Actuator* actuator = nullptr;
-  OperatingConditions conditions;
-  Side side = Side::kJoint;
-};
 
 /// A document of kind `mor_table` without its provenance ("tool", "inputs").
 nlohmann::ordered_json mor_table_json(const MorHeader& header, const MorTable& table);

@@ -31,7 +31,7 @@ struct MotorRange {
   std::optional<Plugging> plugging;
 };
 
-/// At the rotor, before any friction. docs/derivations/motor_region.md.
+/// At the rotor, before any friction. docs/derivations/motor_region.md section 4.
 MotorRange motor_range(const PhaseModel& model, double speed_rad_s);
 
 /// The bound's numbers for a torque inside the range, at the current that the drive chooses.

@@ -28,6 +28,7 @@ struct OperatingConditions {
 std::vector<std::string> objections(const Actuator& actuator,
                                     const OperatingConditions& conditions);
 
+/// Asked for, or the document's own.
 double winding_temperature_K(const Actuator& actuator, const OperatingConditions& conditions);
 
 /// The bus without load: asked for, or the battery's at its charge, or the drive's.

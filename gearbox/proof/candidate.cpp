@@ -2,6 +2,7 @@
 #include "gearbox/proof/candidate.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace torquewright::gearbox::proof {
 namespace {

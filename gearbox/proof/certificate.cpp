@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <nlohmann/json.hpp>
 
 #include "gearbox/proof/result_parts.hpp"
 

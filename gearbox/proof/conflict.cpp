@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "gearbox/proof/result_parts.hpp"
 
 namespace torquewright::gearbox::proof {

@@ -146,24 +146,6 @@ Quantity objective_quantity(Objective objective) {
   return {Measure::kPaperCost};
 }
 
-std::string_view objective_name(Objective objective) {
-  switch (objective) {
-    case Objective::kPaperCost:
-      return "paper_cost";
-    case Objective::kMass:
-      return "mass";
-    case Objective::kHollowShaft:
-      return "hollow_shaft";
-    case Objective::kForwardEfficiency:
-      return "forward_efficiency";
-    case Objective::kBackwardEfficiency:
-      return "backward_efficiency";
-    case Objective::kReflectedInertia:
-      return "reflected_inertia";
-  }
-  return "";
-}
-
 Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, const Box& box,
                       const Interval& allowed_ratio) {
   const TeethRange range = teeth_in(box);

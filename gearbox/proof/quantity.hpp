@@ -32,9 +32,8 @@ struct Quantity {
   bool greater_is_better() const;
 };
 
-/// The objective as quantity, and its name in documents.
+/// The objective as quantity.
 Quantity objective_quantity(Objective objective);
-std::string_view objective_name(Objective objective);
 
 /// A value: exact where the quantity is a fraction.
 struct Value {

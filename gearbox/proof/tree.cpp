@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "gearbox/proof/node.hpp"
 
 namespace torquewright::gearbox::proof {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/search/certificate_spec.hpp"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace torquewright::gearbox {

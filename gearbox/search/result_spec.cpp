@@ -2,6 +2,7 @@
 #include "gearbox/search/result_spec.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearbox/search/certificate_spec.hpp"
 

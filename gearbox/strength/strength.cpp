@@ -52,13 +52,6 @@ double stress_concentration(double slenderness, double notch) {
 
 }  // namespace
 
-double lewis_form_factor(double teeth) { return std::numbers::pi * (0.154 - 0.912 / teeth); }
-
-double lewis_root_stress_MPa(double tangential_force_N, double face_width_mm, double module_mm,
-                             double teeth) {
-  return tangential_force_N / (face_width_mm * module_mm * lewis_form_factor(teeth));
-}
-
 RootFactors din3990_root_factors(double teeth, double shift, double tip_diameter,
                                  double contact_ratio, const RackTool& tool) {
   const RootSection root = root_section(teeth, shift, tool);

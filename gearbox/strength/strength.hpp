@@ -6,13 +6,6 @@ namespace torquewright::gearbox {
 // Nominal stresses, before application, dynamic and load distribution factors. Lengths in mm,
 // forces in N, stresses in N/mm^2 (MPa).
 
-/// Lewis' form factor for 20 degrees full depth, Y = pi (0.154 - 0.912/z). Dimensionless; z >= 12.
-double lewis_form_factor(double teeth);
-
-/// Quick root stress, F/(b m Y).
-double lewis_root_stress_MPa(double tangential_force_N, double face_width_mm, double module_mm,
-                             double teeth);
-
 /// Basic rack that cuts a gear, in modules.
 struct RackTool {
   double dedendum = 1.25;      ///< h_fP

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "gearbox/topologies/topology.hpp"
 
 namespace torquewright::gearbox {

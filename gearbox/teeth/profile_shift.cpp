@@ -79,11 +79,4 @@ double tip_diameter_planet_1(double teeth, double shift, double sun_shift, doubl
 
 double tip_diameter_ring(double teeth, double shift) { return teeth - 2.0 * (1.0 - shift); }
 
-double tooth_thickness_at(double teeth, double shift, double diameter) {
-  // s = d ((pi/2 + 2 x tan(alpha))/z + inv(alpha) - inv(alpha_d)), cos(alpha_d) = z cos(alpha)/d
-  const double angle_rad = std::acos(std::min(1.0, teeth * kReferenceCosine / diameter));
-  return diameter * ((std::numbers::pi / 2.0 + 2.0 * shift * kReferenceTangent) / teeth +
-                     kReferenceInvolute - involute(angle_rad));
-}
-
 }  // namespace torquewright::gearbox

@@ -52,7 +52,4 @@ double tip_diameter_planet_1(double teeth, double shift, double sun_shift, doubl
 /// Tip diameter of a ring, d = z - 2 (1 - x).
 double tip_diameter_ring(double teeth, double shift);
 
-/// Thickness of an external tooth at a diameter, in modules.
-double tooth_thickness_at(double teeth, double shift, double diameter);
-
 }  // namespace torquewright::gearbox

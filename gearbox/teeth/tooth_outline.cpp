@@ -136,17 +136,4 @@ std::vector<Point> sample(const std::vector<OutlineCurve>& curves, double chord_
   return points;
 }
 
-std::vector<Point> tooth_outline(const ToothForm& form, double chord_error) {
-  std::vector<Point> pitch = sample(pitch_curves(form), chord_error);
-  pitch.pop_back();  // It is the first point of the next pitch.
-  std::vector<Point> outline;
-  outline.reserve(pitch.size() * static_cast<std::size_t>(form.teeth));
-  for (std::int64_t tooth = 0; tooth < form.teeth; ++tooth) {
-    const double angle_rad =
-        2.0 * std::numbers::pi * static_cast<double>(tooth) / static_cast<double>(form.teeth);
-    for (const Point& point : pitch) outline.push_back(turned(point, angle_rad));
-  }
-  return outline;
-}
-
 }  // namespace torquewright::gearbox

@@ -35,7 +35,4 @@ std::vector<OutlineCurve> pitch_curves(const ToothForm& form);
 /// Points of consecutive curves, no chord farther than `chord_error` from its curve.
 std::vector<Point> sample(const std::vector<OutlineCurve>& curves, double chord_error);
 
-/// The closed outline of the whole gear, counter-clockwise; the last point is not the first again.
-std::vector<Point> tooth_outline(const ToothForm& form, double chord_error);
-
 }  // namespace torquewright::gearbox

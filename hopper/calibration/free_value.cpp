@@ -10,23 +10,16 @@
 #include <numbers>
 #include <optional>
 
+#include "hopper/calibration/documented_number_spec.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper::calibration {
 namespace {
 
-using nlohmann::json;
 using Kind = Knob::Kind;
 
 constexpr const char* kOption = "--free";
 constexpr double kPlace_m = 0.1;  // either side of a documented place
-
-/// The parts of a JSON pointer: "/bodies/0/mass_kg" gives bodies, 0, mass_kg.
-std::vector<std::string> parts_of(json::json_pointer pointer) {
-  std::vector<std::string> parts;
-  for (; !pointer.empty(); pointer.pop_back()) parts.insert(parts.begin(), pointer.back());
-  return parts;
-}
 
 std::optional<std::size_t> body_named(const Robot& robot, const std::string& name) {
   const auto& bodies = robot.tree.bodies;
@@ -60,45 +53,33 @@ std::optional<Knob> posture_knob(const std::vector<std::string>& parts, const Ro
   return Knob{Kind::kPosture, *body, static_cast<std::size_t>(posture - postures.begin())};
 }
 
-/// The pointer leads to a number of the document, so that its parts are as the schema has them.
-std::optional<Knob> knob_of(const std::vector<std::string>& parts, const json& root,
-                            const Robot& robot) {
+std::optional<Knob> knob_of(const DocumentedNumber& number, const Robot& robot) {
+  const std::vector<std::string>& parts = number.parts;
   if (parts.size() == 3 && parts[0] == "postures") return posture_knob(parts, robot);
-  if (parts.size() < 3 || (parts[0] != "bodies" && parts[0] != "joints")) return std::nullopt;
-  const json& entry = root.at(json::json_pointer("/" + parts[0] + "/" + parts[1]));
+  if (number.owner.empty()) return std::nullopt;
   if (parts[0] == "bodies") {
-    const auto body = body_named(robot, entry["name"]);
+    const auto body = body_named(robot, number.owner);
     return body ? body_knob(parts, *body) : std::nullopt;
   }
-  const auto body = robot.find_joint(entry["name"]);
+  const auto body = robot.find_joint(number.owner);
   if (!body || parts[2] != "position_m" || parts.size() != 4) return std::nullopt;
   return Knob{Kind::kJointPosition, *body, 0, static_cast<Eigen::Index>(parts[3][0] - '0')};
 }
 
 void add_pointer(const std::string& text, const io::Document& document, const Robot& robot,
                  FreeValue& value) {
-  json::json_pointer pointer;
-  try {
-    pointer = json::json_pointer(text);
-    (void)document.root.contains(pointer);
-  } catch (const json::exception&) {
-    io::refuse(kOption, fmt::format("\"{}\" is no JSON pointer, such as /bodies/0/mass_kg", text));
-  }
-  if (!document.root.contains(pointer) || !document.root[pointer].is_number()) {
-    io::refuse(kOption, fmt::format("no number stands at {} of {}", text, document.file));
-  }
-  const auto knob = knob_of(parts_of(pointer), document.root, robot);
+  const DocumentedNumber number = documented_number(text, document, kOption);
+  const auto knob = knob_of(number, robot);
   if (!knob) {
     io::refuse(kOption, fmt::format("{} does not bear on CAM and CAV; masses, centres of mass, "
                                     "inertias, joint positions and postures do",
                                     text));
   }
-  const double documented = document.root[pointer];
-  if (!value.knobs.empty() && documented != value.documented) {
+  if (!value.knobs.empty() && number.value != value.documented) {
     io::refuse(kOption, fmt::format("{} is {} and {} is {}: only equal values move together",
-                                    value.pointers.front(), value.documented, text, documented));
+                                    value.pointers.front(), value.documented, text, number.value));
   }
-  value.documented = documented;
+  value.documented = number.value;
   value.pointers.push_back(text);
   value.knobs.push_back(*knob);
 }

@@ -2,6 +2,7 @@
 #include "hopper/candidates/candidates_spec.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace torquewright::hopper {
 namespace {

@@ -26,10 +26,11 @@ class FreeRows {
   /// origin].
   void set(const dynamics::TreeState& state, const Eigen::Vector3d& center_of_mass_m);
 
-  /// Picks and turns the rows of columns that have one row per velocity.
+  /// Picks and turns the rows of columns (n x k) that have one row per velocity: (size() x k).
   void take(const Eigen::Ref<const Eigen::MatrixXd>& from, Eigen::Ref<Eigen::MatrixXd> to) const;
 
-  /// What makes the rows of like size: the weight, and the weight times the robot's size.
+  /// (size() x 1), N and Nm. What makes the rows of like size: the weight, and the weight times the
+  /// robot's size.
   Eigen::VectorXd scales(double weight_N, double size_m) const;
 
   RowKinds kinds() const;

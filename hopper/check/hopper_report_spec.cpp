@@ -2,6 +2,7 @@
 #include "hopper/check/hopper_report_spec.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "actuator/check/check_report_spec.hpp"
 

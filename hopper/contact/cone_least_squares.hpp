@@ -29,12 +29,14 @@ class ConeLeastSquares {
   /// Room for that many points; does not allocate after that for as many or fewer.
   explicit ConeLeastSquares(Eigen::Index most_points);
 
-  /// One row of `friction` a point, three columns of A a point. Solution: x(). kStalled: rounding
+  /// A (m x 3 n), b (m x 1), friction (n x 1), all finite, n at most what was asked for. Solution:
+  /// x(). kStalled: rounding
   /// ended the search before its gap closed; x() is the best found, inside its cones.
   Status solve(const Eigen::Ref<const Eigen::MatrixXd>& A,
                const Eigen::Ref<const Eigen::VectorXd>& b,
                const Eigen::Ref<const Eigen::VectorXd>& friction);
 
+  /// (3 n x 1), a point after the other.
   Eigen::Ref<const Eigen::VectorXd> x() const { return x_.head(size_); }
 
  private:

@@ -12,7 +12,7 @@ struct ContactRule {
   double speed_m_s = 0.1;  ///< and moves no faster up or down.
 };
 
-/// One row a contact point, one column a sample.
+/// All (points x samples), points in the robot's order.
 struct ContactSchedule {
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> touches;
   Eigen::MatrixXd height_m;    ///< Above the ground; empty where the base's motion is not known.

@@ -10,8 +10,6 @@ double cone_determinant(const ConeVector& x) {
   return (x.z() - t) * (x.z() + t);  // loses no digits near the edge
 }
 
-bool is_inside_cone(const ConeVector& x) { return x.z() > 0 && cone_determinant(x) > 0; }
-
 ConeVector cone_product(const ConeVector& x, const ConeVector& y) {
   ConeVector product;
   product << x.z() * y.head<2>() + y.z() * x.head<2>(), x.dot(y);

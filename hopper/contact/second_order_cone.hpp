@@ -10,9 +10,8 @@ namespace torquewright::hopper {
 
 using ConeVector = Eigen::Vector3d;
 
-/// n^2 - |t|^2: positive inside, where n > 0 too.
+/// n^2 - |t|^2: positive inside, where n > 0 too (and in the cone opposite, where n < 0).
 double cone_determinant(const ConeVector& x);
-bool is_inside_cone(const ConeVector& x);
 
 /// (x o y) = (n_x t_y + n_y t_x, x . y).
 ConeVector cone_product(const ConeVector& x, const ConeVector& y);

@@ -6,8 +6,8 @@
 
 namespace torquewright::hopper {
 
-/// The convex hull of points, counter-clockwise, without points on its edges. Fewer than three
-/// where they lie on a line. Andrew's monotone chain (1979).
+/// The convex hull of points in one plane and unit, counter-clockwise, without points on its edges.
+/// Fewer than three where they lie on a line. Andrew's monotone chain (1979).
 std::vector<Eigen::Vector2d> support_polygon(std::vector<Eigen::Vector2d> points);
 
 /// From a point to the nearest line of a hull's edges; negative outside. Requires three corners.

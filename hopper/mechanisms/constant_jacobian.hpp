@@ -16,7 +16,6 @@ class ConstantJacobian : public Mechanism {
   std::optional<Transfer> transfer(const SmallVector& joint_rad,
                                    const SmallVector& joint_rad_s) const override;
   std::optional<SmallMatrix> constant_jacobian() const override { return jacobian_; }
-  nlohmann::ordered_json keys() const override;
 
  private:
   std::string_view type_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/mechanisms/mechanism_type.hpp"
+#include "hopper/mechanisms/mechanism_type_spec.hpp"
 
 // One line for each type; its file defines the constant of that name.
 #define TORQUEWRIGHT_EVERY_MECHANISM(type) \

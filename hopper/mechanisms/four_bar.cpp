@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "hopper/mechanisms/crank_closure.hpp"
-#include "hopper/mechanisms/every_mechanism.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -18,13 +17,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kInLine = 1e-7;  // sine of the angle between links: roundings of acos() near 1
-constexpr double kTransmissionLimit = 0.52;  // 30 degrees, the usual least of textbooks
 constexpr double kTurn = 2 * std::numbers::pi;
-
-constexpr std::string_view kNeeds[] = {"crank_length_m",  "coupler_length_m", "rocker_length_m",
-                                       "ground_length_m", "crank_zero_rad",   "rocker_zero_rad"};
-constexpr std::string_view kMayState[] = {"crank_direction", "rocker_direction", "branch",
-                                          "transmission_angle_limit_rad"};
 
 Vector2d direction(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
 Vector2d turned(const Vector2d& v) { return {-v.y(), v.x()}; }
@@ -95,7 +88,7 @@ std::optional<double> FourBar::crank_rad(double rocker_rad) const {
   const double a = geometry_.crank_m, b = geometry_.coupler_m;
   // The side of the crossed linkage changes where the parallelogram's does.
   const int side = has_change_points() && std::sin(rocker_rad) < 0 ? -1 : 1;
-  return closing_angle(2 * a * pin.x(), 2 * a * pin.y(), pin.squaredNorm() + a * a - b * b,
+  return closing_angle_rad(2 * a * pin.x(), 2 * a * pin.y(), pin.squaredNorm() + a * a - b * b,
                        side * geometry_.branch);
 }
 
@@ -165,46 +158,4 @@ std::optional<SmallMatrix> FourBar::constant_jacobian() const {
   return SmallMatrix::Constant(1, 1, geometry_.crank_direction * geometry_.rocker_direction);
 }
 
-nlohmann::ordered_json FourBar::keys() const {
-  return {{"crank_length_m", geometry_.crank_m},
-          {"coupler_length_m", geometry_.coupler_m},
-          {"rocker_length_m", geometry_.rocker_m},
-          {"ground_length_m", geometry_.ground_m},
-          {"crank_zero_rad", geometry_.crank_zero_rad},
-          {"rocker_zero_rad", geometry_.rocker_zero_rad},
-          {"crank_direction", geometry_.crank_direction},
-          {"rocker_direction", geometry_.rocker_direction},
-          {"branch", geometry_.branch},
-          {"transmission_angle_limit_rad", geometry_.transmission_limit_rad}};
-}
-
-namespace mechanisms {
-namespace {
-
-std::shared_ptr<const Mechanism> read(const MechanismKeys& keys) {
-  FourBarGeometry read;
-  read.crank_m = keys.number("crank_length_m");
-  read.coupler_m = keys.number("coupler_length_m");
-  read.rocker_m = keys.number("rocker_length_m");
-  read.ground_m = keys.number("ground_length_m");
-  read.crank_zero_rad = keys.number("crank_zero_rad");
-  read.rocker_zero_rad = keys.number("rocker_zero_rad");
-  read.crank_direction = keys.keys.value("crank_direction", 1);
-  read.rocker_direction = keys.keys.value("rocker_direction", 1);
-  read.branch = keys.keys.value("branch", 1);
-  read.transmission_limit_rad = keys.number("transmission_angle_limit_rad", kTransmissionLimit);
-  if (!keys.turn_only()) return nullptr;
-  if (const auto objection = four_bar_objection(read)) {
-    keys.report("", *objection);
-    return nullptr;
-  }
-  return std::make_shared<FourBar>(read);
-}
-
-}  // namespace
-
-const MechanismType four_bar = {
-    .name = "four_bar", .joints = 1, .needs = kNeeds, .may_state = kMayState, .read = read};
-
-}  // namespace mechanisms
 }  // namespace torquewright::hopper

@@ -37,7 +37,7 @@ class FourBar : public Mechanism {
   std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const override;
   /// That of a parallelogram is 1 or -1.
   std::optional<SmallMatrix> constant_jacobian() const override;
-  nlohmann::ordered_json keys() const override;
+  const FourBarGeometry& geometry() const { return geometry_; }
 
  private:
   /// Opposite sides alike, and not crossed.

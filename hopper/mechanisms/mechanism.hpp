@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,10 +16,11 @@ using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
 
 /// How actuators move with the joints, at one posture and speed. No power is lost between them, so
-/// that joint torques are the transposed Jacobian times the actuators' torques.
+/// that joint torques are the transposed Jacobian times the actuators' torques. k actuators on k
+/// joints; docs/derivations/mechanisms.md eq. (1).
 struct Transfer {
-  SmallVector actuator_position_rad;  ///< Of each actuator's output, behind its gearbox.
-  SmallMatrix jacobian;               ///< Actuators' speeds over joints' speeds.
+  SmallVector actuator_position_rad;  ///< (k x 1), of each actuator's output, behind its gearbox.
+  SmallMatrix jacobian;               ///< (k x k), actuators' speeds over joints' speeds.
   SmallMatrix jacobian_rate_1_s;      ///< Its rate while the joints move so.
 };
 
@@ -33,7 +33,7 @@ struct MechanismMargin {
   std::string unit;
 };
 
-/// What stands between actuators and joints. Revolute on both sides.
+/// What stands between actuators and joints. Revolute on both sides. Vectors have size() elements.
 class Mechanism {
  public:
   virtual ~Mechanism() = default;
@@ -49,18 +49,16 @@ class Mechanism {
   virtual std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const;
   /// Where it is the same in every posture.
   virtual std::optional<SmallMatrix> constant_jacobian() const { return std::nullopt; }
-  /// Its own keys in a document, beside type, joints and actuators.
-  virtual nlohmann::ordered_json keys() const = 0;
 };
 
-/// J^T torques of the actuators. docs/derivations/mechanisms.md eqs. (1)-(4) for these four.
+/// J^T torques of the actuators, eq. (2).
 SmallVector joint_torque_Nm(const Transfer& transfer, const SmallVector& actuator_Nm);
 
-/// The actuators' torques that make these at the joints. Requires a Jacobian that is not singular,
-/// as those of Mechanism::transfer() are.
+/// The actuators' torques that make these at the joints, eq. (2). Requires a Jacobian that is not
+/// singular, as those of Mechanism::transfer() are.
 SmallVector actuator_torque_Nm(const Transfer& transfer, const SmallVector& joint_Nm);
 
-/// J^T diag(armature) J: what the rotors weigh at the joints. Armatures are N^2 J, one per
+/// J^T diag(armature) J, eq. (3): what the rotors weigh at the joints. Armatures are N^2 J, one per
 /// actuator.
 SmallMatrix reflected_inertia_kg_m2(const Transfer& transfer, const SmallVector& armature_kg_m2);
 

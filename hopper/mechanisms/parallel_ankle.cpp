@@ -83,7 +83,7 @@ std::optional<RodPosture> posture_of(const AnkleRod& rod, const Universal& at) {
   RodPosture posture;
   posture.pin_m = foot_pin_m(rod, at);
   const Closure closure = closure_of(rod, posture.pin_m);
-  const auto angle = closing_angle(closure.A, closure.B, closure.C, rod.branch);
+  const auto angle = closing_angle_rad(closure.A, closure.B, closure.C, rod.branch);
   if (!angle) return std::nullopt;
   posture.actuator_rad = std::remainder(*angle, kTurn);
   posture.crank_m = turn(rod.actuator_axis, posture.actuator_rad) * rod.crank_m;

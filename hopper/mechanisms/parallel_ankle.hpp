@@ -45,7 +45,7 @@ class ParallelAnkle : public Mechanism {
   std::optional<Transfer> transfer(const SmallVector& joint_rad,
                                    const SmallVector& joint_rad_s) const override;
   std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const override;
-  nlohmann::ordered_json keys() const override;
+  const ParallelAnkleGeometry& geometry() const { return geometry_; }
 
  private:
   ParallelAnkleGeometry geometry_;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "hopper/mechanisms/every_mechanism.hpp"
 #include "hopper/mechanisms/parallel_ankle.hpp"
@@ -79,11 +80,10 @@ std::shared_ptr<const Mechanism> read(const MechanismKeys& keys) {
   return std::make_shared<ParallelAnkle>(ankle);
 }
 
-}  // namespace
-
-ordered_json ParallelAnkle::keys() const {
+ordered_json write(const Mechanism& mechanism) {
+  const ParallelAnkleGeometry& geometry = dynamic_cast<const ParallelAnkle&>(mechanism).geometry();
   ordered_json keys;
-  for (const AnkleRod& rod : geometry_.rods) {
+  for (const AnkleRod& rod : geometry.rods) {
     keys["rods"].push_back({{"actuator_axis", list_of(rod.actuator_axis)},
                             {"actuator_center_m", list_of(rod.actuator_center_m)},
                             {"crank_m", list_of(rod.crank_m)},
@@ -92,16 +92,22 @@ ordered_json ParallelAnkle::keys() const {
                             {"foot_pin_axis", list_of(rod.foot_pin_axis)},
                             {"branch", rod.branch}});
   }
-  keys["rod_tilt_limit_rad"] = geometry_.rod_tilt_limit_rad;
-  keys["transmission_angle_limit_rad"] = geometry_.transmission_limit_rad;
-  keys["lever_limit_m"] = geometry_.lever_limit_m;
+  keys["rod_tilt_limit_rad"] = geometry.rod_tilt_limit_rad;
+  keys["transmission_angle_limit_rad"] = geometry.transmission_limit_rad;
+  keys["lever_limit_m"] = geometry.lever_limit_m;
   return keys;
 }
 
+}  // namespace
+
 namespace mechanisms {
 
-const MechanismType parallel_ankle = {
-    .name = "parallel_ankle", .joints = 2, .needs = kNeeds, .may_state = kMayState, .read = read};
+const MechanismType parallel_ankle = {.name = "parallel_ankle",
+                                      .joints = 2,
+                                      .needs = kNeeds,
+                                      .may_state = kMayState,
+                                      .read = read,
+                                      .write = write};
 
 }  // namespace mechanisms
 }  // namespace torquewright::hopper

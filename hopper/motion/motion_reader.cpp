@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hopper/motion/mapping_spec.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "io/nearest.hpp"
 #include "io/refusal.hpp"
@@ -81,10 +82,7 @@ class MotionReader {
       take(find_channel(actuator::split_mapping(text), text, channels_));
     }
     for (const io::Document& document : source_.documents) {
-      for (const nlohmann::json& entry : document.root["columns"]) {
-        const actuator::MappingText mapping{entry["column"], entry.value("joint", ""),
-                                            entry["quantity"], entry.value("unit", ""),
-                                            entry.value("factor", 1.0)};
+      for (const actuator::MappingText& mapping : read_mappings(document)) {
         take(find_channel(mapping, fmt::format("{} of {}", mapping.column, document.file),
                           channels_));
       }

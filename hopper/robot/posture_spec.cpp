@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "hopper/find_name.hpp"
 #include "io/json_text.hpp"
 

@@ -48,7 +48,7 @@ struct Robot {
   std::vector<ContactPoint> contacts;
   std::vector<Drivetrain> drivetrains;
   std::vector<CollisionSphere> spheres;
-  nlohmann::json battery;            ///< As stated, for drives that state none; null: none.
+  std::string battery;               ///< JSON as stated, for drives that state none; or empty.
   std::vector<Posture> postures;     ///< By name.
   std::vector<std::string> assumed;  ///< JSON pointers into its document.
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "hopper/mechanisms/mechanism_type_spec.hpp"
 #include "hopper/robot/rotations.hpp"
 
 namespace torquewright::hopper {
@@ -92,7 +94,7 @@ ordered_json drivetrain_json(const Robot& robot, const Drivetrain& drivetrain) {
   }
   keys["actuators"] = drivetrain.actuator_files;
   if (drivetrain.joints.size() > 1) keys["actuator_names"] = drivetrain.actuator_names;
-  keys.update(drivetrain.mechanism->keys());
+  keys.update(mechanism_keys(*drivetrain.mechanism));
   if (drivetrain.mount) {
     keys["mounted_on"] = {{"body", robot.tree.bodies[drivetrain.mount->body].name},
                           {"position_m", list_of(drivetrain.mount->p_B_m)}};
@@ -131,7 +133,7 @@ ordered_json robot_json(const Robot& robot) {
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     document["mechanisms"].push_back(drivetrain_json(robot, drivetrain));
   }
-  if (!robot.battery.is_null()) document["battery"] = robot.battery;
+  if (!robot.battery.empty()) document["battery"] = nlohmann::json::parse(robot.battery);
   for (const CollisionSphere& sphere : robot.spheres) {
     document["collision_spheres"].push_back({{"body", bodies[sphere.center.body].name},
                                              {"center_m", list_of(sphere.center.p_B_m)},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "hopper/find_name.hpp"
 #include "hopper/robot/mechanism_spec.hpp"
@@ -59,7 +60,7 @@ class RobotReader {
     body_names_ = names("bodies", "body");
     joint_names_ = names("joints", "joint");
     build_tree();
-    if (root().contains("battery")) robot_.battery = root()["battery"];
+    if (root().contains("battery")) robot_.battery = root()["battery"].dump();
     read_contacts();
     read_spheres();
     read_mechanisms(robot_, documents_, faults_);

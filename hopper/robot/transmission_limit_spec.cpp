@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "gearbox/strength/strength_spec.hpp"
 #include "gearbox/strength/torque_limit.hpp"

@@ -46,24 +46,12 @@ WholeBody::WholeBody(const Robot& robot)
       position_(dynamics::zero_position(robot.tree)) {
   for (std::size_t i = 0; i < robot.drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot.drivetrains[i];
-    first_drive_.push_back(places_.size());
+    first_drive_.push_back(rotors_kg_m2_.size());
     for (std::size_t j = 0; j < drivetrain.actuators.size(); ++j) {
-      places_.push_back({i, j});
       rotors_kg_m2_.push_back(rotor_kg_m2(robot, drivetrain, j));
     }
   }
-  drives_ = places_.size();
   transfers_.resize(robot.drivetrains.size());
-}
-
-const std::string& WholeBody::drive_name(std::size_t drive) const {
-  const Place& place = places_[drive];
-  return robot_->drivetrains[place.drivetrain].actuator_names[place.actuator];
-}
-
-const actuator::Actuator& WholeBody::drive_actuator(std::size_t drive) const {
-  const Place& place = places_[drive];
-  return robot_->drivetrains[place.drivetrain].actuators[place.actuator];
 }
 
 bool WholeBody::set(const VectorIn& position, const VectorIn& velocity) {
@@ -146,7 +134,7 @@ void WholeBody::add_rotors(const VectorIn& acceleration, VectorOut force) const 
 
 void WholeBody::drives(const VectorIn& acceleration, const VectorIn& load_force,
                        std::vector<DriveInstant>& out) const {
-  out.resize(drives_);
+  out.resize(drive_count());
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot_->drivetrains[i];
     const SmallVector speeds = transfers_[i].jacobian * joints_of(drivetrain, state_.velocity());

@@ -18,8 +18,10 @@ struct FitVariable {
 };
 
 enum class FitMethod {
-  kQuadraticModels,  ///< BOBYQA: few evaluations where the objective is smooth.
-  kSubspaces,        ///< SBPLX: a simplex in subspaces, for objectives with kinks.
+  /// BOBYQA (Powell 2009): few evaluations where the objective is smooth.
+  kQuadraticModels,
+  /// SBPLX (Rowan's Subplex, 1990): a simplex in subspaces, for objectives with kinks.
+  kSubspaces,
 };
 
 enum class FitStop {
@@ -50,7 +52,7 @@ struct StartOutcome {
 
 struct LocalFit {
   FitStop stop = FitStop::kFailed;  ///< Of the best start.
-  std::vector<double> point;
+  std::vector<double> point;        ///< One value a variable, in their order; so everywhere here.
   double value = 0.0;
   std::size_t evaluations = 0;       ///< Of all starts.
   std::vector<StartOutcome> starts;  ///< In their order.

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "actuator/exporters/simulator_file.hpp"
+#include "actuator/exporters/simulator_file_json.hpp"
 #include "io/provenance.hpp"
 
 namespace torquewright::cli {

@@ -17,6 +17,7 @@
 #include "src/commands/mor_compare.hpp"
 #include "src/commands/mor_plot.hpp"
 #include "src/options/mor_request.hpp"
+#include "src/report/actuator_json.hpp"
 #include "src/report/actuator_text.hpp"
 #include "src/standard_output.hpp"
 

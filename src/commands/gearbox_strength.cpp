@@ -10,7 +10,7 @@
 #include "io/provenance.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/gearbox_commands.hpp"
-#include "src/report/strength_text.hpp"
+#include "src/report/strength_json.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {

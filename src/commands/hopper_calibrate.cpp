@@ -12,7 +12,7 @@
 #include "io/refusal.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/options/calibration_request.hpp"
-#include "src/report/calibration_text.hpp"
+#include "src/report/calibration_json.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {

@@ -7,6 +7,7 @@
 #include "actuator/region/region_comparison.hpp"
 #include "io/json_text.hpp"
 #include "io/provenance.hpp"
+#include "src/report/comparison_json.hpp"
 #include "src/report/comparison_text.hpp"
 
 namespace torquewright::cli {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "gearbox/verification/verification.hpp"
+#include "gearbox/verification/verification_json.hpp"
 
 namespace torquewright::cli {
 namespace {

@@ -9,6 +9,7 @@
 #include "actuator/region/mor_table.hpp"
 #include "actuator/region/operating_conditions.hpp"
 #include "actuator/region/region_comparison.hpp"
+#include "io/json_text.hpp"
 #include "src/report/comparison_text.hpp"
 #include "src/report/region_plot.hpp"
 
@@ -29,7 +30,7 @@ std::string text_for(const ordered_json& document, const fs::path& nominal,
     gearbox["file"] =
         fs::proximate(fs::absolute(file), fs::absolute(output).parent_path()).string();
   }
-  return moved.dump(2) + "\n";
+  return io::json_text(moved, 2);
 }
 
 RefinedActuator refined_actuator_of(const IdentifyInputs& inputs,
@@ -39,7 +40,7 @@ RefinedActuator refined_actuator_of(const IdentifyInputs& inputs,
   const std::string& file = nominal.nominal.documents.front().file;
   const std::string output = i < inputs.outputs.size() ? inputs.outputs[i] : std::string();
   // From text, as whoever reads the file will see it.
-  nlohmann::json root = nlohmann::json::parse(document.dump());
+  nlohmann::json root = nlohmann::json::parse(io::json_text(document));
   return {nominal.joint, text_for(document, file, output),
           actuator::read_actuator(io::check_document(std::move(root), "actuator", file, ""))};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -9,14 +8,12 @@
 
 namespace torquewright::report {
 
-/// What `actuator mor --need` says (JSON: kind mor_need): reached or not, by how much, and what
+/// What `actuator mor --need` says: reached or not, by how much, and what
 /// alone would do.
 std::string need_text(const actuator::Actuator& actuator, const actuator::Need& need,
                       const actuator::NeedAnswer& answer);
-nlohmann::ordered_json need_json(const actuator::Need& need, const actuator::NeedAnswer& answer);
 
-/// What `actuator mor --ratio` says (JSON: kind mor_ratios): a row for each ratio.
+/// What `actuator mor --ratio` says: a row for each ratio.
 std::string sweep_text(const std::vector<actuator::RatioRow>& rows);
-nlohmann::ordered_json sweep_json(const std::vector<actuator::RatioRow>& rows);
 
 }  // namespace torquewright::report

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "src/report/calibration_text.hpp"
+#include "src/report/calibration_json.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace torquewright::report {
 namespace {

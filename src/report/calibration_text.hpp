@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "hopper/calibration/calibrate.hpp"
@@ -24,9 +23,6 @@ std::string calibration_provenance(const CalibrationReport& report, std::size_t 
                                    const std::string& pointer);
 
 std::string calibration_text(const CalibrationReport& report);
-
-/// A document of kind calibration_report without its provenance ("tool", "inputs").
-nlohmann::ordered_json calibration_json(const CalibrationReport& report);
 
 /// The valley: along each free value how near the others bring the figures, as a gnuplot script.
 std::string calibration_plot(const CalibrationReport& report, PlotFormat format);

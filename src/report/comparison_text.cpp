@@ -9,7 +9,6 @@ namespace torquewright::report {
 namespace {
 
 using namespace actuator;
-using nlohmann::ordered_json;
 
 /// "-12.3 Nm (10 %) at 8.2 rad/s"; nothing where nothing changes.
 std::string change_text(const TorqueChange& change) {
@@ -24,19 +23,6 @@ std::string figure_row(const char* what, double from, double to, const char* uni
   const std::string share =
       from > 0.0 ? fmt::format("{:+.2f} %", 100.0 * (to - from) / from) : std::string();
   return fmt::format("  {:<16} {:>12.5g} {:>12.5g} {:<6} {:>9}\n", what, from, to, unit, share);
-}
-
-ordered_json figures_json(const RegionFigures& figures) {
-  return {{"peak_torque_Nm", figures.peak_torque_Nm},
-          {"stall_torque_Nm", figures.stall_torque_Nm},
-          {"no_load_speed_rad_s", figures.no_load_speed_rad_s}};
-}
-
-ordered_json change_json(const TorqueChange& change) {
-  return {{"change_Nm", change.change_Nm},
-          {"speed_rad_s", change.speed_rad_s},
-          {"from_Nm", change.from_Nm},
-          {"to_Nm", change.to_Nm}};
 }
 
 }  // namespace
@@ -56,21 +42,6 @@ std::string comparison_text(const std::string& from, const std::string& to,
                         change_text(quadrant.worst_loss), change_text(quadrant.best_gain));
   }
   return text;
-}
-
-ordered_json comparison_json(const std::string& from, const std::string& to,
-                             const RegionComparison& comparison) {
-  ordered_json quadrants = ordered_json::array();
-  for (std::size_t q = 0; q < kQuadrants.size(); ++q) {
-    quadrants.push_back({{"name", kQuadrants[q].name},
-                         {"worst_loss", change_json(comparison.quadrants[q].worst_loss)},
-                         {"best_gain", change_json(comparison.quadrants[q].best_gain)}});
-  }
-  return {{"kind", "region_comparison"},
-          {"version", 1},
-          {"from", {{"name", from}, {"figures", figures_json(comparison.from)}}},
-          {"to", {{"name", to}, {"figures", figures_json(comparison.to)}}},
-          {"quadrants", quadrants}};
 }
 
 }  // namespace torquewright::report

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "actuator/region/region_comparison.hpp"
@@ -11,9 +10,5 @@ namespace torquewright::report {
 /// Two regions side by side: figures, and per quadrant the worst loss and the best gain of torque.
 std::string comparison_text(const std::string& from, const std::string& to,
                             const actuator::RegionComparison& comparison);
-
-/// The same as a document of kind `region_comparison` without its provenance.
-nlohmann::ordered_json comparison_json(const std::string& from, const std::string& to,
-                                       const actuator::RegionComparison& comparison);
 
 }  // namespace torquewright::report

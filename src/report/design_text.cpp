@@ -174,24 +174,6 @@ std::string with_unit(double value, const std::string& unit) {
                                      : fmt::format("{:.8g} {}", value, unit);
 }
 
-const char* objective_name(Objective objective) {
-  switch (objective) {
-    case Objective::kPaperCost:
-      return "paper_cost";
-    case Objective::kMass:
-      return "mass";
-    case Objective::kHollowShaft:
-      return "hollow_shaft";
-    case Objective::kForwardEfficiency:
-      return "forward_efficiency";
-    case Objective::kBackwardEfficiency:
-      return "backward_efficiency";
-    case Objective::kReflectedInertia:
-      return "reflected_inertia";
-  }
-  return "";
-}
-
 std::string design_summary(const Problem& problem, const DesignReport& report) {
   std::string text = teeth_text(problem, report.design);
   text += line("objective", fmt::format("{} {}", objective_name(problem.objective),

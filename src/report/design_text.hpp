@@ -10,9 +10,6 @@ namespace torquewright::report {
 /// "24.9 mm", or the bare number where the unit is 1.
 std::string with_unit(double value, const std::string& unit);
 
-/// The objective's name as in documents.
-const char* objective_name(gearbox::Objective objective);
-
 /// Teeth, objective, ratio, assembly, efficiency, sizes, inertia and torques, a line each.
 std::string design_summary(const gearbox::Problem& problem, const gearbox::DesignReport& report);
 

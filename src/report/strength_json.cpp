@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
+#include "src/report/strength_json.hpp"
 
-#include "src/report/strength_text.hpp"
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace torquewright::report {
 namespace {

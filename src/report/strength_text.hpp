@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,5 @@ struct StrengthReport {
 };
 
 std::string strength_text(const StrengthReport& report);
-
-/// A document of kind strength_report without its provenance ("tool", "inputs").
-nlohmann::ordered_json strength_json(const StrengthReport& report);
 
 }  // namespace torquewright::report

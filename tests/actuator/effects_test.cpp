@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 
@@ -73,7 +74,7 @@ TEST(Effects, HaveTheGradientOfTheirLaw) {
       Effect effect = some_effect(*kind, random);
       effect.proportional = kind->name == "gear_ripple" && repetition % 2 == 1;
       const Instant at = some_instant(random);
-      std::vector<double> gradient(gradient_size(effect));
+      std::vector<double> gradient(kind->parameters.size() + 2 * effect.harmonics.size());
       kind->gradient(effect, at, gradient);
       for (std::size_t i = 0; i < gradient.size(); ++i) {
         double& value = fitted_value(effect, i);

@@ -2,6 +2,8 @@
 // What the actuator commands print as JSON is of the kind it says. Oracle: the kinds' schemas.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "io/diagnosis.hpp"
 #include "io/schema.hpp"
 #include "tests/cli/workplace.hpp"
@@ -67,6 +69,27 @@ TEST(ActuatorDocument, SimulatorFileIsOfItsSchema) {
                                  format.get<std::string>(), "--fit", fit, "--json"}),
                       "simulator_file");
     }
+  }
+}
+
+// Linux allows any bytes in a file's name, JSON only UTF-8 (RFC 8259, 8.1): U+FFFD stands for the
+// others.
+TEST(ActuatorDocument, NamesAFileThatIsNoText) {
+  const Workplace place;
+  place.write("knee\xff.json", text_of(spec("d151_knee")));
+  const std::vector<std::pair<std::vector<std::string>, std::string>> commands{
+      {{"lint", "knee\xff.json"}, "lint_report"},
+      {{"mor", "knee\xff.json"}, "mor_table"},
+      {{"mor", "knee\xff.json", "--format", "mujoco"}, "simulator_file"},
+      {{"mor", "knee\xff.json", "--need", "200@10"}, "mor_need"}};
+  for (const auto& [arguments, kind] : commands) {
+    SCOPED_TRACE(kind);
+    std::vector<std::string> words{"actuator"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    words.emplace_back("--json");
+    const Outcome outcome = place.run(words);
+    EXPECT_LE(outcome.exit_code, 1);
+    EXPECT_EQ(expect_document(outcome, kind)["inputs"][0]["path"], "knee\xEF\xBF\xBD.json");
   }
 }
 

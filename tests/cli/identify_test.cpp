@@ -177,6 +177,20 @@ TEST(Identify, RefinedActuatorIsReadBackWithLessTorque) {
   EXPECT_EQ(json::parse(region.out)["effects"], json({"load_dependent_friction (identified)"}));
 }
 
+// Linux allows any bytes in a file's name, JSON only UTF-8 (RFC 8259, 8.1): U+FFFD stands for the
+// others.
+TEST(Identify, RefinedActuatorNamesALogWhoseNameIsNoText) {
+  Bench bench;
+  bench.logs = {"log\xff.csv"};
+  bench.place.write("log\xff.csv", bench.place.text("log.csv"));
+  const Outcome outcome = bench.run({"identify"}, {"--json", "-o", "refined.json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(report_of(outcome)["inputs"][0]["path"], "log\xEF\xBF\xBD.csv");
+  const json refined = json::parse(bench.place.text("refined.json"));
+  EXPECT_EQ(refined["effects"][0]["provenance"]["logs"][0]["path"], "log\xEF\xBF\xBD.csv");
+}
+
 TEST(Identify, ReportIsAPageThatHoldsAll) {
   Bench bench;
   bench.place.write("rig.json", with(bench.place.text("rig.json"), "knee on the bench",

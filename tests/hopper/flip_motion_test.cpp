@@ -2,14 +2,13 @@
 // Oracles of specs/trajectory/hopper_flip.csv: conservation laws. Without contact no force acts on
 // the base and CAM stands still; on the ground the contacts must give what the base needs, from
 // inside the foot and the friction cone; the columns are each other's derivatives; and touch-down
-// is the rigid impact of dynamics::impact(), which knows nothing of how the motion was made.
+// is the rigid impact of test::impact(), which knows nothing of how the motion was made.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/impact.hpp"
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "dynamics/momentum.hpp"
@@ -17,6 +16,7 @@
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/robot/robot_spec.hpp"
 #include "hopper/robot/whole_body.hpp"
+#include "tests/dynamics/rigid_impact.hpp"
 
 namespace torquewright {
 namespace {
@@ -169,13 +169,13 @@ TEST_F(FlipMotion, TouchDownIsARigidImpact) {
   }
   dynamics::TreeState landing(tree);
   landing.set(motion.positions.col(touch_down - 1), motion.velocities.col(touch_down - 1));
-  std::vector<dynamics::Contact> contacts;
+  std::vector<test::Contact> contacts;
   for (const hopper::ContactPoint& contact : robot.contacts) {
     EXPECT_LT(dynamics::point_velocity_m_s(landing, contact.point).z(), 0);
     contacts.push_back({contact.point, Vector3d::UnitZ(), contact.friction_coefficient, 0});
   }
-  const dynamics::Impact impact = dynamics::impact(landing, contacts);
-  ASSERT_EQ(impact.status, dynamics::ImpactStatus::kSolved);
+  const test::Impact impact = test::impact(landing, contacts);
+  ASSERT_EQ(impact.status, test::ImpactStatus::kSolved);
   EXPECT_LT((impact.velocity - motion.velocities.col(touch_down)).cwiseAbs().maxCoeff(), 1e-5);
   EXPECT_EQ(motion.positions.col(touch_down), motion.positions.col(touch_down - 1));
 }

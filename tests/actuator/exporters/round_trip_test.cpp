@@ -14,7 +14,7 @@
 #include <sstream>
 
 #include "actuator/exporters/every_exporter.hpp"
-#include "actuator/exporters/simulator_file.hpp"
+#include "actuator/exporters/simulator_file_json.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/actuator/exporters/exported_parameters.hpp"
 #include "tests/io/scratch_folder.hpp"

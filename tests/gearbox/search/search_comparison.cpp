@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearbox/proof/certificate.hpp"
 #include "gearbox/search/result_spec.hpp"

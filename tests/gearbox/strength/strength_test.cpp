@@ -97,11 +97,5 @@ TEST(RingRootFactors, AreTheReferences) {
   EXPECT_NEAR(din3990_ring_root_factors(2.25, {}).concentration, 2.47397602759265, 1e-12);
 }
 
-TEST(Lewis, StressByHand) {
-  // Y(20) = pi (0.154 - 0.0456) = 0.340549; 1000 N/(10 mm 2 mm Y)
-  EXPECT_NEAR(lewis_form_factor(20), std::numbers::pi * 0.1084, 1e-15);
-  EXPECT_NEAR(lewis_root_stress_MPa(1000, 10, 2, 20), 50.0 / (std::numbers::pi * 0.1084), 1e-10);
-}
-
 }  // namespace
 }  // namespace torquewright::gearbox

@@ -100,10 +100,5 @@ TEST(ShiftedTrain, MeetsMatsukisGeometry) {
   EXPECT_NEAR(contact_ratio(*contact_path(cut)), 1.565, 5.001e-4);
 }
 
-TEST(ToothThickness, IsHalfThePitchAtThePitchCircle) {
-  EXPECT_NEAR(tooth_thickness_at(30, 0.0, 30.0), std::numbers::pi / 2, 1e-14);
-  EXPECT_NEAR(tooth_thickness_at(30, 0.5, 30.0), std::numbers::pi / 2 + kReferenceTangent, 1e-14);
-}
-
 }  // namespace
 }  // namespace torquewright::gearbox

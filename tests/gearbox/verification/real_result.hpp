@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "gearbox/verification/verification.hpp"
+#include "gearbox/verification/verification_json.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::gearbox::verification_test {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/verification/verification.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "gearbox/verification/verification_json.hpp"
 #include "tests/gearbox/verification/real_result.hpp"
 
 namespace torquewright::gearbox::verification_test {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/verification/verification.hpp"
+#include "gearbox/verification/verification_json.hpp"
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "gearbox/proof/certificate.hpp"
-#include "gearbox/verification/claim_sentence.hpp"
-#include "gearbox/verification/input_check.hpp"
-#include "gearbox/verification/json_difference.hpp"
-#include "gearbox/verification/restatement.hpp"
-#include "gearbox/verification/search_record.hpp"
+#include "gearbox/verification/claim_sentence_json.hpp"
+#include "gearbox/verification/difference_json.hpp"
+#include "gearbox/verification/input_check_json.hpp"
+#include "gearbox/verification/restatement_json.hpp"
+#include "gearbox/verification/search_record_json.hpp"
 #include "io/provenance.hpp"
 
 namespace torquewright::gearbox {

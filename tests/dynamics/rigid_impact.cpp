@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equations: docs/derivations/impact.md.
-#include "dynamics/impact.hpp"
+#include "tests/dynamics/rigid_impact.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -8,12 +8,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dynamics/contact_law.hpp"
 #include "dynamics/mass_matrix.hpp"
+#include "tests/dynamics/contact_law.hpp"
 
-namespace torquewright::dynamics {
+namespace torquewright::test {
 namespace {
 
+using dynamics::TreeState;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
@@ -132,4 +133,4 @@ Impact impact(TreeState& state, std::span<const Contact> contacts) {
   return result;
 }
 
-}  // namespace torquewright::dynamics
+}  // namespace torquewright::test

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/verification/json_difference.hpp"
+#include "gearbox/verification/difference_json.hpp"
 
 #include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
 
 namespace torquewright::gearbox {
 namespace {

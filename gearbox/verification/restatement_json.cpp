@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/verification/restatement.hpp"
+#include "gearbox/verification/restatement_json.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include "gearbox/search/conflict.hpp"
 #include "gearbox/search/looser_bound.hpp"

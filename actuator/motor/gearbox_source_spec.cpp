@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/motor/gearbox_source.hpp"
+#include "actuator/motor/gearbox_source_spec.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/topologies/topology.hpp"

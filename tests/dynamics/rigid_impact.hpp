@@ -6,11 +6,11 @@
 
 #include "dynamics/point.hpp"
 
-namespace torquewright::dynamics {
+namespace torquewright::test {
 
 /// A point that meets something that does not move.
 struct Contact {
-  BodyPoint point = {};
+  dynamics::BodyPoint point = {};
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Unit vector out of the ground, world.
   double friction_coefficient = 0;                    ///< Impulse along the ground over normal one.
   double restitution = 0;  ///< Speed away over speed of approach, 0 to 1.
@@ -43,6 +43,6 @@ struct Impact {
 /// then only their sum and moment are determined, and how it is shared is where the sweeps ended.
 /// std::invalid_argument: a normal that is not a unit vector, a friction coefficient that is
 /// negative, a restitution outside [0, 1]. Allocates.
-[[nodiscard]] Impact impact(TreeState& state, std::span<const Contact> contacts);
+[[nodiscard]] Impact impact(dynamics::TreeState& state, std::span<const Contact> contacts);
 
-}  // namespace torquewright::dynamics
+}  // namespace torquewright::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/impact.hpp"
+#include "tests/dynamics/rigid_impact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,10 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using test::Contact;
 using test::difference;
+using test::impact;
+using test::ImpactStatus;
 
 constexpr double kRoundOff = 1e-11;
 
@@ -59,7 +62,7 @@ TEST(Impact, OfAFallingRodOnSmoothGroundIsTheClosedForm) {
     for (const double restitution : {0.0, 0.3, 1.0}) {
       Rod rod(pitch, vector_of(0.7, -3, 0));
       const std::vector<Contact> end{{.restitution = restitution}};
-      const Impact hit = impact(rod.state, end);
+      const test::Impact hit = impact(rod.state, end);
       ASSERT_EQ(hit.status, ImpactStatus::kSolved);
       const double share = Rod::kInertia / (Rod::kInertia + Rod::kMass * rod.x_m * rod.x_m);
       const double impulse = (1 + restitution) * 3 * Rod::kMass * share;
@@ -76,7 +79,7 @@ TEST(Impact, OfAFallingRodOnSmoothGroundIsTheClosedForm) {
 TEST(Impact, OfAFallingRodOnRoughGroundStopsItsEnd) {
   Rod rod(0.5, vector_of(0.4, -3, -0.8));
   const std::vector<Contact> end{{.friction_coefficient = 50}};
-  const Impact hit = impact(rod.state, end);
+  const test::Impact hit = impact(rod.state, end);
   ASSERT_EQ(hit.status, ImpactStatus::kSolved);
   EXPECT_LE(hit.velocity.head<2>().norm(), kRoundOff);
   // Before: own spin plus r x m v_c, positive about +y.
@@ -92,7 +95,7 @@ TEST(Impact, OfASlidingRodIsTheClosedForm) {
   for (const double slip : {5.0, -5.0}) {
     Rod rod(0.4, vector_of(slip, -2, 0));
     const std::vector<Contact> end{{.friction_coefficient = 0.2}};
-    const Impact hit = impact(rod.state, end);
+    const test::Impact hit = impact(rod.state, end);
     ASSERT_EQ(hit.status, ImpactStatus::kSolved);
     const double sign = slip > 0 ? 1 : -1;
     const double along = 1 / Rod::kMass + rod.x_m * rod.x_m / Rod::kInertia;
@@ -150,7 +153,7 @@ TEST(Impact, KeepsTheLawOfEveryContactAndAllMomentum) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Crash crash(seed, 1 + seed % 3, seed % 2 == 0 ? 0.0 : 0.4);
     const VectorXd before_v = crash.state.velocity();
-    const Impact hit = impact(crash.state, crash.contacts);
+    const test::Impact hit = impact(crash.state, crash.contacts);
     ASSERT_EQ(hit.status, ImpactStatus::kSolved) << seed;
     for (std::size_t i = 0; i < crash.contacts.size(); ++i) {
       expect_the_law(crash.state, crash.contacts[i], hit.velocity, hit.impulses_N_s[i]);
@@ -195,7 +198,7 @@ TEST(Impact, ThatSticksIsTheResetMap) {
     if (impulse.dot(crash.contacts[0].normal) < 0.02 * impulse.norm())
       continue;  // leaves or slides
     if (crash.contacts[0].normal.dot(J * v) > 0) continue;
-    const Impact hit = impact(crash.state, crash.contacts);
+    const test::Impact hit = impact(crash.state, crash.contacts);
     EXPECT_LE(difference(hit.velocity, VectorXd(v + B * impulse)), 1e-9);
     ++compared;
   }
@@ -219,7 +222,7 @@ TEST(Impact, OfFourCornersStopsABoxFlat) {
       corners.push_back({.point = {0, {x, y, -0.1}}, .friction_coefficient = 0.5});
     }
   }
-  const Impact hit = impact(state, corners);
+  const test::Impact hit = impact(state, corners);
   ASSERT_EQ(hit.status, ImpactStatus::kSolved);
   EXPECT_LE(hit.velocity.norm(), 1e-9);
   Vector3d sum = Vector3d::Zero();
@@ -230,7 +233,7 @@ TEST(Impact, OfFourCornersStopsABoxFlat) {
 TEST(Impact, LeavesAPartingContactAlone) {
   Rod rod(0.2, vector_of(0, 1, 0));
   const std::vector<Contact> end{{.friction_coefficient = 1, .restitution = 1}};
-  const Impact hit = impact(rod.state, end);
+  const test::Impact hit = impact(rod.state, end);
   EXPECT_EQ(hit.status, ImpactStatus::kSolved);
   EXPECT_EQ(hit.velocity, rod.state.velocity());
   EXPECT_EQ(impact(rod.state, {}).velocity, rod.state.velocity());

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/verification/input_check.hpp"
+#include "gearbox/verification/input_check_json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
-#include "gearbox/verification/json_difference.hpp"
+#include "gearbox/verification/difference_json.hpp"
 #include "io/document.hpp"
 #include "io/file_bytes.hpp"
 #include "io/sha256.hpp"

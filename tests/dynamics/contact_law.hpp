@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace torquewright::dynamics {
+namespace torquewright::test {
 
 /// One contact by itself, in axes (tangent, tangent, normal).
 struct LocalContact {
@@ -16,4 +16,4 @@ struct LocalContact {
 /// The impulse that parts, sticks or slides, by docs/derivations/impact.md eqs. (4)-(6).
 Eigen::Vector3d impulse_N_s(const LocalContact& contact);
 
-}  // namespace torquewright::dynamics
+}  // namespace torquewright::test

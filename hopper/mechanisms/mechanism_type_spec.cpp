@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/mechanisms/mechanism_type.hpp"
+#include "hopper/mechanisms/mechanism_type_spec.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "hopper/mechanisms/every_mechanism.hpp"
 
@@ -60,6 +61,13 @@ bool has_right_keys(const MechanismType& type, const MechanismKeys& keys) {
     if (!keys.keys.contains(key)) keys.report(fmt::format("/{}", key), "missing");
   }
   return keys.faults.size() == before;
+}
+
+nlohmann::ordered_json mechanism_keys(const Mechanism& mechanism) {
+  const auto type = std::find_if(kTypes.begin(), kTypes.end(), [&](const MechanismType* each) {
+    return each->name == mechanism.type();
+  });
+  return (*type)->write(mechanism);
 }
 
 }  // namespace torquewright::hopper

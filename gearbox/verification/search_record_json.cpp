@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/verification/search_record.hpp"
+#include "gearbox/verification/search_record_json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace torquewright::gearbox {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equations: docs/derivations/impact.md.
-#include "dynamics/contact_law.hpp"
+#include "tests/dynamics/contact_law.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-namespace torquewright::dynamics {
+namespace torquewright::test {
 namespace {
 
 using Eigen::Vector2d;
@@ -90,4 +90,4 @@ Vector3d impulse_N_s(const LocalContact& contact) {
   return {share * stick.x(), share * stick.y(), stick.z()};
 }
 
-}  // namespace torquewright::dynamics
+}  // namespace torquewright::test

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,7 +30,7 @@ struct MechanismKeys {
   void report(const std::string& key, std::string message) const;
 };
 
-/// One kind of mechanism: what documents call it and how it is read.
+/// One kind of mechanism: what documents call it, how it is read and written.
 struct MechanismType {
   std::string_view name;
   std::size_t joints;
@@ -38,6 +38,8 @@ struct MechanismType {
   std::span<const std::string_view> may_state;  ///< Further keys of its own.
   /// Null where it added a fault, or where joints are missing that it needs to know.
   std::shared_ptr<const Mechanism> (*read)(const MechanismKeys& keys);
+  /// Its own keys, beside type, joints and actuators. Requires a mechanism of this type.
+  nlohmann::ordered_json (*write)(const Mechanism& mechanism);
 };
 
 /// All that documents may name.
@@ -46,5 +48,8 @@ std::span<const MechanismType* const> mechanism_types();
 /// Adds a fault for each key of other types, and for each one that is needed and missing; whether
 /// there was none.
 bool has_right_keys(const MechanismType& type, const MechanismKeys& keys);
+
+/// A mechanism's own keys in a document, beside type, joints and actuators.
+nlohmann::ordered_json mechanism_keys(const Mechanism& mechanism);
 
 }  // namespace torquewright::hopper

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/verification/json_difference.hpp"
+#include "gearbox/verification/difference_json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "io/json_text.hpp"
 

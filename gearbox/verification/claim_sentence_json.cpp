@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/verification/claim_sentence.hpp"
+#include "gearbox/verification/claim_sentence_json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "gearbox/topologies/topology.hpp"

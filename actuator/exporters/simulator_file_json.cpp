@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/exporters/simulator_file_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "actuator/region/mor_table_spec.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json worst_json(const WorstError& error) {
+  return {{"torque_Nm", error.torque_Nm}, {"speed_rad_s", error.speed_rad_s}};
+}
+
+ordered_json shape_json(const Exporter& exporter, const Shape& shape) {
+  ordered_json entry = ordered_json::object();
+  for (std::size_t i = 0; i < exporter.parameters.size(); ++i) {
+    entry[std::string(exporter.parameters[i].name)] = shape[i];
+  }
+  if (!exporter.parameters.empty()) return entry;
+  const auto rows = static_cast<std::ptrdiff_t>(shape.size() / 3);
+  const auto block = [&](std::ptrdiff_t i) {
+    return std::vector<double>(shape.begin() + i * rows, shape.begin() + (i + 1) * rows);
+  };
+  return {{"speed_rad_s", block(0)}, {"torque_min_Nm", block(1)}, {"torque_max_Nm", block(2)}};
+}
+
+}  // namespace
+
+ordered_json simulator_file_json(const Subject& subject, const SimulatorFile& file) {
+  // What the region's own documents say of it.
+  const MorHeader region{&subject.actuator, subject.conditions, subject.region.side()};
+  const ordered_json header = mor_table_json(region, MorTable{});
+  ordered_json errors = ordered_json::array();
+  for (const QuadrantError& quadrant : file.errors.quadrants) {
+    errors.push_back({{"speed", quadrant.direction > 0 ? "positive" : "negative"},
+                      {"bound", quadrant.is_upper ? "upper" : "lower"},
+                      {"optimistic", worst_json(quadrant.optimistic)},
+                      {"cautious", worst_json(quadrant.cautious)}});
+  }
+  ordered_json entry{{"kind", "simulator_file"},
+                     {"version", 1},
+                     {"format", file.exporter->name},
+                     {"simulator", file.exporter->simulator},
+                     {"source", file.exporter->source},
+                     {"fit", name_of(subject.fit)},
+                     {"parameters", shape_json(*file.exporter, file.shape)},
+                     {"armature_kg_m2", subject.armature_kg_m2()}};
+  for (const auto& item : header.items()) {
+    const bool is_of_the_region = item.key() != "kind" && item.key() != "version" &&
+                                  item.key() != "rows" && item.key() != "interpolation_error_Nm";
+    if (is_of_the_region) entry[item.key()] = item.value();
+  }
+  entry["greatest_speed_rad_s"] = file.errors.greatest_speed_rad_s;
+  entry["errors"] = errors;
+  entry["share_outside"] = file.errors.share_outside;
+  entry["sentences"] = file.errors.sentences;
+  entry["file"] = file.text;
+  return entry;
+}
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "actuator/region/region_comparison.hpp"
+
+namespace torquewright::report {
+
+/// Two regions side by side: a document of kind `region_comparison` without its provenance.
+nlohmann::ordered_json comparison_json(const std::string& from, const std::string& to,
+                                       const actuator::RegionComparison& comparison);
+
+}  // namespace torquewright::report
