@@ -71,7 +71,7 @@ int run(const fs::path& document, long rows, const fs::path& folder, bool at_bou
       "check), {} clipped\n",
       rows, static_cast<double>(fs::file_size(request.trajectory)) / 1048576.0, seconds,
       static_cast<double>(rows) / seconds, peak_MiB(), before_MiB,
-      report.drives[0].reading.clipped_samples);
+      report.drives[0].interpretation.clipped_samples);
   fs::remove(request.trajectory);
   return 0;
 }

@@ -32,7 +32,7 @@ class PlainBuilder {
   }
 
   /// `parameters`: what the coefficients are, and how they follow from them.
-  void variant(std::string effect, EffectFamily family, std::vector<std::size_t> columns,
+  void variant(std::string effect, EffectFamily family, const std::vector<std::size_t>& columns,
                double lowest, double highest) {
     Variant added;
     added.effect = std::move(effect);

@@ -99,7 +99,7 @@ void DriveRows::convert_pair(const Pair& pair, const Row& joints, Row& drives) c
   };
   const auto [first_rad, second_rad] = both(kPositionAt);
   const std::optional<Matrix2> jacobian = jacobian_at(pair.parallel, first_rad, second_rad);
-  const auto at_angles = [&] {
+  const auto at_angles = [&, first_rad = first_rad, second_rad = second_rad] {
     return fmt::format("at {} s, where {} is at {:.6g} rad and {} at {:.6g} rad", joints.time_s,
                        pair.parallel.joints[0], first_rad, pair.parallel.joints[1], second_rad);
   };

@@ -36,8 +36,9 @@ void add_drives(const CheckOptions& options, PreparedCheck& prepared) {
   std::vector<actuator::CheckedDrive>& drives = prepared.request.drives;
   for (const std::string& text : options.joints) {
     const auto [name, file] = name_and_file(text);
-    const bool is_twice = std::any_of(drives.begin(), drives.end(),
-                                      [&](const auto& drive) { return drive.name == name; });
+    const bool is_twice =
+        std::any_of(drives.begin(), drives.end(),
+                    [&name = name](const auto& drive) { return drive.name == name; });
     if (is_twice) io::refuse("--joint", fmt::format("\"{}\" is given twice", name));
     const actuator::ReadActuator& read = actuator_in(file, prepared);
     drives.push_back({name, &read.actuator, conditions_of(options.operating, read)});

@@ -38,6 +38,7 @@ TEST(Objection, IsNotRaisedDownward) {
            {"io/a.cpp", "vector"},
            {"io/a.cpp", "nlohmann/json.hpp"},
            {"gearbox/a.cpp", "optimization/b.hpp"},
+           {"gearbox/search/a.cpp", "gearbox/topologies/b.hpp"},
            {"hopper/a.cpp", "actuator/b.hpp"},
            {"hopper/a.cpp", "dynamics/b.hpp"},
            {"src/report/a.cpp", "gearbox/proof/b.hpp"}}) {

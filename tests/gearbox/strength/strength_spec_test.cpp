@@ -103,10 +103,10 @@ std::int64_t most_sun_teeth(std::int64_t ring_limit, std::int64_t planets) {
   for (std::int64_t ring = 1; ring <= ring_limit; ++ring) {
     for (std::int64_t sun = 1; sun < ring; ++sun) {
       if (ring != 7 * sun || (ring - sun) % 2 != 0 || (ring + sun) % planets != 0) continue;
-      const double chord = static_cast<double>(sun + (ring - sun) / 2) *
+      const std::int64_t planet = (ring - sun) / 2;
+      const double chord = static_cast<double>(sun + planet) *
                            std::sin(std::numbers::pi / static_cast<double>(planets));
-      if (chord > static_cast<double>((ring - sun) / 2 + 2) && sun >= 15)
-        best = std::max(best, sun);
+      if (chord > static_cast<double>(planet + 2) && sun >= 15) best = std::max(best, sun);
     }
   }
   return best;

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whatever lies in a folder of like parts is in that part's library, in the docs and in the
+// schemas. Oracle: the files themselves, against what the libraries answer, the tables of docs/ and
+// the enumerations of specs/schema.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "actuator/effects/library.hpp"
+#include "actuator/exporters/exporter.hpp"
+#include "actuator/lint/check.hpp"
+#include "gearbox/topologies/topology.hpp"
+#include "hopper/mechanisms/mechanism_type.hpp"
+#include "tests/gates/excuses.hpp"
+#include "tests/gates/source_tree.hpp"
+
+namespace torquewright::gates {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Parts of one kind: one file each (or a few in one), without a header of their own.
+struct Library {
+  std::string_view what;
+  fs::path folder;
+  std::string definition;  ///< Its first group is the constant or function that a file defines.
+  Names registered;        ///< What the library answers, spelt as in documents.
+  std::vector<Excuse> excuses;  ///< Files that define none and have no header either.
+};
+
+void PrintTo(const Library& library, std::ostream* stream) { *stream << library.what; }
+
+std::string constant_of(std::string type) { return "^const " + std::move(type) + R"( (\w+) = \{)"; }
+
+/// `isaac-lab` is the constant isaac_lab; `3k` is three_k, since no name in C++ begins with a
+/// digit.
+std::string constant_called(std::string name) {
+  if (name == "3k") return "three_k";
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+template <typename List, typename Name>
+Names names_of(const List& list, Name name) {
+  Names names;
+  for (const auto& entry : list) names.emplace(name(entry));
+  return names;
+}
+
+Names effects() {
+  return names_of(actuator::effect_library(), [](auto* effect) { return effect->name; });
+}
+Names exporters() {
+  return names_of(actuator::exporter_library(), [](auto* exporter) { return exporter->name; });
+}
+Names lint_checks() {
+  return names_of(actuator::lint::library(), [](auto* check) { return check->rule; });
+}
+Names mechanisms() {
+  return names_of(hopper::mechanism_types(), [](auto* type) { return type->name; });
+}
+Names topologies() {
+  return names_of(gearbox::topologies(), [](const auto& topology) { return topology.name; });
+}
+/// kEveryRule holds functions, which have no names when the program runs.
+Names hopper_rules() {
+  const std::string text = text_of("hopper/check/rules/every_rule.hpp");
+  return matches(text.substr(text.find("kEveryRule")), R"((\w+)(?=[,}]))");
+}
+
+std::vector<Library> libraries() {
+  return {
+      {"effects", "actuator/effects", constant_of("EffectKind"), effects(), {}},
+      {"exporters", "actuator/exporters", constant_of("Exporter"), exporters(), {}},
+      {"lint",
+       "actuator/lint",
+       constant_of("Check"),
+       lint_checks(),
+       {{"actuator/lint/explanations.cpp", "the other ways of reading numbers, for all checks"},
+        {"actuator/lint/library.cpp", "the list"},
+        {"actuator/lint/same_motor.cpp", "compares several documents; a check looks at one"}}},
+      {"mechanisms", "hopper/mechanisms", constant_of("MechanismType"), mechanisms(), {}},
+      {"topologies",
+       "gearbox/topologies",
+       R"(^DesignReport (evaluate)\()",
+       topologies(),
+       {{"gearbox/topologies/common_remarks.cpp", "remarks of all topologies"},
+        {"gearbox/topologies/three_k_constraints.cpp", "a part of three_k.cpp"},
+        {"gearbox/topologies/three_k_remarks.cpp", "a part of three_k.cpp"}}},
+      {"rules",
+       "hopper/check/rules",
+       R"(^std::vector<Finding> (\w+)\(const CheckedMotion& checked\) \{)",
+       hopper_rules(),
+       {}},
+  };
+}
+
+class EveryFile : public testing::TestWithParam<Library> {};
+
+TEST_P(EveryFile, IsInItsLibrary) {
+  const Library& library = GetParam();
+  Names defined;
+  Names strangers;
+  for (const fs::path& file : files_in(library.folder, ".cpp")) {
+    const Names here = matches(text_of(file), library.definition);
+    for (const std::string& name : here) {
+      defined.insert(name == "evaluate" ? file.stem().string() : name);
+    }
+    const bool has_header = fs::exists(root() / fs::path(file).replace_extension(".hpp"));
+    if (here.empty() && !has_header) strangers.insert(file.generic_string());
+  }
+  Names registered;
+  for (const std::string& name : library.registered) registered.insert(constant_called(name));
+  EXPECT_EQ(defined, registered);
+  expect_excused(strangers, library.excuses, "defines nothing that its library could list");
+}
+
+INSTANTIATE_TEST_SUITE_P(Libraries, EveryFile, testing::ValuesIn(libraries()),
+                         [](const auto& test) { return std::string(test.param.what); });
+
+/// String literals in a folder that are spelt as the rules of findings are: friction-cone.
+Names rules_in(const std::vector<fs::path>& folders) {
+  Names rules;
+  for (const fs::path& folder : folders) {
+    for (const fs::path& file : files_in(folder, ".cpp")) {
+      const std::string text = text_of(file);
+      rules.merge(matches(text, R"re("([a-z]+(?:-[a-z]+)+)")re"));
+      rules.merge(matches(text, R"re((?:Severity::k\w+,\s*|\.rule = )"([a-z]+)")re"));
+    }
+  }
+  return rules;
+}
+
+TEST(Docs, NameEveryEffect) {
+  EXPECT_EQ(named_in_first_column(text_of("docs/effects.md")), effects());
+}
+
+TEST(Docs, NameEverySimulatorFormat) {
+  EXPECT_EQ(matches(text_of("docs/simulator_formats.md"), "^## `([^`]+)`"), exporters());
+}
+
+TEST(Docs, NameEveryMechanism) {
+  EXPECT_EQ(named_in_first_column(section(text_of("docs/robot_documents.md"), "## Mechanisms")),
+            mechanisms());
+}
+
+TEST(Docs, NameEveryRuleOfTheLint) {
+  const Names found = rules_in({"actuator/lint"});
+  EXPECT_EQ(named_in_first_column(text_of("docs/lint.md")), found);
+  for (const std::string& name : lint_checks()) EXPECT_TRUE(found.contains(name)) << name;
+}
+
+TEST(Docs, NameEveryRuleOfTheChecks) {
+  EXPECT_EQ(named_in_first_column(text_of("docs/checks.md")),
+            rules_in({"actuator/check", "hopper/check"}));
+}
+
+TEST(Docs, NameEveryTopology) {
+  const Names headings = matches(text_of("docs/gearbox_constraints.md"), R"(^## (\w+))");
+  for (const std::string& name : topologies()) EXPECT_TRUE(headings.contains(name)) << name;
+}
+
+/// The values that a schema allows in the place of that key, wherever it enumerates any.
+void expect_enumerations(const nlohmann::json& schema, const std::string& key, const Names& names,
+                         std::size_t& count) {
+  if (!schema.is_structured()) return;
+  if (schema.is_object() && schema.contains(key) && schema[key].is_object() &&
+      schema[key].contains("enum")) {
+    EXPECT_EQ(schema[key]["enum"].get<Names>(), names);
+    ++count;
+  }
+  for (const auto& part : schema) expect_enumerations(part, key, names, count);
+}
+
+TEST(Schemas, EnumerateWhatTheLibrariesHold) {
+  std::size_t topology_lists = 0;
+  for (const fs::path& file : files_in("specs/schema", ".json")) {
+    SCOPED_TRACE(file);
+    expect_enumerations(nlohmann::json::parse(text_of(file)), "topology", topologies(),
+                        topology_lists);
+  }
+  EXPECT_GT(topology_lists, 0u);
+  std::size_t formats = 0;
+  expect_enumerations(nlohmann::json::parse(text_of("specs/schema/simulator_file.json")), "format",
+                      exporters(), formats);
+  EXPECT_EQ(formats, 1u);
+  const auto robot = nlohmann::json::parse(text_of("specs/schema/robot.json"));
+  std::size_t types = 0;
+  expect_enumerations(robot["properties"]["mechanisms"]["items"]["properties"], "type",
+                      mechanisms(), types);
+  EXPECT_EQ(types, 1u);
+}
+
+}  // namespace
+}  // namespace torquewright::gates

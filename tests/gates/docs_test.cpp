@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every page of docs/ can be reached from its index, and no link leads nowhere. Oracle: the files.
+#include <gtest/gtest.h>
+
+#include "tests/gates/source_tree.hpp"
+
+namespace torquewright::gates {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file_of_ours(const std::string& target) {
+  return target.find("://") == std::string::npos && !target.starts_with('#');
+}
+
+/// Where the links of a page lead, named from the root, without the place on the page.
+Names links_of(const fs::path& page) {
+  Names links;
+  // In derivations, [..](t - t0) is a product.
+  for (const std::string& target : matches(text_of(page), R"(\]\(([^) ]+)\))")) {
+    if (!is_file_of_ours(target)) continue;
+    const std::string file = target.substr(0, target.find('#'));
+    links.insert((page.parent_path() / file).lexically_normal().generic_string());
+  }
+  return links;
+}
+
+void follow(const fs::path& page, Names& reached) {
+  if (!reached.insert(page.generic_string()).second) return;
+  for (const std::string& link : links_of(page)) {
+    if (fs::path(link).extension() == ".md") follow(link, reached);
+  }
+}
+
+TEST(Docs, AreReachedFromTheirIndex) {
+  const Names direct = links_of("docs/README.md");
+  for (const fs::path& page : files_in("docs", ".md")) {
+    if (page == "docs/README.md") continue;
+    const std::string index_of_folder = (page.parent_path() / "README.md").generic_string();
+    const bool is_linked = direct.contains(page.generic_string()) ||
+                           (direct.contains(index_of_folder) &&
+                            links_of(index_of_folder).contains(page.generic_string()));
+    EXPECT_TRUE(is_linked) << page << " is linked neither from docs/README.md nor from the README "
+                           << "of its folder";
+  }
+}
+
+TEST(Docs, HoldNoLinkThatLeadsNowhere) {
+  Names pages;
+  follow("README.md", pages);
+  for (const fs::path& page : files_in("docs", ".md")) pages.insert(page.generic_string());
+  for (const std::string& page : pages) {
+    for (const std::string& link : links_of(page)) {
+      EXPECT_TRUE(fs::exists(root() / link)) << page << " links to " << link;
+    }
+  }
+}
+
+TEST(Docs, ShowEveryPicture) {
+  Names shown = links_of("README.md");
+  for (const fs::path& page : files_in("docs", ".md")) shown.merge(links_of(page));
+  for (const fs::path& picture : files_in("docs/pictures", ".png")) {
+    EXPECT_TRUE(shown.contains(picture.generic_string())) << picture << " is on no page";
+  }
+}
+
+TEST(Readme, LeadsToTheIndex) { EXPECT_TRUE(links_of("README.md").contains("docs/README.md")); }
+
+}  // namespace
+}  // namespace torquewright::gates
