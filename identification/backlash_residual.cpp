@@ -8,7 +8,6 @@
 #include "actuator/region/torque_at.hpp"
 #include "dynamics/gravity.hpp"
 #include "identification/free_play.hpp"
-#include "identification/load_model.hpp"
 
 namespace torquewright::identification {
 namespace {
