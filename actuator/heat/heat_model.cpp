@@ -77,8 +77,7 @@ HeatStep HeatModel::step(double square_A2, double duration_s) const {
 }
 
 void HeatModel::advance(NodeTemperatures& nodes, double loss_W, double step_s) const {
-  const NodeTemperatures middle =
-      moved(nodes, 0.5 * step_s, rates_K_s(thermal_, nodes, loss_W));
+  const NodeTemperatures middle = moved(nodes, 0.5 * step_s, rates_K_s(thermal_, nodes, loss_W));
   nodes = moved(nodes, step_s, rates_K_s(thermal_, middle, loss_W));
 }
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "actuator/effects/acting.hpp"
-
 namespace torquewright::actuator {
 namespace {
 
@@ -22,13 +20,6 @@ double stated_phase_ohm(const Motor& motor) {
 
 }  // namespace
 
-Instant at_winding_temperature(const Actuator& actuator, double temperature_K) {
-  Instant at;
-  at.winding_temperature_K = temperature_K;
-  at.reference_temperature_K = actuator.motor.winding_temperature_K;
-  return at;
-}
-
 double resistance_coefficient_1_K(const Actuator& actuator) {
   const Effect* stated = stated_resistance_law(actuator);
   return stated != nullptr ? stated->values[0] : kCopperCoefficient_1_K;
@@ -43,10 +34,6 @@ double resistance_factor(const Actuator& actuator, const Instant& at) {
 double phase_resistance_ohm(const Actuator& actuator, double temperature_K) {
   return stated_phase_ohm(actuator.motor) *
          resistance_factor(actuator, at_winding_temperature(actuator, temperature_K));
-}
-
-double flux_factor(const Actuator& actuator, const Instant& at) {
-  return product_of_laws(actuator.effects, Acts::kFluxFactor, at);
 }
 
 double winding_loss_W(const Actuator& actuator, double phase_amplitude_A, const Instant& at) {

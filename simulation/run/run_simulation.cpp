@@ -84,9 +84,9 @@ void RunSimulation::set_temperatures(std::size_t knot, double share) {
 }
 
 void RunSimulation::advance_states(std::size_t knot, double share, double step_s) {
-  const std::vector<DriveNow> drive = drives_at(excitation_, knot, share);
   for (std::size_t j = 0; j < models_.size(); ++j) {
-    models_[j].advance_states(state_.joints[j], drive[j], step_s);
+    const DriveNow drive = drive_at(excitation_.joints[j], knot, share);
+    models_[j].advance_states(state_.joints[j], drive, step_s);
   }
 }
 
