@@ -9,7 +9,6 @@
 #include "dynamics/gravity.hpp"
 #include "identification/free_play.hpp"
 #include "identification/load_inertia.hpp"
-#include "identification/load_model.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
-#include "identification/load_model.hpp"
+#include "actuator/region/winding.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -71,7 +71,7 @@ double Balance::of_torque_constant_Nm(const Signals& signals, std::size_t i) con
   const actuator::Actuator& actuator = bench_.actuator();
   if (bench_.drive != Drive::kVoltage || actuator.motor.back_emf_constant_V_s_rad) return torque_Nm;
   // The torque that the back-EMF keeps from being, N Kt Ke N w / R.
-  const Winding winding = winding_of(actuator);
+  const actuator::Winding winding = actuator::winding_of(actuator);
   const double ratio = actuator.transmission.ratio;
   const double per_speed = ratio * actuator.motor.torque_constant_Nm_A * ratio *
                            winding.back_emf_V_s_rad / winding.resistance_ohm;
@@ -84,7 +84,7 @@ double Balance::unit_per_Nm() const {
   const double amperes =
       1.0 / std::abs(actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A);
   if (bench_.drive == Drive::kCurrent) return amperes;
-  return amperes * winding_of(actuator).resistance_ohm;
+  return amperes * actuator::winding_of(actuator).resistance_ohm;
 }
 
 Quantity Balance::quantity() const {

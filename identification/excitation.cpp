@@ -48,7 +48,7 @@ ExcitationRun imposed_run(const ExcitationLimits& limits, const ExcitationFrame&
                           const std::string& name, const OfTime& speed, const OfTime& part) {
   ExcitationRun run;
   run.name = name;
-  JointDrive& joint = run.excitation.joints.emplace_back();
+  simulation::JointDrive& joint = run.excitation.joints.emplace_back();
   for (std::size_t i = 0; i < samples_of(frame); ++i) {
     const double time_s = static_cast<double>(i) * frame.step_s;
     run.excitation.time_s.push_back(time_s);
@@ -63,7 +63,7 @@ ExcitationRun driven_run(const ExcitationFrame& frame, const std::string& name,
                          const OfTime& current_A) {
   ExcitationRun run;
   run.name = name;
-  JointDrive& joint = run.excitation.joints.emplace_back();
+  simulation::JointDrive& joint = run.excitation.joints.emplace_back();
   for (std::size_t i = 0; i < samples_of(frame); ++i) {
     const double time_s = static_cast<double>(i) * frame.step_s;
     run.excitation.time_s.push_back(time_s);
@@ -185,7 +185,7 @@ std::string excitation_csv(const std::vector<ExcitationRun>& runs) {
   text +=
       is_imposed ? "time_s,motor_current_A,output_velocity_rad_s\n" : "time_s,motor_current_A\n";
   for (const ExcitationRun& run : runs) {
-    const JointDrive& joint = run.excitation.joints[0];
+    const simulation::JointDrive& joint = run.excitation.joints[0];
     for (std::size_t i = 0; i < joint.value.size(); ++i) {
       if (has_runs) text += run.name + ",";
       text += fmt::format("{:.6g},{:.6g}", run.excitation.time_s[i], joint.value[i]);

@@ -8,7 +8,6 @@
 
 #include "dynamics/gravity.hpp"
 #include "identification/load_inertia.hpp"
-#include "identification/load_model.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::identification {
@@ -78,7 +77,7 @@ double ExcitationLimits::speed_at(double frequency_Hz) const {
   return std::min(speed_rad_s_, *limits_.position_rad * 2.0 * std::numbers::pi * frequency_Hz);
 }
 
-bool ExcitationLimits::hold(const JointTrace& trace, std::size_t stride) const {
+bool ExcitationLimits::hold(const simulation::JointTrace& trace, std::size_t stride) const {
   for (std::size_t i = 0; i < trace.speed_rad_s.size(); i += stride) {
     const double moved_rad = trace.position_rad[i] - trace.position_rad.front();
     if (limits_.position_rad && std::abs(moved_rad) > *limits_.position_rad) return false;

@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "actuator/region/joint_region.hpp"
-#include "identification/simulation.hpp"
+#include "identification/rig.hpp"
+#include "simulation/run/simulated_run.hpp"
 
 namespace torquewright::identification {
 
@@ -33,7 +34,7 @@ class ExcitationLimits {
   double speed_at(double frequency_Hz) const;
 
   /// Whether every `stride`-th sample of a simulated run lies inside.
-  bool hold(const JointTrace& trace, std::size_t stride = 1) const;
+  bool hold(const simulation::JointTrace& trace, std::size_t stride = 1) const;
 
   const RigLimits& rig() const { return limits_; }
   bool is_imposed() const { return is_imposed_; }

@@ -3,19 +3,15 @@
 
 #include <cmath>
 
-#include "actuator/region/torque_at.hpp"
 #include "dynamics/gravity.hpp"
 #include "dynamics/serial_arm.hpp"
+#include "identification/rig_plant.hpp"
 
 namespace torquewright::identification {
 namespace {
 
 std::vector<double> arm_load_Nm(const Rig& rig, std::size_t joint, const Signals& signals) {
-  std::vector<dynamics::SerialLink> links;
-  for (const Link& link : rig.load.links) {
-    links.push_back({link.mass_kg, link.length_m, link.center_of_mass_m, link.inertia_kg_m2});
-  }
-  dynamics::SerialArm arm(std::move(links), dynamics::kGravity_m_s2);
+  dynamics::SerialArm arm(serial_links_of(rig.load), dynamics::kGravity_m_s2);
   const Eigen::Index joints = arm.joint_count();
   Eigen::VectorXd q(joints), v(joints), a(joints), torque(joints);
   std::vector<double> load_Nm(signals.size());
@@ -33,31 +29,6 @@ std::vector<double> arm_load_Nm(const Rig& rig, std::size_t joint, const Signals
 }
 
 }  // namespace
-
-Winding winding_of(const actuator::Actuator& actuator) {
-  const actuator::Motor& motor = actuator.motor;
-  const auto convention = motor.torque_constant_convention;
-  const double amperes = actuator::phase_amperes_per_ampere(convention);
-  // V [winding] per phase volt, and the phase's line R i + Ke w in the document's convention.
-  const double volts = actuator::phase_volts_per_winding_volt(convention);
-  const double phase_ohm =
-      motor.resistance_ohm * actuator::phase_ohms_per_ohm(motor.resistance_convention);
-  return {phase_ohm * amperes / volts, actuator::back_emf_constant_V_s_rad(actuator)};
-}
-
-double resistance_coefficient_1_K(const actuator::Actuator& actuator) {
-  for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->name == "winding_resistance_temperature") return effect.values[0];
-  }
-  return actuator::kCopperCoefficient_1_K;
-}
-
-double resistance_ohm(const actuator::Actuator& actuator, const Winding& winding,
-                      const actuator::Instant& at) {
-  return winding.resistance_ohm *
-         (1.0 + resistance_coefficient_1_K(actuator) *
-                    (at.winding_temperature_K - at.reference_temperature_K));
-}
 
 double load_mass_column(const Rig& rig, const actuator::Instant& at) {
   const Load& load = rig.load;

@@ -3,8 +3,9 @@
 #include <limits>
 
 #include "actuator/effects/library.hpp"
+#include "actuator/heat/temperature_laws.hpp"
+#include "actuator/region/winding.hpp"
 #include "identification/equation.hpp"
-#include "identification/load_model.hpp"
 #include "identification/signal.hpp"
 #include "identification/uncertain.hpp"
 
@@ -123,7 +124,7 @@ Equation twist_equation(const Bench& /*bench*/) {
 
 /// V - R i - Ke N w.
 Equation voltage_equation(const Bench& bench) {
-  const Winding winding = winding_of(bench.actuator());
+  const actuator::Winding winding = actuator::winding_of(bench.actuator());
   const double ratio = bench.actuator().transmission.ratio;
   const auto back_emf = [winding, ratio](const Signals& signals, std::size_t i) {
     return winding.back_emf_V_s_rad * ratio * signals.at[i].speed_rad_s;
@@ -133,8 +134,9 @@ Equation voltage_equation(const Bench& bench) {
       "winding_voltage_V", "V", [winding, back_emf, &actuator](const Signals& signals) {
         std::vector<double> left(signals.size());
         for (std::size_t i = 0; i < left.size(); ++i) {
-          left[i] = signals.voltage_V[i] - back_emf(signals, i) -
-                    resistance_ohm(actuator, winding, signals.at[i]) * signals.at[i].current_A;
+          left[i] =
+              signals.voltage_V[i] - back_emf(signals, i) -
+              actuator::resistance_ohm(actuator, winding, signals.at[i]) * signals.at[i].current_A;
         }
         return left;
       });
@@ -163,7 +165,7 @@ Equation voltage_equation(const Bench& bench) {
     }));
   }
   // The effect's coefficient stands for copper's, not beside it.
-  const double known_1_K = resistance_coefficient_1_K(actuator);
+  const double known_1_K = actuator::resistance_coefficient_1_K(actuator);
   return builder.build([known_1_K](const Variant& variant, const Eigen::VectorXd& values,
                                    const Eigen::VectorXd& errors, NamedEffect& named) {
     if (variant.effect == "torque_constant_error")

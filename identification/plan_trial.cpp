@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "actuator/region/torque_at.hpp"
-#include "identification/load_model.hpp"
+#include "actuator/region/winding.hpp"
+#include "identification/rig_plant.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -74,10 +76,10 @@ std::map<Quantity, double> typical_noise(const Rig& rig, const actuator::Actuato
 
 Log noiseless_log(const Rig& rig, const actuator::Actuator& actuator,
                   const std::vector<ExcitationRun>& runs,
-                  const std::vector<SimulatedRun>& simulated) {
+                  const std::vector<simulation::SimulatedRun>& simulated) {
   Log log;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const JointTrace& trace = simulated[r].joints[0];
+    const simulation::JointTrace& trace = simulated[r].joints[0];
     Run run;
     run.name = runs[r].name;
     run.time_s = runs[r].excitation.time_s;
@@ -101,12 +103,12 @@ PlanTrial::PlanTrial(const Rig& rig, const actuator::Actuator& actuator,
   for (const auto& [quantity, sigma] : noise) levels_[static_cast<std::size_t>(quantity)] = sigma;
   std::vector<ExcitationRun> short_run = {first.front()};
   short_run[0].excitation.time_s.resize(2);
-  for (JointDrive& joint : short_run[0].excitation.joints) {
+  for (simulation::JointDrive& joint : short_run[0].excitation.joints) {
     joint.value.resize(2);
     if (!joint.speed_rad_s.empty()) joint.speed_rad_s.resize(2);
   }
-  const SimulatedRun simulated =
-      simulate(rig, {&actuator}, short_run[0].excitation, {JointStart{}});
+  const simulation::SimulatedRun simulated = simulation::simulate(
+      *plant_of(rig), {&actuator}, short_run[0].excitation, {simulation::JointStart{}});
   bench_ = make_bench(rig, noiseless_log(rig, actuator, short_run, {simulated}), 0, {&actuator});
   if (!bench_.has_torque_balance()) return;
   extent_ = extent_of_limits(limits, actuator);
@@ -117,13 +119,15 @@ std::vector<PlannedColumn> PlanTrial::columns(const std::string& effect) const {
   return planned_columns(dictionary_, extent_, effect);
 }
 
-std::optional<std::vector<SimulatedRun>> PlanTrial::inside(const std::vector<ExcitationRun>& runs,
-                                                           std::size_t stride) const {
-  SimulationOptions options;
+std::optional<std::vector<simulation::SimulatedRun>> PlanTrial::inside(
+    const std::vector<ExcitationRun>& runs, std::size_t stride) const {
+  simulation::SimulationOptions options;
   options.longest_step_s = kPlanStep_s;
-  std::vector<SimulatedRun> simulated;
+  const std::unique_ptr<simulation::Plant> plant = plant_of(rig_);
+  std::vector<simulation::SimulatedRun> simulated;
   for (const ExcitationRun& run : runs) {
-    simulated.push_back(simulate(rig_, {&actuator_}, run.excitation, {run.start}, options));
+    simulated.push_back(
+        simulation::simulate(*plant, {&actuator_}, run.excitation, {run.start}, options));
     if (!simulated.back().is_finite || !limits_.hold(simulated.back().joints[0], stride)) return {};
   }
   return simulated;
@@ -146,7 +150,7 @@ double PlanTrial::noise_density_Nm2_s(double step_s) const {
   if (bench_.drive == Drive::kCurrent) variance += square(per_ampere * sigma(bench_.drive_channel));
   if (bench_.drive == Drive::kTorque) variance += square(sigma(bench_.drive_channel));
   if (bench_.drive == Drive::kVoltage) {
-    const double volt_Nm = per_ampere / winding_of(actuator_).resistance_ohm;
+    const double volt_Nm = per_ampere / actuator::winding_of(actuator_).resistance_ohm;
     const bool is_duty = bench_.drive_channel == Quantity::kDuty;
     variance += square(volt_Nm * sigma(bench_.drive_channel) *
                        (is_duty ? actuator_.drive.bus_voltage_V : 1.0));
@@ -159,9 +163,9 @@ double PlanTrial::noise_density_Nm2_s(double step_s) const {
   return variance * step_s;
 }
 
-PlanTrial::Information PlanTrial::information(const std::vector<ExcitationRun>& runs,
-                                              const std::vector<SimulatedRun>& simulated,
-                                              const std::vector<PlannedColumn>& columns) const {
+PlanTrial::Information PlanTrial::information(
+    const std::vector<ExcitationRun>& runs, const std::vector<simulation::SimulatedRun>& simulated,
+    const std::vector<PlannedColumn>& columns) const {
   const auto size = static_cast<Eigen::Index>(columns.size());
   Information information{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
   const Log log = noiseless_log(rig_, actuator_, runs, simulated);

@@ -8,6 +8,7 @@
 
 #include "identification/excitation.hpp"
 #include "identification/planned_columns.hpp"
+#include "simulation/run/simulate.hpp"
 
 namespace torquewright::identification {
 
@@ -19,7 +20,7 @@ std::map<Quantity, double> typical_noise(const Rig& rig, const actuator::Actuato
 /// A log of the nominal actuator without noise, as if it had been read.
 Log noiseless_log(const Rig& rig, const actuator::Actuator& actuator,
                   const std::vector<ExcitationRun>& runs,
-                  const std::vector<SimulatedRun>& simulated);
+                  const std::vector<simulation::SimulatedRun>& simulated);
 
 /// Tries excitations of the nominal actuator on a rig. The dictionary is made for what the limits
 /// allow, not for what one excitation reaches: all are asked for the same parameters.
@@ -34,8 +35,8 @@ class PlanTrial {
   std::vector<PlannedColumn> columns(const std::string& effect) const;
 
   /// The simulated runs if every `stride`-th sample is inside the limits.
-  std::optional<std::vector<SimulatedRun>> inside(const std::vector<ExcitationRun>& runs,
-                                                  std::size_t stride) const;
+  std::optional<std::vector<simulation::SimulatedRun>> inside(
+      const std::vector<ExcitationRun>& runs, std::size_t stride) const;
 
   struct Information {
     Eigen::MatrixXd matrix;   ///< Fisher information of the columns' coefficients.
@@ -44,7 +45,7 @@ class PlanTrial {
   /// Noise counts by its density at low frequency: columns are slow beside the sampling rate, and
   /// so every raw sample informs. Noise of an angle counts by its mean density in the band.
   Information information(const std::vector<ExcitationRun>& runs,
-                          const std::vector<SimulatedRun>& simulated,
+                          const std::vector<simulation::SimulatedRun>& simulated,
                           const std::vector<PlannedColumn>& columns) const;
 
  private:

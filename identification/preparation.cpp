@@ -7,6 +7,7 @@
 
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
+#include "actuator/region/winding.hpp"
 #include "identification/channel_grid.hpp"
 #include "identification/direction.hpp"
 #include "identification/load_model.hpp"
@@ -77,7 +78,7 @@ void set_twist(const ChannelGrid& grid, const std::vector<double>& motor_angle_r
 void set_drive(ChannelGrid& grid, const Bench& bench, Signals& signals) {
   const actuator::Actuator& actuator = bench.actuator();
   const double ratio = actuator.transmission.ratio;
-  const Winding winding = winding_of(actuator);
+  const actuator::Winding winding = actuator::winding_of(actuator);
   std::vector<double> drive;
   if (bench.drive) {
     drive = bench.drive == Drive::kVoltage ? signals.voltage_V : grid.read(bench.drive_channel);
@@ -89,7 +90,7 @@ void set_drive(ChannelGrid& grid, const Bench& bench, Signals& signals) {
     if (bench.drive == Drive::kTorque) at.current_A = drive[i] / torque_per_ampere_Nm_A(actuator);
     if (bench.drive == Drive::kVoltage) {
       at.current_A = (drive[i] - winding.back_emf_V_s_rad * ratio * at.speed_rad_s) /
-                     resistance_ohm(actuator, winding, at);
+                     actuator::resistance_ohm(actuator, winding, at);
     }
     signals.motor_side_Nm[i] = torque_per_ampere_Nm_A(actuator) * at.current_A;
   }

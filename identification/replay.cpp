@@ -5,7 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "identification/simulation.hpp"
+#include "identification/rig_plant.hpp"
+#include "simulation/run/simulate.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -46,11 +47,12 @@ void add_windows(const Signals& stretch, ReplayWindow window, std::vector<Replay
 }
 
 /// The drive of a window, from its first sample on.
-Excitation excitation_of(const Bench& bench, const Signals& stretch, const ReplayWindow& window,
-                         double offset_A) {
-  JointDrive drive;
-  drive.kind = bench.drive == Drive::kVoltage ? DriveKind::kVoltage : DriveKind::kCurrent;
-  Excitation excitation;
+simulation::Excitation excitation_of(const Bench& bench, const Signals& stretch,
+                                     const ReplayWindow& window, double offset_A) {
+  simulation::JointDrive drive;
+  drive.kind = bench.drive == Drive::kVoltage ? simulation::DriveKind::kVoltage
+                                              : simulation::DriveKind::kCurrent;
+  simulation::Excitation excitation;
   for (std::size_t i = window.first; i <= window.last; ++i) {
     excitation.time_s.push_back(stretch.time_s[i]);
     drive.value.push_back(bench.drive == Drive::kVoltage ? stretch.voltage_V[i]
@@ -87,7 +89,7 @@ std::vector<ReplayWindow> replay_windows(const std::vector<Signals>& signals,
 }
 
 Replay::Replay(const Bench& bench, const std::vector<Signals>& signals, double offset_A)
-    : bench_(bench), signals_(signals), offset_A_(offset_A) {}
+    : bench_(bench), plant_(plant_of(*bench.rig)), signals_(signals), offset_A_(offset_A) {}
 
 bool Replay::can_replay(const Bench& bench) {
   const LoadType load = bench.rig->load.type;
@@ -98,18 +100,17 @@ Eigen::VectorXd Replay::errors(const actuator::Actuator& actuator,
                                const ReplayWindow& window) const {
   const Signals& stretch = signals_[window.stretch];
   const actuator::Instant& from = stretch.at[window.first];
-  JointStart start;
+  simulation::JointStart start;
   start.position_rad = from.output_angle_rad;
   start.speed_rad_s = is_at_rest(from) ? 0.0 : from.speed_rad_s;
   start.motor_ahead_rad = motor_ahead_rad(actuator, stretch.load_side_Nm[window.first]);
   const bool sees_motor = bench_.encoders == Encoders::kMotor;
   if (sees_motor) start.position_rad -= start.motor_ahead_rad;
-  SimulationOptions options;
+  simulation::SimulationOptions options;
   options.longest_step_s = kStep_s;
-  const SimulatedRun simulated =
-      simulate(*bench_.rig, {&actuator}, excitation_of(bench_, stretch, window, offset_A_), {start},
-               options);
-  const JointTrace& trace = simulated.joints[0];
+  const simulation::SimulatedRun simulated = simulation::simulate(
+      *plant_, {&actuator}, excitation_of(bench_, stretch, window, offset_A_), {start}, options);
+  const simulation::JointTrace& trace = simulated.joints[0];
   const std::vector<double>& position = sees_motor ? trace.motor_position_rad : trace.position_rad;
   const double per_rad = sees_motor ? 1.0 / actuator.transmission.ratio : 1.0;
   const std::size_t count = window.last - window.first + 1;

@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "identification/preparation.hpp"
+#include "simulation/plant.hpp"
 
 namespace torquewright::identification {
 
@@ -37,6 +39,7 @@ class Replay {
 
  private:
   const Bench& bench_;
+  std::unique_ptr<simulation::Plant> plant_;
   const std::vector<Signals>& signals_;
   double offset_A_;
 };

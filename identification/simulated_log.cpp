@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "identification/rig_plant.hpp"
 #include "io/csv.hpp"
 #include "io/spec_error.hpp"
 
@@ -14,12 +15,12 @@ namespace {
 
 struct Source {
   Quantity quantity;
-  DriveKind kind;
+  simulation::DriveKind kind;
 };
-constexpr Source kSources[] = {{Quantity::kMotorCurrent, DriveKind::kCurrent},
-                               {Quantity::kCommandedTorque, DriveKind::kTorque},
-                               {Quantity::kWindingVoltage, DriveKind::kVoltage},
-                               {Quantity::kDuty, DriveKind::kDuty}};
+constexpr Source kSources[] = {{Quantity::kMotorCurrent, simulation::DriveKind::kCurrent},
+                               {Quantity::kCommandedTorque, simulation::DriveKind::kTorque},
+                               {Quantity::kWindingVoltage, simulation::DriveKind::kVoltage},
+                               {Quantity::kDuty, simulation::DriveKind::kDuty}};
 
 [[noreturn]] void refuse(const std::string& file, const std::string& path, std::string what) {
   throw io::SpecError({{file, path, std::move(what)}});
@@ -28,7 +29,7 @@ constexpr Source kSources[] = {{Quantity::kMotorCurrent, DriveKind::kCurrent},
 /// The columns of an excitation that are of use; refuses what has no meaning there.
 struct Header {
   std::size_t time = 0, drive = 0;
-  DriveKind kind = DriveKind::kCurrent;
+  simulation::DriveKind kind = simulation::DriveKind::kCurrent;
   std::optional<std::size_t> run, speed, position;
 };
 
@@ -73,8 +74,8 @@ ExcitationRun empty_run(const Header& header, std::string name) {
 /// One run's rows. Noise is drawn column by column, so that a column more changes no other's.
 void append_run(std::string& text, const Rig& rig, const actuator::Actuator& truth,
                 const ExcitationRun& run, std::size_t number, const SimulatedLogOptions& options) {
-  const SimulatedRun simulated =
-      simulate(rig, {&truth}, run.excitation, {run.start}, options.simulation);
+  const simulation::SimulatedRun simulated = simulation::simulate(
+      *plant_of(rig), {&truth}, run.excitation, {run.start}, options.simulation);
   if (!simulated.is_finite) {
     refuse(rig.file, "/load", fmt::format("run {} diverges under this excitation", run.name));
   }
@@ -117,7 +118,8 @@ void append_run(std::string& text, const Rig& rig, const actuator::Actuator& tru
 }  // namespace
 
 std::vector<double> simulated_quantity(Quantity quantity, const actuator::Actuator& truth,
-                                       const Excitation& excitation, const JointTrace& trace) {
+                                       const simulation::Excitation& excitation,
+                                       const simulation::JointTrace& trace) {
   const std::size_t count = excitation.time_s.size();
   const double per_ampere_Nm = truth.transmission.ratio * truth.motor.torque_constant_Nm_A;
   std::vector<double> values(count);
@@ -173,7 +175,7 @@ std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, co
       runs.push_back(empty_run(header, name));
       if (header.position) runs.back().start.position_rad = csv.number(*header.position);
     }
-    Excitation& excitation = runs.back().excitation;
+    simulation::Excitation& excitation = runs.back().excitation;
     const double time_s = csv.number(header.time);
     if (!excitation.time_s.empty() && time_s <= excitation.time_s.back()) {
       csv.refuse(header.time, "time does not ascend");

@@ -6,15 +6,16 @@
 #include <map>
 #include <string>
 
-#include "identification/simulation.hpp"
+#include "identification/rig.hpp"
+#include "simulation/run/simulate.hpp"
 
 namespace torquewright::identification {
 
 /// An excitation as a file states it: named runs.
 struct ExcitationRun {
   std::string name;  ///< Empty: the file has no runs.
-  Excitation excitation;
-  JointStart start;
+  simulation::Excitation excitation;
+  simulation::JointStart start;
 };
 
 /// Reads a CSV whose columns are quantities of the contract by their names: time_s; one of
@@ -25,12 +26,13 @@ std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, co
 
 /// A quantity along a simulated run of one joint; empty: a simulation does not have it.
 std::vector<double> simulated_quantity(Quantity quantity, const actuator::Actuator& truth,
-                                       const Excitation& excitation, const JointTrace& trace);
+                                       const simulation::Excitation& excitation,
+                                       const simulation::JointTrace& trace);
 
 struct SimulatedLogOptions {
   std::map<Quantity, double> noise;  ///< Standard deviation of white noise, in the quantity's unit.
   std::uint64_t seed = 1;
-  SimulationOptions simulation;
+  simulation::SimulationOptions simulation;
 };
 
 /// The text of a log, in the rig's columns, of an actuator taken as true. Throws io::SpecError for

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
+#include "identification/rig_plant.hpp"
 #include "io/spec_error.hpp"
+#include "simulation/run/simulate.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -28,26 +31,28 @@ std::vector<double> differences(const std::vector<double>& time_s,
 /// A bench's torque drive without current stands for its command.
 struct DriveSource {
   Quantity quantity;
-  DriveKind kind;
+  simulation::DriveKind kind;
 };
-constexpr DriveSource kDriveSources[] = {{Quantity::kMotorCurrent, DriveKind::kCurrent},
-                                         {Quantity::kReportedTorque, DriveKind::kTorque},
-                                         {Quantity::kCommandedTorque, DriveKind::kTorque},
-                                         {Quantity::kWindingVoltage, DriveKind::kVoltage},
-                                         {Quantity::kDuty, DriveKind::kDuty}};
+constexpr DriveSource kDriveSources[] = {
+    {Quantity::kMotorCurrent, simulation::DriveKind::kCurrent},
+    {Quantity::kReportedTorque, simulation::DriveKind::kTorque},
+    {Quantity::kCommandedTorque, simulation::DriveKind::kTorque},
+    {Quantity::kWindingVoltage, simulation::DriveKind::kVoltage},
+    {Quantity::kDuty, simulation::DriveKind::kDuty}};
 
 [[noreturn]] void refuse(const Rig& rig, const std::string& what) {
   throw io::SpecError({{rig.file, "/columns", what}});
 }
 
-JointDrive drive_of(const Rig& rig, const Channels& channels, double position_gain_1_rad) {
-  JointDrive drive;
+simulation::JointDrive drive_of(const Rig& rig, const Channels& channels,
+                                double position_gain_1_rad) {
+  simulation::JointDrive drive;
   drive.bus_V = channels[Quantity::kBusVoltage];
   drive.winding_K = channels[Quantity::kWindingTemperature];
   if (drive.winding_K.empty()) drive.winding_K = channels[Quantity::kCaseTemperature];
   if (position_gain_1_rad > 0.0) {
     if (!channels.has(Quantity::kCommandedPosition)) refuse(rig, "no commanded_position_rad");
-    drive.kind = DriveKind::kPosition;
+    drive.kind = simulation::DriveKind::kPosition;
     drive.value = channels[Quantity::kCommandedPosition];
     drive.position_gain_1_rad = position_gain_1_rad;
     return drive;
@@ -65,7 +70,7 @@ JointDrive drive_of(const Rig& rig, const Channels& channels, double position_ga
   return drive;
 }
 
-void open_where_disabled(const Channels& channels, JointDrive& drive) {
+void open_where_disabled(const Channels& channels, simulation::JointDrive& drive) {
   const std::vector<double>& enabled = channels[Quantity::kEnabled];
   if (enabled.empty()) return;
   drive.enabled.assign(enabled.begin(), enabled.end());
@@ -127,8 +132,9 @@ PositionScore position_score(const Rig& rig,
                              const std::vector<const actuator::Actuator*>& actuators,
                              const std::vector<ReplayedRun>& runs,
                              const PositionScoreOptions& options) {
-  SimulationOptions simulation;
-  simulation.longest_step_s = options.longest_step_s;
+  const std::unique_ptr<simulation::Plant> plant = plant_of(rig);
+  simulation::SimulationOptions stepping;
+  stepping.longest_step_s = options.longest_step_s;
   PositionScore score;
   Sums all;
   for (const ReplayedRun& run : runs) {
@@ -136,12 +142,12 @@ PositionScore position_score(const Rig& rig,
     const std::size_t count = run.excitation.time_s.size();
     for (std::size_t first = 0; first + 1 < count;) {
       const std::size_t last = window_end(run, first, options.window_s);
-      std::vector<JointStart> start;
+      std::vector<simulation::JointStart> start;
       for (std::size_t j = 0; j < actuators.size(); ++j) {
         start.push_back({run.position_rad[j][first], run.speed_rad_s[j][first], {}, {}});
       }
-      const SimulatedRun simulated =
-          simulate_part(rig, actuators, run.excitation, start, first, last, simulation);
+      const simulation::SimulatedRun simulated = simulation::simulate_part(
+          *plant, actuators, run.excitation, start, first, last, stepping);
       score.is_finite = score.is_finite && simulated.is_finite;
       for (std::size_t j = 0; j < actuators.size(); ++j) {
         const std::vector<double>& position = simulated.joints[j].position_rad;

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "identification/log.hpp"
-#include "identification/simulation.hpp"
+#include "identification/rig.hpp"
+#include "simulation/excitation.hpp"
 
 namespace torquewright::identification {
 
@@ -24,7 +25,7 @@ struct PositionScoreOptions {
 /// One stretch of a log as the simulation needs it.
 struct ReplayedRun {
   std::string name;
-  Excitation excitation;
+  simulation::Excitation excitation;
   std::vector<std::vector<double>> position_rad;  ///< Measured, by joint.
   std::vector<std::vector<double>> speed_rad_s;   ///< Measured, or by differences.
   std::vector<std::uint8_t> masked;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/winding_channels.hpp"
 
-#include "identification/load_model.hpp"
+#include "actuator/region/winding.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -32,7 +32,7 @@ std::vector<double> winding_temperature_K(ChannelGrid& grid, const actuator::Act
 std::vector<double> bus_current_A(ChannelGrid& grid, const actuator::Actuator& actuator,
                                   const Signals& signals) {
   const double factor = power_factor(actuator.motor.torque_constant_convention);
-  const Winding winding = winding_of(actuator);
+  const actuator::Winding winding = actuator::winding_of(actuator);
   const double ratio = actuator.transmission.ratio;
   const std::vector<double> duty = grid.read_if_any(Quantity::kDuty);
   std::vector<double> current(signals.size());

@@ -6,10 +6,9 @@
 namespace torquewright::actuator {
 namespace {
 
-std::optional<HeatModel> heat_model(const Actuator& actuator,
-                                    const OperatingConditions& conditions) {
+std::optional<HeatModel> heat_model(const Actuator& actuator) {
   if (!actuator.thermal) return std::nullopt;
-  return HeatModel(actuator, conditions);
+  return HeatModel(actuator);
 }
 
 /// Root mean square over the time, of a single sample its magnitude.
@@ -27,7 +26,7 @@ CheckBasis::CheckBasis(const Actuator& checked, const OperatingConditions& condi
     : actuator(&checked),
       temperature_K(winding_temperature_K(checked, conditions)),
       lookup(checked, conditions),
-      heat(heat_model(checked, conditions)) {}
+      heat(heat_model(checked)) {}
 
 InterpretationCheck::InterpretationCheck(const CheckBasis& basis)
     : basis_(&basis), basis_of_worst_(&basis) {

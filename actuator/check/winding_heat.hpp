@@ -1,48 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "actuator/region/operating_conditions.hpp"
+#include "actuator/heat/heat_model.hpp"
 
 namespace torquewright::actuator {
-
-/// Temperatures of winding and case above the ambient.
-using Warmth = std::array<double, 2>;
-
-/// A step of the two-node model is affine in its state: next = map state + shift. That is exact
-/// where the current's square is constant over the step. docs/derivations/check.md eq. (5)...(7).
-struct HeatStep {
-  std::array<double, 4> map{1.0, 0.0, 0.0, 1.0};
-  Warmth shift{0.0, 0.0};
-  double duration_s = 0.0;
-
-  Warmth after(const Warmth& warmth) const;
-};
-
-/// First one, then the other.
-HeatStep then(const HeatStep& first, const HeatStep& second);
-
-/// The two-node model of an actuator, its copper loss growing with the winding's temperature.
-class HeatModel {
- public:
-  /// Requires `thermal` in the actuator and no objections to the conditions.
-  HeatModel(const Actuator& actuator, const OperatingConditions& conditions);
-
-  /// A step with that mean square of the phase current's amplitude.
-  HeatStep step(double square_A2, double duration_s) const;
-
-  double ambient_K() const { return thermal_.ambient_K; }
-  double limit_K() const { return thermal_.winding_limit_K; }
-
- private:
-  Thermal thermal_;
-  double resistance_ohm_;  ///< Of a phase, at the ambient.
-  double resistance_ohm_per_K_;
-};
 
 /// How warm the winding gets over repeated runs, the first from the ambient.
 struct WindingReport {

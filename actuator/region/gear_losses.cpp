@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "actuator/effects/harmonics.hpp"
+#include "actuator/heat/temperature_laws.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -57,11 +58,9 @@ double mesh_factor(const Actuator& actuator, bool is_driving) {
 
 Span motor_side_torque_Nm(const Actuator& actuator, double speed_rad_s, double direction,
                           double temperature_K) {
-  Instant at;
+  Instant at = at_winding_temperature(actuator, temperature_K);
   at.speed_rad_s = speed_rad_s;
   at.direction = direction;
-  at.winding_temperature_K = temperature_K;
-  at.reference_temperature_K = actuator.motor.winding_temperature_K;
   Span drag;
   Span cogging;
   double drag_factor = 1.0;

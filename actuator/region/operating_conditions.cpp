@@ -6,35 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/effects/acting.hpp"
+#include "actuator/heat/temperature_laws.hpp"
 #include "actuator/region/torque_at.hpp"
 
 namespace torquewright::actuator {
 namespace {
-
-/// Product of the factors of one kind at that temperature (1 without such effects).
-double factor_at(const Actuator& actuator, Acts acts, double temperature_K) {
-  Instant at;
-  at.winding_temperature_K = temperature_K;
-  at.reference_temperature_K = actuator.motor.winding_temperature_K;
-  double factor = 1.0;
-  for (const Effect& effect : actuator.effects) {
-    if (effect.kind->acts == acts) factor *= effect.kind->law(effect, at);
-  }
-  return factor;
-}
-
-double resistance_factor(const Actuator& actuator, double temperature_K) {
-  const bool is_stated = std::any_of(
-      actuator.effects.begin(), actuator.effects.end(),
-      [](const Effect& effect) { return effect.kind->acts == Acts::kResistanceFactor; });
-  if (is_stated) return factor_at(actuator, Acts::kResistanceFactor, temperature_K);
-  return 1.0 + kCopperCoefficient_1_K * (temperature_K - actuator.motor.winding_temperature_K);
-}
-
-double phase_resistance_ohm(const Actuator& actuator, double temperature_K) {
-  return actuator.motor.resistance_ohm * phase_ohms_per_ohm(actuator.motor.resistance_convention) *
-         resistance_factor(actuator, temperature_K);
-}
 
 double cell_voltage_V(const Battery& battery, double state_of_charge) {
   const std::vector<ChargePoint>& curve = battery.cell_open_circuit;
@@ -113,13 +90,14 @@ double dead_time_V(const Actuator& actuator) {
 
 /// A wrong torque constant is wrong at every current: what the law gives at no current.
 double torque_constant_factor(const Actuator& actuator) {
-  return factor_at(actuator, Acts::kTorqueFactor, actuator.motor.winding_temperature_K);
+  const Instant at = at_winding_temperature(actuator, actuator.motor.winding_temperature_K);
+  return product_of_laws(actuator.effects, Acts::kTorqueFactor, at);
 }
 
 void set_constants(const Actuator& actuator, double temperature_K, PhaseModel& model) {
   const Motor& motor = actuator.motor;
   const CurrentConvention convention = motor.torque_constant_convention;
-  const double flux = factor_at(actuator, Acts::kFluxFactor, temperature_K);
+  const double flux = flux_factor(actuator, at_winding_temperature(actuator, temperature_K));
   const double torque_constant_Nm_A = motor.torque_constant_Nm_A * torque_constant_factor(actuator);
   const double back_emf_V_s_rad = back_emf_constant_V_s_rad(actuator);
   model.torque_constant_Nm_A = flux * torque_constant_Nm_A / phase_amperes_per_ampere(convention);
@@ -167,8 +145,8 @@ std::vector<std::string> objections(const Actuator& actuator,
         "voltage_V}; the document has no such curve");
   }
   const double temperature_K = winding_temperature_K(actuator, conditions);
-  if (resistance_factor(actuator, temperature_K) <= 0.0 ||
-      factor_at(actuator, Acts::kFluxFactor, temperature_K) <= 0.0) {
+  const Instant warm = at_winding_temperature(actuator, temperature_K);
+  if (resistance_factor(actuator, warm) <= 0.0 || flux_factor(actuator, warm) <= 0.0) {
     sentences.push_back(fmt::format(
         "at a winding temperature of {} K the temperature coefficients leave no resistance or no "
         "magnet; the laws are linear about {} K",

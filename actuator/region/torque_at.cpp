@@ -4,42 +4,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/effects/acting.hpp"
+#include "actuator/heat/temperature_laws.hpp"
 #include "actuator/region/gear_losses.hpp"
 
 namespace torquewright::actuator {
-namespace {
-
-/// Sum of the laws of those effects that act there.
-double sum(const Actuator& actuator, Acts acts, const Instant& at) {
-  double total = 0.0;
-  for (const Effect& effect : actuator.effects) {
-    if (effect.kind->acts == acts) total += effect.kind->law(effect, at);
-  }
-  return total;
-}
-
-double product(const Actuator& actuator, Acts acts, const Instant& at) {
-  double factor = 1.0;
-  for (const Effect& effect : actuator.effects) {
-    if (effect.kind->acts == acts) factor *= effect.kind->law(effect, at);
-  }
-  return factor;
-}
-
-}  // namespace
-
 double motor_torque_Nm(const Actuator& actuator, const Instant& at) {
   return actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A * at.current_A *
-         product(actuator, Acts::kTorqueFactor, at) * product(actuator, Acts::kFluxFactor, at);
+         product_of_laws(actuator.effects, Acts::kTorqueFactor, at) * flux_factor(actuator, at);
 }
 
 double drag_Nm(const Actuator& actuator, const Instant& at) {
-  const double drag = sum(actuator, Acts::kDrag, at);
+  const double drag = sum_of_laws(actuator.effects, Acts::kDrag, at);
   return drag == 0.0 ? 0.0 : drag * drag_factor(actuator, at);
 }
 
 double periodic_motor_torque_Nm(const Actuator& actuator, const Instant& at) {
-  return sum(actuator, Acts::kMotorSideTorque, at);
+  return sum_of_laws(actuator.effects, Acts::kMotorSideTorque, at);
 }
 
 double reflected_inertia_kg_m2(const Actuator& actuator) {
@@ -47,7 +28,7 @@ double reflected_inertia_kg_m2(const Actuator& actuator) {
   unit.acceleration_rad_s2 = 1.0;
   const double ratio = actuator.transmission.ratio;
   return ratio * ratio * actuator.motor.rotor_inertia_kg_m2 + actuator.transmission.inertia_kg_m2 -
-         sum(actuator, Acts::kInertialTorque, unit);
+         sum_of_laws(actuator.effects, Acts::kInertialTorque, unit);
 }
 
 double before_mesh_at_Nm(const Actuator& actuator, const Instant& at) {
@@ -63,31 +44,27 @@ double output_torque_Nm(const Actuator& actuator, const Instant& at) {
 }
 
 double ripple_Nm(const Actuator& actuator, const Instant& at) {
-  return sum(actuator, Acts::kOutputTorque, at);
+  return sum_of_laws(actuator.effects, Acts::kOutputTorque, at);
 }
 
 double back_emf_constant_V_s_rad(const Actuator& actuator) {
   const Motor& motor = actuator.motor;
   // A wrong torque constant is wrong at every current: what the law gives at none.
   return motor.back_emf_constant_V_s_rad.value_or(
-      motor.torque_constant_Nm_A * product(actuator, Acts::kTorqueFactor, {}) *
+      motor.torque_constant_Nm_A * product_of_laws(actuator.effects, Acts::kTorqueFactor, {}) *
       back_emf_per_torque_constant(motor.torque_constant_convention));
 }
 
-double flux_factor(const Actuator& actuator, const Instant& at) {
-  return product(actuator, Acts::kFluxFactor, at);
-}
-
 double drag_factor(const Actuator& actuator, const Instant& at) {
-  return std::max(0.0, product(actuator, Acts::kDragFactor, at));
+  return std::max(0.0, product_of_laws(actuator.effects, Acts::kDragFactor, at));
 }
 
 double winding_voltage_change_V(const Actuator& actuator, const Instant& at) {
-  return sum(actuator, Acts::kWindingVoltage, at);
+  return sum_of_laws(actuator.effects, Acts::kWindingVoltage, at);
 }
 
 double bus_voltage_change_V(const Actuator& actuator, const Instant& at) {
-  return sum(actuator, Acts::kBusVoltage, at);
+  return sum_of_laws(actuator.effects, Acts::kBusVoltage, at);
 }
 
 }  // namespace torquewright::actuator

@@ -35,8 +35,7 @@ double ripple_Nm(const Actuator& actuator, const Instant& at);
 /// else what goes with the torque constant, an error of which it then shares (one flux makes both).
 double back_emf_constant_V_s_rad(const Actuator& actuator);
 
-/// Factors of every effect on the magnets' flux (torque constant and back-EMF) and on all drag.
-double flux_factor(const Actuator& actuator, const Instant& at);
+/// Factor of every effect on all drag.
 double drag_factor(const Actuator& actuator, const Instant& at);
 
 /// Voltage that is lost between drive and winding, with its sign; change of the bus voltage.

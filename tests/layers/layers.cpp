@@ -15,16 +15,20 @@ namespace fs = std::filesystem;
 using Folders = std::set<std::string, std::less<>>;
 
 /// Which folders the files of each may include, besides its own:
-/// src -> hopper, identification -> actuator, dynamics -> gearbox -> optimization; io for all.
+/// src -> hopper, identification -> simulation -> actuator, dynamics -> gearbox -> optimization; io
+/// for all.
 const std::map<std::string, Folders, std::less<>> kMayInclude = {
     {"io", {}},
     {"optimization", {"io"}},
     {"gearbox", {"io", "optimization"}},
     {"actuator", {"io", "optimization", "gearbox"}},
     {"dynamics", {"io", "optimization", "gearbox"}},
-    {"hopper", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
-    {"identification", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
-    {"src", {"io", "optimization", "gearbox", "actuator", "dynamics", "hopper", "identification"}},
+    {"simulation", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
+    {"hopper", {"io", "optimization", "gearbox", "actuator", "dynamics", "simulation"}},
+    {"identification", {"io", "optimization", "gearbox", "actuator", "dynamics", "simulation"}},
+    {"src",
+     {"io", "optimization", "gearbox", "actuator", "dynamics", "simulation", "hopper",
+      "identification"}},
 };
 
 /// The rooms of a folder, and which of its other rooms the files of each may include. What lies
@@ -45,12 +49,15 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
     {"actuator",
      {{"effects", {}},
       {"motor", {"effects"}},
-      {"region", {"effects", "motor"}},
+      {"heat", {"effects", "motor"}},
+      {"region", {"effects", "motor", "heat"}},
       {"trajectory", {}},
-      {"check", {"region", "trajectory"}},
+      {"check", {"heat", "region", "trajectory"}},
       {"lint", {"motor", "region"}},
       {"exporters", {"region"}}}},
     {"dynamics", {}},
+    {"simulation",
+     {{"plants", {}}, {"joint", {}}, {"stepper", {"joint"}}, {"run", {"joint", "stepper"}}}},
     {"hopper",
      {{"mechanisms", {}},
       {"robot", {"mechanisms"}},

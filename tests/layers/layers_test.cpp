@@ -18,16 +18,20 @@ TEST(Sources, IncludeOnlyDownward) {
 
 TEST(Objection, IsRaisedUpwardAndSideways) {
   EXPECT_EQ(objection("io/a.cpp", "gearbox/b.hpp"), "io/ does not stand above gearbox/");
-  for (const auto& [file, included] :
-       std::vector<std::pair<std::string, std::string>>{{"io/a.cpp", "optimization/b.hpp"},
-                                                        {"optimization/a.cpp", "gearbox/b.hpp"},
-                                                        {"gearbox/a.cpp", "src/b.hpp"},
-                                                        {"gearbox/a.cpp", "actuator/b.hpp"},
-                                                        {"actuator/a.cpp", "dynamics/b.hpp"},
-                                                        {"dynamics/a.cpp", "actuator/b.hpp"},
-                                                        {"hopper/a.cpp", "identification/b.hpp"},
-                                                        {"identification/a.cpp", "hopper/b.hpp"},
-                                                        {"hopper/a.cpp", "src/b.hpp"}}) {
+  for (const auto& [file, included] : std::vector<std::pair<std::string, std::string>>{
+           {"io/a.cpp", "optimization/b.hpp"},
+           {"optimization/a.cpp", "gearbox/b.hpp"},
+           {"gearbox/a.cpp", "src/b.hpp"},
+           {"gearbox/a.cpp", "actuator/b.hpp"},
+           {"actuator/a.cpp", "dynamics/b.hpp"},
+           {"dynamics/a.cpp", "actuator/b.hpp"},
+           {"simulation/a.cpp", "identification/b.hpp"},
+           {"simulation/a.cpp", "hopper/b.hpp"},
+           {"actuator/a.cpp", "simulation/b.hpp"},
+           {"dynamics/a.cpp", "simulation/b.hpp"},
+           {"hopper/a.cpp", "identification/b.hpp"},
+           {"identification/a.cpp", "hopper/b.hpp"},
+           {"hopper/a.cpp", "src/b.hpp"}}) {
     EXPECT_NE(objection(file, included), "") << file << " " << included;
   }
 }
@@ -41,6 +45,10 @@ TEST(Objection, IsNotRaisedDownward) {
            {"gearbox/search/a.cpp", "gearbox/topologies/b.hpp"},
            {"hopper/a.cpp", "actuator/b.hpp"},
            {"hopper/a.cpp", "dynamics/b.hpp"},
+           {"simulation/a.cpp", "actuator/b.hpp"},
+           {"simulation/a.cpp", "dynamics/b.hpp"},
+           {"hopper/a.cpp", "simulation/run/b.hpp"},
+           {"identification/a.cpp", "simulation/run/b.hpp"},
            {"src/report/a.cpp", "gearbox/proof/b.hpp"}}) {
     EXPECT_EQ(objection(file, included), "") << file << " " << included;
   }
@@ -54,6 +62,9 @@ TEST(Objection, IsRaisedBetweenRooms) {
   EXPECT_EQ(objection("gearbox/cellar/a.cpp", "gearbox/problem.hpp"),
             "the layer test does not know the room gearbox/cellar");
   EXPECT_NE(objection("src/options/a.cpp", "src/commands/b.hpp"), "");
+  EXPECT_NE(objection("simulation/joint/a.cpp", "simulation/stepper/b.hpp"), "");
+  EXPECT_NE(objection("simulation/stepper/a.cpp", "simulation/plants/b.hpp"), "");
+  EXPECT_NE(objection("actuator/heat/a.cpp", "actuator/region/b.hpp"), "");
   EXPECT_NE(objection("hopper/check/rules/a.cpp", "hopper/candidates/b.hpp"), "");
 }
 
@@ -61,6 +72,9 @@ TEST(Objection, IsNotRaisedFromRoomToRoomDownward) {
   for (const auto& [file, included] : std::vector<std::pair<std::string, std::string>>{
            {"actuator/region/a.cpp", "actuator/motor/b.hpp"},
            {"actuator/region/a.cpp", "actuator/severity.hpp"},
+           {"actuator/region/a.cpp", "actuator/heat/b.hpp"},
+           {"simulation/run/a.cpp", "simulation/stepper/b.hpp"},
+           {"simulation/stepper/a.cpp", "simulation/plant.hpp"},
            {"gearbox/teeth/a.cpp", "gearbox/teeth/b.hpp"},
            {"hopper/check/rules/a.cpp", "hopper/check/b.hpp"},
            {"hopper/check/a.cpp", "hopper/check/rules/b.hpp"},

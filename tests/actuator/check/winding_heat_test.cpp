@@ -47,7 +47,7 @@ double two_exponentials_K(double heat_W, double time_s) {
 
 // Oracle: closed form, the sum of two exponentials; constant resistance, 20 A: 1.5 R i^2 = 300 W.
 TEST(WindingHeat, FollowsTwoExponentials) {
-  WindingHeat heat(HeatModel(heated(0.0), {}));
+  WindingHeat heat(HeatModel(heated(0.0)));
   double time_s = 0.0;
   for (const double step_s : {0.001, 0.5, 3.0, 0.02, 40.0, 200.0, 1000.0}) {
     heat.add(400.0, step_s);
@@ -83,7 +83,7 @@ Warmth after_a_second(Warmth x, double coefficient_1_K, double square_A2) {
 // below the tolerance). Copper's coefficient; another current every second.
 TEST(WindingHeat, FollowsTheResistanceAsItWarms) {
   constexpr double kCopper_1_K = 0.0039;
-  WindingHeat heat(HeatModel(heated(kCopper_1_K), {}));
+  WindingHeat heat(HeatModel(heated(kCopper_1_K)));
   Warmth expected{0.0, 0.0};
   for (int second = 0; second < 100; ++second) {
     const double square_A2 = 300.0 + 200.0 * std::cos(second);
@@ -95,7 +95,7 @@ TEST(WindingHeat, FollowsTheResistanceAsItWarms) {
 
 // Oracle: the same runs one after the other, as one long run.
 TEST(WindingHeat, RepeatsRunsAsIfTheyWereOne) {
-  const HeatModel model(heated(0.0039), {});
+  const HeatModel model(heated(0.0039));
   const auto add_run = [](WindingHeat& heat) {
     heat.add(900.0, 0.7);
     heat.add(50.0, 1.3);
@@ -117,7 +117,7 @@ TEST(WindingHeat, RepeatsRunsAsIfTheyWereOne) {
 // Oracle: limits. After very many runs the peak is the steady one; runs_to_steady and runs_to_limit
 // are the first that satisfy their definitions.
 TEST(WindingHeat, CountsRunsToSteadyAndToTheLimit) {
-  WindingHeat heat(HeatModel(heated(0.0039), {}));
+  WindingHeat heat(HeatModel(heated(0.0039)));
   heat.add(120.0, 2.0);
   heat.add(0.0, 1.0);
   const WindingReport report = heat.report(1, 0.0);
@@ -135,7 +135,7 @@ TEST(WindingHeat, CountsRunsToSteadyAndToTheLimit) {
 TEST(WindingHeat, KnowsThermalRunaway) {
   const double threshold_A2 = 1.0 / (1.5 * 0.5 * 0.0039 * 2.8);
   for (const double factor : {0.99, 1.01}) {
-    WindingHeat heat(HeatModel(heated(0.0039), {}));
+    WindingHeat heat(HeatModel(heated(0.0039)));
     heat.add(factor * threshold_A2, 10.0);
     const WindingReport report = heat.report(3, 0.0);
     EXPECT_EQ(report.steady_peak_K.has_value(), factor < 1.0);
@@ -145,7 +145,7 @@ TEST(WindingHeat, KnowsThermalRunaway) {
 
 // Oracle: the same samples below the number of blocks, where every one is looked at.
 TEST(WindingHeat, JoinsNeighboursWithoutChangingTheEnd) {
-  const HeatModel model(heated(0.0039), {});
+  const HeatModel model(heated(0.0039));
   WindingHeat fine(model);
   WindingHeat coarse(model);
   for (int i = 0; i < 100000; ++i) fine.add(200.0 + i % 7, 0.001);

@@ -12,7 +12,9 @@
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "identification/plan_trial.hpp"
+#include "identification/rig_plant.hpp"
 #include "io/spec_error.hpp"
+#include "simulation/run/simulate.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -44,8 +46,9 @@ TEST(Plan, IsInsideTheRegionAtEverySample) {
   const actuator::Region region(actuator, {});
   for (const ExcitationRun& run : stribeck_plan().runs) {
     // By the simulation's own step, finer than the search's.
-    const SimulatedRun simulated = simulate(bench_rig(), {&actuator}, run.excitation, {run.start});
-    const JointTrace& trace = simulated.joints[0];
+    const simulation::SimulatedRun simulated =
+        simulation::simulate(*plant_of(bench_rig()), {&actuator}, run.excitation, {run.start});
+    const simulation::JointTrace& trace = simulated.joints[0];
     for (std::size_t i = 0; i < trace.torque_Nm.size(); ++i) {
       const actuator::JointRange range = region.at(trace.speed_rad_s[i]);
       ASSERT_FALSE(range.is_empty);
@@ -63,7 +66,8 @@ TEST(Plan, KeepsToTheRigsLimits) {
   options.candidates = 2;
   const actuator::Actuator actuator = bench_actuator();
   for (const ExcitationRun& run : plan_excitation(bench_rig(), actuator, options).runs) {
-    const SimulatedRun simulated = simulate(bench_rig(), {&actuator}, run.excitation, {run.start});
+    const simulation::SimulatedRun simulated =
+        simulation::simulate(*plant_of(bench_rig()), {&actuator}, run.excitation, {run.start});
     for (std::size_t i = 0; i < run.excitation.time_s.size(); ++i) {
       ASSERT_LE(std::abs(simulated.joints[0].position_rad[i]), 0.5);
       ASSERT_LE(std::abs(simulated.joints[0].speed_rad_s[i]), 3.0);
@@ -189,9 +193,10 @@ TEST(Plan, StandardErrorsAreTheScatterOfRepeatedFits) {
   const Rig rig = bench_rig();
   const actuator::Actuator actuator = bench_actuator();
   const Plan plan = plan_excitation(rig, actuator, asked({"coulomb_friction", "viscous_friction"}));
-  std::vector<SimulatedRun> simulated;
+  std::vector<simulation::SimulatedRun> simulated;
   for (const ExcitationRun& run : plan.runs) {
-    simulated.push_back(simulate(rig, {&actuator}, run.excitation, {run.start}));
+    simulated.push_back(
+        simulation::simulate(*plant_of(rig), {&actuator}, run.excitation, {run.start}));
   }
   const Log clean = noiseless_log(rig, actuator, plan.runs, simulated);
   const Bench bench = make_bench(rig, clean, 0, {&actuator});

@@ -2,17 +2,24 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
-#include "identification/simulation.hpp"
+#include "simulation/run/simulate.hpp"
 
-namespace torquewright::identification {
+namespace torquewright::simulation {
 
-/// A drive of round numbers on a rig of one joint: ratio 10, Kt 0.1 Nm/A (1 Nm a ampere at the
-/// output), R 0.5 ohm, 48 V, rotor 1e-4 kg m^2 (0.01 kg m^2 at the output).
+/// A drive of round numbers for one joint: ratio 10, Kt 0.1 Nm/A (1 Nm a ampere at the output), R
+/// 0.5 ohm, 48 V, rotor 1e-4 kg m^2 (0.01 kg m^2 at the output).
 actuator::Actuator simple_actuator();
-Rig simple_rig(LoadType type);
+
+/// What it moves: 0.02 kg m^2; the same in the centre of 1 kg on 0.3 m; 1 kg on an axis; or it is
+/// moved.
+enum class Load { kFree, kPendulum, kLinearAxis, kDynamometer };
+std::unique_ptr<Plant> simple_plant(Load load);
+/// Two links of about 1 kg and 0.3 m.
+std::unique_ptr<Plant> simple_arm();
 
 actuator::Effect effect(std::string_view name, std::vector<double> values);
 actuator::Effect harmonic_effect(std::string_view name, std::vector<actuator::Harmonic> harmonics,
@@ -22,7 +29,7 @@ actuator::Effect harmonic_effect(std::string_view name, std::vector<actuator::Ha
 Excitation excitation(double duration_s, double step_s, const std::function<double(double)>& drive,
                       DriveKind kind = DriveKind::kCurrent);
 
-SimulatedRun run(const Rig& rig, const actuator::Actuator& actuator, const Excitation& excitation,
+SimulatedRun run(Load load, const actuator::Actuator& actuator, const Excitation& excitation,
                  const JointStart& start = {}, double longest_step_s = 2.5e-4);
 
-}  // namespace torquewright::identification
+}  // namespace torquewright::simulation

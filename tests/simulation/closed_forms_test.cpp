@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/identification/simulation/simple_drive.hpp"
+#include "tests/simulation/simple_drive.hpp"
 
-namespace torquewright::identification {
+namespace torquewright::simulation {
 namespace {
 
 double nothing(double) { return 0.0; }
@@ -20,8 +20,7 @@ TEST(Simulation, SpinsDownByCoulombAndViscousFriction) {
   const double start = 10.0;
   const double stop_s = inertia / 0.05 * std::log1p(0.05 * start / 0.2);
   const auto excited = excitation(1.5, 1e-3, nothing);
-  const SimulatedRun spun =
-      run(simple_rig(LoadType::kFree), actuator, excited, {0.0, start, {}, {}});
+  const SimulatedRun spun = run(Load::kFree, actuator, excited, {0.0, start, {}, {}});
   const JointTrace& trace = spun.joints[0];
   // Midpoint rule: error of a step (h b/J)^3/6 w, 4 h^2 (b/J)^2 w in all, 1e-6; far below 1e-5.
   for (std::size_t i = 0; i < excited.time_s.size(); ++i) {
@@ -40,8 +39,8 @@ TEST(Simulation, ErrorFallsWithTheSquareOfTheStep) {
   double error[2] = {};
   for (int halved = 0; halved < 2; ++halved) {
     const auto excited = excitation(0.2, 0.01, nothing);
-    const SimulatedRun spun = run(simple_rig(LoadType::kFree), actuator, excited,
-                                  {0.0, 10.0, {}, {}}, halved == 0 ? 5e-3 : 2.5e-3);
+    const SimulatedRun spun =
+        run(Load::kFree, actuator, excited, {0.0, 10.0, {}, {}}, halved == 0 ? 5e-3 : 2.5e-3);
     error[halved] = std::abs(spun.joints[0].speed_rad_s.back() - exact);
   }
   EXPECT_NEAR(error[0] / error[1], 4.0, 0.3);  // next order: h b/J = 7 % of it
@@ -49,13 +48,13 @@ TEST(Simulation, ErrorFallsWithTheSquareOfTheStep) {
 
 // A pendulum of small swing: period 2 pi sqrt(J / (m g l)), longer by A^2/16.
 TEST(Simulation, SwingsWithAPendulumsPeriod) {
-  const Rig rig = simple_rig(LoadType::kPendulum);
+  const Load load = Load::kPendulum;
   const double inertia = 0.02 + 1.0 * 0.09 + 0.01;
   const double amplitude = 0.05;
   const double period_s = 2.0 * std::numbers::pi * std::sqrt(inertia / (9.81 * 0.3)) *
                           (1.0 + amplitude * amplitude / 16.0);
   const auto excited = excitation(10.0 * period_s, period_s / 1000.0, nothing);
-  const SimulatedRun swung = run(rig, simple_actuator(), excited, {amplitude, 0.0, {}, {}});
+  const SimulatedRun swung = run(load, simple_actuator(), excited, {amplitude, 0.0, {}, {}});
   EXPECT_NEAR(swung.joints[0].position_rad.back(), amplitude, 1e-5 * amplitude);
   EXPECT_NEAR(swung.joints[0].speed_rad_s.back(), 0.0, 1e-4 * amplitude);
 }
@@ -65,7 +64,7 @@ TEST(Simulation, LagFollowsAStepExponentially) {
   actuator::Actuator actuator = simple_actuator();
   actuator.effects = {effect("torque_lag", {0.02})};
   const auto excited = excitation(0.2, 1e-3, [](double t) { return t < 0.0005 ? 0.0 : 1.0; });
-  const SimulatedRun stepped = run(simple_rig(LoadType::kFree), actuator, excited);
+  const SimulatedRun stepped = run(Load::kFree, actuator, excited);
   const double inertia = 0.03;
   for (std::size_t i = 5; i < excited.time_s.size(); ++i) {
     // The command rises over the first millisecond: as a step in its middle, to (1 ms/T)^2/24.
@@ -83,7 +82,7 @@ TEST(Simulation, SticksExactlyAndBreaksAwayInTime) {
   actuator::Actuator actuator = simple_actuator();
   actuator.effects = {effect("coulomb_friction", {0.5})};
   const auto excited = excitation(6.0, 1e-3, [](double t) { return 0.1 * t; });
-  const SimulatedRun pushed = run(simple_rig(LoadType::kFree), actuator, excited);
+  const SimulatedRun pushed = run(Load::kFree, actuator, excited);
   const JointTrace& trace = pushed.joints[0];
   for (std::size_t i = 0; i <= 4999; ++i) ASSERT_EQ(trace.position_rad[i], 0.0);
   EXPECT_NEAR(trace.position_rad[6000], 0.1 / 0.03 / 6.0, 1e-3 / 0.6 * 0.1 / 0.03);
@@ -94,7 +93,7 @@ TEST(Simulation, BreaksAwayAtTheBreakawayTorque) {
   actuator::Actuator actuator = simple_actuator();
   actuator.effects = {effect("stribeck_friction", {0.3, 0.5, 0.1})};
   const auto excited = excitation(6.0, 1e-3, [](double t) { return 0.1 * t; });
-  const JointTrace trace = run(simple_rig(LoadType::kFree), actuator, excited).joints[0];
+  const JointTrace trace = run(Load::kFree, actuator, excited).joints[0];
   EXPECT_EQ(trace.position_rad[4990], 0.0);
   EXPECT_GT(trace.position_rad[5100], 1e-4);
 }
@@ -105,8 +104,7 @@ TEST(Simulation, RestsOnASlope) {
   actuator.effects = {effect("coulomb_friction", {0.5})};
   const double angle = std::asin(0.4 / (9.81 * 0.3));
   const auto excited = excitation(1.0, 1e-2, nothing);
-  const JointTrace trace =
-      run(simple_rig(LoadType::kPendulum), actuator, excited, {angle, 0.0, {}, {}}).joints[0];
+  const JointTrace trace = run(Load::kPendulum, actuator, excited, {angle, 0.0, {}, {}}).joints[0];
   EXPECT_EQ(trace.position_rad.back(), angle);
   EXPECT_NEAR(trace.torque_Nm.back(), 0.4, 1e-12);  // what the load takes of the actuator
 }
@@ -116,8 +114,7 @@ TEST(Simulation, SelfLockingGearHolds) {
   actuator::Actuator actuator = simple_actuator();
   actuator.effects = {effect("load_dependent_friction", {0.5, 1.0})};
   const auto excited = excitation(0.5, 1e-3, nothing);
-  const JointTrace trace =
-      run(simple_rig(LoadType::kPendulum), actuator, excited, {1.0, 0.0, {}, {}}).joints[0];
+  const JointTrace trace = run(Load::kPendulum, actuator, excited, {1.0, 0.0, {}, {}}).joints[0];
   EXPECT_NEAR(trace.position_rad.back(), 1.0, 1e-9);
 }
 
@@ -129,12 +126,12 @@ TEST(Simulation, NarrowGapFollowsTheRigidTrain) {
   rigid.effects = {effect("coulomb_friction", {0.5})};
   actuator::Actuator loose = rigid;
   loose.effects.push_back(effect("backlash", {1e-4}));
-  const Rig rig = simple_rig(LoadType::kPendulum);
+  const Load load = Load::kPendulum;
   for (double start_rad = -0.9; start_rad < 0.95; start_rad += 0.1) {
     for (const double speed_rad_s : {0.0, 0.5, -0.5}) {
       const JointStart start{start_rad, speed_rad_s, {}, {}};
-      const JointTrace a = run(rig, rigid, excited, start).joints[0];
-      const JointTrace b = run(rig, loose, excited, start).joints[0];
+      const JointTrace a = run(load, rigid, excited, start).joints[0];
+      const JointTrace b = run(load, loose, excited, start).joints[0];
       EXPECT_NEAR(a.position_rad.back(), b.position_rad.back(), 0.01)
           << start_rad << " " << speed_rad_s;
     }
@@ -149,8 +146,7 @@ TEST(Simulation, TwistSwingsAtItsOwnFrequency) {
   const double period_s = 2.0 * std::numbers::pi / omega;
   // A torque step T winds the spring to the mean T/(Jm w^2) and back to nothing after one period.
   const auto excited = excitation(5.0 * period_s, period_s / 200.0, [](double) { return 1.0; });
-  const JointTrace trace =
-      run(simple_rig(LoadType::kFree), actuator, excited, {}, period_s / 2000.0).joints[0];
+  const JointTrace trace = run(Load::kFree, actuator, excited, {}, period_s / 2000.0).joints[0];
   const double mean_rad = 1.0 / (0.01 * omega * omega);
   const auto twist = [&](std::size_t i) {
     return trace.motor_position_rad[i] / 10.0 - trace.position_rad[i];
@@ -170,8 +166,8 @@ TEST(Simulation, CurrentRisesWithTheWindingsTimeConstant) {
       0.02, 1e-4, [](double t) { return t < 5e-5 ? 0.0 : 5.0; }, DriveKind::kVoltage);
   SimulationOptions options;
   options.inductance = true;
-  const Rig rig = simple_rig(LoadType::kFree);
-  const JointTrace trace = simulate(rig, {&actuator}, excited, {{}}, options).joints[0];
+  const JointTrace trace =
+      simulate(*simple_plant(Load::kFree), {&actuator}, excited, {{}}, options).joints[0];
   // As in the dc convention the resistance is that of two phases in series, so is the inductance.
   const double time_constant_s = 2.0 * 1e-3 / 0.5;
   for (std::size_t i = 2; i < excited.time_s.size(); ++i) {
@@ -188,7 +184,7 @@ TEST(Simulation, WarmsByTwoExponentials) {
                       effect("winding_resistance_temperature", {0.0})};
   const auto excited = excitation(200.0, 0.1, [](double) { return 10.0; });
   const JointTrace trace =
-      run(simple_rig(LoadType::kFree), actuator, excited, {0.0, 0.0, 300.0, 300.0}, 0.1).joints[0];
+      run(Load::kFree, actuator, excited, {0.0, 0.0, 300.0, 300.0}, 0.1).joints[0];
   const double loss_W = 0.5 * 100.0;
   // d/dt [x, y] = [-1/20, 1/20; 1/100, -1.5/100] [x, y] + [P/20, 0]; steady 150 and 100 K above.
   const double a = -1.0 / 20.0, b = 1.0 / 20.0, c = 1.0 / 100.0, d = -1.5 / 100.0;
@@ -213,10 +209,10 @@ TEST(Simulation, PositionControllerSettlesWhereTorquesBalance) {
   Excitation excited = excitation(
       8.0, 5e-3, [](double) { return 0.5; }, DriveKind::kPosition);
   excited.joints[0].position_gain_1_rad = 0.4;
-  const JointTrace trace = run(simple_rig(LoadType::kPendulum), actuator, excited).joints[0];
+  const JointTrace trace = run(Load::kPendulum, actuator, excited).joints[0];
   const double q = trace.position_rad.back();
   EXPECT_NEAR(0.4 * (0.5 - q) * 48.0 / 0.5 * 1.0, 9.81 * 0.3 * std::sin(q), 1e-6);
 }
 
 }  // namespace
-}  // namespace torquewright::identification
+}  // namespace torquewright::simulation

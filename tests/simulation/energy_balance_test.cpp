@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "tests/identification/simulation/simple_drive.hpp"
+#include "tests/simulation/simple_drive.hpp"
 
-namespace torquewright::identification {
+namespace torquewright::simulation {
 namespace {
 
 std::vector<actuator::Effect> everything() {
@@ -32,7 +32,7 @@ double turnover_J(const SimulatedRun& run) {
 double shaken(double t) { return 2.0 * std::sin(3.0 * t) + 1.5 * std::sin(7.1 * t); }
 
 struct Case {
-  LoadType load;
+  Load load;
   double gap_rad;
   double stiffness_Nm_rad;
   double share;  ///< Of the turnover that may be missing.
@@ -51,28 +51,24 @@ TEST_P(EnergyBalance, Closes) {
   Excitation excited = excitation(4.0, 1e-3, shaken);
   for (const double t : excited.time_s)
     excited.joints[0].speed_rad_s.push_back(2.0 * std::sin(4.0 * t));
-  const SimulatedRun done = run(simple_rig(the.load), actuator, excited, {}, 1e-4);
+  const SimulatedRun done = run(the.load, actuator, excited, {}, 1e-4);
   ASSERT_TRUE(done.is_finite);
   EXPECT_GT(done.work.friction_J, 0.1);
   EXPECT_GT(done.work.mesh_J, 0.1);
   EXPECT_LT(std::abs(imbalance_J(done)), the.share * turnover_J(done)) << imbalance_J(done);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rigs, EnergyBalance,
-                         testing::Values(Case{LoadType::kFree, 0.0, 0.0, 1e-4},
-                                         Case{LoadType::kPendulum, 0.0, 0.0, 1e-4},
-                                         Case{LoadType::kLinearAxis, 0.0, 0.0, 1e-4},
-                                         Case{LoadType::kDynamometer, 0.0, 0.0, 1e-3},
-                                         Case{LoadType::kPendulum, 0.0, 300.0, 1e-3},
-                                         Case{LoadType::kPendulum, 0.01, 0.0, 5e-3},
-                                         Case{LoadType::kDynamometer, 0.01, 400.0, 5e-3}));
+INSTANTIATE_TEST_SUITE_P(Plants, EnergyBalance,
+                         testing::Values(Case{Load::kFree, 0.0, 0.0, 1e-4},
+                                         Case{Load::kPendulum, 0.0, 0.0, 1e-4},
+                                         Case{Load::kLinearAxis, 0.0, 0.0, 1e-4},
+                                         Case{Load::kDynamometer, 0.0, 0.0, 1e-3},
+                                         Case{Load::kPendulum, 0.0, 300.0, 1e-3},
+                                         Case{Load::kPendulum, 0.01, 0.0, 5e-3},
+                                         Case{Load::kDynamometer, 0.01, 400.0, 5e-3}));
 
 // Two links, friction and gears in both joints: coupled stick and slip.
 TEST(EnergyBalanceOfAnArm, Closes) {
-  Rig rig;
-  rig.joints = {"shoulder", "elbow"};
-  rig.load.type = LoadType::kSerialArm;
-  rig.load.links = {{1.0, 0.3, 0.15, 0.01}, {0.6, 0.25, 0.12, 0.005}};
   actuator::Actuator actuator = simple_actuator();
   actuator.effects = everything();
   Excitation excited = excitation(4.0, 1e-3, shaken);
@@ -80,7 +76,8 @@ TEST(EnergyBalanceOfAnArm, Closes) {
   for (double& current : excited.joints[1].value) current *= -0.3;
   SimulationOptions options;
   options.longest_step_s = 1e-4;
-  const SimulatedRun done = simulate(rig, {&actuator, &actuator}, excited, {{}, {}}, options);
+  const SimulatedRun done =
+      simulate(*simple_arm(), {&actuator, &actuator}, excited, {{}, {}}, options);
   ASSERT_TRUE(done.is_finite);
   EXPECT_LT(std::abs(imbalance_J(done)), 1e-3 * turnover_J(done));
 }
@@ -88,10 +85,6 @@ TEST(EnergyBalanceOfAnArm, Closes) {
 // Both joints are held by friction that gravity cannot overcome; then a current moves the elbow
 // alone (which turns too slowly to drag the shoulder along).
 TEST(StickingArm, HoldsEachJointByItself) {
-  Rig rig;
-  rig.joints = {"shoulder", "elbow"};
-  rig.load.type = LoadType::kSerialArm;
-  rig.load.links = {{1.0, 0.3, 0.15, 0.01}, {0.6, 0.25, 0.12, 0.005}};
   actuator::Actuator stiff = simple_actuator();
   stiff.effects = {effect("coulomb_friction", {50.0})};
   actuator::Actuator loose = simple_actuator();
@@ -100,11 +93,11 @@ TEST(StickingArm, HoldsEachJointByItself) {
   excited.joints.push_back(excited.joints[0]);
   for (std::size_t i = 500; i < excited.time_s.size(); ++i) excited.joints[1].value[i] = 2.8;
   const SimulatedRun done =
-      simulate(rig, {&stiff, &loose}, excited, {{0.4, 0.0, {}, {}}, {0.3, 0.0, {}, {}}});
+      simulate(*simple_arm(), {&stiff, &loose}, excited, {{0.4, 0.0, {}, {}}, {0.3, 0.0, {}, {}}});
   EXPECT_EQ(done.joints[0].position_rad.back(), 0.4);
   EXPECT_EQ(done.joints[1].position_rad[499], 0.3);
   EXPECT_GT(done.joints[1].position_rad.back(), 0.31);
 }
 
 }  // namespace
-}  // namespace torquewright::identification
+}  // namespace torquewright::simulation

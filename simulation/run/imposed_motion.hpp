@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace torquewright::identification {
+namespace torquewright::simulation {
 
 /// A motion through given speeds at given times: the speed is a cubic with continuous slope in each
 /// interval, position its exact integral, so that position, speed and acceleration agree.
@@ -25,4 +25,4 @@ class ImposedMotion {
   std::vector<double> time_s_, speed_, slope_, position_;
 };
 
-}  // namespace torquewright::identification
+}  // namespace torquewright::simulation

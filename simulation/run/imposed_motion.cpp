@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/imposed_motion.hpp"
+#include "simulation/run/imposed_motion.hpp"
 
 #include <algorithm>
 
-namespace torquewright::identification {
+namespace torquewright::simulation {
 
 ImposedMotion::ImposedMotion(std::span<const double> time_s, std::span<const double> speed_rad_s,
                              double start_rad)
@@ -37,4 +37,4 @@ ImposedMotion::Point ImposedMotion::at(std::size_t knot, double time_s) const {
           (m0 + s * (2.0 * c + 3.0 * s * d)) / step};
 }
 
-}  // namespace torquewright::identification
+}  // namespace torquewright::simulation

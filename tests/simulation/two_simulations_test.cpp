@@ -6,10 +6,10 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/identification/simulation/simple_drive.hpp"
 #include "tests/oracles/bench_log/plant.hpp"
+#include "tests/simulation/simple_drive.hpp"
 
-namespace torquewright::identification {
+namespace torquewright::simulation {
 namespace {
 
 using oracles::Machine;
@@ -18,7 +18,7 @@ enum class Compare { kPosition, kTorque, kCurrent, kBus, kTwist };
 
 struct Comparison {
   const char* name;
-  LoadType load;
+  Load load;
   DriveKind drive;
   Compare compare;
   double bound;  ///< Rms of the difference over rms of the quantity.
@@ -39,7 +39,7 @@ constexpr double kTwist = 5e-3;
 // Flanks meet at frequencies that each simulation chose for itself (800 and 1000 rad/s).
 constexpr double kContact = 5e-2;
 
-Machine like_simple(LoadType load) {
+Machine like_simple(Load load) {
   Machine machine;
   machine.ratio = 10.0;
   machine.torque_constant_Nm_A = 0.1;
@@ -48,12 +48,12 @@ Machine like_simple(LoadType load) {
   machine.bus_V = 48.0;
   machine.peak_current_A = 1000.0;
   machine.winding_J_K = machine.case_J_K = 1e12;  // temperatures stay
-  if (load == LoadType::kPendulum) {
+  if (load == Load::kPendulum) {
     machine.load.type = oracles::Load::Type::kPendulum;
     machine.load.inertia_kg_m2 = 0.02 + 0.09;
     machine.load.gravity_Nm = 9.81 * 0.3;
   }
-  if (load == LoadType::kFree) {
+  if (load == Load::kFree) {
     machine.load.type = oracles::Load::Type::kFree;
     machine.load.inertia_kg_m2 = 0.02;
   }
@@ -102,14 +102,14 @@ TEST_P(TwoSimulations, Agree) {
   JointStart start;
   start.position_rad = 0.1;
   start.winding_K = start.case_K = kWinding_K;
-  const SimulatedRun ours = run(simple_rig(the.load), actuator, excited, start);
+  const SimulatedRun ours = run(the.load, actuator, excited, start);
 
   Machine machine = like_simple(the.load);
   the.truth(machine);
   oracles::RunPlan plan;
   plan.start_rad = 0.1;
   plan.winding_K = plan.case_K = kWinding_K;
-  if (the.load == LoadType::kDynamometer) plan.speed_rad_s = excited.joints[0].speed_rad_s;
+  if (the.load == Load::kDynamometer) plan.speed_rad_s = excited.joints[0].speed_rad_s;
   (the.drive == DriveKind::kVoltage ? plan.voltage_V : plan.current_A) = excited.joints[0].value;
   const oracles::Trace theirs = oracles::simulate(machine, plan);
 
@@ -128,8 +128,8 @@ TEST_P(TwoSimulations, Agree) {
   EXPECT_GT(size, 0.0);
 }
 
-const auto kPendulum = LoadType::kPendulum;
-const auto kDynamometer = LoadType::kDynamometer;
+const auto kPendulum = Load::kPendulum;
+const auto kDynamometer = Load::kDynamometer;
 const auto kCurrent = DriveKind::kCurrent;
 const auto kVoltage = DriveKind::kVoltage;
 
@@ -370,4 +370,4 @@ INSTANTIATE_TEST_SUITE_P(EachEffect, TwoSimulations, testing::ValuesIn(cases()),
                          });
 
 }  // namespace
-}  // namespace torquewright::identification
+}  // namespace torquewright::simulation

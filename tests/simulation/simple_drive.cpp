@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/identification/simulation/simple_drive.hpp"
+#include "tests/simulation/simple_drive.hpp"
+
+#include <utility>
 
 #include "actuator/effects/library.hpp"
+#include "simulation/plants/dynamometer.hpp"
+#include "simulation/plants/serial_arm.hpp"
+#include "simulation/plants/single_joint.hpp"
 
-namespace torquewright::identification {
+namespace torquewright::simulation {
 
 actuator::Actuator simple_actuator() {
   actuator::Actuator actuator;
@@ -16,14 +21,23 @@ actuator::Actuator simple_actuator() {
   return actuator;
 }
 
-Rig simple_rig(LoadType type) {
-  Rig rig;
-  rig.joints = {""};
-  rig.load.type = type;
-  rig.load.mass_kg = 1.0;
-  rig.load.length_m = 0.3;
-  rig.load.inertia_kg_m2 = 0.02;
-  return rig;
+std::unique_ptr<Plant> simple_plant(Load load) {
+  switch (load) {
+    case Load::kFree:
+      return std::make_unique<SingleJoint>(0.02);
+    case Load::kPendulum:
+      return std::make_unique<SingleJoint>(0.02 + 1.0 * 0.3 * 0.3, 1.0 * 9.81 * 0.3);
+    case Load::kLinearAxis:
+      return std::make_unique<SingleJoint>(1.0);
+    case Load::kDynamometer:
+      break;
+  }
+  return std::make_unique<Dynamometer>();
+}
+
+std::unique_ptr<Plant> simple_arm() {
+  std::vector<dynamics::SerialLink> links = {{1.0, 0.3, 0.15, 0.01}, {0.6, 0.25, 0.12, 0.005}};
+  return std::make_unique<SerialArm>(std::move(links), 9.81);
 }
 
 actuator::Effect effect(std::string_view name, std::vector<double> values) {
@@ -54,11 +68,11 @@ Excitation excitation(double duration_s, double step_s, const std::function<doub
   return made;
 }
 
-SimulatedRun run(const Rig& rig, const actuator::Actuator& actuator, const Excitation& excitation,
+SimulatedRun run(Load load, const actuator::Actuator& actuator, const Excitation& excitation,
                  const JointStart& start, double longest_step_s) {
   SimulationOptions options;
   options.longest_step_s = longest_step_s;
-  return simulate(rig, {&actuator}, excitation, {start}, options);
+  return simulate(*simple_plant(load), {&actuator}, excitation, {start}, options);
 }
 
-}  // namespace torquewright::identification
+}  // namespace torquewright::simulation

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/joint/elastic_train.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace torquewright::simulation {
+namespace {
+
+// Flanks of a gap without a stated stiffness meet at this frequency, nearly critically damped:
+// above what logs of 1 kHz resolve, and slow enough for steps of 0.1 ms.
+constexpr double kContact_rad_s = 1000.0;
+constexpr double kContactDamping = 0.6;
+// Steps per radian of the fastest oscillation. A twist that is hardly damped keeps its phase over
+// hundreds of radians only with many; a well damped contact needs few.
+constexpr double kTwistSteps = 200.0;
+constexpr double kContactSteps = 10.0;
+
+const actuator::Effect* find(const actuator::Actuator& actuator, std::string_view name) {
+  for (const actuator::Effect& effect : actuator.effects) {
+    if (effect.kind->name == name) return &effect;
+  }
+  return nullptr;
+}
+
+double step_s(double rate_rad_s, double steps) {
+  return rate_rad_s > 0.0 ? 1.0 / (steps * rate_rad_s) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+ElasticTrain::ElasticTrain(const actuator::Actuator& actuator, double inertia_kg_m2)
+    : actuator_(actuator),
+      inertia_kg_m2_(inertia_kg_m2),
+      contact_Nm_rad_(inertia_kg_m2 * kContact_rad_s * kContact_rad_s),
+      contact_Nm_s_rad_(2.0 * kContactDamping * kContact_rad_s * inertia_kg_m2) {
+  const actuator::Effect* gap = find(actuator, "backlash");
+  if (gap != nullptr && gap->values[0] > 0.0) gap_ = gap;
+  const actuator::Effect* spring = find(actuator, "torsional_compliance");
+  if (spring != nullptr && std::isfinite(spring->values[0])) spring_ = spring;
+  is_elastic_ = (gap_ != nullptr || spring_ != nullptr) && inertia_kg_m2 > 0.0;
+}
+
+double ElasticTrain::longest_step_s(double load_inertia_kg_m2) const {
+  const double load = load_inertia_kg_m2 > 0.0 ? 1.0 / load_inertia_kg_m2 : 0.0;
+  const double stiffness = spring_ != nullptr ? spring_->values[0] : contact_Nm_rad_;
+  const double damping = spring_ != nullptr ? spring_->values[1] : contact_Nm_s_rad_;
+  const double swing_s = step_s(std::sqrt(stiffness * (1.0 / inertia_kg_m2_ + load)),
+                                spring_ != nullptr ? kTwistSteps : kContactSteps);
+  return std::min(swing_s, step_s(damping * (1.0 / inertia_kg_m2_ + load), kContactSteps));
+}
+
+ElasticTrain::Twist ElasticTrain::twist(const JointState& state) const {
+  actuator::Instant at = instant_of(actuator_, state, 0.0);
+  if (gap_ != nullptr) at.twist_rad = gap_->kind->law(*gap_, at);
+  if (gap_ != nullptr && at.twist_rad == 0.0) return {};
+  Twist twist;
+  if (spring_ != nullptr) {
+    twist.damping_Nm = spring_->values[1] * at.twist_rate_rad_s;
+    twist.torque_Nm = spring_->kind->law(*spring_, at);
+    twist.stored_J = 0.5 * (twist.torque_Nm - twist.damping_Nm) * at.twist_rad;
+  } else {
+    twist.damping_Nm = contact_Nm_s_rad_ * at.twist_rate_rad_s;
+    twist.torque_Nm = contact_Nm_rad_ * at.twist_rad + twist.damping_Nm;
+    twist.stored_J = 0.5 * contact_Nm_rad_ * at.twist_rad * at.twist_rad;
+  }
+  if (gap_ != nullptr && twist.torque_Nm * at.twist_rad < 0.0) {
+    // Flanks push, they do not pull.
+    twist.damping_Nm -= twist.torque_Nm;
+    twist.torque_Nm = 0.0;
+  }
+  return twist;
+}
+
+}  // namespace torquewright::simulation

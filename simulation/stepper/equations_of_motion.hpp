@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "simulation/plant.hpp"
+#include "simulation/stepper/plant_motion.hpp"
+
+namespace torquewright::simulation {
+
+/// Joints and plant at an instant: from states and drives to accelerations. `directions`: of each
+/// motor's motion, 0 where friction holds it. docs/derivations/simulation.md section 3. Keeps
+/// references to plant and models.
+class EquationsOfMotion {
+ public:
+  EquationsOfMotion(Plant& plant, const std::vector<JointModel>& models);
+
+  /// `imposed_rad_s2`: accelerations of outputs whose motion is imposed; null: none is.
+  PlantMotion motion(const PlantState& state, const std::vector<double>& directions,
+                     const std::vector<DriveNow>& drive, const Eigen::VectorXd* imposed_rad_s2);
+
+  /// Torques on the load with the held joints at rest; of an imposed motion only the forces.
+  PlantMotion held(const PlantState& state, const std::vector<double>& directions,
+                   const std::vector<DriveNow>& drive);
+
+  bool is_imposed() const { return plant_.is_imposed(); }
+  const std::vector<JointModel>& models() const { return models_; }
+
+ private:
+  PlantMotion forces(const PlantState& state, const std::vector<double>& directions,
+                     const std::vector<DriveNow>& drive) const;
+  void solve(const PlantState& state, const std::vector<double>& directions, PlantMotion& motion);
+  void set_plant(const PlantState& state);
+  void accelerate(const PlantState& state, const std::vector<double>& directions,
+                  const std::vector<bool>& positive, PlantMotion& motion) const;
+  bool correct_sides(const std::vector<double>& directions, const PlantMotion& motion,
+                     std::vector<bool>& positive) const;
+
+  Plant& plant_;
+  const std::vector<JointModel>& models_;
+  Eigen::VectorXd position_, speed_, bias_;
+  Eigen::MatrixXd mass_;
+};
+
+}  // namespace torquewright::simulation

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "simulation/stepper/equations_of_motion.hpp"
+#include "simulation/stepper/work_account.hpp"
+
+namespace torquewright::simulation {
+
+/// Where an imposed motion is in the middle and at the end of a step.
+struct ImposedStep {
+  double middle_position_rad = 0.0, middle_speed_rad_s = 0.0, middle_acceleration_rad_s2 = 0.0;
+  double end_position_rad = 0.0, end_speed_rad_s = 0.0;
+};
+
+/// Moves the joints of a plant through time. docs/derivations/simulation.md section 3. Keeps
+/// references to plant and models.
+class Stepper {
+ public:
+  Stepper(Plant& plant, const std::vector<JointModel>& models) : equations_(plant, models) {}
+
+  EquationsOfMotion& equations() { return equations_; }
+
+  /// One step with everything that has a rate of its own held; stops and starts within it are
+  /// found.
+  void advance(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
+               WorkAccount& work);
+
+  /// The same where the output's motion is imposed. Only the motor of an elastic train is
+  /// integrated.
+  void advance_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
+                       const ImposedStep& imposed, WorkAccount& work);
+
+ private:
+  /// A step of the midpoint rule, its middle and end.
+  struct Part {
+    PlantState middle, end;
+    PlantMotion motion;  ///< In the middle.
+  };
+  void midpoint(const PlantState& from, const std::vector<double>& directions,
+                const std::vector<DriveNow>& drive, double step_s, Part& part);
+  void advance_rigid_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
+                             const ImposedStep& imposed, WorkAccount& work);
+  void add_work(const PlantState& middle, const PlantMotion& motion, double step_s,
+                WorkAccount& work) const;
+
+  EquationsOfMotion equations_;
+};
+
+}  // namespace torquewright::simulation
