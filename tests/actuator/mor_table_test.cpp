@@ -85,6 +85,17 @@ TEST(MorTable, InterpolatesWithinItsStatedAccuracy) {
   }
 }
 
+// Oracle: 200 Nm before 5 Nm of friction: driving keeps 195, braking has 205; at 20 rad/s the
+// region is empty.
+TEST(MorRows, KnowTheGreatestTorqueOfTheSpeedsAskedFor) {
+  Actuator actuator = round_actuator();
+  actuator.effects.push_back(effect("coulomb_friction", {5.0}));
+  const Region region(actuator, {});
+  EXPECT_NEAR(mor_rows(region, {1.0, 20.0}).peak_torque_Nm, 205.0, 1e-10);   // least: -205
+  EXPECT_NEAR(mor_rows(region, {-1.0, 20.0}).peak_torque_Nm, 205.0, 1e-10);  // greatest
+  EXPECT_EQ(mor_rows(region, {20.0}).peak_torque_Nm, 0.0);
+}
+
 TEST(MorTableCsv, HasTheContractsColumnsAndAHeaderBlock) {
   const Actuator actuator = round_actuator();
   const MorTable table = mor_rows(Region(actuator, {}), {0.0, 20.0});

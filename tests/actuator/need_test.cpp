@@ -76,8 +76,20 @@ TEST(RatioSweep, GivesTheClosedFormsOfTheLine) {
   EXPECT_NEAR(*rows[1].margin_Nm, 100.0, 1e-9);
 }
 
-// Oracle: 250 Nm of dry friction at the joint against 20 Nm of the motor, at ratios up to 10: nothing
-// turns, and what does not turn drives with no torque, at no speed, with no power.
+// Evenly spaced in their logarithm: 5, 10, 20; one alone is the lowest.
+TEST(RatioSweep, RunsFromTheLowestRatioToTheHighest) {
+  Actuator actuator = round_actuator();
+  EXPECT_EQ(ratio_sweep(actuator, {}, 5.0, 20.0, 1, std::nullopt).front().ratio, 5.0);
+  actuator.transmission.ratio = -10.0;  // the present sign stays
+  const auto rows = ratio_sweep(actuator, {}, 5.0, 20.0, 3, std::nullopt);
+  EXPECT_NEAR(rows[0].ratio, -5.0, 1e-15);
+  EXPECT_NEAR(rows[1].ratio, -10.0, 1e-14);
+  EXPECT_EQ(rows[2].ratio, -20.0);
+  EXPECT_FALSE(rows[0].margin_Nm);
+}
+
+// Oracle: 250 Nm of dry friction at the joint against 20 Nm of the motor, at ratios up to 10:
+// nothing turns, and what does not turn drives with no torque, at no speed, with no power.
 TEST(RatioSweep, SaysThatFrictionHoldsTheMotor) {
   Actuator actuator = round_actuator();
   actuator.effects.push_back(effect("coulomb_friction", {250.0}));
