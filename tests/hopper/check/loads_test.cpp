@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flights, transmission loads, shared batteries and what is left over, of demands written by hand.
+// Flights, transmission loads, shared batteries, the choice of torques and what is left over, of
+// demands written by hand.
 // Oracles: areas of trapezoids, means by hand, Kirchhoff's quadratic.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "hopper/check/base_residual.hpp"
+#include "hopper/check/drive_reports.hpp"
 #include "hopper/check/flights.hpp"
 #include "hopper/check/shared_bus.hpp"
 #include "hopper/check/transmission_load.hpp"
@@ -218,6 +220,101 @@ TEST(SharedBus, StandsAtHalfTheOpenCircuitWhereItGivesOut) {
   EXPECT_DOUBLE_EQ(bus.least_V, 25.0);
   const std::vector<Finding> findings = shared_bus_findings(driven.checked(), {bus});
   EXPECT_FALSE(findings[0].limit);  // the battery states none
+}
+
+/// Two drives over four samples: 4 Nm of their rotors' own beside 10 and -20 Nm of the load.
+DrivenMotion with_rotors() {
+  DrivenMotion driven(4);
+  for (std::size_t drive = 0; drive < 2; ++drive) {
+    for (DriveInstant& at : driven.demand.drives[drive]) {
+      at.load_torque_Nm = drive == 0 ? 10.0 : -20.0;
+      at.torque_Nm = at.load_torque_Nm + 4.0;
+    }
+  }
+  driven.demand.forces_N.setZero(3, 4);
+  return driven;
+}
+
+Eigen::MatrixXd rows_of(double one_Nm, double two_Nm) {
+  Eigen::MatrixXd torques_Nm(2, 4);
+  torques_Nm.row(0).setConstant(one_Nm);
+  torques_Nm.row(1).setConstant(two_Nm);
+  return torques_Nm;
+}
+
+// Torques that are nearer to those with the rotors' own hold them already. What one of eight is off
+// is 1/sqrt(8) of it rms, beside the file's own 15.33 Nm rms: 2.1 Nm are 4.8 %, 2.2 Nm are 5.1 %.
+TEST(DriveTorques, AreTheFilesWhereTheyHoldTheRotors) {
+  for (const double off_Nm : {2.1, 2.2}) {
+    DrivenMotion driven = with_rotors();
+    driven.demand.file_torque_Nm = rows_of(14.0, -16.0);
+    driven.demand.file_torque_Nm(1, 2) -= off_Nm;
+    const DriveTorques torques = drive_torques(driven.checked());
+    EXPECT_TRUE(torques.from_file);
+    EXPECT_EQ(torques.inertia, actuator::InertiaConvention::kIncluded);
+    EXPECT_EQ(torques.torque_Nm, driven.demand.file_torque_Nm);
+    ASSERT_EQ(torques.findings.size(), 1u);
+    const Finding& finding = torques.findings[0];
+    EXPECT_EQ(finding.severity,
+              off_Nm < 2.15 ? actuator::Severity::kNote : actuator::Severity::kWarning);
+    EXPECT_DOUBLE_EQ(*finding.value, off_Nm);
+    EXPECT_DOUBLE_EQ(*finding.time_s, 0.02);
+    EXPECT_NE(finding.sentence.find(off_Nm < 2.15 ? "by 0.742 Nm rms" : "by 0.778 Nm rms"),
+              std::string::npos)
+        << finding.sentence;
+  }
+}
+
+// Torques of the load get the rotors' own added.
+TEST(DriveTorques, GetTheRotorsWhereTheFileLeavesThemOut) {
+  DrivenMotion driven = with_rotors();
+  driven.demand.file_torque_Nm = rows_of(10.0, -20.0);
+  driven.demand.file_torque_Nm(0, 1) += 0.5;
+  const DriveTorques torques = drive_torques(driven.checked());
+  EXPECT_TRUE(torques.from_file);
+  EXPECT_EQ(torques.inertia, actuator::InertiaConvention::kIncluded);  // as they now are
+  EXPECT_DOUBLE_EQ(torques.torque_Nm(0, 0), 14.0);
+  EXPECT_DOUBLE_EQ(torques.torque_Nm(0, 1), 14.5);
+  EXPECT_DOUBLE_EQ(torques.torque_Nm(1, 3), -16.0);
+  EXPECT_DOUBLE_EQ(*torques.findings[0].value, 0.5);
+  EXPECT_DOUBLE_EQ(*torques.findings[0].time_s, 0.01);
+  EXPECT_NE(torques.findings[0].sentence.find("without the rotors'"), std::string::npos);
+  EXPECT_EQ(torques.findings[0].severity, actuator::Severity::kNote);
+}
+
+TEST(DriveTorques, AreThoseThatWereAskedFor) {
+  DrivenMotion driven = with_rotors();
+  EXPECT_EQ(drive_torques(driven.checked()).torque_Nm, rows_of(14.0, -16.0));
+  driven.options.torques = TorqueSource::kFile;
+  EXPECT_THROW(drive_torques(driven.checked()), io::SpecError);
+  driven.demand.file_torque_Nm = rows_of(1.0, 2.0);
+  EXPECT_EQ(drive_torques(driven.checked()).torque_Nm, rows_of(1.0, 2.0));
+  driven.options.torques = TorqueSource::kDynamics;
+  EXPECT_EQ(drive_torques(driven.checked()).torque_Nm, rows_of(14.0, -16.0));
+  driven.demand.has_dynamics = false;  // then the file's are all there is
+  const DriveTorques torques = drive_torques(driven.checked());
+  EXPECT_EQ(torques.torque_Nm, rows_of(1.0, 2.0));
+  EXPECT_EQ(torques.inertia, actuator::InertiaConvention::kUnstated);
+  EXPECT_TRUE(torques.findings.empty());
+}
+
+// From the first sample to the last, each on its own drive.
+TEST(DriveReports, CountEverySampleOfTheirDrive) {
+  DrivenMotion driven = with_rotors();
+  DriveTorques torques = drive_torques(driven.checked());
+  torques.torque_Nm << 60.0, 1.0, 1.0, 1.0,  //
+      1.0, 1.0, 1.0, -70.0;
+  const DriveReports reports = check_drives(driven.checked(), torques, {});
+  ASSERT_EQ(reports.drives.size(), 2u);
+  EXPECT_EQ(reports.drives[0].samples, 4u);
+  EXPECT_DOUBLE_EQ(reports.drives[0].from_s, 0.0);
+  EXPECT_DOUBLE_EQ(reports.drives[0].until_s, 0.03);
+  EXPECT_DOUBLE_EQ(reports.drives[0].interpretation.peak_torque_Nm, 60.0);
+  EXPECT_DOUBLE_EQ(reports.drives[1].interpretation.peak_torque_Nm, 70.0);
+  const DriveReports second = check_drivetrain(driven.checked(), torques, {}, 1);
+  ASSERT_EQ(second.drives.size(), 1u);
+  EXPECT_EQ(second.drives[0].name, "two");
+  EXPECT_DOUBLE_EQ(second.drives[0].interpretation.peak_torque_Nm, 70.0);
 }
 
 // Oracle: means by hand over windows of 20 ms. Limits: a tenth of 100 N, and that times 0.5 m.

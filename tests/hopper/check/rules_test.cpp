@@ -226,7 +226,7 @@ Scene two_slides() {
     add_body(scene.robot, name, dynamics::JointKind::kPrismatic);
     scene.robot.tree.bodies.back().joint.axis = Eigen::Vector3d::UnitX();
   }
-  for (std::size_t body = 0; body < 3; ++body) {
+  for (const std::size_t body : {1u, 0u, 2u}) {
     scene.robot.spheres.push_back({{body, Eigen::Vector3d::Zero()}, 0.1});
   }
   scene.take_samples(4);
@@ -319,6 +319,10 @@ TEST(ImpactByMotors, IsHeldAgainstTheTimeBetweenTwoSamples) {
   ASSERT_EQ(impossible.size(), 1u);
   EXPECT_EQ(impossible[0].severity, Severity::kWarning);
   EXPECT_DOUBLE_EQ(*impossible[0].value, 2.1);
+  // Friction of 5 Nm forward only: backward the motor and it hold 205 Nm.
+  scene.robot.drivetrains[0].actuators[0].effects.push_back(
+      actuator::effect("asymmetric_friction", {5.0, 0.0, 0.0, 0.0}));
+  EXPECT_NEAR(*impact_by_motors(scene.checked())[0].limit, 2.05, 1e-12);
 }
 
 }  // namespace
