@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "actuator/region/torque_at.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::actuator {
@@ -101,6 +103,39 @@ TEST(JointRange, CountsPeriodicEffectsAtTheirWorstAngle) {
   const JointRange range = Region(actuator, {}).at(1.0);
   EXPECT_NEAR(range.greatest.torque_Nm, (200.0 - 3.0) * 0.95, 1e-10);
   EXPECT_NEAR(range.least.torque_Nm, -(200.0 - 3.0) * 0.95, 1e-10);
+}
+
+// Oracle: extremes by hand. cos x + cos 2x runs from -9/8 (at cos x = -1/4) to 2 (at 0): two
+// hundredths of the load take 9/8 of that from the greatest torque and from the least torque, whose
+// sign turns the wave over, 9/8 too; a fixed wave takes 9/8 from one and 2 from the other. Both
+// waves' ranges are granted curvature h^2/8 with h = 2 pi/128 (harmonics.cpp): (1 + 4) h^2/8 of the
+// amplitude.
+TEST(JointRange, TurnsAProportionalRippleOverWithTheLoad) {
+  const double quarter_rad = 0.5 * std::numbers::pi;
+  const double allowance = 5.0 * std::pow(2.0 * std::numbers::pi / 128.0, 2) / 8.0;
+  for (const bool is_proportional : {true, false}) {
+    const double amplitude = is_proportional ? 0.02 : 4.0;  // of 200 Nm, or in Nm
+    Actuator actuator = round_actuator();
+    actuator.effects.push_back(
+        harmonics("gear_ripple", {{1.0, amplitude, quarter_rad}, {2.0, amplitude, quarter_rad}},
+                  is_proportional));
+    const JointRange range = Region(actuator, {}).at(1.0);
+    EXPECT_NEAR(range.greatest.torque_Nm, 200.0 - 4.0 * 9.0 / 8.0, 4.0 * allowance);
+    EXPECT_NEAR(range.least.torque_Nm, -200.0 + 4.0 * (is_proportional ? 9.0 / 8.0 : 2.0),
+                4.0 * allowance);
+  }
+}
+
+// Oracle: the law written out. The ripple of -30 Nm that come through the mesh, at 0.4 rad.
+TEST(TorqueAt, TheRippleIsAShareOfTheLoadWithItsSign) {
+  Actuator actuator = round_actuator();
+  actuator.effects.push_back(harmonics("gear_ripple", {{3.0, 0.05, 0.2}}, true));
+  Instant at;
+  at.output_angle_rad = 0.4;
+  at.load_torque_Nm = -30.0;
+  EXPECT_NEAR(ripple_Nm(actuator, at), -30.0 * 0.05 * std::sin(1.4), 1e-15);
+  at.current_A = 4.0;  // 10 * 0.5 * 4 = 20 Nm before the ripple
+  EXPECT_NEAR(output_torque_Nm(actuator, at), 20.0 * (1.0 + 0.05 * std::sin(1.4)), 1e-14);
 }
 
 TEST(LeftOut, ListsWhatARegionCannotHold) {

@@ -62,6 +62,21 @@ TEST(MorTable, AscendsAndHasTwoRowsAtRestOnlyWhereItJumps) {
   }
 }
 
+// Friction of 5 Nm forward only, behind a gear that bears 199 Nm: before rest -199 to 199 (of 200),
+// after it -199 (of -205) to 195. One bound jumps.
+TEST(MorTable, HasTwoRowsAtRestWhereOneBoundJumps) {
+  Actuator actuator = round_actuator();
+  actuator.effects.push_back(effect("asymmetric_friction", {5.0, 0.0, 0.0, 0.0}));
+  actuator.transmission.peak_torque_Nm = 199.0;
+  const MorTable table = mor_table(Region(actuator, {}));
+  const auto first = std::find_if(table.rows.begin(), table.rows.end(),
+                                  [](const MorRow& row) { return row.speed_rad_s == 0.0; });
+  EXPECT_EQ(first->range.greatest.torque_Nm, 199.0);
+  ASSERT_EQ((first + 1)->speed_rad_s, 0.0);
+  EXPECT_NEAR((first + 1)->range.greatest.torque_Nm, 195.0, 1e-9);
+  EXPECT_EQ((first + 1)->range.least.torque_Nm, first->range.least.torque_Nm);
+}
+
 // Oracle: the region itself at 997 speeds that the table was not refined at; the contract's 0.1 %.
 TEST(MorTable, InterpolatesWithinItsStatedAccuracy) {
   for (unsigned seed = 0; seed < 60; ++seed) {
@@ -83,6 +98,17 @@ TEST(MorTable, InterpolatesWithinItsStatedAccuracy) {
           << seed << " at " << speed_rad_s << " of " << end_rad_s;
     }
   }
+}
+
+// Oracle: 200 Nm before 5 Nm of friction: driving keeps 195, braking has 205; at 20 rad/s the
+// region is empty.
+TEST(MorRows, KnowTheGreatestTorqueOfTheSpeedsAskedFor) {
+  Actuator actuator = round_actuator();
+  actuator.effects.push_back(effect("coulomb_friction", {5.0}));
+  const Region region(actuator, {});
+  EXPECT_NEAR(mor_rows(region, {1.0, 20.0}).peak_torque_Nm, 205.0, 1e-10);   // least: -205
+  EXPECT_NEAR(mor_rows(region, {-1.0, 20.0}).peak_torque_Nm, 205.0, 1e-10);  // greatest
+  EXPECT_EQ(mor_rows(region, {20.0}).peak_torque_Nm, 0.0);
 }
 
 TEST(MorTableCsv, HasTheContractsColumnsAndAHeaderBlock) {

@@ -237,6 +237,18 @@ TEST(MotorRange, EndsAtZeroWithoutRegenerationAndReportsPlugging) {
   EXPECT_EQ(fast.why_empty, Limiter::kRegeneration);
 }
 
+// The same backwards: the model knows no direction.
+TEST(MotorRange, ReportsPluggingBackwardsWhereThereIsSome) {
+  Actuator actuator = round_actuator();
+  actuator.drive.regeneration = false;
+  const PhaseModel model = phase_model_at(actuator, {});
+  const MotorRange slow = motor_range(model, -30.0);
+  ASSERT_TRUE(slow.plugging);
+  EXPECT_NEAR(slow.plugging->least_Nm, 0.5 * 0.5 * 30.0 / 0.5, 1e-10);
+  EXPECT_NEAR(slow.plugging->greatest_Nm, 20.0, 1e-10);
+  EXPECT_FALSE(motor_range(model, -90.0).plugging);
+}
+
 // Oracle: electrical in = copper + bridge + shaft at every bound, from its own current and voltage:
 // 1.5 (v_d i_d + v_q i_q), with saturation absent and the back-EMF that goes with the constant.
 TEST(MotorRange, ConservesPowerAtEveryBound) {

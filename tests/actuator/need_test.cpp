@@ -33,6 +33,22 @@ TEST(Need, NamesTheLeastCurrentThatWouldDo) {
   EXPECT_NEAR(*result.nearest_ratio, 15.0, 1e-6);
 }
 
+// Oracle: the same 60 A whichever rating is asked: a continuous current above the drive's peak of
+// 40 A needs a drive with that peak too, and the need counts it. At half the need 30 A do, which
+// the peak already allows.
+TEST(Need, RaisesThePeakWhereTheContinuousCurrentWouldPassIt) {
+  Actuator actuator = round_actuator();
+  actuator.drive.continuous_current_A = 20.0;
+  OperatingConditions continuous;
+  continuous.rating = Rating::kContinuous;
+  for (const double torque_Nm : {300.0, 150.0}) {
+    const NeedAnswer result = answer(actuator, continuous, {torque_Nm, 1.0});
+    EXPECT_EQ(result.limiter, Limiter::kCurrent);
+    ASSERT_TRUE(result.least_current_A);
+    EXPECT_NEAR(*result.least_current_A, torque_Nm / 5.0, 1e-6);
+  }
+}
+
 // 150 Nm at 9 rad/s by ratio: 0.5 i N = 150 and 0.5 i + 4.5 N = 50 have no common solution with
 // i <= 40: N >= 7.5, and (50 - 4.5 N) N >= 150 holds for 5 <= N <= 6.1 only.
 TEST(Need, SaysWhereNoRatioWouldDo) {
@@ -58,6 +74,30 @@ TEST(RatioSweep, GivesTheClosedFormsOfTheLine) {
     EXPECT_NEAR(row.greatest_power_W, 1200.0, 1e-2);
   }
   EXPECT_NEAR(*rows[1].margin_Nm, 100.0, 1e-9);
+}
+
+// Evenly spaced in their logarithm: 5, 10, 20; one alone is the lowest.
+TEST(RatioSweep, RunsFromTheLowestRatioToTheHighest) {
+  Actuator actuator = round_actuator();
+  EXPECT_EQ(ratio_sweep(actuator, {}, 5.0, 20.0, 1, std::nullopt).front().ratio, 5.0);
+  actuator.transmission.ratio = -10.0;  // the present sign stays
+  const auto rows = ratio_sweep(actuator, {}, 5.0, 20.0, 3, std::nullopt);
+  EXPECT_NEAR(rows[0].ratio, -5.0, 1e-15);
+  EXPECT_NEAR(rows[1].ratio, -10.0, 1e-14);
+  EXPECT_EQ(rows[2].ratio, -20.0);
+  EXPECT_FALSE(rows[0].margin_Nm);
+}
+
+// Oracle: 250 Nm of dry friction at the joint against 20 Nm of the motor, at ratios up to 10:
+// nothing turns, and what does not turn drives with no torque, at no speed, with no power.
+TEST(RatioSweep, SaysThatFrictionHoldsTheMotor) {
+  Actuator actuator = round_actuator();
+  actuator.effects.push_back(effect("coulomb_friction", {250.0}));
+  for (const RatioRow& row : ratio_sweep(actuator, {}, 5.0, 10.0, 2, std::nullopt)) {
+    EXPECT_EQ(row.stall_torque_Nm, 0.0);
+    EXPECT_EQ(row.no_load_speed_rad_s, 0.0);
+    EXPECT_EQ(row.greatest_power_W, 0.0);
+  }
 }
 
 }  // namespace

@@ -72,14 +72,27 @@ TEST(Structures, ShareIsTheVarianceThatVariesWithTheCoordinate) {
   EXPECT_NEAR(current.level.back(), a, 5.0 * s / std::sqrt(kRuns * kSamples / 16.0));
 }
 
-// Oracle: what was put in. A friction that depends on the angle changes sign with the direction:
-// nothing along the angle itself, all of it along the angle times the direction.
+// Oracle: closed form. A friction of 2 at a share p of the angles changes sign with the direction:
+// nothing along the angle itself; along the angle times the direction 4 p of 4 p + s^2, less what
+// the one bin of 16 that holds both levels cannot follow, at most 4 / 4 / 16. The noise's own
+// square is known to sqrt(2/6000), 0.001 of all: four times that.
 TEST(Structures, FrictionLikeIsSeenTimesTheDirectionOnly) {
-  const Swings swings([](const actuator::Instant& at, double noise) {
-    return -at.direction * (at.output_angle_rad > 0.3 ? 2.0 : 0.0) + 0.3 * noise;
+  const double s = 0.3;
+  const auto is_tight = [](const actuator::Instant& at) { return at.output_angle_rad > 0.3; };
+  const Swings swings([&](const actuator::Instant& at, double noise) {
+    return -at.direction * (is_tight(at) ? 2.0 : 0.0) + s * noise;
   });
+  double tight_square = 0.0;
+  for (const Signals& run : swings.signals) {
+    tight_square += 4.0 *
+                    static_cast<double>(std::count_if(run.at.begin(), run.at.end(), is_tight)) /
+                    static_cast<double>(kRuns * kSamples);
+  }
   const auto found = residual_structures(swings.traces);
-  EXPECT_GT(of(found, "output_position_rad", true).share, 0.8);
+  const double all = tight_square + s * s;
+  const double share = of(found, "output_position_rad", true).share;
+  EXPECT_LE(share, tight_square / all + 0.004);
+  EXPECT_GE(share, (tight_square - 1.0 / 16.0) / all - 0.004);
   EXPECT_LT(of(found, "output_position_rad", false).share, 0.05);
 }
 

@@ -119,8 +119,9 @@ TEST(Plan, IsNeverWorseThanTheChirpForWhatIsWorstOff) {
   }
 }
 
-// Where only the angle is noisy, what is seen of a torque is noisy by the inertia, the load's too:
-// ten times the wheel must be known ten times worse, less what the rotor has of it.
+// Oracle: where only the angle is noisy, what is seen of a torque is the noise's second derivative
+// times all the inertia that turns, wheel and rotor: errors are as those inertias, but for
+// rounding.
 TEST(Plan, ErrorsByTheAnglesNoiseGrowWithTheLoadsInertia) {
   PlanOptions options = asked({"coulomb_friction"});
   options.duration_s = 8.0;
@@ -132,7 +133,11 @@ TEST(Plan, ErrorsByTheAnglesNoiseGrowWithTheLoadsInertia) {
     rig.load.inertia_kg_m2 = inertia_kg_m2;
     return plan_excitation(rig, bench_actuator(), options).parameters[0].chirp.standard_error;
   };
-  EXPECT_GT(error(1.0), 2.0 * error(0.1));
+  const actuator::Actuator actuator = bench_actuator();
+  const double rotor_kg_m2 =
+      std::pow(actuator.transmission.ratio, 2) * actuator.motor.rotor_inertia_kg_m2;
+  const double expected = (1.0 + rotor_kg_m2) / (0.1 + rotor_kg_m2);  // 8.83
+  EXPECT_NEAR(error(1.0) / error(0.1), expected, 1e-12 * expected);
 }
 
 TEST(Plan, RefusesToExpectErrorsWithoutNoise) {
