@@ -11,8 +11,8 @@
 
 #include "src/command_line/command_line.hpp"
 #include "src/command_line/exit_status.hpp"
-#include "tests/oracles/problem_document.hpp"
 #include "tests/gearbox/search/search_comparison.hpp"
+#include "tests/oracles/problem_document.hpp"
 
 namespace torquewright::bench {
 namespace {

@@ -89,7 +89,7 @@ std::optional<double> FourBar::crank_rad(double rocker_rad) const {
   // The side of the crossed linkage changes where the parallelogram's does.
   const int side = has_change_points() && std::sin(rocker_rad) < 0 ? -1 : 1;
   return closing_angle_rad(2 * a * pin.x(), 2 * a * pin.y(), pin.squaredNorm() + a * a - b * b,
-                       side * geometry_.branch);
+                           side * geometry_.branch);
 }
 
 std::optional<Transfer> FourBar::transfer(const SmallVector& joint_rad,

@@ -5,16 +5,18 @@
 
 <<<<<<< HEAD:tests/gearbox/topologies/planetary_test.cpp
 #include "tests/gearbox/example_problem.hpp"
-    =======
+    == == ==
+    =
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "example_problem.hpp"
-    >>>>>>> 2bf9e496875bd1a72365b23d678192bffe0afcac:tests/gearbox/planetary_test.cpp
+        >>>>>>> 2bf9e496875bd1a72365b23d678192bffe0afcac : tests / gearbox /
+                                                           planetary_test.cpp
 
-    namespace torquewright::gearbox {
+                                                           namespace torquewright::gearbox {
   namespace {
 
   Problem stage() {
