@@ -10,7 +10,7 @@ struct ResidualPeak {
   double mean = 0.0;  ///< N, or Nm.
   double limit = 0.0;
   double time_s = 0.0;
-  double share_beyond = 0.0;  ///< Of the samples at which a window begins.
+  double share_beyond = 0.0;  ///< Windows beyond the limit over all samples.
 };
 
 /// Force and moment that the motion needs and nothing gives: a motion of a body without wings has

@@ -78,7 +78,9 @@ TEST(Effects, HaveTheGradientOfTheirLaw) {
     for (int repetition = 0; repetition < 50; ++repetition) {
       Effect effect = some_effect(*kind, random);
       effect.proportional = kind->name == "gear_ripple" && repetition % 2 == 1;
-      const Instant at = some_instant(random);
+      Instant at = some_instant(random);
+      if (repetition % 5 == 3) at.direction = 0.0;
+      if (repetition % 5 == 4) at.direction *= 0.4;  // it reverses within the instant's time
       std::vector<double> gradient(kind->parameters.size() + 2 * effect.harmonics.size());
       kind->gradient(effect, at, gradient);
       for (std::size_t i = 0; i < gradient.size(); ++i) {
@@ -197,6 +199,31 @@ TEST(PreslidingFriction, FollowsDahlsClosedForm) {
   EXPECT_NEAR(at.state, 2.0 * (1.0 - std::exp(-100.0 * 0.05 / 2.0)), 1e-7);
 }
 
+// Oracle: half the play lies on either side. Without play everything is beyond it.
+TEST(Backlash, IsTheTwistBeyondHalfTheGap) {
+  Instant at;
+  for (const double sign : {1.0, -1.0}) {
+    at.twist_rad = sign * 0.3;
+    const Effect play = effect("backlash", {0.2});
+    EXPECT_DOUBLE_EQ(play.kind->law(play, at), sign * 0.2);
+    const Effect none = neutral(*play.kind);
+    EXPECT_DOUBLE_EQ(none.kind->law(none, at), sign * 0.3);
+    at.twist_rad = sign * 0.09;
+    EXPECT_EQ(play.kind->law(play, at), 0.0);
+  }
+}
+
+// Oracle: the lag's equation tau dT/dt = asked - T, and none without a time constant.
+TEST(TorqueLag, FollowsByItsTimeConstant) {
+  Instant at;
+  at.input = 5.0;
+  at.state = 2.0;
+  const Effect lag = effect("torque_lag", {0.25});
+  EXPECT_DOUBLE_EQ(lag.kind->state_rate(lag, at), 12.0);
+  const Effect none = effect("torque_lag", {0.0});
+  EXPECT_EQ(none.kind->state_rate(none, at), 0.0);
+}
+
 // Oracle: for a slow sum of sines the extremes are found on a grid 1000 times finer.
 TEST(HarmonicRange, HoldsEveryAngleAndIsTight) {
   const std::vector<Harmonic> waves{{1.0, 0.7, 0.3}, {3.0, 0.5, -1.0}, {12.0, 0.2, 2.0}};
@@ -235,6 +262,18 @@ TEST(EffectSpec, ReadsBackWhatItWrites) {
     EXPECT_EQ(read->kind, written.kind);
     EXPECT_EQ(read->values, written.values);
     EXPECT_EQ(read->harmonics.size(), written.harmonics.size());
+  }
+}
+
+// Just inside and just outside.
+TEST(EffectSpec, RefusesOrdersThatAreNone) {
+  for (const double order : {0.0, 1e-3, 10000.0, 10000.1}) {
+    std::vector<io::Fault> faults;
+    const nlohmann::json wave = {{"order", order}, {"amplitude_Nm", 0.1}, {"phase_rad", 0.0}};
+    read_effect({{"effect", "cogging_torque"}, {"parameters", {{"harmonics", {wave}}}}}, "f",
+                "/effects/0", faults);
+    EXPECT_EQ(faults.empty(), order > 0.0 && order <= 10000.0)
+        << order << (faults.empty() ? "" : faults[0].message);
   }
 }
 

@@ -11,7 +11,7 @@
 #include "actuator/exporters/exporter.hpp"
 #include "actuator/lint/check.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "hopper/mechanisms/mechanism_type.hpp"
+#include "hopper/mechanisms/mechanism_type_spec.hpp"
 #include "tests/gates/excuses.hpp"
 #include "tests/gates/source_tree.hpp"
 

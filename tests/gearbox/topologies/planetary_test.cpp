@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "example_problem.hpp"
+#include "tests/gearbox/example_problem.hpp"
         >>>>>>> 2bf9e496875bd1a72365b23d678192bffe0afcac : tests / gearbox /
                                                            planetary_test.cpp
 
