@@ -14,6 +14,7 @@
 #include "io/provenance.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/options/noise_option.hpp"
+#include "src/report/plan_json.hpp"
 #include "src/report/plan_text.hpp"
 #include "src/standard_output.hpp"
 

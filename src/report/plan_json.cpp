@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
+#include "src/report/plan_json.hpp"
 
-#include "src/report/plan_text.hpp"
+#include <cmath>
 
 namespace torquewright::report {
 namespace {
