@@ -16,10 +16,18 @@ namespace {
 
 using command_line::Command;
 
+/// A command that only leads to those that are added to it.
+Command add_group(Command& program, const std::string& name, const std::string& question,
+                  const std::string& example) {
+  Command group = program.add_command(name, question);
+  group.require_command();
+  group.example("torquewright " + example);
+  return group;
+}
+
 void add_gearbox_commands(Command& program) {
-  Command gearbox = program.add_command("gearbox", "Which teeth?");
-  gearbox.require_command();
-  gearbox.example("torquewright gearbox optimize specs/gearbox/d110a_ankle.json --top 3");
+  Command gearbox = add_group(program, "gearbox", "Which teeth?",
+                              "gearbox optimize specs/gearbox/d110a_ankle.json --top 3");
   add_optimize_command(gearbox);
   add_evaluate_command(gearbox);
   add_verify_command(gearbox);
@@ -27,27 +35,24 @@ void add_gearbox_commands(Command& program) {
 }
 
 void add_actuator_commands(Command& program) {
-  Command actuator = program.add_command("actuator", "What can the actuator do?");
-  actuator.require_command();
-  actuator.example("torquewright actuator mor specs/actuator/d110a_ankle.json --need 100@15");
+  Command actuator = add_group(program, "actuator", "What can the actuator do?",
+                               "actuator mor specs/actuator/d110a_ankle.json --need 100@15");
   add_lint_command(actuator);
   add_mor_command(actuator);
   add_check_command(actuator);
 }
 
 void add_hopper_commands(Command& program) {
-  Command hopper = program.add_command("hopper", "Can it do the motion?");
-  hopper.require_command();
-  hopper.example(
-      "torquewright hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv");
+  Command hopper =
+      add_group(program, "hopper", "Can it do the motion?",
+                "hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv");
   add_hopper_check_command(hopper);
   add_calibrate_command(hopper);
 }
 
 void add_robot_commands(Command& program) {
-  Command robot = program.add_command("robot", "Robots from and for other programs");
-  robot.require_command();
-  robot.example("torquewright robot export specs/robot/rabbit.json --format urdf");
+  Command robot = add_group(program, "robot", "Robots from and for other programs",
+                            "robot export specs/robot/rabbit.json --format urdf");
   add_import_command(robot);
   add_export_command(robot);
 }

@@ -44,7 +44,7 @@ ordered_json winding_json(const WindingReport& winding) {
           {"resolution_s", winding.resolution_s}};
 }
 
-/// The keys of a interpretation, which are a joint's own, too.
+/// The keys of an interpretation, which are a joint's own, too.
 void add_reading(const Interpretation& interpretation, std::size_t samples, ordered_json& entry) {
   entry["clipped_samples"] = interpretation.clipped_samples;
   entry["clipped_share"] = share(interpretation.clipped_samples, samples);

@@ -102,7 +102,7 @@ struct CheckReport {
   std::string sha256;                           ///< Of the trajectory.
 };
 
-/// A interpretation fails where a sample is clipped or the winding passes its limit in the runs
+/// An interpretation fails where a sample is clipped or the winding passes its limit in the runs
 /// asked for.
 bool fails(const Interpretation& interpretation);
 

@@ -119,8 +119,8 @@ RatioRow ratio_row(const Actuator& actuator, const OperatingConditions& conditio
 
 }  // namespace
 
-NeedAnswer answer(const Actuator& actuator, const OperatingConditions& conditions,
-                  const Need& need) {
+NeedAnswer answer_need(const Actuator& actuator, const OperatingConditions& conditions,
+                       const Need& need) {
   NeedAnswer result;
   result.range = Region(actuator, conditions).at(need.speed_rad_s);
   result.margin_Nm = margin_Nm(result.range, need.torque_Nm);

@@ -28,8 +28,8 @@ struct NeedAnswer {
 constexpr double kGreatestChange = 10.0;  ///< Factor on voltage, current or ratio.
 
 /// Requires that there are no objections to the conditions.
-NeedAnswer answer(const Actuator& actuator, const OperatingConditions& conditions,
-                  const Need& need);
+NeedAnswer answer_need(const Actuator& actuator, const OperatingConditions& conditions,
+                       const Need& need);
 
 /// What one ratio would make of the same motor, drive and losses.
 struct RatioRow {

@@ -69,7 +69,7 @@ MorAnswer sweep(const MorRequest& request, const MorInputs& inputs) {
 MorAnswer answer_need(const MorRequest& request, const MorInputs& inputs,
                       const actuator::Need& need) {
   const actuator::NeedAnswer answer =
-      actuator::answer(inputs.read.actuator, inputs.conditions, need);
+      actuator::answer_need(inputs.read.actuator, inputs.conditions, need);
   return {request.json ? with_provenance(report::need_json(need, answer), inputs)
                        : report::need_text(inputs.read.actuator, need, answer),
           "", answer.is_reached ? ExitCode::kPasses : ExitCode::kFails};

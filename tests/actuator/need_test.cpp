@@ -13,7 +13,7 @@ namespace {
 // Oracle: the quasi-static line in closed form. 150 Nm at 9 rad/s: 15 Nm and 90 rad/s at the rotor,
 // 30 A; there is 0.5 (50 - 45)/0.5 = 5 Nm. V = R i + K w = 15 + 45 = 60 V would do.
 TEST(Need, NamesTheLeastVoltageThatWouldDo) {
-  const NeedAnswer result = answer(round_actuator(), {}, {150.0, 9.0});
+  const NeedAnswer result = answer_need(round_actuator(), {}, {150.0, 9.0});
   EXPECT_FALSE(result.is_reached);
   EXPECT_NEAR(result.margin_Nm, 50.0 - 150.0, 1e-9);
   EXPECT_EQ(result.limiter, Limiter::kVoltage);
@@ -24,7 +24,7 @@ TEST(Need, NamesTheLeastVoltageThatWouldDo) {
 
 // 300 Nm at 1 rad/s: 30 Nm is 60 A at the rotor; R i + K w = 30 + 5 <= 50 V.
 TEST(Need, NamesTheLeastCurrentThatWouldDo) {
-  const NeedAnswer result = answer(round_actuator(), {}, {300.0, 1.0});
+  const NeedAnswer result = answer_need(round_actuator(), {}, {300.0, 1.0});
   EXPECT_EQ(result.limiter, Limiter::kCurrent);
   ASSERT_TRUE(result.least_current_A);
   EXPECT_NEAR(*result.least_current_A, 60.0, 1e-6);
@@ -42,7 +42,7 @@ TEST(Need, RaisesThePeakWhereTheContinuousCurrentWouldPassIt) {
   OperatingConditions continuous;
   continuous.rating = Rating::kContinuous;
   for (const double torque_Nm : {300.0, 150.0}) {
-    const NeedAnswer result = answer(actuator, continuous, {torque_Nm, 1.0});
+    const NeedAnswer result = answer_need(actuator, continuous, {torque_Nm, 1.0});
     EXPECT_EQ(result.limiter, Limiter::kCurrent);
     ASSERT_TRUE(result.least_current_A);
     EXPECT_NEAR(*result.least_current_A, torque_Nm / 5.0, 1e-6);
@@ -52,11 +52,11 @@ TEST(Need, RaisesThePeakWhereTheContinuousCurrentWouldPassIt) {
 // 150 Nm at 9 rad/s by ratio: 0.5 i N = 150 and 0.5 i + 4.5 N = 50 have no common solution with
 // i <= 40: N >= 7.5, and (50 - 4.5 N) N >= 150 holds for 5 <= N <= 6.1 only.
 TEST(Need, SaysWhereNoRatioWouldDo) {
-  EXPECT_FALSE(answer(round_actuator(), {}, {150.0, 9.0}).nearest_ratio);
+  EXPECT_FALSE(answer_need(round_actuator(), {}, {150.0, 9.0}).nearest_ratio);
 }
 
 TEST(Need, GivesTheMarginWhereItIsReached) {
-  const NeedAnswer result = answer(round_actuator(), {}, {-150.0, 9.0});
+  const NeedAnswer result = answer_need(round_actuator(), {}, {-150.0, 9.0});
   EXPECT_TRUE(result.is_reached);
   EXPECT_NEAR(result.margin_Nm, 50.0, 1e-9);
   EXPECT_EQ(result.limiter, Limiter::kCurrent);

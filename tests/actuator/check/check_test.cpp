@@ -2,7 +2,6 @@
 // Whole checks of motions whose every figure has a closed form, and every verdict and finding.
 #include "actuator/check/check.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,60 +9,16 @@
 
 #include "actuator/check/check_report_spec.hpp"
 #include "actuator/effects/library.hpp"
-#include "tests/actuator/check/refusal.hpp"
-#include "tests/actuator/check/simple_actuator.hpp"
-#include "tests/io/scratch_folder.hpp"
+#include "tests/actuator/check/checked_joint.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A motion of joint k, checked against one actuator.
-class Checked {
- public:
-  explicit Checked(Actuator actuator = test::simple_actuator()) : actuator_(std::move(actuator)) {
-    request_.drives = {{"k", &actuator_, {}}};
-  }
-  CheckRequest& request() { return request_; }
-
-  CheckReport report(const std::string& text) {
-    request_.trajectory = folder_.write("m.csv", text);
-    return check(request_);
-  }
-  std::string refusal(const std::string& text) {
-    return test::refusal([&] { report(text); }, folder_.path());
-  }
-
- private:
-  test::ScratchFolder folder_;
-  Actuator actuator_;
-  CheckRequest request_;
-};
-
-using Function = double (*)(double);
-
-std::string motion(int intervals, Function position, Function velocity, Function torque) {
-  std::string text = "time_s";
-  if (position != nullptr) text += ",k_position_rad";
-  if (velocity != nullptr) text += ",k_velocity_rad_s";
-  if (torque != nullptr) text += ",k_torque_Nm";
-  for (int i = 0; i <= intervals; ++i) {
-    const double t = static_cast<double>(i) / intervals;
-    text += fmt::format("\n{}", t);
-    for (const Function function : {position, velocity, torque}) {
-      if (function != nullptr) text += fmt::format(",{}", function(t));
-    }
-  }
-  return text + "\n";
-}
-
-bool has_finding(const CheckReport& report, const std::string& rule, Severity severity) {
-  for (const Finding& finding : report.findings) {
-    if (finding.rule == rule && finding.severity == severity) return true;
-  }
-  return false;
-}
+using check_test::Checked;
+using check_test::has_finding;
+using check_test::motion;
 
 double steady_5(double) { return 5.0; }
 double turning_5(double t) { return 5.0 * t; }
@@ -297,6 +252,15 @@ TEST(Check, TracesAreThinnedButKeepViolations) {
   EXPECT_LE(report.traces[0].size(), Trace::kMostPoints);
   EXPECT_GT(report.traces[0].size(), Trace::kMostPoints / 4);
   EXPECT_TRUE(report.traces[0].back().is_outside);
+  // Oracle: every n-th sample, n a power of two: what is left inside lies at even steps from 0 on.
+  std::vector<double> inside_s;
+  for (const TracePoint& point : report.traces[0]) {
+    if (!point.is_outside) inside_s.push_back(point.time_s);
+  }
+  const double step_s = 16.0 / 50000.0;  // 37501 samples inside, at most 4000 of them kept
+  for (std::size_t i = 0; i < inside_s.size(); ++i) {
+    ASSERT_NEAR(inside_s[i], static_cast<double>(i) * step_s, 1e-12);
+  }
   for (std::size_t i = 1; i < report.traces[0].size(); ++i) {
     ASSERT_LE(report.traces[0][i - 1].time_s, report.traces[0][i].time_s);
   }

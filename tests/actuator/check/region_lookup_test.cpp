@@ -57,6 +57,15 @@ TEST(RegionLookup, JudgesAsTheRegionItselfDoes) {
   }
 }
 
+// Oracle: the region itself, which has no row to look up beyond the table's ends.
+TEST(RegionLookup, AsksTheRegionBeyondItsTable) {
+  const RegionLookup lookup(test::simple_actuator(), {});
+  const double beyond_rad_s = 1.5 * lookup.region().greatest_speed_rad_s();
+  for (const double speed_rad_s : {-beyond_rad_s, beyond_rad_s}) {
+    EXPECT_EQ(lookup.near(speed_rad_s).is_empty, lookup.exact(speed_rad_s).is_empty);
+  }
+}
+
 TEST(RegionLookup, TakesTheUnionAtRest) {
   const RegionLookup lookup(curved_actuator(), {});
   const TorqueRange rest = lookup.near(0.0);

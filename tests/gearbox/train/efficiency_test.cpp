@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "gearbox/train/power_flow.hpp"
+#include "tests/gearbox/train/random_trains.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -136,17 +136,10 @@ std::vector<double> pattern_search(double ratio_1, double ratio_2,
 }
 
 TEST(ThreeKEfficiency, AgreesWithTheSearchOverPowerFlows) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> ratio_1(0.5, 9.0);
-  std::uniform_real_distribution<double> ratio_2(0.2, 1.8);
-  std::uniform_real_distribution<double> efficiency(0.9, 0.9999);
+  test::RandomTrains trains(5);
   int locking = 0;
   for (int trial = 0; trial < 50000; ++trial) {
-    const double first = ratio_1(random);
-    const double second = ratio_2(random);
-    if (std::abs(second - 1.0) < 1e-3) continue;
-    const ThreeKMeshEfficiencies<double> mesh{efficiency(random), efficiency(random),
-                                              efficiency(random)};
+    const auto [first, second, mesh] = trains.next();
     const TrainEfficiency closed = three_k_efficiency(first, second, mesh);
     const auto forward = pattern_search(first, second, mesh, true);
     const auto backward = pattern_search(first, second, mesh, false);

@@ -9,11 +9,12 @@
 #include "gearbox/topologies/three_k.hpp"
 #include "gearbox/train/power_flow.hpp"
 #include "tests/gearbox/example_problem.hpp"
+#include "tests/gearbox/train/random_trains.hpp"
 
 namespace torquewright::gearbox {
 namespace {
 
-// Ratios keep |1 - I2| above 1e-3, so a handful of roundings grow a thousandfold at most.
+// A handful of roundings, grown a thousandfold (RandomTrains).
 constexpr double kRounding = 1e-11;
 
 double sum_of(const ThreeKLosses& losses) {
@@ -26,17 +27,10 @@ bool is_loss(const ThreeKLosses& losses) {
 }
 
 TEST(Losses, SumToWhatTheTrainLoses) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> ratio_1(0.5, 9.0);
-  std::uniform_real_distribution<double> ratio_2(0.2, 1.8);
-  std::uniform_real_distribution<double> efficiency(0.9, 0.9999);
+  test::RandomTrains trains(11);
   int locking = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    const double first = ratio_1(random);
-    const double second = ratio_2(random);
-    if (std::abs(second - 1.0) < 1e-3) continue;
-    const ThreeKMeshEfficiencies<double> mesh{efficiency(random), efficiency(random),
-                                              efficiency(random)};
+    const auto [first, second, mesh] = trains.next();
     const TrainEfficiency train = three_k_efficiency(first, second, mesh);
     const ThreeKLosses forward = three_k_forward_losses(first, second, mesh, train);
     ASSERT_TRUE(is_loss(forward));

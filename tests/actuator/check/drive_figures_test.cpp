@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a report says of a drive besides its torques, and the words of its findings.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "actuator/check/check.hpp"
+#include "actuator/check/region_lookup.hpp"
+#include "actuator/effects/library.hpp"
+#include "tests/actuator/check/checked_joint.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+using check_test::Checked;
+using check_test::motion;
+
+double back_7(double) { return -7.0; }
+double slow(double) { return 1.0; }
+double angle(double t) { return std::sin(6.0 * t); }
+double rate(double t) { return 6.0 * std::cos(6.0 * t); }
+double against(double t) { return -rate(t); }
+double rate_in_degrees(double t) { return rate(t) * 180.0 / std::numbers::pi; }
+
+/// The sentence of the only finding with that rule; empty: there is none.
+std::string sentence_of(const CheckReport& report, const std::string& rule) {
+  std::string found;
+  for (const Finding& finding : report.findings) {
+    if (finding.rule == rule) found += finding.sentence;
+  }
+  return found;
+}
+
+bool says(const std::string& sentence, const std::string& words) {
+  return sentence.find(words) != std::string::npos;
+}
+
+TEST(DriveFigures, PeakSpeedIsThatOfEitherDirection) {
+  Checked checked;
+  EXPECT_EQ(checked.report(motion(4, nullptr, back_7, slow)).drives[0].peak_speed_rad_s, 7.0);
+}
+
+// Oracle: sums by hand. N^2 J = 0.01 kg m^2, and the effect's own 0.03.
+TEST(DriveFigures, ArmatureHoldsAStatedReflectedInertia) {
+  Actuator actuator = test::simple_actuator();
+  EXPECT_NEAR(armature_kg_m2(actuator), 0.01, 1e-15);
+  actuator.effects.push_back({find_effect("reflected_inertia"), {0.03}, {}, false, ""});
+  EXPECT_NEAR(armature_kg_m2(actuator), 0.04, 1e-15);
+}
+
+TEST(DriveFigures, ListEffectsThatNoRegionHolds) {
+  Actuator actuator = test::simple_actuator();
+  const EffectKind* kind = find_effect("backlash");
+  actuator.effects.push_back(
+      {kind, std::vector<double>(kind->parameters.size(), 0.01), {}, false, ""});
+  Checked checked(actuator);
+  const auto left_out = checked.report(motion(4, nullptr, slow, slow)).drives[0].left_out;
+  EXPECT_TRUE(std::any_of(left_out.begin(), left_out.end(),
+                          [](const std::string& each) { return says(each, "backlash"); }));
+}
+
+// Oracle: the region of the simple actuator ends at 48 + 15 rad/s; of the speeds beyond, that at
+// 0.5 s is the fastest.
+TEST(DriveFigures, WithoutTorqueTheFastestImpossibleSpeedIsNamed) {
+  Checked checked;
+  const CheckReport report =
+      checked.report("time_s,k_velocity_rad_s\n0,5\n0.25,70\n0.5,-90\n0.75,80\n1,5\n");
+  const DriveReport& drive = report.drives[0];
+  EXPECT_EQ(drive.impossible_speeds, 3u);
+  EXPECT_EQ(*drive.limiting_speed_rad_s, -90.0);
+  EXPECT_EQ(*drive.limiting_time_s, 0.5);
+  EXPECT_TRUE(says(sentence_of(report, "motor-operating-region"), "-90 rad/s (t = 0.5 s)"));
+  EXPECT_EQ(sentence_of(report, "torque-missing"), "");
+}
+
+// Beyond the region's end its reason is the one of the region there, asked at that speed.
+TEST(DriveFigures, AnEmptyRegionSaysItsOwnReason) {
+  Actuator actuator = test::simple_actuator();
+  const double speed_rad_s = 70.0;
+  const JointRange truth = RegionLookup(actuator, {}).exact(speed_rad_s);
+  ASSERT_TRUE(truth.is_empty);
+  ASSERT_NE(truth.why_empty, WorstSample{}.limiter);  // else nothing would be seen
+  Checked checked(actuator);
+  const auto fast = [](double) { return 70.0; };
+  const CheckReport report = checked.report(motion(4, nullptr, fast, slow));
+  EXPECT_EQ(report.drives[0].interpretation.worst.limiter, truth.why_empty);
+}
+
+// Oracle: which of three mistakes was made; the sentence names that one and no other.
+TEST(Findings, NameTheMistakeThatAVelocityLooksLike) {
+  Checked checked;
+  const std::string signs =
+      sentence_of(checked.report(motion(200, angle, against, slow)), "velocity-mismatch");
+  EXPECT_TRUE(says(signs, "their signs differ")) << signs;
+  EXPECT_FALSE(says(signs, "degrees")) << signs;
+  const std::string degrees =
+      sentence_of(checked.report(motion(200, angle, rate_in_degrees, slow)), "velocity-mismatch");
+  EXPECT_TRUE(says(degrees, "it seems to be in degrees, the position in rad")) << degrees;
+  EXPECT_FALSE(says(degrees, "signs")) << degrees;
+  EXPECT_FALSE(says(degrees, "the position seems")) << degrees;
+  const auto halved = [](double t) { return 0.5 * rate(t); };
+  const std::string half =
+      sentence_of(checked.report(motion(200, angle, halved, slow)), "velocity-mismatch");
+  EXPECT_TRUE(says(half, "0.5")) << half;
+  EXPECT_FALSE(says(half, ";")) << half;
+}
+
+// Oracle: 20 rad/s in degrees is 1146, which as rad/s is 24 times the no-load speed of 48; 1e5
+// rad/s would be absurd in degrees per second too.
+TEST(Findings, GuessDegreesOnlyWhereDegreesWouldBePlausible) {
+  Checked checked;
+  const auto degrees = [](double) { return 20.0 * 180.0 / std::numbers::pi; };
+  const std::string hint =
+      sentence_of(checked.report(motion(4, nullptr, degrees, slow)), "speed-implausible");
+  EXPECT_TRUE(says(hint, "degrees under a header in rad?")) << hint;
+  const auto absurd = [](double) { return 1e5; };
+  const std::string none =
+      sentence_of(checked.report(motion(4, nullptr, absurd, slow)), "speed-implausible");
+  EXPECT_NE(none, "");
+  EXPECT_FALSE(says(none, "degrees")) << none;
+}
+
+// Oracle: after a pause of many time constants the winding is at the ambient again: however often
+// the motion is repeated, its peak is that of the first run.
+TEST(WindingReport, StartsColdAfterALongPause) {
+  Actuator actuator = test::simple_actuator();
+  actuator.thermal = Thermal{0.2, 0.3, 20.0, 200.0, 380.0, 300.0};
+  actuator.motor.winding_temperature_K = 300.0;
+  Checked checked(actuator);
+  const auto rest = [](double) { return 0.0; };
+  const auto hold = [](double) { return 20.0; };
+  const std::string text = motion(10, nullptr, rest, hold);
+  const WindingReport once = *checked.report(text).drives[0].interpretation.winding;
+  checked.request().runs = 7;
+  checked.request().pause_s = 1e5;  // the slowest time constant is near 100 s
+  const WindingReport often = *checked.report(text).drives[0].interpretation.winding;
+  EXPECT_EQ(once.runs, 1u);
+  EXPECT_EQ(often.runs, 7u);
+  EXPECT_GT(once.peak_K, 305.0);
+  EXPECT_NEAR(often.peak_K, once.peak_K, 1e-9);
+  EXPECT_NEAR(often.steady_peak_K.value(), once.peak_K, 1e-9);
+}
+
+}  // namespace
+}  // namespace torquewright::actuator
