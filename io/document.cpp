@@ -8,7 +8,7 @@
 
 #include "io/diagnosis.hpp"
 #include "io/file_bytes.hpp"
-#include "io/json_text.hpp"
+#include "io/json_reader.hpp"
 #include "io/schema.hpp"
 #include "io/sha256.hpp"
 #include "io/wording.hpp"

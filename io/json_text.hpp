@@ -20,9 +20,6 @@ struct JsonText {
   std::vector<Fault> faults;  ///< Syntax (with line and column), duplicate keys, numbers, depth.
 };
 
-/// Reads strict JSON in UTF-8, with or without a byte order mark.
-JsonText read_json_text(std::string_view text, const std::string& file);
-
 /// A document as it is written to files: one value a line, a line break at its end. Bytes that are
 /// no UTF-8 (the name of a file may hold some) become the replacement character.
 std::string json_text(const nlohmann::ordered_json& document, int indent = 1);

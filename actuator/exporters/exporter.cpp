@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/exporters/exporter.hpp"
 
-#include "actuator/exporters/every_exporter.hpp"
-
 namespace torquewright::actuator {
 
 std::string_view name_of(LawFit fit) { return fit == LawFit::kBest ? "best" : "conservative"; }
@@ -18,19 +16,5 @@ double Subject::armature_kg_m2() const {
 }
 
 double Subject::bus_voltage_V() const { return open_circuit_voltage_V(actuator, conditions); }
-
-std::span<const Exporter* const> exporter_library() {
-#define LIST(name) &exporters::name,
-  static constexpr const Exporter* kExporters[] = {TORQUEWRIGHT_EVERY_EXPORTER(LIST)};
-#undef LIST
-  return kExporters;
-}
-
-const Exporter* find_exporter(std::string_view name) {
-  for (const Exporter* exporter : exporter_library()) {
-    if (exporter->name == name) return exporter;
-  }
-  return nullptr;
-}
 
 }  // namespace torquewright::actuator

@@ -72,10 +72,4 @@ struct Exporter {
                        const std::vector<std::string>& note);
 };
 
-/// Every exporter, in the order of every_exporter.hpp.
-std::span<const Exporter* const> exporter_library();
-
-/// The exporter of that name; nullptr if there is none.
-const Exporter* find_exporter(std::string_view name);
-
 }  // namespace torquewright::actuator

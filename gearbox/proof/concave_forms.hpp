@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gearbox/proof/relaxation.hpp"
+#include "gearbox/proof/linearization.hpp"
 
 namespace torquewright::gearbox::proof {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gearbox/proof/tree.hpp"
+#include "gearbox/proof/account.hpp"
 
 namespace torquewright::gearbox::proof {
 

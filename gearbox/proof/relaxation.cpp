@@ -66,17 +66,6 @@ std::optional<Linearization> linearize_quantity(const Claim& claim, const Altern
 
 }  // namespace
 
-Linearization& Linearization::operator+=(const Linearization& other) {
-  value += other.value;
-  for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] += other.gradient[i];
-  return *this;
-}
-
-void Linearization::scale(const Interval& factor) {
-  value *= factor;
-  for (Interval& slope : gradient) slope *= factor;
-}
-
 std::optional<Linearization> linearize(const Claim& claim, const Alternative& alternative,
                                        const Condition& condition, const Box& box,
                                        const RealPoint& point) {
@@ -91,16 +80,6 @@ std::optional<Linearization> linearize(const Claim& claim, const Alternative& al
       return linearize_quantity(claim, alternative, box, point);
   }
   return std::nullopt;
-}
-
-bool is_negative_on(const Linearization& function, const RealPoint& point, const Box& box) {
-  Interval greatest = function.value;
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const Interval to_lower = Rational(Rational(static_cast<long>(box.lower[i])) - point[i]);
-    const Interval to_upper = Rational(Rational(static_cast<long>(box.upper[i])) - point[i]);
-    greatest += max(function.gradient[i] * to_lower, function.gradient[i] * to_upper);
-  }
-  return greatest.certainly_negative();
 }
 
 }  // namespace torquewright::gearbox::proof

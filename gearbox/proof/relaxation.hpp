@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
-#include "gearbox/proof/claim.hpp"
+#include "gearbox/proof/linearization.hpp"
 
 namespace torquewright::gearbox::proof {
-
-/// A real point of a box, as the certificate writes it.
-using RealPoint = std::array<Rational, 3>;
-
-/// Value and gradient of a concave function at a point.
-struct Linearization {
-  Interval value;
-  std::array<Interval, 3> gradient;
-
-  Linearization& operator+=(const Linearization& other);
-  void scale(const Interval& factor);
-};
 
 /// h_c of docs/certificate.md, linearised at `point`, which lies in the box; empty where the
 /// condition has no concave form there.
 std::optional<Linearization> linearize(const Claim& claim, const Alternative& alternative,
                                        const Condition& condition, const Box& box,
                                        const RealPoint& point);
-
-/// Whether the linearisation is below zero everywhere in the box.
-bool is_negative_on(const Linearization& function, const RealPoint& point, const Box& box);
 
 }  // namespace torquewright::gearbox::proof

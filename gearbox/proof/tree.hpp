@@ -3,18 +3,9 @@
 
 #include <string>
 
-#include "gearbox/proof/json_reading.hpp"
-#include "gearbox/proof/refutation.hpp"
-#include "gearbox/proof/verdict.hpp"
+#include "gearbox/proof/account.hpp"
 
 namespace torquewright::gearbox::proof {
-
-/// What the parts of the checker write into.
-struct Account {
-  Faults faults;
-  Counts counts;
-  Budget budget;
-};
 
 /// Checks that `nodes`, the proof tree in preorder, shows the claim for every point of the root
 /// box. Stops at the first fault: what follows it has no meaning.

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "gearbox/search/alternatives.hpp"
-#include "gearbox/search/least_minima.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -7,18 +7,9 @@
 #include <vector>
 
 #include "gearbox/problem.hpp"
+#include "gearbox/search/least_minima.hpp"
 
 namespace torquewright::gearbox {
-
-/// For a range of alpha_min, the least minima that make a design the optimum: any minima that are
-/// at least one of these (and at most the design's own teeth) do.
-struct OptimalWhen {
-  double clearance_above_rad = 0.0;  ///< alpha_min > this ...
-  double clearance_up_to_rad = 0.0;  ///< ... and <= this.
-  bool from_zero = false;            ///< The range starts at alpha_min = 0, that included.
-  /// By free gear; 0: no minimum needed. Empty: no minima make it the optimum in this range.
-  std::vector<std::vector<std::int64_t>> least_minima;
-};
 
 /// Where a design stands among all others.
 struct Standing {

@@ -42,14 +42,4 @@ struct MechanismType {
   nlohmann::ordered_json (*write)(const Mechanism& mechanism);
 };
 
-/// All that documents may name.
-std::span<const MechanismType* const> mechanism_types();
-
-/// Adds a fault for each key of other types, and for each one that is needed and missing; whether
-/// there was none.
-bool has_right_keys(const MechanismType& type, const MechanismKeys& keys);
-
-/// A mechanism's own keys in a document, beside type, joints and actuators.
-nlohmann::ordered_json mechanism_keys(const Mechanism& mechanism);
-
 }  // namespace torquewright::hopper

@@ -12,7 +12,7 @@
 #include "actuator/check/drive_check.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "hopper/find_name.hpp"
-#include "hopper/mechanisms/mechanism_type_spec.hpp"
+#include "hopper/mechanisms/library_spec.hpp"
 #include "hopper/robot/mechanism_reach.hpp"
 #include "hopper/robot/transmission_limit_spec.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "hopper/mechanisms/mechanism_type_spec.hpp"
+#include "hopper/mechanisms/library_spec.hpp"
 #include "hopper/robot/rotations.hpp"
 
 namespace torquewright::hopper {

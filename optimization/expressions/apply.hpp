@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "optimization/expressions/expression.hpp"
+#include "optimization/expressions/operation.hpp"
 
 namespace torquewright::optimization {
 

@@ -5,28 +5,10 @@
 #include <vector>
 
 #include "io/rational.hpp"
+#include "optimization/expressions/operation.hpp"
 #include "optimization/expressions/precise_interval.hpp"
 
 namespace torquewright::optimization {
-
-enum class Operation {
-  kConstant,
-  kVariable,
-  kNegate,
-  kSum,
-  kDifference,
-  kProduct,
-  kQuotient,
-  kSquare,
-  kSquareOver,
-  kSquareRoot,
-  kArcSine,
-  kArcCosine,
-  kArcTangent,
-  kAbsolute,
-  kMinimum,
-  kMaximum,
-};
 
 struct ExpressionNode;
 

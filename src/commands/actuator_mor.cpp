@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "actuator/exporters/library.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "actuator/region/mor_table_spec.hpp"
 #include "actuator/region/need.hpp"

@@ -5,7 +5,7 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "io/file_bytes.hpp"
-#include "io/json_text.hpp"
+#include "io/json_reader.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/proof_check.hpp"
 #include "src/standard_output.hpp"

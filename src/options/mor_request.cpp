@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "actuator/exporters/exporter.hpp"
+#include "actuator/exporters/library.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::cli {

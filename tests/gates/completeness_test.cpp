@@ -8,10 +8,10 @@
 #include <ostream>
 
 #include "actuator/effects/library.hpp"
-#include "actuator/exporters/exporter.hpp"
+#include "actuator/exporters/library.hpp"
 #include "actuator/lint/check.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "hopper/mechanisms/mechanism_type_spec.hpp"
+#include "hopper/mechanisms/library_spec.hpp"
 #include "tests/gates/excuses.hpp"
 #include "tests/gates/source_tree.hpp"
 

@@ -125,12 +125,17 @@ bool is_source(const fs::path& file) {
 
 }  // namespace
 
-std::string objection(std::string_view file, std::string_view included) {
-  // A path with ".." in it would slip through everything below.
-  if (included.find("..") != std::string_view::npos) return "headers are named from the root";
+std::string objection(std::string_view file, const Include& include) {
+  const std::string& included = include.name;
   const std::string from = folder_of(file);
   const std::string to = folder_of(included);
-  if (!kMayInclude.contains(to)) {
+  if (to == "tests" || to == "bench") return to + "/ is not for the library";
+  const bool is_ours = kMayInclude.contains(to);
+  // A path from the file's own folder, or with ".." in it, would slip through everything below.
+  if (included.find("..") != std::string::npos || (include.is_quoted && !is_ours)) {
+    return "our headers are named from the root, those of others in <>";
+  }
+  if (!is_ours) {
     if (included.starts_with("CLI/") && !file.starts_with("src/command_line/")) {
       return "only src/command_line/ includes CLI11";
     }
@@ -147,27 +152,36 @@ std::string objection(std::string_view file, std::string_view included) {
   return from + "/ does not stand above " + to + "/";
 }
 
-std::vector<std::string> included_names(std::string_view text) {
-  static const std::regex kDirective(R"re((?:^|\n)[ \t]*#[ \t]*include[ \t]*["<]([^">\n]*)[">])re");
-  std::vector<std::string> names;
+std::vector<Include> includes_in(std::string_view text) {
+  static const std::regex kDirective(
+      R"re((?:^|\n)[ \t]*#[ \t]*include[ \t]*(["<])([^">\n]*)[">])re");
+  std::vector<Include> includes;
   using Iterator = std::regex_iterator<std::string_view::const_iterator>;
   for (Iterator found(text.begin(), text.end(), kDirective); found != Iterator(); ++found) {
-    names.push_back((*found)[1].str());
+    includes.push_back({(*found)[2].str(), (*found)[1].str() == "\""});
   }
-  return names;
+  return includes;
 }
 
-std::vector<std::string> find_objections(const fs::path& root) {
-  std::vector<std::string> sentences;
+std::vector<SourceFile> library_sources(const fs::path& root) {
+  std::vector<SourceFile> sources;
   for (const auto& [folder, others] : kMayInclude) {
     if (!fs::is_directory(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       if (!is_source(entry.path())) continue;
-      const std::string file = entry.path().lexically_relative(root).generic_string();
-      for (const std::string& name : included_names(text_of(entry.path()))) {
-        const std::string why = objection(file, name);
-        if (!why.empty()) sentences.push_back(file + " includes " + name + ": " + why);
-      }
+      sources.push_back({entry.path().lexically_relative(root).generic_string(),
+                         includes_in(text_of(entry.path()))});
+    }
+  }
+  return sources;
+}
+
+std::vector<std::string> find_objections(const fs::path& root) {
+  std::vector<std::string> sentences;
+  for (const SourceFile& source : library_sources(root)) {
+    for (const Include& include : source.includes) {
+      const std::string why = objection(source.name, include);
+      if (!why.empty()) sentences.push_back(source.name + " includes " + include.name + ": " + why);
     }
   }
   std::sort(sentences.begin(), sentences.end());

@@ -8,12 +8,25 @@
 
 namespace torquewright::layers {
 
-/// Why the file (named from the repository's root) may not include `included`; empty if it may.
-/// Names of headers that are not ours are free, but for the solvers, each at home in optimization/.
-std::string objection(std::string_view file, std::string_view included);
+struct Include {
+  std::string name;
+  bool is_quoted = true;  ///< "name" and not <name>.
+};
 
-/// The names in the #include directives of a text, whether "quoted" or <bracketed>.
-std::vector<std::string> included_names(std::string_view text);
+/// What the #include directives of a text name.
+std::vector<Include> includes_in(std::string_view text);
+
+/// A source of the library or the program, by its path from the repository's root.
+struct SourceFile {
+  std::string name;
+  std::vector<Include> includes;
+};
+std::vector<SourceFile> library_sources(const std::filesystem::path& root);
+
+/// Why the file (named from the repository's root) may not include that; empty if it may. Headers
+/// that are not ours are free, but for the solvers and the parser of command lines, each at home in
+/// one place.
+std::string objection(std::string_view file, const Include& include);
 
 /// One sentence for every objectionable include of every source under the root. Tests and
 /// benchmarks may include anything.

@@ -10,6 +10,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string objection(std::string_view file, const std::string& included) {
+  return objection(file, Include{included, true});
+}
+
+std::string objection_to_foreign(std::string_view file, const std::string& included) {
+  return objection(file, Include{included, false});
+}
+
 TEST(Sources, IncludeOnlyDownward) {
   for (const std::string& sentence : find_objections(TORQUEWRIGHT_SOURCE_DIR)) {
     ADD_FAILURE() << sentence;
@@ -39,8 +47,6 @@ TEST(Objection, IsRaisedUpwardAndSideways) {
 TEST(Objection, IsNotRaisedDownward) {
   for (const auto& [file, included] : std::vector<std::pair<std::string, std::string>>{
            {"io/a.cpp", "io/b.hpp"},
-           {"io/a.cpp", "vector"},
-           {"io/a.cpp", "nlohmann/json.hpp"},
            {"gearbox/a.cpp", "optimization/b.hpp"},
            {"gearbox/search/a.cpp", "gearbox/topologies/b.hpp"},
            {"hopper/a.cpp", "actuator/b.hpp"},
@@ -97,33 +103,58 @@ TEST(Objection, KeepsTheCheckerOfProofsApart) {
 
 TEST(Objection, KeepsSolversInOptimization) {
   for (const char* solver : {"IpTNLP.hpp", "coin/IpTNLP.hpp", "coin-or/IpTNLP.hpp", "nlopt.hpp"}) {
-    EXPECT_EQ(objection("optimization/a.cpp", solver), "") << solver;
-    EXPECT_EQ(objection("gearbox/a.cpp", solver), "only optimization/ includes a solver") << solver;
+    EXPECT_EQ(objection_to_foreign("optimization/a.cpp", solver), "") << solver;
+    EXPECT_EQ(objection_to_foreign("gearbox/a.cpp", solver), "only optimization/ includes a solver")
+        << solver;
   }
 }
 
 TEST(Objection, KeepsTheParserOfCommandLinesInItsRoom) {
-  EXPECT_EQ(objection("src/command_line/a.cpp", "CLI/CLI.hpp"), "");
+  EXPECT_EQ(objection_to_foreign("src/command_line/a.cpp", "CLI/CLI.hpp"), "");
   for (const char* file : {"src/main.cpp", "src/commands/a.cpp", "src/options/a.hpp"}) {
-    EXPECT_EQ(objection(file, "CLI/CLI.hpp"), "only src/command_line/ includes CLI11") << file;
+    EXPECT_EQ(objection_to_foreign(file, "CLI/CLI.hpp"), "only src/command_line/ includes CLI11")
+        << file;
   }
   EXPECT_NE(objection("src/command_line/a.cpp", "src/options/b.hpp"), "");
 }
 
-TEST(IncludedNames, AreFoundHoweverTheyAreSpaced) {
-  EXPECT_EQ(included_names("#include \"a/b.hpp\"\n  #  include <c>\nint x;\n// #include \"d\"\n"),
-            (std::vector<std::string>{"a/b.hpp", "c"}));
+TEST(Objection, IsRaisedToWhatIsNotForTheLibrary) {
+  EXPECT_EQ(objection("io/a.cpp", "tests/io/b.hpp"), "tests/ is not for the library");
+  EXPECT_EQ(objection("src/main.cpp", "bench/b.hpp"), "bench/ is not for the library");
+}
+
+TEST(Objection, IsRaisedToPathsThatDoNotBeginAtTheRoot) {
+  for (const char* included : {"b.hpp", "region/b.hpp", "../region/b.hpp", "actuator/../b.hpp"}) {
+    EXPECT_NE(objection("actuator/motor/a.cpp", included), "") << included;
+  }
+  for (const char* included : {"vector", "nlohmann/json.hpp"}) {
+    EXPECT_EQ(objection_to_foreign("io/a.cpp", included), "") << included;
+  }
+}
+
+TEST(IncludesIn, AreFoundHoweverTheyAreSpaced) {
+  const std::vector<Include> found =
+      includes_in("#include \"a/b.hpp\"\n  #  include <c>\nint x;\n// #include \"d\"\n");
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].name, "a/b.hpp");
+  EXPECT_TRUE(found[0].is_quoted);
+  EXPECT_EQ(found[1].name, "c");
+  EXPECT_FALSE(found[1].is_quoted);
 }
 
 TEST(FindObjections, CatchesAnUpwardIncludeInATree) {
   const test::ScratchFolder folder;
   fs::create_directories(folder.path() / "io" / "deep");
+  fs::create_directories(folder.path() / "actuator" / "motor");
   folder.write("io/fine.cpp", "#include \"io/fine.hpp\"\n");
   EXPECT_TRUE(find_objections(folder.path()).empty());
   folder.write("io/deep/bad.hpp", "#pragma once\n#include \"src/main.hpp\"\n");
+  folder.write("actuator/motor/bad.cpp", "#include \"actuator/region/region.hpp\"\n");
   EXPECT_EQ(find_objections(folder.path()),
-            std::vector<std::string>{
-                "io/deep/bad.hpp includes src/main.hpp: io/ does not stand above src/"});
+            (std::vector<std::string>{
+                "actuator/motor/bad.cpp includes actuator/region/region.hpp: actuator/motor/ does "
+                "not stand above actuator/region/",
+                "io/deep/bad.hpp includes src/main.hpp: io/ does not stand above src/"}));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "actuator/exporters/library.hpp"
 #include "actuator/exporters/simulator_file.hpp"
 #include "io/file_bytes.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"

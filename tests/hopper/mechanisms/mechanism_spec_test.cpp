@@ -6,7 +6,7 @@
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/mjcf_writer.hpp"
 #include "hopper/files/urdf_writer.hpp"
-#include "hopper/mechanisms/mechanism_type_spec.hpp"
+#include "hopper/mechanisms/library_spec.hpp"
 #include "hopper/robot/robot_json.hpp"
 #include "hopper/robot/robot_spec.hpp"
 #include "tests/hopper/mechanisms/ankles.hpp"
