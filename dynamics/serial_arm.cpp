@@ -2,7 +2,6 @@
 // Equations: docs/derivations/serial_arm.md.
 #include "dynamics/serial_arm.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -124,23 +123,6 @@ void SerialArm::mass_matrix(const Vector& position_rad, MatrixOut out) {
   for (Eigen::Index j = 0; j < joints_; ++j) {
     for (Eigen::Index k = j + 1; k < joints_; ++k) out(j, k) = out(k, j);
   }
-}
-
-bool SerialArm::forward_dynamics(const Vector& position_rad, const Vector& velocity_rad_s,
-                                 const Vector& torque_Nm, const Vector& added_inertia_kg_m2,
-                                 VectorOut acceleration_rad_s2) {
-  require_size(torque_Nm);
-  require_size(added_inertia_kg_m2);
-  require_size(acceleration_rad_s2);
-  bias(position_rad, velocity_rad_s, torque_Nm_);
-  mass_matrix(position_rad, mass_matrix_);
-  mass_matrix_.diagonal() += added_inertia_kg_m2;
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(mass_matrix_);  // in place
-  if (factors.info() != Eigen::Success) return false;
-  torque_Nm_ = torque_Nm - torque_Nm_;
-  factors.solveInPlace(torque_Nm_);
-  acceleration_rad_s2 = torque_Nm_;
-  return true;
 }
 
 double SerialArm::kinetic_energy_J(const Vector& position_rad, const Vector& velocity_rad_s) {

@@ -62,11 +62,6 @@ class SerialArm {
   void mass_matrix(const Vector& position_rad, MatrixOut out);
   /// Coriolis, centrifugal and gravity torques: those that hold still accelerations of zero.
   void bias(const Vector& position_rad, const Vector& velocity_rad_s, VectorOut torque_Nm);
-  /// added_inertia_kg_m2: of each joint's rotor as it reflects at the joint; 0 for none. False, and
-  /// the result untouched, where inertia is missing (M is not positive definite).
-  [[nodiscard]] bool forward_dynamics(const Vector& position_rad, const Vector& velocity_rad_s,
-                                      const Vector& torque_Nm, const Vector& added_inertia_kg_m2,
-                                      VectorOut acceleration_rad_s2);
 
   double kinetic_energy_J(const Vector& position_rad, const Vector& velocity_rad_s);
   /// Zero with all mass at the height of the first joint.

@@ -45,7 +45,8 @@ ordered_json winding_json(const WindingReport& winding) {
 }
 
 /// The keys of an interpretation, which are a joint's own, too.
-void add_reading(const Interpretation& interpretation, std::size_t samples, ordered_json& entry) {
+void add_interpretation(const CheckedInterpretation& interpretation, std::size_t samples,
+                        ordered_json& entry) {
   entry["clipped_samples"] = interpretation.clipped_samples;
   entry["clipped_share"] = share(interpretation.clipped_samples, samples);
   entry["clipped_time_s"] = interpretation.clipped_time_s;
@@ -64,7 +65,7 @@ void add_reading(const Interpretation& interpretation, std::size_t samples, orde
 }
 
 /// A joint without torque has the same keys, with what cannot be told null.
-void add_unknown_reading(const DriveReport& drive, ordered_json& entry) {
+void add_unknown_interpretation(const DriveReport& drive, ordered_json& entry) {
   const bool is_impossible = drive.impossible_speeds > 0;
   entry["clipped_samples"] = is_impossible ? ordered_json(drive.impossible_speeds) : ordered_json();
   entry["clipped_share"] =
@@ -76,11 +77,11 @@ void add_unknown_reading(const DriveReport& drive, ordered_json& entry) {
   }
 }
 
-ordered_json reading_json(const Interpretation& interpretation, std::size_t samples,
-                          bool includes_inertia) {
+ordered_json interpretation_json(const CheckedInterpretation& interpretation, std::size_t samples,
+                                 bool includes_inertia) {
   ordered_json entry{{"torque_includes_inertia", includes_inertia},
                      {"verdict", fails(interpretation) ? "fail" : "pass"}};
-  add_reading(interpretation, samples, entry);
+  add_interpretation(interpretation, samples, entry);
   return entry;
 }
 
@@ -101,17 +102,17 @@ ordered_json joint_json(const DriveReport& drive) {
       {"name", drive.name},       {"actuator", drive.actuator}, {"verdict", name_of(drive.verdict)},
       {"samples", drive.samples}, {"from_s", drive.from_s},     {"until_s", drive.until_s}};
   if (drive.has_torque) {
-    add_reading(drive.interpretation, drive.samples, entry);
+    add_interpretation(drive.interpretation, drive.samples, entry);
   } else {
-    add_unknown_reading(drive, entry);
+    add_unknown_interpretation(drive, entry);
   }
   entry["peak_speed_rad_s"] = drive.peak_speed_rad_s;
   entry["no_load_speed_rad_s"] = number(drive.no_load_speed_rad_s);
   entry["armature_kg_m2"] = drive.armature_kg_m2;
   entry["torque_includes_inertia"] = inertia_json(drive);
   if (drive.with_inertia) {
-    entry["readings"] = {reading_json(drive.interpretation, drive.samples, true),
-                         reading_json(*drive.with_inertia, drive.samples, false)};
+    entry["readings"] = {interpretation_json(drive.interpretation, drive.samples, true),
+                         interpretation_json(*drive.with_inertia, drive.samples, false)};
   }
   entry["velocity_differentiated"] = drive.is_speed_differentiated;
   entry["left_out"] = drive.left_out;

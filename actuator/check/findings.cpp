@@ -31,7 +31,7 @@ std::string limit_words(const WorstSample& worst) {
   return fmt::format("{:.6g} Nm ({})", *worst.limit_Nm, name_of(worst.limiter));
 }
 
-Finding region_violation(const DriveReport& drive, const Interpretation& interpretation,
+Finding region_violation(const DriveReport& drive, const CheckedInterpretation& interpretation,
                          Severity severity, const char* how) {
   const WorstSample& worst = interpretation.worst;
   Finding result = finding(
@@ -48,7 +48,7 @@ Finding region_violation(const DriveReport& drive, const Interpretation& interpr
   return result;
 }
 
-std::string in_brief(const DriveReport& drive, const Interpretation& interpretation) {
+std::string in_brief(const DriveReport& drive, const CheckedInterpretation& interpretation) {
   std::string text =
       fmt::format("{} ({} clipped, margin {:.6g} Nm)", fails(interpretation) ? "fails" : "passes",
                   percent(interpretation.clipped_samples, drive.samples), interpretation.margin_Nm);

@@ -106,8 +106,8 @@ WorstSample InterpretationCheck::exactly(WorstSample sample, const CheckBasis& b
   return sample;
 }
 
-Interpretation InterpretationCheck::finish(std::size_t runs, double pause_s) const {
-  Interpretation interpretation = interpretation_;
+CheckedInterpretation InterpretationCheck::finish(std::size_t runs, double pause_s) const {
+  CheckedInterpretation interpretation = interpretation_;
   const double duration_s = last_s_ - first_s_;
   interpretation.clipped_time_s = clipped_.sum();
   interpretation.worst = exactly(interpretation_.worst, *basis_of_worst_);

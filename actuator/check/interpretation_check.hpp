@@ -33,7 +33,7 @@ class InterpretationCheck {
   /// Times ascend. True if the sample lies outside the region.
   bool add(double time_s, double speed_rad_s, double torque_Nm);
 
-  Interpretation finish(std::size_t runs, double pause_s) const;
+  CheckedInterpretation finish(std::size_t runs, double pause_s) const;
 
  private:
   void add_demand(double time_s, double speed_rad_s, double torque_Nm, const TorqueRange& range);
@@ -43,7 +43,7 @@ class InterpretationCheck {
   const CheckBasis* basis_;
   const CheckBasis* basis_of_worst_;
   const CheckBasis* basis_of_first_ = nullptr;  ///< Null: none lies outside.
-  Interpretation interpretation_;
+  CheckedInterpretation interpretation_;
   std::size_t samples_ = 0;
   double worst_excess_Nm_ = -kUnlimited;
   double speed_margin_rad_s_ = kUnlimited;

@@ -15,7 +15,7 @@ std::string_view name_of(Verdict verdict) {
   return "undecided";
 }
 
-bool fails(const Interpretation& interpretation) {
+bool fails(const CheckedInterpretation& interpretation) {
   if (interpretation.clipped_samples > 0) return true;
   return interpretation.winding &&
          !(interpretation.winding->peak_K <= interpretation.winding->limit_K);

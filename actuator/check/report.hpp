@@ -39,7 +39,7 @@ struct WorstSample {
 };
 
 /// What follows from torque and speed against the region: one interpretation of the data.
-struct Interpretation {
+struct CheckedInterpretation {
   std::size_t clipped_samples = 0;
   double clipped_time_s = 0.0;  ///< By the trapezoidal rule, like all integrals over time.
   WorstSample worst;
@@ -77,8 +77,8 @@ struct DriveReport {
   std::optional<double> limiting_time_s;
   std::size_t impossible_speeds = 0;  ///< Samples at speeds where the region is empty.
   InertiaConvention inertia = InertiaConvention::kUnstated;
-  Interpretation interpretation;  ///< As the file has it, or as the user says it is.
-  std::optional<Interpretation>
+  CheckedInterpretation interpretation;  ///< As the file has it, or as the user says it is.
+  std::optional<CheckedInterpretation>
       with_inertia;                   ///< Where that is open: with the rotor's torque added.
   double velocity_over_slope = 1.0;   ///< Logged velocity over d(position)/dt, least squares.
   double velocity_correlation = 0.0;  ///< Of the two, squared; 0: not compared.
@@ -104,6 +104,6 @@ struct CheckReport {
 
 /// An interpretation fails where a sample is clipped or the winding passes its limit in the runs
 /// asked for.
-bool fails(const Interpretation& interpretation);
+bool fails(const CheckedInterpretation& interpretation);
 
 }  // namespace torquewright::actuator

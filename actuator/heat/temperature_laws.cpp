@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "actuator/effects/temperature_factor.hpp"
+
 namespace torquewright::actuator {
 namespace {
 
@@ -28,7 +30,7 @@ double resistance_coefficient_1_K(const Actuator& actuator) {
 double resistance_factor(const Actuator& actuator, const Instant& at) {
   const Effect* stated = stated_resistance_law(actuator);
   if (stated != nullptr) return stated->kind->law(*stated, at);
-  return 1.0 + kCopperCoefficient_1_K * (at.winding_temperature_K - at.reference_temperature_K);
+  return effects::temperature_factor(kCopperCoefficient_1_K, at);
 }
 
 double phase_resistance_ohm(const Actuator& actuator, double temperature_K) {

@@ -44,7 +44,7 @@ const Check back_emf_constant = {
     .weight = Weight::kContradiction,
     .stated = back_emf_stated,
     .expected = back_emf_expected,
-    .families = {emf_interpretations},
+    .interpreters = {emf_interpretations},
 };
 
 const Check velocity_constant = {
@@ -59,7 +59,7 @@ const Check velocity_constant = {
                               "velocity_constant_rpm_V");
         },
     .expected = velocity_constant_expected,
-    .families = {emf_interpretations, side_interpretations},
+    .interpreters = {emf_interpretations, side_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

@@ -44,8 +44,9 @@ struct Check {
   Weight weight = Weight::kContradiction;
   std::optional<RoundedInterval> (*stated)(const Actuator& document) = nullptr;
   std::optional<RoundedInterval> (*expected)(const Interpretation& interpretation) = nullptr;
-  std::vector<Interpreter> families;  ///< Other interpretations that are tried on a contradiction.
-  bool below_is_load = false;         ///< A smaller number may be a loaded or capped one.
+  std::vector<Interpreter>
+      interpreters;            ///< Other interpretations that are tried on a contradiction.
+  bool below_is_load = false;  ///< A smaller number may be a loaded or capped one.
   /// Explanations that are no interpretation of the document.
   std::vector<Explanation> (*further)(const Actuator& document, const RoundedInterval& stated,
                                       const RoundedInterval& expected) = nullptr;

@@ -86,7 +86,8 @@ std::optional<Finding> rivals_of(const Check& check, const Actuator& document,
   constexpr std::string_view kConvention = "/motor/torque_constant_convention";
   const bool is_assumed = std::find(document.assumed.begin(), document.assumed.end(),
                                     kConvention) != document.assumed.end();
-  if (!is_assumed || check.families.empty() || check.families.front() != speed_interpretations) {
+  if (!is_assumed || check.interpreters.empty() ||
+      check.interpreters.front() != speed_interpretations) {
     return std::nullopt;
   }
   Finding finding = finding_of(check, document, stated, expected);

@@ -60,8 +60,8 @@ std::vector<Explanation> explanations(const Check& check, const Actuator& docume
   if (!stated || !expected) return {};
   std::vector<Explanation> list;
   add_load(check, *stated, *expected, list);
-  for (const Interpreter family : check.families) {
-    for (const Interpretation& interpretation : family(own)) {
+  for (const Interpreter interpret : check.interpreters) {
+    for (const Interpretation& interpretation : interpret(own)) {
       const std::optional<RoundedInterval> then = check.expected(interpretation);
       if (!then || is_same(*then, *expected)) continue;
       list.push_back({interpretation.sentence, then, fit_of(check, *stated, *then)});

@@ -56,7 +56,7 @@ const Check gear_limit = {
           return sheet_number(document, &Datasheet::peak_torque_Nm, "peak_torque_Nm");
         },
     .expected = gear_peak,
-    .families = {side_interpretations},
+    .interpreters = {side_interpretations},
 };
 
 const Check motor_against_gear = {
@@ -71,7 +71,7 @@ const Check motor_against_gear = {
     },
     .expected =
         [](const Interpretation& interpretation) { return motor_peak(interpretation.document); },
-    .families = {},
+    .interpreters = {},
 };
 
 const Check backward_efficiency = {
@@ -87,7 +87,7 @@ const Check backward_efficiency = {
                                           "/gearbox/backward_efficiency"));
         },
     .expected = backward_expected,
-    .families = {},
+    .interpreters = {},
 };
 
 }  // namespace torquewright::actuator::lint

@@ -58,7 +58,7 @@ const Check continuous_current = {
       return rounded(*document.drive.continuous_current_A, "/drive/continuous_current_A");
     },
     .expected = steady_current,
-    .families = {cooled_interpretations, ampere_interpretations, ohm_interpretations},
+    .interpreters = {cooled_interpretations, ampere_interpretations, ohm_interpretations},
 };
 
 const Check rated_torque_heat = {
@@ -76,8 +76,8 @@ const Check rated_torque_heat = {
       if (!current_A) return std::nullopt;
       return sheet_torque(interpretation, *current_A);
     },
-    .families = {cooled_interpretations, ohm_interpretations, side_interpretations,
-                 loss_interpretations},
+    .interpreters = {cooled_interpretations, ohm_interpretations, side_interpretations,
+                     loss_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

@@ -61,7 +61,7 @@ const Check reflected_inertia = {
                               "reflected_inertia_kg_m2");
         },
     .expected = expected,
-    .families = {inertia_interpretations},
+    .interpreters = {inertia_interpretations},
     .further = further,
 };
 

@@ -18,7 +18,7 @@ std::string_view name_of(EmfMeasure measure);
 /// Volts of the measure per volt of phase amplitude: sqrt(3), 1, sqrt(3/2), sqrt(1/2).
 double volts_per_phase_volt(EmfMeasure measure);
 
-/// A document under one way of interpretation its numbers. Nothing of the document is repaired: a
+/// A document in one way of reading its numbers. Nothing of the document is repaired: an
 /// interpretation only says what the same numerals would mean elsewhere.
 struct Interpretation {
   std::string sentence;  ///< What is read differently; empty: nothing.
@@ -34,7 +34,7 @@ struct Interpretation {
 /// As the document states it.
 Interpretation as_stated(const Actuator& document);
 
-/// Families of other interpretations; each leaves out the document's own.
+/// Other interpretations of one kind; each leaves out the document's own.
 using Interpreter = std::vector<Interpretation> (*)(const Interpretation& stated);
 
 /// Torque constant per dc, peak or rms ampere, with each modulation: the candidate table of speeds.

@@ -47,7 +47,7 @@ const Check no_load_current = {
           return sheet_number(document, &Datasheet::no_load_current_A, "no_load_current_A");
         },
     .expected = expected,
-    .families = {ampere_interpretations},
+    .interpreters = {ampere_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

@@ -74,7 +74,7 @@ const Check no_load_speed = {
     .weight = Weight::kContradiction,
     .stated = stated,
     .expected = expected,
-    .families = {speed_interpretations, side_interpretations},
+    .interpreters = {speed_interpretations, side_interpretations},
     .below_is_load = true,
     .further = further,
 };

@@ -44,8 +44,8 @@ const Check peak_power = {
           return sheet_number(document, &Datasheet::peak_power_W, "peak_power_W");
         },
     .expected = expected,
-    .families = {electrical_interpretations, loss_interpretations, ohm_interpretations,
-                 speed_interpretations, ampere_interpretations},
+    .interpreters = {electrical_interpretations, loss_interpretations, ohm_interpretations,
+                     speed_interpretations, ampere_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

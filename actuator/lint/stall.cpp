@@ -44,8 +44,8 @@ const Check stall_current = {
         [](const Interpretation& interpretation) {
           return std::optional(current_of_resistance(interpretation));
         },
-    .families = {ohm_interpretations, speed_interpretations, ampere_interpretations,
-                 limited_interpretations},
+    .interpreters = {ohm_interpretations, speed_interpretations, ampere_interpretations,
+                     limited_interpretations},
 };
 
 const Check stall_torque = {
@@ -59,8 +59,8 @@ const Check stall_torque = {
           return sheet_number(document, &Datasheet::stall_torque_Nm, "stall_torque_Nm");
         },
     .expected = torque_expected,
-    .families = {loss_interpretations, side_interpretations, ohm_interpretations,
-                 ampere_interpretations, limited_interpretations},
+    .interpreters = {loss_interpretations, side_interpretations, ohm_interpretations,
+                     ampere_interpretations, limited_interpretations},
     .further = losses,
 };
 

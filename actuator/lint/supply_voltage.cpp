@@ -60,7 +60,7 @@ const Check bus_voltage = {
         },
     .expected =
         [](const Interpretation& interpretation) { return full_pack(interpretation.document); },
-    .families = {charge_interpretations},
+    .interpreters = {charge_interpretations},
     .further = nominal_cell,
 };
 
@@ -78,7 +78,7 @@ const Check charge_voltage = {
     },
     .expected =
         [](const Interpretation& interpretation) { return full_pack(interpretation.document); },
-    .families = {charge_interpretations},
+    .interpreters = {charge_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

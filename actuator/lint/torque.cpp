@@ -79,7 +79,7 @@ const Check peak_torque = {
     .weight = Weight::kContradiction,
     .stated = stated_peak,
     .expected = peak_expected,
-    .families = {loss_interpretations, side_interpretations, ampere_interpretations},
+    .interpreters = {loss_interpretations, side_interpretations, ampere_interpretations},
     .further = losses,
 };
 
@@ -95,7 +95,7 @@ const Check peak_torque_current = {
           return std::optional(derive(product, peak_current(interpretation.document),
                                       exact(1.0 / interpretation.current_factor)));
         },
-    .families = {ampere_interpretations},
+    .interpreters = {ampere_interpretations},
 };
 
 const Check rated_torque = {
@@ -106,7 +106,7 @@ const Check rated_torque = {
     .weight = Weight::kContradiction,
     .stated = stated_rated,
     .expected = rated_expected,
-    .families = {loss_interpretations, side_interpretations, ampere_interpretations},
+    .interpreters = {loss_interpretations, side_interpretations, ampere_interpretations},
     .further = losses,
 };
 
@@ -118,7 +118,7 @@ const Check peak_braking_torque = {
     .weight = Weight::kContradiction,
     .stated = stated_braking,
     .expected = braking_expected,
-    .families = {loss_interpretations},
+    .interpreters = {loss_interpretations},
 };
 
 }  // namespace torquewright::actuator::lint

@@ -52,7 +52,7 @@ const Check torque_constant_unit = {
       return rounded(document.motor.torque_constant_Nm_A, "/motor/torque_constant_Nm_A");
     },
     .expected = greatest_plausible,
-    .families = {},
+    .interpreters = {},
     .further = further,
 };
 

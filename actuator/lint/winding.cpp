@@ -73,7 +73,7 @@ const Check electrical_time_constant = {
                               "electrical_time_constant_s");
         },
     .expected = electrical_expected,
-    .families = {ohm_interpretations},
+    .interpreters = {ohm_interpretations},
 };
 
 const Check mechanical_time_constant = {
@@ -88,7 +88,7 @@ const Check mechanical_time_constant = {
                               "mechanical_time_constant_s");
         },
     .expected = mechanical_expected,
-    .families = {ohm_interpretations, speed_interpretations},
+    .interpreters = {ohm_interpretations, speed_interpretations},
 };
 
 const Check winding_inductance = {
@@ -102,7 +102,7 @@ const Check winding_inductance = {
       return rounded(document.motor.inductance_q_H, "/motor/inductance_q_H");
     },
     .expected = plausible_inductance,
-    .families = {ohm_interpretations},
+    .interpreters = {ohm_interpretations},
 };
 
 const Check characteristic_current = {
@@ -113,7 +113,7 @@ const Check characteristic_current = {
     .weight = Weight::kPlausibility,
     .stated = [](const Actuator& document) { return std::optional(peak_current(document)); },
     .expected = least_useful_current,
-    .families = {},
+    .interpreters = {},
 };
 
 const Check magnet_limit = {
@@ -130,7 +130,7 @@ const Check magnet_limit = {
       if (!weakens(interpretation.document)) return std::nullopt;
       return peak_current(interpretation.document);
     },
-    .families = {},
+    .interpreters = {},
 };
 
 }  // namespace torquewright::actuator::lint

@@ -22,7 +22,7 @@ constexpr double kVoltageTolerance = 2e-15;   // of the phase voltage: rounding 
 class RangeSearch {
  public:
   RangeSearch(const PhaseModel& model, double speed_rad_s)
-      : machine_(model),
+      : model_(model),
         speed_rad_s_(speed_rad_s),
         cap_Nm_(greatest_torque_Nm(model)),
         slack_V_(kVoltageTolerance * model.phase_volts_per_bus_volt * model.supply.open_circuit_V) {
@@ -40,16 +40,16 @@ class RangeSearch {
 
  private:
   double margin_V(double torque_Nm) const {
-    const Current current = gentlest_current(machine_, torque_Nm, speed_rad_s_);
-    return voltage_margin_V(machine_, current, speed_rad_s_) + slack_V_;
+    const Current current = gentlest_current(model_, torque_Nm, speed_rad_s_);
+    return voltage_margin_V(model_, current, speed_rad_s_) + slack_V_;
   }
 
   double power_W(double torque_Nm) const {
-    return bus_power_W(machine_, chosen_current(machine_, torque_Nm, speed_rad_s_), speed_rad_s_);
+    return bus_power_W(model_, chosen_current(model_, torque_Nm, speed_rad_s_), speed_rad_s_);
   }
 
   MotorBound at(double torque_Nm, Limiter limiter) const {
-    return motor_point(machine_, torque_Nm, speed_rad_s_, limiter);
+    return motor_point(model_, torque_Nm, speed_rad_s_, limiter);
   }
 
   void be_empty(Limiter why) {
@@ -59,22 +59,22 @@ class RangeSearch {
 
   /// What stands in the way just past a bound that margin_V set.
   Limiter voltage_limiter(double past_Nm) const {
-    const Current current = gentlest_current(machine_, past_Nm, speed_rad_s_);
-    if (voltage_margin_V(machine_, current, speed_rad_s_) == -kUnlimited) {
+    const Current current = gentlest_current(model_, past_Nm, speed_rad_s_);
+    if (voltage_margin_V(model_, current, speed_rad_s_) == -kUnlimited) {
       return Limiter::kBatteryPower;
     }
     return weakening_limiter(current.d_A);
   }
 
   Limiter weakening_limiter(double d_A) const {
-    if (!machine_.field_weakening) return Limiter::kVoltage;
-    const bool at_floor = d_A <= -machine_.demagnetisation_current_A * (1.0 - 1e-9);
+    if (!model_.field_weakening) return Limiter::kVoltage;
+    const bool at_floor = d_A <= -model_.demagnetisation_current_A * (1.0 - 1e-9);
     return at_floor ? Limiter::kDemagnetisation : Limiter::kFieldWeakening;
   }
 
   /// The end of the range from a torque that the voltage allows, towards +-cap.
   MotorBound end_towards(double from_Nm, double cap_Nm) const {
-    if (margin_V(cap_Nm) >= 0.0) return {cap_Nm, {}, 0.0, machine_.current_limiter};
+    if (margin_V(cap_Nm) >= 0.0) return {cap_Nm, {}, 0.0, model_.current_limiter};
     const auto margin = [this](double torque_Nm) { return margin_V(torque_Nm); };
     const double tolerance_Nm = kRelativeTolerance * cap_Nm_;
     const double end_Nm = last_nonnegative(margin, from_Nm, cap_Nm, tolerance_Nm);
@@ -83,8 +83,8 @@ class RangeSearch {
   }
 
   void find_by_voltage() {
-    const std::optional<VoltageDisc> disc = voltage_disc(machine_, speed_rad_s_, slack_V_);
-    const std::optional<DiscRange> closed = disc ? disc_range(*disc, machine_) : std::nullopt;
+    const std::optional<VoltageDisc> disc = voltage_disc(model_, speed_rad_s_, slack_V_);
+    const std::optional<DiscRange> closed = disc ? disc_range(*disc, model_) : std::nullopt;
     if (!closed) return search_by_voltage();
     if (closed->is_empty) return be_empty(weakening_limiter(0.0));
     range_.least = end_of(closed->least);
@@ -92,9 +92,9 @@ class RangeSearch {
   }
 
   MotorBound end_of(const DiscEnd& end) const {
-    const double torque_at_end_Nm = actuator::torque_Nm(machine_, {0.0, end.current.q_A});
+    const double torque_at_end_Nm = actuator::torque_Nm(model_, {0.0, end.current.q_A});
     const Limiter limiter =
-        end.by_current_limit ? machine_.current_limiter : weakening_limiter(end.current.d_A);
+        end.by_current_limit ? model_.current_limiter : weakening_limiter(end.current.d_A);
     return {torque_at_end_Nm, {}, 0.0, limiter};
   }
 
@@ -114,8 +114,8 @@ class RangeSearch {
   }
 
   void find_by_power() {
-    if (machine_.supply.greatest_power_W < kUnlimited) limit_drawn_power();
-    if (machine_.supply.least_power_W > -kUnlimited && !range_.is_empty) limit_returned_power();
+    if (model_.supply.greatest_power_W < kUnlimited) limit_drawn_power();
+    if (model_.supply.least_power_W > -kUnlimited && !range_.is_empty) limit_returned_power();
   }
 
   /// The torque of the range at which the least power is drawn; driving draws more than none.
@@ -128,7 +128,7 @@ class RangeSearch {
 
   void limit_drawn_power() {
     const auto room_W = [this](double torque_Nm) {
-      return machine_.supply.greatest_power_W - power_W(torque_Nm);
+      return model_.supply.greatest_power_W - power_W(torque_Nm);
     };
     const double start_Nm = frugal_Nm();
     if (room_W(start_Nm) < 0.0) return be_empty(Limiter::kBatteryPower);
@@ -142,7 +142,7 @@ class RangeSearch {
 
   void limit_returned_power() {
     const auto room_W = [this](double torque_Nm) {
-      return power_W(torque_Nm) - machine_.supply.least_power_W;
+      return power_W(torque_Nm) - model_.supply.least_power_W;
     };
     const double valley_Nm = frugal_Nm();
     if (room_W(valley_Nm) >= 0.0) return;
@@ -157,7 +157,7 @@ class RangeSearch {
     range_.least.limiter = Limiter::kRegeneration;
   }
 
-  const PhaseModel& machine_;
+  const PhaseModel& model_;
   double speed_rad_s_;
   double cap_Nm_;
   double slack_V_;

@@ -102,7 +102,7 @@ double copper_loss_J(const actuator::Actuator& actuator,
 }
 
 std::string reason(const actuator::DriveReport& report) {
-  const actuator::Interpretation& interpretation = report.interpretation;
+  const actuator::CheckedInterpretation& interpretation = report.interpretation;
   if (interpretation.first) {
     const actuator::WorstSample& first = *interpretation.first;
     const std::string limit = first.limit_Nm ? fmt::format("{:.4g} Nm", *first.limit_Nm) : "none";
@@ -154,7 +154,7 @@ CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions
   std::size_t first = 0;
   for (std::size_t i = 0; i < drivetrain; ++i) first += robot.drivetrains[i].actuators.size();
   for (const actuator::DriveReport& report : reports.drives) {
-    const actuator::Interpretation& interpretation = report.interpretation;
+    const actuator::CheckedInterpretation& interpretation = report.interpretation;
     result.margin_share = std::min(result.margin_share, interpretation.margin_Nm / stall_Nm);
     result.energy_J += interpretation.energy_drawn_J - interpretation.energy_returned_J;
     result.copper_loss_J += copper_loss_J(candidate.actuator, options.conditions, report);

@@ -15,7 +15,7 @@ std::string or_none(const std::optional<double>& value, const char* unit, const 
   return value ? fmt::format("{:.4g} {}", *value, unit) : none;
 }
 
-std::string clipped_line(const DriveReport& drive, const Interpretation& interpretation) {
+std::string clipped_line(const DriveReport& drive, const CheckedInterpretation& interpretation) {
   if (interpretation.clipped_samples == 0) return "  clipped  none\n";
   const WorstSample& worst = interpretation.worst;
   return fmt::format(
@@ -45,7 +45,8 @@ std::string winding_line(const WindingReport& winding) {
   return text + "\n";
 }
 
-std::string reading_lines(const DriveReport& drive, const Interpretation& interpretation) {
+std::string interpretation_lines(const DriveReport& drive,
+                                 const CheckedInterpretation& interpretation) {
   std::string text = clipped_line(drive, interpretation);
   text += fmt::format(
       "  margin   torque {:.4g} Nm, speed {}, voltage {}\n"
@@ -70,10 +71,10 @@ std::string drive_text(const DriveReport& drive) {
       drive.name, drive.actuator, name_of(drive.verdict), drive.samples, drive.from_s,
       drive.until_s, drive.peak_speed_rad_s, drive.no_load_speed_rad_s);
   if (!drive.has_torque) return text;
-  text += reading_lines(drive, drive.interpretation);
+  text += interpretation_lines(drive, drive.interpretation);
   if (drive.verdict != Verdict::kUndecided || !drive.with_inertia) return text;
   text += " if the torque of the reflected inertia is to be added:\n";
-  return text + reading_lines(drive, *drive.with_inertia);
+  return text + interpretation_lines(drive, *drive.with_inertia);
 }
 
 std::string findings_text(const CheckReport& report) {

@@ -53,7 +53,7 @@ std::string drives_table(const HopperPage& page) {
                               "peak current", "energy", "contacts' load: joint, motor"});
   for (std::size_t i = 0; i < page.report.check.drives.size(); ++i) {
     const actuator::DriveReport& drive = page.report.check.drives[i];
-    const actuator::Interpretation& interpretation = drive.interpretation;
+    const actuator::CheckedInterpretation& interpretation = drive.interpretation;
     std::string load = "-";
     if (i < page.report.transmission_loads.size()) {
       const hopper::TransmissionLoad& gears = page.report.transmission_loads[i];

@@ -114,7 +114,7 @@ TEST_F(ActuatorSpec, RefusesEffectsThatCountTwice) {
 
 // Oracle: efficiencies of the published D151 row, 44/44/32/132/120, follow from its teeth, whatever
 // the actuator's document says: a separate program, from the contact path to the shaft powers (the
-// same as in tests/gearbox/losses_test.cpp).
+// same as in tests/gearbox/train/losses_test.cpp).
 TEST_F(ActuatorSpec, ComputesAGearboxInAFile) {
   const json gearbox = {{"kind", "gearbox"},
                         {"version", 1},

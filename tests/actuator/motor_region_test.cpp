@@ -14,7 +14,7 @@ namespace torquewright::actuator {
 namespace {
 
 /// The motor of the reference's dq table: p 21, lambda 0.0024 Wb, L 30 uH, R 0.105, 24 V, 40 A.
-PhaseModel reference_machine(double inductance_H, bool field_weakening) {
+PhaseModel reference_model(double inductance_H, bool field_weakening) {
   PhaseModel model;
   model.torque_constant_Nm_A = 0.0756;
   model.back_emf_V_s_rad = 21.0 * 0.0024;
@@ -39,10 +39,10 @@ TEST(MotorRange, GivesTheTorquesOfTheReferencesDqTable) {
     const auto greatest_Nm = [&](const PhaseModel& model) {
       return motor_range(model, row.speed_rad_s).greatest.torque_Nm;
     };
-    EXPECT_NEAR(greatest_Nm(reference_machine(0.0, false)), row.line_Nm, 0.00051);
-    EXPECT_NEAR(greatest_Nm(reference_machine(3e-5, false)), row.dq_Nm, 0.00051);
-    EXPECT_NEAR(greatest_Nm(reference_machine(3e-5, true)), row.weakened_Nm, 0.00051);
-    EXPECT_NEAR(motor_range(reference_machine(3e-5, true), row.speed_rad_s).least.torque_Nm, -3.024,
+    EXPECT_NEAR(greatest_Nm(reference_model(0.0, false)), row.line_Nm, 0.00051);
+    EXPECT_NEAR(greatest_Nm(reference_model(3e-5, false)), row.dq_Nm, 0.00051);
+    EXPECT_NEAR(greatest_Nm(reference_model(3e-5, true)), row.weakened_Nm, 0.00051);
+    EXPECT_NEAR(motor_range(reference_model(3e-5, true), row.speed_rad_s).least.torque_Nm, -3.024,
                 1e-12);
   }
 }
@@ -81,7 +81,7 @@ TEST(MotorRange, GivesTheNumbersOfRaiSimsDocumentation) {
 }
 
 TEST(MotorRange, IsTheSameBackwards) {
-  const PhaseModel model = reference_machine(3e-5, true);
+  const PhaseModel model = reference_model(3e-5, true);
   for (const double w : {0.0, 100.0, 220.0, 300.0}) {
     const MotorRange forward = motor_range(model, w);
     const MotorRange backward = motor_range(model, -w);
@@ -134,7 +134,7 @@ TEST(MotorRange, AgreesWithBruteForceOverCurrents) {
 // Salient machines: reluctance torque, so that the least current has a d part.
 TEST(MotorRange, AgreesWithBruteForceForUnequalInductances) {
   for (const double quotient : {0.5, 2.0, 4.0}) {
-    PhaseModel model = reference_machine(3e-5, true);
+    PhaseModel model = reference_model(3e-5, true);
     model.inductance_q_H = 3e-5 * quotient;
     for (const double w : {0.0, 120.0, 200.0, 280.0, 360.0}) compare_with_brute_force(model, w);
   }
@@ -182,7 +182,7 @@ TEST(MotorRange, IsTheSameByCirclesByNewtonAndByBrackets) {
 }
 
 TEST(MotorRange, NamesDemagnetisationWhereItLimits) {
-  PhaseModel model = reference_machine(3e-5, true);
+  PhaseModel model = reference_model(3e-5, true);
   model.demagnetisation_current_A = 5.0;
   const MotorRange range = motor_range(model, 260.0);
   EXPECT_EQ(range.greatest.limiter, Limiter::kDemagnetisation);
@@ -276,7 +276,7 @@ TEST(MotorRange, ConservesPowerAtEveryBound) {
 
 // Oracle: the saturated torque at the current limit, and its inverse.
 TEST(PhaseModel, SaturatesAndInverts) {
-  PhaseModel model = reference_machine(0.0, false);
+  PhaseModel model = reference_model(0.0, false);
   model.saturation_current_A = 30.0;
   model.saturation_exponent = 3.0;
   EXPECT_NEAR(motor_range(model, 0.0).greatest.torque_Nm,

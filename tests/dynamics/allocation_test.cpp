@@ -2,6 +2,8 @@
 // Oracle: a counter under malloc and new.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "dynamics/momentum.hpp"
@@ -31,7 +33,6 @@ TEST(SerialArm, NeverAllocatesOnceItStands) {
   oracles::Dice dice(81);
   dynamics::SerialArm arm = test::random_arm(dice, 4);
   const VectorXd q = test::uniform_vector(dice, 4, 4);
-  const VectorXd rotors = VectorXd::Constant(4, 0.1);
   VectorXd out(4);
   MatrixXd mass(4, 4);
   MatrixXd columns(4, 12);
@@ -40,10 +41,9 @@ TEST(SerialArm, NeverAllocatesOnceItStands) {
   arm.inverse_dynamics(q, q, q, out);
   arm.bias(q, q, out);
   arm.mass_matrix(q, mass);
-  const bool solved = arm.forward_dynamics(q, q, q, rotors, out);
   const double energy_J = arm.kinetic_energy_J(q, q) + arm.potential_energy_J(q);
   EXPECT_EQ(allocation_count(), before);
-  EXPECT_TRUE(solved) << energy_J;
+  EXPECT_TRUE(std::isfinite(energy_J));
 }
 
 TEST(TreeState, NeverAllocatesOnceItStands) {

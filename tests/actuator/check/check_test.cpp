@@ -33,7 +33,7 @@ TEST(Check, FiguresOfARamp) {
   Checked checked;
   const CheckReport report = checked.report(motion(1000, nullptr, steady_5, ramp_40));
   const DriveReport& drive = report.drives.at(0);
-  const Interpretation& interpretation = drive.interpretation;
+  const CheckedInterpretation& interpretation = drive.interpretation;
   EXPECT_EQ(report.verdict, Verdict::kFail);
   EXPECT_EQ(drive.samples, 1001u);
   EXPECT_EQ(interpretation.clipped_samples, 250u);

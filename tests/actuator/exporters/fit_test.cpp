@@ -9,6 +9,7 @@
 
 #include "actuator/exporters/downhill_simplex.hpp"
 #include "actuator/exporters/error_report.hpp"
+#include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/library.hpp"
 #include "actuator/exporters/line_law.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"

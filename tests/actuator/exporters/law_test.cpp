@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/library.hpp"
 
 namespace torquewright::actuator {

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/library.hpp"
 #include "actuator/exporters/simulator_file_json.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"

@@ -9,6 +9,7 @@
 #include "gearbox/proof/concave_forms.hpp"
 #include "gearbox/proof/efficiency.hpp"
 #include "gearbox/proof/refutation.hpp"
+#include "gearbox/proof/relaxation.hpp"
 #include "tests/gearbox/proof/naive_result.hpp"
 
 namespace torquewright::gearbox::proof_test {

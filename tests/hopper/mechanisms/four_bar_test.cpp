@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hopper/mechanisms/joint_position.hpp"
 #include "tests/hopper/mechanisms/ankles.hpp"
 #include "tests/hopper/mechanisms/derivatives.hpp"
+#include "tests/hopper/mechanisms/joint_position.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -202,7 +202,7 @@ TEST(FourBar, ComesBackFromItsCrank) {
   for (double q = 1.75; q < 2.5; q += 0.05) {
     const auto at = four_bar.transfer(one(q), one(0));
     ASSERT_TRUE(at);
-    const auto back = joint_position_rad(four_bar, at->actuator_position_rad, one(2.1));
+    const auto back = test::joint_position_rad(four_bar, at->actuator_position_rad, one(2.1));
     ASSERT_TRUE(back) << q;
     EXPECT_NEAR((*back)[0], q, 1e-11);
   }

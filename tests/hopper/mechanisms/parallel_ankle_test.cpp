@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hopper/mechanisms/joint_position.hpp"
-#include "hopper/mechanisms/torque_parallelogram.hpp"
 #include "tests/hopper/mechanisms/ankles.hpp"
 #include "tests/hopper/mechanisms/derivatives.hpp"
+#include "tests/hopper/mechanisms/joint_position.hpp"
 #include "tests/hopper/mechanisms/loop_newton.hpp"
 
 namespace torquewright::hopper {
@@ -55,8 +54,8 @@ TEST(ParallelAnkle, AgreesWithNewtonOnItsLoops) {
         test::solve_loops(geometry, at->actuator_position_rad, true, Vector2d(q) + beside);
     ASSERT_TRUE(joints);
     EXPECT_LE((*joints - Vector2d(q)).norm(), kSameAngle);
-    const auto forward =
-        joint_position_rad(ankle, at->actuator_position_rad, SmallVector(Vector2d(q) + beside));
+    const auto forward = test::joint_position_rad(ankle, at->actuator_position_rad,
+                                                  SmallVector(Vector2d(q) + beside));
     ASSERT_TRUE(forward);
     EXPECT_LE((*forward - q).norm(), kSameAngle);
     test::expect_derivatives(ankle, q, v);
@@ -176,33 +175,6 @@ TEST(ParallelAnkle, BearsTorquesByForcesAlongItsRods) {
   }
 }
 
-// Oracle: brute force. A torque of the joints is in the parallelogram if it is a mixture of the
-// corners; areas: |det J| times the box; margins are the actuators' own.
-TEST(TorqueParallelogram, HoldsWhatTheActuatorsCanDo) {
-  const auto at =
-      ParallelAnkle(plain_ankle(0.06, 0.05, 0.04)).transfer(pair_of(-0.4, 0.3), pair_of(0, 0));
-  ASSERT_TRUE(at);
-  const Vector2d least(-176, -150), most(120, 176);
-  const TorqueParallelogram set(*at, least, most);
-  const auto corners = set.corners_Nm();
-  double area = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vector2d &a = corners[i], &b = corners[(i + 1) % 4];
-    area += (a.x() * b.y() - a.y() * b.x()) / 2;
-    EXPECT_NEAR(set.margin_Nm(a), 0, 1e-10);
-  }
-  EXPECT_NEAR(std::abs(area), std::abs(at->jacobian.determinant()) * 296 * 326, 1e-8);
-  for (double u = -0.25; u <= 1.26; u += 0.25) {
-    for (double w = -0.25; w <= 1.26; w += 0.25) {
-      const Vector2d torque =
-          corners[0] + u * (corners[1] - corners[0]) + w * (corners[3] - corners[0]);
-      const double by_hand =
-          std::min({u * 296, (1 - u) * 296, w * 326, (1 - w) * 326});  // Nm to the box's sides
-      EXPECT_NEAR(set.margin_Nm(torque), by_hand, 1e-9);
-    }
-  }
-}
-
 // Oracle: kinetic energy of the rotors, 1/2 sum I theta'^2; its rate is the power of the torque.
 TEST(ParallelAnkle, ReflectsItsRotorsInertia) {
   const ParallelAnkle ankle(plain_ankle(0.06, 0.05, 0.04));
@@ -225,7 +197,7 @@ TEST(ParallelAnkle, ReflectsItsRotorsInertia) {
 // Whatever it is asked for, it says so or gives numbers that are finite.
 TEST(ParallelAnkle, HasNoForwardAnswerBeyondReach) {
   const ParallelAnkle ankle(plain_ankle(0.06, 0.05, 0.04));
-  EXPECT_FALSE(joint_position_rad(ankle, pair_of(1.5, -1.5), pair_of(0, 0)));
+  EXPECT_FALSE(test::joint_position_rad(ankle, pair_of(1.5, -1.5), pair_of(0, 0)));
   EXPECT_FALSE(ankle.transfer(pair_of(NAN, 0), pair_of(0, 0)));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
-
 #include "actuator/lint/rounded_interval.hpp"
+
+#include <gtest/gtest.h>
 
 namespace torquewright::actuator::lint {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "actuator/region/operating_conditions.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
 
 #include "actuator/region/motor_region.hpp"
-#include "actuator/region/operating_conditions.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::actuator {

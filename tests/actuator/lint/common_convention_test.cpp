@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "actuator/lint/common_convention.hpp"
+
 #include <gtest/gtest.h>
 
-#include "actuator/lint/common_convention.hpp"
 #include "tests/actuator/lint/sample.hpp"
 
 namespace torquewright::actuator::lint {

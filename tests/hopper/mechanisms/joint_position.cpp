@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/mechanisms/joint_position.hpp"
+#include "tests/hopper/mechanisms/joint_position.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
-namespace torquewright::hopper {
+namespace torquewright::test {
 namespace {
+
+using hopper::Mechanism;
+using hopper::SmallVector;
+using hopper::Transfer;
 
 constexpr double kFound = 1e-12;      // rad at the actuators, some thousand roundings of a turn
 constexpr double kLongestStep = 0.5;  // rad: a longer one may land in another posture
@@ -45,4 +49,4 @@ std::optional<SmallVector> joint_position_rad(const Mechanism& mechanism,
   return std::nullopt;
 }
 
-}  // namespace torquewright::hopper
+}  // namespace torquewright::test

@@ -22,7 +22,7 @@ void expect_interpretation(const Finding& finding, const std::string& sentence, 
   EXPECT_NEAR(one.expected->value, expected, kRoundOff * expected) << sentence;
 }
 
-TEST(EmfReadings, CoverTwelvePairsOfConstants) {
+TEST(EmfInterpretations, CoverTwelvePairsOfConstants) {
   Actuator document = sample();
   document.motor.back_emf_constant_V_s_rad = 0.9;
   const auto emf = finding(document, "back-emf-constant");
@@ -43,7 +43,7 @@ TEST(EmfReadings, CoverTwelvePairsOfConstants) {
   }
 }
 
-TEST(SpeedReadings, UseTheStatedBackEmfWhereThereIsOne) {
+TEST(SpeedInterpretations, UseTheStatedBackEmfWhereThereIsOne) {
   Actuator document = sample();
   document.motor.torque_constant_convention = CurrentConvention::kPeakPhase;
   document.motor.back_emf_constant_V_s_rad = 0.0833;
@@ -55,7 +55,7 @@ TEST(SpeedReadings, UseTheStatedBackEmfWhereThereIsOne) {
   EXPECT_EQ(explanation(*speed, "back-EMF constant as line-to-line peak").fit, Agreement::kFits);
 }
 
-TEST(StallReadings, ExchangeTerminalsAmperesAndLimits) {
+TEST(StallInterpretations, ExchangeTerminalsAmperesAndLimits) {
   Actuator document = sample();
   document.datasheet->stall_current_A = 40;
   const auto stall = finding(document, "stall-current");
@@ -67,7 +67,7 @@ TEST(StallReadings, ExchangeTerminalsAmperesAndLimits) {
   EXPECT_EQ(explanation(*stall, "stall at the drive's peak current").fit, Agreement::kFits);
 }
 
-TEST(TorqueReadings, ExchangeSidesLossesAndAmperes) {
+TEST(TorqueInterpretations, ExchangeSidesLossesAndAmperes) {
   Actuator document = sample();
   document.datasheet->peak_torque_Nm = 5;
   const auto torque = finding(document, "peak-torque");
@@ -78,7 +78,7 @@ TEST(TorqueReadings, ExchangeSidesLossesAndAmperes) {
                         47.5 * std::sqrt(2.0) * std::sqrt(3.0) / 2.0);
 }
 
-TEST(TorqueReadings, AllowForLossesUpToAShare) {
+TEST(TorqueInterpretations, AllowForLossesUpToAShare) {
   Actuator document = sample();
   document.datasheet->peak_torque_Nm = 40;  // 47.5 less 15.8 %
   const auto torque = finding(document, "peak-torque");
@@ -91,7 +91,7 @@ TEST(TorqueReadings, AllowForLossesUpToAShare) {
   EXPECT_EQ(finding(document, "peak-torque")->severity, Severity::kViolation);
 }
 
-TEST(PowerReadings, TellShaftFromBus) {
+TEST(PowerInterpretations, TellShaftFromBus) {
   Actuator document = sample();
   document.datasheet->peak_power_W = 961;
   const auto power = finding(document, "peak-power");
@@ -99,7 +99,7 @@ TEST(PowerReadings, TellShaftFromBus) {
   expect_interpretation(*power, "power drawn from the bus, not at the shaft", 24 * 40);
 }
 
-TEST(InertiaReadings, TellRotorFromJoint) {
+TEST(InertiaInterpretations, TellRotorFromJoint) {
   Actuator document = sample();
   document.datasheet->reflected_inertia_kg_m2 = 0.0045;
   const auto inertia = finding(document, "reflected-inertia");
@@ -108,7 +108,7 @@ TEST(InertiaReadings, TellRotorFromJoint) {
   expect_interpretation(*inertia, "carried over by the ratio instead of its square", 0.0045);
 }
 
-TEST(ChargeReadings, FindTheStateOfChargeOfTheBus) {
+TEST(ChargeInterpretations, FindTheStateOfChargeOfTheBus) {
   Actuator document = sample();
   document.battery = Battery{};
   document.battery->series_cells = 16;
@@ -120,7 +120,7 @@ TEST(ChargeReadings, FindTheStateOfChargeOfTheBus) {
   EXPECT_EQ(voltage->severity, Severity::kWarning);
 }
 
-TEST(ChargeReadings, NameTheCellVoltageThatTheBusWouldBe) {
+TEST(ChargeInterpretations, NameTheCellVoltageThatTheBusWouldBe) {
   Actuator document = sample();
   document.battery = Battery{};
   document.battery->cell_open_circuit = {{1.0, 4.2}};
@@ -172,12 +172,12 @@ TEST(Explanations, StandANoLoadCurrentBeyondStall) {
   EXPECT_EQ(speed->sentence.find("rounding allowed for"), std::string::npos) << speed->sentence;
 }
 
-TEST(Readings, NeverTouchTheDocumentsOwnNumbers) {
+TEST(Interpretations, NeverTouchTheDocumentsOwnNumbers) {
   const Actuator document = sample();
-  for (const Interpreter family :
+  for (const Interpreter interpret :
        {speed_interpretations, emf_interpretations, ampere_interpretations, ohm_interpretations,
         side_interpretations}) {
-    for (const Interpretation& interpretation : family(as_stated(document))) {
+    for (const Interpretation& interpretation : interpret(as_stated(document))) {
       EXPECT_EQ(interpretation.document.motor.torque_constant_Nm_A,
                 document.motor.torque_constant_Nm_A);
       EXPECT_EQ(interpretation.document.motor.resistance_ohm, document.motor.resistance_ohm);
