@@ -10,7 +10,7 @@ namespace torquewright::simulation {
 namespace {
 
 // Flanks of a gap without a stated stiffness meet at this frequency, nearly critically damped:
-// above what logs of 1 kHz resolve, and slow enough for steps of 0.1 ms.
+// above what samples at 1 kHz resolve, and slow enough for steps of 0.1 ms.
 constexpr double kContact_rad_s = 1000.0;
 constexpr double kContactDamping = 0.6;
 // Steps per radian of the fastest oscillation. A twist that is hardly damped keeps its phase over
