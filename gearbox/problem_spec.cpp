@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "io/document.hpp"
+
 namespace torquewright::gearbox {
 namespace {
 

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "gearbox/problem.hpp"
-#include "io/document.hpp"
+
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::gearbox {
 

@@ -51,11 +51,11 @@ Selection reduced_to(const EquationFit& fit, const Members& kept, const Selectio
   return less;
 }
 
-/// Members without a doubt, until none that stays has one.
+/// Members that fail no acceptance test, beside none that does.
 Selection sure_part(const EquationFit& fit, const std::vector<ResidualStructure>& before,
                     Selection selection, std::vector<std::string> of_member) {
-  const auto is_doubt = [](const std::string& each) { return !each.empty(); };
-  while (std::any_of(of_member.begin(), of_member.end(), is_doubt)) {
+  const auto has_failed = [](const std::string& each) { return !each.empty(); };
+  while (std::any_of(of_member.begin(), of_member.end(), has_failed)) {
     Members kept;
     for (std::size_t m = 0; m < of_member.size(); ++m) {
       if (of_member[m].empty()) kept.push_back(selection.model.members[m]);
@@ -66,16 +66,16 @@ Selection sure_part(const EquationFit& fit, const std::vector<ResidualStructure>
   return selection;
 }
 
-/// The effects of doubtful members, whose failed_acceptance_tests join the list.
-std::set<std::string> collect_doubtful(const EquationFit& fit, const Selection& selection,
-                                       const std::vector<std::string>& of_member,
-                                       std::vector<Rejection>& doubtful) {
+/// The effects of members that fail an acceptance test; which one joins the list.
+std::set<std::string> collect_failed(const EquationFit& fit, const Selection& selection,
+                                     const std::vector<std::string>& of_member,
+                                     std::vector<Rejection>& failed) {
   std::set<std::string> effects;
   for (std::size_t m = 0; m < of_member.size(); ++m) {
     if (of_member[m].empty()) continue;
     const std::string& effect = effect_of(fit, selection.model.members[m]);
     effects.insert(effect);
-    doubtful.push_back({effect, "it lowers the error, but " + of_member[m]});
+    failed.push_back({effect, "it lowers the error, but " + of_member[m]});
   }
   return effects;
 }
@@ -92,15 +92,15 @@ ConfidentSelection confident_search(const EquationFit& fit,
   std::erase_if(options.variants, [&](std::size_t v) {
     return std::find(settled.begin(), settled.end(), effect_of(fit, v)) != settled.end();
   });
-  std::vector<Rejection> doubtful;
+  std::vector<Rejection> failed;
   for (int round = 1;; ++round) {
     Selection selection = search(fit.fitter(), options);
     const std::vector<std::string> of_member = failed_acceptance_tests(fit, selection, before);
-    const auto left_out = collect_doubtful(fit, selection, of_member, doubtful);
+    const auto left_out = collect_failed(fit, selection, of_member, failed);
     const bool is_sure = left_out.empty();
     if (is_sure || round == kMostSearches || left_out.size() == effects_of(fit, selection).size()) {
       if (!is_sure) selection = sure_part(fit, before, selection, of_member);
-      selection.rejected.insert(selection.rejected.end(), doubtful.begin(), doubtful.end());
+      selection.rejected.insert(selection.rejected.end(), failed.begin(), failed.end());
       return {std::move(selection), !is_sure};
     }
     std::erase_if(options.variants,

@@ -10,8 +10,8 @@ constexpr const char* kName = "channel_delay";
 constexpr double kClearlyLess = 0.95;  ///< Times the error.
 
 /// Share of what noise does not explain that must be gone with it and all that is named beside it,
-/// as of all names (failed_acceptance_tests/insufficient_share.cpp): what is not a delay may look a
-/// little like one.
+/// as of all names (acceptance_tests/insufficient_share.cpp): what is not a delay may look a little
+/// like one.
 constexpr double kLeastExplained = 0.6;
 
 double square(double value) { return value * value; }

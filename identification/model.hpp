@@ -14,14 +14,15 @@ namespace torquewright::identification {
 using Members = std::vector<std::size_t>;
 
 /// A model fitted to all blocks of the folds, and its losses where each fold was left out of the
-/// fit. Losses are sums of squares over samples, freed from the channels' noise.
+/// fit. Losses are sums of squares over samples, freed from the channels' noise, in the target's
+/// unit squared. Its k coefficients have units of their own.
 struct Fit {
   bool is_valid = false;  ///< Determined, and every coefficient within its limits.
   Members members;
   std::vector<Coefficient> coefficients;  ///< Those that stand always, then of each member.
-  Eigen::VectorXd values;                 ///< Of the coefficients.
-  Eigen::MatrixXd covariance;             ///< By the spread of the blocks' scores.
-  std::vector<Eigen::VectorXd> left_out;  ///< Values with each fold left out.
+  Eigen::VectorXd values;                 ///< (k x 1) Of the coefficients.
+  Eigen::MatrixXd covariance;             ///< (k x k) By the spread of the blocks' scores.
+  std::vector<Eigen::VectorXd> left_out;  ///< By fold: values (k x 1) without it.
   std::vector<double> block_loss;         ///< Each by the fit that did not see its fold.
   double loss = 0.0;                      ///< Their sum.
   std::size_t first_of_member(const Dictionary& dictionary, std::size_t member,
@@ -74,6 +75,7 @@ class Fitter {
   Fit solve(const Members& members, std::vector<Coefficient> coefficients, bool limited) const;
   std::vector<Coefficient> coefficients_of(const Members& members) const;
   Coefficient warmed_friction(const Coefficient& like, const Fit& cold) const;
+  /// ((m+1) x 1) What k values weigh the columns with; 0 for the target.
   Eigen::VectorXd combination(const std::vector<Coefficient>& coefficients,
                               const Eigen::VectorXd& values) const;
 

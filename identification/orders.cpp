@@ -21,13 +21,13 @@ constexpr double kLeastShare = 0.01;    ///< Of the residual's power.
 constexpr std::size_t kAskedAnew = 24;  ///< Orders of the spectrum, beside one another.
 
 /// What is left, row by row, with the angles and what waves may be multiplied with.
-struct LeftOver {
+struct ResidualRows {
   Eigen::MatrixXd plain;  ///< What a smooth model is made of, and the target behind it.
   std::vector<double> residual, motor_rad, output_rad, load_Nm, direction, motor_Hz, output_Hz;
 };
 
-LeftOver left_over(const Bench& bench, const std::vector<Signals>& signals,
-                   const std::vector<std::size_t>& fold_of_run) {
+ResidualRows residual_rows(const Bench& bench, const std::vector<Signals>& signals,
+                           const std::vector<std::size_t>& fold_of_run) {
   const Balance balance(bench);
   std::vector<Column> columns;
   const auto add = [&](std::function<double(const Signals&, std::size_t)> value) {
@@ -55,7 +55,7 @@ LeftOver left_over(const Bench& bench, const std::vector<Signals>& signals,
     owners.push_back(&stretch);
     total += parts.back().values.rows();
   }
-  LeftOver rows;
+  ResidualRows rows;
   if (total < 50) return rows;
   const auto count = static_cast<Eigen::Index>(columns.size());
   Eigen::MatrixXd all(total, count + 1);
@@ -98,7 +98,7 @@ struct Angle {
 };
 
 /// Share of the residual's power that a wave of one order holds when it stands alone.
-double share_of(const LeftOver& rows, const Angle& angle, int order, double power) {
+double share_of(const ResidualRows& rows, const Angle& angle, int order, double power) {
   double sine = 0.0, cosine = 0.0, weight = 0.0;
   for (std::size_t i = 0; i < angle.rad.size(); ++i) {
     const double s = angle.size(i, order);
@@ -111,7 +111,8 @@ double share_of(const LeftOver& rows, const Angle& angle, int order, double powe
 }
 
 /// The orders of the highest shares, each asked alone.
-std::vector<int> loudest(const LeftOver& rows, const Angle& angle, double range_rad, int highest) {
+std::vector<int> loudest(const ResidualRows& rows, const Angle& angle, double range_rad,
+                         int highest) {
   double power = 0.0;
   for (const double value : rows.residual) power += value * value;
   const auto lowest =
@@ -131,7 +132,8 @@ std::vector<int> loudest(const LeftOver& rows, const Angle& angle, double range_
 
 /// Of those, the ones that hold power beside one another and beside the smooth model: over part of
 /// a turn, or a turn at uneven speed, a strong wave sounds in many orders that are not there.
-std::vector<double> peaks(const LeftOver& rows, const Angle& angle, double range_rad, int highest) {
+std::vector<double> peaks(const ResidualRows& rows, const Angle& angle, double range_rad,
+                          int highest) {
   const std::vector<int> asked = loudest(rows, angle, range_rad, highest);
   const Eigen::Index plain = rows.plain.cols() - 1;
   WavePursuit pursuit(plain, asked.size());
@@ -161,7 +163,7 @@ std::vector<double> peaks(const LeftOver& rows, const Angle& angle, double range
 Orders promising_orders(const Bench& bench, const std::vector<Signals>& signals,
                         const std::vector<std::size_t>& fold_of_run, const Extent& extent) {
   Orders orders;
-  const LeftOver rows = left_over(bench, signals, fold_of_run);
+  const ResidualRows rows = residual_rows(bench, signals, fold_of_run);
   if (rows.residual.empty()) return orders;
   orders.motor = peaks(rows, {rows.motor_rad, rows.motor_Hz, nullptr}, extent.motor_angle_rad,
                        kHighestMotorOrder);

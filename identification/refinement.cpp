@@ -77,7 +77,7 @@ void fill_dictionary(const ShapeSearch& search, const Equation& equation, const 
 
 /// A value beside a shape is known no better than with the shape open. `whole`: always, the shapes'
 /// slopes up to `until`, then the members.
-void add_doubt_of_shapes(const Eigen::MatrixXd& whole, std::size_t always, std::size_t until,
+void add_error_of_shapes(const Eigen::MatrixXd& whole, std::size_t always, std::size_t until,
                          Fit& fit) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index j = 0; j < whole.rows(); ++j) {
@@ -114,7 +114,7 @@ void add_errors(const ShapeSearch& search, const Equation& equation, const Signa
   if (gram.blocks.size() != fold_of_block.size()) return;
   const auto whole =
       Fitter(gram, dictionary, fold_of_block, always).fit_whole(out.fit.members, true);
-  if (whole) add_doubt_of_shapes(whole->covariance, equation.always.size(), always.size(), out.fit);
+  if (whole) add_error_of_shapes(whole->covariance, equation.always.size(), always.size(), out.fit);
   std::size_t at = equation.always.size(), parameter = 0;
   for (const ShapedMember& member : search.members()) {
     for (std::size_t k = 0; k < member.count; ++k, ++at, ++parameter) {

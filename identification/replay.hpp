@@ -33,8 +33,8 @@ class Replay {
 
   static bool can_replay(const Bench& bench);
 
-  /// Simulated less measured output positions, in rad (m on a linear axis), of each sample of the
-  /// window; half a turn where the simulation diverged.
+  /// (n x 1) Simulated less measured output positions, in rad (m on a linear axis), of each of the
+  /// window's n = last - first + 1 samples; half a turn where the simulation diverged.
   Eigen::VectorXd errors(const actuator::Actuator& actuator, const ReplayWindow& window) const;
 
  private:

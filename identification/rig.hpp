@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "identification/quantity.hpp"
-#include "io/document.hpp"
+
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::identification {
 

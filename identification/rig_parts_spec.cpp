@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "io/document.hpp"
 #include "io/file_bytes.hpp"
 #include "io/nearest.hpp"
 #include "io/schema.hpp"

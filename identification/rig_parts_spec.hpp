@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "io/document.hpp"
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::identification {
 

@@ -2,6 +2,7 @@
 #include "identification/rig_plant.hpp"
 
 #include "dynamics/gravity.hpp"
+#include "identification/load_inertia.hpp"
 #include "simulation/plants/dynamometer.hpp"
 #include "simulation/plants/serial_arm.hpp"
 #include "simulation/plants/single_joint.hpp"
@@ -20,13 +21,11 @@ std::unique_ptr<simulation::Plant> plant_of(const Rig& rig) {
   const Load& load = rig.load;
   switch (load.type) {
     case LoadType::kFree:
-      return std::make_unique<simulation::SingleJoint>(load.inertia_kg_m2);
     case LoadType::kLinearAxis:
-      return std::make_unique<simulation::SingleJoint>(load.mass_kg);
+      return std::make_unique<simulation::SingleJoint>(load_inertia_kg_m2(load));
     case LoadType::kPendulum:
       return std::make_unique<simulation::SingleJoint>(
-          load.inertia_kg_m2 + load.mass_kg * load.length_m * load.length_m,
-          load.mass_kg * dynamics::kGravity_m_s2 * load.length_m);
+          load_inertia_kg_m2(load), load.mass_kg * dynamics::kGravity_m_s2 * load.length_m);
     case LoadType::kSerialArm:
       return std::make_unique<simulation::SerialArm>(serial_links_of(load),
                                                      dynamics::kGravity_m_s2);

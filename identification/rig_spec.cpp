@@ -8,6 +8,7 @@
 
 #include "identification/rig.hpp"
 #include "identification/rig_parts_spec.hpp"
+#include "io/document.hpp"
 #include "io/json_text.hpp"
 #include "io/nearest.hpp"
 #include "io/wording.hpp"

@@ -7,9 +7,10 @@
 
 namespace torquewright::identification {
 
-/// What a Fisher information matrix says of each parameter.
+/// What a Fisher information matrix says of each of its n parameters.
 struct Separability {
-  std::vector<double> standard_error;  ///< Infinite: not excited, or the same as others.
+  /// In the parameter's unit. Infinite: not excited, or the same as others.
+  std::vector<double> standard_error;
   /// 1 less the squared multiple correlation with all the others: 1 stands alone, 0 is the same as
   /// a combination of them.
   std::vector<double> share;
@@ -17,7 +18,8 @@ struct Separability {
   double smallest_eigenvalue = 0.0;  ///< Of the information scaled to a unit diagonal.
 };
 
-/// Symmetric, semidefinite. A parameter whose diagonal is 0 was not excited: it takes no part.
+/// (n x n) Symmetric, semidefinite, in 1/(the parameters' units). A parameter whose diagonal is 0
+/// was not excited: it takes no part.
 Separability separability(const Eigen::MatrixXd& information);
 
 }  // namespace torquewright::identification

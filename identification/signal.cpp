@@ -103,13 +103,6 @@ std::vector<double> advanced(std::span<const double> signal, double delay_s, dou
   return values;
 }
 
-std::vector<double> decimated(std::span<const double> signal, std::size_t factor) {
-  std::vector<double> values;
-  values.reserve(signal.size() / factor + 1);
-  for (std::size_t i = 0; i < signal.size(); i += factor) values.push_back(signal[i]);
-  return values;
-}
-
 double noise_level(std::span<const double> signal) {
   if (signal.size() < 16) return 0.0;
   std::vector<double> differences(signal.size() - 5);

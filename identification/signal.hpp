@@ -39,9 +39,6 @@ std::vector<double> resampled(std::span<const double> time_s, std::span<const do
 /// The signal `delay_s` earlier: out(t) = in(t + delay), linear between samples, ends held.
 std::vector<double> advanced(std::span<const double> signal, double delay_s, double step_s);
 
-/// Every `factor`-th sample, from the first.
-std::vector<double> decimated(std::span<const double> signal, std::size_t factor);
-
 /// Standard deviation of white noise on a smooth signal: 1.4826 times the median magnitude of fifth
 /// differences over sqrt(252), the norm of their weights.
 double noise_level(std::span<const double> signal);

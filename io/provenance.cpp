@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/document.hpp"
+
 namespace torquewright::io {
 
 std::string_view tool_version() { return TORQUEWRIGHT_VERSION; }

@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
-#include "io/document.hpp"
-
 namespace torquewright::io {
+
+struct Document;
 
 /// The version of this build, as in CMakeLists.txt.
 std::string_view tool_version();

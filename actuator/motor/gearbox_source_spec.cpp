@@ -8,6 +8,7 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/topologies/topology.hpp"
+#include "io/document.hpp"
 #include "io/rational.hpp"
 
 namespace torquewright::actuator {

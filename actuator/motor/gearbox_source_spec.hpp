@@ -2,9 +2,13 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <vector>
 
 #include "actuator/motor/actuator.hpp"
-#include "io/document.hpp"
+
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::actuator {
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/document.hpp"
 #include "io/units.hpp"
 #include "io/wording.hpp"
 

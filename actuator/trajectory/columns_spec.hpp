@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "actuator/trajectory/columns.hpp"
-#include "io/document.hpp"
+
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::actuator {
 

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "io/document.hpp"
+
 namespace torquewright::actuator {
 namespace {
 

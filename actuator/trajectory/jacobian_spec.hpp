@@ -2,7 +2,10 @@
 #pragma once
 
 #include "actuator/trajectory/jacobian.hpp"
-#include "io/document.hpp"
+
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::actuator {
 

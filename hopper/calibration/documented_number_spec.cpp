@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/document.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper::calibration {

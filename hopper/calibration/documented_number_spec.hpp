@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "io/document.hpp"
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::hopper::calibration {
 

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "hopper/calibration/documented_number_spec.hpp"
+#include "io/document.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper::calibration {

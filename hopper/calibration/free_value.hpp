@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "hopper/robot/robot.hpp"
-#include "io/document.hpp"
+
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::hopper::calibration {
 

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/document.hpp"
+
 namespace torquewright::hopper {
 
 std::vector<actuator::MappingText> read_mappings(const io::Document& document) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hopper/find_name.hpp"
+#include "io/document.hpp"
 #include "io/json_text.hpp"
 
 namespace torquewright::hopper {

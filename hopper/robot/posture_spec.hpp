@@ -4,7 +4,11 @@
 #include <vector>
 
 #include "hopper/robot/robot.hpp"
-#include "io/document.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::hopper {
 

@@ -6,7 +6,11 @@
 #include <vector>
 
 #include "hopper/robot/transmission_limit.hpp"
-#include "io/document.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::io {
+struct Document;
+}
 
 namespace torquewright::hopper {
 

@@ -10,7 +10,7 @@ namespace torquewright::simulation {
 namespace {
 
 // Flanks of a gap without a stated stiffness meet at this frequency, nearly critically damped:
-// above what logs of 1 kHz resolve, and slow enough for steps of 0.1 ms.
+// above what samples at 1 kHz resolve, and slow enough for steps of 0.1 ms.
 constexpr double kContact_rad_s = 1000.0;
 constexpr double kContactDamping = 0.6;
 // Steps per radian of the fastest oscillation. A twist that is hardly damped keeps its phase over
@@ -43,8 +43,8 @@ ElasticTrain::ElasticTrain(const actuator::Actuator& actuator, double inertia_kg
   is_elastic_ = (gap_ != nullptr || spring_ != nullptr) && inertia_kg_m2 > 0.0;
 }
 
-double ElasticTrain::longest_step_s(double load_inertia_kg_m2) const {
-  const double load = load_inertia_kg_m2 > 0.0 ? 1.0 / load_inertia_kg_m2 : 0.0;
+double ElasticTrain::longest_step_s(double felt_inertia_kg_m2) const {
+  const double load = felt_inertia_kg_m2 > 0.0 ? 1.0 / felt_inertia_kg_m2 : 0.0;
   const double stiffness = spring_ != nullptr ? spring_->values[0] : contact_Nm_rad_;
   const double damping = spring_ != nullptr ? spring_->values[1] : contact_Nm_s_rad_;
   const double swing_s = step_s(std::sqrt(stiffness * (1.0 / inertia_kg_m2_ + load)),

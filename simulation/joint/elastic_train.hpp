@@ -23,7 +23,7 @@ class ElasticTrain {
 
   /// The longest step that follows the twist as it swings between motor and load. An inertia of 0
   /// stands for a load that no torque moves otherwise. Only of an elastic train.
-  double longest_step_s(double load_inertia_kg_m2) const;
+  double longest_step_s(double felt_inertia_kg_m2) const;
 
  private:
   const actuator::Actuator& actuator_;

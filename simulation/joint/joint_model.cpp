@@ -37,7 +37,7 @@ double bristle_rad_s(const actuator::Actuator& actuator, double inertia_kg_m2) {
 
 }  // namespace
 
-JointModel::JointModel(const actuator::Actuator& actuator, double load_inertia_kg_m2,
+JointModel::JointModel(const actuator::Actuator& actuator, double felt_inertia_kg_m2,
                        const SimulationOptions& options)
     : actuator_(actuator),
       circuit_(actuator, options.inductance),
@@ -51,12 +51,12 @@ JointModel::JointModel(const actuator::Actuator& actuator, double load_inertia_k
     gain_[way][1] = -actuator::after_mesh_Nm(actuator, -1.0, direction);
   }
   const double bristles_rad_s =
-      bristle_rad_s(actuator, inertia_kg_m2_ + (is_elastic() ? 0.0 : load_inertia_kg_m2));
+      bristle_rad_s(actuator, inertia_kg_m2_ + (is_elastic() ? 0.0 : felt_inertia_kg_m2));
   if (bristles_rad_s > 0.0) {
     longest_step_s_ = std::min(longest_step_s_, 1.0 / (kBristleSteps * bristles_rad_s));
   }
   if (is_elastic()) {
-    longest_step_s_ = std::min(longest_step_s_, train_.longest_step_s(load_inertia_kg_m2));
+    longest_step_s_ = std::min(longest_step_s_, train_.longest_step_s(felt_inertia_kg_m2));
   }
 }
 

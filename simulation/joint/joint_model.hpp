@@ -32,9 +32,9 @@ struct JointForces {
 /// reference to the actuator.
 class JointModel {
  public:
-  /// `load_inertia_kg_m2`: that the joint feels at the start; bounds the step. 0 where the motion
+  /// `felt_inertia_kg_m2`: that the joint feels at the start; bounds the step. 0 where the motion
   /// is imposed.
-  JointModel(const actuator::Actuator& actuator, double load_inertia_kg_m2,
+  JointModel(const actuator::Actuator& actuator, double felt_inertia_kg_m2,
              const SimulationOptions& options);
 
   JointState initial(const JointStart& start) const;

@@ -13,7 +13,7 @@ namespace torquewright::simulation {
 namespace {
 
 /// What a joint feels of the plant at position 0, the other joints at rest.
-double load_inertia_kg_m2(Plant& plant, Eigen::Index joint) {
+double felt_inertia_kg_m2(Plant& plant, Eigen::Index joint) {
   if (plant.is_imposed()) return 0.0;
   Eigen::MatrixXd mass(plant.joint_count(), plant.joint_count());
   plant.mass_matrix(Eigen::VectorXd::Zero(plant.joint_count()), mass);
@@ -25,8 +25,8 @@ std::vector<JointModel> make_models(Plant& plant,
                                     const SimulationOptions& options) {
   std::vector<JointModel> models;
   for (std::size_t j = 0; j < actuators.size(); ++j) {
-    const double load_kg_m2 = load_inertia_kg_m2(plant, static_cast<Eigen::Index>(j));
-    models.emplace_back(*actuators[j], load_kg_m2, options);
+    const double felt_kg_m2 = felt_inertia_kg_m2(plant, static_cast<Eigen::Index>(j));
+    models.emplace_back(*actuators[j], felt_kg_m2, options);
   }
   return models;
 }

@@ -11,6 +11,7 @@
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/search/search.hpp"
+#include "io/document.hpp"
 #include "io/json_text.hpp"
 #include "io/provenance.hpp"
 #include "src/commands/design_drawing.hpp"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gearbox/problem_spec.hpp"
+#include "io/document.hpp"
 #include "io/file_bytes.hpp"
 #include "io/json_reader.hpp"
 #include "src/commands/gearbox_commands.hpp"

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "io/document.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::cli {

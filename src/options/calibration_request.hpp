@@ -7,6 +7,10 @@
 #include "hopper/calibration/figures.hpp"
 #include "src/command_line/command_line.hpp"
 
+namespace torquewright::io {
+struct Document;
+}
+
 namespace torquewright::cli {
 
 /// What `hopper calibrate` is to bring about, in the words of the command line.

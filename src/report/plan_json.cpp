@@ -2,6 +2,7 @@
 #include "src/report/plan_json.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace torquewright::report {
 namespace {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/document.hpp"
+
 namespace torquewright::gearbox {
 namespace {
 

@@ -10,7 +10,7 @@
 #include "identification/analysis.hpp"
 #include "tests/identification/made_bench.hpp"
 
-namespace torquewright::identification::gates_test {
+namespace torquewright::identification::acceptance_tests_test {
 namespace {
 
 using made::Made;
@@ -37,7 +37,7 @@ double bump(double angle_rad) {
   return std::pow(half, 16);
 }
 
-TEST(Gates, FrictionOfOneSpotIsNoWaveOfFriction) {
+TEST(AcceptanceTests, FrictionOfOneSpotIsNoWaveOfFriction) {
   const MadeBench made;
   const EquationResult result = torque_of(made.log(
       [](const Made& at) { return -sign(at.speed_rad_s) * (0.2 + 0.8 * bump(at.angle_rad)); }));
@@ -47,7 +47,7 @@ TEST(Gates, FrictionOfOneSpotIsNoWaveOfFriction) {
   EXPECT_NE(reason_against(result, "position_dependent_friction"), "");
 }
 
-TEST(Gates, TwoWavesOfFrictionAreNamed) {
+TEST(AcceptanceTests, TwoWavesOfFrictionAreNamed) {
   const MadeBench made;
   const EquationResult result = torque_of(made.log([](const Made& at) {
     return -sign(at.speed_rad_s) *
@@ -59,7 +59,7 @@ TEST(Gates, TwoWavesOfFrictionAreNamed) {
 }
 
 /// Friction of one speed: where it is, a law of the library explains much of it, and a table more.
-TEST(Gates, FrictionOfOneSpeedIsNoFrictionOfTheLibrary) {
+TEST(AcceptanceTests, FrictionOfOneSpeedIsNoFrictionOfTheLibrary) {
   const MadeBench made;
   const EquationResult result = torque_of(made.log([](const Made& at) {
     const double off = (std::abs(at.speed_rad_s) - 2.0) / 0.6;
@@ -71,7 +71,7 @@ TEST(Gates, FrictionOfOneSpeedIsNoFrictionOfTheLibrary) {
 }
 
 /// Friction that grows by the clock: at no speed, load or angle is it what it is.
-TEST(Gates, FrictionThatGrowsWithTimeIsNoFrictionOfTheLibrary) {
+TEST(AcceptanceTests, FrictionThatGrowsWithTimeIsNoFrictionOfTheLibrary) {
   const MadeBench made;
   const EquationResult result =
       torque_of(made.log([](const Made& at) { return -sign(at.speed_rad_s) * 0.08 * at.time_s; }));
@@ -82,7 +82,7 @@ TEST(Gates, FrictionThatGrowsWithTimeIsNoFrictionOfTheLibrary) {
 }
 
 /// Waves of friction in the three fitted runs, of another phase in the one that no fit sees.
-TEST(Gates, WhatOnlyHoldsWhereItWasFittedIsNotNamed) {
+TEST(AcceptanceTests, WhatOnlyHoldsWhereItWasFittedIsNotNamed) {
   const MadeBench made;
   const auto of_phase = [](double phase_rad) {
     return [phase_rad](const Made& at) { return 0.5 * std::sin(3.0 * at.angle_rad + phase_rad); };
@@ -96,4 +96,4 @@ TEST(Gates, WhatOnlyHoldsWhereItWasFittedIsNotNamed) {
 }
 
 }  // namespace
-}  // namespace torquewright::identification::gates_test
+}  // namespace torquewright::identification::acceptance_tests_test

@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-namespace torquewright::identification::leftover_test {
+namespace torquewright::identification::residual_structure_test {
 namespace {
 
 constexpr std::size_t kRuns = 4, kSamples = 1500;
@@ -116,4 +116,4 @@ TEST(Structures, AConstantOfOneRunIsNoStructure) {
 }
 
 }  // namespace
-}  // namespace torquewright::identification::leftover_test
+}  // namespace torquewright::identification::residual_structure_test

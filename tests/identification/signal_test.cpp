@@ -152,9 +152,5 @@ TEST(Advanced, MovesAStraightLineAndHoldsItsEnd) {
   EXPECT_EQ(early.back(), line.back());
 }
 
-TEST(Decimated, KeepsTheFirstOfEach) {
-  EXPECT_EQ(decimated(std::vector<double>{0, 1, 2, 3, 4, 5, 6}, 3), (std::vector<double>{0, 3, 6}));
-}
-
 }  // namespace
 }  // namespace torquewright::identification

@@ -6,6 +6,8 @@
 #include <regex>
 #include <vector>
 
+#include "io/document.hpp"
+
 namespace torquewright::io {
 namespace {
 

@@ -10,7 +10,7 @@
 
 namespace torquewright::simulation {
 
-/// A drive of round numbers for one joint: ratio 10, Kt 0.1 Nm/A (1 Nm a ampere at the output), R
+/// A drive of round numbers for one joint: ratio 10, Kt 0.1 Nm/A (1 Nm per ampere at the output), R
 /// 0.5 ohm, 48 V, rotor 1e-4 kg m^2 (0.01 kg m^2 at the output).
 actuator::Actuator simple_actuator();
 

@@ -6,6 +6,7 @@
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/search/search.hpp"
+#include "io/document.hpp"
 #include "io/provenance.hpp"
 
 namespace torquewright::gearbox::verification_test {

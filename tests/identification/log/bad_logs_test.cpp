@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every fault of a log that issue 5 lists, put in by hand; the oracle is what was put in. Refusals
-// that concern single cells stand in log_reader_test.cpp, units and signs in a file of their own.
+// Faults of a log that show over many samples (docs/logs.md), put in by hand; the oracle is what
+// was put in. Refusals that concern single cells stand in log_reader_test.cpp, units and signs in a
+// file of their own.
 #include <gtest/gtest.h>
 
 #include <algorithm>

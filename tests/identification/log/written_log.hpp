@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "identification/log.hpp"
+#include "io/document.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"
 

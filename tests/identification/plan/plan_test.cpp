@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plan is inside the region at every sample, the same every time, no worse than the chirp for
-// what it is made for, and its standard errors are what repeated fits parameter_scatter by.
+// what it is made for, and its standard errors are what repeated fits scatter by.
 #include "identification/plan.hpp"
 
 #include <gtest/gtest.h>

@@ -70,19 +70,19 @@ TEST(RatesSlice, NamesNoEffectForWhatIsOutsideTheLibrary) {
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
 
-// Each of these was once named wrongly, and what stops it is another of
-// identification/failed_acceptance_tests: a dead zone (what is left along the current), friction
-// that grows with time (a table that takes more), spots of friction (held-out runs that all names
+// Logs that laws of the library resemble, each kept from a name by another of
+// identification/acceptance_tests: a dead zone (what is left along the current), friction that
+// grows with time (a table that takes more), spots of friction (held-out runs that all names
 // together do not help; a comb of waves).
-class OnceWrong : public testing::TestWithParam<std::uint64_t> {};
-TEST_P(OnceWrong, IsNotNamed) {
+class LooksLikeAnEffect : public testing::TestWithParam<std::uint64_t> {};
+TEST_P(LooksLikeAnEffect, IsNotNamed) {
   const Count counted = count(LogClass::kOutside, GetParam(), 1);
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
-INSTANTIATE_TEST_SUITE_P(RatesSlice, OnceWrong, testing::Values(2, 8, 33, 57));
+INSTANTIATE_TEST_SUITE_P(RatesSlice, LooksLikeAnEffect, testing::Values(2, 8, 33, 57));
 
-// Once saturation came out as an error of the torque constant beside a saturation of another curve,
-// and a gap as a delay beside the gap.
+// What one effect leaves when its curve is not quite met resembles a second one: of saturation an
+// error of the torque constant, of a gap a delay.
 TEST(RatesSlice, SaturationIsNotAlsoAnErrorOfTheConstant) {
   const Count counted = count(LogClass::kTwo, 61, 1);
   EXPECT_EQ(counted.wrong, 0) << counted.lines;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "actuator/motor/actuator.hpp"
-#include "identification/simulated_position.hpp"
 #include "optimization/fit/local_fit.hpp"
+#include "tests/real_data/bam_servos/simulated_position.hpp"
 
 namespace torquewright::identification {
 

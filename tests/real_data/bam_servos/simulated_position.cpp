@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/simulated_position.hpp"
-
-#include <fmt/format.h>
+#include "tests/real_data/bam_servos/simulated_position.hpp"
 
 #include <algorithm>
 #include <cmath>

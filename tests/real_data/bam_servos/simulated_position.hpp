@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "actuator/motor/actuator.hpp"
 #include "identification/log.hpp"
 #include "identification/rig.hpp"
 #include "simulation/excitation.hpp"
@@ -33,8 +35,7 @@ struct ReplayedRun {
 
 /// The runs of a log with what drives them: current, commanded torque, duty (times the logged bus),
 /// winding voltage, whichever of these comes first; without any of them, or without positions,
-/// throws io::SpecError. Where the drive is not enabled
-/// its winding is open: no current.
+/// throws io::SpecError. Where the drive is not enabled its winding is open: no current.
 std::vector<ReplayedRun> replayed_runs(const Rig& rig, const Log& log,
                                        const PositionScoreOptions& options);
 
