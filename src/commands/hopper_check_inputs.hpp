@@ -11,16 +11,22 @@
 
 namespace torquewright::cli {
 
-/// What was read for a whole-body check.
+/// What was read for a whole-body check beside the motion.
 struct HopperCheckInputs {
   hopper::ReadRobot robot;
   std::vector<io::Document> columns;  ///< Of kind trajectory_columns.
   hopper::CheckOptions check;
-  hopper::Motion motion;
   hopper::Shelf shelf;  ///< Of candidates; empty where no folder of them was given.
 };
 
+/// The motion stands apart: checking it adds the rates that it lacks, and two of it would not fit
+/// into memory as one does.
+struct HopperCheckRead {
+  HopperCheckInputs inputs;
+  hopper::Motion motion;
+};
+
 /// Reads all documents and the motion. Throws io::SpecError.
-HopperCheckInputs read_inputs(const HopperCheckRequest& request);
+HopperCheckRead read_inputs(const HopperCheckRequest& request);
 
 }  // namespace torquewright::cli
