@@ -19,8 +19,8 @@ struct HopperCheckInputs {
   hopper::Shelf shelf;  ///< Of candidates; empty where no folder of them was given.
 };
 
-/// The motion stands apart: checking it adds the rates that it lacks, and two of it would not fit
-/// into memory as one does.
+/// The motion stands apart: the check adds the rates that it lacks where it stands, since a copy of
+/// a long one would take as much memory again.
 struct HopperCheckRead {
   HopperCheckInputs inputs;
   hopper::Motion motion;
