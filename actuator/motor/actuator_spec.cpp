@@ -38,7 +38,8 @@ std::optional<double> find(const json& object, const char* key) {
 /// Reads the keys of one document; faults gather until all of it is read.
 class ActuatorReader {
  public:
-  explicit ActuatorReader(io::Document document) : documents_{std::move(document)} {}
+  ActuatorReader(io::Document document, std::span<const io::Document> read_before)
+      : read_before_(read_before), documents_{std::move(document)} {}
 
   ReadActuator read() {
     actuator_.name = root().value("name", std::filesystem::path(document().file).stem().string());
@@ -210,7 +211,7 @@ class ActuatorReader {
     const json& keys = root()["gearbox"];
     Transmission& transmission = actuator_.transmission;
     if (keys.contains("file")) {
-      transmission = transmission_from_file(keys, document(), documents_);
+      transmission = transmission_from_file(keys, document(), read_before_, documents_);
     } else {
       transmission.ratio = keys["ratio"];
       transmission.forward_efficiency = keys["forward_efficiency"];
@@ -224,6 +225,7 @@ class ActuatorReader {
     }
   }
 
+  std::span<const io::Document> read_before_;
   std::vector<io::Document> documents_;
   Actuator actuator_;
   std::vector<io::Fault> faults_;
@@ -232,11 +234,11 @@ class ActuatorReader {
 }  // namespace
 
 ReadActuator read_actuator(const std::filesystem::path& file) {
-  return ActuatorReader(io::read_document(file, "actuator")).read();
+  return read_actuator(io::read_document(file, "actuator"));
 }
 
-ReadActuator read_actuator(io::Document document) {
-  return ActuatorReader(std::move(document)).read();
+ReadActuator read_actuator(io::Document document, std::span<const io::Document> read_before) {
+  return ActuatorReader(std::move(document), read_before).read();
 }
 
 }  // namespace torquewright::actuator

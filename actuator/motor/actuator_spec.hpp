@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct ReadActuator {
 ReadActuator read_actuator(const std::filesystem::path& file);
 
 /// The same for one that has been read and checked; what it refers to is looked for beside its
-/// file.
-ReadActuator read_actuator(io::Document document);
+/// file, first among the documents that were read before.
+ReadActuator read_actuator(io::Document document, std::span<const io::Document> read_before = {});
 
 }  // namespace torquewright::actuator

@@ -91,13 +91,22 @@ Gearbox from_gearbox(const io::Document& document) {
   return gearbox;
 }
 
+io::Document gearbox_document(const std::filesystem::path& file,
+                              std::span<const io::Document> read_before) {
+  for (const io::Document& document : read_before) {
+    if (document.file == file) return document;
+  }
+  return io::read_document(file, {"gearbox", "gearbox_result"});
+}
+
 }  // namespace
 
 Transmission transmission_from_file(const json& reference, const io::Document& actuator,
+                                    std::span<const io::Document> read_before,
                                     std::vector<io::Document>& documents) {
   const std::filesystem::path file =
       std::filesystem::path(actuator.file).parent_path() / reference["file"].get<std::string>();
-  const io::Document document = io::read_document(file, {"gearbox", "gearbox_result"});
+  const io::Document document = gearbox_document(file, read_before);
   Gearbox gearbox =
       document.root["kind"] == "gearbox" ? from_gearbox(document) : from_result(document);
   if (reference.contains("friction_coefficient")) {

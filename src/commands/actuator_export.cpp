@@ -5,13 +5,14 @@
 
 #include "actuator/exporters/simulator_file_json.hpp"
 #include "io/provenance.hpp"
+#include "src/commands/result_json.hpp"
 
 namespace torquewright::cli {
 
-Exported exported_file(const actuator::ReadActuator& read,
-                       const actuator::OperatingConditions& conditions,
-                       const actuator::Region& region, double table_accuracy,
-                       const actuator::Exporter& exporter, actuator::LawFit fit) {
+std::string exported_file(const actuator::ReadActuator& read,
+                          const actuator::OperatingConditions& conditions,
+                          const actuator::Region& region, double table_accuracy,
+                          const actuator::Exporter& exporter, actuator::LawFit fit, bool as_json) {
   if (region.at(0.0).is_empty) {
     throw io::SpecError({{read.documents.front().file, "",
                           fmt::format("no torque is possible at rest (limiter {}): there is no "
@@ -29,7 +30,8 @@ Exported exported_file(const actuator::ReadActuator& read,
     }
   }
   const actuator::SimulatorFile file = actuator::simulator_file(subject, exporter, origin);
-  return {file.text, actuator::simulator_file_json(subject, file)};
+  if (!as_json) return file.text;
+  return result_text(actuator::simulator_file_json(subject, file), read.documents);
 }
 
 }  // namespace torquewright::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "actuator/exporters/exporter.hpp"
@@ -9,16 +8,12 @@
 
 namespace torquewright::cli {
 
-/// A simulator's file, and the same with all that is known of it.
-struct Exported {
-  std::string text;
-  nlohmann::ordered_json json;
-};
-
-/// Throws io::SpecError where the region is empty at rest: there is nothing to write.
-Exported exported_file(const actuator::ReadActuator& read,
-                       const actuator::OperatingConditions& conditions,
-                       const actuator::Region& region, double table_accuracy,
-                       const actuator::Exporter& exporter, actuator::LawFit fit);
+/// A simulator's file; as_json: the same with all that is known of it, a document of kind
+/// simulator_file. Throws io::SpecError where the region is empty at rest: there is nothing to
+/// write.
+std::string exported_file(const actuator::ReadActuator& read,
+                          const actuator::OperatingConditions& conditions,
+                          const actuator::Region& region, double table_accuracy,
+                          const actuator::Exporter& exporter, actuator::LawFit fit, bool as_json);
 
 }  // namespace torquewright::cli

@@ -5,9 +5,8 @@
 
 #include "actuator/lint/report_spec.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
 #include "src/commands/actuator_commands.hpp"
+#include "src/commands/result_json.hpp"
 #include "src/report/lint_text.hpp"
 #include "src/standard_output.hpp"
 
@@ -34,16 +33,10 @@ LintInputs read(const LintOptions& options) {
   return inputs;
 }
 
-std::string json_text(const LintInputs& inputs, const actuator::lint::Report& report) {
-  nlohmann::ordered_json document = actuator::lint::report_json(report);
-  document["tool"] = io::tool_provenance();
-  document["inputs"] = io::input_provenance(inputs.documents);
-  return io::json_text(document);
-}
-
 void write(const LintOptions& options, const LintInputs& inputs,
            const actuator::lint::Report& report) {
-  print_result(options.json ? json_text(inputs, report) : report::lint_text(report));
+  print_result(options.json ? result_text(actuator::lint::report_json(report), inputs.documents)
+                            : report::lint_text(report));
 }
 
 ExitCode run_lint(const LintOptions& options) {

@@ -5,18 +5,18 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "actuator/exporters/library.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "actuator/region/mor_table_spec.hpp"
 #include "actuator/region/need.hpp"
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/actuator_export.hpp"
 #include "src/commands/mor_compare.hpp"
 #include "src/commands/mor_plot.hpp"
+#include "src/commands/result_json.hpp"
 #include "src/options/mor_request.hpp"
 #include "src/report/actuator_json.hpp"
 #include "src/report/actuator_text.hpp"
@@ -30,8 +30,32 @@ constexpr std::size_t kRatiosInSweep = 25;
 struct MorInputs {
   actuator::ReadActuator read;
   actuator::OperatingConditions conditions;
-  std::optional<ComparedActuator> compared;  ///< The one of --compare.
+  std::optional<ComparedActuator> compared;         ///< The one of --compare.
+  std::optional<std::pair<double, double>> ratios;  ///< Least and greatest to be tried.
+  std::optional<actuator::Need> need;
+  std::optional<report::PlotFormat> picture;
+  std::vector<Overlay> overlays;  ///< Of the picture, where no other actuator is in it.
 };
+
+/// The last of the questions: a file for a simulator.
+const actuator::Exporter* exporter_of(const MorRequest& request) {
+  return actuator::find_exporter(request.format);
+}
+
+/// Ratios and needs go before pictures, and those before files: what goes before others is
+/// answered, and the others are not looked at.
+void read_question(const MorRequest& request, MorInputs& inputs) {
+  if (!request.ratios.empty()) inputs.ratios = ratio_range_of(request);
+  inputs.need = need_of(request);
+  if (inputs.ratios || inputs.need) return;
+  if (!request.plot.file.empty()) inputs.picture = report::plot_format(request.plot.file);
+  if (inputs.compared) return;
+  if (inputs.picture) {
+    inputs.overlays = overlays_of(request.plot, inputs.read.actuator, inputs.conditions);
+  } else if (exporter_of(request) && !request.speeds_rad_s.empty()) {
+    io::refuse("--at-speed", "rows are for csv and json");
+  }
+}
 
 MorInputs read(const MorRequest& request) {
   require_accuracy(request);
@@ -43,6 +67,7 @@ MorInputs read(const MorRequest& request) {
     const actuator::OperatingConditions conditions = conditions_of(request.operating, other);
     inputs.compared = {request.compare_file, std::move(other), conditions};
   }
+  read_question(request, inputs);
   return inputs;
 }
 
@@ -53,17 +78,11 @@ struct MorAnswer {
   ExitCode code = ExitCode::kPasses;
 };
 
-std::string with_provenance(nlohmann::ordered_json document, const MorInputs& inputs) {
-  document["tool"] = io::tool_provenance();
-  document["inputs"] = io::input_provenance(inputs.read.documents);
-  return io::json_text(document);
-}
-
 MorAnswer sweep(const MorRequest& request, const MorInputs& inputs) {
-  const auto [low, high] = ratio_range_of(request);
+  const auto [low, high] = *inputs.ratios;
   const auto rows = actuator::ratio_sweep(inputs.read.actuator, inputs.conditions, low, high,
-                                          kRatiosInSweep, need_of(request));
-  return {request.json ? with_provenance(report::sweep_json(rows), inputs)
+                                          kRatiosInSweep, inputs.need);
+  return {request.json ? result_text(report::sweep_json(rows), inputs.read.documents)
                        : report::sweep_text(rows)};
 }
 
@@ -71,7 +90,7 @@ MorAnswer answer_need(const MorRequest& request, const MorInputs& inputs,
                       const actuator::Need& need) {
   const actuator::NeedAnswer answer =
       actuator::answer_need(inputs.read.actuator, inputs.conditions, need);
-  return {request.json ? with_provenance(report::need_json(need, answer), inputs)
+  return {request.json ? result_text(report::need_json(need, answer), inputs.read.documents)
                        : report::need_text(inputs.read.actuator, need, answer),
           "", answer.is_reached ? ExitCode::kPasses : ExitCode::kFails};
 }
@@ -81,21 +100,17 @@ MorAnswer compare(const MorRequest& request, const MorInputs& inputs) {
   const ComparedActuator to{request.actuator_file, inputs.read, inputs.conditions};
   const actuator::Side side = side_of(request);
   std::string plot;
-  if (!request.plot.file.empty()) {
-    plot = comparison_plot(report::plot_format(request.plot.file), *inputs.compared, to, side);
-  }
+  if (inputs.picture) plot = comparison_plot(*inputs.picture, *inputs.compared, to, side);
   return {comparison_result(*inputs.compared, to, side, request.json), std::move(plot)};
 }
 
 MorAnswer export_region(const MorRequest& request, const MorInputs& inputs,
                         const actuator::Exporter& exporter) {
-  if (!request.speeds_rad_s.empty()) io::refuse("--at-speed", "rows are for csv and json");
   const actuator::Region region(inputs.read.actuator, inputs.conditions, side_of(request));
   const auto fit =
       request.fit == "best" ? actuator::LawFit::kBest : actuator::LawFit::kConservative;
-  const Exported exported =
-      exported_file(inputs.read, inputs.conditions, region, request.accuracy, exporter, fit);
-  return {request.json ? with_provenance(exported.json, inputs) : exported.text};
+  return {exported_file(inputs.read, inputs.conditions, region, request.accuracy, exporter, fit,
+                        request.json)};
 }
 
 MorAnswer tabulate(const MorRequest& request, const MorInputs& inputs) {
@@ -105,19 +120,19 @@ MorAnswer tabulate(const MorRequest& request, const MorInputs& inputs) {
                                        : actuator::mor_rows(region, request.speeds_rad_s);
   const actuator::MorHeader header{&inputs.read.actuator, inputs.conditions, side_of(request)};
   const bool as_json = request.json || request.format == "json";
-  return {as_json ? with_provenance(actuator::mor_table_json(header, table), inputs)
+  return {as_json ? result_text(actuator::mor_table_json(header, table), inputs.read.documents)
                   : actuator::mor_table_csv(header, table)};
 }
 
 MorAnswer compute(const MorRequest& request, const MorInputs& inputs) {
-  if (!request.ratios.empty()) return sweep(request, inputs);
-  if (const auto need = need_of(request)) return answer_need(request, inputs, *need);
+  if (inputs.ratios) return sweep(request, inputs);
+  if (inputs.need) return answer_need(request, inputs, *inputs.need);
   if (inputs.compared) return compare(request, inputs);
-  if (!request.plot.file.empty()) {
-    return {std::nullopt, region_plot_of(request.plot, inputs.read.actuator, inputs.conditions,
+  if (inputs.picture) {
+    return {std::nullopt, region_plot_of(*inputs.picture, inputs.read.actuator, inputs.overlays,
                                          side_of(request))};
   }
-  const actuator::Exporter* exporter = actuator::find_exporter(request.format);
+  const actuator::Exporter* exporter = exporter_of(request);
   return exporter ? export_region(request, inputs, *exporter) : tabulate(request, inputs);
 }
 

@@ -9,7 +9,7 @@ namespace torquewright::cli {
 std::string drawing_of(const gearbox::Problem& problem, const gearbox::Design& design) {
   const gearbox::DesignReport report =
       gearbox::find_topology(problem.topology)->evaluate(problem, design);
-  report::GearboxDrawing drawing;
+  report::DrawnGearbox drawing;
   drawing.name = problem.name;
   drawing.topology = problem.topology;
   drawing.teeth = report.design.teeth;

@@ -9,16 +9,14 @@
 #include <vector>
 
 #include "gearbox/problem_spec.hpp"
-#include "gearbox/search/result_spec.hpp"
+#include "gearbox/search/ranking.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "io/document.hpp"
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/design_drawing.hpp"
 #include "src/commands/gearbox_commands.hpp"
+#include "src/commands/gearbox_outputs.hpp"
+#include "src/commands/gearbox_result_json.hpp"
 #include "src/interrupt.hpp"
-#include "src/options/output_files.hpp"
 #include "src/report/gearbox_text.hpp"
 #include "src/standard_output.hpp"
 
@@ -68,8 +66,7 @@ gearbox::Design design_of(const EvaluateOptions& options, const gearbox::Problem
 }
 
 struct EvaluateInputs {
-  io::Document document;
-  gearbox::Problem problem;
+  ReadProblem read;
   gearbox::Design design;
 };
 
@@ -78,40 +75,37 @@ EvaluateInputs read(const EvaluateOptions& options) {
   gearbox::Problem problem = gearbox::read_problem(document);
   gearbox::Design design = design_of(options, problem);
   check_outputs(options.outputs, options.problem_file);
-  return {std::move(document), std::move(problem), std::move(design)};
+  return {{std::move(document), std::move(problem)}, std::move(design)};
 }
 
 /// The design itself, and where it stands among all others.
 struct Evaluation {
   gearbox::DesignReport report;
   gearbox::Standing standing;
+  std::optional<std::string> drawing;  ///< Where one was asked for.
 };
 
-Evaluation compute(const EvaluateInputs& inputs) {
-  const gearbox::Topology& topology = *gearbox::find_topology(inputs.problem.topology);
-  gearbox::DesignReport report = topology.evaluate(inputs.problem, inputs.design);
+Evaluation compute(const EvaluateOptions& options, const EvaluateInputs& inputs) {
+  const gearbox::Problem& problem = inputs.read.problem;
+  Evaluation found;
+  found.report = gearbox::find_topology(problem.topology)->evaluate(problem, inputs.design);
   catch_interrupt();
-  return {std::move(report), gearbox::standing_of(inputs.problem, inputs.design, is_interrupted)};
+  found.standing = gearbox::standing_of(problem, inputs.design, is_interrupted);
+  if (!options.outputs.drawing.empty()) found.drawing = drawing_of(problem, inputs.design);
+  return found;
 }
 
 void write(const EvaluateOptions& options, const EvaluateInputs& inputs, const Evaluation& found) {
-  nlohmann::ordered_json result =
-      gearbox::evaluation_json(inputs.problem, found.report, found.standing);
-  result["problem"] = inputs.document.root;
-  result["tool"] = io::tool_provenance();
-  result["inputs"] = io::input_provenance({&inputs.document, 1});
-  const std::string json_text = io::json_text(result);
-  std::optional<std::string> drawing;
-  if (!options.outputs.drawing.empty()) drawing = drawing_of(inputs.problem, inputs.design);
-  write_outputs(options.outputs, json_text, drawing);
+  const std::string json = evaluation_json(inputs.read, found.report, found.standing);
+  write_outputs(options.outputs, json, found.drawing);
   print_result(options.json
-                   ? json_text
-                   : report::evaluation_text(inputs.problem, found.report, found.standing));
+                   ? json
+                   : report::evaluation_text(inputs.read.problem, found.report, found.standing));
 }
 
 ExitCode run_evaluate(const EvaluateOptions& options) {
   const EvaluateInputs inputs = read(options);
-  const Evaluation found = compute(inputs);
+  const Evaluation found = compute(options, inputs);
   write(options, inputs, found);
   if (!found.report.feasible()) return ExitCode::kFails;
   return is_interrupted() ? ExitCode::kUndecided : ExitCode::kPasses;

@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/gearbox_commands.hpp"
+#include "src/commands/result_json.hpp"
 #include "src/report/strength_json.hpp"
 #include "src/standard_output.hpp"
 
@@ -68,11 +67,8 @@ report::StrengthReport compute(const StrengthOptions& options, gearbox::ReadStre
 }
 
 void write(const StrengthOptions& options, const report::StrengthReport& report) {
-  if (!options.json) return print_result(report::strength_text(report));
-  nlohmann::ordered_json result = report::strength_json(report);
-  result["tool"] = io::tool_provenance();
-  result["inputs"] = io::input_provenance(report.read.documents);
-  print_result(io::json_text(result));
+  print_result(options.json ? result_text(report::strength_json(report), report.read.documents)
+                            : report::strength_text(report));
 }
 
 ExitCode run_strength(const StrengthOptions& options) {

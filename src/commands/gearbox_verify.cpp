@@ -4,30 +4,17 @@
 #include <utility>
 
 #include "gearbox/problem_spec.hpp"
+#include "gearbox/verification/verification_json.hpp"
 #include "io/document.hpp"
-#include "io/file_bytes.hpp"
-#include "io/json_reader.hpp"
+#include "io/json_text.hpp"
 #include "src/commands/gearbox_commands.hpp"
-#include "src/commands/proof_check.hpp"
+#include "src/commands/gearbox_result_json.hpp"
+#include "src/report/proof_json.hpp"
+#include "src/report/proof_text.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
 namespace {
-
-/// A result of `evaluate` has the same kind, but claims nothing that could be proved.
-void refuse_evaluation(const nlohmann::json& result, const std::string& file) {
-  if (!result.is_object() || !result.contains("rank")) return;
-  throw io::SpecError({{file, "/certificate",
-                        "holds no claims: this is what `gearbox evaluate` says of one design; "
-                        "`gearbox verify` checks the proof in a result of `gearbox optimize`"}});
-}
-
-io::Document read_result(const std::string& file) {
-  io::JsonText text = io::read_json_text(io::read_file_bytes(file), file);
-  if (!text.faults.empty()) throw io::SpecError(std::move(text.faults));
-  refuse_evaluation(text.root, file);
-  return io::check_document(std::move(text.root), "gearbox_result", file, "");
-}
 
 struct VerifyOptions {
   std::string result_file;
@@ -47,16 +34,16 @@ VerifyInputs read(const VerifyOptions& options) {
   return {std::move(result), gearbox::read_problem(document)};
 }
 
-void write(const VerifyOptions& options, const ProofCheck& check) {
-  print_result(options.json ? io::json_text(check.json) : check.text);
+void write(const VerifyOptions& options, const gearbox::Verification& found) {
+  print_result(options.json ? io::json_text(report::proof_json(found)) : report::proof_text(found));
 }
 
 ExitCode run_verify(const VerifyOptions& options) {
   const VerifyInputs inputs = read(options);
-  const ProofCheck check = check_proof(inputs.problem, inputs.result.root);
-  write(options, check);
-  if (!check.is_accepted) return ExitCode::kFails;
-  return check.is_undecided ? ExitCode::kUndecided : ExitCode::kPasses;
+  const gearbox::Verification found = gearbox::verify(inputs.problem, inputs.result.root);
+  write(options, found);
+  if (!found.is_accepted) return ExitCode::kFails;
+  return found.is_undecided ? ExitCode::kUndecided : ExitCode::kPasses;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "hopper/candidates/candidates.hpp"
@@ -15,37 +16,40 @@ namespace torquewright::cli {
 namespace {
 
 /// Derives the rates that the motion lacks on the way.
-hopper::HopperReport check_whole_body(HopperCheckInputs& inputs) {
+hopper::HopperReport check_whole_body(const HopperCheckInputs& inputs, hopper::Motion& motion) {
   report::ProgressLine progress;
   hopper::CheckOptions check = inputs.check;
   check.on_progress = [&progress](double share) {
     progress.show(fmt::format("forces and torques: {:.0f} %", 100.0 * share));
   };
-  return hopper::check_motion(inputs.robot.robot, inputs.motion, check);
+  return hopper::check_motion(inputs.robot.robot, motion, check);
 }
 
 std::vector<hopper::CandidateResult> try_shelf(const HopperCheckRequest& request,
-                                               const HopperCheckInputs& inputs) {
+                                               const HopperCheckInputs& inputs,
+                                               const hopper::Motion& motion) {
   if (request.candidates_folder.empty()) return {};
   report::ProgressLine progress;
   return hopper::try_candidates(
-      inputs.robot.robot, inputs.motion, inputs.check, inputs.shelf, request.threads,
+      inputs.robot.robot, motion, inputs.check, inputs.shelf, request.threads,
       [&progress](double share) {
         progress.show(fmt::format("trying candidates: {:.0f} %", 100.0 * share));
       });
 }
 
-HopperCheckFound compute(const HopperCheckRequest& request, HopperCheckInputs& inputs) {
+HopperCheckFound compute(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
+                         hopper::Motion motion) {
   HopperCheckFound found;
-  found.report = check_whole_body(inputs);
-  found.candidates = try_shelf(request, inputs);
+  found.motion = std::move(motion);
+  found.report = check_whole_body(inputs, found.motion);
+  found.candidates = try_shelf(request, inputs, found.motion);
   return found;
 }
 
 ExitCode run_hopper_check(const HopperCheckRequest& request) {
   require_outputs(request);
-  HopperCheckInputs inputs = read_inputs(request);
-  const HopperCheckFound found = compute(request, inputs);
+  auto [inputs, motion] = read_inputs(request);
+  const HopperCheckFound found = compute(request, inputs, std::move(motion));
   write_outputs(request, inputs, found);
   return verdict_code(found.report.check.verdict);
 }

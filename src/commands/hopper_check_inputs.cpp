@@ -64,15 +64,16 @@ hopper::Shelf shelf_of(const HopperCheckRequest& request, const hopper::ReadRobo
 
 }  // namespace
 
-HopperCheckInputs read_inputs(const HopperCheckRequest& request) {
-  HopperCheckInputs inputs;
+HopperCheckRead read_inputs(const HopperCheckRequest& request) {
+  HopperCheckRead read;
+  HopperCheckInputs& inputs = read.inputs;
   inputs.robot = hopper::read_robot(request.robot_file);
   const hopper::MotionFile source = motion_file(request);
   inputs.columns = source.documents;
   inputs.check = check_options(request, inputs.robot);
-  inputs.motion = motion_in(source, inputs.robot.robot);
+  read.motion = motion_in(source, inputs.robot.robot);
   inputs.shelf = shelf_of(request, inputs.robot);
-  return inputs;
+  return read;
 }
 
 }  // namespace torquewright::cli

@@ -11,16 +11,22 @@
 
 namespace torquewright::cli {
 
-/// What was read for a whole-body check.
+/// What was read for a whole-body check beside the motion.
 struct HopperCheckInputs {
   hopper::ReadRobot robot;
   std::vector<io::Document> columns;  ///< Of kind trajectory_columns.
   hopper::CheckOptions check;
-  hopper::Motion motion;
   hopper::Shelf shelf;  ///< Of candidates; empty where no folder of them was given.
 };
 
+/// The motion stands apart: the check adds the rates that it lacks where it stands, since a copy of
+/// a long one would take as much memory again.
+struct HopperCheckRead {
+  HopperCheckInputs inputs;
+  hopper::Motion motion;
+};
+
 /// Reads all documents and the motion. Throws io::SpecError.
-HopperCheckInputs read_inputs(const HopperCheckRequest& request);
+HopperCheckRead read_inputs(const HopperCheckRequest& request);
 
 }  // namespace torquewright::cli

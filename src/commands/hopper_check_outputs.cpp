@@ -9,11 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "hopper/candidates/candidates_spec.hpp"
-#include "hopper/check/hopper_report_spec.hpp"
 #include "io/atomic_file.hpp"
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
+#include "src/commands/hopper_check_json.hpp"
 #include "src/report/gnuplot.hpp"
 #include "src/report/hopper_html.hpp"
 #include "src/report/hopper_plots.hpp"
@@ -24,48 +21,8 @@
 namespace torquewright::cli {
 namespace {
 
-/// What was asked for beyond the files, where it is not the default.
-nlohmann::ordered_json request_json(const HopperCheckRequest& request) {
-  const hopper::CheckOptions defaults;
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  const auto add = [&json](const char* key, const auto& value, const auto& usual) {
-    if (value != usual) json[key] = value;
-  };
-  if (!request.columns.empty()) json["column"] = request.columns;
-  if (!request.window.from_s.empty()) json["from_s"] = request.window.from_s.back();
-  if (!request.window.until_s.empty()) json["until_s"] = request.window.until_s.back();
-  add("rating", request.operating.rating, std::string("peak"));
-  add("bus_voltage_V", request.operating.bus_voltage_V, 0.0);
-  add("state_of_charge", request.operating.state_of_charge, -1.0);
-  add("winding_temperature_K", request.operating.winding_temperature_K, 0.0);
-  add("torques", request.torques, std::string("best"));
-  add("ground_height_m", request.check.contact.ground_height_m, defaults.contact.ground_height_m);
-  add("contact_height_m", request.check.contact.height_m, defaults.contact.height_m);
-  add("contact_speed_m_s", request.check.contact.speed_m_s, defaults.contact.speed_m_s);
-  add("residual_limit", request.check.residual_share, defaults.residual_share);
-  add("load_window_s", request.check.load_window_s, defaults.load_window_s);
-  add("repeat", request.check.runs, defaults.runs);
-  add("ratios", request.ratios, std::string());
-  add("pause_s", request.check.pause_s, defaults.pause_s);
-  return json;
-}
-
-std::string hopper_check_json(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
-                              const HopperCheckFound& found) {
-  nlohmann::ordered_json document = hopper::hopper_report_json(found.report);
-  document["candidates"] = hopper::candidates_json(inputs.robot.robot, found.candidates);
-  document["options"] = request_json(request);
-  document["tool"] = io::tool_provenance();
-  std::vector<io::Document> read = inputs.robot.documents;
-  read.push_back({request.trajectory_file, "", {}, found.report.check.sha256});
-  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
-  read.insert(read.end(), inputs.shelf.documents.begin(), inputs.shelf.documents.end());
-  document["inputs"] = io::input_provenance(read);
-  return io::json_text(document);
-}
-
 std::string hopper_check_text(const HopperCheckInputs& inputs, const HopperCheckFound& found) {
-  std::string text = report::hopper_text(inputs.robot.robot, inputs.motion, found.report);
+  std::string text = report::hopper_text(inputs.robot.robot, found.motion, found.report);
   if (found.candidates.empty()) return text;
   text += report::candidates_text(inputs.robot.robot, found.candidates);
   for (const std::string& sentence : inputs.shelf.left_out) {
@@ -133,7 +90,7 @@ void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& i
   const std::string text =
       request.json ? hopper_check_json(request, inputs, found) : hopper_check_text(inputs, found);
   std::vector<io::FileContent> files = pictures(
-      request, {inputs.robot.robot, inputs.motion, inputs.check, found.report, found.candidates});
+      request, {inputs.robot.robot, found.motion, inputs.check, found.report, found.candidates});
   if (!request.output_file.empty()) files.push_back({request.output_file, text});
   io::write_whole_files(files);
   if (request.output_file.empty()) print_result(text);

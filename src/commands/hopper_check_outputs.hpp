@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/candidates/candidates.hpp"
+#include "src/commands/hopper_check_found.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
-#include "src/options/hopper_check_request.hpp"
 
 namespace torquewright::cli {
-
-/// What a whole-body check found.
-struct HopperCheckFound {
-  hopper::HopperReport report;
-  std::vector<hopper::CandidateResult> candidates;  ///< Empty where no folder of them was given.
-};
 
 /// For before the work: throws io::SpecError where a file cannot be written or drawn.
 void require_outputs(const HopperCheckRequest& request);

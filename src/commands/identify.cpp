@@ -3,14 +3,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "identification/report_spec.hpp"
 #include "io/atomic_file.hpp"
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
 #include "src/commands/identify_commands.hpp"
+#include "src/commands/identify_inputs.hpp"
+#include "src/commands/identify_json.hpp"
 #include "src/commands/refined_actuators.hpp"
-#include "src/options/identify_request.hpp"
 #include "src/report/gnuplot.hpp"
 #include "src/report/identification_html.hpp"
 #include "src/report/identification_text.hpp"
@@ -22,27 +21,15 @@ namespace {
 
 using identification::Identification;
 using identification::Verdict;
-using nlohmann::ordered_json;
 
-std::string json_text(const IdentifyRequest& request, const IdentifyInputs& inputs,
-                      const Identification& found) {
-  ordered_json document = identification::identification_report_json(found);
-  document["options"] = ordered_json::object();
-  if (!request.select) document["options"]["select"] = false;
-  if (request.empirical) document["options"]["empirical"] = true;
-  document["tool"] = io::tool_provenance();
-  std::vector<io::Document> documents;
-  for (const auto& file : found.files) documents.push_back({file.path, "", {}, file.sha256});
-  documents.push_back(inputs.rig_document);
-  for (const auto& actuator : inputs.actuators) {
-    documents.insert(documents.end(), actuator.nominal.documents.begin(),
-                     actuator.nominal.documents.end());
-  }
-  document["inputs"] = io::input_provenance(documents);
-  return io::json_text(document);
-}
+/// What was found, and what follows from it for the actuators.
+struct IdentifyFound {
+  Identification identification;
+  RefinedActuators refined;
+  std::vector<report::RegionSection> regions;  ///< For the page, where one was asked for.
+};
 
-Identification compute(const IdentifyRequest& request, const IdentifyInputs& inputs) {
+Identification identification_of(const IdentifyRequest& request, const IdentifyInputs& inputs) {
   report::ProgressLine progress;
   identification::IdentifyOptions options;
   options.select = request.select;
@@ -52,6 +39,21 @@ Identification compute(const IdentifyRequest& request, const IdentifyInputs& inp
   };
   return identification::identify({request.logs.begin(), request.logs.end()}, inputs.rig,
                                   inputs.actuators, options);
+}
+
+IdentifyInputs read(const IdentifyRequest& request) {
+  require_log_options(request);
+  IdentifyInputs inputs = read_inputs(request);
+  if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
+  return inputs;
+}
+
+IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inputs) {
+  IdentifyFound found;
+  found.identification = identification_of(request, inputs);
+  found.refined = refined_actuators(inputs, found.identification);
+  if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
+  return found;
 }
 
 ExitCode exit_code_of(Verdict verdict) {
@@ -69,28 +71,25 @@ ExitCode exit_code_of(Verdict verdict) {
 }
 
 void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
-           const Identification& found) {
-  const std::vector<RefinedActuator> refined = refined_actuators(inputs, found);
+           const IdentifyFound& found) {
   report::IdentificationContext context{
       request.logs, request.rig_file, inputs.rig.name, request.actuators, {}, request.select};
-  std::vector<io::FileContent> files = refined_files(inputs, refined);
+  std::vector<io::FileContent> files = refined_files(inputs, found.refined);
   for (const io::FileContent& file : files) context.refined_files.push_back(file.file.string());
   if (!request.report_file.empty()) {
-    files.push_back({request.report_file, report::identification_html(
-                                              found, context, region_sections(inputs, refined))});
+    files.push_back({request.report_file,
+                     report::identification_html(found.identification, context, found.regions)});
   }
   io::write_whole_files(files);
-  print_result(request.json ? json_text(request, inputs, found)
-                            : report::identification_text(found, context));
+  print_result(request.json ? identify_json(request, inputs, found.identification)
+                            : report::identification_text(found.identification, context));
 }
 
 ExitCode run_identify(const IdentifyRequest& request) {
-  require_log_options(request);
-  const IdentifyInputs inputs = read_inputs(request);
-  if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
-  const Identification found = compute(request, inputs);
+  const IdentifyInputs inputs = read(request);
+  const IdentifyFound found = compute(request, inputs);
   write(request, inputs, found);
-  return exit_code_of(found.verdict);
+  return exit_code_of(found.identification.verdict);
 }
 
 }  // namespace

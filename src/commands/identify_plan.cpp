@@ -10,9 +10,8 @@
 #include "identification/plan.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
 #include "src/commands/identify_commands.hpp"
+#include "src/commands/result_json.hpp"
 #include "src/options/noise_option.hpp"
 #include "src/report/plan_json.hpp"
 #include "src/report/plan_text.hpp"
@@ -22,7 +21,6 @@ namespace torquewright::cli {
 namespace {
 
 using identification::Plan;
-using nlohmann::ordered_json;
 
 struct PlanRequest {
   std::string actuator, rig, excitation;
@@ -59,18 +57,13 @@ PlanInputs read(const PlanRequest& request) {
   return inputs;
 }
 
-std::string json_text(const PlanInputs& inputs, const Plan& plan) {
-  ordered_json document = report::plan_json(plan, inputs.options);
-  document["tool"] = io::tool_provenance();
-  document["inputs"] = io::input_provenance(documents_of(inputs));
-  return io::json_text(document);
-}
-
 void write(const PlanRequest& request, const PlanInputs& inputs, const Plan& plan) {
   if (!request.excitation.empty()) {
     io::write_whole_file(request.excitation, identification::excitation_csv(plan.runs));
   }
-  if (request.json) return print_result(json_text(inputs, plan));
+  if (request.json) {
+    return print_result(result_text(report::plan_json(plan, inputs.options), documents_of(inputs)));
+  }
   std::string text = report::plan_text(plan, inputs.options);
   if (!request.excitation.empty()) text += fmt::format("Written: {}\n", request.excitation);
   print_result(text);

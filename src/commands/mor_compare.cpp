@@ -5,8 +5,7 @@
 
 #include "actuator/region/mor_table.hpp"
 #include "actuator/region/region_comparison.hpp"
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
+#include "src/commands/result_json.hpp"
 #include "src/report/comparison_json.hpp"
 #include "src/report/comparison_text.hpp"
 
@@ -31,14 +30,11 @@ std::string comparison_result(const ComparedActuator& from, const ComparedActuat
   const actuator::RegionComparison comparison =
       actuator::compare(region_of(from, side), region_of(to, side));
   if (!as_json) return report::comparison_text(label_of(from), label_of(to), comparison);
-  nlohmann::ordered_json document =
-      report::comparison_json(from.read.actuator.name, to.read.actuator.name, comparison);
-  document["side"] = side == actuator::Side::kJoint ? "joint" : "motor";
-  document["tool"] = io::tool_provenance();
   std::vector<io::Document> inputs = from.read.documents;
   inputs.insert(inputs.end(), to.read.documents.begin(), to.read.documents.end());
-  document["inputs"] = io::input_provenance(inputs);
-  return io::json_text(document);
+  return result_text(
+      report::comparison_json(from.read.actuator.name, to.read.actuator.name, comparison, side),
+      inputs);
 }
 
 std::string comparison_plot(report::PlotFormat format, const ComparedActuator& from,

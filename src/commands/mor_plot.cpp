@@ -3,22 +3,15 @@
 
 #include <fmt/format.h>
 
-#include "io/spec_error.hpp"
+#include "io/refusal.hpp"
 #include "src/report/region_plot.hpp"
 
 namespace torquewright::cli {
-namespace {
 
 using actuator::OperatingConditions;
 
-struct Overlay {
-  std::string label;
-  OperatingConditions conditions;
-};
-
-/// The region asked for first, then its continuous rating, then the others.
-std::vector<Overlay> overlays(const MorPlotOptions& options, const actuator::Actuator& actuator,
-                              const OperatingConditions& conditions) {
+std::vector<Overlay> overlays_of(const MorPlotOptions& options, const actuator::Actuator& actuator,
+                                 const OperatingConditions& conditions) {
   const double voltage_V = actuator::open_circuit_voltage_V(actuator, conditions);
   const double temperature_K = actuator::winding_temperature_K(actuator, conditions);
   const bool is_peak = conditions.rating == actuator::Rating::kPeak;
@@ -41,18 +34,17 @@ std::vector<Overlay> overlays(const MorPlotOptions& options, const actuator::Act
     changed.winding_temperature_K = other_K;
     all.push_back({fmt::format("{:.4g} K", other_K), changed});
   }
+  for (const Overlay& overlay : all) {
+    const std::vector<std::string> objections = actuator::objections(actuator, overlay.conditions);
+    if (!objections.empty()) io::refuse("--plot", objections.front());
+  }
   return all;
 }
 
-}  // namespace
-
-std::string region_plot_of(const MorPlotOptions& options, const actuator::Actuator& actuator,
-                           const OperatingConditions& conditions, actuator::Side side) {
-  const report::PlotFormat format = report::plot_format(options.file);
+std::string region_plot_of(report::PlotFormat format, const actuator::Actuator& actuator,
+                           const std::vector<Overlay>& overlays, actuator::Side side) {
   std::vector<report::PlottedRegion> regions;
-  for (const Overlay& overlay : overlays(options, actuator, conditions)) {
-    const std::vector<std::string> objections = actuator::objections(actuator, overlay.conditions);
-    if (!objections.empty()) throw io::SpecError({{"--plot", "", objections.front()}});
+  for (const Overlay& overlay : overlays) {
     regions.push_back(
         {overlay.label, actuator::mor_table(actuator::Region(actuator, overlay.conditions, side))});
   }

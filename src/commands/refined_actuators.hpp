@@ -6,7 +6,7 @@
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "io/atomic_file.hpp"
-#include "src/options/identify_request.hpp"
+#include "src/commands/identify_inputs.hpp"
 #include "src/report/identification_html.hpp"
 
 namespace torquewright::cli {
@@ -18,18 +18,22 @@ struct RefinedActuator {
   actuator::ReadActuator read;
 };
 
-/// Those of all joints, in the rig's order; empty where nothing is sure: an actuator with nothing
-/// added to it would only look refined. One that its own reader refuses is said on stderr and left
-/// out, with all others.
-std::vector<RefinedActuator> refined_actuators(const IdentifyInputs& inputs,
-                                               const identification::Identification& found);
+/// Those of all joints, in the rig's order; none where nothing is sure: an actuator with nothing
+/// added to it would only look refined.
+struct RefinedActuators {
+  std::vector<RefinedActuator> of_joints;
+  std::string refusal;  ///< What its own reader says against one of them; then there are none.
+};
+
+RefinedActuators refined_actuators(const IdentifyInputs& inputs,
+                                   const identification::Identification& found);
 
 /// What is to be written for -o; on stderr where nothing is, though it was asked for.
 std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
-                                           const std::vector<RefinedActuator>& refined);
+                                           const RefinedActuators& refined);
 
 /// The regions as stated and refined, of the actuators that changed.
 std::vector<report::RegionSection> region_sections(const IdentifyInputs& inputs,
-                                                   const std::vector<RefinedActuator>& refined);
+                                                   const RefinedActuators& refined);
 
 }  // namespace torquewright::cli

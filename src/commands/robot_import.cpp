@@ -12,6 +12,7 @@
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "io/json_text.hpp"
+#include "src/commands/result_json.hpp"
 #include "src/commands/robot_commands.hpp"
 #include "src/standard_output.hpp"
 
@@ -33,11 +34,10 @@ hopper::Imported read(const ImportOptions& options) {
 }
 
 /// The robot's document. What a file says may still be no robot (inertias that no body has): such a
-/// document is refused.
+/// document is refused. It names no other files, so that checking it opens none.
 std::string compute(const ImportOptions& options, const hopper::Imported& imported) {
   std::string text = io::json_text(hopper::robot_json(imported.robot));
-  (void)hopper::robot_of(
-      io::check_document(nlohmann::json::parse(text), "robot", options.file, ""));
+  (void)hopper::robot_of(io::check_document(as_read(text), "robot", options.file, ""));
   return text;
 }
 

@@ -1,111 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/calibration_request.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-
-#include "io/document.hpp"
-#include "io/refusal.hpp"
-
 namespace torquewright::cli {
-namespace {
-
-namespace calibration = hopper::calibration;
-
-constexpr const char* kTargetForm = "must be cam=N, cav=N:N (takeoff and tuck) or cav@POSTURE=N";
-constexpr const char* kPostureForm = "must be NAME=JOINT:POSITION,JOINT:POSITION,...";
-
-std::vector<std::string> split(const std::string& text, char mark) {
-  std::vector<std::string> parts{""};
-  for (const char letter : text) {
-    if (letter == mark) {
-      parts.emplace_back();
-    } else {
-      parts.back() += letter;
-    }
-  }
-  return parts;
-}
-
-double number_in(const std::string& text, const std::string& option, const std::string& whole,
-                 const char* form) {
-  double number = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || rest != end || !std::isfinite(number)) {
-    io::refuse(option, fmt::format("\"{}\" {}", whole, form));
-  }
-  return number;
-}
-
-/// A published magnitude; a zero or negative one is none.
-double figure_in(const std::string& text, const std::string& whole) {
-  const double figure = number_in(text, "--target", whole, kTargetForm);
-  if (figure >= 1e-6 && figure <= 1e6) return figure;
-  io::refuse("--target", fmt::format("{} in \"{}\" must be from 1e-06 to 1e+06", figure, whole));
-}
-
-std::size_t posture_named(const std::string& name, const hopper::Robot& robot) {
-  std::string known;
-  for (std::size_t i = 0; i < robot.postures.size(); ++i) {
-    if (robot.postures[i].name == name) return i;
-    known += (known.empty() ? "" : ", ") + robot.postures[i].name;
-  }
-  io::refuse("--target",
-             fmt::format("the robot has no posture \"{}\"{}; --posture {}=JOINT:POSITION,"
-                         "... gives it one",
-                         name, known.empty() ? "" : " (it has: " + known + ")", name));
-}
-
-void add_speed(const std::string& posture, double speed_rad_s, const hopper::Robot& robot,
-               calibration::Figures& figures) {
-  const std::size_t index = posture_named(posture, robot);
-  for (const calibration::SpeedTarget& known : figures.speeds) {
-    if (known.posture != index) continue;
-    io::refuse("--target", fmt::format("CAV at {} is given twice", posture));
-  }
-  figures.speeds.push_back({index, speed_rad_s});
-}
-
-void read_target(const std::string& text, const hopper::Robot& robot,
-                 calibration::Figures& figures) {
-  const std::size_t equals = text.find('=');
-  const std::string name = text.substr(0, equals);
-  const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
-  if (name == "cam") {
-    if (figures.angular_momentum_Nm_s != 0.0) io::refuse("--target", "CAM is given twice");
-    figures.angular_momentum_Nm_s = figure_in(value, text);
-  } else if (name == "cav") {
-    const std::vector<std::string> speeds = split(value, ':');
-    if (speeds.size() != 2) io::refuse("--target", fmt::format("\"{}\" {}", text, kTargetForm));
-    add_speed("takeoff", figure_in(speeds[0], text), robot, figures);
-    add_speed("tuck", figure_in(speeds[1], text), robot, figures);
-  } else if (name.starts_with("cav@")) {
-    add_speed(name.substr(4), figure_in(value, text), robot, figures);
-  } else {
-    io::refuse("--target", fmt::format("\"{}\" {}", text, kTargetForm));
-  }
-}
-
-void check_twice(const calibration::FreeValue& value,
-                 const std::vector<calibration::FreeValue>& known) {
-  for (const calibration::FreeValue& other : known) {
-    for (const std::string& pointer : value.pointers) {
-      if (std::find(other.pointers.begin(), other.pointers.end(), pointer) ==
-          other.pointers.end()) {
-        continue;
-      }
-      io::refuse("--free", fmt::format("{} stands twice", pointer));
-    }
-  }
-}
-
-}  // namespace
 
 void add_calibration_options(command_line::Command& command, CalibrationRequest& request) {
+  command.add_option("robot", request.robot_file, "Document of kind robot").required();
   command
       .add_option("--target", request.targets,
                   "cam=N in N m s; cav=N:N in rad/s at the postures takeoff and tuck, or "
@@ -127,51 +26,10 @@ void add_calibration_options(command_line::Command& command, CalibrationRequest&
                   "Within which a CAV counts as met, relative; 0.01 covers the rounding of 6.0 and "
                   "7.4")
       .between(1e-6, 0.5);
-}
-
-void add_postures(const CalibrationRequest& request, io::Document& robot) {
-  for (const std::string& text : request.postures) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      io::refuse("--posture", fmt::format("\"{}\" {}", text, kPostureForm));
-    }
-    nlohmann::json joints = nlohmann::json::object();
-    for (const std::string& part : split(text.substr(equals + 1), ',')) {
-      const std::size_t colon = part.rfind(':');
-      if (colon == std::string::npos || colon == 0) {
-        io::refuse("--posture", fmt::format("\"{}\" {}", text, kPostureForm));
-      }
-      joints[part.substr(0, colon)] =
-          number_in(part.substr(colon + 1), "--posture", text, kPostureForm);
-    }
-    robot.root["postures"][text.substr(0, equals)] = joints;
-  }
-}
-
-calibration::Question calibration_question(const CalibrationRequest& request,
-                                           const io::Document& document,
-                                           const hopper::Robot& robot) {
-  if (robot.tree.base == dynamics::BaseKind::kFixed) {
-    throw io::SpecError({{document.file, "/base/motion",
-                          "\"fixed\": CAM is conserved in flight, and a fixed base does not fly"}});
-  }
-  calibration::Question question;
-  question.tree = robot.tree;
-  question.postures = robot.postures;
-  question.figures.tolerance = request.tolerance;
-  for (const std::string& target : request.targets) read_target(target, robot, question.figures);
-  if (question.figures.angular_momentum_Nm_s == 0.0) {
-    io::refuse("--target", "states no CAM: cam=N in N m s");
-  }
-  if (question.figures.speeds.empty()) {
-    io::refuse("--target", "states no CAV: cav=N:N or cav@POSTURE=N in rad/s");
-  }
-  for (const std::string& text : request.free) {
-    calibration::FreeValue value = calibration::free_value(text, document, robot);
-    check_twice(value, question.free);
-    question.free.push_back(std::move(value));
-  }
-  return question;
+  command.add_option("-o,--output", request.output_file,
+                     "Write the robot with the fitted values to this file");
+  command.add_option("--plot", request.plot_file, "Draw the valley to this SVG or PNG");
+  command.add_flag("--json", request.json, "Print the report as JSON");
 }
 
 }  // namespace torquewright::cli

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "hopper/calibration/figures.hpp"
 #include "src/command_line/command_line.hpp"
 
 namespace torquewright::io {
@@ -13,25 +12,20 @@ struct Document;
 
 namespace torquewright::cli {
 
-/// What `hopper calibrate` is to bring about, in the words of the command line.
+/// What `hopper calibrate` is asked, in the words of the command line. An empty name of a file: not
+/// asked for.
 struct CalibrationRequest {
+  std::string robot_file;
   std::vector<std::string> targets;   ///< cam=6.0; cav=7.4:10.6 (takeoff, tuck); cav@NAME=7.4
   std::vector<std::string> free;      ///< POINTER[,POINTER...][=LOW:HIGH]
   std::vector<std::string> postures;  ///< NAME=JOINT:POSITION,...
   double tolerance = 0.01;
+  std::string output_file;
+  std::string plot_file;
+  bool json = false;
 };
 
-/// Adds --target, --free, --posture and --tolerance.
+/// Adds everything that `hopper calibrate` takes.
 void add_calibration_options(command_line::Command& command, CalibrationRequest& request);
-
-/// Writes the postures of the command line into the robot's document, over those it has. Throws
-/// io::SpecError for what does not read as one.
-void add_postures(const CalibrationRequest& request, io::Document& robot);
-
-/// Throws io::SpecError: targets that do not read, no CAM or no CAV, postures that the robot does
-/// not have, a fixed base (no flight), no or twofold free values.
-hopper::calibration::Question calibration_question(const CalibrationRequest& request,
-                                                   const io::Document& document,
-                                                   const hopper::Robot& robot);
 
 }  // namespace torquewright::cli

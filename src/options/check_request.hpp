@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <list>
 #include <string>
 #include <vector>
 
-#include "actuator/check/check.hpp"
-#include "actuator/motor/actuator_spec.hpp"
 #include "src/options/operating_options.hpp"
 #include "src/options/window_options.hpp"
 
@@ -32,15 +29,5 @@ struct CheckOptions {
 
 /// Adds everything that `actuator check` takes.
 void add_check_options(command_line::Command& command, CheckOptions& options);
-
-/// What is to be checked, and every document that was read for it.
-struct PreparedCheck {
-  actuator::CheckRequest request;
-  std::list<actuator::ReadActuator> actuators;  ///< The request points to them.
-  std::vector<io::Document> documents;
-};
-
-/// Reads all documents; the trajectory is read as it is checked. Throws io::SpecError.
-PreparedCheck read_inputs(const CheckOptions& options);
 
 }  // namespace torquewright::cli

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "identification/identify.hpp"
-#include "io/document.hpp"
 #include "src/command_line/command_line.hpp"
 
 namespace torquewright::cli {
@@ -27,17 +25,5 @@ void add_log_options(command_line::Command& command, IdentifyRequest& request);
 
 /// Throws io::SpecError for the first that is missing.
 void require_log_options(const IdentifyRequest& request);
-
-/// What was read for a request. Both lists are in the order of the rig's joints.
-struct IdentifyInputs {
-  io::Document rig_document;
-  identification::Rig rig;
-  std::vector<identification::JointActuator> actuators;
-  std::vector<std::string> outputs;  ///< Empty: not asked for.
-};
-
-/// Throws io::SpecError for what cannot be read, a joint that the rig does not have, one without an
-/// actuator, and outputs that could not be written.
-IdentifyInputs read_inputs(const IdentifyRequest& request);
 
 }  // namespace torquewright::cli

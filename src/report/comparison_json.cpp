@@ -25,7 +25,7 @@ ordered_json change_json(const TorqueChange& change) {
 }  // namespace
 
 ordered_json comparison_json(const std::string& from, const std::string& to,
-                             const RegionComparison& comparison) {
+                             const RegionComparison& comparison, Side side) {
   ordered_json quadrants = ordered_json::array();
   for (std::size_t q = 0; q < kQuadrants.size(); ++q) {
     quadrants.push_back({{"name", kQuadrants[q].name},
@@ -36,7 +36,8 @@ ordered_json comparison_json(const std::string& from, const std::string& to,
           {"version", 1},
           {"from", {{"name", from}, {"figures", figures_json(comparison.from)}}},
           {"to", {{"name", to}, {"figures", figures_json(comparison.to)}}},
-          {"quadrants", quadrants}};
+          {"quadrants", quadrants},
+          {"side", side == Side::kJoint ? "joint" : "motor"}};
 }
 
 }  // namespace torquewright::report

@@ -23,7 +23,7 @@ void require(bool holds, const char* message) {
   if (!holds) throw std::invalid_argument(message);
 }
 
-void require_drawing(const GearboxDrawing& drawing) {
+void require_drawing(const DrawnGearbox& drawing) {
   const bool is_3k = drawing.topology == "3k";
   require(is_3k || drawing.topology == "planetary", "drawing: unknown topology");
   require(drawing.teeth.size() == (is_3k ? 5u : 3u), "drawing: wrong number of gears");
@@ -121,7 +121,7 @@ double blank_diameter_mm(const DrawingLayout& layout, const DrawnGear& ring) {
   return 2.0 * (layout.drawing.module_mm * ring.root_radius + layout.ring_wall_mm);
 }
 
-DrawingLayout lay_out(const GearboxDrawing& drawing) {
+DrawingLayout lay_out(const DrawnGearbox& drawing) {
   require_drawing(drawing);
   DrawingLayout layout;
   layout.drawing = drawing;

@@ -9,7 +9,7 @@
 
 #include "gearbox/teeth/tooth_form.hpp"
 #include "gearbox/train/assembly_phase.hpp"
-#include "src/report/gearbox_drawing.hpp"
+#include "src/report/drawn_gearbox.hpp"
 
 namespace torquewright::report {
 
@@ -36,7 +36,7 @@ struct DrawnLayer {
 
 /// Everything of a drawing that is decided before a line is drawn.
 struct DrawingLayout {
-  GearboxDrawing drawing;
+  DrawnGearbox drawing;
   std::vector<DrawnGear> gears;  ///< In the topology's order.
   std::vector<DrawnLayer> layers;
   gearbox::AssemblyPhase phase;
@@ -49,7 +49,7 @@ struct DrawingLayout {
 };
 
 /// Throws std::invalid_argument as gearbox_drawing() does.
-DrawingLayout lay_out(const GearboxDrawing& drawing);
+DrawingLayout lay_out(const DrawnGearbox& drawing);
 
 /// Outer diameter of a ring's blank [mm].
 double blank_diameter_mm(const DrawingLayout& layout, const DrawnGear& ring);

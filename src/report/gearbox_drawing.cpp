@@ -7,7 +7,7 @@
 
 namespace torquewright::report {
 
-std::string gearbox_drawing(const GearboxDrawing& drawing) {
+std::string gearbox_drawing(const DrawnGearbox& drawing) {
   constexpr double kViewY_mm = 108.0;
   const DrawingLayout layout = lay_out(drawing);
   std::string svg = sheet_opening() + shape_definitions(layout);

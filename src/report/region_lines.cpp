@@ -7,7 +7,6 @@
 #include <set>
 
 #include "src/report/gnuplot.hpp"
-#include "src/report/region_plot.hpp"
 
 namespace torquewright::report {
 namespace {

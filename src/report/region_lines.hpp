@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "actuator/region/mor_table.hpp"
+#include "src/report/plotted_region.hpp"
 
 namespace torquewright::report {
-
-struct PlottedRegion;
 
 /// The bounds of one region as data blocks and plot elements of a gnuplot script.
 class RegionLines {

@@ -7,14 +7,9 @@
 #include "actuator/check/report.hpp"
 #include "actuator/region/mor_table.hpp"
 #include "src/report/gnuplot.hpp"
+#include "src/report/plotted_region.hpp"
 
 namespace torquewright::report {
-
-/// A region to be drawn, and what it is called where there are several.
-struct PlottedRegion {
-  std::string label;
-  actuator::MorTable table;
-};
 
 /// A script for gnuplot: regions in the plane of speed and torque, the first with thick lines and
 /// shaded, each bound in the colour of its limiter; all others dashed.

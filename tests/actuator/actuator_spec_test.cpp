@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "actuator/region/operating_conditions.hpp"
@@ -29,6 +30,20 @@ json contract_example() {
    "effects": [{"effect": "coulomb_friction", "parameters": {"coulomb_Nm": 0.5},
      "provenance": "assumed"}],
    "assumed": ["/motor/resistance_ohm"]})");
+}
+
+json published_gearbox() {
+  return {{"kind", "gearbox"},
+          {"version", 1},
+          {"topology", "3k"},
+          {"teeth",
+           {{"sun", 44},
+            {"planet_1", 44},
+            {"planet_2", 32},
+            {"fixed_ring", 132},
+            {"output_ring", 120}}},
+          {"planet_count", 4},
+          {"module_mm", 0.6}};
 }
 
 class ActuatorSpec : public ::testing::Test {
@@ -116,18 +131,7 @@ TEST_F(ActuatorSpec, RefusesEffectsThatCountTwice) {
 // the actuator's document says: a separate program, from the contact path to the shaft powers (the
 // same as in tests/gearbox/train/losses_test.cpp).
 TEST_F(ActuatorSpec, ComputesAGearboxInAFile) {
-  const json gearbox = {{"kind", "gearbox"},
-                        {"version", 1},
-                        {"topology", "3k"},
-                        {"teeth",
-                         {{"sun", 44},
-                          {"planet_1", 44},
-                          {"planet_2", 32},
-                          {"fixed_ring", 132},
-                          {"output_ring", 120}}},
-                        {"planet_count", 4},
-                        {"module_mm", 0.6}};
-  std::ofstream(folder_.path() / "gearbox.json") << gearbox;
+  std::ofstream(folder_.path() / "gearbox.json") << published_gearbox();
   json document = contract_example();
   document["gearbox"] = {{"file", "gearbox.json"}, {"friction_coefficient", 0.08}};
   const ReadActuator read = read_actuator(written(document));
@@ -139,6 +143,19 @@ TEST_F(ActuatorSpec, ComputesAGearboxInAFile) {
   const std::vector<io::Fault> faults = faults_of(document);
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults.front().path, "/gearbox/friction_coefficient");
+}
+
+// Oracle: the file system, in which the gearbox is no more.
+TEST_F(ActuatorSpec, OpensNoFileThatWasReadBefore) {
+  std::ofstream(folder_.path() / "gearbox.json") << published_gearbox();
+  json document = contract_example();
+  document["gearbox"] = {{"file", "gearbox.json"}, {"friction_coefficient", 0.08}};
+  const ReadActuator read = read_actuator(written(document));
+  std::filesystem::remove(folder_.path() / "gearbox.json");
+  EXPECT_THROW(read_actuator(read.documents.front()), io::SpecError);
+  const ReadActuator again = read_actuator(read.documents.front(), read.documents);
+  EXPECT_EQ(again.actuator.transmission.ratio, 20.0);
+  EXPECT_EQ(again.documents.size(), 2u);
 }
 
 TEST_F(ActuatorSpec, RefusesAGearboxFileOfAnotherKind) {

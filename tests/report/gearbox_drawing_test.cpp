@@ -19,7 +19,7 @@ namespace {
 using gearbox::PlacedGear;
 using gearbox::Point;
 
-GearboxDrawing d151() {
+DrawnGearbox d151() {
   return {.name = "knee",
           .topology = "3k",
           .teeth = {44, 44, 32, 132, 120},
@@ -30,7 +30,7 @@ GearboxDrawing d151() {
           .ring_wall_mm = {}};
 }
 
-GearboxDrawing planetary() {
+DrawnGearbox planetary() {
   return {.name = "single stage",
           .topology = "planetary",
           .teeth = {45, 30, 105},
@@ -154,7 +154,7 @@ TEST(GearboxDrawing, PlanetaryGearsMeshInTheDocument) {
 }
 
 TEST(GearboxDrawing, IsBalancedAndSmallAndTheSameAgain) {
-  for (const GearboxDrawing& drawing : {d151(), planetary()}) {
+  for (const DrawnGearbox& drawing : {d151(), planetary()}) {
     const std::string svg = gearbox_drawing(drawing);
     EXPECT_EQ(first_unbalanced_element(svg), "");
     EXPECT_LT(svg.size(), 1'000'000u);
@@ -176,7 +176,7 @@ TEST(GearboxDrawing, StatesWhatItShows) {
 }
 
 TEST(GearboxDrawing, NamesTheClockingOfDifferentPlanets) {
-  GearboxDrawing drawing = d151();
+  DrawnGearbox drawing = d151();
   drawing.teeth = {44, 42, 31, 128, 117};
   const std::string svg = gearbox_drawing(drawing);
   EXPECT_NE(svg.find("2 part numbers"), std::string::npos);
@@ -185,7 +185,7 @@ TEST(GearboxDrawing, NamesTheClockingOfDifferentPlanets) {
 }
 
 TEST(GearboxDrawing, SaysWhatDoesNotFit) {
-  GearboxDrawing drawing = d151();
+  DrawnGearbox drawing = d151();
   drawing.teeth = {43, 44, 32, 131, 119};
   EXPECT_NE(gearbox_drawing(drawing).find("Equal spacing does not mesh"), std::string::npos);
   drawing.teeth = {12, 39, 20, 90, 54};
@@ -195,7 +195,7 @@ TEST(GearboxDrawing, SaysWhatDoesNotFit) {
 }
 
 TEST(GearboxDrawing, EscapesNames) {
-  GearboxDrawing drawing = d151();
+  DrawnGearbox drawing = d151();
   drawing.name = "<a & \"b\">\x01\xEF\xBF\xBF";
   const std::string svg = gearbox_drawing(drawing);
   EXPECT_NE(svg.find(">&lt;a &amp; &quot;b&quot;&gt;  <"), std::string::npos);
@@ -204,18 +204,18 @@ TEST(GearboxDrawing, EscapesNames) {
 
 TEST(GearboxDrawing, RefusesWhatIsNoGearbox) {
   const auto refused = [](auto change) {
-    GearboxDrawing drawing = d151();
+    DrawnGearbox drawing = d151();
     change(drawing);
     EXPECT_THROW((void)gearbox_drawing(drawing), std::invalid_argument);
   };
-  refused([](GearboxDrawing& drawing) { drawing.topology = "cycloid"; });
-  refused([](GearboxDrawing& drawing) { drawing.teeth.pop_back(); });
-  refused([](GearboxDrawing& drawing) { drawing.teeth[2] = 0; });
-  refused([](GearboxDrawing& drawing) { drawing.planet_count = 0; });
-  refused([](GearboxDrawing& drawing) { drawing.module_mm = 0.0; });
-  refused([](GearboxDrawing& drawing) { drawing.module_mm = std::nan(""); });
-  refused([](GearboxDrawing& drawing) { drawing.ring_wall_mm = -1.0; });
-  refused([](GearboxDrawing& drawing) {
+  refused([](DrawnGearbox& drawing) { drawing.topology = "cycloid"; });
+  refused([](DrawnGearbox& drawing) { drawing.teeth.pop_back(); });
+  refused([](DrawnGearbox& drawing) { drawing.teeth[2] = 0; });
+  refused([](DrawnGearbox& drawing) { drawing.planet_count = 0; });
+  refused([](DrawnGearbox& drawing) { drawing.module_mm = 0.0; });
+  refused([](DrawnGearbox& drawing) { drawing.module_mm = std::nan(""); });
+  refused([](DrawnGearbox& drawing) { drawing.ring_wall_mm = -1.0; });
+  refused([](DrawnGearbox& drawing) {
     drawing.hollow_shaft_diameter_mm = std::numeric_limits<double>::infinity();
   });
 }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/gearbox_outputs.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+#include "io/atomic_file.hpp"
+
+namespace torquewright::cli {
+
+void check_outputs(const OutputFiles& files, const std::string& input_file) {
+  std::vector<std::filesystem::path> asked_for;
+  for (const std::string& file : {files.result, files.drawing}) {
+    if (!file.empty()) asked_for.push_back(file);
+  }
+  io::check_outputs(asked_for, {input_file});
+}
+
+void write_outputs(const OutputFiles& files, const std::string& result,
+                   const std::optional<std::string>& drawing) {
+  std::vector<io::FileContent> contents;
+  if (!files.result.empty()) contents.push_back({files.result, result});
+  if (!files.drawing.empty() && drawing) contents.push_back({files.drawing, *drawing});
+  io::write_whole_files(contents);
+  if (files.drawing.empty() || drawing) return;
+  std::fprintf(stderr, "%s: not written, there is no design to draw\n", files.drawing.c_str());
+}
+
+}  // namespace torquewright::cli

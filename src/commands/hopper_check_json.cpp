@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/hopper_check_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "hopper/candidates/candidates_spec.hpp"
+#include "hopper/check/hopper_report_spec.hpp"
+#include "src/commands/check_options_json.hpp"
+#include "src/commands/result_json.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+/// What was asked for beyond the files, where it is not the default.
+nlohmann::ordered_json request_json(const HopperCheckRequest& request) {
+  const hopper::CheckOptions defaults;
+  nlohmann::ordered_json json =
+      check_options_json(request.columns, request.window, request.operating);
+  const auto add = [&json](const char* key, const auto& value, const auto& usual) {
+    if (value != usual) json[key] = value;
+  };
+  add("torques", request.torques, std::string("best"));
+  add("ground_height_m", request.check.contact.ground_height_m, defaults.contact.ground_height_m);
+  add("contact_height_m", request.check.contact.height_m, defaults.contact.height_m);
+  add("contact_speed_m_s", request.check.contact.speed_m_s, defaults.contact.speed_m_s);
+  add("residual_limit", request.check.residual_share, defaults.residual_share);
+  add("load_window_s", request.check.load_window_s, defaults.load_window_s);
+  add("repeat", request.check.runs, defaults.runs);
+  add("ratios", request.ratios, std::string());
+  add("pause_s", request.check.pause_s, defaults.pause_s);
+  return json;
+}
+
+}  // namespace
+
+std::string hopper_check_json(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
+                              const HopperCheckFound& found) {
+  nlohmann::ordered_json document = hopper::hopper_report_json(found.report);
+  document["candidates"] = hopper::candidates_json(inputs.robot.robot, found.candidates);
+  document["options"] = request_json(request);
+  std::vector<io::Document> read = inputs.robot.documents;
+  read.push_back({request.trajectory_file, "", {}, found.report.check.sha256});
+  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
+  read.insert(read.end(), inputs.shelf.documents.begin(), inputs.shelf.documents.end());
+  return result_text(std::move(document), read);
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/moved_references_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace torquewright::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <typename Json>
+void move(Json& file, const fs::path& from, const fs::path& to) {
+  const fs::path old = fs::absolute(from.parent_path() / file.template get<std::string>());
+  file = fs::proximate(old, fs::absolute(to).parent_path()).string();
+}
+
+}  // namespace
+
+void move_actuator(nlohmann::ordered_json& document, const fs::path& from, const fs::path& to) {
+  nlohmann::ordered_json& gearbox = document["gearbox"];
+  if (gearbox.contains("file")) move(gearbox["file"], from, to);
+}
+
+void move_robot(nlohmann::json& document, const fs::path& from, const fs::path& to) {
+  if (!document.contains("mechanisms")) return;
+  for (nlohmann::json& mechanism : document["mechanisms"]) {
+    for (nlohmann::json& file : mechanism["actuators"]) move(file, from, to);
+    const nlohmann::json::json_pointer strength("/transmission_limit/strength");
+    if (mechanism.contains(strength)) move(mechanism[strength], from, to);
+  }
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+namespace torquewright::cli {
+
+/// Files that an actuator's document names relative to itself, named from its new place.
+void move_actuator(nlohmann::ordered_json& document, const std::filesystem::path& from,
+                   const std::filesystem::path& to);
+
+/// The same of a robot's document.
+void move_robot(nlohmann::json& document, const std::filesystem::path& from,
+                const std::filesystem::path& to);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/options/optimize_request.hpp"
+
+namespace torquewright::cli {
+
+void add_optimize_options(command_line::Command& command, OptimizeRequest& request) {
+  command.add_option("problem", request.problem_file, "Document of kind gearbox_problem")
+      .required();
+  add_output_options(command, request.outputs);
+  command.add_option("--top", request.top, "How many of the best designs (default 1)")
+      .integer_between(1, 1000000);
+  command.add_option("--relaxation", request.relaxation, "When Ipopt is asked (default auto)")
+      .one_of({"auto", "always", "never"});
+  command.add_option("--max-nodes", request.max_nodes, "End the search after so many boxes")
+      .integer_between(1, std::int64_t{1} << 60);
+  command.add_flag("--verify", request.verify, "Check the proof with the independent checker");
+  command.add_flag("--json", request.json, "Print the result as JSON");
+  command.add_flag("--timing", request.timing, "State the seconds (runs then differ in bytes)");
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "src/options/output_files.hpp"
+
+namespace torquewright::cli {
+
+/// What `gearbox optimize` is asked.
+struct OptimizeRequest {
+  std::string problem_file;
+  OutputFiles outputs;
+  std::size_t top = 1;
+  std::string relaxation = "auto";
+  std::int64_t max_nodes = 0;  ///< 0: as many as it takes.
+  bool verify = false;
+  bool json = false;
+  bool timing = false;
+};
+
+/// Adds everything that `gearbox optimize` takes.
+void add_optimize_options(command_line::Command& command, OptimizeRequest& request);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "actuator/region/mor_table.hpp"
+
+namespace torquewright::report {
+
+/// A region to be drawn, and what it is called where there are several.
+struct PlottedRegion {
+  std::string label;
+  actuator::MorTable table;
+};
+
+}  // namespace torquewright::report
