@@ -11,8 +11,6 @@
 namespace torquewright::actuator {
 namespace {
 
-using nlohmann::json;
-
 Interpretation interpretation() {
   Interpretation result;
   result.clipped_samples = 3;
@@ -47,14 +45,14 @@ DriveReport drive() {
   return result;
 }
 
-json joint_of(const DriveReport& drive) {
+nlohmann::json joint_of(const DriveReport& drive) {
   CheckReport report;
   report.drives = {drive};
-  return json::parse(check_report_json(report).dump())["joints"][0];
+  return nlohmann::json::parse(check_report_json(report).dump())["joints"][0];
 }
 
 TEST(CheckReport, HoldsEveryFigureUnderItsKey) {
-  EXPECT_EQ(joint_of(drive()), json::parse(R"({
+  EXPECT_EQ(joint_of(drive()), nlohmann::json::parse(R"({
     "name": "k", "actuator": "simple", "verdict": "fail", "samples": 12, "from_s": 0.25,
     "until_s": 6.0, "clipped_samples": 3, "clipped_share": 0.25, "clipped_time_s": 0.5,
     "worst": {"time_s": 1.5, "speed_rad_s": -2.5, "torque_Nm": 31.0, "limit_Nm": 30.0,
@@ -80,7 +78,7 @@ TEST(CheckReport, SaysNullForWhatIsUnlimited) {
   odd.interpretation.speed_margin_rad_s.reset();
   odd.interpretation.worst.limit_Nm.reset();
   odd.interpretation.margin_Nm = -0.0;
-  const json joint = joint_of(odd);
+  const nlohmann::json joint = joint_of(odd);
   EXPECT_TRUE(joint["no_load_speed_rad_s"].is_null());
   EXPECT_TRUE(joint["speed_margin_rad_s"].is_null());
   EXPECT_TRUE(joint["worst"]["limit_Nm"].is_null());
@@ -93,7 +91,7 @@ TEST(CheckReport, WithoutTorqueTellsOnlyOfSpeeds) {
   EXPECT_TRUE(joint_of(still)["clipped_samples"].is_null());
   EXPECT_TRUE(joint_of(still)["clipped_share"].is_null());
   still.impossible_speeds = 6;
-  const json joint = joint_of(still);
+  const nlohmann::json joint = joint_of(still);
   EXPECT_EQ(joint["clipped_samples"], 6);
   EXPECT_EQ(joint["clipped_share"], 0.5);
   for (const char* key : {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s",
@@ -113,7 +111,7 @@ TEST(CheckReport, SaysWhoseTorqueItIs) {
   told.inertia = InertiaConvention::kUnstated;
   told.with_inertia = interpretation();
   told.with_inertia->clipped_samples = 0;
-  const json readings = joint_of(told)["readings"];
+  const nlohmann::json readings = joint_of(told)["readings"];
   ASSERT_EQ(readings.size(), 2u);
   EXPECT_EQ(readings[0]["torque_includes_inertia"], true);
   EXPECT_EQ(readings[0]["verdict"], "fail");
@@ -134,7 +132,7 @@ TEST(CheckReport, HoldsTheWindingsHeat) {
   winding.steady_peak_K = 390.0;
   winding.runs_to_steady = 70;
   winding.resolution_s = 0.016;
-  EXPECT_EQ(joint_of(hot)["winding"], json::parse(R"({"limit_K": 400.0, "runs": 5,
+  EXPECT_EQ(joint_of(hot)["winding"], nlohmann::json::parse(R"({"limit_K": 400.0, "runs": 5,
     "first_run_peak_K": 310.0, "peak_K": 330.0, "end_K": 320.0, "steady_peak_K": 390.0,
     "runs_to_steady": 70, "runs_to_limit": null, "resolution_s": 0.016})"));
 }
@@ -146,7 +144,7 @@ TEST(CheckReport, HoldsItsFindings) {
       {Severity::kViolation, "rule", "k", 1.0, 2.0, 3.0, "Nm", "It is so."},
       {Severity::kNote, "other", "", {}, {}, {}, "", "Of no joint."},
   };
-  EXPECT_EQ(json::parse(check_report_json(report).dump()), json::parse(R"({
+  EXPECT_EQ(nlohmann::json::parse(check_report_json(report).dump()), nlohmann::json::parse(R"({
     "kind": "check_report", "version": 1, "verdict": "undecided", "joints": [], "findings": [
       {"severity": "violation", "rule": "rule", "joint": "k", "time_s": 1.0, "value": 2.0,
        "limit": 3.0, "unit": "Nm", "sentence": "It is so."},
