@@ -51,6 +51,22 @@ TEST(Jacobian, SingularMatricesCarryNoTorque) {
   EXPECT_TRUE(actuator_torques({1.0, 0.0, 1.0, 2.1e-6}, {1.0, 1.0}).has_value());
 }
 
+// Oracle: invariance. Whether a matrix is singular is no matter of units, nor of which row or
+// column is called the first: scaled, and with rows and columns exchanged, it is the same
+// threshold.
+TEST(Jacobian, IsSingularWhateverTheScale) {
+  for (const double scale : {1e-4, 1.0, 1e4}) {
+    for (const double share : {0.95, 1.05}) {
+      const double one = scale;
+      const double small = scale * 2e-6 * share;
+      for (const Matrix2& J : {Matrix2{one, 0, one, small}, Matrix2{0, one, small, one},
+                               Matrix2{one, small, one, 0}, Matrix2{one, one, 0, small}}) {
+        EXPECT_EQ(actuator_torques(J, {1.0, 1.0}).has_value(), share > 1.0) << scale;
+      }
+    }
+  }
+}
+
 ParallelDrive bilinear_table() {
   ParallelDrive drive;
   drive.first_rad = {-1.0, 0.0, 2.0};
