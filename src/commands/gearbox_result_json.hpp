@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "gearbox/constraints/design_report.hpp"
 #include "gearbox/problem.hpp"
 #include "gearbox/search/ranking.hpp"
 #include "gearbox/search/search.hpp"

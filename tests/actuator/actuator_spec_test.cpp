@@ -127,6 +127,230 @@ TEST_F(ActuatorSpec, RefusesEffectsThatCountTwice) {
   EXPECT_EQ(faults.front().path, "/effects/1/replaces");
 }
 
+struct Figure {
+  const char* pointer;
+  double value;
+  double (*read)(const Actuator&);
+};
+
+// Oracle: the number that was written: another than the example's and than that of an absent key.
+TEST_F(ActuatorSpec, ReadsEveryFigure) {
+  const Figure figures[] = {
+      {"/mass_kg", 3, [](const Actuator& a) { return a.mass_kg.value(); }},
+      {"/motor/torque_constant_Nm_A", 0.4,
+       [](const Actuator& a) { return a.motor.torque_constant_Nm_A; }},
+      {"/motor/back_emf_constant_V_s_rad", 0.3,
+       [](const Actuator& a) { return a.motor.back_emf_constant_V_s_rad.value(); }},
+      {"/motor/resistance_ohm", 0.7, [](const Actuator& a) { return a.motor.resistance_ohm; }},
+      {"/motor/inductance_d_H", 1e-4, [](const Actuator& a) { return a.motor.inductance_d_H; }},
+      {"/motor/inductance_q_H", 2e-4, [](const Actuator& a) { return a.motor.inductance_q_H; }},
+      {"/motor/pole_pairs", 7, [](const Actuator& a) { return a.motor.pole_pairs; }},
+      {"/motor/rotor_inertia_kg_m2", 0.002,
+       [](const Actuator& a) { return a.motor.rotor_inertia_kg_m2; }},
+      {"/motor/winding_temperature_K", 310,
+       [](const Actuator& a) { return a.motor.winding_temperature_K; }},
+      {"/motor/demagnetisation_current_A", 90,
+       [](const Actuator& a) { return a.motor.demagnetisation_current_A; }},
+      {"/drive/bus_voltage_V", 36, [](const Actuator& a) { return a.drive.bus_voltage_V; }},
+      {"/drive/peak_current_A", 45, [](const Actuator& a) { return a.drive.peak_current_A; }},
+      {"/drive/continuous_current_A", 25,
+       [](const Actuator& a) { return a.drive.continuous_current_A.value(); }},
+      {"/drive/regeneration_limit_W", 80,
+       [](const Actuator& a) { return a.drive.regeneration_limit_W; }},
+      {"/battery/series_cells", 12, [](const Actuator& a) { return a.battery->series_cells; }},
+      {"/battery/parallel_cells", 3, [](const Actuator& a) { return a.battery->parallel_cells; }},
+      {"/battery/cell_open_circuit_V", 3.7,
+       [](const Actuator& a) { return a.battery->cell_open_circuit.at(0).voltage_V; }},
+      {"/battery/cell_resistance_ohm", 0.03,
+       [](const Actuator& a) { return a.battery->cell_resistance_ohm; }},
+      {"/battery/wiring_resistance_ohm", 0.01,
+       [](const Actuator& a) { return a.battery->wiring_resistance_ohm; }},
+      {"/battery/discharge_limit_A", 70,
+       [](const Actuator& a) { return a.battery->discharge_limit_A; }},
+      {"/battery/charge_limit_A", 20, [](const Actuator& a) { return a.battery->charge_limit_A; }},
+      {"/battery/maximum_voltage_V", 68,
+       [](const Actuator& a) { return a.battery->maximum_voltage_V; }},
+      {"/thermal/winding_to_case_K_W", 1.5,
+       [](const Actuator& a) { return a.thermal->winding_to_case_K_W; }},
+      {"/thermal/case_to_ambient_K_W", 2.5,
+       [](const Actuator& a) { return a.thermal->case_to_ambient_K_W; }},
+      {"/thermal/winding_J_K", 40, [](const Actuator& a) { return a.thermal->winding_J_K; }},
+      {"/thermal/case_J_K", 400, [](const Actuator& a) { return a.thermal->case_J_K; }},
+      {"/thermal/winding_limit_K", 400,
+       [](const Actuator& a) { return a.thermal->winding_limit_K; }},
+      {"/thermal/ambient_K", 305, [](const Actuator& a) { return a.thermal->ambient_K; }},
+      {"/gearbox/ratio", -9, [](const Actuator& a) { return a.transmission.ratio; }},
+      {"/gearbox/forward_efficiency", 0.9,
+       [](const Actuator& a) { return a.transmission.forward_efficiency; }},
+      {"/gearbox/backward_efficiency", 0.8,
+       [](const Actuator& a) { return a.transmission.backward_efficiency; }},
+      {"/gearbox/inertia_kg_m2", 0.05,
+       [](const Actuator& a) { return a.transmission.inertia_kg_m2; }},
+      {"/gearbox/peak_torque_Nm", 200,
+       [](const Actuator& a) { return a.transmission.peak_torque_Nm; }},
+      {"/datasheet/voltage_V", 24,
+       [](const Actuator& a) { return a.datasheet->voltage_V.value(); }},
+      {"/datasheet/no_load_speed_rad_s", 30,
+       [](const Actuator& a) { return a.datasheet->no_load_speed_rad_s.value(); }},
+      {"/datasheet/no_load_current_A", 0.6,
+       [](const Actuator& a) { return a.datasheet->no_load_current_A.value(); }},
+      {"/datasheet/stall_torque_Nm", 50,
+       [](const Actuator& a) { return a.datasheet->stall_torque_Nm.value(); }},
+      {"/datasheet/stall_current_A", 60,
+       [](const Actuator& a) { return a.datasheet->stall_current_A.value(); }},
+      {"/datasheet/peak_torque_Nm", 40,
+       [](const Actuator& a) { return a.datasheet->peak_torque_Nm.value(); }},
+      {"/datasheet/peak_torque_current_A", 48,
+       [](const Actuator& a) { return a.datasheet->peak_torque_current_A.value(); }},
+      {"/datasheet/peak_braking_torque_Nm", 52,
+       [](const Actuator& a) { return a.datasheet->peak_braking_torque_Nm.value(); }},
+      {"/datasheet/rated_torque_Nm", 15,
+       [](const Actuator& a) { return a.datasheet->rated_torque_Nm.value(); }},
+      {"/datasheet/peak_power_W", 900,
+       [](const Actuator& a) { return a.datasheet->peak_power_W.value(); }},
+      {"/datasheet/velocity_constant_rpm_V", 33,
+       [](const Actuator& a) { return a.datasheet->velocity_constant_rpm_V.value(); }},
+      {"/datasheet/reflected_inertia_kg_m2", 0.4,
+       [](const Actuator& a) { return a.datasheet->reflected_inertia_kg_m2.value(); }},
+      {"/datasheet/electrical_time_constant_s", 0.001,
+       [](const Actuator& a) { return a.datasheet->electrical_time_constant_s.value(); }},
+      {"/datasheet/mechanical_time_constant_s", 0.02,
+       [](const Actuator& a) { return a.datasheet->mechanical_time_constant_s.value(); }},
+  };
+  for (const Figure& figure : figures) {
+    SCOPED_TRACE(figure.pointer);
+    json document = contract_example();
+    document[json::json_pointer(figure.pointer)] = figure.value;
+    EXPECT_EQ(figure.read(read_actuator(written(document)).actuator), figure.value);
+  }
+}
+
+// Oracle: the words that the conventions themselves are printed as.
+TEST_F(ActuatorSpec, ReadsEveryWord) {
+  const auto with = [&](const char* pointer, const json& value) {
+    json document = contract_example();
+    document[json::json_pointer(pointer)] = value;
+    return read_actuator(written(document)).actuator;
+  };
+  for (const char* word : {"dc", "peak_phase", "rms_phase"}) {
+    EXPECT_EQ(
+        name_of(with("/motor/torque_constant_convention", word).motor.torque_constant_convention),
+        word);
+  }
+  for (const char* word : {"dc", "phase", "line_to_line"}) {
+    EXPECT_EQ(name_of(with("/motor/resistance_convention", word).motor.resistance_convention),
+              word);
+  }
+  for (const char* word : {"sine", "svpwm", "six_step"}) {
+    EXPECT_EQ(name_of(with("/drive/modulation", word).drive.modulation), word);
+  }
+  EXPECT_FALSE(with("/drive/regeneration", false).drive.regeneration);
+  EXPECT_TRUE(with("/datasheet/side", "joint").datasheet->joint_side);
+  EXPECT_FALSE(with("/datasheet/side", "motor").datasheet->joint_side);
+  EXPECT_EQ(with("/assumed", {"/motor"}).assumed, std::vector<std::string>{"/motor"});
+}
+
+// Oracle: docs/actuator_documents.md, what an absent key stands for.
+TEST_F(ActuatorSpec, KnowsWhatAbsentKeysStandFor) {
+  json document = contract_example();
+  document.merge_patch(json::parse(R"({"name": null, "assumed": null, "effects": null,
+    "motor": {"back_emf_constant_V_s_rad": null, "inductance_d_H": null, "inductance_q_H": null,
+      "pole_pairs": null, "rotor_inertia_kg_m2": null, "winding_temperature_K": null},
+    "drive": {"continuous_current_A": null, "modulation": null, "field_weakening": null,
+      "regeneration": null}})"));
+  const Actuator actuator = read_actuator(written(document)).actuator;
+  EXPECT_EQ(actuator.name, "actuator");  // the file's
+  EXPECT_FALSE(actuator.mass_kg || actuator.datasheet);
+  EXPECT_TRUE(actuator.effects.empty() && actuator.assumed.empty());
+  const Motor& motor = actuator.motor;
+  EXPECT_FALSE(motor.back_emf_constant_V_s_rad);
+  EXPECT_EQ(motor.inductance_d_H, 0.0);
+  EXPECT_EQ(motor.inductance_q_H, 0.0);
+  EXPECT_EQ(motor.pole_pairs, 1.0);
+  EXPECT_EQ(motor.rotor_inertia_kg_m2, 0.0);
+  EXPECT_EQ(motor.winding_temperature_K, 298.15);
+  EXPECT_EQ(motor.demagnetisation_current_A, kUnlimited);
+  const Drive& drive = actuator.drive;
+  EXPECT_FALSE(drive.continuous_current_A);
+  EXPECT_EQ(drive.modulation, Modulation::kSvpwm);
+  EXPECT_FALSE(drive.field_weakening);
+  EXPECT_TRUE(drive.regeneration);
+  EXPECT_EQ(drive.regeneration_limit_W, kUnlimited);
+  EXPECT_EQ(actuator.battery->wiring_resistance_ohm, 0.0);
+  EXPECT_EQ(actuator.battery->discharge_limit_A, kUnlimited);
+  EXPECT_EQ(actuator.battery->charge_limit_A, kUnlimited);
+  EXPECT_EQ(actuator.battery->maximum_voltage_V, kUnlimited);
+  EXPECT_EQ(actuator.battery->cell_open_circuit, (std::vector<ChargePoint>{{1.0, 4.2}}));
+  EXPECT_EQ(actuator.thermal->ambient_K, 298.15);
+  EXPECT_EQ(actuator.transmission.inertia_kg_m2, 0.0);
+  EXPECT_EQ(actuator.transmission.peak_torque_Nm, kUnlimited);
+}
+
+struct Patched {
+  const char* patch;  ///< Of the contract's example.
+  const char* fault;  ///< Path and message; empty: it is good.
+};
+
+// What the schema alone cannot tell: keys that contradict each other, and the last values that do
+// not.
+TEST_F(ActuatorSpec, RefusesKeysThatContradictEachOther) {
+  const char* poles = "/motor/pole_pairs: missing; the voltage over an inductance needs it";
+  const char* ascent =
+      "/battery/cell_open_circuit_V/1: must ascend: more charge than the entry before, and no less "
+      "voltage";
+  for (const Patched& patched : {
+           Patched{R"({"motor": {"pole_pairs": null, "inductance_d_H": 1e-4}})", poles},
+           {R"({"motor": {"pole_pairs": null, "inductance_q_H": 1e-4}})", poles},
+           {R"({"motor": {"pole_pairs": null}})", ""},
+           {R"({"motor": {"torque_constant_convention": "rms_phase"},
+                "drive": {"modulation": null}})",
+            "/drive/modulation: missing; outside the dc convention it sets the voltage: sine, "
+            "svpwm or six_step"},
+           {R"({"motor": {"torque_constant_convention": "rms_phase"}})", ""},
+           {R"({"drive": {"continuous_current_A": 50.5}})",
+            "/drive/continuous_current_A: 50.5 is above /drive/peak_current_A, 50"},
+           {R"({"drive": {"continuous_current_A": 50}})", ""},
+           {R"({"drive": {"field_weakening": true}})",
+            "/drive/field_weakening: needs /motor/inductance_d_H: without inductance no current "
+            "weakens the field"},
+           {R"({"drive": {"field_weakening": true}, "motor": {"inductance_d_H": 1e-4}})", ""},
+           {R"({"battery": {"cell_open_circuit_V": [{"state_of_charge": 0.5, "voltage_V": 3.5},
+                {"state_of_charge": 0.5, "voltage_V": 3.6}]}})",
+            ascent},
+           {R"({"battery": {"cell_open_circuit_V": [{"state_of_charge": 0.5, "voltage_V": 3.5},
+                {"state_of_charge": 0.6, "voltage_V": 3.4}]}})",
+            ascent},
+           {R"({"battery": {"cell_open_circuit_V": [{"state_of_charge": 0.5, "voltage_V": 3.5},
+                {"state_of_charge": 0.6, "voltage_V": 3.5}]}})",
+            ""},
+           {R"({"thermal": {"winding_limit_K": 298.15}})",
+            "/thermal/winding_limit_K: 298.15 K is not above the ambient's 298.15 K"},
+           {R"({"thermal": {"winding_limit_K": 298.16}})", ""},
+           {R"({"gearbox": {"ratio": -0.0099}})",
+            "/gearbox/ratio: -0.0099 is no ratio; must be at least 0.01 in magnitude"},
+           {R"({"gearbox": {"ratio": -0.01}})", ""},
+           {R"({"effects": [
+                {"effect": "viscous_friction", "parameters": {"viscous_Nm_s_rad": 0.1}},
+                {"effect": "coulomb_friction", "parameters": {"coulomb_Nm": 0.5}},
+                {"effect": "coulomb_friction", "parameters": {"coulomb_Nm": 0.5}}]})",
+            "/effects/2/effect: coulomb_friction stands twice; one of them would be counted "
+            "twice"},
+           {R"({"effects": [
+                {"effect": "viscous_friction", "parameters": {"viscous_Nm_s_rad": 0.1}},
+                {"effect": "coulomb_friction", "parameters": {"coulomb_Nm": 0.5}},
+                {"effect": "stribeck_friction", "replaces": "coulomb_friction", "parameters":
+                  {"coulomb_Nm": 0.5, "breakaway_Nm": 0.8, "stribeck_velocity_rad_s": 0.1}}]})",
+            "/effects/2/replaces: coulomb_friction is declared besides what replaces it and would "
+            "be counted twice; remove it"},
+       }) {
+    json document = contract_example();
+    document.merge_patch(json::parse(patched.patch));
+    std::string found;
+    for (const io::Fault& fault : faults_of(document)) found += fault.path + ": " + fault.message;
+    EXPECT_EQ(found, patched.fault) << patched.patch;
+  }
+}
+
 // Oracle: efficiencies of the published D151 row, 44/44/32/132/120, follow from its teeth, whatever
 // the actuator's document says: a separate program, from the contact path to the shaft powers (the
 // same as in tests/gearbox/train/losses_test.cpp).
@@ -156,6 +380,58 @@ TEST_F(ActuatorSpec, OpensNoFileThatWasReadBefore) {
   const ReadActuator again = read_actuator(read.documents.front(), read.documents);
   EXPECT_EQ(again.actuator.transmission.ratio, 20.0);
   EXPECT_EQ(again.documents.size(), 2u);
+}
+
+TEST_F(ActuatorSpec, RefusesGearsThatItCannotCompute) {
+  const auto faults_with = [&](const char* patch) {
+    json gearbox = published_gearbox();
+    gearbox.merge_patch(json::parse(patch));
+    std::ofstream(folder_.path() / "gearbox.json") << gearbox;
+    json document = contract_example();
+    document["gearbox"] = {{"file", "gearbox.json"}, {"friction_coefficient", 0.08}};
+    std::string found;
+    for (const io::Fault& fault : faults_of(document)) found += fault.path + ": " + fault.message;
+    return found;
+  };
+  EXPECT_EQ(faults_with("{}"), "");
+  EXPECT_EQ(faults_with(R"({"profile_shift": {"sun": 0}})"), "");
+  EXPECT_EQ(faults_with(R"({"profile_shift": {"fixed_ring": 0, "sun": 0.2}})"),
+            "/profile_shift/sun: efficiencies are computed for gears without profile shift only; "
+            "state ratio and efficiencies in the actuator instead");
+  EXPECT_EQ(faults_with(R"({"teeth": {"planet_2": null}})"),
+            "/teeth/planet_2: missing; the topology \"3k\" has it");
+  // A ring smaller than the planet inside it.
+  EXPECT_EQ(faults_with(R"({"teeth": {"fixed_ring": 40}})"),
+            ": the mesh planet_1_fixed_ring does not exist for these teeth");
+}
+
+// Oracle: the result's own figures; the inertia is that of the gears alone, whatever rotor the
+// search assumed: the actuator states its own.
+TEST_F(ActuatorSpec, TakesTheFirstDesignOfASearch) {
+  std::ifstream in(std::filesystem::path(TORQUEWRIGHT_SOURCE_DIR) /
+                   "specs/gearbox/d151_knee_result.json");
+  json result = json::parse(in);
+  result["problem"]["materials"] = {{"density_kg_m3", 7850}};
+  result["problem"]["face_width_mm"] = {{"layer_1", 10}, {"layer_2", 10}};
+  json document = contract_example();
+  document["gearbox"] = {{"file", "gearbox.json"}};
+  const auto transmission_with = [&](double rotor_kg_m2) {
+    result["problem"]["rotor_inertia_kg_m2"] = rotor_kg_m2;
+    std::ofstream(folder_.path() / "gearbox.json") << result;
+    return read_actuator(written(document)).actuator.transmission;
+  };
+  const Transmission heavy = transmission_with(0.01);
+  EXPECT_EQ(heavy.ratio, 20.0);
+  EXPECT_EQ(heavy.forward_efficiency, result["designs"][0]["forward_efficiency"].get<double>());
+  EXPECT_EQ(heavy.backward_efficiency, result["designs"][0]["backward_efficiency"].get<double>());
+  EXPECT_EQ(heavy.source, (folder_.path() / "gearbox.json").string());
+  EXPECT_GT(heavy.inertia_kg_m2, 0.0);
+  EXPECT_EQ(heavy.inertia_kg_m2, transmission_with(0.0).inertia_kg_m2);
+  result["designs"] = json::array();
+  std::ofstream(folder_.path() / "gearbox.json") << result;
+  const std::vector<io::Fault> faults = faults_of(document);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].path, "/designs");
 }
 
 TEST_F(ActuatorSpec, RefusesAGearboxFileOfAnotherKind) {

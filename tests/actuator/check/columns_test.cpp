@@ -27,7 +27,15 @@ TEST(Columns, ReadUnitsTimesAndCanonicalNames) {
   EXPECT_EQ(read_mapping("stamp=time:ms").quantity, Quantity::kTime);
   EXPECT_DOUBLE_EQ(read_mapping("stamp=time:ms").factor, 0.001);
   EXPECT_EQ(canonical_mapping("left_knee_velocity_rad_s")->joint, "left_knee");
-  EXPECT_EQ(canonical_mapping("t")->quantity, Quantity::kTime);
+  for (const char* time : {"t", "time", "time_s"}) {
+    const ColumnMapping mapping = canonical_mapping(time).value();
+    EXPECT_EQ(mapping.quantity, Quantity::kTime);
+    EXPECT_EQ(mapping.joint, "");
+    EXPECT_EQ(mapping.factor, 1.0);
+  }
+  EXPECT_EQ(canonical_mapping("k_torque_Nm").value().factor, 1.0);
+  EXPECT_FALSE(canonical_mapping("k_time_s").has_value());  // time is no joint's
+  EXPECT_EQ(read_mapping("n=knee.time").joint, "");
   EXPECT_FALSE(canonical_mapping("_torque_Nm").has_value());
   EXPECT_FALSE(canonical_mapping("knee_torque").has_value());
 }
@@ -48,6 +56,9 @@ TEST(Columns, RefuseWithTheForm) {
        "\"torqe\" is no quantity (did you mean \"torque\"?); they are time, "
        "position, velocity or torque"},
       {"tau=knee.torque*0", "the factor \"0\" is not a finite number other than 0"},
+      {"tau=knee.torque*2x", "the factor \"2x\" is not a finite number other than 0"},
+      {"tau=knee.torque*", "the factor \"\" is not a finite number other than 0"},
+      {"tau=knee.torque:", "\"\" is no unit"},
       {"tau=knee.torque*nan", "the factor \"nan\" is not a finite number other than 0"},
       {"q=knee.position:rad/s", "\"rad/s\" is no unit of position, which must be rad, deg or rev"},
   };
@@ -70,10 +81,17 @@ TEST(ColumnsDocument, SaysTheSameAsTheOptions) {
   const test::ScratchFolder folder;
   const auto file =
       folder.write("c.json", R"({"kind": "trajectory_columns", "version": 1, "columns": [
+        {"column": "F", "quantity": "force"},
         {"column": "stamp", "quantity": "time", "unit": "ms"},
-        {"column": "tau", "joint": "knee", "quantity": "torque", "factor": 0.6}]})");
+        {"column": "tau", "joint": "knee", "quantity": "torque", "factor": 0.6},
+        {"column": "q", "joint": "knee", "quantity": "position", "unit": "rev"},
+        {"column": "w", "joint": "knee", "quantity": "velocity", "unit": "rpm", "factor": -1},
+        {"column": "T", "joint": "knee", "quantity": "torque", "unit": "mNm"}]})");
   const auto mappings = read_columns(io::read_document(file, "trajectory_columns"));
-  ASSERT_EQ(mappings.size(), 2u);
+  ASSERT_EQ(mappings.size(), 5u);  // forces are of whole-body motions
+  EXPECT_DOUBLE_EQ(mappings[2].factor, 2.0 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(mappings[3].factor, -std::numbers::pi / 30.0);
+  EXPECT_DOUBLE_EQ(mappings[4].factor, 0.001);
   EXPECT_EQ(mappings[0].factor, 0.001);
   EXPECT_EQ(mappings[1].joint, "knee");
   EXPECT_EQ(mappings[1].factor, 0.6);

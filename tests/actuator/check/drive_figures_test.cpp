@@ -24,6 +24,14 @@ double rate(double t) { return 6.0 * std::cos(6.0 * t); }
 double against(double t) { return -rate(t); }
 double rate_in_degrees(double t) { return rate(t) * 180.0 / std::numbers::pi; }
 
+/// The only finding with that rule; an empty one: there is none.
+Finding finding_of(const CheckReport& report, const std::string& rule) {
+  for (const Finding& finding : report.findings) {
+    if (finding.rule == rule) return finding;
+  }
+  return {};
+}
+
 /// The sentence of the only finding with that rule; empty: there is none.
 std::string sentence_of(const CheckReport& report, const std::string& rule) {
   std::string found;
@@ -42,12 +50,14 @@ TEST(DriveFigures, PeakSpeedIsThatOfEitherDirection) {
   EXPECT_EQ(checked.report(motion(4, nullptr, back_7, slow)).drives[0].peak_speed_rad_s, 7.0);
 }
 
-// Oracle: sums by hand. N^2 J = 0.01 kg m^2, and the effect's own 0.03.
+// Oracle: sums by hand. N^2 J = 0.01 kg m^2, the effect's own 0.03, the gears' 0.002.
 TEST(DriveFigures, ArmatureHoldsAStatedReflectedInertia) {
   Actuator actuator = test::simple_actuator();
   EXPECT_NEAR(armature_kg_m2(actuator), 0.01, 1e-15);
   actuator.effects.push_back({find_effect("reflected_inertia"), {0.03}, {}, false, ""});
   EXPECT_NEAR(armature_kg_m2(actuator), 0.04, 1e-15);
+  actuator.transmission.inertia_kg_m2 = 0.002;
+  EXPECT_NEAR(armature_kg_m2(actuator), 0.042, 1e-15);
 }
 
 TEST(DriveFigures, ListEffectsThatNoRegionHolds) {
@@ -73,6 +83,25 @@ TEST(DriveFigures, WithoutTorqueTheFastestImpossibleSpeedIsNamed) {
   EXPECT_EQ(*drive.limiting_time_s, 0.5);
   EXPECT_TRUE(says(sentence_of(report, "motor-operating-region"), "-90 rad/s (t = 0.5 s)"));
   EXPECT_EQ(sentence_of(report, "torque-missing"), "");
+  const Finding finding = finding_of(report, "motor-operating-region");
+  EXPECT_EQ(finding.severity, Severity::kViolation);
+  EXPECT_EQ(finding.value, -90.0);
+  EXPECT_EQ(finding.time_s, 0.5);
+  EXPECT_EQ(finding.unit, "rad/s");
+}
+
+// Oracle: the order of the severities, the worst first; the joint that passes was asked for first.
+TEST(Findings, StandWorstFirst) {
+  Checked checked;
+  CheckRequest& request = checked.request();
+  request.drives.push_back(request.drives[0]);
+  request.drives[1].name = "j";
+  const CheckReport report = checked.report(
+      "time_s,k_velocity_rad_s,k_torque_Nm,j_velocity_rad_s,j_torque_Nm\n0,5,1,5,40\n1,5,1,5,40\n");
+  ASSERT_GT(report.findings.size(), 1u);
+  EXPECT_EQ(report.findings.front().joint, "j");
+  EXPECT_EQ(report.findings.front().severity, Severity::kViolation);
+  EXPECT_EQ(report.findings.back().severity, Severity::kNote);
 }
 
 // Beyond the region's end its reason is the one of the region there, asked at that speed.

@@ -51,6 +51,22 @@ TEST(Jacobian, SingularMatricesCarryNoTorque) {
   EXPECT_TRUE(actuator_torques({1.0, 0.0, 1.0, 2.1e-6}, {1.0, 1.0}).has_value());
 }
 
+// Oracle: invariance. Whether a matrix is singular is no matter of units, nor of which row or
+// column is called the first: scaled, and with rows and columns exchanged, it is the same
+// threshold.
+TEST(Jacobian, IsSingularWhateverTheScale) {
+  for (const double scale : {1e-4, 1.0, 1e4}) {
+    for (const double share : {0.95, 1.05}) {
+      const double one = scale;
+      const double small = scale * 2e-6 * share;
+      for (const Matrix2& J : {Matrix2{one, 0, one, small}, Matrix2{0, one, small, one},
+                               Matrix2{one, small, one, 0}, Matrix2{one, one, 0, small}}) {
+        EXPECT_EQ(actuator_torques(J, {1.0, 1.0}).has_value(), share > 1.0) << scale;
+      }
+    }
+  }
+}
+
 ParallelDrive bilinear_table() {
   ParallelDrive drive;
   drive.first_rad = {-1.0, 0.0, 2.0};
@@ -86,6 +102,31 @@ std::string faults_of_jacobian(const std::string& keys) {
                        folder.path());
 }
 
+ParallelDrive jacobian_of(const std::string& keys) {
+  const test::ScratchFolder folder;
+  const auto file = folder.write("j.json", R"({"kind": "jacobian", "version": 1, )" + keys + "}");
+  return read_parallel_drive(io::read_document(file, "jacobian"));
+}
+
+// Oracle: the numbers as written, row by row.
+TEST(JacobianDocument, KeepsItsOrder) {
+  const std::string names = R"("joints": ["p", "r"], "actuators": ["a", "b"])";
+  const ParallelDrive constant = jacobian_of(names + R"(, "matrix": [[1, 2], [3, 5]])");
+  EXPECT_EQ(constant.name, "j");  // the file's
+  EXPECT_EQ(constant.joints, (std::array<std::string, 2>{"p", "r"}));
+  EXPECT_EQ(constant.actuators, (std::array<std::string, 2>{"a", "b"}));
+  ASSERT_TRUE(constant.is_constant());
+  EXPECT_EQ(constant.matrices, (std::vector<Matrix2>{{1, 2, 3, 5}}));
+  const ParallelDrive table = jacobian_of(names + R"(, "name": "ankle", "table": {
+      "first_angle_rad": [0, 1], "second_angle_rad": [-1, 0, 2], "matrices": [[[1,0],[0,1]],
+      [[2,0],[0,1]], [[3,0],[0,1]], [[4,0],[0,1]], [[5,0],[0,1]], [[6,0],[0,1]]]})");
+  EXPECT_EQ(table.name, "ankle");
+  EXPECT_EQ(table.first_rad, (std::vector<double>{0, 1}));
+  EXPECT_EQ(table.second_rad, (std::vector<double>{-1, 0, 2}));
+  ASSERT_EQ(table.matrices.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(table.matrices[i][0], static_cast<double>(i + 1));
+}
+
 TEST(JacobianDocument, RefusesWithThePath) {
   const std::string names = R"("joints": ["p", "r"], "actuators": ["a", "b"])";
   EXPECT_EQ(faults_of_jacobian(names),
@@ -93,6 +134,15 @@ TEST(JacobianDocument, RefusesWithThePath) {
   EXPECT_EQ(faults_of_jacobian(
                 R"("joints": ["p", "p"], "actuators": ["a", "b"], "matrix": [[1,0],[0,1]])"),
             "j.json#/joints/1: \"p\" stands twice");
+  EXPECT_EQ(faults_of_jacobian(names + R"(, "matrix": [[1,0],[0,1]], "table": {
+                "first_angle_rad": [0, 1], "second_angle_rad": [0, 1], "matrices": [[[1,0],[0,1]],
+                [[1,0],[0,1]], [[1,0],[0,1]], [[1,0],[0,1]]]})"),
+            "j.json: needs either \"matrix\" (constant) or \"table\" (over both angles)");
+  EXPECT_EQ(faults_of_jacobian(names + R"(, "table": {"first_angle_rad": [0, 1],
+                "second_angle_rad": [0, 1], "matrices": [[[1,0],[0,1]], [[1,0],[0,1]],
+                [[1,1],[1,1]], [[1,0],[0,1]]]})"),
+            "j.json#/table/matrices/2: is singular: some joint torque could be carried by no "
+            "actuator torques");
   EXPECT_EQ(
       faults_of_jacobian(names + R"(, "matrix": [[1,2],[2,4]])"),
       "j.json#/matrix: is singular: some joint torque could be carried by no actuator torques");

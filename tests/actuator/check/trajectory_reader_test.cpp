@@ -80,6 +80,11 @@ TEST(TrajectoryReader, RefusesWithThePlace) {
        {"a=k.torque", "b=k.torque"},
        {"k"},
        "\"a\" and \"b\" are both mapped to k.torque"},
+      {"a,b,k_velocity_rad_s\n1,2,3\n",
+       {"a=time", "b=time:ms"},
+       {"k"},
+       "\"a\" and \"b\" are both mapped to time"},
+      {"time_s\n0\n", {}, {"k"}, "no joint \"k\""},
       {"time_s,k_torque_Nm\n0,1\n",
        {},
        {"k"},
@@ -106,6 +111,19 @@ TEST(TrajectoryReader, RefusesWithThePlace) {
     EXPECT_EQ(read(mistake.text, mistake.mappings, mistake.joints).refusal,
               "m.csv: " + mistake.sentence);
   }
+}
+
+// Twenty names are listed, of more the first twenty.
+TEST(TrajectoryReader, ListsManyNamesInPart) {
+  std::string header = "t";
+  std::string listed = "t";
+  for (int i = 1; i < 20; ++i) {
+    header += ",c" + std::to_string(100 + i);
+    listed += ", c" + std::to_string(100 + i);
+  }
+  const std::string start = "m.csv: no column \"torque\"; there are ";
+  EXPECT_EQ(read(header + "\n", {"torque=k.torque"}, {"k"}).refusal, start + listed);
+  EXPECT_EQ(read(header + ",c200\n", {"torque=k.torque"}, {"k"}).refusal, start + listed + ", ...");
 }
 
 TEST(TrajectoryReader, ChecksTimeOutsideOfTheWindowToo) {

@@ -130,6 +130,26 @@ TEST(WindingHeat, CountsRunsToSteadyAndToTheLimit) {
   EXPECT_LE(peak_K(*report.runs_to_limit - 1), 390.0);
 }
 
+// Oracle: closed form. 150 W for many time constants warm the winding by 150 W (R1 + R2) = 420 K,
+// far past the limit: within the first run, and no later run is warmer.
+TEST(WindingHeat, MayDoAllInItsFirstRun) {
+  WindingHeat heat(HeatModel(heated(0.0)));
+  heat.add(200.0, 1e5);
+  const WindingReport report = heat.report(1, 0.0);
+  EXPECT_NEAR(*report.steady_peak_K, kAmbient_K + 420.0, 1e-6);
+  EXPECT_EQ(report.runs_to_steady, 1u);
+  EXPECT_EQ(report.runs_to_limit, 1u);
+}
+
+// Oracle: the same closed form. 15 W warm it by 42 K at most, 90 K are allowed.
+TEST(WindingHeat, NeverReachesALimitBeyondItsSteadyState) {
+  WindingHeat heat(HeatModel(heated(0.0)));
+  heat.add(20.0, 10.0);
+  const WindingReport report = heat.report(1, 0.0);
+  EXPECT_NEAR(*report.steady_peak_K, kAmbient_K + 42.0, 1e-6);
+  EXPECT_FALSE(report.runs_to_limit.has_value());
+}
+
 // Oracle: closed form of the threshold. Under constant current the warmth settles just while the
 // loss grows slower than the heat flows off: 1.5 i^2 R alpha < 1 / (R1 + R2).
 TEST(WindingHeat, KnowsThermalRunaway) {

@@ -107,6 +107,20 @@ TEST(LawFit, ConservativeStaysInsideAndBestIsNearerInTheMean) {
   }
 }
 
+// Oracle: a mirror. The laws know no direction, so that friction of one direction weighs as much as
+// the same of the other; what remains is which of the speeds are looked at.
+TEST(LawFit, LooksBothWays) {
+  const auto shape_with = [](double forward_Nm, double backward_Nm) {
+    Actuator actuator = knee();
+    actuator.effects = {effect("asymmetric_friction", {forward_Nm, backward_Nm, 0.0, 0.0})};
+    const Example example(actuator);
+    return exporters::mujoco.shape(example.subject(LawFit::kBest));
+  };
+  const Shape one = shape_with(60.0, 5.0);
+  const Shape other = shape_with(5.0, 60.0);
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i] / other[i], 1.0, 2e-3) << i;
+}
+
 // A conservative law that is needlessly small would pass the test above.
 TEST(LawFit, ConservativeIsNotSmallerThanItMustBe) {
   const Example example(lossy_knee());
@@ -151,6 +165,37 @@ TEST(ErrorReport, OfTheBoxIsTwoTriangles) {
   EXPECT_NEAR(backward_lower.optimistic.speed_rad_s, -10.5, 1e-6);
   ASSERT_EQ(report.sentences.size(), 2u);
   EXPECT_NE(report.sentences[0].find("> 10.5 rad/s the format sets no limit"), std::string::npos);
+}
+
+// Oracle: closed forms. A law of 100 Nm at any speed leaves the knee's region, whose bound is 1536
+// (1
+// - w / 10.5), from 9.8164 rad/s on and has left it at 11.1836; half of that way and the rest up to
+// 12.6875 rad/s are 5/29 of it. At the end it gives 420 Nm too much.
+TEST(ErrorReport, OfALawWithoutAnEnd) {
+  const Example example(knee());
+  const Subject subject = example.subject(LawFit::kBest);
+  Exporter endless = exporters::urdf;
+  endless.law = [](std::span<const double> shape, double) {
+    return TorqueLimits{-shape[0], shape[0]};
+  };
+  const ErrorReport report = error_report(subject, endless, Shape{100.0, 1.0});
+  EXPECT_NEAR(report.share_outside, 5.0 / 29.0, 1e-6);
+  EXPECT_NEAR(report.quadrants[0].optimistic.torque_Nm, 420.0, 1e-6);
+  EXPECT_NEAR(report.quadrants[3].optimistic.torque_Nm, 420.0, 1e-6);
+}
+
+// Oracle: closed form. A law that peaks with 400 Nm at 10/3 rad/s, none of the speeds looked at,
+// exceeds the knee's 320 Nm by 80 there.
+TEST(ErrorReport, FindsTheWorstSpeedBetweenThoseLookedAt) {
+  const Example example(knee());
+  const Subject subject = example.subject(LawFit::kBest);
+  Exporter peaked = exporters::urdf;
+  peaked.law = [](std::span<const double>, double speed_rad_s) {
+    return TorqueLimits{-320.0, 400.0 - 100.0 * std::abs(speed_rad_s - 10.0 / 3.0)};
+  };
+  const WorstError worst = error_report(subject, peaked, {}).quadrants[0].optimistic;
+  EXPECT_NEAR(worst.torque_Nm, 80.0, 1e-6);
+  EXPECT_NEAR(worst.speed_rad_s, 10.0 / 3.0, 1e-6);
 }
 
 // Oracle: closed forms. With the knee's own numbers PhysX gives no braking at the no-load speed,

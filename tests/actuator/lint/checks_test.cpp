@@ -238,6 +238,57 @@ TEST(TorqueConstantUnit, IsDoubtedWhereNoMotorHasSoMuch) {
   EXPECT_EQ(found->severity, Severity::kWarning);
   ASSERT_EQ(found->explanations.size(), 1u);
   EXPECT_NEAR(found->explanations[0].expected->value, 0.0049, 1e-15);
+  EXPECT_EQ(found->expected.low, 0.0);
+  EXPECT_NEAR(found->expected.high, 4.8, 1e-15);
+}
+
+// By hand: Kt / sqrt(R) of a dc motor is at most 20 Nm/sqrt(W), with 0.01 ohm 2 Nm/A; the voltage
+// would allow 4.8.
+TEST(TorqueConstantUnit, IsDoubtedWhereTheWindingHasNoRoomForIt) {
+  Actuator document = sample();
+  document.motor.resistance_ohm = 0.01;
+  document.motor.torque_constant_Nm_A = 1.9;
+  EXPECT_FALSE(comparison(document, "torque-constant-unit"));
+  document.motor.torque_constant_Nm_A = 2.1;
+  EXPECT_NEAR(comparison(document, "torque-constant-unit").value().expected.value, 2.0, 1e-12);
+}
+
+// By hand: 100 J and the gears' own, 0.045 (0.0445 to 0.0455) and 0.02 (0.015 to 0.025).
+TEST(ReflectedInertia, HoldsThatOfTheGears) {
+  Actuator document = sample();
+  document.transmission.inertia_kg_m2 = 0.02;
+  document.datasheet->reflected_inertia_kg_m2 = 0.06;
+  const RoundedInterval expected = comparison(document, "reflected-inertia").value().expected;
+  EXPECT_NEAR(expected.value, 0.065, 1e-15);
+  EXPECT_NEAR(expected.low, 0.0595, 1e-15);
+  EXPECT_NEAR(expected.high, 0.0705, 1e-15);
+}
+
+// By hand: a limit of 299 (298.5 to 299.5) K above 298.9 K allows no current at least.
+TEST(ContinuousCurrent, MayBeNoneWhereRoundingLeavesNoRoom) {
+  Actuator document = sample();
+  hot_current(document, 1);
+  document.thermal->ambient_K = 298.9;
+  document.thermal->winding_limit_K = 299;
+  EXPECT_EQ(comparison(document, "continuous-current").value().expected.low, 0.0);
+}
+
+// By hand: 0.5 (0.45 to 0.55) forward and equal friction both ways are 0, at most 2 - 1 / 0.55,
+// driven back.
+TEST(BackwardEfficiency, IsNearlyNoneOfAGearThatLosesHalf) {
+  Actuator document = sample();
+  document.transmission.forward_efficiency = 0.5;
+  const RoundedInterval expected = comparison(document, "backward-efficiency").value().expected;
+  EXPECT_EQ(expected.low, 0.0);
+  EXPECT_NEAR(expected.high, 2.0 - 1.0 / 0.55, 1e-15);
+}
+
+// Nothing is compared with a number that nobody states.
+TEST(ContinuousCurrent, IsNotAskedForWhereItIsNotStated) {
+  Actuator document = sample();
+  heat(document);
+  EXPECT_FALSE(comparison(document, "continuous-current"));
+  EXPECT_FALSE(comparison(document, "rated-torque-heat"));
 }
 
 TEST(Library, HasACaseHereForEveryRule) {

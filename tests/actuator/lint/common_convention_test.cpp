@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/actuator/lint/sample.hpp"
 
 namespace torquewright::actuator::lint {
@@ -45,6 +47,81 @@ TEST(CommonFactor, IsAViolationWhereNothingIsFastEnough) {
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::kViolation) << finding->sentence;
   EXPECT_NE(finding->sentence.find("nor with rounding"), std::string::npos);
+}
+
+// By hand: the second needs c = 1.1, field weakening by 10 %. Per rms ampere and svpwm, c = 1.22,
+// nothing is too fast, but the drive would give 40 sqrt(2) = 56.6 A of amplitude.
+TEST(CommonFactor, TellsWhatEachWayOutAsksFor) {
+  const auto common = common_factor(std::vector{with_speed(10, 19.2), with_speed(20, 10.56)});
+  const Finding finding = finding_of(common.value()).value();
+  EXPECT_EQ(finding.rule, "common-convention");
+  EXPECT_EQ(finding.actuator, "sample, sample");
+  EXPECT_EQ(finding.severity, Severity::kWarning);
+  EXPECT_NEAR(finding.expected.value, 1.0, 1e-12);
+  EXPECT_NEAR(finding.stated.value, 1.1, 1e-12);
+  EXPECT_NE(finding.sentence.find("no single factor fits both as printed, nor with rounding"),
+            std::string::npos)
+      << finding.sentence;
+  EXPECT_EQ(
+      explanation(finding, "Kt = Ke (dc ampere), and field weakening only on sample by 10.0 %").fit,
+      Agreement::kFits);
+  EXPECT_EQ(explanation(finding, "Nm per rms ampere, svpwm: then 40 A are 56.6 A of amplitude").fit,
+            Agreement::kAdmits);
+}
+
+// By hand: V / (Kt N) = 19.2 rad/s times c of the convention: 1, and for rms and svpwm sqrt(1.5).
+TEST(CommonFactor, HoldsEachConventionsSpeeds) {
+  const auto common = common_factor(std::vector{with_speed(10, 19.2), with_speed(20, 9.6)}).value();
+  for (const FactorCandidate& candidate : common.candidates) {
+    ASSERT_EQ(candidate.speeds_rad_s.size(), 2u);
+    EXPECT_NEAR(candidate.speeds_rad_s[0].value, 19.2 * candidate.factor, 1e-12 * 20);
+    EXPECT_NEAR(candidate.speeds_rad_s[1].value, 9.6 * candidate.factor, 1e-12 * 20);
+  }
+  EXPECT_NEAR(common.candidates[0].factor, 1.0, 1e-12);
+  EXPECT_NEAR(common.candidates[4].factor, std::sqrt(1.5), 1e-12);
+}
+
+Actuator named(const char* name, double ratio) {
+  Actuator document = sample();
+  document.name = name;
+  document.transmission.ratio = ratio;
+  return document;
+}
+
+// By hand: 40 Nm / (0.95 * 10) = 4.2105 Nm and 120 / (0.95 * 20) = 6.3158 Nm at the rotor.
+TEST(SameMotor, ComparesTorquesBeforeTheGears) {
+  Actuator one = named("one", 10);
+  Actuator other = named("other", 20);
+  one.datasheet->peak_torque_Nm = 40;
+  other.datasheet->peak_torque_Nm = 120;
+  const std::vector<Finding> findings = same_motor(std::vector{one, other});
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].rule, "same-motor-torque");
+  EXPECT_EQ(findings[0].actuator, "one, other");
+  EXPECT_EQ(findings[0].unit, "Nm");
+  EXPECT_NEAR(findings[0].expected.value, 40 / 9.5, 1e-12);
+  EXPECT_NEAR(findings[0].stated.value, 120 / 19.0, 1e-12);
+  other.datasheet->peak_torque_Nm = 80;
+  EXPECT_TRUE(same_motor(std::vector{one, other}).empty());
+}
+
+// By hand: N^2 J + G is 0.06 and 0.18 for J = 0.0004 and G = 0.02; 0.06 and 0.31 want G < 0.
+TEST(SameMotor, SplitsInertiasIntoRotorAndGears) {
+  Actuator one = named("one", 10);
+  Actuator other = named("other", 20);
+  one.datasheet->reflected_inertia_kg_m2 = 0.06;
+  other.datasheet->reflected_inertia_kg_m2 = 0.18;
+  const std::vector<Finding> findings = same_motor(std::vector{one, other});
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].rule, "same-motor-inertia");
+  EXPECT_EQ(findings[0].severity, Severity::kWarning);
+  EXPECT_NEAR(findings[0].expected.value, 0.0006, 1e-15);
+  EXPECT_EQ(
+      explanation(findings[0], "a rotor of 0.0004 kg m^2 and gears of 0.02 kg m^2 at each joint")
+          .fit,
+      Agreement::kFits);
+  other.datasheet->reflected_inertia_kg_m2 = 0.31;
+  EXPECT_EQ(same_motor(std::vector{one, other}).at(0).severity, Severity::kViolation);
 }
 
 TEST(SameMotor, LooksOnlyAtOneMotorOnSeveralRatios) {

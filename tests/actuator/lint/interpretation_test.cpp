@@ -108,6 +108,23 @@ TEST(InertiaInterpretations, TellRotorFromJoint) {
   expect_interpretation(*inertia, "carried over by the ratio instead of its square", 0.0045);
 }
 
+// By hand: 100 J is 0.045, at most 0.0455; the rest of 0.06 may be the gears', of 0.12 it would be
+// more than the rotor's own, and of 0.03 there is none.
+TEST(InertiaInterpretations, LeaveTheGearsAsMuchAsTheRotor) {
+  Actuator document = sample();
+  const char* kGears = "inertia of the gears beyond what is stated, of";
+  const auto offers = [&](double stated_kg_m2) {
+    document.datasheet->reflected_inertia_kg_m2 = stated_kg_m2;
+    const Finding inertia = finding(document, "reflected-inertia").value();
+    return std::any_of(inertia.explanations.begin(), inertia.explanations.end(),
+                       [&](const Explanation& one) { return one.sentence == kGears; });
+  };
+  EXPECT_FALSE(offers(0.03));
+  EXPECT_FALSE(offers(0.12));
+  EXPECT_TRUE(offers(0.06));
+  expect_interpretation(finding(document, "reflected-inertia").value(), kGears, 0.015);
+}
+
 TEST(ChargeInterpretations, FindTheStateOfChargeOfTheBus) {
   Actuator document = sample();
   document.battery = Battery{};
@@ -117,6 +134,7 @@ TEST(ChargeInterpretations, FindTheStateOfChargeOfTheBus) {
   const auto voltage = finding(document, "bus-voltage");
   ASSERT_TRUE(voltage);
   expect_interpretation(*voltage, "the battery at a state of charge of 0.5", 57.6);
+  expect_interpretation(*voltage, "the battery at a state of charge of 0", 48);
   EXPECT_EQ(voltage->severity, Severity::kWarning);
 }
 
@@ -170,6 +188,20 @@ TEST(Explanations, StandANoLoadCurrentBeyondStall) {
   ASSERT_TRUE(speed);
   EXPECT_EQ(speed->sentence.find("nan"), std::string::npos);
   EXPECT_EQ(speed->sentence.find("rounding allowed for"), std::string::npos) << speed->sentence;
+}
+
+// A field that can be weakened to nothing sets no upper end, whichever ampere the torque constant
+// counts; the lower ends differ, so that each reading is another. By hand: 24 / (sqrt(3) Ke 10)
+// with Ke = Kt sqrt(2) / 3 per rms ampere.
+TEST(Interpretations, ThatShareOneEndAreStillTwo) {
+  Actuator document = sample();
+  document.motor.inductance_d_H = 0.000125;
+  document.drive.field_weakening = true;
+  document.drive.peak_current_A = 60;
+  document.datasheet->no_load_speed_rad_s = 12;
+  expect_interpretation(finding(document, "no-load-speed").value(),
+                        "torque constant per rms ampere, svpwm modulation",
+                        24 / std::sqrt(3.0) / (1.25 * std::sqrt(2.0) / 3.0));
 }
 
 TEST(Interpretations, NeverTouchTheDocumentsOwnNumbers) {
