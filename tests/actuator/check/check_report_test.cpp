@@ -11,8 +11,8 @@
 namespace torquewright::actuator {
 namespace {
 
-Interpretation interpretation() {
-  Interpretation result;
+CheckedInterpretation interpretation() {
+  CheckedInterpretation result;
   result.clipped_samples = 3;
   result.clipped_time_s = 0.5;
   result.worst = {1.5, -2.5, 31.0, 30.0, 1.0, Limiter::kGear};
