@@ -24,18 +24,18 @@ Vector2d turned(const Vector2d& v) { return {-v.y(), v.x()}; }
 double crossed(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The linkage as it stands: links as vectors.
-struct Posture {
+struct Links {
   Vector2d crank_m;
   Vector2d rocker_m;
   Vector2d coupler_m;  ///< From the crank's pin to the rocker's.
 };
 
-Posture posture_of(const FourBarGeometry& four_bar, double crank_rad, double rocker_rad) {
-  Posture posture;
-  posture.crank_m = four_bar.crank_m * direction(crank_rad);
-  posture.rocker_m = four_bar.rocker_m * direction(rocker_rad);
-  posture.coupler_m = Vector2d(four_bar.ground_m, 0) + posture.rocker_m - posture.crank_m;
-  return posture;
+Links links_of(const FourBarGeometry& four_bar, double crank_rad, double rocker_rad) {
+  Links links;
+  links.crank_m = four_bar.crank_m * direction(crank_rad);
+  links.rocker_m = four_bar.rocker_m * direction(rocker_rad);
+  links.coupler_m = Vector2d(four_bar.ground_m, 0) + links.rocker_m - links.crank_m;
+  return links;
 }
 
 /// Angle between two links from being in line, 0 to a right one.
@@ -97,7 +97,7 @@ std::optional<Transfer> FourBar::transfer(const SmallVector& joint_rad,
   const double rocker = rocker_rad(joint_rad);
   const auto crank = crank_rad(rocker);
   if (!crank) return std::nullopt;
-  const Posture links = posture_of(geometry_, *crank, rocker);
+  const Links links = links_of(geometry_, *crank, rocker);
   const Vector2d crank_rate = turned(links.crank_m), rocker_rate = turned(links.rocker_m);
   const double n = links.coupler_m.dot(rocker_rate), m = links.coupler_m.dot(crank_rate);  // (8)
   const double b = geometry_.coupler_m;
@@ -145,7 +145,7 @@ std::vector<MechanismMargin> FourBar::margins(const SmallVector& joint_rad) cons
   }
   const auto crank = crank_rad(rocker);
   if (!crank) return margins;
-  const Posture links = posture_of(geometry_, *crank, rocker);
+  const Links links = links_of(geometry_, *crank, rocker);
   const double at_rocker = from_line_rad(links.coupler_m, links.rocker_m);
   margins.push_back(in_rad("crank_dead_centre", from_line_rad(links.coupler_m, links.crank_m), 0));
   margins.push_back(in_rad("rocker_dead_centre", at_rocker, 0));
