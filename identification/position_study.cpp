@@ -134,7 +134,10 @@ std::optional<EquationResult> study_position(const PositionInput& input,
   result.band_Hz = kBand_Hz;
   result.before = errors_of(log, bench.actuator());
   actuator::Actuator known = with_effects(bench.actuator(), torque.added);
-  if (select && leaves_standstill_open(torque)) {
+  const double known_floor = noise_floor(log, noisy, known);
+  const double left = errors_of(log, known).train_rms;
+  const bool is_followed = left * left <= kNoiseLoss * known_floor * known_floor;
+  if (select && !is_followed && leaves_standstill_open(torque)) {
     const actuator::Actuator plain = with_effects(bench.actuator(), lasting(torque.added));
     Standstill found = find_standstill(log, plain, scale_of(input.signals));
     if (found.effect && follows_no_worse(log, with_standstill(plain, *found.effect), known)) {

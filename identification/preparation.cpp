@@ -14,6 +14,7 @@
 #include "identification/log/piece.hpp"
 #include "identification/output_motion.hpp"
 #include "identification/rest_mask.hpp"
+#include "identification/signal.hpp"
 #include "identification/thinning.hpp"
 #include "identification/winding_channels.hpp"
 
@@ -72,6 +73,10 @@ void set_twist(const ChannelGrid& grid, const std::vector<double>& motor_angle_r
   for (std::size_t i = 0; i < motor_angle_rad.size(); ++i) {
     signals.twist_rad.push_back(motor_angle_rad[i] / ratio - motion.position_rad[i]);
   }
+  if (grid.is_map()) return;
+  signals.motor_acceleration_rad_s2 =
+      derivative(derivative(motor_angle_rad, grid.step_s()), grid.step_s());
+  for (double& each : signals.motor_acceleration_rad_s2) each /= ratio;
 }
 
 /// The motor's current by the drive's channel, and its torque at the output by the stated constant.

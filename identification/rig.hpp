@@ -31,6 +31,7 @@ struct Link {
   double length_m = 0.0;
   double center_of_mass_m = 0.0;  ///< From its joint, along the link.
   double inertia_kg_m2 = 0.0;     ///< About its centre of mass.
+  friend bool operator==(const Link&, const Link&) = default;
 };
 
 /// What the actuator moves.
@@ -40,6 +41,7 @@ struct Load {
   double length_m = 0.0;       ///< Pendulum: from the axis to the centre of mass.
   double inertia_kg_m2 = 0.0;  ///< Free; pendulum: about its centre of mass.
   std::vector<Link> links;     ///< Serial arm, from the base on.
+  friend bool operator==(const Load&, const Load&) = default;
 };
 
 /// A document of kind `rig`: how a log was taken.

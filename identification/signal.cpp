@@ -90,6 +90,12 @@ std::vector<double> resampled(std::span<const double> time_s, std::span<const do
   return values;
 }
 
+double cubic_between(std::span<const double> four, double share) {
+  const double s = share, b = s - 1.0, c = s - 2.0, a = s + 1.0;
+  return -s * b * c / 6.0 * four[0] + a * b * c / 2.0 * four[1] - a * s * c / 2.0 * four[2] +
+         a * s * b / 6.0 * four[3];
+}
+
 std::vector<double> advanced(std::span<const double> signal, double delay_s, double step_s) {
   const double steps = delay_s / step_s;
   const double last = static_cast<double>(signal.size() - 1);
@@ -98,7 +104,9 @@ std::vector<double> advanced(std::span<const double> signal, double delay_s, dou
     const double place = std::clamp(static_cast<double>(i) + steps, 0.0, last);
     const auto below = std::min(static_cast<std::size_t>(place), signal.size() - 2);
     const double share = place - static_cast<double>(below);
-    values[i] = signal[below] + share * (signal[below + 1] - signal[below]);
+    values[i] = below > 0 && below + 2 < signal.size()
+                    ? cubic_between(signal.subspan(below - 1, 4), share)
+                    : signal[below] + share * (signal[below + 1] - signal[below]);
   }
   return values;
 }

@@ -36,7 +36,11 @@ std::vector<double> derivative(std::span<const double> signal, double step_s);
 std::vector<double> resampled(std::span<const double> time_s, std::span<const double> signal,
                               double start_s, double step_s, std::size_t count);
 
-/// The signal `delay_s` earlier: out(t) = in(t + delay), linear between samples, ends held.
+/// The cubic through four samples, `share` of the way from the second to the third.
+double cubic_between(std::span<const double> four, double share);
+
+/// The signal `delay_s` earlier: out(t) = in(t + delay), cubic between samples (straight next to an
+/// end), ends held.
 std::vector<double> advanced(std::span<const double> signal, double delay_s, double step_s);
 
 /// Standard deviation of white noise on a smooth signal: 1.4826 times the median magnitude of fifth

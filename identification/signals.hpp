@@ -45,6 +45,8 @@ struct Signals {
   std::vector<double> bus_A;
   std::vector<double> logged_velocity_rad_s;
   std::vector<double> motor_velocity_rad_s;
+  /// Of the rotor over the ratio, where it has an encoder beside the output's; else empty.
+  std::vector<double> motor_acceleration_rad_s2;
   std::vector<double> twist_rad;     ///< Motor angle over ratio less output angle.
   std::vector<JointMotion> arm;      ///< Of every joint of a serial arm; else empty.
   std::vector<std::uint8_t> masked;  ///< 1: masked in the log, or the drive is off.

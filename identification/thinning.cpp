@@ -35,7 +35,7 @@ void thin(Signals& signals, std::size_t factor) {
   for (std::vector<double>* values :
        {&signals.time_s, &signals.motor_side_Nm, &signals.load_side_Nm, &signals.voltage_V,
         &signals.bus_V, &signals.bus_A, &signals.logged_velocity_rad_s,
-        &signals.motor_velocity_rad_s, &signals.twist_rad}) {
+        &signals.motor_velocity_rad_s, &signals.motor_acceleration_rad_s2, &signals.twist_rad}) {
     thin_values(*values, factor);
   }
   for (JointMotion& motion : signals.arm) {

@@ -15,6 +15,10 @@ double power_factor(actuator::CurrentConvention convention) {
 
 }  // namespace
 
+double bus_amperes_per_ampere(const actuator::Actuator& actuator) {
+  return power_factor(actuator.motor.torque_constant_convention);
+}
+
 std::vector<double> winding_voltage_V(ChannelGrid& grid, const actuator::Actuator& actuator) {
   if (grid.has(Quantity::kWindingVoltage)) return grid.read(Quantity::kWindingVoltage);
   if (!grid.has(Quantity::kDuty)) return {};

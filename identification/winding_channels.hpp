@@ -9,6 +9,9 @@ namespace torquewright::identification {
 /// empty if neither was logged.
 std::vector<double> winding_voltage_V(ChannelGrid& grid, const actuator::Actuator& actuator);
 
+/// Amperes of the bus per ampere of the motor's convention at full duty.
+double bus_amperes_per_ampere(const actuator::Actuator& actuator);
+
 /// Winding temperature in K, or the case's, or the one that the actuator's constants hold at.
 std::vector<double> winding_temperature_K(ChannelGrid& grid, const actuator::Actuator& actuator);
 

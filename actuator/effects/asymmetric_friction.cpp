@@ -38,6 +38,8 @@ void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> der
   derivative[side + 2] = -at.speed_rad_s;
 }
 
+constexpr std::string_view kContains[] = {"coulomb_friction", "viscous_friction"};
+
 }  // namespace
 
 const EffectKind asymmetric_friction = {
@@ -51,6 +53,7 @@ const EffectKind asymmetric_friction = {
     .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
+    .contains = kContains,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -51,6 +51,20 @@ struct Parameter {
   double highest;
   double neutral;  ///< At which the effect changes nothing; may be infinite.
   std::string_view meaning;
+  bool is_scale = false;          ///< Positive, and sought by its logarithm.
+  std::string_view at_least = {};  ///< Another parameter, which it is not below.
+};
+
+/// What a log or a motion covers: largest magnitudes (of nearly all samples), and widths.
+struct Ranges {
+  double torque_Nm = 1.0;  ///< At the output.
+  double speed_rad_s = 1.0;
+  double acceleration_rad_s2 = 1.0;
+  double current_A = 1.0;
+  double voltage_V = 1.0;
+  double angle_rad = 1.0;        ///< Of the output, from end to end.
+  double motor_angle_rad = 1.0;  ///< Of the rotor.
+  double warmth_K = 0.0;         ///< Away from the reference.
 };
 
 /// A sum of A sin(order angle + phase). `amplitude` is in Nm, or dimensionless where the ripple is
@@ -79,6 +93,10 @@ struct EffectKind {
   /// d state / dt; null: no state.
   double (*state_rate)(const Effect&, const Instant&) = nullptr;
   std::string_view state;  ///< What the state is, with its unit.
+  /// Effects that are special cases of it: it takes their place.
+  std::span<const std::string_view> contains = {};
+  /// Values from which a fit may start; null: the neutral ones.
+  std::vector<std::vector<double>> (*starts)(const Ranges&) = nullptr;
 };
 
 /// An effect as a document states it.

@@ -11,7 +11,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Parameter kParameters[] = {
     {"coulomb_Nm", 0.0, kInfinity, 0.0, "Friction once it slips, at the output."},
     {"stiffness_Nm_rad", 0.0, kInfinity, kInfinity,
-     "Slope before slip, at the output; infinite: it slips at once."},
+     "Slope before slip, at the output; infinite: it slips at once.", true},
 };
 constexpr std::string_view kNeeds[] = {"output_position_rad", "output_velocity_rad_s",
                                        "output_torque_Nm"};
@@ -31,6 +31,18 @@ double state_rate(const Effect& effect, const Instant& at) {
   return stiffness_Nm_rad * (1.0 - slip) * at.speed_rad_s;
 }
 
+constexpr std::string_view kContains[] = {"coulomb_friction"};
+
+/// By the way to slip, from a thousandth of the travel to a tenth.
+std::vector<std::vector<double>> starts(const Ranges& ranges) {
+  std::vector<std::vector<double>> all;
+  const double coulomb_Nm = 0.05 * ranges.torque_Nm;
+  for (const double share : {0.001, 0.006, 0.03}) {
+    all.push_back({coulomb_Nm, coulomb_Nm / (share * ranges.angle_rad)});
+  }
+  return all;
+}
+
 }  // namespace
 
 const EffectKind presliding_friction = {
@@ -44,6 +56,8 @@ const EffectKind presliding_friction = {
     .gradient = gradient,
     .state_rate = state_rate,
     .state = "friction torque at the output, in Nm",
+    .contains = kContains,
+    .starts = starts,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -12,9 +12,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Parameter kParameters[] = {
     {"coulomb_Nm", 0.0, kInfinity, 0.0, "Sliding friction, at the output."},
     {"breakaway_Nm", 0.0, kInfinity, 0.0,
-     "Friction at the onset of motion; at least the sliding one."},
+     "Friction at the onset of motion; at least the sliding one.", false, "coulomb_Nm"},
     {"stribeck_velocity_rad_s", 0.0, kInfinity, 1.0,
-     "Output speed at which the excess has fallen to 1/e."},
+     "Output speed at which the excess has fallen to 1/e.", true},
 };
 constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
@@ -42,6 +42,14 @@ void gradient(const Effect& effect, const Instant& at, std::span<double> derivat
                                        w_rad_s / (v_rad_s * v_rad_s * v_rad_s) * at.direction;
 }
 
+constexpr std::string_view kContains[] = {"coulomb_friction"};
+
+std::vector<std::vector<double>> starts(const Ranges& ranges) {
+  std::vector<std::vector<double>> all;
+  for (const double share : {0.02, 0.06, 0.2}) all.push_back({0.0, 0.0, share * ranges.speed_rad_s});
+  return all;
+}
+
 }  // namespace
 
 const EffectKind stribeck_friction = {
@@ -57,6 +65,8 @@ const EffectKind stribeck_friction = {
     .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
+    .contains = kContains,
+    .starts = starts,
 };
 
 }  // namespace torquewright::actuator::effects

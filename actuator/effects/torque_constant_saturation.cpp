@@ -11,8 +11,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr Parameter kParameters[] = {
     {"saturation_current_A", 0.0, kInfinity, kInfinity,
-     "Current at which it sets in, in the actuator's convention."},
-    {"exponent", 1.0, kInfinity, 2.0, "How sharply it sets in."},
+     "Current at which it sets in, in the actuator's convention.", true},
+    {"exponent", 1.0, kInfinity, 2.0, "How sharply it sets in.", true},
 };
 constexpr std::string_view kNeeds[] = {"motor_current_A", "output_torque_Nm"};
 
@@ -37,6 +37,10 @@ void gradient(const Effect& effect, const Instant& at, std::span<double> derivat
   derivative[1] = factor * (std::log1p(power) / p - share * std::log(x)) / p;
 }
 
+std::vector<std::vector<double>> starts(const Ranges& ranges) {
+  return {{0.8 * ranges.current_A, 2.0}, {1.6 * ranges.current_A, 2.0}, {1.2 * ranges.current_A, 4.0}};
+}
+
 }  // namespace
 
 const EffectKind torque_constant_saturation = {
@@ -50,6 +54,7 @@ const EffectKind torque_constant_saturation = {
     .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
+    .starts = starts,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -25,6 +25,8 @@ double state_rate(const Effect& effect, const Instant& at) {
   return time_constant_s == 0.0 ? 0.0 : (at.input - at.state) / time_constant_s;
 }
 
+std::vector<std::vector<double>> starts(const Ranges& /*ranges*/) { return {{0.0}, {0.01}, {0.04}}; }
+
 }  // namespace
 
 const EffectKind torque_lag = {
@@ -40,6 +42,7 @@ const EffectKind torque_lag = {
     .gradient = gradient,
     .state_rate = state_rate,
     .state = "torque that is there, in Nm",
+    .starts = starts,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -10,7 +10,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr Parameter kParameters[] = {
     {"stiffness_Nm_rad", 0.0, kInfinity, kInfinity,
-     "Torque per twist, at the output; infinite: rigid."},
+     "Torque per twist, at the output; infinite: rigid.", true},
     {"damping_Nm_s_rad", 0.0, kInfinity, 0.0, "Torque per rate of twist, at the output."},
 };
 constexpr std::string_view kNeeds[] = {"motor_position_rad", "output_position_rad",
@@ -27,6 +27,15 @@ void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> der
   derivative[1] = at.twist_rate_rad_s;
 }
 
+/// By the twist under the greatest torque.
+std::vector<std::vector<double>> starts(const Ranges& ranges) {
+  std::vector<std::vector<double>> all;
+  for (const double twist_rad : {1e-4, 1e-3, 1e-2, 1e-1}) {
+    all.push_back({ranges.torque_Nm / twist_rad, 0.0});
+  }
+  return all;
+}
+
 }  // namespace
 
 const EffectKind torsional_compliance = {
@@ -41,6 +50,7 @@ const EffectKind torsional_compliance = {
     .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
+    .starts = starts,
 };
 
 }  // namespace torquewright::actuator::effects

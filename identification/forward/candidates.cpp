@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/forward/candidates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "actuator/effects/library.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using actuator::Effect;
+using actuator::EffectKind;
+using actuator::Instant;
+using actuator::Ranges;
+using Json = nlohmann::ordered_json;
+
+constexpr double kScaleReach = 100.0;      ///< Of a scale, to either side of its starts.
+constexpr double kLongestDelay_s = 0.2;
+constexpr double kLongestTime_s = 0.5;     ///< Of a lag.
+constexpr double kMostCoefficient = 5.0;   ///< Of what has no unit.
+constexpr double kMostWarming_1_K = 0.05;
+
+bool ends_with(std::string_view text, std::string_view end) { return text.ends_with(end); }
+
+/// The largest magnitudes, but for 1 %.
+class Largest {
+ public:
+  void take(double value) { values_.push_back(std::abs(value)); }
+  double nearly_all() {
+    if (values_.empty()) return 1e-6;
+    const auto place = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values_.size() - 1));
+    std::nth_element(values_.begin(), values_.begin() + place, values_.end());
+    return std::max(1e-6, values_[static_cast<std::size_t>(place)]);
+  }
+  double greatest() const {
+    return values_.empty() ? 1e-6 : std::max(1e-6, *std::max_element(values_.begin(), values_.end()));
+  }
+
+ private:
+  std::vector<double> values_;
+};
+
+double highest_of(const actuator::Parameter& parameter, double size) {
+  const std::string_view name = parameter.name;
+  if (ends_with(name, "_1_K")) return kMostWarming_1_K;
+  if (ends_with(name, "_s") && !ends_with(name, "rad_s")) return kLongestTime_s;
+  if (size == 1.0) return std::min(parameter.highest, kMostCoefficient);
+  return std::min(parameter.highest, size);
+}
+
+/// Of a parameter that stands before; none if there is none of that name.
+std::size_t index_of(const EffectKind& kind, std::string_view name) {
+  for (std::size_t p = 0; p < kind.parameters.size(); ++p) {
+    if (kind.parameters[p].name == name) return p;
+  }
+  return FitParameter::kNone;
+}
+
+FitParameter fit_parameter(const EffectKind& kind, const Ranges& ranges,
+                           const std::vector<std::vector<double>>& starts, std::size_t index) {
+  const actuator::Parameter& parameter = kind.parameters[index];
+  FitParameter fit;
+  fit.name = parameter.name;
+  fit.is_scale = parameter.is_scale;
+  if (fit.is_scale) {
+    double least = INFINITY, greatest = 0.0;
+    for (const auto& start : starts) {
+      least = std::min(least, start[index]);
+      greatest = std::max(greatest, start[index]);
+    }
+    const bool is_exponent = size_of(parameter.name, ranges) == 1.0;
+    fit.lowest = is_exponent ? 0.0 : std::log(least / kScaleReach);
+    fit.highest = is_exponent ? std::log(8.0) : std::log(greatest * kScaleReach);
+    return fit;
+  }
+  fit.above = index_of(kind, parameter.at_least);
+  fit.size = size_of(parameter.name, ranges);
+  fit.highest = highest_of(parameter, fit.size);
+  fit.lowest = std::max(parameter.lowest, -fit.highest);
+  return fit;
+}
+
+std::vector<std::vector<double>> starts_of(const EffectKind& kind, const Ranges& ranges) {
+  if (kind.starts != nullptr) return kind.starts(ranges);
+  return {actuator::neutral(kind).values};
+}
+
+/// What the document says of the same kind; empty if nothing.
+std::vector<double> stated_values(const EffectKind& kind, const actuator::Actuator& stated) {
+  for (const Effect& each : stated.effects) {
+    if (each.kind == &kind) return each.values;
+  }
+  return {};
+}
+
+bool takes_place_of(const EffectKind& kind, const Effect& stated) {
+  if (stated.kind == &kind) return true;
+  return std::find(kind.contains.begin(), kind.contains.end(), stated.kind->name) !=
+         kind.contains.end();
+}
+
+Effect effect_at(const EffectKind& kind, const std::vector<FitParameter>& parameters,
+                 std::span<const double> coordinates) {
+  Effect effect{&kind, {}, {}, false, "identified"};
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const std::size_t above = parameters[p].above;
+    const double base = above == FitParameter::kNone ? 0.0 : effect.values[above];
+    effect.values.push_back(base + parameters[p].value(coordinates[p]));
+  }
+  return effect;
+}
+
+}  // namespace
+
+double FitParameter::coordinate(double value) const { return is_scale ? std::log(value) : value; }
+double FitParameter::value(double coordinate) const {
+  return is_scale ? std::exp(coordinate) : coordinate;
+}
+
+actuator::Ranges ranges_of(const Bench& bench, const std::vector<Signals>& signals) {
+  Largest torque, speed, acceleration, current;
+  Ranges ranges;
+  ranges.angle_rad = ranges.motor_angle_rad = 1e-6;
+  for (const Signals& stretch : signals) {
+    double low = INFINITY, high = -INFINITY, motor_low = INFINITY, motor_high = -INFINITY;
+    for (std::size_t i = 0; i < stretch.size(); ++i) {
+      const Instant& at = stretch.at[i];
+      if (!stretch.motor_side_Nm.empty()) torque.take(stretch.motor_side_Nm[i]);
+      if (!stretch.load_side_Nm.empty()) torque.take(stretch.load_side_Nm[i]);
+      speed.take(at.speed_rad_s);
+      acceleration.take(at.acceleration_rad_s2);
+      current.take(at.current_A);
+      low = std::min(low, at.output_angle_rad);
+      high = std::max(high, at.output_angle_rad);
+      motor_low = std::min(motor_low, at.motor_angle_rad);
+      motor_high = std::max(motor_high, at.motor_angle_rad);
+      ranges.warmth_K = std::max(ranges.warmth_K,
+                                 std::abs(at.winding_temperature_K - at.reference_temperature_K));
+    }
+    ranges.angle_rad = std::max(ranges.angle_rad, high - low);
+    ranges.motor_angle_rad = std::max(ranges.motor_angle_rad, motor_high - motor_low);
+  }
+  ranges.torque_Nm = torque.greatest();
+  ranges.speed_rad_s = speed.nearly_all();
+  ranges.acceleration_rad_s2 = acceleration.nearly_all();
+  ranges.current_A = current.greatest();
+  ranges.voltage_V = bench.actuator().drive.bus_voltage_V;
+  return ranges;
+}
+
+double size_of(std::string_view name, const actuator::Ranges& ranges) {
+  const double torque = ranges.torque_Nm, speed = ranges.speed_rad_s;
+  if (ends_with(name, "_Nm_s2_rad2")) return torque / (speed * speed);
+  if (ends_with(name, "_Nm_s_rad")) return torque / speed;
+  if (ends_with(name, "_Nm_rad")) return torque / ranges.angle_rad;
+  if (ends_with(name, "_Nm")) return torque;
+  if (ends_with(name, "_kg_m2")) return torque / ranges.acceleration_rad_s2;
+  if (ends_with(name, "_rad_s")) return speed;
+  if (ends_with(name, "_rad")) return ranges.angle_rad;
+  if (ends_with(name, "_A")) return ranges.current_A;
+  if (ends_with(name, "_V")) return ranges.voltage_V;
+  if (ends_with(name, "_ohm")) return ranges.voltage_V / ranges.current_A;
+  if (ends_with(name, "_1_K")) return std::min(0.01, 1.0 / std::max(1.0, ranges.warmth_K));
+  if (ends_with(name, "_s")) return 0.01;
+  return 1.0;
+}
+
+EffectCandidate actuator_candidate(const EffectKind& kind, const actuator::Actuator& stated,
+                             const actuator::Ranges& ranges) {
+  EffectCandidate candidate;
+  candidate.effect = candidate.key = kind.name;
+  candidate.contains.assign(kind.contains.begin(), kind.contains.end());
+  std::vector<std::vector<double>> starts = starts_of(kind, ranges);
+  const std::vector<double> known = stated_values(kind, stated);
+  if (!known.empty()) starts.insert(starts.begin(), known);
+  for (std::size_t p = 0; p < kind.parameters.size(); ++p) {
+    candidate.parameters.push_back(fit_parameter(kind, ranges, starts, p));
+  }
+  for (const auto& start : starts) {
+    std::vector<double> coordinates;
+    for (std::size_t p = 0; p < start.size(); ++p) {
+      const FitParameter& parameter = candidate.parameters[p];
+      const double base = parameter.above == FitParameter::kNone ? 0.0 : start[parameter.above];
+      coordinates.push_back(
+          std::clamp(parameter.coordinate(start[p] - base), parameter.lowest, parameter.highest));
+    }
+    candidate.starts.push_back(std::move(coordinates));
+  }
+  candidate.apply = [&kind, parameters = candidate.parameters](std::span<const double> coordinates,
+                                                               Hypothesis& hypothesis) {
+    auto& effects = hypothesis.actuator.effects;
+    std::erase_if(effects, [&](const Effect& each) { return takes_place_of(kind, each); });
+    effects.push_back(effect_at(kind, parameters, coordinates));
+  };
+  candidate.report = [&kind, parameters = candidate.parameters](std::span<const double> coordinates) {
+    const Effect effect = effect_at(kind, parameters, coordinates);
+    Json json = Json::object();
+    for (std::size_t p = 0; p < parameters.size(); ++p) json[parameters[p].name] = effect.values[p];
+    return json;
+  };
+  return candidate;
+}
+
+EffectCandidate wave_candidate(const EffectKind& kind, double order, bool proportional, double scale) {
+  EffectCandidate candidate;
+  candidate.effect = kind.name;
+  candidate.key = fmt::format("{}{}:{:g}", kind.name, proportional ? "*load" : "", order);
+  candidate.order = order;
+  for (const char* part : {"sine", "cosine"}) {
+    candidate.parameters.push_back({part, -scale, scale, scale, false});
+  }
+  candidate.starts = {{0.0, 0.0}};
+  const auto wave = [order](std::span<const double> u) {
+    return actuator::Harmonic{order, std::hypot(u[0], u[1]), std::atan2(u[1], u[0])};
+  };
+  candidate.apply = [&kind, proportional, wave](std::span<const double> u, Hypothesis& hypothesis) {
+    hypothesis.actuator.effects.push_back({&kind, {}, {wave(u)}, proportional, "identified"});
+  };
+  candidate.report = [&kind, proportional, wave](std::span<const double> u) {
+    const actuator::Harmonic found = wave(u);
+    Json json;
+    json["harmonics"] = Json::array(
+        {{{"order", found.order},
+          {proportional ? "amplitude_ratio" : "amplitude_Nm", found.amplitude},
+          {"phase_rad", found.phase_rad}}});
+    if (kind.name == "gear_ripple") json["proportional"] = proportional;
+    return json;
+  };
+  return candidate;
+}
+
+EffectCandidate imbalance_candidate(const actuator::Ranges& ranges) {
+  EffectCandidate candidate;
+  candidate.effect = candidate.key = "gravity_imbalance";
+  candidate.family = EffectFamily::kRig;
+  candidate.order = 1.0;
+  const double scale = ranges.torque_Nm;
+  for (const char* part : {"sine_Nm", "cosine_Nm"}) {
+    candidate.parameters.push_back({part, -scale, scale, scale, false});
+  }
+  candidate.starts = {{0.0, 0.0}};
+  candidate.apply = [](std::span<const double> u, Hypothesis& hypothesis) {
+    hypothesis.imbalance_sine_Nm = u[0];
+    hypothesis.imbalance_cosine_Nm = u[1];
+  };
+  candidate.report = [](std::span<const double> u) {
+    return Json{{"amplitude_Nm", std::hypot(u[0], u[1])}, {"phase_rad", std::atan2(u[1], u[0])}};
+  };
+  return candidate;
+}
+
+EffectCandidate delay_candidate(Quantity channel) {
+  EffectCandidate candidate;
+  candidate.effect = "channel_delay";
+  candidate.family = EffectFamily::kLog;
+  candidate.key = fmt::format("channel_delay:{}", name_of(channel));
+  candidate.parameters = {{"delay_s", 0.0, kLongestDelay_s, 0.01, false}};
+  candidate.starts = {{0.0}, {0.02}, {0.08}};
+  candidate.apply = [channel](std::span<const double> u, Hypothesis& hypothesis) {
+    hypothesis.log.delay_s[static_cast<std::size_t>(channel)] = u[0];
+  };
+  candidate.report = [channel](std::span<const double> u) {
+    return Json{{"channel", name_of(channel)}, {"delay_s", u[0]}};
+  };
+  return candidate;
+}
+
+EffectCandidate offset_candidate(const actuator::Ranges& ranges) {
+  EffectCandidate candidate;
+  candidate.effect = candidate.key = "torque_offset";
+  candidate.family = EffectFamily::kLog;
+  const double scale = ranges.torque_Nm;
+  candidate.parameters = {{"value", -scale, scale, scale, false}};
+  candidate.starts = {{0.0}};
+  candidate.apply = [](std::span<const double> u, Hypothesis& hypothesis) {
+    hypothesis.log.torque_offset_Nm = u[0];
+  };
+  candidate.report = [](std::span<const double> u) { return Json{{"value", u[0]}}; };
+  return candidate;
+}
+
+}  // namespace torquewright::identification

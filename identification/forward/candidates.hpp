@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "identification/bench.hpp"
+#include "identification/forward/candidate.hpp"
+
+namespace torquewright::identification {
+
+/// What the stretches cover.
+actuator::Ranges ranges_of(const Bench& bench, const std::vector<Signals>& signals);
+
+/// A change of a parameter that matters, by the unit at the end of its name: a force of the order
+/// of the torque used, a viscous coefficient of that torque over the speed, and so on.
+double size_of(std::string_view parameter, const actuator::Ranges& ranges);
+
+/// An effect of the actuator that is told by scalar parameters, by its record in actuator/effects.
+/// It takes the place of a stated one of its kind, and of those that it contains.
+EffectCandidate actuator_candidate(const actuator::EffectKind& kind, const actuator::Actuator& stated,
+                             const actuator::Ranges& ranges);
+
+/// One wave of an effect that has harmonics. `scale`: the largest amplitude.
+EffectCandidate wave_candidate(const actuator::EffectKind& kind, double order, bool proportional,
+                         double scale);
+
+/// The first harmonic of the output's angle that stands for the rig's gravity.
+EffectCandidate imbalance_candidate(const actuator::Ranges& ranges);
+
+/// A channel that is late.
+EffectCandidate delay_candidate(Quantity channel);
+
+/// A constant on the torque's sensor; exactly that of the current, and of friction's two directions.
+EffectCandidate offset_candidate(const actuator::Ranges& ranges);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "identification/bench.hpp"
+#include "identification/forward/candidate.hpp"
+
+namespace torquewright::identification {
+
+/// One equation that a log's channels allow: what is measured less what a hypothesis says of it.
+struct ForwardEquation {
+  std::string quantity;  ///< Whose error it is.
+  std::string unit;
+  double unit_per_residual = 1.0;
+  double used = 0.0;  ///< Rms of what is predicted, in the residual's unit; 0: nothing to compare with.
+  Hypothesis stated;
+  std::vector<FitParameter> always;                ///< Fitted in every model: uncertain values, zero points.
+  std::vector<double> always_start;                ///< Coordinates.
+  std::function<void(std::span<const double>, Hypothesis&)> apply_always;
+  std::vector<std::string> pointers;               ///< What the first of `always` are.
+  std::vector<EffectCandidate> candidates;
+  std::function<std::vector<double>(const Hypothesis&, const Signals&)> residual;
+  /// Waves of the motor's or the output's angle that what a model leaves suggests.
+  std::function<std::vector<EffectCandidate>(const std::function<std::vector<double>(const Signals&)>&)> waves;
+};
+
+}  // namespace torquewright::identification

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "actuator/motor/actuator.hpp"
+
+namespace torquewright::identification {
+
+/// Torque before the mesh, in Nm at the output, of effects that have a history (lag, presliding),
+/// through a stretch of n samples: their rates are advanced exactly over quarter steps, between
+/// which motion and input follow a cubic. Before the first sample they have settled; where there is
+/// none of them, zeros.
+std::vector<double> torque_of_histories_Nm(const actuator::Actuator& actuator,
+                                           const std::vector<actuator::Instant>& at,
+                                           const std::vector<double>& motor_Nm, double step_s);
+
+}  // namespace torquewright::identification

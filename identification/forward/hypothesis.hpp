@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "actuator/motor/actuator.hpp"
+#include "identification/rig.hpp"
+
+namespace torquewright::identification {
+
+/// What a log's channels may have done to the truth.
+struct LogErrors {
+  std::array<double, kQuantityCount> delay_s{};  ///< By which a channel is late.
+  double torque_offset_Nm = 0.0;                 ///< measured = true + offset; N on a linear axis.
+  double current_offset_A = 0.0;
+  double velocity_scale = 1.0;  ///< Of the logged velocity.
+  double velocity_delay_s = 0.0;
+  double encoder_zero_rad = 0.0;  ///< Motor angle over ratio less output angle, unloaded.
+  double open_circuit_V = 0.0;    ///< Of the bus without load, above the stated one.
+};
+
+/// Everything that a prediction rests on: what the documents state, and what is supposed beyond
+/// them. An effect of the actuator is one of its `effects`.
+struct Hypothesis {
+  actuator::Actuator actuator;
+  Rig rig;
+  LogErrors log;
+  /// Of the load's gravity, beyond the rig's: what it takes is sine sin(q) + cosine cos(q).
+  double imbalance_sine_Nm = 0.0, imbalance_cosine_Nm = 0.0;
+};
+
+}  // namespace torquewright::identification

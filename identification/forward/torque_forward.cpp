@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/forward/torque_forward.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "actuator/effects/library.hpp"
+#include "identification/backlash_residual.hpp"
+#include "identification/balance.hpp"
+#include "identification/forward/candidates.hpp"
+#include "identification/forward/torque_prediction.hpp"
+#include "identification/orders.hpp"
+#include "identification/uncertain.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using actuator::Acts;
+using actuator::EffectKind;
+
+constexpr double kMostFactor = 30.0;  ///< An uncertain value is within it of what is stated.
+
+bool is_uncertain(const Bench& bench, const char* pointer) {
+  const auto& list = bench.rig->uncertain;
+  return std::find(list.begin(), list.end(), pointer) != list.end();
+}
+
+/// Whether a torque balance of such a bench can hold the effect.
+bool can_enter(const Bench& bench, const EffectKind& kind) {
+  switch (kind.acts) {
+    case Acts::kResistanceFactor:
+      return bench.drive == Drive::kVoltage && bench.has_temperature;
+    case Acts::kWindingVoltage:
+      return bench.drive == Drive::kVoltage;
+    case Acts::kBusVoltage:
+      return bench.drive == Drive::kVoltage && bench.drive_channel == Quantity::kDuty;
+    case Acts::kFluxFactor:
+    case Acts::kDragFactor:
+      return bench.has_temperature;
+    case Acts::kInertialTorque:
+      return !is_uncertain(bench, "/motor/rotor_inertia_kg_m2") &&
+             !is_uncertain(bench, "/load/inertia_kg_m2");
+    default:
+      break;
+  }
+  if (kind.name == "torque_constant_error") return !is_uncertain(bench, "/motor/torque_constant_Nm_A");
+  if (kind.name == "backlash") return shows_backlash(bench);
+  return kind.name != "torsional_compliance";
+}
+
+void add_uncertain(const Bench& bench, const actuator::Ranges& ranges, ForwardEquation& equation) {
+  for (const std::string& pointer : bench.rig->uncertain) {
+    const double* value = value_at(pointer, equation.stated.rig, equation.stated.actuator);
+    if (value == nullptr) continue;
+    if (is_of_load(pointer) && bench.load_side != LoadSide::kModel) continue;
+    if (pointer == "/motor/resistance_ohm" && bench.drive != Drive::kVoltage) continue;
+    const double size = *value != 0.0 ? std::abs(*value) : size_of(pointer, ranges);
+    FitParameter parameter{pointer, *value - kMostFactor * size, *value + kMostFactor * size, size,
+                           false};
+    // No mass, inertia, constant or ratio changes its sign.
+    if (*value > 0.0) parameter.lowest = size / kMostFactor;
+    if (*value < 0.0) parameter.highest = -size / kMostFactor;
+    if (*value == 0.0) parameter.lowest = 0.0;
+    equation.always.push_back(parameter);
+    equation.always_start.push_back(*value);
+    equation.pointers.push_back(pointer);
+  }
+  equation.apply_always = [pointers = equation.pointers](std::span<const double> values,
+                                                         Hypothesis& hypothesis) {
+    for (std::size_t k = 0; k < pointers.size(); ++k) {
+      *value_at(pointers[k], hypothesis.rig, hypothesis.actuator) = values[k];
+    }
+  };
+}
+
+void add_delays(const Bench& bench, ForwardEquation& equation) {
+  const auto add = [&](Quantity channel) { equation.candidates.push_back(delay_candidate(channel)); };
+  add(bench.drive_channel);
+  if (bench.load_side == LoadSide::kSensor) add(bench.load_channel);
+  add(bench.is_linear ? Quantity::kLinearPosition : Quantity::kOutputPosition);
+}
+
+const EffectKind& kind(const char* name) { return *actuator::find_effect(name); }
+
+std::vector<EffectCandidate> waves_of(const Bench& bench, const Orders& orders,
+                                const actuator::Ranges& ranges) {
+  std::vector<EffectCandidate> waves;
+  const double ratio = std::abs(bench.actuator().transmission.ratio);
+  const auto is_cogging_too = [&](double order) {
+    return ratio == std::floor(ratio) &&
+           std::any_of(orders.motor.begin(), orders.motor.end(),
+                       [&](double each) { return each * ratio == order; });
+  };
+  const double torque_Nm = ranges.torque_Nm;
+  for (const double order : orders.motor) {
+    waves.push_back(wave_candidate(kind("cogging_torque"), order, false, torque_Nm));
+  }
+  for (const double order : orders.output) {
+    if (order == 1.0 || is_cogging_too(order)) continue;
+    waves.push_back(wave_candidate(kind("gear_ripple"), order, false, torque_Nm));
+  }
+  for (const double order : orders.load) {
+    waves.push_back(wave_candidate(kind("gear_ripple"), order, true, 1.0));
+  }
+  for (const double order : orders.friction) {
+    waves.push_back(wave_candidate(kind("position_dependent_friction"), order, false, torque_Nm));
+  }
+  return waves;
+}
+
+/// Of the motor's side or the load's, whichever is more.
+double used_torque_Nm(const std::vector<Signals>& signals) {
+  double square = 0.0, count = 0.0;
+  for (const Signals& stretch : signals) {
+    for (std::size_t i = 0; i < stretch.size(); ++i) {
+      if (stretch.usable[i] == 0) continue;
+      const double load_Nm = stretch.load_side_Nm.empty() ? 0.0 : stretch.load_side_Nm[i];
+      square += std::max(stretch.motor_side_Nm[i] * stretch.motor_side_Nm[i], load_Nm * load_Nm);
+      ++count;
+    }
+  }
+  return count > 0.0 ? std::sqrt(square / count) : 0.0;
+}
+
+}  // namespace
+
+ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& signals,
+                               const std::vector<std::size_t>& fold_of_run) {
+  const Balance balance(bench);
+  ForwardEquation equation;
+  equation.quantity = name_of(balance.quantity());
+  equation.unit = unit_of(balance.quantity());
+  if (balance.quantity() == Quantity::kWindingVoltage) equation.unit = "V";
+  equation.unit_per_residual = balance.unit_per_Nm();
+  equation.stated.actuator = bench.actuator();
+  equation.stated.rig = *bench.rig;
+  equation.used = used_torque_Nm(signals);
+  const actuator::Ranges ranges = ranges_of(bench, signals);
+  add_uncertain(bench, ranges, equation);
+  for (const EffectKind* each : actuator::effect_library()) {
+    if (each->has_harmonics || !can_enter(bench, *each)) continue;
+    equation.candidates.push_back(actuator_candidate(*each, bench.actuator(), ranges));
+  }
+  if (ranges.angle_rad >= std::numbers::pi / 2.0) {
+    equation.candidates.push_back(imbalance_candidate(ranges));
+  }
+  equation.candidates.push_back(offset_candidate(ranges));
+  add_delays(bench, equation);
+  equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
+    return torque_balance_Nm(bench, hypothesis, stretch);
+  };
+  const Extent extent = extent_of(signals);
+  equation.waves = [&bench, &signals, fold_of_run, ranges, extent](const auto& left) {
+    return waves_of(bench, promising_orders(bench, left, signals, fold_of_run, extent), ranges);
+  };
+  return equation;
+}
+
+}  // namespace torquewright::identification

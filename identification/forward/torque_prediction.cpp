@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/forward/torque_prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "actuator/effects/acting.hpp"
+#include "actuator/heat/temperature_laws.hpp"
+#include "actuator/region/gear_losses.hpp"
+#include "actuator/region/torque_at.hpp"
+#include "actuator/region/winding.hpp"
+#include "identification/backlash_residual.hpp"
+#include "identification/balance.hpp"
+#include "identification/forward/histories.hpp"
+#include "identification/load_model.hpp"
+#include "identification/signal.hpp"
+#include "identification/winding_channels.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using actuator::Acts;
+using actuator::Actuator;
+using actuator::Instant;
+
+constexpr double kMostTurnsPerSample = 0.35;  ///< Of a wave: faster, it would fold.
+constexpr double kMostGain = 1e6;  ///< Of a mesh that locks: finite, and far beyond any torque.
+
+/// What drives, moves and loads a stretch, each as it was before its channel was late.
+struct Motion {
+  std::vector<Instant> at;
+  std::vector<double> drive;  ///< Ampere, or volt.
+  std::vector<double> load_Nm;
+  std::vector<double> motor_acceleration_rad_s2;
+};
+
+double delay_of_motion_s(const Hypothesis& hypothesis) {
+  double delay_s = 0.0;
+  for (const Quantity each : {Quantity::kOutputPosition, Quantity::kOutputVelocity,
+                              Quantity::kLinearPosition, Quantity::kLinearVelocity,
+                              Quantity::kMotorPosition, Quantity::kMotorVelocity}) {
+    delay_s += hypothesis.log.delay_s[static_cast<std::size_t>(each)];
+  }
+  return delay_s;
+}
+
+template <typename Field>
+void advance_field(std::vector<Instant>& at, Field Instant::*field, double delay_s, double step_s) {
+  std::vector<double> values(at.size());
+  for (std::size_t i = 0; i < at.size(); ++i) values[i] = at[i].*field;
+  values = advanced(values, delay_s, step_s);
+  for (std::size_t i = 0; i < at.size(); ++i) at[i].*field = values[i];
+}
+
+void advance_motion(std::vector<Instant>& at, double delay_s, double step_s) {
+  for (auto field : {&Instant::speed_rad_s, &Instant::acceleration_rad_s2,
+                     &Instant::output_angle_rad, &Instant::motor_angle_rad, &Instant::direction}) {
+    advance_field(at, field, delay_s, step_s);
+  }
+  for (Instant& each : at) each.direction = std::clamp(each.direction, -1.0, 1.0);
+}
+
+bool is_same_load(const Rig& a, const Rig& b) { return a.load == b.load; }
+
+std::vector<double> load_of(const Bench& bench, const Hypothesis& hypothesis,
+                            const Signals& signals) {
+  if (bench.load_side == LoadSide::kSensor || is_same_load(hypothesis.rig, *bench.rig)) {
+    return signals.load_side_Nm;
+  }
+  return model_load_Nm(hypothesis.rig, bench.joint, signals);
+}
+
+Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals) {
+  Motion motion{signals.at, {}, load_of(bench, hypothesis, signals),
+                signals.motor_acceleration_rad_s2};
+  motion.drive.resize(signals.size());
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    motion.drive[i] =
+        bench.drive == Drive::kVoltage ? signals.voltage_V[i] : signals.at[i].current_A;
+  }
+  const double step_s = signals.step_s;
+  const double moved_s = delay_of_motion_s(hypothesis);
+  if (moved_s != 0.0) {
+    advance_motion(motion.at, moved_s, step_s);
+    if (!motion.motor_acceleration_rad_s2.empty()) {
+      motion.motor_acceleration_rad_s2 = advanced(motion.motor_acceleration_rad_s2, moved_s, step_s);
+    }
+    if (bench.load_side == LoadSide::kModel)
+      motion.load_Nm = advanced(motion.load_Nm, moved_s, step_s);
+  }
+  const auto& delay_s = hypothesis.log.delay_s;
+  const double drive_s = delay_s[static_cast<std::size_t>(bench.drive_channel)];
+  if (drive_s != 0.0) motion.drive = advanced(motion.drive, drive_s, step_s);
+  if (bench.load_side == LoadSide::kSensor) {
+    const double load_s = delay_s[static_cast<std::size_t>(bench.load_channel)];
+    if (load_s != 0.0) motion.load_Nm = advanced(motion.load_Nm, load_s, step_s);
+  }
+  return motion;
+}
+
+/// Torque after over torque before the mesh, by whether the motor drives; the same at every load.
+struct Mesh {
+  double driving, driven;
+  explicit Mesh(const Actuator& actuator)
+      : driving(std::min(kMostGain, actuator::after_mesh_Nm(actuator, 1.0, 1.0))),
+        driven(std::min(kMostGain, actuator::after_mesh_Nm(actuator, 1.0, -1.0))) {}
+  double after(double before_Nm, double direction) const {
+    return before_Nm * (before_Nm * direction > 0.0 ? driving : driven);
+  }
+  double before(double after_Nm, double direction) const {
+    return after_Nm / (after_Nm * direction > 0.0 ? driving : driven);
+  }
+};
+
+/// The mean over both directions by their shares of the instant's time.
+template <typename Law>
+double over_directions(Instant at, const Law& law) {
+  const double forward = 0.5 * (1.0 + at.direction);
+  double sum = 0.0;
+  if (forward > 0.0) {
+    at.direction = 1.0;
+    sum += forward * law(at);
+  }
+  if (forward < 1.0) {
+    at.direction = -1.0;
+    sum += (1.0 - forward) * law(at);
+  }
+  return sum;
+}
+
+/// What gravity adds on the output beyond the rig's model.
+double imbalance_Nm(const Hypothesis& hypothesis, double angle_rad) {
+  if (hypothesis.imbalance_sine_Nm == 0.0 && hypothesis.imbalance_cosine_Nm == 0.0) return 0.0;
+  return hypothesis.imbalance_sine_Nm * std::sin(angle_rad) +
+         hypothesis.imbalance_cosine_Nm * std::cos(angle_rad);
+}
+
+/// Removes what a gap between motor and output does, where one is supposed and can be felt.
+void subtract_gap(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
+                  std::vector<double>& balance_Nm) {
+  for (const actuator::Effect& effect : hypothesis.actuator.effects) {
+    if (effect.kind->name != "backlash" || effect.values[0] <= 0.0 || !shows_backlash(bench)) continue;
+    Bench with_gap = bench;
+    with_gap.in_gap = std::make_shared<const Actuator>(hypothesis.actuator);
+    const std::vector<double> gap_Nm =
+        backlash_residual_Nm(Balance(with_gap), effect.values[0], signals);
+    for (std::size_t i = 0; i < balance_Nm.size(); ++i) balance_Nm[i] -= gap_Nm[i];
+  }
+}
+
+/// An actuator without those waves that turn too fast for the signals' step, where they would fold
+/// into the band; their mean over a step is nothing.
+class SlowWaves {
+ public:
+  SlowWaves(const Actuator& actuator, double step_s) : all_(actuator), step_s_(step_s) {
+    for (const actuator::Effect& effect : actuator.effects) {
+      for (const actuator::Harmonic& wave : effect.harmonics) {
+        fastest_turns_ = std::max(fastest_turns_, turns_per_rad(effect, wave));
+      }
+    }
+  }
+
+  const Actuator& below_folding(double speed_rad_s) {
+    const double speed = std::abs(speed_rad_s) * step_s_;
+    if (fastest_turns_ * speed <= kMostTurnsPerSample) return all_;
+    std::size_t folded = 0;
+    for (const actuator::Effect& effect : all_.effects) {
+      for (const actuator::Harmonic& wave : effect.harmonics) folded += folds(effect, wave, speed);
+    }
+    if (folded != folded_) keep_slow(speed, folded);
+    return slow_;
+  }
+
+ private:
+  double turns_per_rad(const actuator::Effect& effect, const actuator::Harmonic& wave) const {
+    const bool is_of_motor = effect.kind->acts == Acts::kMotorSideTorque;
+    return wave.order * (is_of_motor ? std::abs(all_.transmission.ratio) : 1.0) /
+           (2.0 * std::numbers::pi);
+  }
+  bool folds(const actuator::Effect& effect, const actuator::Harmonic& wave, double speed) const {
+    return turns_per_rad(effect, wave) * speed > kMostTurnsPerSample;
+  }
+  void keep_slow(double speed, std::size_t folded) {
+    slow_ = all_;
+    folded_ = folded;
+    for (actuator::Effect& effect : slow_.effects) {
+      std::erase_if(effect.harmonics, [&](const auto& wave) { return folds(effect, wave, speed); });
+    }
+  }
+
+  const Actuator& all_;
+  Actuator slow_;
+  double step_s_;
+  double fastest_turns_ = 0.0;
+  std::size_t folded_ = 0;
+};
+
+}  // namespace
+
+double winding_current_A(const Bench& bench, const Actuator& actuator, double voltage_V,
+                         bool bus_is_logged, const Instant& at) {
+  const actuator::Winding winding = actuator::winding_of(actuator);
+  const double back_emf_V = winding.back_emf_V_s_rad * actuator::flux_factor(actuator, at) *
+                            actuator.transmission.ratio * at.speed_rad_s;
+  double resistance = actuator::resistance_ohm(actuator, winding, at);
+  if (!bus_is_logged && bench.drive_channel == Quantity::kDuty) {
+    Instant unit = at;
+    unit.bus_current_A = 1.0;
+    const double duty = voltage_V / actuator.drive.bus_voltage_V;
+    resistance -= actuator::bus_voltage_change_V(actuator, unit) * duty * duty *
+                  bus_amperes_per_ampere(actuator);
+  }
+  Instant forward = at;
+  forward.current_A = 1.0;
+  const double dead_V = std::abs(actuator::winding_voltage_change_V(actuator, forward));
+  const double drop_V = voltage_V - back_emf_V;
+  if (std::abs(drop_V) <= dead_V) return 0.0;
+  return (drop_V - std::copysign(dead_V, drop_V)) / resistance;
+}
+
+std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
+                                      const Signals& signals) {
+  Motion motion = motion_of(bench, hypothesis, signals);
+  const std::size_t n = signals.size();
+  std::vector<double> motor_Nm(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    Instant& at = motion.at[i];
+    at.current_A = bench.drive == Drive::kVoltage
+                       ? winding_current_A(bench, hypothesis.actuator, motion.drive[i],
+                                           !signals.bus_V.empty(), at)
+                       : motion.drive[i] - hypothesis.log.current_offset_A;
+    motor_Nm[i] = actuator::motor_torque_Nm(hypothesis.actuator, at);
+  }
+  const std::vector<double> histories_Nm =
+      torque_of_histories_Nm(hypothesis.actuator, motion.at, motor_Nm, signals.step_s);
+  const Mesh mesh(hypothesis.actuator);
+  const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(hypothesis.actuator);
+  const bool is_sensor = bench.load_side == LoadSide::kSensor;
+  std::vector<double> balance_Nm(n);
+  SlowWaves waves(hypothesis.actuator, signals.step_s);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Instant& at = motion.at[i];
+    const Actuator& actuator = waves.below_folding(at.speed_rad_s);
+    const double imbalance = imbalance_Nm(hypothesis, at.output_angle_rad);
+    const double acceleration_rad_s2 = motion.motor_acceleration_rad_s2.empty()
+                                           ? at.acceleration_rad_s2
+                                           : motion.motor_acceleration_rad_s2[i];
+    const double smooth_Nm = motor_Nm[i] + histories_Nm[i] +
+                             actuator::periodic_motor_torque_Nm(actuator, at) -
+                             inertia_kg_m2 * acceleration_rad_s2;
+    if (is_sensor) {
+      const double predicted_Nm = over_directions(at, [&](Instant now) {
+        now.load_torque_Nm =
+            mesh.after(smooth_Nm + actuator::drag_Nm(actuator, now), now.direction);
+        return now.load_torque_Nm + actuator::ripple_Nm(actuator, now);
+      });
+      balance_Nm[i] = motion.load_Nm[i] - hypothesis.log.torque_offset_Nm - imbalance -
+                      predicted_Nm;
+      continue;
+    }
+    Instant probe = at;
+    probe.load_torque_Nm = 0.0;
+    const double ripple_Nm = actuator::ripple_Nm(actuator, probe);
+    probe.load_torque_Nm = 1.0;
+    const double ripple_ratio = actuator::ripple_Nm(actuator, probe) - ripple_Nm;
+    const double load_Nm = (motion.load_Nm[i] - imbalance - ripple_Nm - hypothesis.log.torque_offset_Nm) /
+                           (1.0 + ripple_ratio);
+    balance_Nm[i] = over_directions(at, [&](const Instant& now) {
+                      return mesh.before(load_Nm, now.direction) - actuator::drag_Nm(actuator, now);
+                    }) -
+                    smooth_Nm;
+  }
+  subtract_gap(bench, hypothesis, signals, balance_Nm);
+  return balance_Nm;
+}
+
+}  // namespace torquewright::identification

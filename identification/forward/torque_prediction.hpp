@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "identification/bench.hpp"
+#include "identification/forward/hypothesis.hpp"
+
+namespace torquewright::identification {
+
+/// The torque balance of a stretch under a hypothesis, in Nm at the output (N on a linear axis), by
+/// the laws of actuator/ in the contract's order of losses: drive channel -> current -> torque with
+/// its laws and lag -> less the rotor's inertia and drag -> mesh -> ripple. With a torque sensor:
+/// what it measured less that. With the rig's model as the load: what the load needs of the motor
+/// less what the motor gives. So torque that is missing on the output has its own sign on every rig.
+/// Where an instant stands for a time in which the motion turns over, both directions count by
+/// their shares. docs/derivations/identification.md section 1.
+std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
+                                      const Signals& signals);
+
+/// The current of a drive that is known by its voltage: quasi-static winding, with dead time, the
+/// resistance at its temperature, and the bus's sag where the bus was not logged.
+double winding_current_A(const Bench& bench, const actuator::Actuator& actuator, double voltage_V,
+                         bool bus_is_logged, const actuator::Instant& at);
+
+}  // namespace torquewright::identification

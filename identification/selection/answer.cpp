@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/selection/answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "identification/confusions.hpp"
+#include "identification/selection/judgement.hpp"
+#include "identification/selection/named.hpp"
+#include "identification/selection/search.hpp"
+#include "identification/verdict.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+constexpr std::size_t kLeastBlocks = 6;  ///< In training, to say anything.
+constexpr double kBands_Hz[] = {8.0, 16.0, 24.0};  ///< Below the signals' own.
+constexpr double kClearlyMore = 1.2;
+
+/// Root mean squares over rows that were fitted and that were not, in the equation's unit.
+Errors errors_over(const ForwardEquation& equation, const Rows& rows, const Eigen::VectorXd& residual) {
+  double square[2] = {0.0, 0.0}, count[2] = {0.0, 0.0};
+  for (const Rows::Block& block : rows.blocks()) {
+    square[block.is_held_out()] += residual.segment(block.begin, block.count).squaredNorm();
+    count[block.is_held_out()] += static_cast<double>(block.count);
+  }
+  const auto rms = [&](int k) {
+    return count[k] > 0.0 ? std::sqrt(square[k] / count[k]) * std::abs(equation.unit_per_residual) : 0.0;
+  };
+  return {rms(0), rms(1)};
+}
+
+std::vector<ResidualStructure> structure_of(const Rows& rows, const Eigen::VectorXd& residual) {
+  std::vector<ResidualTrace> traces;
+  std::size_t block = 0;
+  Eigen::Index row = 0;
+  for (std::size_t s = 0; s < rows.signals().size(); ++s) {
+    const Eigen::Index end = row + static_cast<Eigen::Index>(rows.samples()[s].size());
+    std::size_t sample = 0;
+    for (; block < rows.blocks().size() && rows.blocks()[block].begin < end; ++block) {
+      const Rows::Block& each = rows.blocks()[block];
+      if (!each.is_held_out()) {
+        if (traces.empty() || traces.back().signals != &rows.signals()[s] ||
+            traces.back().fold != each.fold) {
+          traces.emplace_back();
+          traces.back().signals = &rows.signals()[s];
+          traces.back().fold = each.fold;
+        }
+        for (Eigen::Index k = 0; k < each.count; ++k) {
+          traces.back().index.push_back(rows.samples()[s][sample + static_cast<std::size_t>(k)]);
+          traces.back().value.push_back(residual[each.begin + k]);
+        }
+      }
+      sample += static_cast<std::size_t>(each.count);
+    }
+    row = end;
+  }
+  return residual_structures(traces);
+}
+
+std::string evidence_of(const Comparison& gain, double share) {
+  return fmt::format(
+      "It removes {:.0f} % of the squared error where it was not fitted, {:.1f} standard errors; "
+      "it helps in {} of {} parts.",
+      100.0 * std::clamp(share, 0.0, 1.0), gain.t, gain.parts_better, gain.parts);
+}
+
+/// Stated effects that a member takes the place of, and the one of its own kind.
+std::string replaced_by(const EffectCandidate& member, const actuator::Actuator& stated) {
+  std::string list;
+  for (const actuator::Effect& each : stated.effects) {
+    const bool is_part = std::find(member.contains.begin(), member.contains.end(),
+                                   each.kind->name) != member.contains.end();
+    const bool is_same = each.kind->name == member.effect && member.order == 0.0;
+    if (is_part || is_same) list += (list.empty() ? "" : ", ") + std::string(each.kind->name);
+  }
+  return list;
+}
+
+/// EffectSet by what they gain, the strongest first.
+std::vector<std::size_t> by_gain(const Found& found) {
+  std::vector<std::size_t> order(found.best.members.size());
+  for (std::size_t m = 0; m < order.size(); ++m) order[m] = m;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return found.gains[a].gain > found.gains[b].gain; });
+  return order;
+}
+
+void name_members(const ModelFitter& fitter, const Found& found, EquationResult& result) {
+  Errors last = errors_over(fitter.equation(), fitter.rows(), found.empty.residual);
+  EffectSet members;
+  double before = std::max(1e-300, found.empty.unseen_loss);
+  for (const std::size_t m : by_gain(found)) {
+    members.push_back(found.best.members[m]);
+    NamedEffect named = named_effect(found.best, m);
+    const bool is_last = members.size() == found.best.members.size();
+    Eigen::VectorXd start = found.best.coordinates.head(found.best.always);
+    for (const EffectCandidate* each : members) {
+      const auto place = std::find(found.best.members.begin(), found.best.members.end(), each);
+      const auto own = static_cast<std::size_t>(place - found.best.members.begin());
+      const auto count = static_cast<Eigen::Index>(each->parameters.size());
+      Eigen::VectorXd longer(start.size() + count);
+      longer << start, found.best.coordinates.segment(found.best.first_of(own), count);
+      start = longer;
+    }
+    const ModelFit sub = is_last ? found.best : fitter.fit(members, start);
+    const Errors after = errors_over(fitter.equation(), fitter.rows(), sub.residual);
+    named.holdout_rms_before = last.holdout_rms;
+    named.holdout_rms_after = after.holdout_rms;
+    named.replaces = replaced_by(*found.best.members[m], fitter.equation().stated.actuator);
+    named.evidence = evidence_of(found.gains[m], found.gains[m].gain / before);
+    named.gain.t = found.gains[m].t;
+    last = after;
+    const auto same = std::find_if(result.added.begin(), result.added.end(), [&](const auto& each) {
+      return found.best.members[m]->order > 0.0 && each.effect == named.effect &&
+             each.parameters.contains("harmonics") &&
+             each.parameters.value("proportional", false) == named.parameters.value("proportional", false);
+    });
+    if (same == result.added.end()) {
+      result.added.push_back(std::move(named));
+    } else {
+      append_wave(*same, named);
+      same->holdout_rms_after = named.holdout_rms_after;
+    }
+  }
+}
+
+void add_group(const Bench& bench, std::vector<std::string> effects, bool exact, EquationResult& result) {
+  if (effects.size() < 2) return;
+  Confounded group;
+  group.separated_by = separated_by(bench, effects);
+  if (exact) group.consequence = consequence(effects);
+  group.effects = std::move(effects);
+  group.exact = exact;
+  result.confounded.push_back(std::move(group));
+}
+
+/// What stands in the place of a member in rivals that do without it.
+void add_groups(const Bench& bench, const Found& found, EquationResult& result) {
+  for (const NamedEffect& named : result.added) {
+    const std::vector<std::string> exact = exact_identities(bench, named.effect);
+    add_group(bench, exact, true, result);
+    std::vector<std::string> others = {named.effect};
+    for (const ModelFit& rival : found.rivals) {
+      if (rival.holds(named.effect)) continue;
+      for (const EffectCandidate* each : rival.members) {
+        const auto is_in = [&](const std::vector<std::string>& list) {
+          return std::find(list.begin(), list.end(), each->effect) != list.end();
+        };
+        if (!found.best.holds(each->effect) && !is_in(others) && !is_in(exact)) {
+          others.push_back(each->effect);
+        }
+      }
+    }
+    add_group(bench, others, false, result);
+  }
+}
+
+std::string reason_of(const Comparison& gain) {
+  if (gain.gain <= 0.0) return "it raises the error where it was not fitted";
+  return fmt::format(
+      "it lowers the error where it was not fitted by {:.1f} standard errors, and changes the "
+      "prediction by {:.3g}; another effect explains as much, or chance would",
+      gain.t, gain.change_rms);
+}
+
+void describe_refused(const Found& found, EquationResult& result) {
+  std::set<std::string> seen;
+  for (const Refusal& each : found.refused) {
+    if (seen.insert(each.candidate->effect).second) {
+      result.rejected.push_back({each.candidate->effect, reason_of(each.gain)});
+    }
+  }
+  for (const EffectCandidate* each : found.silent) {
+    if (std::find(result.not_excited.begin(), result.not_excited.end(), each->effect) ==
+        result.not_excited.end()) {
+      result.not_excited.push_back(each->effect);
+    }
+  }
+}
+
+/// The band in which what the stated model leaves stands out of the channels' noise by most of that
+/// noise's own scatter; the lowest where nothing does.
+double telling_band_Hz(const ForwardEquation& equation, const SignalSource& source,
+                       const std::vector<std::size_t>& fold_of_run) {
+  double best_Hz = kBands_Hz[0], most = 0.0;
+  for (const double band_Hz : kBands_Hz) {
+    const Rows rows(source.rows(), fold_of_run, {band_Hz});
+    const ModelFitter fitter(equation, rows, source.noisy_rows());
+    const ModelFit fit = fitter.fit({}, fitter.always_start());
+    if (!fit.is_valid || !(fit.noise_loss > 0.0)) continue;
+    // As many degrees of freedom as the band has in the rows' time.
+    const double freedom = 0.5 * static_cast<double>(rows.count());
+    const double excess = fit.loss / fit.noise_loss * std::sqrt(freedom);
+    if (excess > kClearlyMore * most && excess > 3.0) {
+      most = excess;
+      best_Hz = band_Hz;
+    }
+  }
+  return best_Hz;
+}
+
+}  // namespace
+
+EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation& equation,
+                      const SignalSource& source, const std::vector<std::size_t>& fold_of_run,
+                      const AnalysisOptions& options) {
+  (void)log;
+  EquationResult result;
+  result.quantity = equation.quantity;
+  result.unit = equation.unit;
+  const Rows rows(source.rows(), fold_of_run, {telling_band_Hz(equation, source, fold_of_run)});
+  result.band_Hz = rows.options().cutoff_Hz;
+  if (rows.training_blocks() < kLeastBlocks) {
+    result.unusable = fmt::format("{} blocks can be fitted; {} are needed: a longer log",
+                                  rows.training_blocks(), kLeastBlocks);
+    return result;
+  }
+  const ModelFitter fitter(equation, rows, source.noisy_rows());
+  SearchRules rules;
+  rules.least_change = options.tolerance * equation.used;
+  Search search(fitter, rules);
+  Found found = options.select ? search.run() : Found{};
+  if (!options.select) {
+    found.empty = fitter.fit({}, fitter.always_start());
+    found.best = found.empty;
+  }
+  result.before = errors_over(equation, rows, found.empty.residual);
+  result.structure_before = structure_of(rows, found.empty.residual);
+  const Judgement judged = judge(fitter, found, result.structure_before);
+  result.is_noise_before = judged.is_noise_before;
+  result.has_tentative = judged.has_tentative;
+  const ModelFit& kept = found.best;
+  result.after = errors_over(equation, rows, kept.residual);
+  result.noise_floor_rms = errors_over(equation, rows, kept.noise).train_rms;
+  result.structure_after =
+      kept.members.empty() ? result.structure_before : structure_of(rows, kept.residual);
+  result.is_noise_after = judged.is_noise(fitter, kept, result.structure_after);
+  name_members(fitter, found, result);
+  add_groups(bench, found, result);
+  describe_refused(found, result);
+  for (std::size_t k = 0; k < equation.pointers.size() && options.select; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    result.corrected.push_back({equation.pointers[k], equation.always_start[k], kept.coordinates[i],
+                                std::sqrt(std::max(0.0, kept.covariance(i, i)))});
+  }
+  result.verdict = verdict_of(result, options.select);
+  return result;
+}
+
+}  // namespace torquewright::identification

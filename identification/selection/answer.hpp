@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/analysis.hpp"
+#include "identification/forward/equation.hpp"
+#include "identification/selection/rows.hpp"
+#include "identification/signal_source.hpp"
+
+namespace torquewright::identification {
+
+/// One equation, from its rows to its result: errors, names, groups and verdict. Where too little
+/// can be fitted, the result says so.
+EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation& equation,
+                      const SignalSource& source, const std::vector<std::size_t>& fold_of_run,
+                      const AnalysisOptions& options);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/selection/model_fit.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace torquewright::identification {
+namespace {
+
+constexpr int kMostSteps = 25;
+constexpr double kDifference = 1e-5;  ///< Of a parameter's size.
+constexpr double kConverged = 1e-7;   ///< Relative fall of the loss.
+constexpr double kUndetermined = 1e-9;  ///< Relative power of a combination that nothing moves.
+
+/// Free are those that are inside their bounds or pulled inwards.
+std::vector<bool> free_ones(const std::vector<FitParameter>& parameters, const Eigen::VectorXd& at,
+                            const Eigen::VectorXd& descent) {
+  std::vector<bool> free(parameters.size());
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const bool low = at[i] <= parameters[k].lowest && descent[i] > 0.0;
+    const bool high = at[i] >= parameters[k].highest && descent[i] < 0.0;
+    free[k] = !low && !high;
+  }
+  return free;
+}
+
+/// A symmetric system by its scaled eigenvalues; what nothing determines stays where it is.
+Eigen::VectorXd solved(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& right,
+                       const std::vector<bool>& free, double damping) {
+  const Eigen::Index p = right.size();
+  Eigen::VectorXd scale = Eigen::VectorXd::Zero(p);
+  for (Eigen::Index i = 0; i < p; ++i) {
+    if (free[static_cast<std::size_t>(i)] && slopes(i, i) > 0.0) scale[i] = 1.0 / std::sqrt(slopes(i, i));
+  }
+  const Eigen::MatrixXd unit = scale.asDiagonal() * slopes * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit);
+  Eigen::VectorXd along = eigen.eigenvectors().transpose() * (scale.asDiagonal() * right);
+  for (Eigen::Index i = 0; i < p; ++i) {
+    const double power = eigen.eigenvalues()[i];
+    along[i] = power > kUndetermined ? along[i] / (power + damping) : 0.0;
+  }
+  return scale.asDiagonal() * (eigen.eigenvectors() * along);
+}
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& slopes, const std::vector<bool>& free) {
+  const Eigen::Index p = slopes.rows();
+  Eigen::MatrixXd result(p, p);
+  for (Eigen::Index i = 0; i < p; ++i) {
+    result.col(i) = solved(slopes, Eigen::VectorXd::Unit(p, i), free, 0.0);
+  }
+  return result;
+}
+
+Eigen::VectorXd clipped(const std::vector<FitParameter>& parameters, Eigen::VectorXd at) {
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    double& value = at[static_cast<Eigen::Index>(k)];
+    value = std::clamp(value, parameters[k].lowest, parameters[k].highest);
+  }
+  return at;
+}
+
+}  // namespace
+
+bool ModelFit::holds(const std::string& effect) const {
+  return std::any_of(members.begin(), members.end(),
+                     [&](const EffectCandidate* each) { return each->effect == effect; });
+}
+
+Eigen::Index ModelFit::first_of(std::size_t member) const {
+  Eigen::Index at = always;
+  for (std::size_t m = 0; m < member; ++m)
+    at += static_cast<Eigen::Index>(members[m]->parameters.size());
+  return at;
+}
+
+/// A place in the space of parameters, with all that was found there.
+struct ModelFitter::Point {
+  Eigen::VectorXd coordinates, residual, noise;
+  Eigen::MatrixXd slopes, noise_slopes;
+  std::vector<BlockSums> sums;
+  Eigen::MatrixXd power;      ///< Of the training blocks, with noise: what steps go by.
+  Eigen::VectorXd descent;    ///< Of the training blocks, less noise.
+  double loss = 0.0;
+  double noise_loss = 0.0;
+};
+
+ModelFitter::ModelFitter(const ForwardEquation& equation, const Rows& rows,
+                         const std::vector<Signals>& replica)
+    : equation_(equation), rows_(rows), replica_(replica) {}
+
+std::vector<FitParameter> ModelFitter::parameters(const EffectSet& members) const {
+  std::vector<FitParameter> all = equation_.always;
+  for (const EffectCandidate* member : members) {
+    all.insert(all.end(), member->parameters.begin(), member->parameters.end());
+  }
+  return all;
+}
+
+Eigen::VectorXd ModelFitter::always_start() const {
+  return Eigen::Map<const Eigen::VectorXd>(equation_.always_start.data(),
+                                           static_cast<Eigen::Index>(equation_.always_start.size()));
+}
+
+Hypothesis ModelFitter::hypothesis(const EffectSet& members, const Eigen::VectorXd& coordinates) const {
+  Hypothesis hypothesis = equation_.stated;
+  const std::span<const double> all(coordinates.data(), static_cast<std::size_t>(coordinates.size()));
+  std::size_t at = equation_.always.size();
+  if (at > 0) equation_.apply_always(all.first(at), hypothesis);
+  for (const EffectCandidate* member : members) {
+    member->apply(all.subspan(at, member->parameters.size()), hypothesis);
+    at += member->parameters.size();
+  }
+  return hypothesis;
+}
+
+Eigen::VectorXd ModelFitter::residual(const EffectSet& members, const Eigen::VectorXd& coordinates,
+                                      const std::vector<Signals>& like) const {
+  const Hypothesis supposed = hypothesis(members, coordinates);
+  return rows_.values([&](const Signals& s) { return equation_.residual(supposed, s); }, like);
+}
+
+Eigen::VectorXd ModelFitter::residual(const EffectSet& members,
+                                      const Eigen::VectorXd& coordinates) const {
+  return residual(members, coordinates, rows_.signals());
+}
+
+Eigen::MatrixXd ModelFitter::slopes(const EffectSet& members, const Eigen::VectorXd& coordinates,
+                                    const Eigen::VectorXd& here,
+                                    const std::vector<Signals>& like) const {
+  const std::vector<FitParameter> all = parameters(members);
+  Eigen::MatrixXd slopes(here.size(), coordinates.size());
+  for (Eigen::Index k = 0; k < coordinates.size(); ++k) {
+    const FitParameter& parameter = all[static_cast<std::size_t>(k)];
+    double step = kDifference * parameter.size;
+    if (coordinates[k] + step > parameter.highest) step = -step;
+    Eigen::VectorXd moved = coordinates;
+    moved[k] += step;
+    slopes.col(k) = (residual(members, moved, like) - here) / step;
+  }
+  return slopes;
+}
+
+ModelFitter::Point ModelFitter::point(const EffectSet& members,
+                                      const Eigen::VectorXd& coordinates) const {
+  Point point;
+  point.coordinates = coordinates;
+  point.residual = residual(members, coordinates);
+  point.noise = residual(members, coordinates, replica_) - point.residual;
+  for (const Rows::Block& block : rows_.blocks()) {
+    BlockSums sums;
+    sums.noise = point.noise.segment(block.begin, block.count).squaredNorm();
+    sums.loss = point.residual.segment(block.begin, block.count).squaredNorm() - sums.noise;
+    if (!block.is_held_out()) {
+      point.loss += sums.loss;
+      point.noise_loss += sums.noise;
+    }
+    point.sums.push_back(std::move(sums));
+  }
+  return point;
+}
+
+void ModelFitter::add_slopes(const EffectSet& members, Point& point) const {
+  const Eigen::Index p = point.coordinates.size();
+  point.slopes = slopes(members, point.coordinates, point.residual, rows_.signals());
+  point.noise_slopes =
+      slopes(members, point.coordinates, point.residual + point.noise, replica_) - point.slopes;
+  point.power = Eigen::MatrixXd::Zero(p, p);
+  point.descent = Eigen::VectorXd::Zero(p);
+  for (std::size_t b = 0; b < point.sums.size(); ++b) {
+    const Rows::Block& block = rows_.blocks()[b];
+    const auto slopes = point.slopes.middleRows(block.begin, block.count);
+    const auto noise = point.noise_slopes.middleRows(block.begin, block.count);
+    BlockSums& sums = point.sums[b];
+    const Eigen::MatrixXd power = slopes.transpose() * slopes;
+    sums.slopes = power - noise.transpose() * noise;
+    sums.descent = slopes.transpose() * point.residual.segment(block.begin, block.count) -
+                   noise.transpose() * point.noise.segment(block.begin, block.count);
+    if (block.is_held_out()) continue;
+    point.power += power;
+    point.descent += sums.descent;
+  }
+}
+
+ModelFit ModelFitter::fit(const EffectSet& members, const Eigen::VectorXd& start) const {
+  const std::vector<FitParameter> all = parameters(members);
+  Point here = point(members, clipped(all, start));
+  add_slopes(members, here);
+  double damping = 1e-6;
+  for (int step = 0; step < kMostSteps && here.coordinates.size() > 0; ++step) {
+    const std::vector<bool> free = free_ones(all, here.coordinates, here.descent);
+    const Eigen::VectorXd move = solved(here.power, -here.descent, free, damping);
+    Point there = point(members, clipped(all, here.coordinates + move));
+    if (!(there.loss < here.loss)) {
+      if (damping > 1e3 || move.norm() == 0.0) break;
+      damping *= 10.0;
+      const double promised = -move.dot(here.descent);
+      if (promised < kConverged * (std::abs(here.loss) + here.noise_loss)) break;
+      continue;
+    }
+    const double fall = here.loss - there.loss;
+    here = std::move(there);
+    add_slopes(members, here);
+    damping = std::max(1e-9, damping * 0.1);
+    if (fall < kConverged * (std::abs(here.loss) + here.noise_loss)) break;
+  }
+  ModelFit fit;
+  fit.members = members;
+  fit.always = static_cast<Eigen::Index>(equation_.always.size());
+  finish(all, here, fit);
+  return fit;
+}
+
+void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& point,
+                         ModelFit& fit) const {
+  fit.coordinates = point.coordinates;
+  fit.residual = point.residual;
+  fit.noise = point.noise;
+  fit.sums = point.sums;
+  fit.loss = point.loss;
+  fit.noise_loss = point.noise_loss;
+  fit.is_free = free_ones(all, point.coordinates, point.descent);
+  fit.is_valid = point.residual.allFinite() && point.coordinates.allFinite();
+  const Eigen::Index p = point.coordinates.size();
+  const std::size_t folds = rows_.folds();
+  std::vector<Eigen::MatrixXd> power(folds, Eigen::MatrixXd::Zero(p, p));
+  std::vector<Eigen::VectorXd> descent(folds, Eigen::VectorXd::Zero(p));
+  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(p, p), scatter = total;
+  for (std::size_t b = 0; b < fit.sums.size(); ++b) {
+    const std::size_t fold = rows_.blocks()[b].fold;
+    if (fold == kHeldOut) continue;
+    power[fold] += fit.sums[b].slopes;
+    descent[fold] += fit.sums[b].descent;
+    total += fit.sums[b].slopes;
+    scatter += fit.sums[b].descent * fit.sums[b].descent.transpose();
+  }
+  std::vector<Eigen::VectorXd> moves(folds, Eigen::VectorXd::Zero(p));
+  Eigen::MatrixXd between = Eigen::MatrixXd::Zero(p, p);
+  for (std::size_t f = 0; f < folds && p > 0; ++f) {
+    moves[f] = clipped(all, point.coordinates + solved(total - power[f], -(point.descent - descent[f]),
+                                                       fit.is_free, 0.0)) -
+               point.coordinates;
+    between += moves[f] * moves[f].transpose();
+  }
+  const Eigen::MatrixXd bread = inverse(total, fit.is_free);
+  fit.covariance = bread * scatter * bread;
+  // The jackknife over folds, where it is the larger: runs that disagree.
+  between *= folds > 1 ? static_cast<double>(folds - 1) / static_cast<double>(folds) : 0.0;
+  for (Eigen::Index i = 0; i < p; ++i) {
+    if (between(i, i) > fit.covariance(i, i)) {
+      const double factor = std::sqrt(between(i, i) / std::max(1e-300, fit.covariance(i, i)));
+      fit.covariance.row(i) *= factor;
+      fit.covariance.col(i) *= factor;
+    }
+  }
+  for (std::size_t b = 0; b < fit.sums.size(); ++b) {
+    const BlockSums& sums = fit.sums[b];
+    const std::size_t fold = rows_.blocks()[b].fold;
+    double loss = sums.loss;
+    if (fold != kHeldOut && p > 0) {
+      loss += 2.0 * sums.descent.dot(moves[fold]) + moves[fold].dot(sums.slopes * moves[fold]);
+      fit.unseen_loss += loss;
+    } else if (fold != kHeldOut) {
+      fit.unseen_loss += loss;
+    }
+    fit.unseen.push_back(loss);
+  }
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/selection/model_fit.hpp"
+
+namespace torquewright::identification {
+
+/// A member of a model with the contract's parameters and their standard errors, by first-order
+/// propagation of the fit's covariance; null where the log does not determine one.
+NamedEffect named_effect(const ModelFit& fit, std::size_t member);
+
+/// Waves of one effect become one effect: the second's harmonics are appended to the first's.
+void append_wave(NamedEffect& first, const NamedEffect& wave);
+
+}  // namespace torquewright::identification

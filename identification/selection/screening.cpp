@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/selection/screening.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace torquewright::identification {
+namespace {
+
+constexpr std::size_t kPaired = 14;      ///< Candidates of which pairs are made.
+constexpr double kRidge = 1e-9;          ///< Relative, of columns that coincide.
+
+/// A candidate at one of its starts, beside the model.
+struct Trial {
+  const EffectCandidate* candidate = nullptr;
+  std::vector<double> start;
+  Eigen::VectorXd offset;   ///< (n) What the start itself changes.
+  Eigen::MatrixXd slopes;   ///< (n x q)
+  double loss = 0.0;
+  Eigen::VectorXd move;     ///< (q) From the start.
+};
+
+/// Columns scaled by sizes, products only.
+struct Products {
+  Eigen::MatrixXd power;
+  Eigen::VectorXd right;
+  double loss = 0.0;
+};
+
+/// Least squares with bounds on the last columns, by fixing one after the other that is beyond.
+struct Solution {
+  Eigen::VectorXd move;
+  double loss = 0.0;
+};
+
+Solution solve(const Products& products, const Eigen::VectorXd& lowest, const Eigen::VectorXd& highest) {
+  const Eigen::Index p = products.right.size();
+  Solution solution{Eigen::VectorXd::Zero(p), products.loss};
+  std::vector<bool> fixed(static_cast<std::size_t>(p), false);
+  for (Eigen::Index round = 0; round <= p; ++round) {
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < p; ++i) {
+      if (!fixed[static_cast<std::size_t>(i)] && products.power(i, i) > 0.0) free.push_back(i);
+    }
+    const auto count = static_cast<Eigen::Index>(free.size());
+    Eigen::MatrixXd power(count, count);
+    Eigen::VectorXd right(count);
+    for (Eigen::Index a = 0; a < count; ++a) {
+      right[a] = -products.right[free[static_cast<std::size_t>(a)]];
+      for (Eigen::Index i = 0; i < p; ++i) {
+        if (fixed[static_cast<std::size_t>(i)])
+          right[a] -= products.power(free[static_cast<std::size_t>(a)], i) * solution.move[i];
+      }
+      for (Eigen::Index b = 0; b < count; ++b) {
+        power(a, b) = products.power(free[static_cast<std::size_t>(a)], free[static_cast<std::size_t>(b)]);
+      }
+      power(a, a) *= 1.0 + kRidge;
+    }
+    const Eigen::VectorXd move = power.ldlt().solve(right);
+    Eigen::Index worst = -1;
+    double beyond = 0.0;
+    for (Eigen::Index a = 0; a < count; ++a) {
+      const Eigen::Index i = free[static_cast<std::size_t>(a)];
+      solution.move[i] = move[a];
+      const double over = std::max(lowest[i] - move[a], move[a] - highest[i]) *
+                          std::sqrt(products.power(i, i));
+      if (over > beyond) {
+        beyond = over;
+        worst = i;
+      }
+    }
+    if (worst < 0 || !move.allFinite()) break;
+    fixed[static_cast<std::size_t>(worst)] = true;
+    solution.move[worst] = std::clamp(solution.move[worst], lowest[worst], highest[worst]);
+  }
+  if (!solution.move.allFinite()) solution.move.setZero();
+  solution.loss = products.loss + 2.0 * products.right.dot(solution.move) +
+                  solution.move.dot(products.power * solution.move);
+  return solution;
+}
+
+class Screen {
+ public:
+  Screen(const ModelFitter& fitter, const ModelFit& model, const EffectSet& candidates,
+         double least_change_rms)
+      : fitter_(fitter), model_(model), least_change_rms_(least_change_rms) {
+    training_ = Eigen::VectorXd::Zero(fitter.rows().count());
+    for (const Rows::Block& block : fitter.rows().blocks()) {
+      if (!block.is_held_out()) training_.segment(block.begin, block.count).setOnes();
+    }
+    own_ = training_.asDiagonal() *
+           fitter.slopes(model.members, model.coordinates, model.residual, fitter.rows().signals());
+    for (const EffectCandidate* each : candidates) {
+      if (std::find(model.members.begin(), model.members.end(), each) != model.members.end())
+        continue;
+      try_starts(*each);
+    }
+  }
+
+  Screening take(bool with_pairs) {
+    std::sort(best_.begin(), best_.end(),
+              [](const Trial& a, const Trial& b) { return a.loss < b.loss; });
+    for (const Trial& trial : best_) {
+      result_.singles.push_back({{trial.candidate}, start_of({&trial}, {trial.move}), trial.loss});
+    }
+    if (with_pairs) add_pairs();
+    return std::move(result_);
+  }
+
+ private:
+  Eigen::VectorXd coordinates_with(const EffectCandidate& candidate, const std::vector<double>& start) const {
+    Eigen::VectorXd all(model_.coordinates.size() + static_cast<Eigen::Index>(start.size()));
+    all << model_.coordinates,
+        Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+    (void)candidate;
+    return all;
+  }
+
+  void try_starts(const EffectCandidate& candidate) {
+    EffectSet members = model_.members;
+    members.push_back(&candidate);
+    const auto count = static_cast<Eigen::Index>(candidate.parameters.size());
+    Trial best;
+    bool is_moved = false;
+    for (const std::vector<double>& start : candidate.starts) {
+      Trial trial;
+      trial.candidate = &candidate;
+      trial.start = start;
+      const Eigen::VectorXd at = coordinates_with(candidate, start);
+      const Eigen::VectorXd here = fitter_.residual(members, at);
+      trial.offset = training_.asDiagonal() * (here - model_.residual);
+      trial.slopes.resize(here.size(), count);
+      for (Eigen::Index k = 0; k < count; ++k) {
+        const FitParameter& parameter = candidate.parameters[static_cast<std::size_t>(k)];
+        const Eigen::Index place = model_.coordinates.size() + k;
+        double step = 1e-4 * parameter.size;
+        if (at[place] + step > parameter.highest) step = -step;
+        Eigen::VectorXd moved = at;
+        moved[place] += step;
+        trial.slopes.col(k) =
+            training_.asDiagonal() * ((fitter_.residual(members, moved) - here) / step);
+        const double change = parameter.size * trial.slopes.col(k).norm();
+        is_moved = is_moved || change > least_change();
+      }
+      is_moved = is_moved || trial.offset.norm() > least_change();
+      if (!trial.offset.allFinite() || !trial.slopes.allFinite()) continue;
+      evaluate(trial);
+      if (best.candidate == nullptr || trial.loss < best.loss) best = std::move(trial);
+    }
+    if (!is_moved || best.candidate == nullptr) {
+      result_.silent.push_back(&candidate);
+    } else {
+      best_.push_back(std::move(best));
+    }
+  }
+
+  double least_change() const { return least_change_rms_ * std::sqrt(training_.sum()); }
+
+  void evaluate(Trial& trial) const {
+    const Solution solution = solved({&trial});
+    trial.loss = solution.loss;
+    trial.move = solution.move.tail(trial.slopes.cols());
+  }
+
+  /// The model's columns, then those of the trials, all beside one another.
+  Solution solved(const std::vector<const Trial*>& trials) const {
+    Eigen::Index p = own_.cols();
+    Eigen::VectorXd residual = training_.asDiagonal() * model_.residual;
+    for (const Trial* trial : trials) {
+      p += trial->slopes.cols();
+      residual += trial->offset;
+    }
+    Eigen::MatrixXd columns(residual.size(), p);
+    columns.leftCols(own_.cols()) = own_;
+    Eigen::VectorXd lowest = Eigen::VectorXd::Constant(p, -1e300), highest = -lowest;
+    Eigen::Index at = own_.cols();
+    for (const Trial* trial : trials) {
+      columns.middleCols(at, trial->slopes.cols()) = trial->slopes;
+      for (Eigen::Index k = 0; k < trial->slopes.cols(); ++k, ++at) {
+        const auto index = static_cast<std::size_t>(k);
+        lowest[at] = trial->candidate->parameters[index].lowest - trial->start[index];
+        highest[at] = trial->candidate->parameters[index].highest - trial->start[index];
+      }
+    }
+    return solve({columns.transpose() * columns, columns.transpose() * residual,
+                  residual.squaredNorm()},
+                 lowest, highest);
+  }
+
+  Eigen::VectorXd start_of(const std::vector<const Trial*>& trials,
+                           const std::vector<Eigen::VectorXd>& moves) const {
+    std::vector<double> all(model_.coordinates.data(),
+                            model_.coordinates.data() + model_.coordinates.size());
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+      for (std::size_t k = 0; k < trials[t]->start.size(); ++k) {
+        const FitParameter& parameter = trials[t]->candidate->parameters[k];
+        // Along a logarithm the linear model does not reach far.
+        const double most = parameter.is_scale ? 1.0 : 1e300;
+        const double move = std::clamp(moves[t][static_cast<Eigen::Index>(k)], -most, most);
+        all.push_back(std::clamp(trials[t]->start[k] + move, parameter.lowest, parameter.highest));
+      }
+    }
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+  }
+
+  void add_pairs() {
+    const std::size_t count = std::min(kPaired, best_.size());
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = a + 1; b < count; ++b) {
+        const Solution solution = solved({&best_[a], &best_[b]});
+        const Eigen::Index q = best_[a].slopes.cols(), r = best_[b].slopes.cols();
+        const Eigen::VectorXd tail = solution.move.tail(q + r);
+        result_.pairs.push_back({{best_[a].candidate, best_[b].candidate},
+                                 start_of({&best_[a], &best_[b]}, {tail.head(q), tail.tail(r)}),
+                                 solution.loss});
+      }
+    }
+    std::sort(result_.pairs.begin(), result_.pairs.end(),
+              [](const Prospect& x, const Prospect& y) { return x.loss < y.loss; });
+  }
+
+  const ModelFitter& fitter_;
+  const ModelFit& model_;
+  double least_change_rms_;
+  Eigen::VectorXd training_;  ///< 1 where a row may be fitted.
+  Eigen::MatrixXd own_;
+  std::vector<Trial> best_;
+  Screening result_;
+};
+
+}  // namespace
+
+Screening screen(const ModelFitter& fitter, const ModelFit& model, const EffectSet& candidates,
+                 double least_change_rms, bool with_pairs) {
+  return Screen(fitter, model, candidates, least_change_rms).take(with_pairs);
+}
+
+}  // namespace torquewright::identification

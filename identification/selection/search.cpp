@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/selection/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace torquewright::identification {
+namespace {
+
+constexpr std::size_t kRefined = 6;        ///< Of the most promising additions.
+constexpr std::size_t kRefinedPairs = 4;
+constexpr std::size_t kRefinedSwaps = 4;
+constexpr std::size_t kMostMembers = 8;
+constexpr std::size_t kMostRounds = 12;
+constexpr double kMovesNothing = 0.1;  ///< Floors: the log does not show what changes less.
+
+bool is_wave(const EffectCandidate& candidate) { return candidate.order > 0.0; }
+
+bool contains(const EffectCandidate& whole, const EffectCandidate& part) {
+  return std::find(whole.contains.begin(), whole.contains.end(), part.effect) != whole.contains.end();
+}
+
+/// Whether both may be in a model.
+bool go_together(const EffectCandidate& a, const EffectCandidate& b) {
+  if (contains(a, b) || contains(b, a)) return false;
+  return a.effect != b.effect || is_wave(a);
+}
+
+
+Eigen::VectorXd joined(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+Search::Search(const ModelFitter& fitter, const SearchRules& rules)
+    : fitter_(fitter), rules_(rules) {
+  for (const EffectCandidate& each : fitter.equation().candidates) candidates_.push_back(&each);
+}
+
+const ModelFit& Search::fitted(const EffectSet& members, const Eigen::VectorXd& start) {
+  Key key = members;
+  std::sort(key.begin(), key.end());
+  const auto known = fits_.find(key);
+  if (known != fits_.end()) return known->second;
+  return fits_.emplace(std::move(key), fitter_.fit(members, start)).first->second;
+}
+
+const ModelFit& Search::without(const ModelFit& model, std::size_t member) {
+  EffectSet members = model.members;
+  members.erase(members.begin() + static_cast<std::ptrdiff_t>(member));
+  const Eigen::Index first = model.first_of(member);
+  const auto count = static_cast<Eigen::Index>(model.members[member]->parameters.size());
+  Eigen::VectorXd start(model.coordinates.size() - count);
+  start << model.coordinates.head(first),
+      model.coordinates.tail(model.coordinates.size() - first - count);
+  return fitted(members, start);
+}
+
+/// What the addition contains, or stands in the place of, goes.
+const ModelFit& Search::with(const ModelFit& model, const Prospect& prospect) {
+  EffectSet members;
+  std::vector<double> start(prospect.start.data(), prospect.start.data() + model.always);
+  Eigen::Index at = model.always;
+  for (const EffectCandidate* member : model.members) {
+    const bool stays = std::all_of(prospect.added.begin(), prospect.added.end(),
+                                   [&](const EffectCandidate* added) { return go_together(*member, *added); });
+    for (std::size_t k = 0; k < member->parameters.size(); ++k, ++at) {
+      if (stays) start.push_back(prospect.start[at]);
+    }
+    if (stays) members.push_back(member);
+  }
+  for (const EffectCandidate* added : prospect.added) members.push_back(added);
+  for (; at < prospect.start.size(); ++at) start.push_back(prospect.start[at]);
+  return fitted(members, joined(start));
+}
+
+double Search::floor_rms(const ModelFit& model) const {
+  double rows = 0.0;
+  for (const Rows::Block& block : fitter_.rows().blocks()) {
+    if (!block.is_held_out()) rows += static_cast<double>(block.count);
+  }
+  return std::sqrt(std::max(0.0, model.noise_loss) / std::max(1.0, rows));
+}
+
+bool Search::earns(const ModelFit& less, const ModelFit& more) const {
+  if (!more.is_valid) return false;
+  const Comparison gain = compare(fitter_.rows(), less, more);
+  const auto& empty = fits_.at({});
+  const double largest = compare(fitter_.rows(), empty, more).change_rms;
+  const double least = std::max({rules_.least_floors * floor_rms(more), rules_.least_change,
+                                 rules_.least_of_largest * largest});
+  return gain.gain > 0.0 && gain.change_rms > least &&
+         gain.t > threshold_t(rules_.chance, candidates_.size(), fitter_.rows().training_blocks());
+}
+
+bool Search::is_refuted(const ModelFit& rival, const ModelFit& best) const {
+  if (!rival.is_valid) return true;
+  const Comparison gain = compare(fitter_.rows(), rival, best);
+  return gain.t > rules_.tie_t &&
+         gain.gain > rules_.tie_share * (std::max(0.0, best.unseen_loss) + best.noise_loss);
+}
+
+void Search::ask_for_waves(const ModelFit& model) {
+  if (!fitter_.equation().waves) return;
+  const Hypothesis supposed = fitter_.hypothesis(model.members, model.coordinates);
+  const auto left = [&](const Signals& s) { return fitter_.equation().residual(supposed, s); };
+  for (EffectCandidate& wave : fitter_.equation().waves(left)) {
+    const bool is_known = std::any_of(candidates_.begin(), candidates_.end(),
+                                      [&](const EffectCandidate* each) { return each->key == wave.key; });
+    if (is_known) continue;
+    waves_.push_back(std::move(wave));
+    candidates_.push_back(&waves_.back());
+  }
+}
+
+/// Candidates that are no part of a member, nor of its kind.
+EffectSet Search::askable(const ModelFit& model) const {
+  EffectSet askable;
+  for (const EffectCandidate* each : candidates_) {
+    const bool is_part = std::any_of(
+        model.members.begin(), model.members.end(), [&](const EffectCandidate* member) {
+          return member == each || contains(*member, *each) ||
+                 (member->effect == each->effect && !is_wave(*each));
+        });
+    if (!is_part) askable.push_back(each);
+  }
+  return askable;
+}
+
+/// The best addition that earns its place; null if none does.
+const ModelFit* Search::step(const ModelFit& model) {
+  ask_for_waves(model);
+  const Screening screening =
+      screen(fitter_, model, askable(model), kMovesNothing * floor_rms(model), true);
+  if (model.members.empty()) first_ = screening;
+  const ModelFit* best = nullptr;
+  const auto take = [&](const ModelFit& child, const ModelFit* over) {
+    if (!earns(model, child) || child.members.size() > kMostMembers) return;
+    if (over != nullptr && !earns(*over, child)) return;
+    if (best == nullptr || child.unseen_loss < best->unseen_loss) best = &child;
+  };
+  for (std::size_t k = 0; k < std::min(kRefined, screening.singles.size()); ++k) {
+    take(with(model, screening.singles[k]), nullptr);
+  }
+  const ModelFit* single = best;
+  std::size_t refined = 0;
+  for (const Prospect& pair : screening.pairs) {
+    if (refined == kRefinedPairs) break;
+    if (!go_together(*pair.added[0], *pair.added[1])) continue;
+    ++refined;
+    take(with(model, pair), single);
+  }
+  return best;
+}
+
+/// A model without one member that does not earn its place.
+const ModelFit* Search::smaller(const ModelFit& model) {
+  const ModelFit* best = nullptr;
+  for (std::size_t m = 0; m < model.members.size(); ++m) {
+    const ModelFit& less = without(model, m);
+    if (earns(less, model)) continue;
+    if (best == nullptr || less.unseen_loss < best->unseen_loss) best = &less;
+  }
+  return best;
+}
+
+/// A model in which a member is replaced by what it contains, or by it and an offset, where it does
+/// not earn its place over them.
+const ModelFit* Search::by_parts(const ModelFit& model) {
+  for (std::size_t m = 0; m < model.members.size(); ++m) {
+    EffectSet parts, offset;
+    for (const EffectCandidate* each : candidates_) {
+      if (contains(*model.members[m], *each)) parts.push_back(each);
+      if (each->effect == "torque_offset" && !model.holds("torque_offset")) offset.push_back(each);
+    }
+    if (parts.empty()) continue;
+    std::vector<EffectSet> choices;
+    for (const EffectCandidate* part : parts) choices.push_back({part});
+    if (!offset.empty()) choices.push_back(offset);
+    const ModelFit& less = without(model, m);
+    const ModelFit* best = nullptr;
+    for (const EffectSet& choice : choices) {
+      if (choice.size() > model.members[m]->parameters.size()) continue;
+      Prospect prospect;
+      std::vector<double> start(less.coordinates.data(),
+                                less.coordinates.data() + less.coordinates.size());
+      for (const EffectCandidate* part : choice) {
+        if (less.holds(part->effect)) continue;
+        prospect.added.push_back(part);
+        start.insert(start.end(), part->starts.front().begin(), part->starts.front().end());
+      }
+      prospect.start = joined(start);
+      const ModelFit& trial = with(less, prospect);
+      if (!trial.is_valid || earns(trial, model)) continue;
+      const bool is_simpler = best == nullptr || trial.coordinates.size() < best->coordinates.size();
+      const bool is_better = best != nullptr && trial.coordinates.size() == best->coordinates.size() &&
+                             trial.unseen_loss < best->unseen_loss;
+      if (is_simpler || is_better) best = &trial;
+    }
+    if (best != nullptr) return best;
+  }
+  return nullptr;
+}
+
+const ModelFit* Search::pruned(const ModelFit* model) {
+  for (std::size_t round = 0; round < kMostRounds; ++round) {
+    const ModelFit* less = smaller(*model);
+    if (less == nullptr) less = by_parts(*model);
+    if (less == nullptr) return model;
+    model = less;
+  }
+  return model;
+}
+
+/// A model that explains more with another effect in the place of one; null if there is none.
+/// All that is tried may be a rival.
+const ModelFit* Search::swapped(const ModelFit& model) {
+  const ModelFit* best = &model;
+  for (std::size_t m = 0; m < model.members.size(); ++m) {
+    const EffectCandidate& own = *model.members[m];
+    const ModelFit& less = without(model, m);
+    ask_for_waves(less);
+    EffectSet others;
+    for (const EffectCandidate* each : askable(less)) {
+      if (each != &own && !contains(*each, own)) others.push_back(each);
+    }
+    const Screening screening =
+        screen(fitter_, less, others, kMovesNothing * floor_rms(less), false);
+    for (std::size_t k = 0; k < std::min(kRefinedSwaps, screening.singles.size()); ++k) {
+      const ModelFit& trial = with(less, screening.singles[k]);
+      if (trial.is_valid && trial.members.size() <= model.members.size() &&
+          trial.unseen_loss < best->unseen_loss) {
+        best = &trial;
+      }
+    }
+  }
+  return best == &model ? nullptr : best;
+}
+
+/// Models of no more members that the log cannot tell from the best. What contains another that is
+/// there says nothing against it.
+void Search::take_rivals(const ModelFit& best, Found& found) const {
+  const auto is_more_of_the_same = [&](const ModelFit& rival) {
+    return std::any_of(best.members.begin(), best.members.end(), [&](const EffectCandidate* own) {
+      return std::any_of(rival.members.begin(), rival.members.end(), [&](const EffectCandidate* other) {
+        return contains(*other, *own);
+      });
+    });
+  };
+  for (const auto& [key, fit] : fits_) {
+    if (&fit == &best || fit.members.size() > best.members.size() || fit.members.empty()) continue;
+    if (is_more_of_the_same(fit) || is_refuted(fit, best)) continue;
+    found.rivals.push_back(fit);
+  }
+}
+
+Found Search::run() {
+  Found found;
+  const ModelFit* model = &fitted({}, fitter_.always_start());
+  found.empty = *model;
+  if (!model->is_valid) {
+    found.best = *model;
+    return found;
+  }
+  const auto say = [&](const char* what, const ModelFit& m) {
+    if (std::getenv("TW_DEBUG") == nullptr) return;
+    fprintf(stderr, "%s loss %.4g unseen %.4g noise %.4g:", what, m.loss, m.unseen_loss, m.noise_loss);
+    for (auto* e : m.members) fprintf(stderr, " %s", e->key.c_str());
+    for (Eigen::Index i = 0; i < m.coordinates.size(); ++i) fprintf(stderr, " %.4g", m.coordinates[i]);
+    fprintf(stderr, " valid %d\n", m.is_valid);
+  };
+  say("empty", *model);
+  std::set<const ModelFit*> seen = {model};
+  for (std::size_t round = 0; round < kMostRounds; ++round) {
+    if (rules_.progress) rules_.progress(static_cast<double>(round) / kMostRounds);
+    const ModelFit* next = step(*model);
+    if (next != nullptr) next = pruned(next);
+    if (next == nullptr || !earns(*model, *next)) next = swapped(*model);
+    if (next != nullptr) next = pruned(next);
+    if (next == nullptr || !seen.insert(next).second) break;
+    model = next;
+    say("step", *model);
+  }
+  for (auto& [k, f] : fits_) { say("fit", f); if (std::getenv("TW_DEBUG")) { auto g = compare(fitter_.rows(), found.empty, f); auto h = compare(fitter_.rows(), f, *model); fprintf(stderr, "   gain over empty t %.2f change %.4g ; best over it t %.2f gain %.4g change %.3g\n", g.t, g.change_rms, h.t, h.gain, h.change_rms);} }
+  found.best = *model;
+  for (std::size_t m = 0; m < model->members.size(); ++m) {
+    found.gains.push_back(compare(fitter_.rows(), without(*model, m), *model));
+  }
+  take_rivals(*model, found);
+  found.silent = first_.silent;
+  for (const auto& [key, fit] : fits_) {
+    if (fit.members.size() != 1 || model->holds(fit.members.front()->effect)) continue;
+    found.refused.push_back({fit.members.front(), compare(fitter_.rows(), found.empty, fit)});
+  }
+  return found;
+}
+
+}  // namespace torquewright::identification

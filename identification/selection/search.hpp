@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "identification/selection/comparison.hpp"
+#include "identification/selection/model_fit.hpp"
+#include "identification/selection/screening.hpp"
+
+namespace torquewright::identification {
+
+/// What decides; each is a cost that docs/identification.md states.
+struct SearchRules {
+  double chance = 0.002;       ///< Of a name where nothing is missing, over all that is tried.
+  double least_floors = 0.5;   ///< A name changes the prediction by so many noise floors ...
+  double least_change = 0.0;   ///< ... and by as much, in the residual's unit (tolerance).
+  double least_of_largest = 0.02;  ///< ... and by so much of the largest named effect: laws hold so far.
+  double tie_t = 3.0;          ///< A rival is refuted beyond this ...
+  double tie_share = 0.1;      ///< ... if it leaves so much more of the squares that are left.
+  std::function<void(double)> progress;
+};
+
+/// Why an effect did not come in.
+struct Refusal {
+  const EffectCandidate* candidate = nullptr;
+  Comparison gain;  ///< Over the model that was kept.
+};
+
+/// What a search over sets of effects found.
+struct Found {
+  ModelFit empty, best;
+  std::vector<Comparison> gains;     ///< Of each member of the best, over its own removal.
+  std::vector<ModelFit> rivals;      ///< As good, as far as the log can tell; the best is not among.
+  std::vector<const EffectCandidate*> silent;
+  std::vector<Refusal> refused;
+};
+
+/// Screens all candidates linearly, refines the most promising and pairs of them on the forward
+/// model, and judges only then; members are dropped, replaced by their parts and swapped until
+/// nothing changes. docs/derivations/identification.md section 4.
+class Search {
+ public:
+  Search(const ModelFitter& fitter, const SearchRules& rules);
+  Found run();
+
+  /// True if `more` earns its place over `less`.
+  bool earns(const ModelFit& less, const ModelFit& more) const;
+  bool is_refuted(const ModelFit& rival, const ModelFit& best) const;
+
+ private:
+  using Key = std::vector<const EffectCandidate*>;
+  const ModelFit& fitted(const EffectSet& members, const Eigen::VectorXd& start);
+  const ModelFit& without(const ModelFit& model, std::size_t member);
+  const ModelFit& with(const ModelFit& model, const Prospect& prospect);
+  void ask_for_waves(const ModelFit& model);
+  EffectSet askable(const ModelFit& model) const;
+  double floor_rms(const ModelFit& model) const;
+  const ModelFit* step(const ModelFit& model);
+  const ModelFit* pruned(const ModelFit* model);
+  const ModelFit* smaller(const ModelFit& model);
+  const ModelFit* by_parts(const ModelFit& model);
+  const ModelFit* swapped(const ModelFit& model);
+  void take_rivals(const ModelFit& best, Found& found) const;
+
+  const ModelFitter& fitter_;
+  SearchRules rules_;
+  std::deque<EffectCandidate> waves_;
+  EffectSet candidates_;
+  std::map<Key, ModelFit> fits_;
+  Screening first_;
+};
+
+}  // namespace torquewright::identification
