@@ -175,18 +175,19 @@ Numbers torque_residual(const World& world, const LogFormat& format, const Recor
   const double armature = world.motor.armature_kg_m2() + world.laws.extra_inertia_kg_m2;
   const Numbers carried = thinned(record.torque_Nm, format.records_per_row);
   Histories histories(world, format.row_s());
-  Numbers left(current.size());
+  Numbers left(current.size(), 0);
   for (std::size_t k = 0; k < left.size(); ++k) {
     const double q = seen.position[k], w = seen.true_speed[k];
     const double direction = std::abs(w) < 1e-9 ? 0 : w > 0 ? 1 : -1;
     const Sliding state{seen.speed[k],       q,          current[k],
                         seen.temperature[k], carried[k], format.row_s() * static_cast<double>(k)};
-    const double push = histories.lagged(motor_torque_Nm(world, current[k], seen.temperature[k])) +
-                        sum_of(world.laws.cogging, world.motor.ratio * q) -
-                        armature * seen.acceleration[k] -
-                        histories.presliding(w, seen.temperature[k]) -
-                        (direction == 0 ? 0 : direction * drag_Nm(world, state, direction));
-    const double mesh = direction == 0 ? push : push / mesh_gain(world, push, direction);
+    const double push =
+        histories.lagged(motor_torque_Nm(world, current[k], seen.temperature[k])) +
+        sum_of(world.laws.cogging, world.motor.ratio * q) - armature * seen.acceleration[k] -
+        histories.presliding(w, seen.temperature[k]) - direction * drag_Nm(world, state, direction);
+    // At rest dry friction takes whatever is left: there is no equation.
+    if (direction == 0) continue;
+    const double mesh = push / mesh_gain(world, push, direction);
     const double predicted =
         mesh * load_ripple_factor(world, q) + flange_torque_Nm(world, q) + held_torque(world, q);
     left[k] =

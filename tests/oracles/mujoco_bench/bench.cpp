@@ -14,7 +14,8 @@ namespace {
 constexpr double kTurn_rad = 2 * std::numbers::pi;
 /// What is played rises from nothing in this time.
 constexpr double kFade_s = 0.3;
-constexpr double kServo_hz = 30;
+/// Of the bench where it imposes a speed: proportional, and integral a quarter of it.
+constexpr double kServo_hz = 60;
 
 /// Beyond the least step that a gear's flanks or a spring allow.
 int steps_per_record(const Laws& laws) {
@@ -32,6 +33,7 @@ class Player {
         temperature_K_(recipe_.start_temperature_K) {
     record_.name = recipe_.name;
     record_.index = index;
+    if (recipe_.begins_moving) plant_.set_speed(recipe_.motion(0));
   }
 
   Record play() {
@@ -50,7 +52,7 @@ class Player {
   }
 
   double played(const Profile& profile, double time_s) const {
-    return profile(time_s) * std::min(1.0, time_s / kFade_s);
+    return profile(time_s) * (recipe_.begins_moving ? 1 : std::min(1.0, time_s / kFade_s));
   }
 
   bool bench_imposes() const { return recipe_.mode == Recipe::Mode::kImposed; }
@@ -74,16 +76,13 @@ class Player {
     return std::clamp(current, -peak, peak);
   }
 
-  double bench_torque(const Motion& now, double speed) const {
+  double bench_torque(const Motion& now, double speed) {
     if (recipe_.mode == Recipe::Mode::kHeld) return played(recipe_.effort, time_s_);
     if (!bench_imposes()) return 0;
-    const double inertia = plant_.total_inertia_kg_m2();
-    return inertia * kTurn_rad * kServo_hz * (speed - now.speed_rad_s) +
-           inertia * (asked_speed_ahead(speed) - speed) / 1e-3;
-  }
-
-  double asked_speed_ahead(double speed) const {
-    return recipe_.mode == Recipe::Mode::kImposed ? played(recipe_.motion, time_s_ + 1e-3) : speed;
+    const double rate = kTurn_rad * kServo_hz, late = speed - now.speed_rad_s;
+    late_rad_ += late * plant_.step_s();
+    const double ahead = (played(recipe_.motion, time_s_ + 1e-3) - speed) / 1e-3;
+    return plant_.total_inertia_kg_m2() * (rate * late + rate * rate / 4 * late_rad_ + ahead);
   }
 
   /// The drive sets a duty; current follows from the winding at once.
@@ -159,7 +158,7 @@ class Player {
   int per_record_;
   Plant plant_;
   Record record_;
-  double temperature_K_, time_s_ = 0, asked_rad_ = 0;
+  double temperature_K_, time_s_ = 0, asked_rad_ = 0, late_rad_ = 0;
   double current_A_ = 0, torque_Nm_ = 0, presliding_Nm_ = 0, duty_ = 0, bus_V_ = 0;
 };
 

@@ -23,6 +23,8 @@ struct Recipe {
   double duration_s = 10;
   Profile motion = {}, effort = {};
   double start_temperature_K = 298.15;
+  /// What is played is there from the first sample on, instead of rising from nothing.
+  bool begins_moving = false;
 };
 
 /// Samples of what is true, kRecord_s apart.

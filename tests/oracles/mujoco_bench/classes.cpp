@@ -1,129 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
 #include <stdexcept>
 
-#include "tests/oracles/mujoco_bench/balance.hpp"
-#include "tests/oracles/mujoco_bench/effects.hpp"
-#include "tests/oracles/mujoco_bench/situation.hpp"
+#include "tests/oracles/mujoco_bench/completion.hpp"
+#include "tests/oracles/mujoco_bench/outside.hpp"
+#include "tests/oracles/mujoco_bench/undecidable.hpp"
 
 namespace torquewright::oracles::mujoco_bench {
 namespace {
 
-constexpr int kMostRedraws = 30;
+constexpr int kMostRedraws = 200;
 
-/// How an effect that is not there yet comes to be, by its scale.
-using ByScale = std::function<Effect(double scale)>;
-
-World without(const Situation& it, std::size_t left_out) {
-  World world = it.stated;
-  for (std::size_t k = 0; k < it.missing.size(); ++k)
-    if (k != left_out) put_on(world, it.missing[k]);
-  return world;
-}
-
-/// One or two effects beside the missing ones, with a tenth to half of their most.
-void declare(Situation& it, Draws& draws, double probability,
-             const std::vector<std::string>& missing) {
-  static const std::vector<std::string> kUsual = {"viscous_friction", "coulomb_friction",
-                                                  "stribeck_friction", "quadratic_drag"};
-  std::vector<std::string> choices = kUsual;
-  if (it.format.has("output_torque_Nm")) {
-    choices.insert(choices.end(), {"gear_ripple", "load_dependent_friction"});
-    if (!it.bench.voltage_driven) choices.emplace_back("torque_constant_saturation");
-  }
-  if (it.format.has("duty")) choices.insert(choices.end(), {"voltage_sag", "inverter_dead_time"});
-  for (int k = 0; k < 2; ++k) {
-    if (!draws.chance(probability)) continue;
-    const std::string name = draws.one_of(choices);
-    const auto fits = [&](const std::string& other) { return agree(name, other); };
-    bool all_fit = std::all_of(missing.begin(), missing.end(), fits);
-    for (const Effect& other : it.declared) all_fit = all_fit && fits(other.name);
-    if (all_fit) it.declared.push_back(make_effect(name, draws.uniform(0.1, 0.5), it, draws));
-    probability *= 0.4;
-  }
-}
-
-void state_declared(Situation& it) {
-  for (const Effect& effect : it.declared) put_on(it.stated, effect);
-  it.bench.world = it.stated;
-}
-
-/// The scale at which the effect is as large as asked on these records; at most 1.
-double fit_scale(const Situation& it, const ByScale& by_scale, double size,
-                 const std::vector<Record>& records, const Levels& noise) {
-  double scale = 0.1;
-  for (int k = 0; k < 5; ++k) {
-    World with = it.bench.world;
-    put_on(with, by_scale(scale));
-    const double now = floors(differences(with, it.bench.world, it.format, records), noise);
-    if (!(now > 0)) return 1;
-    scale = std::clamp(scale * size / now, 1e-5, 1.0);
-  }
-  return scale;
-}
-
-double rms(const std::vector<double>& numbers) {
-  double sum = 0;
-  for (const double x : numbers) sum += x * x;
-  return std::sqrt(sum / static_cast<double>(numbers.size()));
-}
-
-double share_moving(const Record& record, double speed) {
-  const auto moving = std::count_if(record.speed_rad_s.begin(), record.speed_rad_s.end(),
-                                    [&](double w) { return std::abs(w) > speed; });
-  return static_cast<double>(moving) / static_cast<double>(record.speed_rad_s.size());
-}
-
-/// The drive works, within its limits, and the load moves.
-bool is_realisable(const Situation& it, const std::vector<Record>& records) {
-  const double peak = it.bench.world.motor.peak_current_A;
-  double current = 0, moving = 0;
-  for (const Record& record : records) {
-    current = std::max(current, rms(record.current_A) / peak);
-    moving += share_moving(record, 1e-3 * it.top_speed_rad_s) / static_cast<double>(records.size());
-    const auto [low, high] =
-        std::minmax_element(record.position_rad.begin(), record.position_rad.end());
-    if (!std::isfinite(rms(record.speed_rad_s))) return false;
-    if (rms(record.speed_rad_s) > 2.5 * it.top_speed_rad_s) return false;
-    if (it.stated.load.type == "pendulum" && *high - *low > 12) return false;
-  }
-  return current > 0.03 && current < 0.95 && moving > 0.6;
-}
-
-/// Plays the situation without what is missing, sizes it, and plays it again with it.
-std::optional<Made> complete(Situation it, const std::vector<ByScale>& missing, Draws& draws) {
-  std::vector<Record> records = play(it.bench);
-  const Draws noise_draws(draws.next());
-  const Levels noise = noise_levels(it.bench.world, it.format, records, noise_draws);
-  for (const ByScale& by_scale : missing) {
-    const double size = draws.log_uniform(1, 300);
-    it.missing.push_back(by_scale(fit_scale(it, by_scale, size, records, noise)));
-  }
-  for (const Effect& effect : it.missing) put_on(it.bench.world, effect);
-  if (!missing.empty()) records = play(it.bench);
-  if (!is_realisable(it, records)) return std::nullopt;
-  for (std::size_t k = 0; k < it.missing.size(); ++k) {
-    const Levels levels = differences(it.bench.world, without(it, k), it.format, records);
-    it.size_floors.push_back(floors(levels, noise));
-  }
-  it.noise_Nm = noise.at("torque_Nm");
-  return Made{it, records};
-}
-
-/// Values of the load that are wrong are listed; others now and then.
+/// Values of the load that are wrong are listed; the torque constant now and then.
 void draw_uncertain(Situation& it, Draws& draws) {
+  bool frees_constant = it.missing.empty() && !it.format.has("output_torque_Nm") &&
+                        !it.bench.voltage_driven && draws.chance(0.25);
   for (const Effect& effect : it.missing) {
     if (effect.name == "load_inertia_error") it.uncertain.emplace_back("/load/inertia_kg_m2");
     if (effect.name == "load_mass_error") it.uncertain.emplace_back("/load/mass_kg");
-    if (effect.name == "torque_constant_error" && draws.chance(0.3))
-      it.uncertain.emplace_back("/motor/torque_constant_Nm_A");
+    if (effect.name == "torque_constant_error") frees_constant = draws.chance(0.3);
   }
-  if (it.missing.empty() && !it.format.has("output_torque_Nm") && draws.chance(0.25) &&
-      !it.bench.voltage_driven)
-    it.uncertain.emplace_back("/motor/torque_constant_Nm_A");
+  if (frees_constant) it.uncertain.emplace_back("/motor/torque_constant_Nm_A");
 }
 
 void draw_holdout(Situation& it, Draws& draws) {
@@ -131,9 +29,15 @@ void draw_holdout(Situation& it, Draws& draws) {
     it.holdout_runs = {it.bench.recipes.back().name, it.bench.recipes[1].name};
 }
 
-/// Names the effect, plans a rig that shows it, and completes the log.
-std::optional<Made> draw_one(Draws& draws) {
-  const std::string name = draws.one_of(effect_names());
+std::optional<Made> draw_none(Draws& draws, std::uint64_t /*turn*/) {
+  Situation it = draw_rig(draws, {});
+  declare(it, draws, 0.8, {});
+  state_declared(it);
+  return complete(it, {}, draws);
+}
+
+std::optional<Made> draw_one(Draws& draws, std::uint64_t turn) {
+  const std::string name = effect_names()[turn % effect_names().size()];
   const Draws own(draws.next());
   Situation it = draw_rig(draws, demand_of(name, own));
   it.declared = companions(name, it, draws);
@@ -141,35 +45,121 @@ std::optional<Made> draw_one(Draws& draws) {
   state_declared(it);
   const auto by_scale = [&](double scale) { return make_effect(name, scale, it, own); };
   auto made = complete(it, {by_scale}, draws);
-  if (!made || made->situation.size_floors[0] < 0.8) return std::nullopt;
-  made->situation.accept = {identical_names(made->situation.missing[0], it)};
+  if (made) made->situation.accept = {identical_names(made->situation.missing[0], it)};
   return made;
 }
 
-std::optional<Made> draw_none(Draws& draws) {
-  Situation it = draw_rig(draws, {});
-  declare(it, draws, 0.8, {});
+/// A rig that meets both, where there is one.
+std::optional<Demand> both(const Demand& a, const Demand& b) {
+  Demand demand = a;
+  demand.loads.clear();
+  for (const std::string& load : a.loads)
+    if (std::find(b.loads.begin(), b.loads.end(), load) != b.loads.end())
+      demand.loads.push_back(load);
+  demand.temperature |= b.temperature;
+  demand.two_encoders |= b.two_encoders;
+  demand.velocity |= b.velocity;
+  demand.fast_torque |= b.fast_torque;
+  demand.gentle |= b.gentle;
+  if (a.drive == "any") demand.drive = b.drive;
+  const bool drives_differ = a.drive != b.drive && a.drive != "any" && b.drive != "any";
+  const bool orders_differ =
+      a.rotor_order + a.output_order > 0 && b.rotor_order + b.output_order > 0;
+  demand.rotor_order = std::max(a.rotor_order, b.rotor_order);
+  demand.output_order = std::max(a.output_order, b.output_order);
+  if (demand.loads.empty() || drives_differ || orders_differ) return std::nullopt;
+  return demand;
+}
+
+/// Correlation of what two effects change in one equation: from the sum's square.
+bool are_apart(const Situation& it, const std::vector<Record>& records) {
+  World neither = it.stated, first = it.stated, second = it.stated;
+  put_on(first, it.missing[0]);
+  put_on(second, it.missing[1]);
+  const Levels a = differences(first, neither, it.format, records);
+  const Levels b = differences(second, neither, it.format, records);
+  const Levels sum = differences(it.bench.world, neither, it.format, records);
+  for (const auto& [equation, whole] : sum) {
+    const double product = a.at(equation) * b.at(equation);
+    const double squares = a.at(equation) * a.at(equation) + b.at(equation) * b.at(equation);
+    if (product > 0 && std::abs(whole * whole - squares) > 2 * 0.8 * product) return false;
+  }
+  return true;
+}
+
+bool share_a_name(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
+std::optional<Made> draw_two(Draws& draws, std::uint64_t /*turn*/) {
+  const std::string first = draws.one_of(effect_names()), second = draws.one_of(effect_names());
+  const Draws own_first(draws.next()), own_second(draws.next());
+  const auto demand = both(demand_of(first, own_first), demand_of(second, own_second));
+  if (!demand || !agree(first, second)) return std::nullopt;
+  Situation it = draw_rig(draws, *demand);
+  for (const std::string& name : {first, second})
+    for (const Effect& companion : companions(name, it, draws)) {
+      if (!agree(companion.name, first) || !agree(companion.name, second)) return std::nullopt;
+      it.declared.push_back(companion);
+    }
+  if (it.declared.size() > 2) return std::nullopt;
   state_declared(it);
-  return complete(it, {}, draws);
+  auto made = complete(it,
+                       {[&](double scale) { return make_effect(first, scale, it, own_first); },
+                        [&](double scale) { return make_effect(second, scale, it, own_second); }},
+                       draws);
+  if (!made) return std::nullopt;
+  Situation& done = made->situation;
+  for (const Effect& effect : done.missing) done.accept.push_back(identical_names(effect, it));
+  if (share_a_name(done.accept[0], done.accept[1]) || !are_apart(done, made->records))
+    return std::nullopt;
+  return made;
 }
 
-using ClassDraw = std::function<std::optional<Made>(Draws&)>;
-
-const std::map<std::string, ClassDraw>& classes() {
-  static const std::map<std::string, ClassDraw> all = {{"none", draw_none}, {"one", draw_one}};
-  return all;
+std::optional<Made> draw_outside(Draws& draws, std::uint64_t turn) {
+  const Outside& outside = outside_kinds()[turn % outside_kinds().size()];
+  const Draws own(draws.next());
+  Situation it = draw_rig(draws, outside.demand);
+  declare(it, draws, 0.4, {});
+  state_declared(it);
+  auto made =
+      complete(it, {[&](double scale) { return outside.make(scale, it, own); }}, draws, {3, 300});
+  if (made) made->situation.outside_coordinates = outside.coordinates;
+  return made;
 }
+
+/// Coulomb and load-dependent friction together, at a fifth of the usual noise.
+std::optional<Made> draw_coulomb_load(Draws& draws, std::uint64_t /*turn*/) {
+  const Draws own(draws.next());
+  Situation it = draw_rig(draws, {.loads = {"dynamometer"}, .drive = "current"});
+  for (auto& [quantity, grain] : it.format.grains) grain = {grain.noise / 5, grain.quantum / 5};
+  auto made = complete(
+      it,
+      {[&](double scale) { return make_effect("coulomb_friction", scale, it, own); },
+       [&](double scale) { return make_effect("load_dependent_friction", scale, it, own); }},
+      draws, {20, 300});
+  if (made) made->situation.accept = {{"coulomb_friction"}, {"load_dependent_friction"}};
+  return made;
+}
+
+/// The turn, which is the seed, takes effects and kinds one after the other.
+using ClassDraw = std::optional<Made> (*)(Draws& draws, std::uint64_t turn);
+
+const std::map<std::string, ClassDraw> kClasses = {
+    {"none", draw_none},       {"one", draw_one},
+    {"two", draw_two},         {"undecidable", draw_undecidable},
+    {"outside", draw_outside}, {"coulomb_load", draw_coulomb_load}};
 
 }  // namespace
 
 Made make_log(const std::string& kind, std::uint64_t seed) {
-  const auto found = classes().find(kind);
-  if (found == classes().end()) throw std::invalid_argument("no class is called " + kind);
+  const auto found = kClasses.find(kind);
+  if (found == kClasses.end()) throw std::invalid_argument("no class is called " + kind);
   std::uint64_t mixed = seed;
   for (const char letter : kind) mixed = mixed * 131 + static_cast<unsigned char>(letter);
   Draws draws(mixed);
   for (int k = 0; k < kMostRedraws; ++k) {
-    auto made = found->second(draws);
+    auto made = found->second(draws, seed);
     if (!made) continue;
     made->situation.kind = kind;
     draw_uncertain(made->situation, draws);

@@ -291,7 +291,7 @@ bool agree(const std::string& a, const std::string& b) {
     return (a == one && b == other) || (a == other && b == one);
   };
   return a != b && !both(kDry) && !both(kOffsets) && !both(kElastic) &&
-         !is("asymmetric_friction", "viscous_friction");
+         !is("asymmetric_friction", "viscous_friction") && !is("channel_delay", "torque_lag");
 }
 
 std::vector<std::string> identical_names(const Effect& effect, const Situation& it) {

@@ -19,7 +19,8 @@ Effect make_effect(const std::string& name, double scale, const Situation& it, D
 /// Effects that have to be stated for this one to have something to act on.
 std::vector<Effect> companions(const std::string& effect, const Situation& it, Draws& draws);
 
-/// Whether both may stand in one world: no two laws for one and the same friction.
+/// Whether both may stand in one world: no two laws for one and the same friction, offset, or
+/// lateness.
 bool agree(const std::string& a, const std::string& b);
 
 /// The effect's own name and those that are the same whatever is played on that rig.

@@ -125,6 +125,10 @@ Motion Plant::motion() const {
           .rotor_speed_rad_s = data_->qvel[0]};
 }
 
+void Plant::set_speed(double speed_rad_s) {
+  for (int k = 0; k <= output_; ++k) data_->qvel[k] = speed_rad_s;
+}
+
 // Sliding with m = slope a + level behind the mesh: armature a = motor - direction drag - gain m.
 // The gain depends on the sign of m; as both gains are positive one sign agrees with itself.
 double Plant::slide(const Drive& drive, double slope, double level, double direction) const {

@@ -41,6 +41,7 @@ class Plant {
 
   Motion step(const Drive& drive);
   Motion motion() const;
+  void set_speed(double speed_rad_s);
   double total_inertia_kg_m2() const { return armature_kg_m2_ + load_inertia_kg_m2_; }
   double step_s() const { return model_->opt.timestep; }
 

@@ -48,7 +48,8 @@ void draw_load(Situation& it, Draws& draws, const Demand& demand) {
   Load& load = it.bench.world.load;
   load.type = draws.one_of(demand.loads);
   const double armature = it.bench.world.motor.armature_kg_m2();
-  it.bench.inertia_kg_m2 = armature * draws.uniform(1, 5);
+  // A machine that friction and ripple of the actuator do not slow.
+  it.bench.inertia_kg_m2 = armature * draws.uniform(15, 40);
   it.bench.bandwidth_hz = draws.uniform(1.5, 4);
   if (load.type == "free") load.inertia_kg_m2 = armature * draws.log_uniform(0.5, 8);
   if (load.type == "linear_axis") load.mass_kg = armature * draws.log_uniform(0.5, 8);

@@ -60,7 +60,7 @@ struct Load {
   double spring_Nm_rad = 0, spring_rest_rad = 0;
   double stop_rad = kNever, stop_stiffness_Nm_rad = 0;
   /// Added at the pendulum's centre of mass, or as inertia of a free load, by run.
-  std::vector<double> payload_share;
+  std::vector<double> payload_share = {};
 };
 
 /// From what is true to what is logged, but for the noise.
