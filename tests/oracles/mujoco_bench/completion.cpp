@@ -16,17 +16,22 @@ World without(const Situation& it, std::size_t left_out) {
   return world;
 }
 
-/// The scale at which the effect is as large as asked on these records; at most 1.
+/// The scale at which the effect is as large as asked on these records; at most 1. Secants in
+/// logarithms: sizes grow with some power of the scale, saturation's with its exponent.
 double fit_scale(const Situation& it, const ByScale& by_scale, double size,
                  const std::vector<Record>& records, const Levels& noise) {
-  double scale = 0.1;
-  for (int k = 0; k < 5; ++k) {
+  double scale = 0.1, power = 1, last_scale = 0, last_size = 0;
+  for (int k = 0; k < 8; ++k) {
     World with = it.bench.world;
     put_on(with, by_scale(scale));
     const double now = floors(differences(with, it.bench.world, it.format, records), noise);
     if (!(now > 0)) return 1;
     if (std::abs(size / now - 1) < 0.05) break;
-    scale = std::clamp(scale * size / now, 1e-5, 1.0);
+    if (last_size > 0 && scale != last_scale)
+      power = std::clamp(std::log(now / last_size) / std::log(scale / last_scale), 0.3, 4.0);
+    last_scale = scale, last_size = now;
+    scale = std::clamp(scale * std::pow(size / now, 1 / power), 1e-5, 1.0);
+    if (scale == last_scale) break;
   }
   return scale;
 }

@@ -169,7 +169,7 @@ TEST(MujocoBench, DocumentsHideWhatIsMissing) {
   EXPECT_EQ(truth.at("accept").at(0).at(0), made.situation.missing[0].name);
 }
 
-// Every effect and every kind of outside has a law: put on, it changes some residual or motion.
+// Every effect and every kind of outside has a law that takes the parameters drawn for it.
 TEST(MujocoBench, EveryNameHasALaw) {
   Draws draws(3);
   const Situation it = draw_rig(draws, {});
