@@ -176,7 +176,10 @@ TEST(MujocoBench, EveryNameHasALaw) {
   World world;
   for (const std::string& name : effect_names())
     EXPECT_NO_THROW(put_on(world, make_effect(name, 0.5, it, draws))) << name;
-  for (const Outside& kind : outside_kinds()) EXPECT_EQ(kind.make(0.5, it, draws).name, kind.kind);
+  for (const Outside& kind : outside_kinds()) {
+    EXPECT_EQ(kind.make(0.5, it, draws).name, kind.kind);
+    EXPECT_NO_THROW(put_on(world, kind.make(0.5, it, draws))) << kind.kind;
+  }
   EXPECT_GE(outside_kinds().size(), 12U);
   EXPECT_THROW(put_on(world, {"gremlins", {}}), std::invalid_argument);
 }
