@@ -5,14 +5,6 @@
 #include <cmath>
 
 namespace torquewright::oracles::sampled {
-namespace {
-
-/// The root of x + limit sgn(x) = pull, sgn(0) being anything from -1 to 1.
-double beyond(double pull, double limit) {
-  return sign_of(pull) * std::max(0.0, std::abs(pull) - limit);
-}
-
-}  // namespace
 
 void DriveTrain::start(double time_s, double angle_rad, double speed_rad_s, double winding_K) {
   now_ = Instant{};
@@ -27,7 +19,9 @@ void DriveTrain::start(double time_s, double angle_rad, double speed_rad_s, doub
 void DriveTrain::advance_winding(const StepInput& input) {
   const double warm = 1.0 + laws_.resistance_temperature_1_K * (now_.winding_K - kReference_K);
   const double resistance = plant_.resistance_ohm * warm;
-  const double back_emf_V = constant_Nm_A(plant_, laws_, now_.winding_K) * now_.motor_speed_rad_s;
+  // The speed at the step's end, as the last acceleration promises it.
+  const double ahead_rad_s = now_.motor_speed_rad_s + step_s_ * now_.motor_acceleration_rad_s2;
+  const double back_emf_V = constant_Nm_A(plant_, laws_, now_.winding_K) * ahead_rad_s;
   const double before_A = now_.current_A;
   if (plant_.is_voltage_driven()) {
     now_.winding_V = plant_.drive == DriveKind::kDuty ? input.command * now_.bus_V : input.command;

@@ -89,9 +89,8 @@ double current_of_voltage_A(const Plant& plant, const Laws& laws, const Instant&
   const double back_emf_V = constant_Nm_A(plant, laws, at.winding_K) * at.motor_speed_rad_s;
   const double resistance =
       plant.resistance_ohm * warmth(laws.resistance_temperature_1_K, at.winding_K);
-  return (at.winding_V - laws.dead_time_V * sign_of(at.current_A) - back_emf_V -
-          plant.inductance_H * at.current_rate_A_s) /
-         resistance;
+  const double driving_V = at.winding_V - back_emf_V - plant.inductance_H * at.current_rate_A_s;
+  return beyond(driving_V, laws.dead_time_V) / resistance;
 }
 
 double predicted_torque_Nm(const Plant& plant, const Laws& laws, const Instant& at) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "tests/oracles/sampled_bench/plant.hpp"
@@ -14,6 +16,10 @@ struct Harmonic {
 };
 
 inline double sign_of(double value) { return value > 0.0 ? 1.0 : (value < 0.0 ? -1.0 : 0.0); }
+/// The root of x + limit sgn(x) = pull, sgn(0) being anything from -1 to 1.
+inline double beyond(double pull, double limit) {
+  return sign_of(pull) * std::max(0.0, std::abs(pull) - limit);
+}
 double sum_at(const std::vector<Harmonic>& harmonics, double angle_rad);
 
 /// What a library of effects does not know. Neutral as constructed.
