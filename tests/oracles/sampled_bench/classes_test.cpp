@@ -92,6 +92,7 @@ TEST(SampledSizes, HoldTheNoiseThatIsStated) {
   s.chain.filter_hz = 0.0;
   s.hidden.clear();
   s.chain.sensors[kTorque].noise = 1.0;
+  for (RunPlan& run : s.runs) run.duration_s = 100.0;
   const Record log = record(s);
   const double share = 2.0 * kBand_hz * log.period_s;
   double samples = 0.0;
@@ -99,7 +100,7 @@ TEST(SampledSizes, HoldTheNoiseThatIsStated) {
   // Twice through a second-order Butterworth: noise band 0.833 of the corner. Five standard errors.
   const double expected = std::sqrt(0.833 * share);
   EXPECT_NEAR(noise_rms(s, log, Equation::kTorque), expected,
-              5.0 * expected / std::sqrt(samples * share) + 0.02 * expected);
+              5.0 * expected / std::sqrt(2.0 * samples * share) + 0.02 * expected);
 }
 
 // Oracle: the table of the contract. Each effect changes its balance, and more at more strength.
