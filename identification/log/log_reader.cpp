@@ -23,7 +23,18 @@ double median_step_s(const std::vector<double>& time_s) {
 }  // namespace
 
 LogReader::LogReader(std::vector<std::filesystem::path> files, const Rig& rig)
-    : files_(std::move(files)), rig_(rig) {}
+    : files_(std::move(files)), rig_(rig), printed_(rig.joints.size()) {}
+
+std::vector<PrintedSteps> LogReader::printed_steps() const {
+  std::vector<PrintedSteps> steps;
+  for (const auto& channels : printed_) {
+    PrintedSteps& of_joint = steps.emplace_back();
+    for (std::size_t i = 0; i < kQuantityCount; ++i) {
+      of_joint[i] = std::abs(channels[i].scale) * channels[i].digits.last_digit();
+    }
+  }
+  return steps;
+}
 
 bool LogReader::next_stretch(Stretch& stretch) {
   while (ready_.empty()) {
@@ -118,15 +129,20 @@ void LogReader::append(double time_s) {
   for (const Source& source : columns_.channels) {
     const double value = csv_->number(source.column) * source.scale + source.offset;
     if (!std::isfinite(value)) csv_->refuse(source.column, "too large in SI units");
-    if (source.joint) {
-      run_.joints[*source.joint][source.quantity].push_back(value);
-      continue;
-    }
-    for (Channels& channels : run_.joints) channels[source.quantity].push_back(value);
+    const std::size_t first = source.joint.value_or(0);
+    const std::size_t end = source.joint ? first + 1 : run_.joints.size();
+    for (std::size_t joint = first; joint < end; ++joint) append(source, joint, value);
   }
   run_.masked.push_back(0);
   if (!median_s_ && run_.time_s.size() == kStepsForMedian + 1) learn_step();
   if (holds_piece()) hand_over_piece();
+}
+
+void LogReader::append(const Source& source, std::size_t joint, double value) {
+  run_.joints[joint][source.quantity].push_back(value);
+  Printed& printed = printed_[joint][static_cast<std::size_t>(source.quantity)];
+  printed.scale = source.scale;
+  printed.digits.add(csv_->text(source.column));
 }
 
 /// And half of one more.

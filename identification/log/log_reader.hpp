@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -11,6 +12,7 @@
 
 #include "identification/log.hpp"
 #include "identification/log/columns.hpp"
+#include "identification/log/printed_digits.hpp"
 #include "identification/log/stretch.hpp"
 #include "io/csv.hpp"
 
@@ -31,6 +33,9 @@ class LogReader {
   /// Of what was read so far.
   const std::vector<Log::File>& files_read() const { return files_read_; }
 
+  /// The same, by joint.
+  std::vector<PrintedSteps> printed_steps() const;
+
   /// A step longer than this many times the median of the run's first steps cuts it.
   static constexpr double kGapFactor = 5.0;
   static constexpr std::size_t kStepsForMedian = 1000;
@@ -46,6 +51,7 @@ class LogReader {
   void end_run();
   void check_time(double time_s);
   void append(double time_s);
+  void append(const Source& source, std::size_t joint, double value);
   void learn_step();
   bool holds_piece() const;
   void hand_over_piece();
@@ -66,6 +72,11 @@ class LogReader {
   bool continues_ = false;  ///< What is read now, what was handed over.
   std::deque<Stretch> ready_;
   std::vector<Log::File> files_read_;
+  struct Printed {
+    PrintedDigits digits;
+    double scale = 1.0;
+  };
+  std::vector<std::array<Printed, kQuantityCount>> printed_;  ///< By joint.
 };
 
 }  // namespace torquewright::identification
