@@ -117,8 +117,9 @@ Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
   std::vector<Stretch> stretches = read_runs(reader, log.runs);
   give_names(stretches, files);
   rename_runs(stretches, log.runs);
-  report_gaps(stretches, log.findings);
   log.files = reader.files_read();
+  log.findings = reader.findings();
+  report_gaps(stretches, log.findings);
   log.printed = reader.printed_steps();
   report_rig(rig, log.findings);
   Repairs repairs;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -71,6 +72,92 @@ Outcome identified(const Workplace& place, const json& rig) {
   place.write("rig.json", rig.dump());
   return place.run(
       {"identify", "log.csv", "--rig", "rig.json", "--actuator", "actuator.json", "--json"});
+}
+
+/// The log with some of these columns, and the refusal or the findings.
+json rig_with(const std::vector<std::string>& columns, const json& load) {
+  json rig = pendulum_rig();
+  for (const char* column : {"i_A", "q_rad"}) {
+    if (std::find(columns.begin(), columns.end(), column) != columns.end()) continue;
+    rig["columns"].erase(column);
+    rig["ignore"].push_back(column);
+  }
+  rig["load"] = load;
+  return rig;
+}
+
+TEST(Channels, ThatAllowNoEquationAreRefusedByName) {
+  const Workplace place;
+  place.write("log.csv", pendulum_log({2.0, 2.0}));
+  const Outcome without_drive = identified(place, rig_with({"q_rad"}, {{"type", "dynamometer"}}));
+  EXPECT_EQ(without_drive.exit_code, 2);
+  EXPECT_NE(without_drive.err.find(
+                "rig.json#/columns: no torque balance: nothing says what the motor does; add "
+                "motor_current_A, reported_torque_Nm, commanded_torque_Nm, winding_voltage_V or "
+                "duty; and neither output_torque_Nm nor linear_force_N nor a load with inertia"),
+            std::string::npos)
+      << without_drive.err;
+  EXPECT_NE(without_drive.err.find("no winding voltage: add motor_current_A and winding_voltage_V "
+                                   "or duty\n"),
+            std::string::npos);
+  EXPECT_NE(without_drive.err.find("no twist: add motor_position_rad\n"), std::string::npos);
+  const Outcome without_motion = identified(place, rig_with({"i_A"}, pendulum(2.0)));
+  EXPECT_EQ(without_motion.exit_code, 2);
+  EXPECT_NE(without_motion.err.find("no column is a position or velocity"), std::string::npos);
+}
+
+// Some equation is allowed, the torque balance is not.
+TEST(Channels, ThatAllowNoTorqueBalanceAreSaid) {
+  const Workplace place;
+  place.write("log.csv", pendulum_log({2.0, 2.0, 2.0}));
+  json rig = rig_with({"q_rad"}, pendulum(2.0));
+  rig["ignore"] = json::array();
+  rig["columns"]["i_A"] = "output_velocity_rad_s";  // whatever it is
+  const Outcome outcome = identified(place, rig);
+  EXPECT_NE(outcome.out.find("no torque balance: nothing says what the motor does"),
+            std::string::npos)
+      << outcome.out << outcome.err;
+}
+
+// Oracle: closed form. 4 kg on a spindle, N Kt = 1 N/A, viscous friction of 3 N s/m on the motor's
+// side of a force sensor.
+TEST(LinearAxis, IsIdentifiedInMetresAndNewtons) {
+  std::mt19937_64 random(12);
+  std::normal_distribution<double> noise;
+  std::string text = "run,t_s,i_A,x_m,F_N\n";
+  for (int k = 0; k < 4; ++k) {
+    for (int i = 0; i < kRows; ++i) {
+      const double t = i / kRate_Hz;
+      const double speed_m_s = 1.6 * std::cos(2.0 * t + k) + 1.59 * std::cos(5.3 * t);
+      const double force_N = 4.0 * acceleration_rad_s2(k, t);
+      text += fmt::format("r{},{:.6f},{:.7f},{:.7f},{:.5f}\n", k, t,
+                          force_N + 3.0 * speed_m_s + 1e-4 * noise(random),
+                          angle_rad(k, t) + 1e-6 * noise(random), force_N + 0.2 * noise(random));
+    }
+  }
+  const Workplace place;
+  place.write("log.csv", text);
+  json rig = pendulum_rig();
+  rig["columns"].erase("q_rad");
+  rig["columns"]["x_m"] = "linear_position_m";
+  rig["columns"]["F_N"] = "linear_force_N";
+  for (const char* load :
+       {R"({"type": "linear_axis", "mass_kg": 4})", R"({"type": "dynamometer"})"}) {
+    rig["load"] = json::parse(load);
+    const Outcome outcome = identified(place, rig);
+    const json report = json::parse(outcome.out);
+    EXPECT_EQ(report["verdict"], "explained");
+    EXPECT_EQ(report["quantity"], "linear_force_N");
+    EXPECT_EQ(report["unit"], "N");
+    ASSERT_EQ(report["effects_added"].size(), 1u);
+    EXPECT_EQ(report["effects_added"][0]["effect"], "viscous_friction");
+    EXPECT_NEAR(
+        report["effects_added"][0]["parameters"]["viscous_Nm_s_rad"].get<double>(), 3.0,
+        4.0 * report["effects_added"][0]["standard_error"]["viscous_Nm_s_rad"].get<double>());
+    for (const json& equation : report["equations"]) {
+      EXPECT_EQ(equation["quantity"].get<std::string>().substr(0, 7), "linear_");
+    }
+  }
 }
 
 // Oracle: closed form. Weights are exchanged between runs.
