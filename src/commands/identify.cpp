@@ -122,6 +122,7 @@ void add_identify_command(command_line::Command& program) {
       "torquewright identify specs/log/bench_as_built.csv --rig "
       "specs/log/bench_rig.json --actuator specs/log/bench_actuator.json");
   add_residual_command(command);
+  add_identify_import(command);
   add_identify_simulate(command);
   add_identify_plan(command);
   command.works([request] { return run_identify(*request); });
