@@ -160,6 +160,26 @@ TEST(LinearAxis, IsIdentifiedInMetresAndNewtons) {
   }
 }
 
+// Oracle: V = R/(N Kt) (m l^2 a + m g l sin q) + Ke N w: 0.5 V/Nm, 1 V s/rad, 0.125 kg m^2.
+TEST(OutputAs, StandsInPlaceOfTheReport) {
+  const Workplace place;
+  place.write("log.csv", pendulum_log({2.0, 2.0, 2.0}));
+  place.write("actuator.json", drive().dump());
+  place.write("rig.json", pendulum_rig().dump());
+  const auto written_as = [&](const char* format) {
+    return place.run({"identify", "log.csv", "--rig", "rig.json", "--actuator", "actuator.json",
+                      "--as", format});
+  };
+  const Outcome frc = written_as("frc");
+  EXPECT_EQ(frc.exit_code, 0) << frc.err;
+  EXPECT_EQ(frc.out.substr(0, frc.out.find(" (times")),
+            "kS        0 V\nkV        1 V s/rad\nkA   0.0625 V s^2/rad\nkG   2.4525 V");
+  EXPECT_EQ(json::parse(written_as("bam").out)["model"], "m1");
+  const Outcome unknown = written_as("fcr");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("\"fcr\" is none of frc, bam"), std::string::npos) << unknown.err;
+}
+
 // Oracle: closed form. Weights are exchanged between runs.
 TEST(LoadsByRun, ExplainWhatOneLoadCannot) {
   const Workplace place;

@@ -13,6 +13,7 @@
 #include "gearbox/topologies/topology.hpp"
 #include "hopper/mechanisms/library_spec.hpp"
 #include "identification/imports/importer.hpp"
+#include "identification/outputs/output.hpp"
 #include "tests/gates/excuses.hpp"
 #include "tests/gates/source_tree.hpp"
 
@@ -62,6 +63,9 @@ Names importers() {
   return names_of(identification::importer_library(),
                   [](auto* importer) { return importer->name; });
 }
+Names outputs() {
+  return names_of(identification::output_library(), [](auto* output) { return output->name; });
+}
 Names mechanisms() {
   return names_of(hopper::mechanism_types(), [](auto* type) { return type->name; });
 }
@@ -83,6 +87,7 @@ std::vector<Library> libraries() {
        constant_of("Importer"),
        importers(),
        {{"identification/imports/library.cpp", "the list"}}},
+      {"outputs", "identification/outputs", constant_of("Output"), outputs(), {}},
       {"lint",
        "actuator/lint",
        constant_of("Check"),
@@ -148,6 +153,10 @@ TEST(Docs, NameEverySimulatorFormat) {
 
 TEST(Docs, NameEveryImporter) {
   EXPECT_EQ(named_in_first_column(section(text_of("docs/logs.md"), "## Imports")), importers());
+}
+
+TEST(Docs, NameEveryOutput) {
+  EXPECT_EQ(named_in_first_column(section(text_of("docs/logs.md"), "## Outputs")), outputs());
 }
 
 TEST(Docs, NameEveryMechanism) {
