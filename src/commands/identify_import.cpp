@@ -69,7 +69,7 @@ void add_identify_import(command_line::Command& identify) {
   command.add_option("-o,--output", options->folder, "log.csv and rig.json are written into it")
       .required()
       .names_a_file();
-  command.example("torquewright identify import sysid sysid_data.json -o imported");
+  command.example("torquewright identify import moteus specs/log/wheel_moteus.csv -o imported");
   command.works([options] { return run_import(*options); });
 }
 
