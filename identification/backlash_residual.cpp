@@ -65,7 +65,7 @@ class FreePair : public FreeSide {
  public:
   FreePair(const Bench& bench, const Signals& signals)
       : motor_kg_m2_(actuator::reflected_inertia_kg_m2(bench.actuator())),
-        load_kg_m2_(load_inertia_kg_m2(bench.rig->load)) {
+        load_kg_m2_(load_inertia_kg_m2(load_of(*bench.rig, signals.run_name))) {
     const actuator::Actuator& actuator = bench.actuator_in_gap();
     for (std::size_t i = 0; i < signals.size(); ++i) {
       const actuator::Instant& at = signals.at[i];
@@ -133,11 +133,11 @@ std::vector<double> seen_from_output(const Balance& balance, double gap_rad,
 std::vector<double> seen_from_motor(const Bench& bench, double gap_rad, const Signals& signals) {
   const FreePair pair(bench, signals);
   const GapMotion motion = move_in_gap(pair, pair.reduced_kg_m2(), gap_rad, signals.step_s);
+  const Load& load = load_of(*bench.rig, signals.run_name);
   std::vector<double> residual(signals.size());
   for (std::size_t i = 0; i < residual.size(); ++i) {
-    residual[i] =
-        pair.load_kg_m2() * motion.acceleration_rad_s2[i] +
-        gravity_slope_Nm_rad(bench.rig->load, signals.at[i].output_angle_rad) * motion.place_rad[i];
+    residual[i] = pair.load_kg_m2() * motion.acceleration_rad_s2[i] +
+                  gravity_slope_Nm_rad(load, signals.at[i].output_angle_rad) * motion.place_rad[i];
   }
   return residual;
 }

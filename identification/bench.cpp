@@ -28,6 +28,12 @@ void choose_load_side(const Channels& channels, Bench& bench) {
   }
 }
 
+/// Its load says so, or, on a dynamometer, its sensors.
+bool is_linear(const Channels& channels, const Load& load) {
+  if (load.type != LoadType::kDynamometer) return load.type == LoadType::kLinearAxis;
+  return channels.has(Quantity::kLinearPosition) || channels.has(Quantity::kLinearVelocity);
+}
+
 /// As the output's motion is read: a position before a velocity, the output's before the motor's.
 Encoders encoders_of(const Channels& channels) {
   const auto any = [&](Quantity first, Quantity second) {
@@ -49,8 +55,8 @@ Bench make_bench(const Rig& rig, const Log& log, std::size_t joint,
   bench.rig = &rig;
   bench.joint = joint;
   bench.actuators = actuators;
-  bench.is_linear = rig.load.type == LoadType::kLinearAxis;
   const Channels& channels = log.runs.front().joints[joint];
+  bench.is_linear = is_linear(channels, rig.load);
   choose_drive(channels, bench);
   choose_load_side(channels, bench);
   bench.encoders = encoders_of(channels);

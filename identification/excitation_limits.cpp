@@ -41,6 +41,11 @@ ExcitationLimits::ExcitationLimits(const Rig& rig, const actuator::Actuator& act
                                                         actuator.transmission.ratio),
       winding_limit_K_(actuator.thermal ? actuator.thermal->winding_limit_K
                                         : std::numeric_limits<double>::infinity()) {
+  if (!rig.states_load) {
+    throw io::SpecError({{rig.file, "/load",
+                          "missing; a plan is made for one load, and \"loads\" are those of runs "
+                          "that were logged"}});
+  }
   if (rig.load.type == LoadType::kPendulum) {
     stiffness_Nm_rad_ = rig.load.mass_kg * dynamics::kGravity_m_s2 * rig.load.length_m;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "identification/allowed_equations.hpp"
 #include "identification/analysis.hpp"
 #include "identification/with_effects.hpp"
 
@@ -74,6 +75,7 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   std::vector<actuator::Actuator> stated;
   for (const JointActuator& each : actuators) stated.push_back(each.nominal.actuator);
   check_against(log, rig, stated);
+  check_equations(log, rig);
   Identification found;
   found.findings = log.findings;
   found.train_runs = log.train_runs;

@@ -10,8 +10,8 @@
 namespace torquewright::identification {
 namespace {
 
-std::vector<double> arm_load_Nm(const Rig& rig, std::size_t joint, const Signals& signals) {
-  dynamics::SerialArm arm(serial_links_of(rig.load), dynamics::kGravity_m_s2);
+std::vector<double> arm_load_Nm(const Load& load, std::size_t joint, const Signals& signals) {
+  dynamics::SerialArm arm(serial_links_of(load), dynamics::kGravity_m_s2);
   const Eigen::Index joints = arm.joint_count();
   Eigen::VectorXd q(joints), v(joints), a(joints), torque(joints);
   std::vector<double> load_Nm(signals.size());
@@ -30,16 +30,15 @@ std::vector<double> arm_load_Nm(const Rig& rig, std::size_t joint, const Signals
 
 }  // namespace
 
-double load_mass_column(const Rig& rig, const actuator::Instant& at) {
-  const Load& load = rig.load;
+double load_mass_column(const Load& load, const actuator::Instant& at) {
   if (load.type == LoadType::kLinearAxis) return at.acceleration_rad_s2;
   return load.length_m * load.length_m * at.acceleration_rad_s2 +
          dynamics::kGravity_m_s2 * load.length_m * std::sin(at.output_angle_rad);
 }
 
 std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signals& signals) {
-  const Load& load = rig.load;
-  if (load.type == LoadType::kSerialArm) return arm_load_Nm(rig, joint, signals);
+  const Load& load = load_of(rig, signals.run_name);
+  if (load.type == LoadType::kSerialArm) return arm_load_Nm(load, joint, signals);
   std::vector<double> load_Nm(signals.size(), 0.0);
   for (std::size_t i = 0; i < signals.size(); ++i) {
     const actuator::Instant& at = signals.at[i];
@@ -48,11 +47,11 @@ std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signa
         load_Nm[i] = load.inertia_kg_m2 * at.acceleration_rad_s2;
         break;
       case LoadType::kLinearAxis:
-        load_Nm[i] = load.mass_kg * load_mass_column(rig, at);
+        load_Nm[i] = load.mass_kg * load_mass_column(load, at);
         break;
       case LoadType::kPendulum:
         load_Nm[i] =
-            load.inertia_kg_m2 * at.acceleration_rad_s2 + load.mass_kg * load_mass_column(rig, at);
+            load.inertia_kg_m2 * at.acceleration_rad_s2 + load.mass_kg * load_mass_column(load, at);
         break;
       case LoadType::kDynamometer:
       case LoadType::kSerialArm:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ struct DataFinding {
   std::string sentence;
 };
 
+/// Standard size of the last digit of a channel's numbers, in its unit, by Quantity; 0: not known.
+using PrintedSteps = std::array<double, kQuantityCount>;
+
 struct Log {
   Runs runs;  ///< Of a long log (kLongestWholeLog) the pieces of its stretches.
   std::vector<std::string> train_runs;  ///< Names.
@@ -28,6 +32,7 @@ struct Log {
     std::string sha256;
   };
   std::vector<File> files;
+  std::vector<PrintedSteps> printed = {};  ///< By joint; empty for a log that was not read.
 };
 
 /// Reads the logs of one rig. Unambiguous faults are repaired with a finding (wrapped angles,

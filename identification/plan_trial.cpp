@@ -108,7 +108,7 @@ PlanTrial::PlanTrial(const Rig& rig, const actuator::Actuator& actuator,
     if (!joint.speed_rad_s.empty()) joint.speed_rad_s.resize(2);
   }
   const simulation::SimulatedRun simulated = simulation::simulate(
-      *plant_of(rig), {&actuator}, short_run[0].excitation, {simulation::JointStart{}});
+      *plant_of(rig.load), {&actuator}, short_run[0].excitation, {simulation::JointStart{}});
   bench_ = make_bench(rig, noiseless_log(rig, actuator, short_run, {simulated}), 0, {&actuator});
   if (!bench_.has_torque_balance()) return;
   extent_ = extent_of_limits(limits, actuator);
@@ -123,7 +123,7 @@ std::optional<std::vector<simulation::SimulatedRun>> PlanTrial::inside(
     const std::vector<ExcitationRun>& runs, std::size_t stride) const {
   simulation::SimulationOptions options;
   options.longest_step_s = kPlanStep_s;
-  const std::unique_ptr<simulation::Plant> plant = plant_of(rig_);
+  const std::unique_ptr<simulation::Plant> plant = plant_of(rig_.load);
   std::vector<simulation::SimulatedRun> simulated;
   for (const ExcitationRun& run : runs) {
     simulated.push_back(

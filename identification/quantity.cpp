@@ -50,4 +50,16 @@ std::string_view unit_of(Quantity quantity) {
   return kEntries[static_cast<std::size_t>(quantity)].unit;
 }
 
+bool is_command(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kDuty:
+    case Quantity::kCommandedTorque:
+    case Quantity::kCommandedPosition:
+    case Quantity::kEnabled:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace torquewright::identification

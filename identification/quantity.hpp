@@ -40,4 +40,7 @@ std::optional<Quantity> find_quantity(std::string_view name);
 /// The end of its name: "A", "rad/s", "Nm", ...; empty for what has none.
 std::string_view unit_of(Quantity quantity);
 
+/// Set, not measured: torque and position that are asked for, duty, `enabled`.
+bool is_command(Quantity quantity);
+
 }  // namespace torquewright::identification

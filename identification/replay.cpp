@@ -89,7 +89,11 @@ std::vector<ReplayWindow> replay_windows(const std::vector<Signals>& signals,
 }
 
 Replay::Replay(const Bench& bench, const std::vector<Signals>& signals, double offset_A)
-    : bench_(bench), plant_(plant_of(*bench.rig)), signals_(signals), offset_A_(offset_A) {}
+    : bench_(bench), signals_(signals), offset_A_(offset_A) {
+  for (const Signals& stretch : signals) {
+    plants_.push_back(plant_of(load_of(*bench.rig, stretch.run_name)));
+  }
+}
 
 bool Replay::can_replay(const Bench& bench) {
   const LoadType load = bench.rig->load.type;
@@ -108,8 +112,9 @@ Eigen::VectorXd Replay::errors(const actuator::Actuator& actuator,
   if (sees_motor) start.position_rad -= start.motor_ahead_rad;
   simulation::SimulationOptions options;
   options.longest_step_s = kStep_s;
-  const simulation::SimulatedRun simulated = simulation::simulate(
-      *plant_, {&actuator}, excitation_of(bench_, stretch, window, offset_A_), {start}, options);
+  const simulation::SimulatedRun simulated =
+      simulation::simulate(*plants_[window.stretch], {&actuator},
+                           excitation_of(bench_, stretch, window, offset_A_), {start}, options);
   const simulation::JointTrace& trace = simulated.joints[0];
   const std::vector<double>& position = sees_motor ? trace.motor_position_rad : trace.position_rad;
   const double per_rad = sees_motor ? 1.0 / actuator.transmission.ratio : 1.0;

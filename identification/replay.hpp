@@ -39,7 +39,7 @@ class Replay {
 
  private:
   const Bench& bench_;
-  std::unique_ptr<simulation::Plant> plant_;
+  std::vector<std::unique_ptr<simulation::Plant>> plants_;  ///< By stretch.
   const std::vector<Signals>& signals_;
   double offset_A_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,16 +51,22 @@ struct Rig {
   std::string name;
   std::vector<ColumnUse> columns;
   std::vector<std::string> ignore;
-  Load load;
+  Load load;                ///< Of the runs that `loads` does not name.
+  bool states_load = true;  ///< False: every run's load stands in `loads`; `load` is one of them.
+  std::map<std::string, Load, std::less<>> loads;  ///< By run; all of one type, `load` too.
   std::vector<std::string> joints;        ///< Of a serial arm, from the base on; else {""}.
   bool joints_by_columns = false;         ///< The links did not name them: in the columns' order.
   std::vector<std::string> holdout_runs;  ///< Empty: none stated.
-  std::vector<std::string> uncertain;     ///< Pointers: /load/..., /motor/..., /gearbox/...
+  /// Pointers: /load/..., /loads/RUN/..., /motor/..., /gearbox/...
+  std::vector<std::string> uncertain;
 };
+
+/// What the actuator moves in a run of this name, or in a part of it that was held out.
+const Load& load_of(const Rig& rig, std::string_view run);
 
 /// Throws io::SpecError, with all faults at once, for what the schema cannot say: unknown
 /// quantities (naming the nearest), a quantity twice, a joint without a link, a load without its
-/// values, no time where the log is no map, pointers to nothing.
+/// values, loads of several types, no time where the log is no map, pointers to nothing.
 Rig read_rig(const io::Document& document);
 
 }  // namespace torquewright::identification

@@ -5,6 +5,7 @@
 
 #include "io/document.hpp"
 #include "io/file_bytes.hpp"
+#include "io/json_text.hpp"
 #include "io/nearest.hpp"
 #include "io/schema.hpp"
 #include "io/wording.hpp"
@@ -32,7 +33,9 @@ std::vector<std::string> numbers_of_actuator(const std::string& part) {
 void collect_numbers(const json& value, const std::string& path, std::vector<std::string>& found) {
   if (value.is_number()) found.push_back(path);
   if (value.is_object()) {
-    for (const auto& [key, child] : value.items()) collect_numbers(child, path + "/" + key, found);
+    for (const auto& [key, child] : value.items()) {
+      collect_numbers(child, io::child_path(path, key), found);
+    }
   }
   if (!value.is_array()) return;
   for (std::size_t i = 0; i < value.size(); ++i) {
@@ -61,12 +64,19 @@ std::optional<std::vector<std::string>> columns_as_written(const io::Document& d
 
 std::string objection_to_pointer(const std::string& pointer, const json& rig) {
   std::vector<std::string> known;
-  if (pointer.starts_with("/load")) {
+  if (pointer.starts_with("/load/") && rig.contains("loads")) {
+    return fmt::format("{}: the loads are given by run; say of which run, /loads/RUN{}",
+                       io::as_written(pointer), pointer.substr(std::string("/load").size()));
+  }
+  if (pointer.starts_with("/loads/")) {
+    if (rig.contains("loads")) collect_numbers(rig["loads"], "/loads", known);
+  } else if (pointer.starts_with("/load")) {
     // Those of all types of loads: the contract's own example names one that its type lacks.
     for (const std::string& key : numbers_of(io::schema_of("rig")["properties"]["load"])) {
       known.push_back("/load/" + key);
     }
-    if (rig["load"].contains("links")) collect_numbers(rig["load"]["links"], "/load/links", known);
+    const json load = rig.value("load", json::object());
+    if (load.contains("links")) collect_numbers(load["links"], "/load/links", known);
   } else {
     for (const char* part : {"motor", "gearbox"}) {
       for (const std::string& key : numbers_of_actuator(part)) {
@@ -81,7 +91,8 @@ std::string objection_to_pointer(const std::string& pointer, const json& rig) {
     return fmt::format("{} leads to no value; did you mean {}?", io::as_written(pointer), *near);
   }
   return fmt::format(
-      "{} leads to no value; must be a number of this rig's \"load\" (/load/...) or "
+      "{} leads to no value; must be a number of this rig's \"load\" (/load/...; by run: "
+      "/loads/RUN/...) or "
       "of the actuator's motor or gearbox (/motor/..., /gearbox/...)",
       io::as_written(pointer));
 }

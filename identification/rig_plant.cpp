@@ -17,8 +17,7 @@ std::vector<dynamics::SerialLink> serial_links_of(const Load& load) {
   return links;
 }
 
-std::unique_ptr<simulation::Plant> plant_of(const Rig& rig) {
-  const Load& load = rig.load;
+std::unique_ptr<simulation::Plant> plant_of(const Load& load) {
   switch (load.type) {
     case LoadType::kFree:
     case LoadType::kLinearAxis:

@@ -13,7 +13,7 @@ namespace torquewright::identification {
 /// The links of a serial arm.
 std::vector<dynamics::SerialLink> serial_links_of(const Load& load);
 
-/// What the actuators of a rig move, by the load that its document states.
-std::unique_ptr<simulation::Plant> plant_of(const Rig& rig);
+/// What the actuators of a rig move, by a load that its document states.
+std::unique_ptr<simulation::Plant> plant_of(const Load& load);
 
 }  // namespace torquewright::identification

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "identification/load_spec.hpp"
 #include "identification/rig.hpp"
 #include "identification/rig_parts_spec.hpp"
 #include "io/document.hpp"
@@ -17,16 +18,6 @@ namespace torquewright::identification {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::array<std::string_view, 5> kLoadNames = {"dynamometer", "free", "pendulum",
-                                                        "linear_axis", "serial_arm"};
-
-/// The keys of "load", besides its type, that the types need; no others may stand there.
-const std::vector<std::string>& keys_of(LoadType type) {
-  static const std::array<std::vector<std::string>, 5> kKeys = {
-      {{}, {"inertia_kg_m2"}, {"mass_kg", "length_m", "inertia_kg_m2"}, {"mass_kg"}, {"links"}}};
-  return kKeys[static_cast<std::size_t>(type)];
-}
 
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
@@ -63,7 +54,7 @@ class RigReader {
   Rig read() {
     rig_.file = document_.file;
     rig_.name = root_.value("name", std::filesystem::path(document_.file).stem().string());
-    read_load(root_["load"]);
+    read_loads();
     read_columns(root_["columns"]);
     read_ignored();
     find_joints();
@@ -81,28 +72,33 @@ class RigReader {
     faults_.push_back({document_.file, document_.path + path, std::move(message)});
   }
 
-  void read_load(const json& load) {
-    const auto found = std::find(kLoadNames.begin(), kLoadNames.end(), load["type"]);
-    rig_.load.type = static_cast<LoadType>(found - kLoadNames.begin());
-    const std::vector<std::string>& needed = keys_of(rig_.load.type);
-    for (const std::string& key : needed) {
-      if (!load.contains(key)) {
-        report("/load/" + key, fmt::format("missing; a load of type \"{}\" needs it", *found));
+  void read_loads() {
+    const json loads = root_.value("loads", json::object());
+    rig_.states_load = root_.contains("load");
+    if (!rig_.states_load && loads.empty()) {
+      report("/load", "missing; what does the actuator move? (or, by run, \"loads\")");
+      return;
+    }
+    first_load_ = rig_.states_load ? root_["load"] : *loads.begin();
+    if (rig_.states_load) rig_.load = read_load("/load", first_load_);
+    for (const auto& [run, load] : loads.items()) {
+      const std::string path = io::child_path("/loads", run);
+      rig_.loads[run] = read_load(path, load);
+      if (load["type"] != first_load_["type"]) {
+        report(path + "/type",
+               "all loads of a rig must be of one type; another type is another rig");
+      } else if (joints_of_links(load) != joints_of_links(first_load_) ||
+                 load.value("links", json()).size() != first_load_.value("links", json()).size()) {
+        report(path + "/links", "its joints are not those of the other loads");
       }
     }
-    for (const auto& [key, value] : load.items()) {
-      if (key == "type" || std::find(needed.begin(), needed.end(), key) != needed.end()) continue;
-      report("/load/" + key,
-             fmt::format("has no meaning for a load of type \"{}\", which {}", *found,
-                         needed.empty() ? "has no values" : "has " + io::listed(needed)));
-    }
-    rig_.load.mass_kg = load.value("mass_kg", 0.0);
-    rig_.load.length_m = load.value("length_m", 0.0);
-    rig_.load.inertia_kg_m2 = load.value("inertia_kg_m2", 0.0);
-    for (const json& link : load.value("links", json::array())) {
-      rig_.load.links.push_back(
-          {link["mass_kg"], link["length_m"], link["center_of_mass_m"], link["inertia_kg_m2"]});
-    }
+    if (!rig_.states_load) rig_.load = rig_.loads.begin()->second;
+  }
+
+  Load read_load(const std::string& path, const json& load) {
+    return load_of_json(load, [&](const std::string& key, std::string message) {
+      report(path + key, std::move(message));
+    });
   }
 
   void read_columns(const json& columns) {
@@ -165,11 +161,8 @@ class RigReader {
   void find_joints() {
     rig_.joints = {""};
     if (rig_.load.type != LoadType::kSerialArm) return;
-    const json links = root_["load"].value("links", json::array());
-    std::vector<std::string> named;
-    for (const json& link : links) {
-      if (link.contains("joint")) named.push_back(link["joint"]);
-    }
+    const json links = first_load_.value("links", json::array());
+    const std::vector<std::string> named = joints_of_links(first_load_);
     const auto order = columns_as_written(document_);
     const std::vector<std::string> used = joints_of(order.value_or(column_names()));
     if (named.empty()) {
@@ -266,13 +259,12 @@ class RigReader {
 
   const io::Document& document_;
   const json& root_;
+  json first_load_ = json::object();  ///< Of those that stand in the document.
   Rig rig_;
   std::vector<io::Fault> faults_;
 };
 
 }  // namespace
-
-std::string_view name_of(LoadType type) { return kLoadNames[static_cast<std::size_t>(type)]; }
 
 Rig read_rig(const io::Document& document) { return RigReader(document).read(); }
 

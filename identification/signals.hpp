@@ -33,6 +33,7 @@ struct JointMotion {
 /// which effects are asked, and the two sides of the torque balance. All vectors are of one length.
 struct Signals {
   std::size_t run = 0;  ///< Index into RunTable.
+  std::string run_name;
   double step_s = 0.0;
   double pole_pairs = 1.0;
   double start_s = 0.0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "identification/log/run_loads.hpp"
 #include "identification/rig_plant.hpp"
 #include "io/csv.hpp"
 #include "io/spec_error.hpp"
@@ -75,7 +76,7 @@ ExcitationRun empty_run(const Header& header, std::string name) {
 void append_run(std::string& text, const Rig& rig, const actuator::Actuator& truth,
                 const ExcitationRun& run, std::size_t number, const SimulatedLogOptions& options) {
   const simulation::SimulatedRun simulated = simulation::simulate(
-      *plant_of(rig), {&truth}, run.excitation, {run.start}, options.simulation);
+      *plant_of(load_of(rig, run.name)), {&truth}, run.excitation, {run.start}, options.simulation);
   if (!simulated.is_finite) {
     refuse(rig.file, "/load", fmt::format("run {} diverges under this excitation", run.name));
   }
@@ -197,11 +198,15 @@ std::string simulated_log(const Rig& rig, const actuator::Actuator& truth,
     text += (c > 0 ? "," : "") + rig.columns[c].column;
   }
   text += '\n';
-  std::size_t number = 0;
-  for (const ExcitationRun& run : runs) {
-    ExcitationRun named = run;
-    if (named.name.empty()) named.name = std::to_string(number);
-    append_run(text, rig, truth, named, number++, options);
+  std::vector<ExcitationRun> named = runs;
+  std::vector<std::string> names;
+  for (ExcitationRun& run : named) {
+    if (run.name.empty()) run.name = std::to_string(names.size());
+    names.push_back(run.name);
+  }
+  check_run_loads(names, rig);
+  for (std::size_t number = 0; number < named.size(); ++number) {
+    append_run(text, rig, truth, named[number], number, options);
   }
   return text;
 }

@@ -2,7 +2,10 @@
 #include "identification/uncertain.hpp"
 
 #include <cstdlib>
+#include <map>
 #include <string_view>
+
+#include "io/json_text.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -30,6 +33,17 @@ double* value_of(Load& load, std::string_view key) {
   return nullptr;
 }
 
+/// RUN/KEY. Runs may have slashes in their names.
+double* value_of(std::map<std::string, Load, std::less<>>& loads, std::string_view path) {
+  for (auto& [run, load] : loads) {
+    const std::string begin = io::child_path("", run) + "/";
+    if (("/" + std::string(path)).starts_with(begin)) {
+      return value_of(load, path.substr(begin.size() - 1));
+    }
+  }
+  return nullptr;
+}
+
 double* value_of(actuator::Motor& motor, std::string_view key) {
   if (key == "torque_constant_Nm_A") return &motor.torque_constant_Nm_A;
   if (key == "resistance_ohm") return &motor.resistance_ohm;
@@ -50,7 +64,9 @@ double* value_of(actuator::Transmission& gear, std::string_view key) {
 
 }  // namespace
 
-bool is_of_load(const std::string& pointer) { return pointer.rfind("/load/", 0) == 0; }
+bool is_of_load(const std::string& pointer) {
+  return pointer.starts_with("/load/") || pointer.starts_with("/loads/");
+}
 
 double* value_at(const std::string& pointer, Rig& rig, actuator::Actuator& actuator) {
   const std::string_view all = pointer;
@@ -58,6 +74,7 @@ double* value_at(const std::string& pointer, Rig& rig, actuator::Actuator& actua
   if (slash == std::string_view::npos) return nullptr;
   const std::string_view part = all.substr(0, slash), key = all.substr(slash + 1);
   if (part == "/load") return value_of(rig.load, key);
+  if (part == "/loads") return value_of(rig.loads, key);
   if (part == "/motor") return value_of(actuator.motor, key);
   if (part == "/gearbox") return value_of(actuator.transmission, key);
   return nullptr;

@@ -8,7 +8,7 @@
 
 namespace torquewright::identification {
 
-/// A number of a rig or an actuator that a pointer leads to ("/load/mass_kg",
+/// A number of a rig or an actuator that a pointer leads to ("/load/mass_kg", "/loads/RUN/mass_kg",
 /// "/motor/torque_constant_Nm_A", "/gearbox/forward_efficiency"), for reading and for changing.
 /// Null where there is none.
 double* value_at(const std::string& pointer, Rig& rig, actuator::Actuator& actuator);

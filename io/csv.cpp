@@ -54,13 +54,15 @@ std::string in_quotes(std::string_view text) {
 
 }  // namespace
 
-CsvReader::CsvReader(const std::filesystem::path& file) : lines_(file) {
+CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end)
+    : lines_(file), cut_end_(cut_end) {
   std::string_view line;
   do {
     if (!lines_.next(line)) {
       throw SpecError({{lines_.file(), "", "is empty; the first line must name the columns"}});
     }
   } while (line.starts_with('#') || trimmed(line).empty());
+  line_ = lines_.line_number();
   split(line);
   header_.assign(cells_.begin(), cells_.end());
   check_header();
@@ -93,8 +95,12 @@ void CsvReader::check_header() const {
 bool CsvReader::next() {
   std::string_view line;
   if (!lines_.next(line)) return false;
+  line_ = lines_.line_number();
   if (!trimmed(line).empty()) {
     split(line);
+    if (cut_end_ == CutEnd::kDropped && cells_.size() < header_.size() && drops_cut_end()) {
+      return false;
+    }
     check_row();
     return true;
   }
@@ -104,6 +110,19 @@ bool CsvReader::next() {
     throw SpecError({{file(), "", fmt::format("line {}: empty, between rows", empty_line)}});
   }
   return false;
+}
+
+/// Nothing but empty lines may follow. The cells are then those of the dropped line.
+bool CsvReader::drops_cut_end() {
+  std::string_view line;
+  const std::vector<std::string> short_row(cells_.begin(), cells_.end());
+  while (lines_.next(line)) {
+    if (trimmed(line).empty()) continue;
+    cells_.assign(short_row.begin(), short_row.end());
+    check_row();
+  }
+  cut_line_ = line_;
+  return true;
 }
 
 void CsvReader::check_row() const {

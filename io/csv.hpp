@@ -17,9 +17,12 @@ namespace torquewright::io {
 /// the end, are skipped. Every fault is a SpecError with file, line and column.
 class CsvReader {
  public:
+  /// What a last line is that ends within the row, as that of a recorder that was stopped.
+  enum class CutEnd { kRefused, kDropped };
+
   /// Reads the header. Throws for an empty file, names that stand twice, numbers in place of names,
   /// and separators other than the comma.
-  explicit CsvReader(const std::filesystem::path& file);
+  explicit CsvReader(const std::filesystem::path& file, CutEnd cut_end = CutEnd::kRefused);
 
   const std::vector<std::string>& header() const { return header_; }
   std::optional<std::size_t> find(std::string_view name) const;
@@ -35,8 +38,11 @@ class CsvReader {
   /// A cell of the present row as it stands, without quotes; valid until the next row.
   std::string_view text(std::size_t column) const { return cells_[column]; }
 
+  /// The last line, if it was dropped; 0: it was not.
+  std::size_t cut_line() const { return cut_line_; }
+
   /// Of the present row; from 1.
-  std::size_t line() const { return lines_.line_number(); }
+  std::size_t line() const { return line_; }
   const std::string& file() const { return lines_.file(); }
   std::string sha256() { return lines_.sha256(); }  ///< Of the file; at its end, once.
   double share_read() const { return lines_.share_read(); }
@@ -49,11 +55,14 @@ class CsvReader {
   void split(std::string_view line);
   void check_header() const;
   void check_row() const;
+  bool drops_cut_end();
 
   LineReader lines_;
   std::vector<std::string> header_;
   std::vector<std::string_view> cells_;  ///< Of the present row, trimmed, without quotes.
-  std::vector<std::string> unquoted_;    ///< What cells with doubled quotes refer to.
+  CutEnd cut_end_;
+  std::size_t line_ = 0, cut_line_ = 0;
+  std::vector<std::string> unquoted_;  ///< What cells with doubled quotes refer to.
 };
 
 }  // namespace torquewright::io

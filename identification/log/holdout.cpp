@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "identification/log/run_loads.hpp"
 #include "identification/log/stretch.hpp"
 #include "io/nearest.hpp"
 #include "io/spec_error.hpp"
@@ -66,8 +67,8 @@ Place two_thirds(const Runs& runs) {
 void hold_out_last_third(Log& log) {
   const std::string name = log.runs.head(0).name;
   const auto [index, sample] = two_thirds(log.runs);
-  const std::string first = name + " (first two thirds)";
-  const std::string last = name + " (last third)";
+  const std::string first = name + std::string(kFirstPart);
+  const std::string last = name + std::string(kLastPart);
   Run rest = log.runs.part(index, sample, log.runs.head(index).samples);
   log.runs.change(index, [sample = sample](Run& whole) {
     const bool continues = whole.continues;
@@ -94,6 +95,7 @@ void hold_out_last_third(Log& log) {
 void choose_holdout(Log& log, const Rig& rig) {
   Names names = names_of(log.runs);
   check_stated(names, rig);
+  check_run_loads(names, rig);
   if (rig.holdout_runs.empty() && names.size() == 1) return hold_out_last_third(log);
   if (rig.holdout_runs.empty()) {
     const auto count = static_cast<std::ptrdiff_t>((names.size() + 2) / 3);

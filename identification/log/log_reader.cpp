@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/log/channel.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::identification {
@@ -23,7 +24,32 @@ double median_step_s(const std::vector<double>& time_s) {
 }  // namespace
 
 LogReader::LogReader(std::vector<std::filesystem::path> files, const Rig& rig)
-    : files_(std::move(files)), rig_(rig) {}
+    : files_(std::move(files)), rig_(rig), printed_(rig.joints.size()) {}
+
+std::vector<PrintedSteps> LogReader::printed_steps() const {
+  std::vector<PrintedSteps> steps;
+  for (const auto& channels : printed_) {
+    PrintedSteps& of_joint = steps.emplace_back();
+    for (std::size_t i = 0; i < kQuantityCount; ++i) {
+      of_joint[i] = std::abs(channels[i].scale) * channels[i].digits.last_digit();
+    }
+  }
+  return steps;
+}
+
+std::vector<DataFinding> LogReader::findings() const {
+  std::vector<DataFinding> all = findings_;
+  const auto say = [&](const Rows& rows, Weight weight, const char* what) {
+    if (rows.count == 0) return;
+    all.push_back({weight, fmt::format("{} row{} {} in {}", rows.count, rows.count == 1 ? "" : "s",
+                                       what, describe_runs(rows.runs))});
+  };
+  say(repeated_, Weight::kNote, "of equal time and values: counted once");
+  say(spread_, Weight::kWarning,
+      "of other values at the time of the row before, a rounded time: spread evenly to the next "
+      "time");
+  return all;
+}
 
 bool LogReader::next_stretch(Stretch& stretch) {
   while (ready_.empty()) {
@@ -43,7 +69,7 @@ bool LogReader::next_stretch(Stretch& stretch) {
 }
 
 void LogReader::open_file() {
-  csv_ = std::make_unique<io::CsvReader>(files_[file_]);
+  csv_ = std::make_unique<io::CsvReader>(files_[file_], io::CsvReader::CutEnd::kDropped);
   columns_ = find_columns(*csv_, rig_);
   names_in_file_.clear();
 }
@@ -53,6 +79,12 @@ void LogReader::close_file() {
     throw io::SpecError({{csv_->file(), "", "holds no samples, only the names of columns"}});
   }
   end_run();
+  if (csv_->cut_line() > 0) {
+    findings_.push_back(
+        {Weight::kNote, fmt::format("{}: the last line, {}, ends within the row: it "
+                                    "is left out",
+                                    csv_->file(), csv_->cut_line())});
+  }
   files_read_.push_back({csv_->file(), csv_->sha256()});
   csv_.reset();
   ++file_;
@@ -65,13 +97,49 @@ void LogReader::read_row() {
     end_run();
     begin_run(csv_->text(*columns_.run));
   }
-  double time_s = 0.0;
-  if (columns_.time) {
-    time_s = csv_->number(columns_.time->column) * columns_.time->scale + columns_.time->offset;
-    if (!std::isfinite(time_s)) csv_->refuse(columns_.time->column, "too large in SI units");
+  if (!columns_.time) return append(0.0);
+  const Source& time = *columns_.time;
+  const double time_s = csv_->number(time.column) * time.scale + time.offset;
+  if (!std::isfinite(time_s)) csv_->refuse(time.column, "too large in SI units");
+  const bool has_previous = at_once_ > 0;
+  if (has_previous && time_s == stamp_s_) {
+    if (repeats_row()) return repeated_.add(run_.name, 1);
+    if (++at_once_ > kMostAtOnce) {
+      csv_->refuse(time.column, fmt::format("time stands still: more than {} rows have {} s",
+                                            kMostAtOnce, time_s));
+    }
+  } else {
     check_time(time_s);
+    at_once_ = 1;
   }
   append(time_s);
+}
+
+/// All channels of it are those of the row before.
+bool LogReader::repeats_row() const {
+  return std::all_of(columns_.channels.begin(), columns_.channels.end(), [&](const Source& source) {
+    const Channels& channels = run_.joints[source.joint.value_or(0)];
+    return channels[source.quantity].back() ==
+           csv_->number(source.column) * source.scale + source.offset;
+  });
+}
+
+/// The rows of the last stamp, evenly over the time to the next one, but for a gap before it.
+void LogReader::spread(double next_s) {
+  const double step_s = next_s - stamp_s_;
+  const double width_s = stamp_step_s_ > 0.0 ? std::min(step_s, stamp_step_s_) : step_s;
+  const std::size_t first = run_.time_s.size() - at_once_;
+  for (std::size_t i = 1; i < at_once_; ++i) {
+    run_.time_s[first + i] =
+        stamp_s_ + width_s * static_cast<double>(i) / static_cast<double>(at_once_);
+  }
+  if (at_once_ > 1) spread_.add(run_.name, at_once_ - 1);
+  previous_s_ = run_.time_s.back();
+}
+
+void LogReader::Rows::add(const std::string& run, std::size_t rows) {
+  count += rows;
+  if (runs.empty() || runs.back() != run) runs.push_back(run);
 }
 
 void LogReader::begin_run(std::string_view name) {
@@ -92,24 +160,26 @@ void LogReader::begin_run(std::string_view name) {
 }
 
 void LogReader::check_time(double time_s) {
-  const std::size_t here = run_.time_s.size();
-  const bool is_first = here == 0;
-  if (!is_first && time_s <= previous_s_) {
-    const bool repeats = time_s == previous_s_;
-    const bool may_be_runs = !repeats && !columns_.run;
-    csv_->refuse(
-        columns_.time->column,
-        fmt::format("time {}: {} s follows {} s of line {}{}",
-                    repeats ? "repeats" : "runs backwards", time_s, previous_s_, previous_line_,
-                    may_be_runs ? "; if another run begins here, add a column that names "
-                                  "the runs (\"run\")"
-                                : ""));
+  if (at_once_ > 0) {
+    if (time_s < stamp_s_) {
+      csv_->refuse(columns_.time->column,
+                   fmt::format("time runs backwards: {} s follows {} s of line {}{}", time_s,
+                               stamp_s_, previous_line_,
+                               columns_.run ? ""
+                                            : "; if another run begins here, add a column that "
+                                              "names the runs (\"run\")"));
+    }
+    spread(time_s);
+    if (!median_s_ && run_.time_s.size() > kStepsForMedian) learn_step();
+    if (median_s_ && time_s - previous_s_ > kGapFactor * *median_s_) {
+      hand_over(0, run_.time_s.size());
+      gap_ = {previous_s_, time_s - previous_s_, *median_s_};
+    } else {
+      stamp_step_s_ = time_s - stamp_s_;
+    }
+    if (holds_piece()) hand_over_piece();
   }
-  if (!is_first && median_s_ && time_s - previous_s_ > kGapFactor * *median_s_) {
-    hand_over(0, here);
-    gap_ = {previous_s_, time_s - previous_s_, *median_s_};
-  }
-  previous_s_ = time_s;
+  stamp_s_ = time_s;
   previous_line_ = csv_->line();
 }
 
@@ -118,15 +188,19 @@ void LogReader::append(double time_s) {
   for (const Source& source : columns_.channels) {
     const double value = csv_->number(source.column) * source.scale + source.offset;
     if (!std::isfinite(value)) csv_->refuse(source.column, "too large in SI units");
-    if (source.joint) {
-      run_.joints[*source.joint][source.quantity].push_back(value);
-      continue;
-    }
-    for (Channels& channels : run_.joints) channels[source.quantity].push_back(value);
+    const std::size_t first = source.joint.value_or(0);
+    const std::size_t end = source.joint ? first + 1 : run_.joints.size();
+    for (std::size_t joint = first; joint < end; ++joint) append(source, joint, value);
   }
   run_.masked.push_back(0);
-  if (!median_s_ && run_.time_s.size() == kStepsForMedian + 1) learn_step();
-  if (holds_piece()) hand_over_piece();
+  if (!columns_.time && holds_piece()) hand_over_piece();
+}
+
+void LogReader::append(const Source& source, std::size_t joint, double value) {
+  run_.joints[joint][source.quantity].push_back(value);
+  Printed& printed = printed_[joint][static_cast<std::size_t>(source.quantity)];
+  printed.scale = source.scale;
+  printed.digits.add(csv_->text(source.column));
 }
 
 /// And half of one more.
@@ -161,10 +235,20 @@ void LogReader::learn_step() {
 }
 
 void LogReader::end_run() {
+  if (at_once_ > 1) {
+    if (stamp_step_s_ == 0.0) {
+      throw io::SpecError(
+          {{csv_->file(), "",
+            fmt::format("time stands still at {} s in run \"{}\"", stamp_s_, run_.name)}});
+    }
+    spread(stamp_s_ + stamp_step_s_);
+  }
   if (!median_s_ && run_.time_s.size() > 1) learn_step();
   hand_over(0, run_.masked.size());
   run_ = {};
   gap_.reset();
+  at_once_ = 0;
+  stamp_step_s_ = 0.0;
   is_in_run_ = false;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -11,6 +12,7 @@
 
 #include "identification/log.hpp"
 #include "identification/log/columns.hpp"
+#include "identification/log/printed_digits.hpp"
 #include "identification/log/stretch.hpp"
 #include "io/csv.hpp"
 
@@ -23,13 +25,20 @@ class LogReader {
   LogReader(std::vector<std::filesystem::path> files, const Rig& rig);
 
   /// The next stretch, or piece of one (all but the first have Run::continues); false at the end.
+  /// Rows of one time, rounded, are spread to the next; equal ones and a cut last line left out.
   /// Throws io::SpecError for what cannot be read: columns that do not fit the rig, cells that are
-  /// no finite number, time that does not ascend within a run, rows of one run in two places, a
-  /// file without samples.
+  /// no finite number, time that runs backwards or stands still within a run, rows of one run in
+  /// two places, a file without samples.
   bool next_stretch(Stretch& stretch);
 
   /// Of what was read so far.
   const std::vector<Log::File>& files_read() const { return files_read_; }
+
+  /// Rows that were left out or moved, as findings.
+  std::vector<DataFinding> findings() const;
+
+  /// The last digits that the channels' numbers are written to, by joint.
+  std::vector<PrintedSteps> printed_steps() const;
 
   /// A step longer than this many times the median of the run's first steps cuts it.
   static constexpr double kGapFactor = 5.0;
@@ -37,6 +46,8 @@ class LogReader {
   /// A piece is no shorter than both, unless its stretch is; and the rest of the stretch than half.
   static constexpr std::size_t kPieceRows = 30000;
   static constexpr double kPiece_s = 10.0;
+  /// More rows of one time are no rounded time.
+  static constexpr std::size_t kMostAtOnce = 100;
 
  private:
   void open_file();
@@ -45,7 +56,10 @@ class LogReader {
   void begin_run(std::string_view name);
   void end_run();
   void check_time(double time_s);
+  bool repeats_row() const;
+  void spread(double next_s);
   void append(double time_s);
+  void append(const Source& source, std::size_t joint, double value);
   void learn_step();
   bool holds_piece() const;
   void hand_over_piece();
@@ -60,12 +74,27 @@ class LogReader {
   Run run_;  ///< Of the present run, what was not handed over yet.
   bool is_in_run_ = false;
   std::optional<double> median_s_;  ///< Of the present run's steps, once there are enough.
-  double previous_s_ = 0.0;
+  double stamp_s_ = 0.0;            ///< As the last row states it.
+  double previous_s_ = 0.0;         ///< Of the last row, after it was moved.
+  std::size_t at_once_ = 0;         ///< Rows with this stamp.
+  double stamp_step_s_ = 0.0;       ///< Between the last two stamps of the run; 0: not yet known.
   std::size_t previous_line_ = 0;
   std::optional<Gap> gap_;  ///< Before what is read now.
   bool continues_ = false;  ///< What is read now, what was handed over.
   std::deque<Stretch> ready_;
   std::vector<Log::File> files_read_;
+  struct Rows {
+    std::size_t count = 0;
+    std::vector<std::string> runs;
+    void add(const std::string& run, std::size_t rows);
+  };
+  Rows repeated_, spread_;
+  std::vector<DataFinding> findings_;  ///< Of files.
+  struct Printed {
+    PrintedDigits digits;
+    double scale = 1.0;
+  };
+  std::vector<std::array<Printed, kQuantityCount>> printed_;  ///< By joint.
 };
 
 }  // namespace torquewright::identification

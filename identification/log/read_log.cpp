@@ -112,12 +112,15 @@ Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
              std::size_t most_rows_in_memory) {
   if (files.empty()) throw io::SpecError({{"", "", "no log is named"}});
   LogReader reader(files, rig);
-  Log log{Runs(most_rows_in_memory), {}, {}, {}, {}};
+  Log log;
+  log.runs = Runs(most_rows_in_memory);
   std::vector<Stretch> stretches = read_runs(reader, log.runs);
   give_names(stretches, files);
   rename_runs(stretches, log.runs);
-  report_gaps(stretches, log.findings);
   log.files = reader.files_read();
+  log.findings = reader.findings();
+  report_gaps(stretches, log.findings);
+  log.printed = reader.printed_steps();
   report_rig(rig, log.findings);
   Repairs repairs;
   repair(log.runs, rig, repairs);

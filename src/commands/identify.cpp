@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "identification/outputs/output.hpp"
 #include "io/atomic_file.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/identify_inputs.hpp"
@@ -43,6 +45,7 @@ Identification identification_of(const IdentifyRequest& request, const IdentifyI
 
 IdentifyInputs read(const IdentifyRequest& request) {
   require_log_options(request);
+  if (!request.as.empty()) (void)identification::output_of(request.as);
   IdentifyInputs inputs = read_inputs(request);
   if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
   return inputs;
@@ -54,6 +57,26 @@ IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inpu
   found.refined = refined_actuators(inputs, found.identification);
   if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
   return found;
+}
+
+/// In place of the report: what was found, for another program. On stderr where nothing was.
+std::string output_text(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                        const IdentifyFound& found) {
+  const identification::Output& output = identification::output_of(request.as);
+  if (found.refined.of_joints.empty()) {
+    std::fprintf(stderr, "%s: nothing sure to add; these are the actuator's numbers as stated\n",
+                 request.as.c_str());
+  }
+  std::string text;
+  for (std::size_t i = 0; i < inputs.actuators.size(); ++i) {
+    const std::string& joint = inputs.actuators[i].joint;
+    if (!joint.empty()) text += joint + "\n";
+    const actuator::Actuator& actuator = i < found.refined.of_joints.size()
+                                             ? found.refined.of_joints[i].read.actuator
+                                             : inputs.actuators[i].nominal.actuator;
+    text += output.write({actuator, inputs.rig.load});
+  }
+  return text;
 }
 
 ExitCode exit_code_of(Verdict verdict) {
@@ -81,6 +104,7 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
                      report::identification_html(found.identification, context, found.regions)});
   }
   io::write_whole_files(files);
+  if (!request.as.empty()) return print_result(output_text(request, inputs, found));
   print_result(request.json ? identify_json(request, inputs, found.identification)
                             : report::identification_text(found.identification, context));
 }
@@ -118,10 +142,17 @@ void add_identify_command(command_line::Command& program) {
   command.add_option("--report", request->report_file, "Write the report with pictures, as HTML");
   command.add_flag("--empirical", request->empirical,
                    "Where no effect fits, a table over the coordinate along which most is left");
+  std::string outputs;
+  for (const identification::Output* output : identification::output_library()) {
+    outputs += fmt::format("{}{}: {}", outputs.empty() ? "" : "; ", output->name, output->what);
+  }
+  command.add_option("--as", request->as, "In place of the report, numbers for others. " + outputs)
+      .excludes("--json");
   command.example(
       "torquewright identify specs/log/bench_as_built.csv --rig "
       "specs/log/bench_rig.json --actuator specs/log/bench_actuator.json");
   add_residual_command(command);
+  add_identify_import(command);
   add_identify_simulate(command);
   add_identify_plan(command);
   command.works([request] { return run_identify(*request); });

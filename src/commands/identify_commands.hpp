@@ -11,6 +11,7 @@ void add_identify_command(command_line::Command& program);
 /// Each adds one command to `identify`.
 void add_residual_command(command_line::Command& identify);
 void add_identify_simulate(command_line::Command& identify);
+void add_identify_import(command_line::Command& identify);
 void add_identify_plan(command_line::Command& identify);
 
 }  // namespace torquewright::cli

@@ -39,11 +39,25 @@ TEST(BadLogs, CellsWithoutANumberAreRefused) {
   }
 }
 
-TEST(BadLogs, TimeThatRepeatsOrRunsBackwardsIsRefused) {
-  SpoiltLog repeated = good();
-  repeated.at(2000, "t_s") = repeated.at(1999, "t_s");
-  expect_refused(repeated,
-                 "line 2002, column 4 (t_s): time repeats: 1.995 s follows 1.995 s of line 2001");
+TEST(BadLogs, RowsThatRepeatTimeAreKept) {
+  SpoiltLog log = good();
+  log.at(2000, "t_s") = log.at(1999, "t_s");
+  log.rows.insert(log.rows.begin() + 100, log.rows[100]);
+  const Answer answer = identify(log);
+  expect_truth(answer);
+  expect_finding(answer, "note", "1 row of equal time and values: counted once");
+  expect_finding(answer, "warning", "1 row of other values at the time of the row before");
+}
+
+TEST(BadLogs, CutLastLineIsLeftOut) {
+  SpoiltLog log = good();
+  log.rows.back().resize(2);
+  const Answer answer = identify(log);
+  expect_truth(answer);
+  expect_finding(answer, "note", "the last line, 6401, ends within the row: it is left out");
+}
+
+TEST(BadLogs, TimeThatRunsBackwardsIsRefused) {
   SpoiltLog backwards = good();
   std::swap(backwards.rows[2000], backwards.rows[2001]);
   expect_refused(backwards, "line 2003, column 4 (t_s): time runs backwards");

@@ -12,6 +12,8 @@
 #include "actuator/lint/check.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "hopper/mechanisms/library_spec.hpp"
+#include "identification/imports/importer.hpp"
+#include "identification/outputs/output.hpp"
 #include "tests/gates/excuses.hpp"
 #include "tests/gates/source_tree.hpp"
 
@@ -57,6 +59,13 @@ Names exporters() {
 Names lint_checks() {
   return names_of(actuator::lint::library(), [](auto* check) { return check->rule; });
 }
+Names importers() {
+  return names_of(identification::importer_library(),
+                  [](auto* importer) { return importer->name; });
+}
+Names outputs() {
+  return names_of(identification::output_library(), [](auto* output) { return output->name; });
+}
 Names mechanisms() {
   return names_of(hopper::mechanism_types(), [](auto* type) { return type->name; });
 }
@@ -73,6 +82,12 @@ std::vector<Library> libraries() {
   return {
       {"effects", "actuator/effects", constant_of("EffectKind"), effects(), {}},
       {"exporters", "actuator/exporters", constant_of("Exporter"), exporters(), {}},
+      {"imports",
+       "identification/imports",
+       constant_of("Importer"),
+       importers(),
+       {{"identification/imports/library.cpp", "the list"}}},
+      {"outputs", "identification/outputs", constant_of("Output"), outputs(), {}},
       {"lint",
        "actuator/lint",
        constant_of("Check"),
@@ -134,6 +149,14 @@ Names rules_in(const std::vector<fs::path>& folders) {
 
 TEST(Docs, NameEverySimulatorFormat) {
   EXPECT_EQ(matches(text_of("docs/simulator_formats.md"), "^## `([^`]+)`"), exporters());
+}
+
+TEST(Docs, NameEveryImporter) {
+  EXPECT_EQ(named_in_first_column(section(text_of("docs/logs.md"), "## Imports")), importers());
+}
+
+TEST(Docs, NameEveryOutput) {
+  EXPECT_EQ(named_in_first_column(section(text_of("docs/logs.md"), "## Outputs")), outputs());
 }
 
 TEST(Docs, NameEveryMechanism) {

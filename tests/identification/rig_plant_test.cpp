@@ -44,10 +44,23 @@ TEST(RigPlant, TakesTheTorqueThatTheRegressionTakesOfIt) {
     signals.at[0].output_angle_rad = 0.7;
     signals.at[0].acceleration_rad_s2 = 5.0;
     const Eigen::VectorXd found =
-        torque_Nm(*plant_of(rig), Eigen::VectorXd::Constant(1, 0.7),
+        torque_Nm(*plant_of(rig.load), Eigen::VectorXd::Constant(1, 0.7),
                   Eigen::VectorXd::Constant(1, -2.0), Eigen::VectorXd::Constant(1, 5.0));
     EXPECT_NEAR(found[0], model_load_Nm(rig, 0, signals)[0], kRounding_Nm) << name_of(type);
   }
+}
+
+// Oracle: closed form, J a.
+TEST(ModelLoad, IsThatOfTheRun) {
+  Rig rig = rig_of(LoadType::kFree);
+  rig.loads["heavy"] = rig.load;
+  rig.loads["heavy"].inertia_kg_m2 = 0.5;
+  Signals signals;
+  signals.at.resize(1);
+  signals.at[0].acceleration_rad_s2 = 5.0;
+  EXPECT_DOUBLE_EQ(model_load_Nm(rig, 0, signals)[0], 0.02 * 5.0);
+  signals.run_name = "heavy (last third)";
+  EXPECT_DOUBLE_EQ(model_load_Nm(rig, 0, signals)[0], 0.5 * 5.0);
 }
 
 TEST(RigPlant, IsAnArmWhereTheRigIsOne) {
@@ -65,7 +78,7 @@ TEST(RigPlant, IsAnArmWhereTheRigIsOne) {
     motion.acceleration_rad_s2 = {acceleration[j]};
     signals.arm.push_back(motion);
   }
-  const Eigen::VectorXd found = torque_Nm(*plant_of(rig), position, speed, acceleration);
+  const Eigen::VectorXd found = torque_Nm(*plant_of(rig.load), position, speed, acceleration);
   ASSERT_EQ(found.size(), 2);
   for (const std::size_t j : {0u, 1u}) {
     EXPECT_NEAR(found[static_cast<Eigen::Index>(j)], model_load_Nm(rig, j, signals)[0],
@@ -75,9 +88,9 @@ TEST(RigPlant, IsAnArmWhereTheRigIsOne) {
 }
 
 TEST(RigPlant, OnlyADynamometerImposesTheMotion) {
-  EXPECT_TRUE(plant_of(rig_of(LoadType::kDynamometer))->is_imposed());
-  EXPECT_EQ(plant_of(rig_of(LoadType::kDynamometer))->joint_count(), 1);
-  EXPECT_FALSE(plant_of(rig_of(LoadType::kPendulum))->is_imposed());
+  EXPECT_TRUE(plant_of(rig_of(LoadType::kDynamometer).load)->is_imposed());
+  EXPECT_EQ(plant_of(rig_of(LoadType::kDynamometer).load)->joint_count(), 1);
+  EXPECT_FALSE(plant_of(rig_of(LoadType::kPendulum).load)->is_imposed());
 }
 
 }  // namespace

@@ -102,8 +102,8 @@ TEST(ReadLog, RefusesWithThePlace) {
             "m.csv: line 3, column 2 (q): \"nan\" is not a finite number");
   EXPECT_EQ(refusal("t,q\n0,1\n1,-inf\n", kPlain),
             "m.csv: line 3, column 2 (q): \"-inf\" is not a finite number");
-  EXPECT_EQ(refusal("t,q\n0,1\n1,2\n1,3\n", kPlain),
-            "m.csv: line 4, column 1 (t): time repeats: 1 s follows 1 s of line 3");
+  EXPECT_EQ(refusal("t,q\n1,1\n1,2\n1,3\n", kPlain),
+            "m.csv: time stands still at 1 s in run \"m\"");
   EXPECT_EQ(refusal("run,t,q\na,0,1\na,1,2\na,0.5,3\n", kRuns),
             "m.csv: line 4, column 2 (t): time runs backwards: 0.5 s follows 1 s of line 3");
   EXPECT_NE(refusal("t,q\n0,1\n1,2\n0,3\n", kPlain).find("if another run begins here"),
@@ -170,6 +170,65 @@ TEST(ReadLog, LosesNoSampleWhereverAGapLies) {
                                                  static_cast<std::size_t>(1500 - at)}));
     EXPECT_TRUE(std::is_sorted(time_s.begin(), time_s.end()));
   }
+}
+
+/// The first run's times; with a second run, so that it is not cut for the hold-out.
+std::vector<double> times(const ReadLog& result) { return result.log.runs[0].time_s; }
+
+TEST(ReadLog, CountsRowsThatRepeatOnce) {
+  const ReadLog result = read(
+      {{"a.csv", "t,q\n0,1\n0.1,2\n0.1,2\n0.1,2\n0.2,2\n"}, {"b.csv", "t,q\n0,1\n1,2\n"}}, kPlain);
+  ASSERT_EQ(result.refusal, "");
+  EXPECT_EQ(times(result), (std::vector<double>{0.0, 0.1, 0.2}));
+  EXPECT_EQ(result.finding("2 rows of equal time and values: counted once in run \"a\"").weight,
+            Weight::kNote);
+}
+
+// Oracle: 2 kHz, written to the millisecond; the last stamp has no next one.
+TEST(ReadLog, SpreadsRowsOfARoundedTime) {
+  std::string text = "t,q\n";
+  for (int i = 0; i < 3000; ++i) text += fmt::format("{:.3f},{}\n", 0.001 * (i / 2), i);
+  const ReadLog result = read({{"a.csv", text}, {"b.csv", "t,q\n0,1\n1,2\n"}}, kPlain);
+  ASSERT_EQ(result.refusal, "");
+  ASSERT_EQ(result.log.runs.size(), 2u);
+  ASSERT_EQ(times(result).size(), 3000u);
+  for (int i = 0; i < 3000; ++i)
+    EXPECT_NEAR(times(result)[static_cast<std::size_t>(i)], 0.0005 * i, 1e-9);
+  EXPECT_EQ(result.finding("1500 rows of other values at the time of the row before").weight,
+            Weight::kWarning);
+}
+
+// A gap is no time to spread over.
+TEST(ReadLog, SpreadsNoRowIntoAGap) {
+  const ReadLog result = read(
+      {{"a.csv", "t,q\n0,0\n0.1,1\n0.2,2\n0.2,3\n9,4\n"}, {"b.csv", "t,q\n0,1\n1,2\n"}}, kPlain);
+  ASSERT_EQ(result.refusal, "");
+  ASSERT_EQ(times(result).size(), 4u);
+  EXPECT_NEAR(times(result)[3], 0.25, 1e-12);
+}
+
+TEST(ReadLog, RefusesTimeThatStandsStill) {
+  std::string text = "t,q\n0,0\n";
+  for (int i = 0; i < 100; ++i) text += fmt::format("1,{}\n", i);
+  EXPECT_EQ(read({{"m.csv", text + "2,0\n"}, {"b.csv", "t,q\n0,1\n1,2\n"}}, kPlain).refusal, "");
+  EXPECT_EQ(read({{"m.csv", text + "1,-1\n2,0\n"}}, kPlain).refusal,
+            "m.csv: line 103, column 1 (t): time stands still: more than 100 rows have 1 s");
+}
+
+TEST(ReadLog, LeavesOutALastLineThatIsCut) {
+  const auto cut = [](const std::string& end) {
+    return read(
+        {{"a.csv", "t,q,i\n0,0,1\n1,1,2\n2,4,3\n" + end}, {"b.csv", "t,q,i\n0,1,1\n1,2,1\n"}},
+        test::rig_json({{"t", "time_s"}, {"q", "output_position_rad"}, {"i", "duty"}}));
+  };
+  for (const char* end : {"3,9", "3", "3,9\n", "3,9\n\n"}) {
+    const ReadLog result = cut(end);
+    ASSERT_EQ(result.refusal, "") << end;
+    EXPECT_EQ(times(result), (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(result.finding("a.csv: the last line, 5, ends within the row").weight, Weight::kNote);
+  }
+  EXPECT_EQ(cut("3,9\n4,9,1\n").refusal, "a.csv: line 5: has 2 cells, the header has 3");
+  EXPECT_EQ(cut("3,9,1,1\n").refusal.find("a.csv: line 5: has 4 cells"), 0u);
 }
 
 TEST(ReadLog, RefusesHoldoutRunsThatDoNotExist) {

@@ -137,6 +137,77 @@ TEST(ReadRig, RefusesWithThePlace) {
   }
 }
 
+json with_loads() {
+  json rig = plain();
+  rig["load"] = {{"type", "free"}, {"inertia_kg_m2", 0.01}};
+  rig["loads"] = {{"a", {{"type", "free"}, {"inertia_kg_m2", 0.02}}},
+                  {"x/b", {{"type", "free"}, {"inertia_kg_m2", 0.03}}}};
+  return rig;
+}
+
+TEST(ReadRig, KnowsLoadsByRun) {
+  const Rig rig = test::rig_of(with_loads());
+  EXPECT_EQ(load_of(rig, "other").inertia_kg_m2, 0.01);
+  EXPECT_EQ(load_of(rig, "a").inertia_kg_m2, 0.02);
+  EXPECT_EQ(load_of(rig, "a (first two thirds)").inertia_kg_m2, 0.02);
+  EXPECT_EQ(load_of(rig, "x/b (last third)").inertia_kg_m2, 0.03);
+  EXPECT_TRUE(rig.states_load);
+  json alone = with_loads();
+  alone.erase("load");
+  EXPECT_FALSE(test::rig_of(alone).states_load);
+  EXPECT_EQ(test::rig_of(alone).load.type, LoadType::kFree);
+}
+
+TEST(ReadRig, RefusesLoadsThatAreNotOneRig) {
+  json rig = with_loads();
+  rig["loads"]["x/b"] = {{"type", "linear_axis"}};
+  const std::string refusal = refusal_of(rig);
+  EXPECT_NE(refusal.find("/loads/x~1b/mass_kg: missing; a load of type \"linear_axis\""),
+            std::string::npos);
+  EXPECT_NE(refusal.find("/loads/x~1b/type: all loads of a rig must be of one type"),
+            std::string::npos);
+  rig = plain();
+  rig.erase("load");
+  EXPECT_NE(refusal_of(rig).find("/load: missing; what does the actuator move?"),
+            std::string::npos);
+  json arms = arm();
+  arms["load"]["links"][0]["joint"] = "shoulder";
+  arms["load"]["links"][1]["joint"] = "elbow";
+  arms["loads"]["a"] = arms["load"];
+  EXPECT_EQ(refusal_of(arms), "");
+  arms["loads"]["a"]["links"].erase(1);
+  EXPECT_NE(refusal_of(arms).find("/loads/a/links: its joints are not those"), std::string::npos);
+  arms["loads"]["a"] = arms["load"];
+  arms["loads"]["a"]["links"][1]["joint"] = "wrist";
+  EXPECT_NE(refusal_of(arms).find("/loads/a/links: its joints are not those"), std::string::npos);
+}
+
+TEST(ReadRig, PointsToTheLoadOfARun) {
+  json rig = with_loads();
+  rig["uncertain"] = {"/loads/a/inertia_kg_m2", "/loads/x~1b/inertia_kg_m2"};
+  EXPECT_EQ(refusal_of(rig), "");
+  rig["uncertain"] = {"/load/inertia_kg_m2"};
+  EXPECT_NE(refusal_of(rig).find("say of which run, /loads/RUN/inertia_kg_m2"), std::string::npos);
+  rig["uncertain"] = {"/loads/c/inertia_kg_m2"};
+  EXPECT_NE(refusal_of(rig).find("did you mean /loads/a/inertia_kg_m2?"), std::string::npos);
+  rig.erase("loads");
+  EXPECT_NE(refusal_of(rig).find("leads to no value"), std::string::npos);
+}
+
+TEST(ReadLog, RefusesRunsWithoutALoadAndLoadsWithoutARun) {
+  json rig = test::rig_json({{"t_s", "time_s"}, {"q_rad", "output_position_rad"}, {"run", "run"}});
+  rig["load"] = {{"type", "free"}, {"inertia_kg_m2", 1}};
+  rig["loads"]["run_1"] = rig["load"];
+  const std::string log = "run,t_s,q_rad\nrun_1,0,0\nrun_1,1,1\nrun_2,0,0\nrun_2,1,1\n";
+  EXPECT_EQ(test::read({{"m.csv", log}}, rig).refusal, "");
+  rig.erase("load");
+  EXPECT_EQ(test::read({{"m.csv", log}}, rig).refusal.find("rig.json#/loads/run_2: missing"), 0u);
+  rig["loads"]["runn_2"] = rig["loads"]["run_1"];
+  rig["loads"]["run_2"] = rig["loads"]["run_1"];
+  EXPECT_EQ(test::read({{"m.csv", log}}, rig).refusal,
+            "rig.json#/loads/runn_2: no run \"runn_2\"; did you mean \"run_2\"?");
+}
+
 TEST(ReadRig, AcceptsPointersIntoRigAndActuator) {
   json rig = plain();
   rig["load"] = {{"type", "pendulum"}, {"mass_kg", 1}, {"length_m", 1}, {"inertia_kg_m2", 0}};

@@ -47,7 +47,7 @@ TEST(Plan, IsInsideTheRegionAtEverySample) {
   for (const ExcitationRun& run : stribeck_plan().runs) {
     // By the simulation's own step, finer than the search's.
     const simulation::SimulatedRun simulated =
-        simulation::simulate(*plant_of(bench_rig()), {&actuator}, run.excitation, {run.start});
+        simulation::simulate(*plant_of(bench_rig().load), {&actuator}, run.excitation, {run.start});
     const simulation::JointTrace& trace = simulated.joints[0];
     for (std::size_t i = 0; i < trace.torque_Nm.size(); ++i) {
       const actuator::JointRange range = region.at(trace.speed_rad_s[i]);
@@ -67,7 +67,7 @@ TEST(Plan, KeepsToTheRigsLimits) {
   const actuator::Actuator actuator = bench_actuator();
   for (const ExcitationRun& run : plan_excitation(bench_rig(), actuator, options).runs) {
     const simulation::SimulatedRun simulated =
-        simulation::simulate(*plant_of(bench_rig()), {&actuator}, run.excitation, {run.start});
+        simulation::simulate(*plant_of(bench_rig().load), {&actuator}, run.excitation, {run.start});
     for (std::size_t i = 0; i < run.excitation.time_s.size(); ++i) {
       ASSERT_LE(std::abs(simulated.joints[0].position_rad[i]), 0.5);
       ASSERT_LE(std::abs(simulated.joints[0].speed_rad_s[i]), 3.0);
@@ -201,7 +201,7 @@ TEST(Plan, StandardErrorsAreTheScatterOfRepeatedFits) {
   std::vector<simulation::SimulatedRun> simulated;
   for (const ExcitationRun& run : plan.runs) {
     simulated.push_back(
-        simulation::simulate(*plant_of(rig), {&actuator}, run.excitation, {run.start}));
+        simulation::simulate(*plant_of(rig.load), {&actuator}, run.excitation, {run.start}));
   }
   const Log clean = noiseless_log(rig, actuator, plan.runs, simulated);
   const Bench bench = make_bench(rig, clean, 0, {&actuator});

@@ -130,7 +130,7 @@ PositionScore position_score(const Rig& rig,
                              const std::vector<const actuator::Actuator*>& actuators,
                              const std::vector<ReplayedRun>& runs,
                              const PositionScoreOptions& options) {
-  const std::unique_ptr<simulation::Plant> plant = plant_of(rig);
+  const std::unique_ptr<simulation::Plant> plant = plant_of(rig.load);
   simulation::SimulationOptions stepping;
   stepping.longest_step_s = options.longest_step_s;
   PositionScore score;

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/imports/importer.hpp"
+
+// One line for each importer; its file defines the constant of that name.
+#define TORQUEWRIGHT_EVERY_IMPORTER(importer) \
+  importer(sysid) importer(bam) importer(ros) importer(odrive) importer(moteus)
+
+namespace torquewright::identification::imports {
+
+#define TORQUEWRIGHT_DECLARE(name) extern const Importer name;
+TORQUEWRIGHT_EVERY_IMPORTER(TORQUEWRIGHT_DECLARE)
+#undef TORQUEWRIGHT_DECLARE
+
+}  // namespace torquewright::identification::imports

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/imports/named_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/csv.hpp"
+#include "io/spec_error.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::identification::imports {
+namespace {
+
+void find_meanings(const io::CsvReader& csv,
+                   const std::function<std::optional<Meaning>(const std::string&)>& meaning_of,
+                   ImportedLog& log) {
+  for (const std::string& name : csv.header()) {
+    const std::optional<Meaning> meaning = meaning_of(name);
+    if (!meaning) {
+      log.ignore.push_back(name);
+      continue;
+    }
+    for (const ColumnUse& use : log.columns) {
+      if (use.quantity != meaning->quantity) continue;
+      throw io::SpecError(
+          {{csv.file(), "",
+            fmt::format("the columns \"{}\" and \"{}\" are both {}; say --joint, or "
+                        "leave one out",
+                        use.column, name, name_of(use.quantity))}});
+    }
+    log.columns.push_back({name, meaning->quantity, meaning->scale, meaning->offset, ""});
+  }
+}
+
+void require_meanings(const std::string& file, const ImportedLog& log) {
+  const auto is_time = [](const ColumnUse& use) { return use.quantity == Quantity::kTime; };
+  const bool has_time = std::any_of(log.columns.begin(), log.columns.end(), is_time);
+  if (has_time && log.columns.size() > 1) return;
+  throw io::SpecError(
+      {{file, "",
+        fmt::format("{} among its columns: {}", has_time ? "nothing known but the time" : "no time",
+                    io::listed(log.header))}});
+}
+
+}  // namespace
+
+ImportedLog read_named_columns(
+    const ImportRequest& request,
+    const std::function<std::optional<Meaning>(const std::string&)>& meaning_of) {
+  ImportedLog log;
+  for (const std::filesystem::path& file : request.files) {
+    io::CsvReader csv(file, io::CsvReader::CutEnd::kDropped);
+    if (log.header.empty()) {
+      log.header = csv.header();
+      find_meanings(csv, meaning_of, log);
+      require_meanings(csv.file(), log);
+    } else if (csv.header() != log.header) {
+      throw io::SpecError({{csv.file(), "", "has other columns than the file before it"}});
+    }
+    ImportedLog::Run run{file.stem().string(), {}};
+    while (csv.next()) {
+      std::vector<std::string>& row = run.rows.emplace_back();
+      for (std::size_t i = 0; i < log.header.size(); ++i) row.emplace_back(csv.text(i));
+    }
+    log.runs.push_back(std::move(run));
+  }
+  if (!log.ignore.empty()) log.notes.push_back("not read: " + io::listed(log.ignore));
+  return log;
+}
+
+std::optional<Meaning> by_ending(const std::string& column, std::span<const Ending> endings) {
+  const Ending* longest = nullptr;
+  for (const Ending& ending : endings) {
+    if (!column.ends_with(ending.name)) continue;
+    const std::size_t before = column.size() - ending.name.size();
+    if (before > 0 && std::string_view("./_").find(column[before - 1]) == std::string_view::npos) {
+      continue;
+    }
+    if (longest == nullptr || ending.name.size() > longest->name.size()) longest = &ending;
+  }
+  return longest == nullptr ? std::nullopt : std::optional(longest->meaning);
+}
+
+}  // namespace torquewright::identification::imports

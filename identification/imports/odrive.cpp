@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+
+#include "identification/imports/every_importer.hpp"
+#include "identification/imports/named_columns.hpp"
+
+namespace torquewright::identification::imports {
+namespace {
+
+/// Set-points beside estimates are no measurements, so that names must end in these.
+constexpr std::array kOdriveNames = {
+    Ending{"time", {Quantity::kTime}},
+    Ending{"timestamp", {Quantity::kTime}},
+    Ending{"t", {Quantity::kTime}},
+    Ending{"pos_estimate", {Quantity::kMotorPosition, kTurn_rad}},
+    Ending{"vel_estimate", {Quantity::kMotorVelocity, kTurn_rad}},
+    Ending{"Iq_measured", {Quantity::kMotorCurrent}},
+    Ending{"vbus_voltage", {Quantity::kBusVoltage}},
+    Ending{"motor_thermistor.temperature", {Quantity::kWindingTemperature, 1.0, kCelsius_K}},
+};
+
+ImportedLog read_odrive(const ImportRequest& request) {
+  ImportedLog log = read_named_columns(request, [&](const std::string& column) {
+    const bool is_of_axis = column.find("axis") != std::string::npos;
+    const bool is_other = is_of_axis && !request.joint.empty() &&
+                          column.find(request.joint + ".") == std::string::npos;
+    return is_other ? std::nullopt : by_ending(column, kOdriveNames);
+  });
+  log.notes.emplace_back(
+      "positions are taken for turns of the motor, as firmware 0.5 and later states them (before: "
+      "counts); currents are amplitudes: torque_constant_convention peak_phase");
+  return log;
+}
+
+}  // namespace
+
+const Importer odrive = {
+    "odrive", "CSV with ODrive's names: axis0.encoder.pos_estimate (turns), ...Iq_measured",
+    "https://docs.odriverobotics.com/v/0.5.6/fibre_types/com_odriverobotics_ODrive.html",
+    read_odrive};
+
+}  // namespace torquewright::identification::imports

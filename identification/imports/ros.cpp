@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <regex>
+#include <set>
+
+#include "identification/imports/every_importer.hpp"
+#include "identification/imports/named_columns.hpp"
+#include "io/csv.hpp"
+#include "io/spec_error.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::identification::imports {
+namespace {
+
+constexpr double kPerNanosecond = 1e-9;
+
+/// A column of a JointState: which joint's, and what of it.
+struct JointColumn {
+  std::string joint;
+  Meaning meaning;
+};
+
+/// field.position0, /joint_states/position[0], /joint_states/knee/position.
+std::optional<JointColumn> joint_column(const std::string& column) {
+  static const std::regex kIndexed(R"((?:.*[./])?(position|velocity|effort)\[?(\d+)\]?)");
+  static const std::regex kNamed(R"((?:.*/)?([^/]+)/(position|velocity|effort))");
+  std::smatch found;
+  std::string joint, what;
+  if (std::regex_match(column, found, kIndexed)) {
+    joint = found[2];
+    what = found[1];
+  } else if (std::regex_match(column, found, kNamed)) {
+    joint = found[1];
+    what = found[2];
+  } else {
+    return std::nullopt;
+  }
+  const Quantity quantity = what == "position"   ? Quantity::kOutputPosition
+                            : what == "velocity" ? Quantity::kOutputVelocity
+                                                 : Quantity::kReportedTorque;
+  return JointColumn{joint, {quantity}};
+}
+
+std::string only_joint(const ImportRequest& request) {
+  const io::CsvReader csv(request.files.front());
+  std::set<std::string> joints;
+  for (const std::string& column : csv.header()) {
+    if (const auto found = joint_column(column)) joints.insert(found->joint);
+  }
+  if (joints.contains(request.joint)) return request.joint;
+  if (request.joint.empty() && joints.size() == 1) return *joints.begin();
+  throw io::SpecError(
+      {{csv.file(), "",
+        joints.empty()
+            ? "no column is a position, velocity or effort of a joint: " + io::listed(csv.header())
+            : fmt::format(
+                  "{}; say --joint, one of {}",
+                  request.joint.empty() ? "holds several joints" : "has no joint " + request.joint,
+                  io::listed({joints.begin(), joints.end()}))}});
+}
+
+/// Nanoseconds since 1970 do not fit a double: they become seconds since the first.
+void count_from_first(ImportedLog& log, const std::string& file) {
+  const auto time = std::find(log.header.begin(), log.header.end(), "%time");
+  if (time == log.header.end()) return;
+  const auto column = static_cast<std::size_t>(time - log.header.begin());
+  for (ImportedLog::Run& run : log.runs) {
+    std::optional<std::int64_t> first_ns;
+    for (std::vector<std::string>& row : run.rows) {
+      std::string& cell = row[column];
+      std::int64_t stamp_ns = 0;
+      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), stamp_ns);
+      if (error != std::errc() || end != cell.data() + cell.size()) {
+        throw io::SpecError({{file, "", fmt::format("%time: \"{}\" is no count of ns", cell)}});
+      }
+      if (!first_ns) first_ns = stamp_ns;
+      cell = fmt::format("{:.9f}", kPerNanosecond * static_cast<double>(stamp_ns - *first_ns));
+    }
+  }
+}
+
+ImportedLog read_ros(const ImportRequest& request) {
+  const std::string joint = only_joint(request);
+  ImportedLog log = read_named_columns(request, [&](const std::string& column) {
+    if (column == "%time" || column == "__time" || column == "time" || column == "timestamp") {
+      return std::optional(Meaning{});
+    }
+    const auto found = joint_column(column);
+    return found && found->joint == joint ? std::optional(found->meaning) : std::nullopt;
+  });
+  count_from_first(log, request.files.front().string());
+  log.notes.emplace_back("effort is taken for the driver's own estimate of the output's torque");
+  return log;
+}
+
+}  // namespace
+
+const Importer ros = {
+    "ros", "CSV of joint states: rostopic echo -p (%time, field.position0) or PlotJuggler",
+    "http://wiki.ros.org/rostopic; "
+    "https://docs.ros.org/en/api/sensor_msgs/html/msg/JointState.html",
+    read_ros};
+
+}  // namespace torquewright::identification::imports

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "identification/imports/files_json.hpp"
+#include "io/atomic_file.hpp"
+#include "io/refusal.hpp"
+#include "src/commands/identify_commands.hpp"
+#include "src/standard_output.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ImportOptions {
+  std::string format, folder, joint;
+  std::vector<std::string> files;
+};
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) io::refuse(folder.string(), "cannot be made: " + error.message());
+}
+
+ExitCode run_import(const ImportOptions& options) {
+  const identification::Importer& importer = identification::importer_of(options.format);
+  const identification::ImportedLog log =
+      importer.read({{options.files.begin(), options.files.end()}, options.joint});
+  const fs::path folder = options.folder;
+  make_folder(folder);
+  const fs::path csv = folder / "log.csv", rig = folder / "rig.json";
+  io::check_outputs({csv, rig}, {options.files.begin(), options.files.end()});
+  const std::string name = fs::path(options.files.front()).stem().string();
+  io::write_whole_files(
+      {{csv, identification::imported_csv(log)}, {rig, identification::imported_rig(log, name)}});
+  std::string said = fmt::format("{}: {} run{}\n{}: {} columns\n", csv.string(), log.runs.size(),
+                                 log.runs.size() == 1 ? "" : "s", rig.string(), log.columns.size());
+  for (const std::string& note : log.notes) said += "note: " + note + "\n";
+  if (!log.load && log.loads.empty()) {
+    said += fmt::format("next: state in {} what the actuator moved (\"load\"), docs/logs.md\n",
+                        rig.string());
+  }
+  print_result(said);
+  return ExitCode::kPasses;
+}
+
+std::string formats() {
+  std::string text;
+  for (const identification::Importer* importer : identification::importer_library()) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", importer->name, importer->what);
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_identify_import(command_line::Command& identify) {
+  auto options = std::make_shared<ImportOptions>();
+  command_line::Command command = identify.add_command("import", "Logs of other programs");
+  command.add_option("format", options->format, formats()).required();
+  command.add_option("files", options->files, "Its files; each is a run, or holds runs").required();
+  command.add_option("--joint", options->joint, "Where a file holds several: which one");
+  command.add_option("-o,--output", options->folder, "log.csv and rig.json are written into it")
+      .required()
+      .names_a_file();
+  command.example("torquewright identify import moteus specs/log/wheel_moteus.csv -o imported");
+  command.works([options] { return run_import(*options); });
+}
+
+}  // namespace torquewright::cli

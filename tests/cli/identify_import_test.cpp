@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// `identify import`: logs as other programs write them become log.csv and rig.json, which
+// `identify` reads. Oracle: the formats' documentation, by hand, and closed forms of motions.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "io/schema.hpp"
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+
+struct Imported {
+  Outcome outcome;
+  std::string log;
+  json rig;
+};
+
+Imported imported(const Workplace& place, std::vector<std::string> command) {
+  command.insert(command.begin(), {"identify", "import"});
+  command.insert(command.end(), {"-o", "made"});
+  Imported result{place.run(command), "", {}};
+  if (!place.has("made/log.csv")) return result;
+  result.log = place.text("made/log.csv");
+  result.rig = json::parse(place.text("made/rig.json"));
+  return result;
+}
+
+Imported imported_text(const std::string& format, const std::string& name, const std::string& text,
+                       const std::vector<std::string>& more = {}) {
+  const Workplace place;
+  place.write(name, text);
+  std::vector<std::string> command{format, name};
+  command.insert(command.end(), more.begin(), more.end());
+  return imported(place, command);
+}
+
+void expect_refused(const Imported& result, const std::string& said) {
+  EXPECT_EQ(result.outcome.exit_code, 2);
+  EXPECT_NE(result.outcome.err.find(said), std::string::npos) << result.outcome.err;
+  EXPECT_TRUE(result.log.empty());
+}
+
+json sysid() {
+  return {{"sysid", true},
+          {"test", "Arm"},
+          {"units", "Degrees"},
+          {"unitsPerRotation", 360.0},
+          {"slow-forward", {{0.0, 0.0, 0.0, 0.0}, {0.02, 0.25, 0.125, 1}}},
+          {"fast-backward", {{1.0, -7.0, 0.5, -2.5}}}};
+}
+
+TEST(Import, ReadsSysId) {
+  const Imported result = imported_text("sysid", "arm.json", sysid().dump());
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+  EXPECT_EQ(result.log,
+            "run,timestamp,voltage,position,velocity\nslow-forward,0.0,0.0,0.0,0.0\n"
+            "slow-forward,0.02,0.25,0.125,1\nfast-backward,1.0,-7.0,0.5,-2.5\n");
+  EXPECT_EQ(result.rig["columns"]["voltage"], "winding_voltage_V");
+  EXPECT_EQ(result.rig["columns"]["position"]["quantity"], "output_position_rad");
+  EXPECT_NEAR(result.rig["columns"]["velocity"]["scale"].get<double>(), kTurn_rad, 1e-14);
+  EXPECT_FALSE(result.rig.contains("load"));
+  EXPECT_NE(result.outcome.out.find("state in made/rig.json what the actuator moved"),
+            std::string::npos);
+}
+
+TEST(Import, ReadsSysIdOfALinearMechanism) {
+  json file = sysid();
+  file["test"] = "Elevator";
+  file["units"] = "Inches";
+  file["unitsPerRotation"] = 5.0;
+  const json rig = imported_text("sysid", "lift.json", file.dump()).rig;
+  EXPECT_EQ(rig["columns"]["position"]["quantity"], "linear_position_m");
+  EXPECT_NEAR(rig["columns"]["position"]["scale"].get<double>(), 0.127, 1e-15);
+}
+
+TEST(Import, RefusesSysIdByName) {
+  const auto changed = [](const char* key, const json& value) {
+    json file = sysid();
+    file[key] = value;
+    return imported_text("sysid", "arm.json", file.dump());
+  };
+  expect_refused(changed("test", "Drivetrain"), "arm.json#/test: \"Drivetrain\"");
+  expect_refused(changed("units", "Furlongs"), "arm.json#/units: \"Furlongs\" is not known");
+  expect_refused(changed("extra", 1), "arm.json#/extra: not understood");
+  expect_refused(changed("fast-forward", {{1, 2, 3}}), "arm.json#/fast-forward/0: must be");
+  expect_refused(changed("fast-forward", {{1, 2, 3, "x"}}), "\"x\" is no number");
+  expect_refused(imported_text("sysid", "arm.json", "[1]"), "arm.json: is no JSON object");
+  expect_refused(imported_text("sysyd", "arm.json", "{}"), "did you mean \"sysid\"?");
+}
+
+json bam(double arm_kg) {
+  json file = {{"mass", 0.5}, {"length", 0.2}, {"kp", 32}, {"vin", 7.4}, {"motor", "x"}};
+  file["trajectory"] = "sin_sin";
+  if (arm_kg > 0.0) file["arm_mass"] = arm_kg;
+  file["entries"] = json::array();
+  for (int i = 0; i < 3; ++i) {
+    file["entries"].push_back({{"timestamp", 0.01 * i},
+                               {"position", 0.1 * i},
+                               {"speed", 10.0},
+                               {"load", 0.25 * i},
+                               {"input_volts", 7.5},
+                               {"temp", 30},
+                               {"goal_position", 0.2},
+                               {"torque_enable", true}});
+  }
+  return file;
+}
+
+// Oracle: BAM's test bench, inertia (m + a/3) L^2 about the axis, gravity's lever (m + a/2) L.
+TEST(Import, ReadsBamsPendulum) {
+  const Imported result = imported_text("bam", "a.json", bam(0.3).dump());
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+  const json load = result.rig["loads"]["a"];
+  EXPECT_EQ(load["type"], "pendulum");
+  const double mass = load["mass_kg"], length = load["length_m"], inertia = load["inertia_kg_m2"];
+  EXPECT_NEAR(mass * length, (0.5 + 0.15) * 0.2, 1e-15);
+  EXPECT_NEAR(inertia + mass * length * length, (0.5 + 0.1) * 0.04, 1e-15);
+  EXPECT_EQ(result.rig["columns"]["load"], "duty");
+  EXPECT_EQ(result.rig["columns"]["torque_enable"], "enabled");
+  EXPECT_EQ(result.rig["columns"]["temp"]["offset"], 273.15);
+  EXPECT_EQ(result.log.substr(0, result.log.find('\n')),
+            "run,timestamp,position,speed,goal_position,torque_enable,input_volts,temp,load");
+  EXPECT_FALSE(result.rig.contains("assumed"));
+  EXPECT_TRUE(imported_text("bam", "a.json", bam(0.0).dump()).rig.contains("assumed"));
+}
+
+TEST(Import, LeavesOutWhatBamDoesNotScale) {
+  json file = bam(0.3);
+  for (json& entry : file["entries"]) entry["load"] = 300;
+  const Imported counts = imported_text("bam", "a.json", file.dump());
+  EXPECT_FALSE(counts.rig["columns"].contains("load"));
+  EXPECT_NE(counts.outcome.out.find("its scale is not said: load"), std::string::npos);
+  file["entries"][0]["colour"] = 1;
+  expect_refused(imported_text("bam", "a.json", file.dump()), "/entries/0/colour: not understood");
+  file["entries"].erase(0);
+  file["entries"][1].erase("temp");
+  expect_refused(imported_text("bam", "a.json", file.dump()), "a.json#/entries/1/temp: missing");
+}
+
+TEST(Import, ReadsRostopicsJointStates) {
+  const std::string text =
+      "%time,field.header.seq,field.name0,field.name1,field.position0,field.position1,"
+      "field.velocity0,field.velocity1,field.effort0,field.effort1\n"
+      "1612345678000000000,1,hip,knee,0.1,0.2,1,2,3,4\n"
+      "1612345678004000000,2,hip,knee,0.3,0.4,1,2,3,4\n";
+  expect_refused(imported_text("ros", "js.csv", text), "holds several joints; say --joint");
+  expect_refused(imported_text("ros", "js.csv", text, {"--joint", "7"}), "has no joint 7");
+  const Imported result = imported_text("ros", "js.csv", text, {"--joint", "1"});
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+  EXPECT_EQ(result.rig["columns"]["field.position1"], "output_position_rad");
+  EXPECT_EQ(result.rig["columns"]["field.effort1"], "reported_torque_Nm");
+  EXPECT_EQ(result.rig["columns"]["%time"], "time_s");
+  EXPECT_NE(result.log.find("js,0.004000000,2,hip,knee,0.3"), std::string::npos) << result.log;
+  EXPECT_EQ(result.rig["ignore"].size(), 6u);
+}
+
+TEST(Import, ReadsPlotJugglersJointStates) {
+  for (const char* header : {"__time,/joint_states/position[0],/joint_states/velocity[0]",
+                             "__time,/joint_states/knee/position,/joint_states/knee/velocity"}) {
+    const Imported result =
+        imported_text("ros", "js.csv", fmt::format("{}\n0,1,2\n1,2,3\n", header));
+    EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+    EXPECT_EQ(result.rig["columns"].size(), 4u);
+  }
+}
+
+TEST(Import, ReadsOdrive) {
+  const std::string text =
+      "t,axis0.encoder.pos_estimate,axis0.encoder.vel_estimate,"
+      "axis0.motor.current_control.Iq_measured,axis0.motor.current_control.Iq_setpoint,vbus_"
+      "voltage\n"
+      "0,0.5,1,2,2,24\n0.01,0.51,1,2,2,24\n";
+  const Imported result = imported_text("odrive", "o.csv", text);
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+  const json& columns = result.rig["columns"];
+  EXPECT_EQ(columns["axis0.encoder.pos_estimate"]["quantity"], "motor_position_rad");
+  EXPECT_NEAR(columns["axis0.encoder.vel_estimate"]["scale"].get<double>(), kTurn_rad, 1e-15);
+  EXPECT_EQ(columns["axis0.motor.current_control.Iq_measured"], "motor_current_A");
+  EXPECT_EQ(columns["vbus_voltage"], "bus_voltage_V");
+  EXPECT_EQ(result.rig["ignore"], json({"axis0.motor.current_control.Iq_setpoint"}));
+  const std::string both =
+      "t,axis0.encoder.pos_estimate,axis1.encoder.pos_estimate\n0,1,2\n1,2,3\n";
+  expect_refused(imported_text("odrive", "o.csv", both),
+                 "are both motor_position_rad; say --joint");
+  EXPECT_TRUE(imported_text("odrive", "o.csv", both, {"--joint", "axis1"})
+                  .rig["columns"]
+                  .contains("axis1.encoder.pos_estimate"));
+}
+
+TEST(Import, ReadsMoteus) {
+  const Imported result = imported_text(
+      "moteus", "m.csv",
+      "timestamp,mode,position,velocity,torque,q_current,d_current,voltage,temperature,"
+      "motor_temperature,control_position\n0,10,0.25,1,2,3,0,24,40,50,0.3\n");
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+  const json& columns = result.rig["columns"];
+  EXPECT_EQ(columns["position"]["quantity"], "output_position_rad");
+  EXPECT_EQ(columns["torque"], "reported_torque_Nm");
+  EXPECT_EQ(columns["q_current"], "motor_current_A");
+  EXPECT_EQ(columns["motor_temperature"]["offset"], 273.15);
+  EXPECT_EQ(result.rig["ignore"], json({"mode", "d_current", "temperature", "control_position"}));
+  expect_refused(imported_text("moteus", "m.csv", "a,b\n1,2\n"), "no time among its columns: a, b");
+  expect_refused(imported_text("moteus", "m.csv", "t,b\n1,2\n"), "nothing known but the time");
+}
+
+// What was written is what `identify` reads; the load is asked for until it is stated. Oracle: a
+// flywheel of 0.02 kg m^2 driven by V = R i + Ke N w, N Kt i = J a, in rotations.
+TEST(Import, LeadsToAnIdentification) {
+  json file = sysid();
+  file["test"] = "Simple";
+  file["units"] = "Rotations";
+  file["unitsPerRotation"] = 1.0;
+  int k = 0;
+  for (const char* test : {"slow-forward", "slow-backward", "fast-forward", "fast-backward"}) {
+    file[test] = json::array();
+    for (int i = 0; i < 2400; ++i) {
+      const double t = 0.005 * i, q = 0.8 * std::sin(2.0 * t + k) + 0.3 * std::sin(5.3 * t);
+      const double w = 1.6 * std::cos(2.0 * t + k) + 1.59 * std::cos(5.3 * t);
+      const double a = -3.2 * std::sin(2.0 * t + k) - 8.427 * std::sin(5.3 * t);
+      file[test].push_back({t, 0.5 * 0.02 * a + w, q / kTurn_rad, w / kTurn_rad});
+    }
+    ++k;
+  }
+  const Workplace place;
+  place.write("wheel.json", file.dump());
+  Imported result = imported(place, {"sysid", "wheel.json"});
+  place.write("actuator.json", R"({"kind": "actuator", "version": 1, "name": "drive",
+    "motor": {"torque_constant_Nm_A": 0.1, "torque_constant_convention": "dc", "resistance_ohm": 0.5,
+      "resistance_convention": "dc", "rotor_inertia_kg_m2": 1e-12},
+    "drive": {"bus_voltage_V": 48, "peak_current_A": 100},
+    "gearbox": {"ratio": 10, "forward_efficiency": 1, "backward_efficiency": 1}})");
+  const std::vector<std::string> command{"identify",   "made/log.csv",  "--rig", "made/rig.json",
+                                         "--actuator", "actuator.json", "--json"};
+  const Outcome without_load = place.run(command);
+  EXPECT_EQ(without_load.exit_code, 2);
+  EXPECT_NE(without_load.err.find("made/rig.json#/load: missing; what does the actuator move?"),
+            std::string::npos);
+  result.rig["load"] = {{"type", "free"}, {"inertia_kg_m2", 0.02}};
+  place.write("made/rig.json", result.rig.dump());
+  const Outcome outcome = place.run(command);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["verdict"], "nothing_missing") << outcome.out.substr(0, 3000);
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
