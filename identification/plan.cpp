@@ -280,7 +280,7 @@ class PlanSearch {
       parameter.typical = typical_[k];
       parameter.plan = expected(best.separability, k);
       parameter.chirp = expected(chirp.separability, k);
-      parameter.is_separable = parameter.plan.share >= kLeastShare &&
+      parameter.is_separable = parameter.plan.share >= kSeparableShare &&
                                kTypicalSigmas * parameter.plan.standard_error <= typical_[k];
       parameter.remedy = separated_by(trial_.bench(), {columns_[k].effect, parameter.plan.nearest});
       plan_.parameters.push_back(std::move(parameter));

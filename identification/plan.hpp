@@ -34,7 +34,7 @@ struct PlannedParameter {
   /// Such that the effect costs 5 % of the actuator's greatest torque at most, along the chirp.
   double typical = 0.0;
   Expected plan, chirp;
-  bool is_separable = false;  ///< By the plan: kLeastShare, and a typical value at 3 sigma.
+  bool is_separable = false;  ///< By the plan: kSeparableShare, and a typical value at 3 sigma.
   std::string remedy;         ///< What separates it from its nearest, in words.
 };
 
@@ -53,7 +53,7 @@ struct Plan {
   std::vector<Unseen> unseen;  ///< What no excitation shows, or tells apart, on this rig.
   bool is_separable() const;
 };
-constexpr double kLeastShare = 0.02;  ///< Correlation with all others below 0.99.
+constexpr double kSeparableShare = 0.02;  ///< Correlation with all others below 0.99.
 
 /// Searches an excitation that separates the effects: the chirp, drawn ones, and the best of those
 /// refined. None is worse for the effect that is worst off than the chirp. The same question gives

@@ -17,6 +17,7 @@ constexpr double kPlanStep_s = 1e-3;  ///< Of the simulation; stiff parts get le
 constexpr double kShareOfTorque = 0.002;
 constexpr double kShareOfDrive = 0.005;
 const double kAngleStep_rad = 2.0 * std::numbers::pi / 16384.0;
+const double kBand_1_s = 2.0 * std::numbers::pi * Rows::Options().cutoff_Hz;  ///< As angular speed.
 
 double square(double value) { return value * value; }
 
@@ -26,20 +27,38 @@ double load_inertia(const Load& load) {
   return load.inertia_kg_m2 + load.mass_kg * square(load.length_m);
 }
 
-Extent extent_of_limits(const ExcitationLimits& limits, const actuator::Actuator& actuator) {
-  Extent extent;
-  extent.speed_rad_s = limits.speed_rad_s();
-  extent.current_A = limits.current_A(0.0, 1.0);
-  extent.output_angle_rad = 2.0 * limits.rig().position_rad.value_or(std::numbers::pi);
-  extent.motor_angle_rad = std::abs(actuator.transmission.ratio) * extent.output_angle_rad;
-  extent.warmth_K = 20.0;
-  extent.slow_share = 0.2;
-  return extent;
+actuator::Ranges ranges_of_limits(const ExcitationLimits& limits,
+                                  const actuator::Actuator& actuator) {
+  actuator::Ranges ranges;
+  ranges.torque_Nm = limits.greatest_torque_Nm();
+  ranges.speed_rad_s = limits.speed_rad_s();
+  ranges.acceleration_rad_s2 = kBand_1_s * ranges.speed_rad_s;
+  ranges.current_A = limits.current_A(0.0, 1.0);
+  ranges.voltage_V = actuator.drive.bus_voltage_V;
+  ranges.angle_rad = 2.0 * limits.rig().position_rad.value_or(std::numbers::pi);
+  ranges.motor_angle_rad = std::abs(actuator.transmission.ratio) * ranges.angle_rad;
+  ranges.warmth_K = 20.0;
+  return ranges;
 }
 
-Orders planned_orders(const actuator::Actuator& actuator) {
-  // One of each, for what is asked by name: the electrical turn's second, the output's first two.
-  return {{2.0 * actuator.motor.pole_pairs}, {1.0, 2.0}, {}, {1.0}};
+/// (rows x 1) The time that each row stands for; 0 in a stretch of one.
+Eigen::VectorXd time_of_rows_s(const Rows& rows) {
+  Eigen::VectorXd time_s = Eigen::VectorXd::Zero(rows.count());
+  Eigen::Index first = 0;
+  for (std::size_t s = 0; s < rows.samples().size(); ++s) {
+    const std::vector<std::size_t>& samples = rows.samples()[s];
+    const auto count = static_cast<Eigen::Index>(samples.size());
+    if (count > 1) {
+      std::size_t stride = samples[1] - samples[0];
+      for (std::size_t k = 2; k < samples.size(); ++k) {
+        stride = std::min(stride, samples[k] - samples[k - 1]);
+      }
+      time_s.segment(first, count)
+          .setConstant(static_cast<double>(stride) * rows.signals()[s].step_s);
+    }
+    first += count;
+  }
+  return time_s;
 }
 
 }  // namespace
@@ -111,12 +130,11 @@ PlanTrial::PlanTrial(const Rig& rig, const actuator::Actuator& actuator,
       *plant_of(rig.load), {&actuator}, short_run[0].excitation, {simulation::JointStart{}});
   bench_ = make_bench(rig, noiseless_log(rig, actuator, short_run, {simulated}), 0, {&actuator});
   if (!bench_.has_torque_balance()) return;
-  extent_ = extent_of_limits(limits, actuator);
-  dictionary_ = torque_dictionary(bench_, extent_, planned_orders(actuator));
+  ranges_ = ranges_of_limits(limits, actuator);
 }
 
 std::vector<PlannedColumn> PlanTrial::columns(const std::string& effect) const {
-  return planned_columns(dictionary_, extent_, effect);
+  return planned_columns(bench_, ranges_, effect);
 }
 
 std::optional<std::vector<simulation::SimulatedRun>> PlanTrial::inside(
@@ -158,36 +176,23 @@ double PlanTrial::noise_density_Nm2_s(double step_s) const {
   const double position =
       std::max({sigma(Quantity::kOutputPosition), sigma(Quantity::kLinearPosition),
                 sigma(Quantity::kMotorPosition) / ratio});
-  const double omega_1_s = 2.0 * std::numbers::pi * BandOptions().cutoff_Hz;
-  variance += square(inertia * position) * square(square(omega_1_s)) / 5.0;
+  variance += square(inertia * position) * square(square(kBand_1_s)) / 5.0;
   return variance * step_s;
 }
 
 PlanTrial::Information PlanTrial::information(
     const std::vector<ExcitationRun>& runs, const std::vector<simulation::SimulatedRun>& simulated,
     const std::vector<PlannedColumn>& columns) const {
-  const auto size = static_cast<Eigen::Index>(columns.size());
-  Information information{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
   const Log log = noiseless_log(rig_, actuator_, runs, simulated);
-  const Target none = [](const Signals& signals) {
-    return std::vector<double>(signals.size(), 0.0);
-  };
-  const BandOptions band;
-  const double density = noise_density_Nm2_s(runs.front().excitation.time_s[1]);
-  for (const Signals& signals : prepare(log, bench_, levels_, {})) {
-    const BandRows index = band_rows(signals, {}, none, band);
-    if (index.index.size() < 2) continue;
-    std::size_t stride = signals.size();
-    for (std::size_t k = 1; k < index.index.size(); ++k) {
-      stride = std::min(stride, index.index[k] - index.index[k - 1]);
-    }
-    const double row_s = static_cast<double>(stride) * signals.step_s;
-    const Eigen::MatrixXd rows = planned_rows(signals, dictionary_, columns, none, band);
-    information.matrix += rows.transpose() * rows * (row_s / density);
-    information.largest =
-        information.largest.cwiseMax(rows.cwiseAbs().colwise().maxCoeff().transpose());
-  }
-  return information;
+  const std::vector<Signals> signals = prepare(log, bench_, levels_, {});
+  const Rows rows(signals, std::vector<std::size_t>(runs.size(), 0), {});
+  const double density_Nm2_s = noise_density_Nm2_s(runs.front().excitation.time_s[1]);
+  const Eigen::MatrixXd values = planned_rows(bench_, rows, columns);
+  const Eigen::VectorXd weight = time_of_rows_s(rows) / density_Nm2_s;
+  const Eigen::VectorXd largest =
+      rows.count() > 0 ? Eigen::VectorXd(values.cwiseAbs().colwise().maxCoeff().transpose())
+                       : Eigen::VectorXd::Zero(values.cols());
+  return {values.transpose() * weight.asDiagonal() * values, largest};
 }
 
 }  // namespace torquewright::identification

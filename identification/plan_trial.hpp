@@ -22,8 +22,8 @@ Log noiseless_log(const Rig& rig, const actuator::Actuator& actuator,
                   const std::vector<ExcitationRun>& runs,
                   const std::vector<simulation::SimulatedRun>& simulated);
 
-/// Tries excitations of the nominal actuator on a rig. The dictionary is made for what the limits
-/// allow, not for what one excitation reaches: all are asked for the same parameters.
+/// Tries excitations of the nominal actuator on a rig. Columns are made for what the limits allow,
+/// not for what one excitation reaches: all are asked for the same parameters.
 class PlanTrial {
  public:
   /// `first`: any excitation of the rig, for its channels.
@@ -57,8 +57,7 @@ class PlanTrial {
   std::map<Quantity, double> noise_;
   NoiseLevels levels_{};
   Bench bench_;
-  Extent extent_;
-  Dictionary dictionary_;
+  actuator::Ranges ranges_;
 };
 
 }  // namespace torquewright::identification

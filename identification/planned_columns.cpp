@@ -5,120 +5,182 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
+
+#include "actuator/effects/library.hpp"
+#include "identification/forward/candidates.hpp"
+#include "identification/forward/torque_forward.hpp"
+#include "identification/forward/torque_prediction.hpp"
 
 namespace torquewright::identification {
 namespace {
+
+using Coordinates = std::vector<double>;
 
 // Typical values at which effects that are not linear are planned for.
 constexpr double kStribeckShare = 0.05;  ///< Of the greatest speed.
 constexpr double kPreslidingLength_rad = 0.01;
 constexpr double kSaturationExponent = 2.0;
 constexpr double kLag_s = 0.008;
+constexpr double kGap_rad = 0.002;
 
-/// How far a variant's shape is from the typical one; it is chosen by the least.
-double distance(const Variant& variant, const Extent& extent) {
-  const auto off = [](double value, double typical) { return std::abs(std::log(value / typical)); };
-  if (variant.effect == "stribeck_friction") {
-    return variant.coefficients.size() == 2
-               ? off(variant.shape[1][0], kStribeckShare * extent.speed_rad_s)
-               : 1e9;
+constexpr double kDifference = 1e-4;  ///< Of a parameter's size, between two hypotheses.
+
+const actuator::EffectKind& kind(const char* name) { return *actuator::find_effect(name); }
+
+/// What is asked by name of waves is one of each: the electrical turn's second, the output's
+/// second, and of friction its first.
+std::optional<EffectCandidate> planned_wave(const Bench& bench, double torque_Nm,
+                                            const std::string& effect) {
+  const double electrical = 2.0 * bench.actuator().motor.pole_pairs;
+  if (effect == "cogging_torque") {
+    return wave_candidate(kind("cogging_torque"), electrical, false, torque_Nm);
   }
-  if (variant.effect == "torque_constant_saturation") {
-    const bool is_plain = variant.shape.size() == 1 && variant.shape[0][1] == kSaturationExponent;
-    return is_plain ? off(variant.shape[0][0], extent.current_A) : 1e9;
+  if (effect == "gear_ripple") return wave_candidate(kind("gear_ripple"), 2.0, false, torque_Nm);
+  if (effect == "position_dependent_friction") {
+    return wave_candidate(kind("position_dependent_friction"), 1.0, false, torque_Nm);
   }
-  if (variant.effect == "presliding_friction") {
-    return variant.shape.size() == 1 ? off(variant.shape[0][0], kPreslidingLength_rad) : 1e9;
-  }
-  if (variant.effect == "torque_lag") return off(variant.shape[0][0], kLag_s);
-  return 0.0;
+  return std::nullopt;
 }
 
-const Variant* typical_variant(const Dictionary& dictionary, const Extent& extent,
-                               const std::string& effect) {
-  const Variant* best = nullptr;
-  for (const Variant& variant : dictionary.variants) {
-    if (variant.effect != effect) continue;
-    if (best == nullptr || distance(variant, extent) < distance(*best, extent)) best = &variant;
+std::optional<EffectCandidate> planned_candidate(const Bench& bench, const actuator::Ranges& ranges,
+                                                 const std::string& effect) {
+  // Where every channel is late by the same, nothing is: one of them stands for all.
+  if (effect == "channel_delay") {
+    const bool is_sensor = bench.load_side == LoadSide::kSensor;
+    return delay_candidate(is_sensor ? bench.load_channel : bench.drive_channel);
   }
-  return best;
+  if (auto wave = planned_wave(bench, ranges.torque_Nm, effect)) return wave;
+  for (EffectCandidate& each : torque_candidates(bench, ranges)) {
+    if (each.effect == effect) return std::move(each);
+  }
+  return std::nullopt;
 }
 
-const std::map<std::string, std::vector<std::string>>& parameter_names() {
-  static const std::map<std::string, std::vector<std::string>> names = {
-      {"viscous_friction", {"viscous_Nm_s_rad"}},
-      {"coulomb_friction", {"coulomb_Nm"}},
-      {"quadratic_drag", {"drag_Nm_s2_rad2"}},
-      {"load_dependent_friction", {"driving_coefficient", "backdriving_coefficient"}},
-      {"presliding_friction", {"coulomb_Nm"}},
-      {"torque_constant_saturation", {"share"}},
-      {"torque_constant_temperature", {"coefficient_1_K"}},
-      {"friction_temperature", {"coefficient_1_K"}},
-      {"winding_resistance_temperature", {"coefficient_1_K"}},
-      {"torque_constant_error", {"factor"}},
-      {"reflected_inertia", {"inertia_kg_m2"}},
-      {"torque_lag", {"share"}},
-      {"channel_delay", {"delay_s"}},
-      {"inverter_dead_time", {"voltage_V"}},
-      {"torque_offset", {"value_Nm"}}};
-  return names;
-}
-
-PlannedColumn column_of(const std::string& effect, std::string parameter, std::string at,
-                        std::vector<Coefficient::Term> terms) {
-  return {effect, std::move(parameter), std::move(at), std::move(terms)};
-}
-
-std::vector<Coefficient::Term> difference(const Coefficient& a, const Coefficient& b) {
-  return {{a.terms[0].column, 0.5}, {b.terms[0].column, -0.5}};
-}
-
-std::string typical_values(const Variant& variant) {
-  if (variant.effect == "torque_constant_saturation") {
-    return fmt::format("of a saturation at {:.3g} A, exponent {:g}", variant.shape[0][0],
-                       variant.shape[0][1]);
+/// Columns of one candidate on a bench.
+class Columns {
+ public:
+  Columns(const Bench& bench, const actuator::Ranges& ranges, const EffectCandidate& candidate)
+      : ranges_(ranges), candidate_(candidate), start_(candidate.starts.front()) {
+    stated_.actuator = bench.actuator();
+    stated_.rig = *bench.rig;
   }
-  if (variant.effect == "presliding_friction") {
-    return fmt::format("at a presliding length of {:.3g} rad", variant.shape[0][0]);
+
+  std::vector<PlannedColumn> take() {
+    const std::string& effect = candidate_.effect;
+    if (effect == "stribeck_friction") {
+      return {breakaway(kStribeckShare * ranges_.speed_rad_s)};
+    }
+    if (effect == "presliding_friction") return {presliding(kPreslidingLength_rad)};
+    if (effect == "asymmetric_friction") {
+      // What both directions have in common is Coulomb and viscous friction.
+      return {difference("coulomb_difference_Nm", 0, 1),
+              difference("viscous_difference_Nm_s_rad", 2, 3)};
+    }
+    if (effect == "torque_constant_saturation") {
+      return {share({ranges_.current_A, kSaturationExponent},
+                    fmt::format("of a saturation at {:.3g} A, exponent {:g}", ranges_.current_A,
+                                kSaturationExponent))};
+    }
+    if (effect == "torque_lag")
+      return {share({kLag_s}, fmt::format("of a lag of {:.3g} s", kLag_s))};
+    if (effect == "backlash") {
+      return {share({kGap_rad}, fmt::format("of a gap of {:.3g} rad", kGap_rad))};
+    }
+    return slopes();
   }
-  if (variant.effect == "torque_lag") {
-    return fmt::format("of a lag of {:.3g} s", variant.shape[0][0]);
+
+ private:
+  PlannedColumn column(std::string parameter, std::string at) const {
+    return {candidate_.effect, std::move(parameter), std::move(at), stated_, stated_, 1.0};
   }
-  return "";
-}
+
+  PlannedColumn between(std::string parameter, std::string at, const Coordinates& low,
+                        const Coordinates& high, double change) const {
+    PlannedColumn made = column(std::move(parameter), std::move(at));
+    candidate_.apply(low, made.low);
+    candidate_.apply(high, made.high);
+    made.change = change;
+    return made;
+  }
+
+  double step(std::size_t parameter) const {
+    return kDifference * candidate_.parameters[parameter].size;
+  }
+
+  std::vector<PlannedColumn> slopes() const {
+    std::vector<PlannedColumn> all;
+    for (std::size_t k = 0; k < start_.size(); ++k) {
+      Coordinates high = start_;
+      high[k] += step(k);
+      all.push_back(between(name_of(candidate_.parameters[k].name), "", start_, high, step(k)));
+    }
+    return all;
+  }
+
+  /// As documents have it, but for what is fitted by sine and cosine.
+  std::string name_of(const std::string& parameter) const {
+    if (candidate_.order > 0.0) {
+      const std::string part = parameter.substr(0, parameter.find('_'));
+      return fmt::format("{}_{:g}_Nm", part, candidate_.order);
+    }
+    return candidate_.effect == "torque_offset" ? parameter + "_Nm" : parameter;
+  }
+
+  PlannedColumn breakaway(double speed_rad_s) const {
+    Coordinates low = start_;
+    low[1] = 0.0;
+    low[2] = candidate_.parameters[2].coordinate(speed_rad_s);
+    Coordinates high = low;
+    high[1] += step(1);
+    return between("breakaway_over_coulomb_Nm",
+                   fmt::format("at a Stribeck velocity of {:.3g} rad/s", speed_rad_s), low, high,
+                   step(1));
+  }
+
+  /// Friction's level at one length: its stiffness grows along.
+  PlannedColumn presliding(double length_rad) const {
+    const auto at = [&](double level_Nm) {
+      return Coordinates{level_Nm, candidate_.parameters[1].coordinate(level_Nm / length_rad)};
+    };
+    return between("coulomb_Nm", fmt::format("at a presliding length of {:.3g} rad", length_rad),
+                   at(step(0)), at(2.0 * step(0)), step(0));
+  }
+
+  PlannedColumn difference(std::string parameter, std::size_t forward, std::size_t backward) const {
+    Coordinates high = start_;
+    high[forward] += 0.5 * step(forward);
+    high[backward] -= 0.5 * step(forward);
+    return between(std::move(parameter), "", start_, high, step(forward));
+  }
+
+  /// Of the whole effect with these values, beside none of its kind.
+  PlannedColumn share(const std::vector<double>& values, std::string at) const {
+    PlannedColumn made = column("share", std::move(at));
+    std::erase_if(made.low.actuator.effects, [&](const actuator::Effect& each) {
+      return each.kind->name == candidate_.effect;
+    });
+    Coordinates high;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      high.push_back(candidate_.parameters[k].coordinate(values[k]));
+    }
+    candidate_.apply(high, made.high);
+    return made;
+  }
+
+  const actuator::Ranges& ranges_;
+  const EffectCandidate& candidate_;
+  Coordinates start_;
+  Hypothesis stated_;
+};
 
 }  // namespace
 
-std::vector<PlannedColumn> planned_columns(const Dictionary& dictionary, const Extent& extent,
+std::vector<PlannedColumn> planned_columns(const Bench& bench, const actuator::Ranges& ranges,
                                            const std::string& effect) {
-  const Variant* variant = typical_variant(dictionary, extent, effect);
-  if (variant == nullptr) return {};
-  const auto& fitted = variant->coefficients;
-  if (effect == "stribeck_friction") {
-    return {column_of(effect, "breakaway_over_coulomb_Nm",
-                      fmt::format("at a Stribeck velocity of {:.3g} rad/s", variant->shape[1][0]),
-                      fitted[1].terms)};
-  }
-  if (effect == "asymmetric_friction") {
-    // What both directions have in common is Coulomb and viscous friction.
-    return {column_of(effect, "coulomb_difference_Nm", "", difference(fitted[0], fitted[1])),
-            column_of(effect, "viscous_difference_Nm_s_rad", "", difference(fitted[2], fitted[3]))};
-  }
-  if (variant->scales_friction) {
-    if (dictionary.nominal_drag_warmed == Dictionary::kNone) return {};
-    return {column_of(effect, "coefficient_1_K", "", {{dictionary.nominal_drag_warmed, 1.0}})};
-  }
-  std::vector<PlannedColumn> columns;
-  const auto names = parameter_names().find(effect);
-  for (std::size_t k = 0; k < fitted.size(); ++k) {
-    std::string name = names == parameter_names().end()
-                           ? fmt::format("{}_{:g}_Nm", k == 0 ? "sine" : "cosine", variant->order)
-                           : names->second[std::min(k, names->second.size() - 1)];
-    columns.push_back(
-        column_of(effect, std::move(name), typical_values(*variant), fitted[k].terms));
-  }
-  return columns;
+  const std::optional<EffectCandidate> candidate = planned_candidate(bench, ranges, effect);
+  if (!candidate) return {};
+  return Columns(bench, ranges, *candidate).take();
 }
 
 const std::vector<std::string>& effects_of_the_contract() {
@@ -153,27 +215,19 @@ const std::vector<std::string>& effects_of_the_contract() {
   return names;
 }
 
-Eigen::MatrixXd planned_rows(const Signals& signals, const Dictionary& dictionary,
-                             const std::vector<PlannedColumn>& columns, const Target& target,
-                             const BandOptions& options, Eigen::VectorXd* residual) {
-  std::vector<std::size_t> used;
-  for (const PlannedColumn& column : columns) {
-    for (const Coefficient::Term& term : column.terms) used.push_back(term.column);
+Eigen::MatrixXd planned_rows(const Bench& bench, const Rows& rows,
+                             const std::vector<PlannedColumn>& columns) {
+  Eigen::MatrixXd values(rows.count(), static_cast<Eigen::Index>(columns.size()));
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    const PlannedColumn& column = columns[static_cast<std::size_t>(k)];
+    values.col(k) = rows.values([&](const Signals& stretch) {
+      std::vector<double> taken = torque_balance_Nm(bench, column.low, stretch);
+      const std::vector<double> left = torque_balance_Nm(bench, column.high, stretch);
+      for (std::size_t i = 0; i < taken.size(); ++i)
+        taken[i] = (taken[i] - left[i]) / column.change;
+      return taken;
+    });
   }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  std::vector<const Column*> pointers;
-  for (const std::size_t index : used) pointers.push_back(&dictionary.columns[index]);
-  const BandRows rows = band_rows(signals, pointers, target, options);
-  Eigen::MatrixXd values =
-      Eigen::MatrixXd::Zero(rows.values.rows(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    for (const Coefficient::Term& term : columns[c].terms) {
-      const auto at = std::lower_bound(used.begin(), used.end(), term.column) - used.begin();
-      values.col(static_cast<Eigen::Index>(c)) += term.weight * rows.values.col(at);
-    }
-  }
-  if (residual != nullptr) *residual = rows.values.rightCols(1);
   return values;
 }
 

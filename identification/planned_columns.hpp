@@ -5,29 +5,32 @@
 #include <string>
 #include <vector>
 
-#include "identification/gram.hpp"
+#include "identification/bench.hpp"
+#include "identification/forward/hypothesis.hpp"
+#include "identification/selection/rows.hpp"
 
 namespace torquewright::identification {
 
-/// A parameter of an effect, as a combination of the dictionary's columns. An effect that is not
-/// linear stands at a typical value of its nonlinear parameters.
+/// A parameter of an effect: what it changes in the torque balance between two hypotheses. An
+/// effect that is not linear stands at a typical value of its nonlinear parameters.
 struct PlannedColumn {
   std::string effect;
   std::string parameter;  ///< As in documents where it is the same, with its unit.
   std::string at;         ///< The typical values, in words; empty: linear.
-  std::vector<Coefficient::Term> terms;
+  Hypothesis low, high;   ///< They differ in the parameter ...
+  double change = 1.0;    ///< ... by this, in its unit.
 };
 
-/// The columns of an effect in this dictionary; empty: the equation does not show it.
-std::vector<PlannedColumn> planned_columns(const Dictionary& dictionary, const Extent& extent,
+/// The columns of an effect, typical for what the ranges cover; empty: the torque balance of such a
+/// bench does not show it.
+std::vector<PlannedColumn> planned_columns(const Bench& bench, const actuator::Ranges& ranges,
                                            const std::string& effect);
 
 /// Every name of the contract.
 const std::vector<std::string>& effects_of_the_contract();
 
-/// Sums of the terms along the signals, in the band; samples in rows.
-Eigen::MatrixXd planned_rows(const Signals& signals, const Dictionary& dictionary,
-                             const std::vector<PlannedColumn>& columns, const Target& target,
-                             const BandOptions& options, Eigen::VectorXd* residual = nullptr);
+/// (rows x columns) What one unit of each parameter takes from the residual of the torque balance.
+Eigen::MatrixXd planned_rows(const Bench& bench, const Rows& rows,
+                             const std::vector<PlannedColumn>& columns);
 
 }  // namespace torquewright::identification

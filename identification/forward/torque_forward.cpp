@@ -74,8 +74,8 @@ void add_uncertain(const Bench& bench, const actuator::Ranges& ranges, ForwardEq
   };
 }
 
-void add_delays(const Bench& bench, ForwardEquation& equation) {
-  const auto add = [&](Quantity channel) { equation.candidates.push_back(delay_candidate(channel)); };
+void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
+  const auto add = [&](Quantity channel) { candidates.push_back(delay_candidate(channel)); };
   add(bench.drive_channel);
   if (bench.load_side == LoadSide::kSensor) add(bench.load_channel);
   add(bench.is_linear ? Quantity::kLinearPosition : Quantity::kOutputPosition);
@@ -125,6 +125,20 @@ double used_torque_Nm(const std::vector<Signals>& signals) {
 
 }  // namespace
 
+std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuator::Ranges& ranges) {
+  std::vector<EffectCandidate> candidates;
+  for (const EffectKind* each : actuator::effect_library()) {
+    if (each->has_harmonics || !can_enter(bench, *each)) continue;
+    candidates.push_back(actuator_candidate(*each, bench.actuator(), ranges));
+  }
+  if (ranges.angle_rad >= std::numbers::pi / 2.0) {
+    candidates.push_back(imbalance_candidate(ranges));
+  }
+  candidates.push_back(offset_candidate(ranges));
+  add_delays(bench, candidates);
+  return candidates;
+}
+
 ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& signals,
                                const std::vector<std::size_t>& fold_of_run) {
   const Balance balance(bench);
@@ -138,15 +152,7 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.used = used_torque_Nm(signals);
   const actuator::Ranges ranges = ranges_of(bench, signals);
   add_uncertain(bench, ranges, equation);
-  for (const EffectKind* each : actuator::effect_library()) {
-    if (each->has_harmonics || !can_enter(bench, *each)) continue;
-    equation.candidates.push_back(actuator_candidate(*each, bench.actuator(), ranges));
-  }
-  if (ranges.angle_rad >= std::numbers::pi / 2.0) {
-    equation.candidates.push_back(imbalance_candidate(ranges));
-  }
-  equation.candidates.push_back(offset_candidate(ranges));
-  add_delays(bench, equation);
+  equation.candidates = torque_candidates(bench, ranges);
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
     return torque_balance_Nm(bench, hypothesis, stretch);
   };

@@ -11,6 +11,8 @@
 #include <random>
 
 #include "actuator/motor/actuator_spec.hpp"
+#include "identification/forward/candidates.hpp"
+#include "identification/forward/torque_prediction.hpp"
 #include "identification/plan_trial.hpp"
 #include "identification/rig_plant.hpp"
 #include "io/spec_error.hpp"
@@ -167,8 +169,7 @@ TEST(Plan, RefusesAnUnknownNameWithTheNearest) {
 
 /// A fit of coulomb and viscous friction and an offset to a noisy log, by least squares.
 Eigen::VectorXd fitted(const Log& clean, const Plan& plan, const Bench& bench,
-                       const Dictionary& dictionary, const std::vector<PlannedColumn>& columns,
-                       std::mt19937_64& random) {
+                       const std::vector<PlannedColumn>& columns, std::mt19937_64& random) {
   Log noisy = clean;
   NoiseLevels levels{};
   for (const auto& [quantity, sigma] : plan.noise) {
@@ -180,18 +181,15 @@ Eigen::VectorXd fitted(const Log& clean, const Plan& plan, const Bench& bench,
       });
     }
   }
-  const Target target = [&](const Signals& signals) { return torque_residual(bench, signals); };
-  const auto size = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(size, size);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
-  for (const Signals& signals : prepare(noisy, bench, levels, {})) {
-    Eigen::VectorXd residual;
-    const Eigen::MatrixXd rows =
-        planned_rows(signals, dictionary, columns, target, BandOptions(), &residual);
-    products += rows.transpose() * rows;
-    right += rows.transpose() * residual;
-  }
-  return products.colPivHouseholderQr().solve(right);
+  const std::vector<Signals> signals = prepare(noisy, bench, levels, {});
+  const Rows rows(signals, std::vector<std::size_t>(noisy.runs.size(), 0), {});
+  Hypothesis stated;
+  stated.actuator = bench.actuator();
+  stated.rig = *bench.rig;
+  const Eigen::VectorXd residual = rows.values(
+      [&](const Signals& stretch) { return torque_balance_Nm(bench, stated, stretch); });
+  const Eigen::MatrixXd columns_at = planned_rows(bench, rows, columns);
+  return columns_at.colPivHouseholderQr().solve(residual);
 }
 
 TEST(Plan, StandardErrorsAreTheScatterOfRepeatedFits) {
@@ -205,18 +203,17 @@ TEST(Plan, StandardErrorsAreTheScatterOfRepeatedFits) {
   }
   const Log clean = noiseless_log(rig, actuator, plan.runs, simulated);
   const Bench bench = make_bench(rig, clean, 0, {&actuator});
-  const Extent extent = extent_of(prepare(clean, bench, {}, {}));
-  const Dictionary dictionary = torque_dictionary(bench, extent, {});
+  const actuator::Ranges ranges = ranges_of(bench, prepare(clean, bench, {}, {}));
   std::vector<PlannedColumn> columns;
   for (const char* effect : {"coulomb_friction", "viscous_friction", "torque_offset"}) {
-    const auto own = planned_columns(dictionary, extent, effect);
+    const auto own = planned_columns(bench, ranges, effect);
     columns.insert(columns.end(), own.begin(), own.end());
   }
   constexpr int kFits = 40;
   std::mt19937_64 random(7);
   Eigen::MatrixXd fits(kFits, 3);
   for (int k = 0; k < kFits; ++k) {
-    fits.row(k) = fitted(clean, plan, bench, dictionary, columns, random).transpose();
+    fits.row(k) = fitted(clean, plan, bench, columns, random).transpose();
   }
   for (Eigen::Index p = 0; p < 2; ++p) {
     const double mean = fits.col(p).mean();
