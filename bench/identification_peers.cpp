@@ -89,8 +89,7 @@ void add_peers(const oracles::Scenario& scenario, const std::filesystem::path& f
     return;
   }
   const Extent extent = extent_of(signals);
-  const Orders orders = promising_orders(
-      bench, [&](const Signals& s) { return torque_residual(bench, s); }, signals, run_folds(log), extent);
+  const Orders orders = promising_orders(bench, signals, run_folds(log), extent);
   const SignalSource source(signals, {});
   const EquationFit fit(log, torque_equation(bench, extent, orders), source);
   const std::array<std::vector<std::string>, 4> names = {

@@ -34,8 +34,7 @@ Eigen::MatrixXd regressors(const std::filesystem::path& folder) {
   const std::vector<Signals> signals = prepare(log, bench, noise_levels(log, 0), {});
   const Extent extent = extent_of(signals);
   const Equation equation =
-      torque_equation(bench, extent, promising_orders(
-      bench, [&](const Signals& s) { return torque_residual(bench, s); }, signals, run_folds(log), extent));
+      torque_equation(bench, extent, promising_orders(bench, signals, run_folds(log), extent));
   std::vector<const Column*> columns;
   for (const Column& column : equation.dictionary.columns) columns.push_back(&column);
   std::vector<Eigen::MatrixXd> parts;

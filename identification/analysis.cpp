@@ -8,10 +8,7 @@
 #include "identification/delay_choice.hpp"
 #include "identification/equation_analysis.hpp"
 #include "identification/folds.hpp"
-#include "identification/forward/plain_forward.hpp"
-#include "identification/forward/torque_forward.hpp"
-#include "identification/selection/answer.hpp"
-#include <cstdlib>
+#include "identification/forward_analysis.hpp"
 #include "identification/orders.hpp"
 #include "identification/position_study.hpp"
 #include "identification/standstill.hpp"
@@ -44,13 +41,6 @@ class JointAnalysis {
       return results;
     }
     if (bench_.has_torque_balance()) add_torque_and_position(source, results);
-    if (std::getenv("TW_NEW") != nullptr) {
-      for (const ForwardEquation& each : plain_forward(bench_, source.rows())) {
-        say("searching: " + each.quantity, 0.9);
-        results.push_back(answer(bench_, log_, each, source, folds_, options_));
-      }
-      return results;
-    }
     std::vector<Equation> plain = plain_equations(bench_, source.rows());
     for (std::size_t k = 0; k < plain.size(); ++k) {
       say("searching: " + plain[k].quantity,
@@ -70,13 +60,8 @@ class JointAnalysis {
   }
 
   EquationResult torque(const SignalSource& source) const {
-    if (std::getenv("TW_NEW") != nullptr) {
-      const ForwardEquation equation = torque_forward(bench_, source.rows(), folds_);
-      return answer(bench_, log_, equation, source, folds_, torque_options_);
-    }
     const Extent extent = extent_of(source.rows());
-    const Orders orders = promising_orders(
-        bench_, [&](const Signals& s) { return torque_residual(bench_, s); }, source.rows(), folds_, extent);
+    const Orders orders = promising_orders(bench_, source.rows(), folds_, extent);
     EquationResult found = analyse_equation(bench_, log_, torque_equation(bench_, extent, orders),
                                             source, torque_options_);
     if (!asks_again(found)) return found;
@@ -133,7 +118,6 @@ class JointAnalysis {
   EquationResult torque_result(const SignalSource& source) const {
     say("searching: torque", 0.3);
     EquationResult plain = torque(source);
-    if (std::getenv("TW_NEW") != nullptr) return plain;
     say("aligning", 0.6);
     const auto delay = options_.select ? find_delay(bench_, source.rows(), folds_) : std::nullopt;
     if (!delay) return plain;
@@ -156,7 +140,10 @@ class JointAnalysis {
 std::vector<EquationResult> analyse(const Rig& rig, const Log& log, std::size_t joint,
                                     const std::vector<const actuator::Actuator*>& actuators,
                                     const AnalysisOptions& options) {
-  std::vector<EquationResult> results = JointAnalysis(rig, log, joint, actuators, options).run();
+  std::vector<EquationResult> results =
+      options.method == Method::kForward
+          ? analyse_forward(rig, log, joint, actuators, options)
+          : JointAnalysis(rig, log, joint, actuators, options).run();
   for (EquationResult& each : results) each.joint = rig.joints[joint];
   return results;
 }

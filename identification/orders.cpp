@@ -26,8 +26,7 @@ struct ResidualRows {
   std::vector<double> residual, motor_rad, output_rad, load_Nm, direction, motor_Hz, output_Hz;
 };
 
-ResidualRows residual_rows(const Bench& bench, const Target& target,
-                           const std::vector<Signals>& signals,
+ResidualRows residual_rows(const Bench& bench, const std::vector<Signals>& signals,
                            const std::vector<std::size_t>& fold_of_run) {
   const Balance balance(bench);
   std::vector<Column> columns;
@@ -46,6 +45,7 @@ ResidualRows residual_rows(const Bench& bench, const Target& target,
   add([](const Signals&, std::size_t) { return 1.0; });
   std::vector<const Column*> pointers;
   for (const Column& column : columns) pointers.push_back(&column);
+  const Target target = [&](const Signals& s) { return torque_residual(bench, s); };
   std::vector<BandRows> parts;
   std::vector<const Signals*> owners;
   Eigen::Index total = 0;
@@ -160,11 +160,10 @@ std::vector<double> peaks(const ResidualRows& rows, const Angle& angle, double r
 
 }  // namespace
 
-Orders promising_orders(const Bench& bench, const Target& target,
-                        const std::vector<Signals>& signals,
+Orders promising_orders(const Bench& bench, const std::vector<Signals>& signals,
                         const std::vector<std::size_t>& fold_of_run, const Extent& extent) {
   Orders orders;
-  const ResidualRows rows = residual_rows(bench, target, signals, fold_of_run);
+  const ResidualRows rows = residual_rows(bench, signals, fold_of_run);
   if (rows.residual.empty()) return orders;
   orders.motor = peaks(rows, {rows.motor_rad, rows.motor_Hz, nullptr}, extent.motor_angle_rad,
                        kHighestMotorOrder);

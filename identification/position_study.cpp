@@ -121,7 +121,8 @@ std::string replaced_by(const actuator::Actuator& nominal) {
 }  // namespace
 
 std::optional<EquationResult> study_position(const PositionInput& input,
-                                             const EquationResult& torque, bool select) {
+                                             const EquationResult& torque, bool select,
+                                             bool only_if_left) {
   const Bench& bench = input.bench;
   const auto offset = known_offset_A(torque, bench.actuator());
   if (!Replay::can_replay(bench) || !offset) return std::nullopt;
@@ -136,7 +137,8 @@ std::optional<EquationResult> study_position(const PositionInput& input,
   actuator::Actuator known = with_effects(bench.actuator(), torque.added);
   const double known_floor = noise_floor(log, noisy, known);
   const double left = errors_of(log, known).train_rms;
-  const bool is_followed = left * left <= kNoiseLoss * known_floor * known_floor;
+  const bool is_followed =
+      only_if_left && left * left <= kNoiseLoss * known_floor * known_floor;
   if (select && !is_followed && leaves_standstill_open(torque)) {
     const actuator::Actuator plain = with_effects(bench.actuator(), lasting(torque.added));
     Standstill found = find_standstill(log, plain, scale_of(input.signals));

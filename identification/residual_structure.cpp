@@ -70,7 +70,7 @@ std::vector<double> since_reversal(const ResidualTrace& trace) {
 }
 
 /// All rows of all traces, in a line.
-struct Rows {
+struct TableRows {
   std::vector<double> residual, weight;
   std::vector<std::size_t> bin, fold;
   std::vector<std::pair<std::size_t, std::size_t>> runs;  ///< Begin and end of each trace.
@@ -96,7 +96,7 @@ std::vector<double> assign_bins(const std::vector<double>& coordinate, std::size
 }
 
 /// Held-out R^2 of the table, with residuals moved on by `shift` of each run's length.
-double held_out_share(const Rows& rows, std::size_t bins, std::size_t folds, double shift) {
+double held_out_share(const TableRows& rows, std::size_t bins, std::size_t folds, double shift) {
   std::vector<double> top(folds * bins, 0.0), bottom(folds * bins, 0.0);
   std::vector<double> all_top(bins, 0.0), all_bottom(bins, 0.0);
   const auto each = [&](const auto& visit) {
@@ -137,7 +137,7 @@ bool is_significant(const ResidualStructure& structure, const ResidualStructureO
 
 std::vector<ResidualStructure> residual_structures(const std::vector<ResidualTrace>& traces,
                                                    const ResidualStructureOptions& options) {
-  Rows rows;
+  TableRows rows;
   std::size_t folds = 0;
   for (const ResidualTrace& trace : traces) {
     rows.runs.emplace_back(rows.residual.size(), rows.residual.size() + trace.value.size());

@@ -19,9 +19,10 @@ using actuator::Instant;
 using actuator::Ranges;
 using Json = nlohmann::ordered_json;
 
-constexpr double kScaleReach = 100.0;      ///< Of a scale, to either side of its starts.
+constexpr double kScaleReachUp = 100.0;    ///< Of a scale, from its starts.
+constexpr double kScaleReachDown = 5.0;
 constexpr double kLongestDelay_s = 0.2;
-constexpr double kLongestTime_s = 0.5;     ///< Of a lag.
+constexpr double kLongestTime_s = 0.1;     ///< Of a lag.
 constexpr double kMostCoefficient = 5.0;   ///< Of what has no unit.
 constexpr double kMostWarming_1_K = 0.05;
 
@@ -74,8 +75,8 @@ FitParameter fit_parameter(const EffectKind& kind, const Ranges& ranges,
       greatest = std::max(greatest, start[index]);
     }
     const bool is_exponent = size_of(parameter.name, ranges) == 1.0;
-    fit.lowest = is_exponent ? 0.0 : std::log(least / kScaleReach);
-    fit.highest = is_exponent ? std::log(8.0) : std::log(greatest * kScaleReach);
+    fit.lowest = is_exponent ? 0.0 : std::log(least / kScaleReachDown);
+    fit.highest = is_exponent ? std::log(8.0) : std::log(greatest * kScaleReachUp);
     return fit;
   }
   fit.above = index_of(kind, parameter.at_least);
@@ -202,6 +203,23 @@ EffectCandidate actuator_candidate(const EffectKind& kind, const actuator::Actua
     Json json = Json::object();
     for (std::size_t p = 0; p < parameters.size(); ++p) json[parameters[p].name] = effect.values[p];
     return json;
+  };
+  return candidate;
+}
+
+EffectCandidate with_equal_parameters(EffectCandidate candidate) {
+  const std::size_t count = candidate.parameters.size();
+  double highest = candidate.parameters.front().highest;
+  for (const FitParameter& each : candidate.parameters) highest = std::min(highest, each.highest);
+  candidate.parameters.resize(1);
+  candidate.parameters.front().highest = highest;
+  for (auto& start : candidate.starts) start.resize(1);
+  candidate.apply = [count, apply = candidate.apply](std::span<const double> u,
+                                                     Hypothesis& hypothesis) {
+    apply(std::vector<double>(count, u[0]), hypothesis);
+  };
+  candidate.report = [count, report = candidate.report](std::span<const double> u) {
+    return report(std::vector<double>(count, u[0]));
   };
   return candidate;
 }

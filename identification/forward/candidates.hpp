@@ -20,6 +20,9 @@ double size_of(std::string_view parameter, const actuator::Ranges& ranges);
 EffectCandidate actuator_candidate(const actuator::EffectKind& kind, const actuator::Actuator& stated,
                              const actuator::Ranges& ranges);
 
+/// The same where a log determines only what its parameters have in common.
+EffectCandidate with_equal_parameters(EffectCandidate candidate);
+
 /// One wave of an effect that has harmonics. `scale`: the largest amplitude.
 EffectCandidate wave_candidate(const actuator::EffectKind& kind, double order, bool proportional,
                          double scale);

@@ -15,6 +15,7 @@ struct ForwardEquation {
   std::string quantity;  ///< Whose error it is.
   std::string unit;
   double unit_per_residual = 1.0;
+  bool target_is_drive = false;  ///< The drive's channel is what is measured, and no coordinate.
   double used = 0.0;  ///< Rms of what is predicted, in the residual's unit; 0: nothing to compare with.
   Hypothesis stated;
   std::vector<FitParameter> always;                ///< Fitted in every model: uncertain values, zero points.

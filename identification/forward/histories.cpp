@@ -67,6 +67,10 @@ void add_history(const actuator::Actuator& actuator, const actuator::Effect& eff
   }
 }
 
+bool is_neutral(const actuator::Effect& effect) {
+  return effect.values.front() == effect.kind->parameters.front().neutral;
+}
+
 }  // namespace
 
 std::vector<double> torque_of_histories_Nm(const actuator::Actuator& actuator,
@@ -75,7 +79,7 @@ std::vector<double> torque_of_histories_Nm(const actuator::Actuator& actuator,
   std::vector<double> sum_Nm(at.size(), 0.0);
   if (at.empty() || !(step_s > 0.0)) return sum_Nm;
   for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->state_rate != nullptr) {
+    if (effect.kind->state_rate != nullptr && !is_neutral(effect)) {
       add_history(actuator, effect, at, motor_Nm, step_s, sum_Nm);
     }
   }

@@ -10,7 +10,7 @@
 #include "identification/balance.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/torque_prediction.hpp"
-#include "identification/orders.hpp"
+#include "identification/forward/wave_orders.hpp"
 #include "identification/uncertain.hpp"
 
 namespace torquewright::identification {
@@ -83,7 +83,7 @@ void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
 
 const EffectKind& kind(const char* name) { return *actuator::find_effect(name); }
 
-std::vector<EffectCandidate> waves_of(const Bench& bench, const Orders& orders,
+std::vector<EffectCandidate> waves_of(const Bench& bench, const WaveOrders& orders,
                                 const actuator::Ranges& ranges) {
   std::vector<EffectCandidate> waves;
   const double ratio = std::abs(bench.actuator().transmission.ratio);
@@ -123,6 +123,13 @@ double used_torque_Nm(const std::vector<Signals>& signals) {
   return count > 0.0 ? std::sqrt(square / count) : 0.0;
 }
 
+/// Whether the effect shows in what follows in time.
+bool needs_time(const EffectCandidate& candidate) {
+  const EffectKind* kind = actuator::find_effect(candidate.effect);
+  return candidate.effect == "channel_delay" ||
+         (kind != nullptr && (kind->state_rate != nullptr || kind->acts == Acts::kInertialTorque));
+}
+
 }  // namespace
 
 std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuator::Ranges& ranges) {
@@ -130,6 +137,11 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
   for (const EffectKind* each : actuator::effect_library()) {
     if (each->has_harmonics || !can_enter(bench, *each)) continue;
     candidates.push_back(actuator_candidate(*each, bench.actuator(), ranges));
+    // Driving less back-driving load friction is the load itself: beside an open torque constant
+    // the sum of the two coefficients is all that a log can hold.
+    if (each->acts == Acts::kLoadFriction && is_uncertain(bench, "/motor/torque_constant_Nm_A")) {
+      candidates.back() = with_equal_parameters(std::move(candidates.back()));
+    }
   }
   if (ranges.angle_rad >= std::numbers::pi / 2.0) {
     candidates.push_back(imbalance_candidate(ranges));
@@ -149,6 +161,7 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.unit_per_residual = balance.unit_per_Nm();
   equation.stated.actuator = bench.actuator();
   equation.stated.rig = *bench.rig;
+  equation.target_is_drive = bench.load_side == LoadSide::kModel;
   equation.used = used_torque_Nm(signals);
   const actuator::Ranges ranges = ranges_of(bench, signals);
   add_uncertain(bench, ranges, equation);
@@ -156,9 +169,11 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
     return torque_balance_Nm(bench, hypothesis, stretch);
   };
-  const Extent extent = extent_of(signals);
-  equation.waves = [&bench, &signals, fold_of_run, ranges, extent](const auto& left) {
-    return waves_of(bench, promising_orders(bench, left, signals, fold_of_run, extent), ranges);
+  const bool is_map = std::none_of(signals.begin(), signals.end(),
+                                   [](const Signals& each) { return each.step_s > 0.0; });
+  if (is_map) std::erase_if(equation.candidates, needs_time);
+  equation.waves = [&bench, &signals, fold_of_run, ranges](const auto& left) {
+    return waves_of(bench, promising_waves(bench, left, signals, fold_of_run, ranges), ranges);
   };
   return equation;
 }

@@ -25,6 +25,7 @@ using actuator::Actuator;
 using actuator::Instant;
 
 constexpr double kMostTurnsPerSample = 0.35;  ///< Of a wave: faster, it would fold.
+constexpr double kLeastSlope = 0.05;          ///< Of the stated one.
 constexpr double kMostGain = 1e6;  ///< Of a mesh that locks: finite, and far beyond any torque.
 
 /// What drives, moves and loads a stretch, each as it was before its channel was late.
@@ -61,7 +62,7 @@ void advance_motion(std::vector<Instant>& at, double delay_s, double step_s) {
   for (Instant& each : at) each.direction = std::clamp(each.direction, -1.0, 1.0);
 }
 
-bool is_same_load(const Rig& a, const Rig& b) { return a.load == b.load; }
+bool is_same_load(const Rig& a, const Rig& b) { return a.load == b.load && a.loads == b.loads; }
 
 std::vector<double> load_of(const Bench& bench, const Hypothesis& hypothesis,
                             const Signals& signals) {
@@ -219,24 +220,53 @@ double winding_current_A(const Bench& bench, const Actuator& actuator, double vo
   return (drop_V - std::copysign(dead_V, drop_V)) / resistance;
 }
 
+namespace {
+
+/// The motor's torque at the output from the drive's channel; sets the instant's current.
+double motor_Nm_at(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
+                   double drive, Instant& at) {
+  at.current_A = bench.drive == Drive::kVoltage
+                     ? winding_current_A(bench, hypothesis.actuator, drive,
+                                         !signals.bus_V.empty(), at)
+                     : drive - hypothesis.log.current_offset_A;
+  return actuator::motor_torque_Nm(hypothesis.actuator, at);
+}
+
+/// Where the drive's channel is what was measured, what is missing counts by what the stated
+/// actuator makes of a unit of it: else a fit could make everything small by a motor that yields
+/// little. By a difference; at least a twentieth of the stated one.
+double stated_over_own_slope(const Bench& bench, const Hypothesis& hypothesis,
+                             const Signals& signals, double drive, const Instant& at) {
+  const actuator::Actuator& stated = bench.actuator();
+  const bool is_voltage = bench.drive == Drive::kVoltage;
+  double stated_slope = stated.transmission.ratio * stated.motor.torque_constant_Nm_A;
+  if (is_voltage) stated_slope /= actuator::winding_of(stated).resistance_ohm;
+  const double step = 1e-3 * (is_voltage ? stated.drive.bus_voltage_V : stated.drive.peak_current_A);
+  Instant here = at, there = at;
+  const double change_Nm = motor_Nm_at(bench, hypothesis, signals, drive + step, there) -
+                           motor_Nm_at(bench, hypothesis, signals, drive - step, here);
+  const double share = 0.5 * change_Nm / step / stated_slope;
+  // The bridge's dead band yields nothing; that says nothing of the rest.
+  return 1.0 / std::max(share, is_voltage ? kLeastSlope : kLeastSlope * kLeastSlope);
+}
+
+}  // namespace
+
 std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
                                       const Signals& signals) {
   Motion motion = motion_of(bench, hypothesis, signals);
   const std::size_t n = signals.size();
-  std::vector<double> motor_Nm(n);
+  const bool is_sensor = bench.load_side == LoadSide::kSensor;
+  std::vector<double> motor_Nm(n), stated_per_own(n, 1.0);
   for (std::size_t i = 0; i < n; ++i) {
     Instant& at = motion.at[i];
-    at.current_A = bench.drive == Drive::kVoltage
-                       ? winding_current_A(bench, hypothesis.actuator, motion.drive[i],
-                                           !signals.bus_V.empty(), at)
-                       : motion.drive[i] - hypothesis.log.current_offset_A;
-    motor_Nm[i] = actuator::motor_torque_Nm(hypothesis.actuator, at);
+    motor_Nm[i] = motor_Nm_at(bench, hypothesis, signals, motion.drive[i], at);
+    if (!is_sensor) stated_per_own[i] = stated_over_own_slope(bench, hypothesis, signals, motion.drive[i], at);
   }
   const std::vector<double> histories_Nm =
       torque_of_histories_Nm(hypothesis.actuator, motion.at, motor_Nm, signals.step_s);
   const Mesh mesh(hypothesis.actuator);
   const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(hypothesis.actuator);
-  const bool is_sensor = bench.load_side == LoadSide::kSensor;
   std::vector<double> balance_Nm(n);
   SlowWaves waves(hypothesis.actuator, signals.step_s);
   for (std::size_t i = 0; i < n; ++i) {
@@ -270,6 +300,7 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
                       return mesh.before(load_Nm, now.direction) - actuator::drag_Nm(actuator, now);
                     }) -
                     smooth_Nm;
+    balance_Nm[i] *= stated_per_own[i];
   }
   subtract_gap(bench, hypothesis, signals, balance_Nm);
   return balance_Nm;

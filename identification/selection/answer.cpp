@@ -10,15 +10,17 @@
 #include "identification/confusions.hpp"
 #include "identification/selection/judgement.hpp"
 #include "identification/selection/named.hpp"
+#include "identification/selection/same_rig.hpp"
 #include "identification/selection/search.hpp"
 #include "identification/verdict.hpp"
 
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kLeastBlocks = 6;  ///< In training, to say anything.
+constexpr std::size_t kLeastTrainingBlocks = 6;  ///< In training, to say anything.
 constexpr double kBands_Hz[] = {8.0, 16.0, 24.0};  ///< Below the signals' own.
 constexpr double kClearlyMore = 1.2;
+constexpr double kKnown = 0.5;  ///< Relative error, at most, of an uncertain value that is fitted.
 
 /// Root mean squares over rows that were fitted and that were not, in the equation's unit.
 Errors errors_over(const ForwardEquation& equation, const Rows& rows, const Eigen::VectorXd& residual) {
@@ -33,7 +35,7 @@ Errors errors_over(const ForwardEquation& equation, const Rows& rows, const Eige
   return {rms(0), rms(1)};
 }
 
-std::vector<ResidualStructure> structure_of(const Rows& rows, const Eigen::VectorXd& residual) {
+std::vector<ResidualStructure> structure_left(const Rows& rows, const Eigen::VectorXd& residual) {
   std::vector<ResidualTrace> traces;
   std::size_t block = 0;
   Eigen::Index row = 0;
@@ -61,7 +63,7 @@ std::vector<ResidualStructure> structure_of(const Rows& rows, const Eigen::Vecto
   return residual_structures(traces);
 }
 
-std::string evidence_of(const Comparison& gain, double share) {
+std::string evidence_for(const Comparison& gain, double share) {
   return fmt::format(
       "It removes {:.0f} % of the squared error where it was not fitted, {:.1f} standard errors; "
       "it helps in {} of {} parts.",
@@ -69,7 +71,7 @@ std::string evidence_of(const Comparison& gain, double share) {
 }
 
 /// Stated effects that a member takes the place of, and the one of its own kind.
-std::string replaced_by(const EffectCandidate& member, const actuator::Actuator& stated) {
+std::string stated_parts_of(const EffectCandidate& member, const actuator::Actuator& stated) {
   std::string list;
   for (const actuator::Effect& each : stated.effects) {
     const bool is_part = std::find(member.contains.begin(), member.contains.end(),
@@ -110,8 +112,8 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
     const Errors after = errors_over(fitter.equation(), fitter.rows(), sub.residual);
     named.holdout_rms_before = last.holdout_rms;
     named.holdout_rms_after = after.holdout_rms;
-    named.replaces = replaced_by(*found.best.members[m], fitter.equation().stated.actuator);
-    named.evidence = evidence_of(found.gains[m], found.gains[m].gain / before);
+    named.replaces = stated_parts_of(*found.best.members[m], fitter.equation().stated.actuator);
+    named.evidence = evidence_for(found.gains[m], found.gains[m].gain / before);
     named.gain.t = found.gains[m].t;
     last = after;
     const auto same = std::find_if(result.added.begin(), result.added.end(), [&](const auto& each) {
@@ -128,7 +130,7 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
   }
 }
 
-void add_group(const Bench& bench, std::vector<std::string> effects, bool exact, EquationResult& result) {
+void append_group(const Bench& bench, std::vector<std::string> effects, bool exact, EquationResult& result) {
   if (effects.size() < 2) return;
   Confounded group;
   group.separated_by = separated_by(bench, effects);
@@ -139,10 +141,10 @@ void add_group(const Bench& bench, std::vector<std::string> effects, bool exact,
 }
 
 /// What stands in the place of a member in rivals that do without it.
-void add_groups(const Bench& bench, const Found& found, EquationResult& result) {
+void append_groups(const Bench& bench, const Found& found, EquationResult& result) {
   for (const NamedEffect& named : result.added) {
     const std::vector<std::string> exact = exact_identities(bench, named.effect);
-    add_group(bench, exact, true, result);
+    append_group(bench, exact, true, result);
     std::vector<std::string> others = {named.effect};
     for (const ModelFit& rival : found.rivals) {
       if (rival.holds(named.effect)) continue;
@@ -155,7 +157,7 @@ void add_groups(const Bench& bench, const Found& found, EquationResult& result) 
         }
       }
     }
-    add_group(bench, others, false, result);
+    append_group(bench, others, false, result);
   }
 }
 
@@ -182,14 +184,40 @@ void describe_refused(const Found& found, EquationResult& result) {
   }
 }
 
+/// Without those uncertain values that the log cannot tell: they stay as stated.
+ForwardEquation with_what_is_determined(ForwardEquation equation, const HeldSignals& held,
+                                        const std::vector<std::size_t>& fold_of_run) {
+  for (std::size_t k = equation.pointers.size(); k-- > 0;) {
+    const Rows rows(held.rows, fold_of_run, {});
+    const ModelFit fit = ModelFitter(equation, rows, held.replica).fit(
+        {}, Eigen::Map<const Eigen::VectorXd>(equation.always_start.data(),
+                                              static_cast<Eigen::Index>(equation.always_start.size())));
+    const auto i = static_cast<Eigen::Index>(k);
+    const double error = std::sqrt(std::max(0.0, fit.covariance(i, i)));
+    if (fit.is_free[k] && error <= kKnown * std::abs(fit.coordinates[i])) continue;
+    const auto place = static_cast<std::ptrdiff_t>(k);
+    equation.apply_always = [before = equation.apply_always, place,
+                             value = equation.always_start[k]](std::span<const double> values,
+                                                               Hypothesis& hypothesis) {
+      std::vector<double> all(values.begin(), values.end());
+      all.insert(all.begin() + place, value);
+      before(all, hypothesis);
+    };
+    equation.always.erase(equation.always.begin() + place);
+    equation.always_start.erase(equation.always_start.begin() + place);
+    equation.pointers.erase(equation.pointers.begin() + place);
+  }
+  return equation;
+}
+
 /// The band in which what the stated model leaves stands out of the channels' noise by most of that
 /// noise's own scatter; the lowest where nothing does.
-double telling_band_Hz(const ForwardEquation& equation, const SignalSource& source,
+double telling_band_Hz(const ForwardEquation& equation, const HeldSignals& held,
                        const std::vector<std::size_t>& fold_of_run) {
   double best_Hz = kBands_Hz[0], most = 0.0;
   for (const double band_Hz : kBands_Hz) {
-    const Rows rows(source.rows(), fold_of_run, {band_Hz});
-    const ModelFitter fitter(equation, rows, source.noisy_rows());
+    const Rows rows(held.rows, fold_of_run, {band_Hz});
+    const ModelFitter fitter(equation, rows, held.replica);
     const ModelFit fit = fitter.fit({}, fitter.always_start());
     if (!fit.is_valid || !(fit.noise_loss > 0.0)) continue;
     // As many degrees of freedom as the band has in the rows' time.
@@ -203,33 +231,42 @@ double telling_band_Hz(const ForwardEquation& equation, const SignalSource& sour
   return best_Hz;
 }
 
+Found found_by(const ModelFitter& fitter, const SearchRules& rules,
+               const AnalysisOptions& options) {
+  if (options.select) return Search(fitter, rules, options.settled).run();
+  Found found;
+  found.empty = found.best = fitter.fit({}, fitter.always_start());
+  return found;
+}
+
+std::vector<std::string> names_of_runs(const Log& log) {
+  std::vector<std::string> names;
+  for (std::size_t run = 0; run < log.runs.size(); ++run) names.push_back(log.runs.head(run).name);
+  return names;
+}
+
 }  // namespace
 
-EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation& equation,
-                      const SignalSource& source, const std::vector<std::size_t>& fold_of_run,
+EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation& stated,
+                      const HeldSignals& held, const std::vector<std::size_t>& fold_of_run,
                       const AnalysisOptions& options) {
-  (void)log;
   EquationResult result;
+  const ForwardEquation equation = with_what_is_determined(stated, held, fold_of_run);
   result.quantity = equation.quantity;
   result.unit = equation.unit;
-  const Rows rows(source.rows(), fold_of_run, {telling_band_Hz(equation, source, fold_of_run)});
+  const Rows rows(held.rows, fold_of_run, {telling_band_Hz(equation, held, fold_of_run)});
   result.band_Hz = rows.options().cutoff_Hz;
-  if (rows.training_blocks() < kLeastBlocks) {
+  if (rows.training_blocks() < kLeastTrainingBlocks) {
     result.unusable = fmt::format("{} blocks can be fitted; {} are needed: a longer log",
-                                  rows.training_blocks(), kLeastBlocks);
+                                  rows.training_blocks(), kLeastTrainingBlocks);
     return result;
   }
-  const ModelFitter fitter(equation, rows, source.noisy_rows());
+  const ModelFitter fitter(equation, rows, held.replica);
   SearchRules rules;
   rules.least_change = options.tolerance * equation.used;
-  Search search(fitter, rules);
-  Found found = options.select ? search.run() : Found{};
-  if (!options.select) {
-    found.empty = fitter.fit({}, fitter.always_start());
-    found.best = found.empty;
-  }
+  Found found = found_by(fitter, rules, options);
   result.before = errors_over(equation, rows, found.empty.residual);
-  result.structure_before = structure_of(rows, found.empty.residual);
+  result.structure_before = structure_left(rows, found.empty.residual);
   const Judgement judged = judge(fitter, found, result.structure_before);
   result.is_noise_before = judged.is_noise_before;
   result.has_tentative = judged.has_tentative;
@@ -237,16 +274,17 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   result.after = errors_over(equation, rows, kept.residual);
   result.noise_floor_rms = errors_over(equation, rows, kept.noise).train_rms;
   result.structure_after =
-      kept.members.empty() ? result.structure_before : structure_of(rows, kept.residual);
+      kept.members.empty() ? result.structure_before : structure_left(rows, kept.residual);
   result.is_noise_after = judged.is_noise(fitter, kept, result.structure_after);
   name_members(fitter, found, result);
-  add_groups(bench, found, result);
+  append_groups(bench, found, result);
   describe_refused(found, result);
   for (std::size_t k = 0; k < equation.pointers.size() && options.select; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     result.corrected.push_back({equation.pointers[k], equation.always_start[k], kept.coordinates[i],
                                 std::sqrt(std::max(0.0, kept.covariance(i, i)))});
   }
+  result.not_one_rig = runs_that_disagree(equation, rows, kept, names_of_runs(log));
   result.verdict = verdict_of(result, options.select);
   return result;
 }

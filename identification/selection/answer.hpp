@@ -4,14 +4,14 @@
 #include "identification/analysis.hpp"
 #include "identification/forward/equation.hpp"
 #include "identification/selection/rows.hpp"
-#include "identification/signal_source.hpp"
+#include "identification/held_signals.hpp"
 
 namespace torquewright::identification {
 
 /// One equation, from its rows to its result: errors, names, groups and verdict. Where too little
 /// can be fitted, the result says so.
-EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation& equation,
-                      const SignalSource& source, const std::vector<std::size_t>& fold_of_run,
+EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation& stated,
+                      const HeldSignals& held, const std::vector<std::size_t>& fold_of_run,
                       const AnalysisOptions& options);
 
 }  // namespace torquewright::identification

@@ -7,16 +7,16 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kMostCorrelation = 0.9;
+constexpr double kMostBlockCorrelation = 0.9;
 
 /// Correlation of neighbours of one fold, at least none.
-double neighbour_correlation(const std::vector<double>& noise, const std::vector<std::size_t>& folds) {
+double block_correlation(const std::vector<double>& noise, const std::vector<std::size_t>& folds) {
   double products = 0.0, squares = 0.0;
   for (std::size_t i = 0; i < noise.size(); ++i) {
     squares += noise[i] * noise[i];
     if (i > 0 && folds[i] == folds[i - 1]) products += noise[i] * noise[i - 1];
   }
-  return squares > 0.0 ? std::clamp(products / squares, 0.0, kMostCorrelation) : 0.0;
+  return squares > 0.0 ? std::clamp(products / squares, 0.0, kMostBlockCorrelation) : 0.0;
 }
 
 /// The normal distribution's quantile, by bisection of its closed form.
@@ -38,7 +38,10 @@ Comparison compare(const Rows& rows, const ModelFit& less, const ModelFit& more)
   double square = 0.0, changed = 0.0, count = 0.0;
   for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
     const Rows::Block& block = rows.blocks()[b];
-    if (block.is_held_out()) continue;
+    if (block.is_held_out()) {
+      result.held_out_gain += less.unseen[b] - more.unseen[b];
+      continue;
+    }
     const auto part = [&](const Eigen::VectorXd& values) {
       return values.segment(block.begin, block.count);
     };
@@ -53,7 +56,7 @@ Comparison compare(const Rows& rows, const ModelFit& less, const ModelFit& more)
     changed += change;
     count += static_cast<double>(block.count);
   }
-  const double correlation = neighbour_correlation(noise, folds);
+  const double correlation = block_correlation(noise, folds);
   result.error = std::sqrt(square * (1.0 + correlation) / (1.0 - correlation));
   result.t = result.error > 0.0 ? result.gain / result.error : 0.0;
   result.change_rms = std::sqrt(std::max(0.0, changed) / std::max(1.0, count));

@@ -11,6 +11,7 @@ struct Comparison {
   double error = 0.0;      ///< Of that gain.
   double t = 0.0;          ///< Gain over its error.
   double change_rms = 0.0; ///< Between the two models' predictions, over the training rows.
+  double held_out_gain = 0.0;  ///< On blocks that no fit sees; 0 without any.
   std::size_t parts = 0, parts_better = 0;  ///< Folds, and those in which it gains.
 };
 

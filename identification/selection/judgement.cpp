@@ -4,14 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/selection/steadiness.hpp"
+
 namespace torquewright::identification {
 namespace {
 
-constexpr double kExplained = 1.3;     ///< Floors, in rms where no fit saw it.
-constexpr double kUnexplained = 3.0;   ///< Floors: beyond it, with structure left, no name is sure ...
-constexpr double kLeastShare = 0.6;    ///< ... that takes less of the squares.
+constexpr double kExplainedFloors = 1.3;     ///< Floors, in rms where no fit saw it.
+constexpr double kUnexplainedFloors = 3.0;   ///< Floors: beyond it, with structure left, no name is sure ...
+constexpr double kLeastRemoved = 0.6;    ///< ... that takes less of the squares.
 
-double rms(const Rows& rows, const Eigen::VectorXd& values, bool held_out) {
+constexpr double kMostUnsteady = 0.25;  ///< Of the rest, that goes where a law's parameters differ.
+constexpr double kMostOfOwn = 0.1;      ///< Of what it explains itself: differing by 30 %.
+
+double rms_over(const Rows& rows, const Eigen::VectorXd& values, bool held_out) {
   double square = 0.0, count = 0.0;
   for (const Rows::Block& block : rows.blocks()) {
     if (block.is_held_out() != held_out) continue;
@@ -25,11 +30,11 @@ double rms(const Rows& rows, const Eigen::VectorXd& values, bool held_out) {
 
 bool Judgement::is_noise(const ModelFitter& fitter, const ModelFit& fit,
                          const std::vector<ResidualStructure>& structure) const {
-  const double floor = rms(fitter.rows(), fit.noise, false);
-  const double left = std::max(rms(fitter.rows(), fit.residual, false),
-                               rms(fitter.rows(), fit.residual, true));
-  if (left <= kExplained * floor) return true;
-  if (left > kUnexplained * floor) return false;
+  const double floor = rms_over(fitter.rows(), fit.noise, false);
+  const double left = std::max(rms_over(fitter.rows(), fit.residual, false),
+                               rms_over(fitter.rows(), fit.residual, true));
+  if (left <= kExplainedFloors * floor) return true;
+  if (left > kUnexplainedFloors * floor) return false;
   return std::none_of(structure.begin(), structure.end(),
                       [](const ResidualStructure& each) { return is_significant(each); });
 }
@@ -40,10 +45,16 @@ Judgement judge(const ModelFitter& fitter, Found& found,
   judged.is_noise_before =
       found.best.members.empty() && judged.is_noise(fitter, found.empty, structure_before);
   if (found.best.members.empty()) return judged;
-  const double floor = rms(fitter.rows(), found.best.noise, false);
-  const double left = rms(fitter.rows(), found.best.residual, false);
+  const double floor = rms_over(fitter.rows(), found.best.noise, false);
+  const double left = rms_over(fitter.rows(), found.best.residual, false);
   const double share = 1.0 - std::max(0.0, found.best.unseen_loss) / std::max(1e-300, found.empty.unseen_loss);
-  if (left > kUnexplained * floor && share < kLeastShare) {
+  bool is_steady = true;
+  for (std::size_t m = 0; m < found.best.members.size() && left > kExplainedFloors * floor; ++m) {
+    const Unsteadiness wanders = unsteadiness(fitter, found.best, m);
+    const double own = found.gains[m].change_rms * found.gains[m].change_rms;
+    is_steady = is_steady && (wanders.share <= kMostUnsteady || wanders.squares <= kMostOfOwn * own);
+  }
+  if (!is_steady || (left > kUnexplainedFloors * floor && share < kLeastRemoved)) {
     judged.has_tentative = true;
     found.best = found.empty;
     found.gains.clear();

@@ -9,10 +9,10 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr int kMostSteps = 25;
-constexpr double kDifference = 1e-5;  ///< Of a parameter's size.
+constexpr int kMostSteps = 12;
+constexpr double kSlopeStep = 1e-5;  ///< Of a parameter's size.
 constexpr double kConverged = 1e-7;   ///< Relative fall of the loss.
-constexpr double kUndetermined = 1e-9;  ///< Relative power of a combination that nothing moves.
+constexpr double kUndetermined = 1e-7;  ///< Relative power of a combination that nothing moves.
 
 /// Free are those that are inside their bounds or pulled inwards.
 std::vector<bool> free_ones(const std::vector<FitParameter>& parameters, const Eigen::VectorXd& at,
@@ -27,8 +27,25 @@ std::vector<bool> free_ones(const std::vector<FitParameter>& parameters, const E
   return free;
 }
 
+/// Those free parameters whose columns hold something that the columns of others do not: members'
+/// first, then what is always fitted, so that of two that coincide the stated value stays.
+std::vector<bool> determined(const Eigen::MatrixXd& slopes, const std::vector<bool>& free,
+                             Eigen::Index always) {
+  const Eigen::Index p = slopes.rows();
+  std::vector<bool> kept(free.size(), false);
+  Eigen::MatrixXd left = slopes;
+  for (Eigen::Index k = 0; k < p; ++k) {
+    const Eigen::Index i = k < p - always ? always + k : k - (p - always);
+    if (!free[static_cast<std::size_t>(i)]) continue;
+    if (!(left(i, i) > kUndetermined * slopes(i, i))) continue;
+    kept[static_cast<std::size_t>(i)] = true;
+    left -= (left.col(i) * left.row(i) / left(i, i)).eval();
+  }
+  return kept;
+}
+
 /// A symmetric system by its scaled eigenvalues; what nothing determines stays where it is.
-Eigen::VectorXd solved(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& right,
+Eigen::VectorXd solved_for(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& right,
                        const std::vector<bool>& free, double damping) {
   const Eigen::Index p = right.size();
   Eigen::VectorXd scale = Eigen::VectorXd::Zero(p);
@@ -49,7 +66,7 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& slopes, const std::vector<bool>& 
   const Eigen::Index p = slopes.rows();
   Eigen::MatrixXd result(p, p);
   for (Eigen::Index i = 0; i < p; ++i) {
-    result.col(i) = solved(slopes, Eigen::VectorXd::Unit(p, i), free, 0.0);
+    result.col(i) = solved_for(slopes, Eigen::VectorXd::Unit(p, i), free, 0.0);
   }
   return result;
 }
@@ -134,7 +151,7 @@ Eigen::MatrixXd ModelFitter::slopes(const EffectSet& members, const Eigen::Vecto
   Eigen::MatrixXd slopes(here.size(), coordinates.size());
   for (Eigen::Index k = 0; k < coordinates.size(); ++k) {
     const FitParameter& parameter = all[static_cast<std::size_t>(k)];
-    double step = kDifference * parameter.size;
+    double step = kSlopeStep * parameter.size;
     if (coordinates[k] + step > parameter.highest) step = -step;
     Eigen::VectorXd moved = coordinates;
     moved[k] += step;
@@ -188,10 +205,12 @@ ModelFit ModelFitter::fit(const EffectSet& members, const Eigen::VectorXd& start
   const std::vector<FitParameter> all = parameters(members);
   Point here = point(members, clipped(all, start));
   add_slopes(members, here);
+  const auto always = static_cast<Eigen::Index>(equation_.always.size());
   double damping = 1e-6;
   for (int step = 0; step < kMostSteps && here.coordinates.size() > 0; ++step) {
-    const std::vector<bool> free = free_ones(all, here.coordinates, here.descent);
-    const Eigen::VectorXd move = solved(here.power, -here.descent, free, damping);
+    const std::vector<bool> free =
+        determined(here.power, free_ones(all, here.coordinates, here.descent), always);
+    const Eigen::VectorXd move = solved_for(here.power, -here.descent, free, damping);
     Point there = point(members, clipped(all, here.coordinates + move));
     if (!(there.loss < here.loss)) {
       if (damping > 1e3 || move.norm() == 0.0) break;
@@ -221,7 +240,7 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
   fit.sums = point.sums;
   fit.loss = point.loss;
   fit.noise_loss = point.noise_loss;
-  fit.is_free = free_ones(all, point.coordinates, point.descent);
+  fit.is_free = determined(point.power, free_ones(all, point.coordinates, point.descent), fit.always);
   fit.is_valid = point.residual.allFinite() && point.coordinates.allFinite();
   const Eigen::Index p = point.coordinates.size();
   const std::size_t folds = rows_.folds();
@@ -239,7 +258,7 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
   std::vector<Eigen::VectorXd> moves(folds, Eigen::VectorXd::Zero(p));
   Eigen::MatrixXd between = Eigen::MatrixXd::Zero(p, p);
   for (std::size_t f = 0; f < folds && p > 0; ++f) {
-    moves[f] = clipped(all, point.coordinates + solved(total - power[f], -(point.descent - descent[f]),
+    moves[f] = clipped(all, point.coordinates + solved_for(total - power[f], -(point.descent - descent[f]),
                                                        fit.is_free, 0.0)) -
                point.coordinates;
     between += moves[f] * moves[f].transpose();

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDifference = 1e-4;   ///< Of a parameter's size.
+constexpr double kReportStep = 1e-4;   ///< Of a parameter's size.
 constexpr double kFullTurn_rad = 6.283185307179586;
 
 /// A number of the report by its place; the places of both reports agree.
@@ -41,7 +41,7 @@ void drop_what_is_not_fitted(Json& json) {
   }
 }
 
-std::vector<double> numbers_at(const EffectCandidate& candidate, const std::vector<double>& coordinates) {
+std::vector<double> reported_numbers(const EffectCandidate& candidate, const std::vector<double>& coordinates) {
   std::vector<double> numbers;
   collect(candidate.report(coordinates), numbers);
   return numbers;
@@ -58,17 +58,17 @@ NamedEffect named_effect(const ModelFit& fit, std::size_t member) {
   named.effect = candidate.effect;
   named.family = candidate.family;
   named.parameters = candidate.report(at);
-  const std::vector<double> values = numbers_at(candidate, at);
+  const std::vector<double> values = reported_numbers(candidate, at);
   Eigen::MatrixXd slopes(static_cast<Eigen::Index>(values.size()), count);
   bool is_undetermined = false;
   for (Eigen::Index k = 0; k < count; ++k) {
     const FitParameter& parameter = candidate.parameters[static_cast<std::size_t>(k)];
     const double error = std::sqrt(std::max(0.0, fit.covariance(first + k, first + k)));
-    const double step = std::max(1e-9 * parameter.size, std::min(kDifference * parameter.size, error));
+    const double step = std::max(1e-9 * parameter.size, std::min(kReportStep * parameter.size, error));
     std::vector<double> low = at, high = at;
     low[static_cast<std::size_t>(k)] -= step;
     high[static_cast<std::size_t>(k)] += step;
-    const std::vector<double> below = numbers_at(candidate, low), above = numbers_at(candidate, high);
+    const std::vector<double> below = reported_numbers(candidate, low), above = reported_numbers(candidate, high);
     for (std::size_t v = 0; v < values.size(); ++v) {
       // A phase may pass a half turn between the two.
       const double change = std::remainder(above[v] - below[v], kFullTurn_rad);

@@ -12,7 +12,7 @@ constexpr std::size_t kPaired = 14;      ///< Candidates of which pairs are made
 constexpr double kRidge = 1e-9;          ///< Relative, of columns that coincide.
 
 /// A candidate at one of its starts, beside the model.
-struct Trial {
+struct ScreenTrial {
   const EffectCandidate* candidate = nullptr;
   std::vector<double> start;
   Eigen::VectorXd offset;   ///< (n) What the start itself changes.
@@ -100,8 +100,8 @@ class Screen {
 
   Screening take(bool with_pairs) {
     std::sort(best_.begin(), best_.end(),
-              [](const Trial& a, const Trial& b) { return a.loss < b.loss; });
-    for (const Trial& trial : best_) {
+              [](const ScreenTrial& a, const ScreenTrial& b) { return a.loss < b.loss; });
+    for (const ScreenTrial& trial : best_) {
       result_.singles.push_back({{trial.candidate}, start_of({&trial}, {trial.move}), trial.loss});
     }
     if (with_pairs) add_pairs();
@@ -121,10 +121,10 @@ class Screen {
     EffectSet members = model_.members;
     members.push_back(&candidate);
     const auto count = static_cast<Eigen::Index>(candidate.parameters.size());
-    Trial best;
+    ScreenTrial best;
     bool is_moved = false;
     for (const std::vector<double>& start : candidate.starts) {
-      Trial trial;
+      ScreenTrial trial;
       trial.candidate = &candidate;
       trial.start = start;
       const Eigen::VectorXd at = coordinates_with(candidate, start);
@@ -157,17 +157,17 @@ class Screen {
 
   double least_change() const { return least_change_rms_ * std::sqrt(training_.sum()); }
 
-  void evaluate(Trial& trial) const {
+  void evaluate(ScreenTrial& trial) const {
     const Solution solution = solved({&trial});
     trial.loss = solution.loss;
     trial.move = solution.move.tail(trial.slopes.cols());
   }
 
   /// The model's columns, then those of the trials, all beside one another.
-  Solution solved(const std::vector<const Trial*>& trials) const {
+  Solution solved(const std::vector<const ScreenTrial*>& trials) const {
     Eigen::Index p = own_.cols();
     Eigen::VectorXd residual = training_.asDiagonal() * model_.residual;
-    for (const Trial* trial : trials) {
+    for (const ScreenTrial* trial : trials) {
       p += trial->slopes.cols();
       residual += trial->offset;
     }
@@ -175,7 +175,7 @@ class Screen {
     columns.leftCols(own_.cols()) = own_;
     Eigen::VectorXd lowest = Eigen::VectorXd::Constant(p, -1e300), highest = -lowest;
     Eigen::Index at = own_.cols();
-    for (const Trial* trial : trials) {
+    for (const ScreenTrial* trial : trials) {
       columns.middleCols(at, trial->slopes.cols()) = trial->slopes;
       for (Eigen::Index k = 0; k < trial->slopes.cols(); ++k, ++at) {
         const auto index = static_cast<std::size_t>(k);
@@ -188,7 +188,7 @@ class Screen {
                  lowest, highest);
   }
 
-  Eigen::VectorXd start_of(const std::vector<const Trial*>& trials,
+  Eigen::VectorXd start_of(const std::vector<const ScreenTrial*>& trials,
                            const std::vector<Eigen::VectorXd>& moves) const {
     std::vector<double> all(model_.coordinates.data(),
                             model_.coordinates.data() + model_.coordinates.size());
@@ -225,7 +225,7 @@ class Screen {
   double least_change_rms_;
   Eigen::VectorXd training_;  ///< 1 where a row may be fitted.
   Eigen::MatrixXd own_;
-  std::vector<Trial> best_;
+  std::vector<ScreenTrial> best_;
   Screening result_;
 };
 

@@ -8,7 +8,7 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kRefined = 6;        ///< Of the most promising additions.
+constexpr std::size_t kRefinedSingles = 6;        ///< Of the most promising additions.
 constexpr std::size_t kRefinedPairs = 4;
 constexpr std::size_t kRefinedSwaps = 4;
 constexpr std::size_t kMostMembers = 8;
@@ -17,26 +17,33 @@ constexpr double kMovesNothing = 0.1;  ///< Floors: the log does not show what c
 
 bool is_wave(const EffectCandidate& candidate) { return candidate.order > 0.0; }
 
-bool contains(const EffectCandidate& whole, const EffectCandidate& part) {
+bool holds_as_part(const EffectCandidate& whole, const EffectCandidate& part) {
   return std::find(whole.contains.begin(), whole.contains.end(), part.effect) != whole.contains.end();
 }
 
 /// Whether both may be in a model.
 bool go_together(const EffectCandidate& a, const EffectCandidate& b) {
-  if (contains(a, b) || contains(b, a)) return false;
+  if (holds_as_part(a, b) || holds_as_part(b, a)) return false;
   return a.effect != b.effect || is_wave(a);
 }
 
 
-Eigen::VectorXd joined(const std::vector<double>& values) {
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 }  // namespace
 
-Search::Search(const ModelFitter& fitter, const SearchRules& rules)
-    : fitter_(fitter), rules_(rules) {
-  for (const EffectCandidate& each : fitter.equation().candidates) candidates_.push_back(&each);
+Search::Search(const ModelFitter& fitter, const SearchRules& rules,
+               const std::vector<std::string>& settled)
+    : fitter_(fitter),
+      rules_(rules),
+      waves_(std::make_shared<std::deque<EffectCandidate>>()) {
+  for (const EffectCandidate& each : fitter.equation().candidates) {
+    if (std::find(settled.begin(), settled.end(), each.effect) == settled.end()) {
+      candidates_.push_back(&each);
+    }
+  }
 }
 
 const ModelFit& Search::fitted(const EffectSet& members, const Eigen::VectorXd& start) {
@@ -73,7 +80,7 @@ const ModelFit& Search::with(const ModelFit& model, const Prospect& prospect) {
   }
   for (const EffectCandidate* added : prospect.added) members.push_back(added);
   for (; at < prospect.start.size(); ++at) start.push_back(prospect.start[at]);
-  return fitted(members, joined(start));
+  return fitted(members, vector_of(start));
 }
 
 double Search::floor_rms(const ModelFit& model) const {
@@ -91,7 +98,9 @@ bool Search::earns(const ModelFit& less, const ModelFit& more) const {
   const double largest = compare(fitter_.rows(), empty, more).change_rms;
   const double least = std::max({rules_.least_floors * floor_rms(more), rules_.least_change,
                                  rules_.least_of_largest * largest});
-  return gain.gain > 0.0 && gain.change_rms > least &&
+  const double left = std::max(0.0, less.unseen_loss) + less.noise_loss;
+  return gain.gain > rules_.least_share * left && gain.held_out_gain >= 0.0 &&
+         gain.change_rms > least &&
          gain.t > threshold_t(rules_.chance, candidates_.size(), fitter_.rows().training_blocks());
 }
 
@@ -110,8 +119,8 @@ void Search::ask_for_waves(const ModelFit& model) {
     const bool is_known = std::any_of(candidates_.begin(), candidates_.end(),
                                       [&](const EffectCandidate* each) { return each->key == wave.key; });
     if (is_known) continue;
-    waves_.push_back(std::move(wave));
-    candidates_.push_back(&waves_.back());
+    waves_->push_back(std::move(wave));
+    candidates_.push_back(&waves_->back());
   }
 }
 
@@ -121,7 +130,7 @@ EffectSet Search::askable(const ModelFit& model) const {
   for (const EffectCandidate* each : candidates_) {
     const bool is_part = std::any_of(
         model.members.begin(), model.members.end(), [&](const EffectCandidate* member) {
-          return member == each || contains(*member, *each) ||
+          return member == each || holds_as_part(*member, *each) ||
                  (member->effect == each->effect && !is_wave(*each));
         });
     if (!is_part) askable.push_back(each);
@@ -141,7 +150,7 @@ const ModelFit* Search::step(const ModelFit& model) {
     if (over != nullptr && !earns(*over, child)) return;
     if (best == nullptr || child.unseen_loss < best->unseen_loss) best = &child;
   };
-  for (std::size_t k = 0; k < std::min(kRefined, screening.singles.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(kRefinedSingles, screening.singles.size()); ++k) {
     take(with(model, screening.singles[k]), nullptr);
   }
   const ModelFit* single = best;
@@ -172,7 +181,7 @@ const ModelFit* Search::by_parts(const ModelFit& model) {
   for (std::size_t m = 0; m < model.members.size(); ++m) {
     EffectSet parts, offset;
     for (const EffectCandidate* each : candidates_) {
-      if (contains(*model.members[m], *each)) parts.push_back(each);
+      if (holds_as_part(*model.members[m], *each)) parts.push_back(each);
       if (each->effect == "torque_offset" && !model.holds("torque_offset")) offset.push_back(each);
     }
     if (parts.empty()) continue;
@@ -191,7 +200,7 @@ const ModelFit* Search::by_parts(const ModelFit& model) {
         prospect.added.push_back(part);
         start.insert(start.end(), part->starts.front().begin(), part->starts.front().end());
       }
-      prospect.start = joined(start);
+      prospect.start = vector_of(start);
       const ModelFit& trial = with(less, prospect);
       if (!trial.is_valid || earns(trial, model)) continue;
       const bool is_simpler = best == nullptr || trial.coordinates.size() < best->coordinates.size();
@@ -224,7 +233,7 @@ const ModelFit* Search::swapped(const ModelFit& model) {
     ask_for_waves(less);
     EffectSet others;
     for (const EffectCandidate* each : askable(less)) {
-      if (each != &own && !contains(*each, own)) others.push_back(each);
+      if (each != &own && !holds_as_part(*each, own)) others.push_back(each);
     }
     const Screening screening =
         screen(fitter_, less, others, kMovesNothing * floor_rms(less), false);
@@ -245,7 +254,7 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
   const auto is_more_of_the_same = [&](const ModelFit& rival) {
     return std::any_of(best.members.begin(), best.members.end(), [&](const EffectCandidate* own) {
       return std::any_of(rival.members.begin(), rival.members.end(), [&](const EffectCandidate* other) {
-        return contains(*other, *own);
+        return holds_as_part(*other, *own);
       });
     });
   };
@@ -258,20 +267,13 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
 
 Found Search::run() {
   Found found;
+  found.waves = waves_;
   const ModelFit* model = &fitted({}, fitter_.always_start());
   found.empty = *model;
   if (!model->is_valid) {
     found.best = *model;
     return found;
   }
-  const auto say = [&](const char* what, const ModelFit& m) {
-    if (std::getenv("TW_DEBUG") == nullptr) return;
-    fprintf(stderr, "%s loss %.4g unseen %.4g noise %.4g:", what, m.loss, m.unseen_loss, m.noise_loss);
-    for (auto* e : m.members) fprintf(stderr, " %s", e->key.c_str());
-    for (Eigen::Index i = 0; i < m.coordinates.size(); ++i) fprintf(stderr, " %.4g", m.coordinates[i]);
-    fprintf(stderr, " valid %d\n", m.is_valid);
-  };
-  say("empty", *model);
   std::set<const ModelFit*> seen = {model};
   for (std::size_t round = 0; round < kMostRounds; ++round) {
     if (rules_.progress) rules_.progress(static_cast<double>(round) / kMostRounds);
@@ -281,9 +283,7 @@ Found Search::run() {
     if (next != nullptr) next = pruned(next);
     if (next == nullptr || !seen.insert(next).second) break;
     model = next;
-    say("step", *model);
   }
-  for (auto& [k, f] : fits_) { say("fit", f); if (std::getenv("TW_DEBUG")) { auto g = compare(fitter_.rows(), found.empty, f); auto h = compare(fitter_.rows(), f, *model); fprintf(stderr, "   gain over empty t %.2f change %.4g ; best over it t %.2f gain %.4g change %.3g\n", g.t, g.change_rms, h.t, h.gain, h.change_rms);} }
   found.best = *model;
   for (std::size_t m = 0; m < model->members.size(); ++m) {
     found.gains.push_back(compare(fitter_.rows(), without(*model, m), *model));

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,11 @@ namespace torquewright::identification {
 
 /// What decides; each is a cost that docs/identification.md states.
 struct SearchRules {
-  double chance = 0.002;       ///< Of a name where nothing is missing, over all that is tried.
+  double chance = 0.05;        ///< That noise alone gains so much by any one of all that is tried.
   double least_floors = 0.5;   ///< A name changes the prediction by so many noise floors ...
   double least_change = 0.0;   ///< ... and by as much, in the residual's unit (tolerance).
   double least_of_largest = 0.02;  ///< ... and by so much of the largest named effect: laws hold so far.
+  double least_share = 0.1;  ///< A name takes so much of the squares that are left without it.
   double tie_t = 3.0;          ///< A rival is refuted beyond this ...
   double tie_share = 0.1;      ///< ... if it leaves so much more of the squares that are left.
   std::function<void(double)> progress;
@@ -37,6 +39,7 @@ struct Found {
   std::vector<ModelFit> rivals;      ///< As good, as far as the log can tell; the best is not among.
   std::vector<const EffectCandidate*> silent;
   std::vector<Refusal> refused;
+  std::shared_ptr<std::deque<EffectCandidate>> waves;  ///< That members may point to.
 };
 
 /// Screens all candidates linearly, refines the most promising and pairs of them on the forward
@@ -44,7 +47,9 @@ struct Found {
 /// nothing changes. docs/derivations/identification.md section 4.
 class Search {
  public:
-  Search(const ModelFitter& fitter, const SearchRules& rules);
+  /// Candidates of the effects in `settled` are not asked.
+  Search(const ModelFitter& fitter, const SearchRules& rules,
+         const std::vector<std::string>& settled = {});
   Found run();
 
   /// True if `more` earns its place over `less`.
@@ -68,7 +73,7 @@ class Search {
 
   const ModelFitter& fitter_;
   SearchRules rules_;
-  std::deque<EffectCandidate> waves_;
+  std::shared_ptr<std::deque<EffectCandidate>> waves_;
   EffectSet candidates_;
   std::map<Key, ModelFit> fits_;
   Screening first_;

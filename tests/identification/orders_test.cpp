@@ -20,8 +20,7 @@ Orders orders_of(const std::function<double(const Made&)>& added) {
   const Log log = rig.log(added);
   const Bench bench = rig.bench(log);
   const std::vector<Signals> signals = prepare(log, bench, noise_levels(log, 0), {});
-  return promising_orders(
-      bench, [&](const Signals& s) { return torque_residual(bench, s); }, signals, run_folds(log), extent_of(signals));
+  return promising_orders(bench, signals, run_folds(log), extent_of(signals));
 }
 
 bool holds(const std::vector<double>& orders, double order) {

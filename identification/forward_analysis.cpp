@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/forward_analysis.hpp"
+
+#include "identification/folds.hpp"
+#include "identification/forward/plain_forward.hpp"
+#include "identification/forward/torque_forward.hpp"
+#include "identification/selection/answer.hpp"
+#include "identification/position_study.hpp"
+#include "identification/standstill.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+/// The equations of one joint, one after the other.
+class ForwardAnalysis {
+ public:
+  ForwardAnalysis(const Rig& rig, const Log& log, std::size_t joint,
+                const std::vector<const actuator::Actuator*>& actuators,
+                const AnalysisOptions& options)
+      : log_(log),
+        options_(options),
+        torque_options_(options),
+        bench_(make_bench(rig, log, joint, actuators)),
+        levels_(noise_levels(log, joint)),
+        folds_(run_folds(log)) {}
+
+  std::vector<EquationResult> run() {
+    say("preparing", 0.0);
+    const HeldSignals held = signals();
+    std::vector<EquationResult> results;
+    if (held.rows.empty()) {
+      results.emplace_back().unusable = "no stretch of the log is long enough (0.5 s)";
+      return results;
+    }
+    if (bench_.has_torque_balance()) add_torque_and_position(held, results);
+    for (const ForwardEquation& each : plain_forward(bench_, held.rows)) {
+      say("searching: " + each.quantity, 0.9);
+      results.push_back(answer(bench_, log_, each, held, folds_, options_));
+    }
+    return results;
+  }
+
+ private:
+  void say(const std::string& what, double share) const {
+    if (options_.progress) options_.progress(what, share);
+  }
+
+  HeldSignals signals() const { return held_signals(log_, bench_, levels_, options_.seed); }
+
+  EquationResult torque_result(const HeldSignals& held) const {
+    say("searching: torque", 0.3);
+    const ForwardEquation equation = torque_forward(bench_, held.rows, folds_);
+    return answer(bench_, log_, equation, held, folds_, torque_options_);
+  }
+
+  /// Friction that only a simulation finds is stated to the torque balance, which is then asked
+  /// again; what it left before stays what the nominal actuator left.
+  void add_torque_and_position(const HeldSignals& held, std::vector<EquationResult>& results) {
+    EquationResult torque = torque_result(held);
+    say("simulating the log", 0.75);
+    std::optional<EquationResult> position = study_position(
+        {bench_, held.rows, held.replica, held_out()}, torque, options_.select, true);
+    if (position && !position->added.empty()) {
+      const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];
+      const actuator::Actuator informed = with_standstill(nominal, position->added.front());
+      bench_.actuators[bench_.joint] = &informed;
+      torque_options_.settled = {"coulomb_friction", "stribeck_friction", "asymmetric_friction",
+                                 "presliding_friction"};
+      EquationResult again = torque_result(signals());
+      bench_.actuators[bench_.joint] = &nominal;
+      again.before = torque.before;
+      again.structure_before = std::move(torque.structure_before);
+      again.is_noise_before = torque.is_noise_before;
+      torque = std::move(again);
+    }
+    results.push_back(std::move(torque));
+    if (position) results.push_back(*std::move(position));
+  }
+
+  std::vector<bool> held_out() const {
+    std::vector<bool> held_out;
+    for (const std::size_t fold : folds_) held_out.push_back(fold == kHeldOut);
+    return held_out;
+  }
+
+  const Log& log_;
+  const AnalysisOptions& options_;
+  AnalysisOptions torque_options_;
+  Bench bench_;
+  NoiseLevels levels_;
+  std::vector<std::size_t> folds_;
+};
+
+}  // namespace
+
+std::vector<EquationResult> analyse_forward(const Rig& rig, const Log& log, std::size_t joint,
+                                            const std::vector<const actuator::Actuator*>& actuators,
+                                            const AnalysisOptions& options) {
+  return ForwardAnalysis(rig, log, joint, actuators, options).run();
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// The forward balance against closed forms, and a fit of it against the truth that was put in.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "actuator/effects/library.hpp"
+#include "identification/folds.hpp"
+#include "identification/forward/candidates.hpp"
+#include "identification/forward/torque_forward.hpp"
+#include "identification/forward/torque_prediction.hpp"
+#include "identification/held_signals.hpp"
+#include "identification/selection/comparison.hpp"
+#include "identification/selection/search.hpp"
+#include "tests/identification/made_bench.hpp"
+
+namespace torquewright::identification::forward_test {
+namespace {
+
+using made::Made;
+using made::MadeBench;
+
+actuator::Effect effect(const char* name, std::vector<double> values) {
+  return {actuator::find_effect(name), std::move(values), {}, false, ""};
+}
+
+/// One instant of a dynamometer, turning forward or for `forward` of its time.
+struct OneInstant {
+  actuator::Actuator actuator;
+  Rig rig;
+  Bench bench;
+  Signals signals;
+
+  OneInstant(double current_A, double forward) {
+    actuator.motor.torque_constant_Nm_A = 0.5;
+    actuator.transmission.ratio = 4.0;
+    bench.rig = &rig;
+    bench.actuators = {&actuator};
+    bench.drive = Drive::kCurrent;
+    bench.load_side = LoadSide::kSensor;
+    signals.step_s = 0.01;
+    signals.at.resize(1);
+    signals.at[0].current_A = current_A;
+    signals.at[0].direction = 2.0 * forward - 1.0;
+    signals.load_side_Nm = {0.0};
+  }
+  double predicted_Nm() const {
+    return -torque_balance_Nm(bench, {actuator, rig, {}}, signals).front();
+  }
+};
+
+// Oracle: the contract's order of losses, tau = eta/(1 + k) (N tau_m - drag) driving, and
+// |tau| = (N |tau_m| + drag) / (eta_b (1 - k)) driven back.
+TEST(ForwardBalance, LosesInTheContractsOrder) {
+  OneInstant driving(10.0, 1.0), driven(10.0, 0.0);
+  for (OneInstant* each : {&driving, &driven}) {
+    each->actuator.transmission.forward_efficiency = 0.9;
+    each->actuator.transmission.backward_efficiency = 0.8;
+    each->actuator.effects = {effect("coulomb_friction", {2.0}),
+                              effect("load_dependent_friction", {0.25, 0.1})};
+  }
+  EXPECT_NEAR(driving.predicted_Nm(), 0.9 / 1.25 * (20.0 - 2.0), 1e-12);
+  EXPECT_NEAR(driven.predicted_Nm(), (20.0 + 2.0) / (0.8 * 0.9), 1e-12);
+}
+
+// Oracle: the mean over time of both closed forms: three quarters of it forward.
+TEST(ForwardBalance, CountsBothDirectionsByTheirShareOfTime) {
+  OneInstant turning(10.0, 0.75);
+  turning.actuator.transmission.forward_efficiency = 0.9;
+  turning.actuator.transmission.backward_efficiency = 0.8;
+  turning.actuator.effects = {effect("coulomb_friction", {2.0})};
+  EXPECT_NEAR(turning.predicted_Nm(), 0.75 * 0.9 * 18.0 + 0.25 * 22.0 / 0.8, 1e-12);
+}
+
+// Oracle: closed form. (V - dead time - Ke N w) / (R + R_bus duty^2), the bus not being logged.
+TEST(ForwardBalance, TakesTheCurrentFromTheVoltageWithDeadTimeAndSag) {
+  OneInstant bench(0.0, 1.0);
+  bench.actuator.motor.resistance_ohm = 0.4;
+  bench.actuator.drive.bus_voltage_V = 48.0;
+  bench.actuator.effects = {effect("inverter_dead_time", {0.5}), effect("voltage_sag", {0.2})};
+  bench.bench.drive = Drive::kVoltage;
+  bench.bench.drive_channel = Quantity::kDuty;
+  actuator::Instant at;
+  at.speed_rad_s = 2.0;
+  const double duty = 0.5, back_emf_V = 0.5 * 4.0 * 2.0;
+  EXPECT_NEAR(winding_current_A(bench.bench, bench.actuator, duty * 48.0, false, at),
+              (24.0 - 0.5 - back_emf_V) / (0.4 + 0.2 * duty * duty), 1e-12);
+}
+
+// Oracle: the response of a first-order lag to a sine, amplitude 1/sqrt(1 + x^2), phase -atan(x).
+TEST(ForwardBalance, LagsAsAFirstOrderLagDoes) {
+  OneInstant bench(0.0, 1.0);
+  const double lag_s = 0.0018, rad_s = 2.0 * std::numbers::pi * 5.0;
+  bench.actuator.effects = {effect("torque_lag", {lag_s})};
+  bench.signals.at.resize(400);
+  bench.signals.load_side_Nm.assign(400, 0.0);
+  for (std::size_t i = 0; i < 400; ++i) {
+    bench.signals.at[i].current_A = std::sin(rad_s * 0.01 * static_cast<double>(i));
+    bench.signals.at[i].direction = 1.0;
+  }
+  const std::vector<double> left =
+      torque_balance_Nm(bench.bench, {bench.actuator, bench.rig, {}}, bench.signals);
+  const double x = rad_s * lag_s;
+  for (std::size_t i = 50; i < 390; ++i) {
+    const double expected = 2.0 / std::hypot(1.0, x) *
+                            std::sin(rad_s * 0.01 * static_cast<double>(i) - std::atan(x));
+    EXPECT_NEAR(-left[i], expected, 1e-3) << i;
+  }
+}
+
+/// What a search finds in a made log: effects, with their first parameter.
+std::map<std::string, double> found_in(const std::function<double(const Made&)>& added) {
+  const MadeBench rig;
+  const Log log = rig.log(added);
+  const Bench bench = rig.bench(log);
+  const NoiseLevels levels = noise_levels(log, 0);
+  const HeldSignals held = held_signals(log, bench, levels, 1);
+  const std::vector<std::size_t> folds = run_folds(log);
+  const ForwardEquation equation = torque_forward(bench, held.rows, folds);
+  const Rows rows(held.rows, folds, {});
+  const ModelFitter fitter(equation, rows, held.replica);
+  const Found found = Search(fitter, {}).run();
+  std::map<std::string, double> named;
+  for (std::size_t m = 0; m < found.best.members.size(); ++m) {
+    named[found.best.members[m]->effect] = found.best.coordinates[found.best.first_of(m)];
+  }
+  return named;
+}
+
+// Oracle: the two coefficients that were put in, by the sign of the motion and by its speed.
+TEST(ForwardSearch, FindsCoulombAndViscousFrictionAndNothingElse) {
+  const std::map<std::string, double> found = found_in([](const Made& at) {
+    return -0.4 * made::sign(at.speed_rad_s) - 0.08 * at.speed_rad_s;
+  });
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found.at("coulomb_friction"), 0.4, 0.004);
+  EXPECT_NEAR(found.at("viscous_friction"), 0.08, 0.0008);
+}
+
+TEST(ForwardSearch, NamesNothingWhereNothingIsMissing) {
+  EXPECT_TRUE(found_in([](const Made&) { return 0.0; }).empty());
+}
+
+// Oracle: the normal distribution's table, and Student's of 30 degrees of freedom (3.646 at 5e-4).
+TEST(Comparison, ThresholdIsStudentsWithEveryTrialCounted) {
+  EXPECT_NEAR(threshold_t(0.05, 100, 1000000), 3.2905, 1e-3);
+  EXPECT_NEAR(threshold_t(0.05, 100, 30), 3.646, 0.02);
+}
+
+}  // namespace
+}  // namespace torquewright::identification::forward_test

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle: the same log, prepared as a whole.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "identification/forward/torque_prediction.hpp"
+#include "identification/held_signals.hpp"
+#include "identification/log/stretch.hpp"
+#include "tests/identification/made_bench.hpp"
+
+namespace torquewright::identification::held_signals_test {
+namespace {
+
+using made::MadeBench;
+
+constexpr std::size_t kPiece = 6000;  ///< A multiple of what 1 kHz is thinned by, 10 times 3.
+constexpr std::size_t kSamples = 5 * kPiece + 1800;
+
+/// What the low-pass of 8 Hz still knows of a cut 1.08 s away: exp(-2 pi 8 1.08 / sqrt 2), in each
+/// of its two factors, is 2e-17; that of 25 Hz less. What remains is round-off in the times of the
+/// grids: 1e-13 of the signals, through a second derivative (thrice a factor of 25 Hz 2 pi).
+constexpr double kRoundOff = 1e-7;
+
+constexpr std::size_t kAllRows = 1000000;
+
+/// Runs of 31.8 s at 1 kHz.
+Log whole_log() {
+  Log log;
+  for (std::size_t r = 0; r < MadeBench::kRuns; ++r) {
+    Run run;
+    run.name = "run_" + std::to_string(r);
+    (r + 1 == MadeBench::kRuns ? log.holdout_runs : log.train_runs).push_back(run.name);
+    run.joints.resize(1);
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      const double t = 0.001 * static_cast<double>(k);
+      const double torque =
+          MadeBench::kRatio * MadeBench::kTorqueConstant_Nm_A * MadeBench::current_A(r, t);
+      const double speed = MadeBench::speed_rad_s(r, t);
+      run.time_s.push_back(t);
+      run.joints[0][Quantity::kOutputPosition].push_back(MadeBench::angle_rad(r, t));
+      run.joints[0][Quantity::kMotorCurrent].push_back(MadeBench::current_A(r, t));
+      run.joints[0][Quantity::kOutputTorque].push_back(torque - 0.4 * std::tanh(speed / 0.05) -
+                                                       0.03 * speed);
+    }
+    run.masked.assign(kSamples, 0);
+    log.runs.push_back(std::move(run));
+  }
+  return log;
+}
+
+/// The same in pieces, in a file.
+Log cut(const Log& whole, std::size_t most_rows, bool continues = true) {
+  Log log = whole;
+  log.runs = Runs(most_rows);
+  for (const Run& run : whole.runs) {
+    for (std::size_t begin = 0; begin < kSamples; begin += kPiece) {
+      Run piece = part_of(run, begin, std::min(kSamples, begin + kPiece));
+      piece.continues = continues && begin > 0;
+      log.runs.push_back(std::move(piece));
+    }
+  }
+  return log;
+}
+
+struct Prepared {
+  Prepared(const Log& log, const NoiseLevels& levels = {})
+      : bench(rig.bench(log)), held(held_signals(log, bench, levels, 1)) {}
+
+  /// Of the forward balance as stated, over all that is held.
+  double square(const std::vector<Signals>& signals) const {
+    Hypothesis stated{bench.actuator(), *bench.rig, {}};
+    double sum = 0.0;
+    for (const Signals& each : signals) {
+      const std::vector<double> left = torque_balance_Nm(bench, stated, each);
+      for (std::size_t i = each.core_begin; i < std::min(each.core_end, each.size()); ++i) {
+        sum += left[i] * left[i];
+      }
+    }
+    return sum;
+  }
+  std::size_t samples() const {
+    std::size_t sum = 0;
+    for (const Signals& each : held.rows) sum += each.core_size();
+    return sum;
+  }
+
+  MadeBench rig;
+  Bench bench;
+  HeldSignals held;
+};
+
+TEST(HeldSignals, GivesTheSignalsOfTheWhole) {
+  const Log log = whole_log();
+  const Prepared whole(log), pieces(cut(log, kAllRows));
+  EXPECT_EQ(pieces.samples(), whole.samples());
+  const double expected = whole.square(whole.held.rows);
+  EXPECT_GT(expected, 0.0);
+  EXPECT_NEAR(pieces.square(pieces.held.rows) / expected, 1.0, kRoundOff);
+}
+
+// Noise that is added once more has the same power, whoever draws it: of some 1e5 draws through a
+// filter that leaves 1e4 degrees of freedom, a percent and a half.
+TEST(HeldSignals, HasTheNoiseOfTheWhole) {
+  NoiseLevels levels{};
+  levels[static_cast<std::size_t>(Quantity::kOutputTorque)] = 0.3;
+  const Log log = whole_log();
+  const auto added = [](const Prepared& prepared) {
+    return prepared.square(prepared.held.replica) - prepared.square(prepared.held.rows);
+  };
+  const double expected = added(Prepared(log, levels));
+  EXPECT_GT(expected, 0.0);
+  EXPECT_NEAR(added(Prepared(cut(log, kAllRows), levels)) / expected, 1.0, 0.06);
+}
+
+TEST(HeldSignals, HoldsRowsOfAPartOnly) {
+  const Prepared prepared(cut(whole_log(), 4 * kPiece));
+  EXPECT_GE(prepared.held.rows.size(), 3u);
+  EXPECT_LE(prepared.held.rows.size(), 5u);
+  EXPECT_EQ(Prepared(whole_log()).held.rows.size(), MadeBench::kRuns);
+}
+
+}  // namespace
+}  // namespace torquewright::identification::held_signals_test

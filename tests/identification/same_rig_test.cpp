@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/selection/same_rig.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+
+namespace torquewright::identification::same_rig_test {
+namespace {
+
+constexpr std::size_t kBlocksPerRun = 6;
+
+/// A residual of `slopes[run]` times one column, in blocks of 200 rows, with noise; the fit is to
+/// all of them together, of a constant that is stated as 1.
+struct Runs {
+  ModelFit fit;
+  std::vector<Signals> signals;
+  std::vector<std::size_t> folds;
+  std::vector<std::string> names;
+
+  Runs(const std::vector<double>& slopes, double sigma) {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    double top = 0.0, bottom = 0.0;
+    for (std::size_t run = 0; run < slopes.size(); ++run) {
+      names.push_back("run_" + std::to_string(run));
+      folds.push_back(run);
+      signals.push_back(stretch(run));
+      for (std::size_t b = 0; b < kBlocksPerRun; ++b) {
+        BlockSums sums{Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Zero(1)};
+        for (int i = 0; i < 200; ++i) {
+          const double x = normal(random);
+          sums.slopes(0, 0) += x * x;
+          sums.descent[0] -= x * (slopes[run] * x + sigma * normal(random));
+        }
+        top -= sums.descent[0];
+        bottom += sums.slopes(0, 0);
+        fit.sums.push_back(sums);
+      }
+    }
+    const double mean = top / bottom;
+    fit.coordinates = Eigen::VectorXd::Constant(1, 1.0 + mean);
+    for (BlockSums& sums : fit.sums) sums.descent += mean * sums.slopes.col(0);
+  }
+
+  /// As long as its blocks, every sample usable.
+  static Signals stretch(std::size_t run) {
+    Signals signals;
+    signals.run = run;
+    signals.step_s = 0.01;
+    signals.at.resize(static_cast<std::size_t>(kBlocksPerRun * 1.5 / 0.01));
+    signals.usable.assign(signals.at.size(), 1);
+    return signals;
+  }
+
+  std::string objection() const {
+    ForwardEquation equation;
+    equation.pointers = {"/motor/torque_constant_Nm_A"};
+    const Rows rows(signals, folds, {});
+    EXPECT_EQ(rows.blocks().size(), fit.sums.size());
+    return runs_that_disagree(equation, rows, fit, names);
+  }
+};
+
+// Oracle: closed form. Each run alone is fitted by its own slope: 1 and 1 + 2.
+TEST(RunsThatDisagree, RunsThatAskForValuesThreeTimesApartAreNotOne) {
+  const std::string said = Runs({0.0, 2.0, 0.0, 2.0}, 0.1).objection();
+  EXPECT_NE(said.find("not of one rig: /motor/torque_constant_Nm_A comes out as"),
+            std::string::npos);
+  EXPECT_NE(said.find("3 in \"run_1\""), std::string::npos) << said;
+}
+
+// A factor of 1.8 is below two, however sure it is.
+TEST(RunsThatDisagree, RunsThatAskForNearlyTheSameAreOne) {
+  EXPECT_EQ(Runs({0.0, 0.8, 0.0}, 0.1).objection(), "");
+}
+
+// Each run's value has a standard error of 8/sqrt(1200) = 0.23 or so: the values are hardly known.
+TEST(RunsThatDisagree, ValuesThatAreHardlyKnownDoNotSeparateRuns) {
+  EXPECT_EQ(Runs({0.0, 2.0, 0.0}, 20.0).objection(), "");
+}
+
+}  // namespace
+}  // namespace torquewright::identification::same_rig_test
