@@ -141,9 +141,8 @@ std::vector<EquationResult> analyse(const Rig& rig, const Log& log, std::size_t 
                                     const std::vector<const actuator::Actuator*>& actuators,
                                     const AnalysisOptions& options) {
   std::vector<EquationResult> results =
-      options.method == Method::kForward
-          ? analyse_forward(rig, log, joint, actuators, options)
-          : JointAnalysis(rig, log, joint, actuators, options).run();
+      options.method == Method::kForward ? analyse_forward(rig, log, joint, actuators, options)
+                                         : JointAnalysis(rig, log, joint, actuators, options).run();
   for (EquationResult& each : results) each.joint = rig.joints[joint];
   return results;
 }

@@ -4,8 +4,8 @@
 #include "identification/folds.hpp"
 #include "identification/forward/plain_forward.hpp"
 #include "identification/forward/torque_forward.hpp"
-#include "identification/selection/answer.hpp"
 #include "identification/position_study.hpp"
+#include "identification/selection/answer.hpp"
 #include "identification/standstill.hpp"
 
 namespace torquewright::identification {
@@ -15,8 +15,8 @@ namespace {
 class ForwardAnalysis {
  public:
   ForwardAnalysis(const Rig& rig, const Log& log, std::size_t joint,
-                const std::vector<const actuator::Actuator*>& actuators,
-                const AnalysisOptions& options)
+                  const std::vector<const actuator::Actuator*>& actuators,
+                  const AnalysisOptions& options)
       : log_(log),
         options_(options),
         torque_options_(options),

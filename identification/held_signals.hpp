@@ -8,8 +8,8 @@
 
 namespace torquewright::identification {
 
-/// The signals that stand for a log, stretch by stretch: all of one in memory, evenly spread runs of
-/// a longer one; and the same once more with as much noise added as their channels have.
+/// The signals that stand for a log, stretch by stretch: all of one in memory, evenly spread runs
+/// of a longer one; and the same once more with as much noise added as their channels have.
 struct HeldSignals {
   std::vector<Signals> rows;
   std::vector<Signals> replica;

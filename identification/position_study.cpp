@@ -137,8 +137,7 @@ std::optional<EquationResult> study_position(const PositionInput& input,
   actuator::Actuator known = with_effects(bench.actuator(), torque.added);
   const double known_floor = noise_floor(log, noisy, known);
   const double left = errors_of(log, known).train_rms;
-  const bool is_followed =
-      only_if_left && left * left <= kNoiseLoss * known_floor * known_floor;
+  const bool is_followed = only_if_left && left * left <= kNoiseLoss * known_floor * known_floor;
   if (select && !is_followed && leaves_standstill_open(torque)) {
     const actuator::Actuator plain = with_effects(bench.actuator(), lasting(torque.added));
     Standstill found = find_standstill(log, plain, scale_of(input.signals));

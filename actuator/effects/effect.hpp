@@ -51,7 +51,7 @@ struct Parameter {
   double highest;
   double neutral;  ///< At which the effect changes nothing; may be infinite.
   std::string_view meaning;
-  bool is_scale = false;          ///< Positive, and sought by its logarithm.
+  bool is_scale = false;           ///< Positive, and sought by its logarithm.
   std::string_view at_least = {};  ///< Another parameter, which it is not below.
 };
 

@@ -46,7 +46,8 @@ constexpr std::string_view kContains[] = {"coulomb_friction"};
 
 std::vector<std::vector<double>> starts(const Ranges& ranges) {
   std::vector<std::vector<double>> all;
-  for (const double share : {0.02, 0.06, 0.2}) all.push_back({0.0, 0.0, share * ranges.speed_rad_s});
+  for (const double share : {0.02, 0.06, 0.2})
+    all.push_back({0.0, 0.0, share * ranges.speed_rad_s});
   return all;
 }
 

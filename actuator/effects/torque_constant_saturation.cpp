@@ -38,7 +38,8 @@ void gradient(const Effect& effect, const Instant& at, std::span<double> derivat
 }
 
 std::vector<std::vector<double>> starts(const Ranges& ranges) {
-  return {{0.8 * ranges.current_A, 2.0}, {1.6 * ranges.current_A, 2.0}, {1.2 * ranges.current_A, 4.0}};
+  return {
+      {0.8 * ranges.current_A, 2.0}, {1.6 * ranges.current_A, 2.0}, {1.2 * ranges.current_A, 4.0}};
 }
 
 }  // namespace

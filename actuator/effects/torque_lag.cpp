@@ -25,7 +25,9 @@ double state_rate(const Effect& effect, const Instant& at) {
   return time_constant_s == 0.0 ? 0.0 : (at.input - at.state) / time_constant_s;
 }
 
-std::vector<std::vector<double>> starts(const Ranges& /*ranges*/) { return {{0.0}, {0.01}, {0.04}}; }
+std::vector<std::vector<double>> starts(const Ranges& /*ranges*/) {
+  return {{0.0}, {0.01}, {0.04}};
+}
 
 }  // namespace
 

@@ -19,11 +19,11 @@ using actuator::Instant;
 using actuator::Ranges;
 using Json = nlohmann::ordered_json;
 
-constexpr double kScaleReachUp = 100.0;    ///< Of a scale, from its starts.
+constexpr double kScaleReachUp = 100.0;  ///< Of a scale, from its starts.
 constexpr double kScaleReachDown = 5.0;
 constexpr double kLongestDelay_s = 0.2;
-constexpr double kLongestTime_s = 0.1;     ///< Of a lag.
-constexpr double kMostCoefficient = 5.0;   ///< Of what has no unit.
+constexpr double kLongestTime_s = 0.1;    ///< Of a lag.
+constexpr double kMostCoefficient = 5.0;  ///< Of what has no unit.
 constexpr double kMostWarming_1_K = 0.05;
 
 bool ends_with(std::string_view text, std::string_view end) { return text.ends_with(end); }
@@ -39,7 +39,8 @@ class Largest {
     return std::max(1e-6, values_[static_cast<std::size_t>(place)]);
   }
   double greatest() const {
-    return values_.empty() ? 1e-6 : std::max(1e-6, *std::max_element(values_.begin(), values_.end()));
+    return values_.empty() ? 1e-6
+                           : std::max(1e-6, *std::max_element(values_.begin(), values_.end()));
   }
 
  private:
@@ -172,7 +173,7 @@ double size_of(std::string_view name, const actuator::Ranges& ranges) {
 }
 
 EffectCandidate actuator_candidate(const EffectKind& kind, const actuator::Actuator& stated,
-                             const actuator::Ranges& ranges) {
+                                   const actuator::Ranges& ranges) {
   EffectCandidate candidate;
   candidate.effect = candidate.key = kind.name;
   candidate.contains.assign(kind.contains.begin(), kind.contains.end());
@@ -198,7 +199,8 @@ EffectCandidate actuator_candidate(const EffectKind& kind, const actuator::Actua
     std::erase_if(effects, [&](const Effect& each) { return takes_place_of(kind, each); });
     effects.push_back(effect_at(kind, parameters, coordinates));
   };
-  candidate.report = [&kind, parameters = candidate.parameters](std::span<const double> coordinates) {
+  candidate.report = [&kind,
+                      parameters = candidate.parameters](std::span<const double> coordinates) {
     const Effect effect = effect_at(kind, parameters, coordinates);
     Json json = Json::object();
     for (std::size_t p = 0; p < parameters.size(); ++p) json[parameters[p].name] = effect.values[p];
@@ -224,7 +226,8 @@ EffectCandidate with_equal_parameters(EffectCandidate candidate) {
   return candidate;
 }
 
-EffectCandidate wave_candidate(const EffectKind& kind, double order, bool proportional, double scale) {
+EffectCandidate wave_candidate(const EffectKind& kind, double order, bool proportional,
+                               double scale) {
   EffectCandidate candidate;
   candidate.effect = kind.name;
   candidate.key = fmt::format("{}{}:{:g}", kind.name, proportional ? "*load" : "", order);
@@ -242,10 +245,10 @@ EffectCandidate wave_candidate(const EffectKind& kind, double order, bool propor
   candidate.report = [&kind, proportional, wave](std::span<const double> u) {
     const actuator::Harmonic found = wave(u);
     Json json;
-    json["harmonics"] = Json::array(
-        {{{"order", found.order},
-          {proportional ? "amplitude_ratio" : "amplitude_Nm", found.amplitude},
-          {"phase_rad", found.phase_rad}}});
+    json["harmonics"] =
+        Json::array({{{"order", found.order},
+                      {proportional ? "amplitude_ratio" : "amplitude_Nm", found.amplitude},
+                      {"phase_rad", found.phase_rad}}});
     if (kind.name == "gear_ripple") json["proportional"] = proportional;
     return json;
   };

@@ -17,15 +17,16 @@ double size_of(std::string_view parameter, const actuator::Ranges& ranges);
 
 /// An effect of the actuator that is told by scalar parameters, by its record in actuator/effects.
 /// It takes the place of a stated one of its kind, and of those that it contains.
-EffectCandidate actuator_candidate(const actuator::EffectKind& kind, const actuator::Actuator& stated,
-                             const actuator::Ranges& ranges);
+EffectCandidate actuator_candidate(const actuator::EffectKind& kind,
+                                   const actuator::Actuator& stated,
+                                   const actuator::Ranges& ranges);
 
 /// The same where a log determines only what its parameters have in common.
 EffectCandidate with_equal_parameters(EffectCandidate candidate);
 
 /// One wave of an effect that has harmonics. `scale`: the largest amplitude.
 EffectCandidate wave_candidate(const actuator::EffectKind& kind, double order, bool proportional,
-                         double scale);
+                               double scale);
 
 /// The first harmonic of the output's angle that stands for the rig's gravity.
 EffectCandidate imbalance_candidate(const actuator::Ranges& ranges);
@@ -33,7 +34,8 @@ EffectCandidate imbalance_candidate(const actuator::Ranges& ranges);
 /// A channel that is late.
 EffectCandidate delay_candidate(Quantity channel);
 
-/// A constant on the torque's sensor; exactly that of the current, and of friction's two directions.
+/// A constant on the torque's sensor; exactly that of the current, and of friction's two
+/// directions.
 EffectCandidate offset_candidate(const actuator::Ranges& ranges);
 
 }  // namespace torquewright::identification

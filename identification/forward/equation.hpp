@@ -16,16 +16,19 @@ struct ForwardEquation {
   std::string unit;
   double unit_per_residual = 1.0;
   bool target_is_drive = false;  ///< The drive's channel is what is measured, and no coordinate.
-  double used = 0.0;  ///< Rms of what is predicted, in the residual's unit; 0: nothing to compare with.
+  double used =
+      0.0;  ///< Rms of what is predicted, in the residual's unit; 0: nothing to compare with.
   Hypothesis stated;
-  std::vector<FitParameter> always;                ///< Fitted in every model: uncertain values, zero points.
-  std::vector<double> always_start;                ///< Coordinates.
+  std::vector<FitParameter> always;  ///< Fitted in every model: uncertain values, zero points.
+  std::vector<double> always_start;  ///< Coordinates.
   std::function<void(std::span<const double>, Hypothesis&)> apply_always;
-  std::vector<std::string> pointers;               ///< What the first of `always` are.
+  std::vector<std::string> pointers;  ///< What the first of `always` are.
   std::vector<EffectCandidate> candidates;
   std::function<std::vector<double>(const Hypothesis&, const Signals&)> residual;
   /// Waves of the motor's or the output's angle that what a model leaves suggests.
-  std::function<std::vector<EffectCandidate>(const std::function<std::vector<double>(const Signals&)>&)> waves;
+  std::function<std::vector<EffectCandidate>(
+      const std::function<std::vector<double>(const Signals&)>&)>
+      waves;
 };
 
 }  // namespace torquewright::identification

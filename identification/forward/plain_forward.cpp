@@ -86,7 +86,9 @@ ForwardEquation twist_forward(const Bench& bench, const actuator::Ranges& ranges
   equation.candidates.push_back(delay_candidate(Quantity::kMotorPosition));
   equation.candidates.push_back(delay_candidate(output));
   equation.residual = [output](const Hypothesis& supposed, const Signals& signals) {
-    const auto delay_s = [&](Quantity q) { return supposed.log.delay_s[static_cast<std::size_t>(q)]; };
+    const auto delay_s = [&](Quantity q) {
+      return supposed.log.delay_s[static_cast<std::size_t>(q)];
+    };
     // To first order: a channel that is late lags by its delay times the speed.
     const double late_s = delay_s(Quantity::kMotorPosition) - delay_s(output);
     std::vector<double> left(signals.size());
@@ -124,10 +126,10 @@ ForwardEquation voltage_forward(const Bench& bench, const actuator::Ranges& rang
     std::vector<double> left(signals.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
       const Instant& at = signals.at[i];
-      left[i] = signals.voltage_V[i] + actuator::winding_voltage_change_V(actuator, at) -
-                winding.back_emf_V_s_rad * actuator::flux_factor(actuator, at) * ratio *
-                    at.speed_rad_s -
-                actuator::resistance_ohm(actuator, winding, at) * at.current_A;
+      left[i] =
+          signals.voltage_V[i] + actuator::winding_voltage_change_V(actuator, at) -
+          winding.back_emf_V_s_rad * actuator::flux_factor(actuator, at) * ratio * at.speed_rad_s -
+          actuator::resistance_ohm(actuator, winding, at) * at.current_A;
     }
     return left;
   };
@@ -145,8 +147,7 @@ ForwardEquation bus_forward(const Bench& bench, const actuator::Ranges& ranges) 
       Instant at = signals.at[i];
       at.bus_current_A = signals.bus_A[i];
       left[i] = signals.bus_V[i] - supposed.actuator.drive.bus_voltage_V -
-                supposed.log.open_circuit_V -
-                actuator::bus_voltage_change_V(supposed.actuator, at);
+                supposed.log.open_circuit_V - actuator::bus_voltage_change_V(supposed.actuator, at);
     }
     return left;
   };
@@ -191,7 +192,8 @@ ForwardEquation velocity_forward(const Bench& bench, std::string quantity, std::
 
 }  // namespace
 
-std::vector<ForwardEquation> plain_forward(const Bench& bench, const std::vector<Signals>& signals) {
+std::vector<ForwardEquation> plain_forward(const Bench& bench,
+                                           const std::vector<Signals>& signals) {
   const actuator::Ranges ranges = ranges_of(bench, signals);
   std::vector<ForwardEquation> equations;
   if (has(signals, &Signals::twist_rad)) equations.push_back(twist_forward(bench, ranges));

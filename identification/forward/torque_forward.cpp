@@ -44,7 +44,8 @@ bool can_enter(const Bench& bench, const EffectKind& kind) {
     default:
       break;
   }
-  if (kind.name == "torque_constant_error") return !is_uncertain(bench, "/motor/torque_constant_Nm_A");
+  if (kind.name == "torque_constant_error")
+    return !is_uncertain(bench, "/motor/torque_constant_Nm_A");
   if (kind.name == "backlash") return shows_backlash(bench);
   return kind.name != "torsional_compliance";
 }
@@ -84,7 +85,7 @@ void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
 const EffectKind& kind(const char* name) { return *actuator::find_effect(name); }
 
 std::vector<EffectCandidate> waves_of(const Bench& bench, const WaveOrders& orders,
-                                const actuator::Ranges& ranges) {
+                                      const actuator::Ranges& ranges) {
   std::vector<EffectCandidate> waves;
   const double ratio = std::abs(bench.actuator().transmission.ratio);
   const auto is_cogging_too = [&](double order) {

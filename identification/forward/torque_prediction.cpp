@@ -38,9 +38,9 @@ struct Motion {
 
 double delay_of_motion_s(const Hypothesis& hypothesis) {
   double delay_s = 0.0;
-  for (const Quantity each : {Quantity::kOutputPosition, Quantity::kOutputVelocity,
-                              Quantity::kLinearPosition, Quantity::kLinearVelocity,
-                              Quantity::kMotorPosition, Quantity::kMotorVelocity}) {
+  for (const Quantity each :
+       {Quantity::kOutputPosition, Quantity::kOutputVelocity, Quantity::kLinearPosition,
+        Quantity::kLinearVelocity, Quantity::kMotorPosition, Quantity::kMotorVelocity}) {
     delay_s += hypothesis.log.delay_s[static_cast<std::size_t>(each)];
   }
   return delay_s;
@@ -73,8 +73,8 @@ std::vector<double> load_of(const Bench& bench, const Hypothesis& hypothesis,
 }
 
 Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals) {
-  Motion motion{signals.at, {}, load_of(bench, hypothesis, signals),
-                signals.motor_acceleration_rad_s2};
+  Motion motion{
+      signals.at, {}, load_of(bench, hypothesis, signals), signals.motor_acceleration_rad_s2};
   motion.drive.resize(signals.size());
   for (std::size_t i = 0; i < signals.size(); ++i) {
     motion.drive[i] =
@@ -85,7 +85,8 @@ Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals
   if (moved_s != 0.0) {
     advance_motion(motion.at, moved_s, step_s);
     if (!motion.motor_acceleration_rad_s2.empty()) {
-      motion.motor_acceleration_rad_s2 = advanced(motion.motor_acceleration_rad_s2, moved_s, step_s);
+      motion.motor_acceleration_rad_s2 =
+          advanced(motion.motor_acceleration_rad_s2, moved_s, step_s);
     }
     if (bench.load_side == LoadSide::kModel)
       motion.load_Nm = advanced(motion.load_Nm, moved_s, step_s);
@@ -141,7 +142,8 @@ double imbalance_Nm(const Hypothesis& hypothesis, double angle_rad) {
 void subtract_gap(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
                   std::vector<double>& balance_Nm) {
   for (const actuator::Effect& effect : hypothesis.actuator.effects) {
-    if (effect.kind->name != "backlash" || effect.values[0] <= 0.0 || !shows_backlash(bench)) continue;
+    if (effect.kind->name != "backlash" || effect.values[0] <= 0.0 || !shows_backlash(bench))
+      continue;
     Bench with_gap = bench;
     with_gap.in_gap = std::make_shared<const Actuator>(hypothesis.actuator);
     const std::vector<double> gap_Nm =
@@ -225,10 +227,10 @@ namespace {
 /// The motor's torque at the output from the drive's channel; sets the instant's current.
 double motor_Nm_at(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
                    double drive, Instant& at) {
-  at.current_A = bench.drive == Drive::kVoltage
-                     ? winding_current_A(bench, hypothesis.actuator, drive,
-                                         !signals.bus_V.empty(), at)
-                     : drive - hypothesis.log.current_offset_A;
+  at.current_A =
+      bench.drive == Drive::kVoltage
+          ? winding_current_A(bench, hypothesis.actuator, drive, !signals.bus_V.empty(), at)
+          : drive - hypothesis.log.current_offset_A;
   return actuator::motor_torque_Nm(hypothesis.actuator, at);
 }
 
@@ -241,7 +243,8 @@ double stated_over_own_slope(const Bench& bench, const Hypothesis& hypothesis,
   const bool is_voltage = bench.drive == Drive::kVoltage;
   double stated_slope = stated.transmission.ratio * stated.motor.torque_constant_Nm_A;
   if (is_voltage) stated_slope /= actuator::winding_of(stated).resistance_ohm;
-  const double step = 1e-3 * (is_voltage ? stated.drive.bus_voltage_V : stated.drive.peak_current_A);
+  const double step =
+      1e-3 * (is_voltage ? stated.drive.bus_voltage_V : stated.drive.peak_current_A);
   Instant here = at, there = at;
   const double change_Nm = motor_Nm_at(bench, hypothesis, signals, drive + step, there) -
                            motor_Nm_at(bench, hypothesis, signals, drive - step, here);
@@ -261,7 +264,8 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
   for (std::size_t i = 0; i < n; ++i) {
     Instant& at = motion.at[i];
     motor_Nm[i] = motor_Nm_at(bench, hypothesis, signals, motion.drive[i], at);
-    if (!is_sensor) stated_per_own[i] = stated_over_own_slope(bench, hypothesis, signals, motion.drive[i], at);
+    if (!is_sensor)
+      stated_per_own[i] = stated_over_own_slope(bench, hypothesis, signals, motion.drive[i], at);
   }
   const std::vector<double> histories_Nm =
       torque_of_histories_Nm(hypothesis.actuator, motion.at, motor_Nm, signals.step_s);
@@ -285,8 +289,8 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
             mesh.after(smooth_Nm + actuator::drag_Nm(actuator, now), now.direction);
         return now.load_torque_Nm + actuator::ripple_Nm(actuator, now);
       });
-      balance_Nm[i] = motion.load_Nm[i] - hypothesis.log.torque_offset_Nm - imbalance -
-                      predicted_Nm;
+      balance_Nm[i] =
+          motion.load_Nm[i] - hypothesis.log.torque_offset_Nm - imbalance - predicted_Nm;
       continue;
     }
     Instant probe = at;
@@ -294,11 +298,14 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
     const double ripple_Nm = actuator::ripple_Nm(actuator, probe);
     probe.load_torque_Nm = 1.0;
     const double ripple_ratio = actuator::ripple_Nm(actuator, probe) - ripple_Nm;
-    const double load_Nm = (motion.load_Nm[i] - imbalance - ripple_Nm - hypothesis.log.torque_offset_Nm) /
-                           (1.0 + ripple_ratio);
-    balance_Nm[i] = over_directions(at, [&](const Instant& now) {
-                      return mesh.before(load_Nm, now.direction) - actuator::drag_Nm(actuator, now);
-                    }) -
+    const double load_Nm =
+        (motion.load_Nm[i] - imbalance - ripple_Nm - hypothesis.log.torque_offset_Nm) /
+        (1.0 + ripple_ratio);
+    balance_Nm[i] = over_directions(at,
+                                    [&](const Instant& now) {
+                                      return mesh.before(load_Nm, now.direction) -
+                                             actuator::drag_Nm(actuator, now);
+                                    }) -
                     smooth_Nm;
     balance_Nm[i] *= stated_per_own[i];
   }

@@ -70,9 +70,8 @@ void take_instants(const Rows& rows, const std::vector<Eigen::Index>& training, 
   }
 }
 
-WaveRows wave_rows(const Bench& bench, const OfStretch& left,
-                           const std::vector<Signals>& signals,
-                           const std::vector<std::size_t>& fold_of_run) {
+WaveRows wave_rows(const Bench& bench, const OfStretch& left, const std::vector<Signals>& signals,
+                   const std::vector<std::size_t>& fold_of_run) {
   const Rows rows(signals, fold_of_run, {kWaveSpectrumBand_Hz});
   const std::vector<Eigen::Index> training = training_rows(rows);
   WaveRows taken;
@@ -125,7 +124,7 @@ double wave_share(const WaveRows& rows, const WaveAngle& angle, int order, doubl
 
 /// The orders of the highest shares, each asked alone.
 std::vector<int> loudest_waves(const WaveRows& rows, const WaveAngle& angle, double range_rad,
-                         int highest) {
+                               int highest) {
   double power = 0.0;
   for (const double value : rows.residual) power += value * value;
   const auto lowest =
@@ -146,7 +145,7 @@ std::vector<int> loudest_waves(const WaveRows& rows, const WaveAngle& angle, dou
 /// Of those, the ones that hold power beside one another and beside the smooth model: over part of
 /// a turn, or a turn at uneven speed, a strong wave sounds in many orders that are not there.
 std::vector<double> wave_peaks(const WaveRows& rows, const WaveAngle& angle, double range_rad,
-                          int highest) {
+                               int highest) {
   const std::vector<int> asked = loudest_waves(rows, angle, range_rad, highest);
   const Eigen::Index plain = rows.plain.cols() - 1;
   WavePursuit pursuit(plain, asked.size());
@@ -174,17 +173,17 @@ std::vector<double> wave_peaks(const WaveRows& rows, const WaveAngle& angle, dou
 }  // namespace
 
 WaveOrders promising_waves(const Bench& bench, const OfStretch& left,
-                        const std::vector<Signals>& signals,
-                        const std::vector<std::size_t>& fold_of_run,
-                        const actuator::Ranges& ranges) {
+                           const std::vector<Signals>& signals,
+                           const std::vector<std::size_t>& fold_of_run,
+                           const actuator::Ranges& ranges) {
   WaveOrders orders;
   const WaveRows rows = wave_rows(bench, left, signals, fold_of_run);
   if (rows.residual.empty()) return orders;
   orders.motor = wave_peaks(rows, {rows.motor_rad, rows.motor_Hz, nullptr}, ranges.motor_angle_rad,
-                       kWaveHighestMotorOrder);
+                            kWaveHighestMotorOrder);
   const auto output = [&](const std::vector<double>* scale) {
     return wave_peaks(rows, {rows.output_rad, rows.output_Hz, scale}, ranges.angle_rad,
-                 kWaveHighestOutputOrder);
+                      kWaveHighestOutputOrder);
   };
   orders.output = output(nullptr);
   orders.load = output(&rows.load_Nm);

@@ -16,12 +16,12 @@ struct WaveOrders {
   std::vector<double> friction;  ///< Of the Coulomb level.
 };
 
-/// WaveOrders that are worth a candidate: peaks of the spectrum over angle of what a smooth model leaves
-/// of `left` in the runs that may be fitted. Whether they earn a place is for the search. An order
-/// needs as much angle as one of its periods. docs/derivations/identification.md eq. (11).
+/// WaveOrders that are worth a candidate: peaks of the spectrum over angle of what a smooth model
+/// leaves of `left` in the runs that may be fitted. Whether they earn a place is for the search. An
+/// order needs as much angle as one of its periods. docs/derivations/identification.md section 12.
 WaveOrders promising_waves(const Bench& bench, const OfStretch& left,
-                        const std::vector<Signals>& signals,
-                        const std::vector<std::size_t>& fold_of_run,
-                        const actuator::Ranges& ranges);
+                           const std::vector<Signals>& signals,
+                           const std::vector<std::size_t>& fold_of_run,
+                           const actuator::Ranges& ranges);
 
 }  // namespace torquewright::identification

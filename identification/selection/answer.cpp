@@ -17,20 +17,22 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kLeastTrainingBlocks = 6;  ///< In training, to say anything.
+constexpr std::size_t kLeastTrainingBlocks = 6;    ///< In training, to say anything.
 constexpr double kBands_Hz[] = {8.0, 16.0, 24.0};  ///< Below the signals' own.
 constexpr double kClearlyMore = 1.2;
 constexpr double kKnown = 0.5;  ///< Relative error, at most, of an uncertain value that is fitted.
 
 /// Root mean squares over rows that were fitted and that were not, in the equation's unit.
-Errors errors_over(const ForwardEquation& equation, const Rows& rows, const Eigen::VectorXd& residual) {
+Errors errors_over(const ForwardEquation& equation, const Rows& rows,
+                   const Eigen::VectorXd& residual) {
   double square[2] = {0.0, 0.0}, count[2] = {0.0, 0.0};
   for (const Rows::Block& block : rows.blocks()) {
     square[block.is_held_out()] += residual.segment(block.begin, block.count).squaredNorm();
     count[block.is_held_out()] += static_cast<double>(block.count);
   }
   const auto rms = [&](int k) {
-    return count[k] > 0.0 ? std::sqrt(square[k] / count[k]) * std::abs(equation.unit_per_residual) : 0.0;
+    return count[k] > 0.0 ? std::sqrt(square[k] / count[k]) * std::abs(equation.unit_per_residual)
+                          : 0.0;
   };
   return {rms(0), rms(1)};
 }
@@ -86,8 +88,9 @@ std::string stated_parts_of(const EffectCandidate& member, const actuator::Actua
 std::vector<std::size_t> by_gain(const Found& found) {
   std::vector<std::size_t> order(found.best.members.size());
   for (std::size_t m = 0; m < order.size(); ++m) order[m] = m;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return found.gains[a].gain > found.gains[b].gain; });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return found.gains[a].gain > found.gains[b].gain;
+  });
   return order;
 }
 
@@ -119,7 +122,8 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
     const auto same = std::find_if(result.added.begin(), result.added.end(), [&](const auto& each) {
       return found.best.members[m]->order > 0.0 && each.effect == named.effect &&
              each.parameters.contains("harmonics") &&
-             each.parameters.value("proportional", false) == named.parameters.value("proportional", false);
+             each.parameters.value("proportional", false) ==
+                 named.parameters.value("proportional", false);
     });
     if (same == result.added.end()) {
       result.added.push_back(std::move(named));
@@ -130,7 +134,8 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
   }
 }
 
-void append_group(const Bench& bench, std::vector<std::string> effects, bool exact, EquationResult& result) {
+void append_group(const Bench& bench, std::vector<std::string> effects, bool exact,
+                  EquationResult& result) {
   if (effects.size() < 2) return;
   Confounded group;
   group.separated_by = separated_by(bench, effects);
@@ -189,9 +194,10 @@ ForwardEquation with_what_is_determined(ForwardEquation equation, const HeldSign
                                         const std::vector<std::size_t>& fold_of_run) {
   for (std::size_t k = equation.pointers.size(); k-- > 0;) {
     const Rows rows(held.rows, fold_of_run, {});
-    const ModelFit fit = ModelFitter(equation, rows, held.replica).fit(
-        {}, Eigen::Map<const Eigen::VectorXd>(equation.always_start.data(),
-                                              static_cast<Eigen::Index>(equation.always_start.size())));
+    const ModelFit fit = ModelFitter(equation, rows, held.replica)
+                             .fit({}, Eigen::Map<const Eigen::VectorXd>(
+                                          equation.always_start.data(),
+                                          static_cast<Eigen::Index>(equation.always_start.size())));
     const auto i = static_cast<Eigen::Index>(k);
     const double error = std::sqrt(std::max(0.0, fit.covariance(i, i)));
     if (fit.is_free[k] && error <= kKnown * std::abs(fit.coordinates[i])) continue;

@@ -3,8 +3,8 @@
 
 #include "identification/analysis.hpp"
 #include "identification/forward/equation.hpp"
-#include "identification/selection/rows.hpp"
 #include "identification/held_signals.hpp"
+#include "identification/selection/rows.hpp"
 
 namespace torquewright::identification {
 

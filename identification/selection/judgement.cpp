@@ -9,9 +9,10 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kExplainedFloors = 1.3;     ///< Floors, in rms where no fit saw it.
-constexpr double kUnexplainedFloors = 3.0;   ///< Floors: beyond it, with structure left, no name is sure ...
-constexpr double kLeastRemoved = 0.6;    ///< ... that takes less of the squares.
+constexpr double kExplainedFloors = 1.3;  ///< Floors, in rms where no fit saw it.
+constexpr double kUnexplainedFloors =
+    3.0;  ///< Floors: beyond it, with structure left, no name is sure ...
+constexpr double kLeastRemoved = 0.6;  ///< ... that takes less of the squares.
 
 constexpr double kMostUnsteady = 0.25;  ///< Of the rest, that goes where a law's parameters differ.
 constexpr double kMostOfOwn = 0.1;      ///< Of what it explains itself: differing by 30 %.
@@ -47,12 +48,14 @@ Judgement judge(const ModelFitter& fitter, Found& found,
   if (found.best.members.empty()) return judged;
   const double floor = rms_over(fitter.rows(), found.best.noise, false);
   const double left = rms_over(fitter.rows(), found.best.residual, false);
-  const double share = 1.0 - std::max(0.0, found.best.unseen_loss) / std::max(1e-300, found.empty.unseen_loss);
+  const double share =
+      1.0 - std::max(0.0, found.best.unseen_loss) / std::max(1e-300, found.empty.unseen_loss);
   bool is_steady = true;
   for (std::size_t m = 0; m < found.best.members.size() && left > kExplainedFloors * floor; ++m) {
     const Unsteadiness wanders = unsteadiness(fitter, found.best, m);
     const double own = found.gains[m].change_rms * found.gains[m].change_rms;
-    is_steady = is_steady && (wanders.share <= kMostUnsteady || wanders.squares <= kMostOfOwn * own);
+    is_steady =
+        is_steady && (wanders.share <= kMostUnsteady || wanders.squares <= kMostOfOwn * own);
   }
   if (!is_steady || (left > kUnexplainedFloors * floor && share < kLeastRemoved)) {
     judged.has_tentative = true;

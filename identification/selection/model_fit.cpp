@@ -10,8 +10,8 @@ namespace torquewright::identification {
 namespace {
 
 constexpr int kMostSteps = 12;
-constexpr double kSlopeStep = 1e-5;  ///< Of a parameter's size.
-constexpr double kConverged = 1e-7;   ///< Relative fall of the loss.
+constexpr double kSlopeStep = 1e-5;     ///< Of a parameter's size.
+constexpr double kConverged = 1e-7;     ///< Relative fall of the loss.
 constexpr double kUndetermined = 1e-7;  ///< Relative power of a combination that nothing moves.
 
 /// Free are those that are inside their bounds or pulled inwards.
@@ -46,11 +46,12 @@ std::vector<bool> determined(const Eigen::MatrixXd& slopes, const std::vector<bo
 
 /// A symmetric system by its scaled eigenvalues; what nothing determines stays where it is.
 Eigen::VectorXd solved_for(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& right,
-                       const std::vector<bool>& free, double damping) {
+                           const std::vector<bool>& free, double damping) {
   const Eigen::Index p = right.size();
   Eigen::VectorXd scale = Eigen::VectorXd::Zero(p);
   for (Eigen::Index i = 0; i < p; ++i) {
-    if (free[static_cast<std::size_t>(i)] && slopes(i, i) > 0.0) scale[i] = 1.0 / std::sqrt(slopes(i, i));
+    if (free[static_cast<std::size_t>(i)] && slopes(i, i) > 0.0)
+      scale[i] = 1.0 / std::sqrt(slopes(i, i));
   }
   const Eigen::MatrixXd unit = scale.asDiagonal() * slopes * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit);
@@ -98,8 +99,8 @@ struct ModelFitter::Point {
   Eigen::VectorXd coordinates, residual, noise;
   Eigen::MatrixXd slopes, noise_slopes;
   std::vector<BlockSums> sums;
-  Eigen::MatrixXd power;      ///< Of the training blocks, with noise: what steps go by.
-  Eigen::VectorXd descent;    ///< Of the training blocks, less noise.
+  Eigen::MatrixXd power;    ///< Of the training blocks, with noise: what steps go by.
+  Eigen::VectorXd descent;  ///< Of the training blocks, less noise.
   double loss = 0.0;
   double noise_loss = 0.0;
 };
@@ -117,13 +118,15 @@ std::vector<FitParameter> ModelFitter::parameters(const EffectSet& members) cons
 }
 
 Eigen::VectorXd ModelFitter::always_start() const {
-  return Eigen::Map<const Eigen::VectorXd>(equation_.always_start.data(),
-                                           static_cast<Eigen::Index>(equation_.always_start.size()));
+  return Eigen::Map<const Eigen::VectorXd>(
+      equation_.always_start.data(), static_cast<Eigen::Index>(equation_.always_start.size()));
 }
 
-Hypothesis ModelFitter::hypothesis(const EffectSet& members, const Eigen::VectorXd& coordinates) const {
+Hypothesis ModelFitter::hypothesis(const EffectSet& members,
+                                   const Eigen::VectorXd& coordinates) const {
   Hypothesis hypothesis = equation_.stated;
-  const std::span<const double> all(coordinates.data(), static_cast<std::size_t>(coordinates.size()));
+  const std::span<const double> all(coordinates.data(),
+                                    static_cast<std::size_t>(coordinates.size()));
   std::size_t at = equation_.always.size();
   if (at > 0) equation_.apply_always(all.first(at), hypothesis);
   for (const EffectCandidate* member : members) {
@@ -240,7 +243,8 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
   fit.sums = point.sums;
   fit.loss = point.loss;
   fit.noise_loss = point.noise_loss;
-  fit.is_free = determined(point.power, free_ones(all, point.coordinates, point.descent), fit.always);
+  fit.is_free =
+      determined(point.power, free_ones(all, point.coordinates, point.descent), fit.always);
   fit.is_valid = point.residual.allFinite() && point.coordinates.allFinite();
   const Eigen::Index p = point.coordinates.size();
   const std::size_t folds = rows_.folds();
@@ -258,9 +262,10 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
   std::vector<Eigen::VectorXd> moves(folds, Eigen::VectorXd::Zero(p));
   Eigen::MatrixXd between = Eigen::MatrixXd::Zero(p, p);
   for (std::size_t f = 0; f < folds && p > 0; ++f) {
-    moves[f] = clipped(all, point.coordinates + solved_for(total - power[f], -(point.descent - descent[f]),
-                                                       fit.is_free, 0.0)) -
-               point.coordinates;
+    moves[f] =
+        clipped(all, point.coordinates + solved_for(total - power[f], -(point.descent - descent[f]),
+                                                    fit.is_free, 0.0)) -
+        point.coordinates;
     between += moves[f] * moves[f].transpose();
   }
   const Eigen::MatrixXd bread = inverse(total, fit.is_free);

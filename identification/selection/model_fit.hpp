@@ -24,16 +24,16 @@ struct BlockSums {
 /// A model fitted to the training rows by bounded least squares on the forward model.
 struct ModelFit {
   EffectSet members;
-  Eigen::VectorXd coordinates;   ///< (p x 1) Of what is always fitted, then of each member.
-  Eigen::VectorXd residual;      ///< (n x 1)
-  Eigen::VectorXd noise;         ///< (n x 1) What noise added once more changes.
-  std::vector<BlockSums> sums;   ///< By block.
-  Eigen::MatrixXd covariance;    ///< (p x p) By the scatter of blocks and of folds.
-  std::vector<bool> is_free;     ///< Not at a bound that holds it.
-  std::vector<double> unseen;    ///< By block: loss where it was not fitted.
-  double loss = 0.0;             ///< Of the training blocks, fitted.
-  double unseen_loss = 0.0;      ///< Of the same, each where it was not fitted.
-  double noise_loss = 0.0;       ///< Of the training blocks.
+  Eigen::VectorXd coordinates;  ///< (p x 1) Of what is always fitted, then of each member.
+  Eigen::VectorXd residual;     ///< (n x 1)
+  Eigen::VectorXd noise;        ///< (n x 1) What noise added once more changes.
+  std::vector<BlockSums> sums;  ///< By block.
+  Eigen::MatrixXd covariance;   ///< (p x p) By the scatter of blocks and of folds.
+  std::vector<bool> is_free;    ///< Not at a bound that holds it.
+  std::vector<double> unseen;   ///< By block: loss where it was not fitted.
+  double loss = 0.0;            ///< Of the training blocks, fitted.
+  double unseen_loss = 0.0;     ///< Of the same, each where it was not fitted.
+  double noise_loss = 0.0;      ///< Of the training blocks.
   bool is_valid = false;
 
   bool holds(const std::string& effect) const;
@@ -47,7 +47,8 @@ struct ModelFit {
 class ModelFitter {
  public:
   /// Keeps references to all three. `replica`: the rows' signals with noise added once more.
-  ModelFitter(const ForwardEquation& equation, const Rows& rows, const std::vector<Signals>& replica);
+  ModelFitter(const ForwardEquation& equation, const Rows& rows,
+              const std::vector<Signals>& replica);
 
   /// From coordinates of all parameters: those of `always`, then of the members.
   ModelFit fit(const EffectSet& members, const Eigen::VectorXd& start) const;

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kReportStep = 1e-4;   ///< Of a parameter's size.
+constexpr double kReportStep = 1e-4;  ///< Of a parameter's size.
 constexpr double kFullTurn_rad = 6.283185307179586;
 
 /// A number of the report by its place; the places of both reports agree.
@@ -41,7 +41,8 @@ void drop_what_is_not_fitted(Json& json) {
   }
 }
 
-std::vector<double> reported_numbers(const EffectCandidate& candidate, const std::vector<double>& coordinates) {
+std::vector<double> reported_numbers(const EffectCandidate& candidate,
+                                     const std::vector<double>& coordinates) {
   std::vector<double> numbers;
   collect(candidate.report(coordinates), numbers);
   return numbers;
@@ -53,7 +54,8 @@ NamedEffect named_effect(const ModelFit& fit, std::size_t member) {
   const EffectCandidate& candidate = *fit.members[member];
   const Eigen::Index first = fit.first_of(member);
   const auto count = static_cast<Eigen::Index>(candidate.parameters.size());
-  const std::vector<double> at(fit.coordinates.data() + first, fit.coordinates.data() + first + count);
+  const std::vector<double> at(fit.coordinates.data() + first,
+                               fit.coordinates.data() + first + count);
   NamedEffect named;
   named.effect = candidate.effect;
   named.family = candidate.family;
@@ -64,11 +66,13 @@ NamedEffect named_effect(const ModelFit& fit, std::size_t member) {
   for (Eigen::Index k = 0; k < count; ++k) {
     const FitParameter& parameter = candidate.parameters[static_cast<std::size_t>(k)];
     const double error = std::sqrt(std::max(0.0, fit.covariance(first + k, first + k)));
-    const double step = std::max(1e-9 * parameter.size, std::min(kReportStep * parameter.size, error));
+    const double step =
+        std::max(1e-9 * parameter.size, std::min(kReportStep * parameter.size, error));
     std::vector<double> low = at, high = at;
     low[static_cast<std::size_t>(k)] -= step;
     high[static_cast<std::size_t>(k)] += step;
-    const std::vector<double> below = reported_numbers(candidate, low), above = reported_numbers(candidate, high);
+    const std::vector<double> below = reported_numbers(candidate, low),
+                              above = reported_numbers(candidate, high);
     for (std::size_t v = 0; v < values.size(); ++v) {
       // A phase may pass a half turn between the two.
       const double change = std::remainder(above[v] - below[v], kFullTurn_rad);
@@ -76,7 +80,8 @@ NamedEffect named_effect(const ModelFit& fit, std::size_t member) {
       slopes(static_cast<Eigen::Index>(v), k) =
           (is_phase ? change : above[v] - below[v]) / (2.0 * step);
     }
-    is_undetermined = is_undetermined || (fit.is_free[static_cast<std::size_t>(first + k)] && error == 0.0);
+    is_undetermined =
+        is_undetermined || (fit.is_free[static_cast<std::size_t>(first + k)] && error == 0.0);
   }
   const Eigen::MatrixXd covariance =
       slopes * fit.covariance.block(first, first, count, count) * slopes.transpose();
@@ -94,7 +99,8 @@ NamedEffect named_effect(const ModelFit& fit, std::size_t member) {
 }
 
 void append_wave(NamedEffect& first, const NamedEffect& wave) {
-  for (const Json& each : wave.parameters["harmonics"]) first.parameters["harmonics"].push_back(each);
+  for (const Json& each : wave.parameters["harmonics"])
+    first.parameters["harmonics"].push_back(each);
   for (const Json& each : wave.standard_error["harmonics"])
     first.standard_error["harmonics"].push_back(each);
 }

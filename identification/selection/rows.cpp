@@ -73,14 +73,16 @@ void Rows::cut(const Signals& stretch, std::size_t first_row, std::size_t rows, 
   const std::vector<std::size_t>& samples = samples_.back();
   const std::size_t pieces =
       stretch.step_s > 0.0
-          ? std::max<std::size_t>(1, static_cast<std::size_t>(std::round(stretch_s(stretch) / block_s)))
+          ? std::max<std::size_t>(
+                1, static_cast<std::size_t>(std::round(stretch_s(stretch) / block_s)))
           : kRowBlocksOfMap;
   const double length = static_cast<double>(stretch.core_size()) / static_cast<double>(pieces);
   std::size_t begin = 0;
   for (std::size_t p = 0; p < pieces && begin < rows; ++p) {
     std::size_t end = begin;
-    while (end < rows && (p + 1 == pieces || static_cast<double>(samples[end] - stretch.core_begin) <
-                                                 static_cast<double>(p + 1) * length)) {
+    while (end < rows &&
+           (p + 1 == pieces || static_cast<double>(samples[end] - stretch.core_begin) <
+                                   static_cast<double>(p + 1) * length)) {
       ++end;
     }
     if (end > begin) {

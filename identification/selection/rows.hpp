@@ -39,7 +39,9 @@ class Rows {
   Eigen::VectorXd values(const OfStretch& of_stretch) const { return values(of_stretch, signals_); }
 
   const std::vector<Signals>& signals() const { return signals_; }
-  const std::vector<std::vector<std::size_t>>& samples() const { return samples_; }  ///< By stretch.
+  const std::vector<std::vector<std::size_t>>& samples() const {
+    return samples_;
+  }  ///< By stretch.
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t folds() const { return folds_; }
   bool cuts_runs() const { return cuts_runs_; }

@@ -8,7 +8,6 @@
 #include <optional>
 #include <set>
 
-
 namespace torquewright::identification {
 namespace {
 
@@ -23,9 +22,9 @@ struct ValueOfRun {
 };
 
 /// The value that a run alone asks for, everything else as fitted to all: one number, one equation.
-std::optional<ValueOfRun> value_of_run(const Rows& rows, const ModelFit& fit, Eigen::Index parameter,
-                                 const std::string& run,
-                                 const std::vector<std::string>& name_of_run) {
+std::optional<ValueOfRun> value_of_run(const Rows& rows, const ModelFit& fit,
+                                       Eigen::Index parameter, const std::string& run,
+                                       const std::vector<std::string>& name_of_run) {
   double top = 0.0, bottom = 0.0;
   std::vector<std::pair<double, double>> parts;
   for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
@@ -57,8 +56,8 @@ bool disagree(const ValueOfRun& a, const ValueOfRun& b) {
 
 }  // namespace
 
-std::string runs_that_disagree(const ForwardEquation& equation, const Rows& rows, const ModelFit& fit,
-                        const std::vector<std::string>& name_of_run) {
+std::string runs_that_disagree(const ForwardEquation& equation, const Rows& rows,
+                               const ModelFit& fit, const std::vector<std::string>& name_of_run) {
   const std::set<std::string> names(name_of_run.begin(), name_of_run.end());
   for (std::size_t k = 0; k < equation.pointers.size(); ++k) {
     std::vector<ValueOfRun> values;

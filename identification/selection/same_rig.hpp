@@ -11,8 +11,8 @@ namespace torquewright::identification {
 /// Why the runs do not belong to one rig: a value that the rig calls uncertain comes out of single
 /// runs, everything else as fitted to all, beyond what its errors allow. Empty: nothing speaks
 /// against it. `name_of_run`: by Signals::run; runs of one name are one.
-/// docs/derivations/identification.md section 8.
-std::string runs_that_disagree(const ForwardEquation& equation, const Rows& rows, const ModelFit& fit,
-                        const std::vector<std::string>& name_of_run);
+/// docs/derivations/identification.md section 12.
+std::string runs_that_disagree(const ForwardEquation& equation, const Rows& rows,
+                               const ModelFit& fit, const std::vector<std::string>& name_of_run);
 
 }  // namespace torquewright::identification

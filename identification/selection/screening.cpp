@@ -8,17 +8,17 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kPaired = 14;      ///< Candidates of which pairs are made.
-constexpr double kRidge = 1e-9;          ///< Relative, of columns that coincide.
+constexpr std::size_t kPaired = 14;  ///< Candidates of which pairs are made.
+constexpr double kRidge = 1e-9;      ///< Relative, of columns that coincide.
 
 /// A candidate at one of its starts, beside the model.
 struct ScreenTrial {
   const EffectCandidate* candidate = nullptr;
   std::vector<double> start;
-  Eigen::VectorXd offset;   ///< (n) What the start itself changes.
-  Eigen::MatrixXd slopes;   ///< (n x q)
+  Eigen::VectorXd offset;  ///< (n) What the start itself changes.
+  Eigen::MatrixXd slopes;  ///< (n x q)
   double loss = 0.0;
-  Eigen::VectorXd move;     ///< (q) From the start.
+  Eigen::VectorXd move;  ///< (q) From the start.
 };
 
 /// Columns scaled by sizes, products only.
@@ -34,7 +34,8 @@ struct Solution {
   double loss = 0.0;
 };
 
-Solution solve(const Products& products, const Eigen::VectorXd& lowest, const Eigen::VectorXd& highest) {
+Solution solve(const Products& products, const Eigen::VectorXd& lowest,
+               const Eigen::VectorXd& highest) {
   const Eigen::Index p = products.right.size();
   Solution solution{Eigen::VectorXd::Zero(p), products.loss};
   std::vector<bool> fixed(static_cast<std::size_t>(p), false);
@@ -53,7 +54,8 @@ Solution solve(const Products& products, const Eigen::VectorXd& lowest, const Ei
           right[a] -= products.power(free[static_cast<std::size_t>(a)], i) * solution.move[i];
       }
       for (Eigen::Index b = 0; b < count; ++b) {
-        power(a, b) = products.power(free[static_cast<std::size_t>(a)], free[static_cast<std::size_t>(b)]);
+        power(a, b) =
+            products.power(free[static_cast<std::size_t>(a)], free[static_cast<std::size_t>(b)]);
       }
       power(a, a) *= 1.0 + kRidge;
     }
@@ -63,8 +65,8 @@ Solution solve(const Products& products, const Eigen::VectorXd& lowest, const Ei
     for (Eigen::Index a = 0; a < count; ++a) {
       const Eigen::Index i = free[static_cast<std::size_t>(a)];
       solution.move[i] = move[a];
-      const double over = std::max(lowest[i] - move[a], move[a] - highest[i]) *
-                          std::sqrt(products.power(i, i));
+      const double over =
+          std::max(lowest[i] - move[a], move[a] - highest[i]) * std::sqrt(products.power(i, i));
       if (over > beyond) {
         beyond = over;
         worst = i;
@@ -109,7 +111,8 @@ class Screen {
   }
 
  private:
-  Eigen::VectorXd coordinates_with(const EffectCandidate& candidate, const std::vector<double>& start) const {
+  Eigen::VectorXd coordinates_with(const EffectCandidate& candidate,
+                                   const std::vector<double>& start) const {
     Eigen::VectorXd all(model_.coordinates.size() + static_cast<Eigen::Index>(start.size()));
     all << model_.coordinates,
         Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
@@ -183,9 +186,9 @@ class Screen {
         highest[at] = trial->candidate->parameters[index].highest - trial->start[index];
       }
     }
-    return solve({columns.transpose() * columns, columns.transpose() * residual,
-                  residual.squaredNorm()},
-                 lowest, highest);
+    return solve(
+        {columns.transpose() * columns, columns.transpose() * residual, residual.squaredNorm()},
+        lowest, highest);
   }
 
   Eigen::VectorXd start_of(const std::vector<const ScreenTrial*>& trials,

@@ -7,14 +7,14 @@ namespace torquewright::identification {
 
 /// An addition to a model that looks promising before it is fitted.
 struct Prospect {
-  EffectSet added;           ///< One, or two.
-  Eigen::VectorXd start;   ///< Coordinates of the whole model with it.
-  double loss = 0.0;       ///< Of the training rows, by the linear model.
+  EffectSet added;        ///< One, or two.
+  Eigen::VectorXd start;  ///< Coordinates of the whole model with it.
+  double loss = 0.0;      ///< Of the training rows, by the linear model.
 };
 
 struct Screening {
-  std::vector<Prospect> singles, pairs;         ///< The most promising first.
-  std::vector<const EffectCandidate*> silent;         ///< The log does not move them.
+  std::vector<Prospect> singles, pairs;        ///< The most promising first.
+  std::vector<const EffectCandidate*> silent;  ///< The log does not move them.
 };
 
 /// Every candidate that the model does not hold, by linear least squares with the slopes of the

@@ -8,7 +8,7 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kRefinedSingles = 6;        ///< Of the most promising additions.
+constexpr std::size_t kRefinedSingles = 6;  ///< Of the most promising additions.
 constexpr std::size_t kRefinedPairs = 4;
 constexpr std::size_t kRefinedSwaps = 4;
 constexpr std::size_t kMostMembers = 8;
@@ -18,7 +18,8 @@ constexpr double kMovesNothing = 0.1;  ///< Floors: the log does not show what c
 bool is_wave(const EffectCandidate& candidate) { return candidate.order > 0.0; }
 
 bool holds_as_part(const EffectCandidate& whole, const EffectCandidate& part) {
-  return std::find(whole.contains.begin(), whole.contains.end(), part.effect) != whole.contains.end();
+  return std::find(whole.contains.begin(), whole.contains.end(), part.effect) !=
+         whole.contains.end();
 }
 
 /// Whether both may be in a model.
@@ -26,7 +27,6 @@ bool go_together(const EffectCandidate& a, const EffectCandidate& b) {
   if (holds_as_part(a, b) || holds_as_part(b, a)) return false;
   return a.effect != b.effect || is_wave(a);
 }
-
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -36,9 +36,7 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 
 Search::Search(const ModelFitter& fitter, const SearchRules& rules,
                const std::vector<std::string>& settled)
-    : fitter_(fitter),
-      rules_(rules),
-      waves_(std::make_shared<std::deque<EffectCandidate>>()) {
+    : fitter_(fitter), rules_(rules), waves_(std::make_shared<std::deque<EffectCandidate>>()) {
   for (const EffectCandidate& each : fitter.equation().candidates) {
     if (std::find(settled.begin(), settled.end(), each.effect) == settled.end()) {
       candidates_.push_back(&each);
@@ -71,8 +69,9 @@ const ModelFit& Search::with(const ModelFit& model, const Prospect& prospect) {
   std::vector<double> start(prospect.start.data(), prospect.start.data() + model.always);
   Eigen::Index at = model.always;
   for (const EffectCandidate* member : model.members) {
-    const bool stays = std::all_of(prospect.added.begin(), prospect.added.end(),
-                                   [&](const EffectCandidate* added) { return go_together(*member, *added); });
+    const bool stays =
+        std::all_of(prospect.added.begin(), prospect.added.end(),
+                    [&](const EffectCandidate* added) { return go_together(*member, *added); });
     for (std::size_t k = 0; k < member->parameters.size(); ++k, ++at) {
       if (stays) start.push_back(prospect.start[at]);
     }
@@ -116,8 +115,9 @@ void Search::ask_for_waves(const ModelFit& model) {
   const Hypothesis supposed = fitter_.hypothesis(model.members, model.coordinates);
   const auto left = [&](const Signals& s) { return fitter_.equation().residual(supposed, s); };
   for (EffectCandidate& wave : fitter_.equation().waves(left)) {
-    const bool is_known = std::any_of(candidates_.begin(), candidates_.end(),
-                                      [&](const EffectCandidate* each) { return each->key == wave.key; });
+    const bool is_known =
+        std::any_of(candidates_.begin(), candidates_.end(),
+                    [&](const EffectCandidate* each) { return each->key == wave.key; });
     if (is_known) continue;
     waves_->push_back(std::move(wave));
     candidates_.push_back(&waves_->back());
@@ -128,8 +128,8 @@ void Search::ask_for_waves(const ModelFit& model) {
 EffectSet Search::askable(const ModelFit& model) const {
   EffectSet askable;
   for (const EffectCandidate* each : candidates_) {
-    const bool is_part = std::any_of(
-        model.members.begin(), model.members.end(), [&](const EffectCandidate* member) {
+    const bool is_part =
+        std::any_of(model.members.begin(), model.members.end(), [&](const EffectCandidate* member) {
           return member == each || holds_as_part(*member, *each) ||
                  (member->effect == each->effect && !is_wave(*each));
         });
@@ -203,8 +203,10 @@ const ModelFit* Search::by_parts(const ModelFit& model) {
       prospect.start = vector_of(start);
       const ModelFit& trial = with(less, prospect);
       if (!trial.is_valid || earns(trial, model)) continue;
-      const bool is_simpler = best == nullptr || trial.coordinates.size() < best->coordinates.size();
-      const bool is_better = best != nullptr && trial.coordinates.size() == best->coordinates.size() &&
+      const bool is_simpler =
+          best == nullptr || trial.coordinates.size() < best->coordinates.size();
+      const bool is_better = best != nullptr &&
+                             trial.coordinates.size() == best->coordinates.size() &&
                              trial.unseen_loss < best->unseen_loss;
       if (is_simpler || is_better) best = &trial;
     }
@@ -253,9 +255,8 @@ const ModelFit* Search::swapped(const ModelFit& model) {
 void Search::take_rivals(const ModelFit& best, Found& found) const {
   const auto is_more_of_the_same = [&](const ModelFit& rival) {
     return std::any_of(best.members.begin(), best.members.end(), [&](const EffectCandidate* own) {
-      return std::any_of(rival.members.begin(), rival.members.end(), [&](const EffectCandidate* other) {
-        return holds_as_part(*other, *own);
-      });
+      return std::any_of(rival.members.begin(), rival.members.end(),
+                         [&](const EffectCandidate* other) { return holds_as_part(*other, *own); });
     });
   };
   for (const auto& [key, fit] : fits_) {

@@ -16,13 +16,14 @@ namespace torquewright::identification {
 
 /// What decides; each is a cost that docs/identification.md states.
 struct SearchRules {
-  double chance = 0.05;        ///< That noise alone gains so much by any one of all that is tried.
-  double least_floors = 0.5;   ///< A name changes the prediction by so many noise floors ...
-  double least_change = 0.0;   ///< ... and by as much, in the residual's unit (tolerance).
-  double least_of_largest = 0.02;  ///< ... and by so much of the largest named effect: laws hold so far.
+  double chance = 0.05;       ///< That noise alone gains so much by any one of all that is tried.
+  double least_floors = 0.5;  ///< A name changes the prediction by so many noise floors ...
+  double least_change = 0.0;  ///< ... and by as much, in the residual's unit (tolerance).
+  double least_of_largest =
+      0.02;                  ///< ... and by so much of the largest named effect: laws hold so far.
   double least_share = 0.1;  ///< A name takes so much of the squares that are left without it.
-  double tie_t = 3.0;          ///< A rival is refuted beyond this ...
-  double tie_share = 0.1;      ///< ... if it leaves so much more of the squares that are left.
+  double tie_t = 3.0;        ///< A rival is refuted beyond this ...
+  double tie_share = 0.1;    ///< ... if it leaves so much more of the squares that are left.
   std::function<void(double)> progress;
 };
 
@@ -35,8 +36,8 @@ struct Refusal {
 /// What a search over sets of effects found.
 struct Found {
   ModelFit empty, best;
-  std::vector<Comparison> gains;     ///< Of each member of the best, over its own removal.
-  std::vector<ModelFit> rivals;      ///< As good, as far as the log can tell; the best is not among.
+  std::vector<Comparison> gains;  ///< Of each member of the best, over its own removal.
+  std::vector<ModelFit> rivals;   ///< As good, as far as the log can tell; the best is not among.
   std::vector<const EffectCandidate*> silent;
   std::vector<Refusal> refused;
   std::shared_ptr<std::deque<EffectCandidate>> waves;  ///< That members may point to.
@@ -44,7 +45,7 @@ struct Found {
 
 /// Screens all candidates linearly, refines the most promising and pairs of them on the forward
 /// model, and judges only then; members are dropped, replaced by their parts and swapped until
-/// nothing changes. docs/derivations/identification.md section 4.
+/// nothing changes. docs/derivations/identification.md section 12.
 class Search {
  public:
   /// Candidates of the effects in `settled` are not asked.

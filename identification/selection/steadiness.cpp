@@ -54,8 +54,10 @@ std::vector<std::size_t> parts_of(const Rows& rows, const std::vector<double>& v
   for (const Rows::Block& block : rows.blocks()) {
     for (Eigen::Index k = 0; k < block.count && !block.is_held_out(); ++k) {
       const auto row = static_cast<std::size_t>(block.begin + k);
-      const auto below = std::upper_bound(sorted.begin(), sorted.end(), values[row]) - sorted.begin();
-      part[row] = std::min(kQuarters - 1, static_cast<std::size_t>(below) * kQuarters / sorted.size());
+      const auto below =
+          std::upper_bound(sorted.begin(), sorted.end(), values[row]) - sorted.begin();
+      part[row] =
+          std::min(kQuarters - 1, static_cast<std::size_t>(below) * kQuarters / sorted.size());
     }
   }
   return part;
@@ -104,8 +106,9 @@ Unsteadiness unsteadiness(const ModelFitter& fitter, const ModelFit& fit, std::s
     const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
     if (values.empty() || !(*greatest > *least)) continue;
     const double gain = gain_of_parts(slopes, fit.residual, parts_of(rows, values));
-    const double by_chance =
-        kRowsPerIndependent * static_cast<double>(kQuarters * static_cast<std::size_t>(count)) * left / samples;
+    const double by_chance = kRowsPerIndependent *
+                             static_cast<double>(kQuarters * static_cast<std::size_t>(count)) *
+                             left / samples;
     const double share = (gain - by_chance) / left;
     if (share > worst.share) worst = {std::string(coordinate.name), share, share * left / samples};
   }

@@ -16,7 +16,7 @@ struct Unsteadiness {
 
 /// The coordinate along which a member's parameters differ most: quarters of the rows by angle,
 /// speed, load, current, time, temperature, and single runs. A law that holds has the same
-/// parameters everywhere. docs/derivations/identification.md section 6.
+/// parameters everywhere. docs/derivations/identification.md section 12.
 Unsteadiness unsteadiness(const ModelFitter& fitter, const ModelFit& fit, std::size_t member);
 
 }  // namespace torquewright::identification

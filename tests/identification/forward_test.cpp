@@ -105,8 +105,8 @@ TEST(ForwardBalance, LagsAsAFirstOrderLagDoes) {
       torque_balance_Nm(bench.bench, {bench.actuator, bench.rig, {}}, bench.signals);
   const double x = rad_s * lag_s;
   for (std::size_t i = 50; i < 390; ++i) {
-    const double expected = 2.0 / std::hypot(1.0, x) *
-                            std::sin(rad_s * 0.01 * static_cast<double>(i) - std::atan(x));
+    const double expected =
+        2.0 / std::hypot(1.0, x) * std::sin(rad_s * 0.01 * static_cast<double>(i) - std::atan(x));
     EXPECT_NEAR(-left[i], expected, 1e-3) << i;
   }
 }
@@ -132,9 +132,8 @@ std::map<std::string, double> found_in(const std::function<double(const Made&)>&
 
 // Oracle: the two coefficients that were put in, by the sign of the motion and by its speed.
 TEST(ForwardSearch, FindsCoulombAndViscousFrictionAndNothingElse) {
-  const std::map<std::string, double> found = found_in([](const Made& at) {
-    return -0.4 * made::sign(at.speed_rad_s) - 0.08 * at.speed_rad_s;
-  });
+  const std::map<std::string, double> found = found_in(
+      [](const Made& at) { return -0.4 * made::sign(at.speed_rad_s) - 0.08 * at.speed_rad_s; });
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(found.at("coulomb_friction"), 0.4, 0.004);
   EXPECT_NEAR(found.at("viscous_friction"), 0.08, 0.0008);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the same log, prepared as a whole.
+#include "identification/held_signals.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <string>
 
 #include "identification/forward/torque_prediction.hpp"
-#include "identification/held_signals.hpp"
 #include "identification/log/stretch.hpp"
 #include "tests/identification/made_bench.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <random>
 
-
 namespace torquewright::identification::same_rig_test {
 namespace {
 
