@@ -192,16 +192,62 @@ Eigen::VectorXd fitted(const Log& clean, const Plan& plan, const Bench& bench,
   return columns_at.colPivHouseholderQr().solve(residual);
 }
 
-TEST(Plan, StandardErrorsAreTheScatterOfRepeatedFits) {
-  const Rig rig = bench_rig();
-  const actuator::Actuator actuator = bench_actuator();
-  const Plan plan = plan_excitation(rig, actuator, asked({"coulomb_friction", "viscous_friction"}));
+Log played(const Plan& plan, const Rig& rig, const actuator::Actuator& actuator) {
   std::vector<simulation::SimulatedRun> simulated;
   for (const ExcitationRun& run : plan.runs) {
     simulated.push_back(
         simulation::simulate(*plant_of(rig.load), {&actuator}, run.excitation, {run.start}));
   }
-  const Log clean = noiseless_log(rig, actuator, plan.runs, simulated);
+  return noiseless_log(rig, actuator, plan.runs, simulated);
+}
+
+// Oracle: the laws of docs/effects.md by hand. Behind a gear without losses a sensor misses as much
+// as friction takes, and what a saturation leaves out of the motor's torque.
+TEST(PlannedColumns, AreTheLawsBehindAGearWithoutLosses) {
+  const Rig rig = bench_rig();
+  const actuator::Actuator actuator = bench_actuator();
+  const Log log = played(stribeck_plan(), rig, actuator);
+  const Bench bench = make_bench(rig, log, 0, {&actuator});
+  const std::vector<Signals> signals = prepare(log, bench, {}, {});
+  const Rows rows(signals, std::vector<std::size_t>(log.runs.size(), 0), {});
+  const actuator::Ranges ranges = ranges_of(bench, signals);
+  const double per_ampere_Nm = actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A;
+  const auto expect = [&](const std::string& effect, std::size_t index, const auto& law) {
+    const std::vector<PlannedColumn> columns = planned_columns(bench, ranges, effect);
+    ASSERT_GT(columns.size(), index) << effect;
+    const Eigen::VectorXd found = planned_rows(bench, rows, {columns[index]});
+    const Eigen::VectorXd known = rows.values([&](const Signals& stretch) {
+      std::vector<double> values;
+      for (const actuator::Instant& at : stretch.at) values.push_back(law(at));
+      return values;
+    });
+    ASSERT_GT(known.norm(), 0.0) << effect;
+    // Torques of some 50 Nm, rounded, over differences of a ten-thousandth of the largest.
+    EXPECT_LT((found - known).norm(), 1e-9 * known.norm()) << effect << " " << index;
+  };
+  using At = actuator::Instant;
+  const double slow_rad_s = 0.05 * ranges.speed_rad_s;
+  expect("viscous_friction", 0, [](const At& at) { return -at.speed_rad_s; });
+  expect("coulomb_friction", 0, [](const At& at) { return -at.direction; });
+  expect("stribeck_friction", 0, [&](const At& at) {
+    return -at.direction * std::exp(-std::pow(at.speed_rad_s / slow_rad_s, 2));
+  });
+  // Half of the difference more forward, half less backward: the same torque both ways.
+  expect("asymmetric_friction", 0, [](const At&) { return -0.5; });
+  expect("asymmetric_friction", 1,
+         [](const At& at) { return -0.5 * at.direction * at.speed_rad_s; });
+  expect("torque_constant_saturation", 0, [&](const At& at) {
+    const double x = at.current_A / ranges.current_A;
+    return -per_ampere_Nm * at.current_A * (1.0 - 1.0 / std::sqrt(1.0 + x * x));
+  });
+  expect("torque_offset", 0, [](const At&) { return 1.0; });
+}
+
+TEST(Plan, StandardErrorsAreTheScatterOfRepeatedFits) {
+  const Rig rig = bench_rig();
+  const actuator::Actuator actuator = bench_actuator();
+  const Plan plan = plan_excitation(rig, actuator, asked({"coulomb_friction", "viscous_friction"}));
+  const Log clean = played(plan, rig, actuator);
   const Bench bench = make_bench(rig, clean, 0, {&actuator});
   const actuator::Ranges ranges = ranges_of(bench, prepare(clean, bench, {}, {}));
   std::vector<PlannedColumn> columns;
