@@ -35,8 +35,9 @@ struct Runs {
       names.push_back("run_" + std::to_string(run));
       folds.push_back(run);
     }
+    const Rows rows(signals, folds, {});
     double top = 0.0, bottom = 0.0;
-    for (const Rows::Block& block : Rows(signals, folds, {}).blocks()) {
+    for (const Rows::Block& block : rows.blocks()) {
       BlockSums sums{Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Zero(1)};
       for (int i = 0; i < 200; ++i) {
         const double x = normal(random);
