@@ -16,16 +16,27 @@ using actuator::Instant;
 
 constexpr int kParts = 4;  ///< Of a step.
 
-/// The state after a step of a rate that is linear in it.
-double advanced_state(const actuator::Effect& effect, Instant at, double state, double step_s) {
+/// A rate that is linear in its state: d state / dt = at_rest + slope state.
+struct LinearRate {
+  double at_rest, slope;
+};
+LinearRate rate_at(const actuator::Effect& effect, Instant at, double state) {
   at.state = 0.0;
-  const double at_zero = effect.kind->state_rate(effect, at);
-  const double unit = std::max(1e-9, std::abs(state));
-  at.state = unit;
-  const double slope = (effect.kind->state_rate(effect, at) - at_zero) / unit;
-  if (slope > -1e-12) return state + step_s * (at_zero + slope * state);
-  const double settled = -at_zero / slope;
-  return settled + (state - settled) * std::exp(slope * step_s);
+  const double at_rest = effect.kind->state_rate(effect, at);
+  at.state = std::max(1e-9, std::abs(state));
+  return {at_rest, (effect.kind->state_rate(effect, at) - at_rest) / at.state};
+}
+
+/// The state after a step, exact where what it settles to moves evenly.
+double advanced_state(const actuator::Effect& effect, const Instant& from, const Instant& to,
+                      double state, double step_s) {
+  const LinearRate begin = rate_at(effect, from, state), end = rate_at(effect, to, state);
+  if (end.slope > -1e-12) {
+    return state + step_s * (0.5 * (begin.at_rest + end.at_rest) + end.slope * state);
+  }
+  const double settled_before = -begin.at_rest / end.slope, settled = -end.at_rest / end.slope;
+  const double behind = -(settled - settled_before) / step_s / end.slope;
+  return settled - behind + (state - settled_before + behind) * std::exp(end.slope * step_s);
 }
 
 /// One effect, through the stretch.
@@ -59,10 +70,12 @@ void add_history(const actuator::Actuator& actuator, const actuator::Effect& eff
     for (int part = 0; part < kParts && i + 1 < n; ++part) {
       const double from = static_cast<double>(part) / kParts, to = from + 1.0 / kParts;
       const double part_s = step_s / kParts;
-      now.input = input_at(i, 0.5 * (from + to));
+      now.input = input_at(i, from);
       now.speed_rad_s = (angle_at(i, to) - angle_at(i, from)) / part_s;
       now.direction = now.speed_rad_s > 0.0 ? 1.0 : now.speed_rad_s < 0.0 ? -1.0 : 0.0;
-      state = advanced_state(effect, now, state, part_s);
+      Instant then = now;
+      then.input = input_at(i, to);
+      state = advanced_state(effect, now, then, state, part_s);
     }
   }
 }

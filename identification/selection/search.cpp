@@ -187,6 +187,7 @@ const ModelFit* Search::by_parts(const ModelFit& model) {
     if (parts.empty()) continue;
     std::vector<EffectSet> choices;
     for (const EffectCandidate* part : parts) choices.push_back({part});
+    if (parts.size() > 1) choices.push_back(parts);
     if (!offset.empty()) choices.push_back(offset);
     const ModelFit& less = without(model, m);
     const ModelFit* best = nullptr;
