@@ -70,14 +70,23 @@ struct Prepared {
   Prepared(const Log& log, const NoiseLevels& levels = {})
       : bench(rig.bench(log)), held(held_signals(log, bench, levels, 1)) {}
 
-  /// Of the forward balance as stated, over all that is held.
-  double square(const std::vector<Signals>& signals) const {
-    Hypothesis stated{bench.actuator(), *bench.rig, {}};
+  /// Of the forward balance as stated, over all that is held; and of what noise added changes.
+  double square() const {
+    return square_of([](double own, double) { return own; });
+  }
+  double added_square() const {
+    return square_of([](double own, double noisy) { return noisy - own; });
+  }
+  template <typename Value>
+  double square_of(const Value& value) const {
+    const Hypothesis stated{bench.actuator(), *bench.rig, {}};
     double sum = 0.0;
-    for (const Signals& each : signals) {
-      const std::vector<double> left = torque_balance_Nm(bench, stated, each);
+    for (std::size_t s = 0; s < held.rows.size(); ++s) {
+      const Signals& each = held.rows[s];
+      const std::vector<double> own = torque_balance_Nm(bench, stated, each);
+      const std::vector<double> noisy = torque_balance_Nm(bench, stated, held.replica[s]);
       for (std::size_t i = each.core_begin; i < std::min(each.core_end, each.size()); ++i) {
-        sum += left[i] * left[i];
+        sum += value(own[i], noisy[i]) * value(own[i], noisy[i]);
       }
     }
     return sum;
@@ -97,9 +106,9 @@ TEST(HeldSignals, GivesTheSignalsOfTheWhole) {
   const Log log = whole_log();
   const Prepared whole(log), pieces(cut(log, kAllRows));
   EXPECT_EQ(pieces.samples(), whole.samples());
-  const double expected = whole.square(whole.held.rows);
+  const double expected = whole.square();
   EXPECT_GT(expected, 0.0);
-  EXPECT_NEAR(pieces.square(pieces.held.rows) / expected, 1.0, kRoundOff);
+  EXPECT_NEAR(pieces.square() / expected, 1.0, kRoundOff);
 }
 
 // Noise that is added once more has the same power, whoever draws it: of some 1e5 draws through a
@@ -108,12 +117,9 @@ TEST(HeldSignals, HasTheNoiseOfTheWhole) {
   NoiseLevels levels{};
   levels[static_cast<std::size_t>(Quantity::kOutputTorque)] = 0.3;
   const Log log = whole_log();
-  const auto added = [](const Prepared& prepared) {
-    return prepared.square(prepared.held.replica) - prepared.square(prepared.held.rows);
-  };
-  const double expected = added(Prepared(log, levels));
+  const double expected = Prepared(log, levels).added_square();
   EXPECT_GT(expected, 0.0);
-  EXPECT_NEAR(added(Prepared(cut(log, kAllRows), levels)) / expected, 1.0, 0.06);
+  EXPECT_NEAR(Prepared(cut(log, kAllRows), levels).added_square() / expected, 1.0, 0.06);
 }
 
 TEST(HeldSignals, HoldsRowsOfAPartOnly) {
