@@ -62,7 +62,6 @@ NamedEffect named_effect(const ModelFit& fit, std::size_t member) {
   named.parameters = candidate.report(at);
   const std::vector<double> values = reported_numbers(candidate, at);
   Eigen::MatrixXd slopes(static_cast<Eigen::Index>(values.size()), count);
-  bool is_undetermined = false;
   for (Eigen::Index k = 0; k < count; ++k) {
     const FitParameter& parameter = candidate.parameters[static_cast<std::size_t>(k)];
     const double error = std::sqrt(std::max(0.0, fit.covariance(first + k, first + k)));
@@ -80,8 +79,6 @@ NamedEffect named_effect(const ModelFit& fit, std::size_t member) {
       slopes(static_cast<Eigen::Index>(v), k) =
           (is_phase ? change : above[v] - below[v]) / (2.0 * step);
     }
-    is_undetermined =
-        is_undetermined || (fit.is_free[static_cast<std::size_t>(first + k)] && error == 0.0);
   }
   const Eigen::MatrixXd covariance =
       slopes * fit.covariance.block(first, first, count, count) * slopes.transpose();

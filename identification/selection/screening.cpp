@@ -111,12 +111,10 @@ class Screen {
   }
 
  private:
-  Eigen::VectorXd coordinates_with(const EffectCandidate& candidate,
-                                   const std::vector<double>& start) const {
+  Eigen::VectorXd coordinates_with(const std::vector<double>& start) const {
     Eigen::VectorXd all(model_.coordinates.size() + static_cast<Eigen::Index>(start.size()));
     all << model_.coordinates,
         Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
-    (void)candidate;
     return all;
   }
 
@@ -130,7 +128,7 @@ class Screen {
       ScreenTrial trial;
       trial.candidate = &candidate;
       trial.start = start;
-      const Eigen::VectorXd at = coordinates_with(candidate, start);
+      const Eigen::VectorXd at = coordinates_with(start);
       const Eigen::VectorXd here = fitter_.residual(members, at);
       trial.offset = training_.asDiagonal() * (here - model_.residual);
       trial.slopes.resize(here.size(), count);
