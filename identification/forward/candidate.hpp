@@ -23,6 +23,9 @@ struct FitParameter {
   std::size_t above = kNone;
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+  /// Whether a fit ended where only the bounds held it: no value that anybody would believe. Where
+  /// the effect vanishes, or at an exponent of one, it may end.
+  bool is_at_edge(double coordinate) const;
   double coordinate(double value) const;
   double value(double coordinate) const;
 };

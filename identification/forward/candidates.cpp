@@ -20,11 +20,10 @@ using actuator::Ranges;
 using Json = nlohmann::ordered_json;
 
 constexpr double kScaleReachUp = 100.0;  ///< Of a scale, from its starts.
-constexpr double kScaleReachDown = 5.0;
+constexpr double kScaleReachDown = 30.0;
 constexpr double kLongestDelay_s = 0.2;
 constexpr double kLongestTime_s = 0.1;    ///< Of a lag.
 constexpr double kMostCoefficient = 5.0;  ///< Of what has no unit.
-constexpr double kMostWarming_1_K = 0.05;
 
 bool ends_with(std::string_view text, std::string_view end) { return text.ends_with(end); }
 
@@ -49,7 +48,7 @@ class Largest {
 
 double highest_of(const actuator::Parameter& parameter, double size) {
   const std::string_view name = parameter.name;
-  if (ends_with(name, "_1_K")) return kMostWarming_1_K;
+  if (ends_with(name, "_1_K")) return parameter.highest;
   if (ends_with(name, "_s") && !ends_with(name, "rad_s")) return kLongestTime_s;
   if (size == 1.0) return std::min(parameter.highest, kMostCoefficient);
   return std::min(parameter.highest, size);
@@ -119,6 +118,10 @@ Effect effect_at(const EffectKind& kind, const std::vector<FitParameter>& parame
 
 }  // namespace
 
+bool FitParameter::is_at_edge(double coordinate) const {
+  if (coordinate >= highest) return true;
+  return coordinate <= lowest && lowest != 0.0;
+}
 double FitParameter::coordinate(double value) const { return is_scale ? std::log(value) : value; }
 double FitParameter::value(double coordinate) const {
   return is_scale ? std::exp(coordinate) : coordinate;

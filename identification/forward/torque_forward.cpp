@@ -82,6 +82,16 @@ void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
   add(bench.is_linear ? Quantity::kLinearPosition : Quantity::kOutputPosition);
 }
 
+/// Where the torque constant is open, so is what torques are compared with.
+void widen(EffectCandidate& candidate) {
+  for (FitParameter& each : candidate.parameters) {
+    const bool is_torque = candidate.order > 0.0 || each.name.find("_Nm") != std::string::npos;
+    if (!is_torque || each.is_scale || each.size == 1.0) continue;
+    each.lowest *= kMostFactor;
+    each.highest *= kMostFactor;
+  }
+}
+
 const EffectKind& kind(const char* name) { return *actuator::find_effect(name); }
 
 std::vector<EffectCandidate> waves_of(const Bench& bench, const WaveOrders& orders,
@@ -106,6 +116,9 @@ std::vector<EffectCandidate> waves_of(const Bench& bench, const WaveOrders& orde
   }
   for (const double order : orders.friction) {
     waves.push_back(wave_candidate(kind("position_dependent_friction"), order, false, torque_Nm));
+  }
+  if (is_uncertain(bench, "/motor/torque_constant_Nm_A")) {
+    std::for_each(waves.begin(), waves.end(), widen);
   }
   return waves;
 }
@@ -148,6 +161,9 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
     candidates.push_back(imbalance_candidate(ranges));
   }
   candidates.push_back(offset_candidate(ranges));
+  if (is_uncertain(bench, "/motor/torque_constant_Nm_A")) {
+    std::for_each(candidates.begin(), candidates.end(), widen);
+  }
   add_delays(bench, candidates);
   return candidates;
 }

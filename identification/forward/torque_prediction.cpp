@@ -24,9 +24,9 @@ using actuator::Acts;
 using actuator::Actuator;
 using actuator::Instant;
 
-constexpr double kMostTurnsPerSample = 0.35;  ///< Of a wave: faster, it would fold.
-constexpr double kLeastSlope = 0.05;          ///< Of the stated one.
-constexpr double kMostGain = 1e6;  ///< Of a mesh that locks: finite, and far beyond any torque.
+constexpr double kMostTurnsPerSample = 0.35;     ///< Of a wave: faster, it would fold.
+constexpr double kLeastSlope = 0.05;             ///< Of the stated one.
+constexpr double kMostGain = 1.0 / kLeastSlope;  ///< Of a mesh that nearly locks.
 
 /// What drives, moves and loads a stretch, each as it was before its channel was late.
 struct Motion {

@@ -148,7 +148,9 @@ void append_group(const Bench& bench, std::vector<std::string> effects, bool exa
 /// What stands in the place of a member in rivals that do without it.
 void append_groups(const Bench& bench, const Found& found, EquationResult& result) {
   for (const NamedEffect& named : result.added) {
-    const std::vector<std::string> exact = exact_identities(bench, named.effect);
+    std::vector<std::string> exact = exact_identities(bench, named.effect);
+    if (found.turned_one_way && named.parameters.contains("harmonics"))
+      exact.emplace_back("position_dependent_friction");
     append_group(bench, exact, true, result);
     std::vector<std::string> others = {named.effect};
     for (const ModelFit& rival : found.rivals) {

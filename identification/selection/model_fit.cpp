@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMostSteps = 12;
 constexpr double kSlopeStep = 1e-5;     ///< Of a parameter's size.
+constexpr double kStraight = 1e-4;      ///< Of the loss: the slopes of before still hold.
 constexpr double kConverged = 1e-7;     ///< Relative fall of the loss.
 constexpr double kUndetermined = 1e-7;  ///< Relative power of a combination that nothing moves.
 
@@ -99,10 +100,31 @@ struct ModelFitter::Point {
   Eigen::VectorXd coordinates, residual, noise;
   Eigen::MatrixXd slopes, noise_slopes;
   std::vector<BlockSums> sums;
-  Eigen::MatrixXd power;    ///< Of the training blocks, with noise: what steps go by.
-  Eigen::VectorXd descent;  ///< Of the training blocks, less noise.
+  Eigen::MatrixXd power;      ///< Of the training blocks, with noise: what steps go by.
+  Eigen::MatrixXd net_power;  ///< The same less noise.
+  Eigen::VectorXd descent;    ///< Of the training blocks, less noise.
   double loss = 0.0;
   double noise_loss = 0.0;
+};
+
+/// What is uncertain is stated all the same: one more observation of each such value, known to its
+/// own size, in which a row's residual is as large as it is in the other rows.
+struct ModelFitter::Stated {
+  Eigen::VectorXd at, per_size2;  ///< (p x 1) The latter nothing for all others.
+
+  Eigen::VectorXd descent(const Point& point, double rows) const {
+    return weight(point, rows) * per_size2.cwiseProduct(point.coordinates - at);
+  }
+  Eigen::MatrixXd power(const Point& point, double rows) const {
+    return weight(point, rows) * per_size2.asDiagonal().toDenseMatrix();
+  }
+  /// `weight`: of a point nearby.
+  double loss(const Point& point, double weight) const {
+    return weight * (point.coordinates - at).cwiseAbs2().dot(per_size2);
+  }
+  static double weight(const Point& point, double rows) {
+    return std::max(0.0, point.loss + point.noise_loss) / rows;
+  }
 };
 
 ModelFitter::ModelFitter(const ForwardEquation& equation, const Rows& rows,
@@ -183,11 +205,15 @@ ModelFitter::Point ModelFitter::point(const EffectSet& members,
 }
 
 void ModelFitter::add_slopes(const EffectSet& members, Point& point) const {
-  const Eigen::Index p = point.coordinates.size();
   point.slopes = slopes(members, point.coordinates, point.residual, rows_.signals());
   point.noise_slopes =
       slopes(members, point.coordinates, point.residual + point.noise, replica_) - point.slopes;
-  point.power = Eigen::MatrixXd::Zero(p, p);
+  add_products(point);
+}
+
+void ModelFitter::add_products(Point& point) const {
+  const Eigen::Index p = point.coordinates.size();
+  point.power = point.net_power = Eigen::MatrixXd::Zero(p, p);
   point.descent = Eigen::VectorXd::Zero(p);
   for (std::size_t b = 0; b < point.sums.size(); ++b) {
     const Rows::Block& block = rows_.blocks()[b];
@@ -200,38 +226,70 @@ void ModelFitter::add_slopes(const EffectSet& members, Point& point) const {
                    noise.transpose() * point.noise.segment(block.begin, block.count);
     if (block.is_held_out()) continue;
     point.power += power;
+    point.net_power += sums.slopes;
     point.descent += sums.descent;
   }
 }
 
-ModelFit ModelFitter::fit(const EffectSet& members, const Eigen::VectorXd& start) const {
-  const std::vector<FitParameter> all = parameters(members);
-  Point here = point(members, clipped(all, start));
-  add_slopes(members, here);
+ModelFitter::Stated ModelFitter::stated(Eigen::Index count) const {
+  Stated stated{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
+  for (std::size_t k = 0; k < equation_.pointers.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    stated.at[i] = equation_.always_start[k];
+    stated.per_size2[i] = 1.0 / (equation_.always[k].size * equation_.always[k].size);
+  }
+  return stated;
+}
+
+/// Steps of Levenberg and Marquardt from a point that has its slopes.
+ModelFitter::Point ModelFitter::descended(const EffectSet& members,
+                                          const std::vector<FitParameter>& all, Point here) const {
   const auto always = static_cast<Eigen::Index>(equation_.always.size());
+  const auto rows = static_cast<double>(rows_.count());
+  const Stated stated = this->stated(here.coordinates.size());
   double damping = 1e-6;
   for (int step = 0; step < kMostSteps && here.coordinates.size() > 0; ++step) {
+    const Eigen::MatrixXd held = stated.power(here, rows);
+    const Eigen::VectorXd descent = here.descent + stated.descent(here, rows);
     const std::vector<bool> free =
-        determined(here.power, free_ones(all, here.coordinates, here.descent), always);
-    const Eigen::VectorXd move = solved_for(here.power, -here.descent, free, damping);
+        determined(here.power + held, free_ones(all, here.coordinates, descent), always);
+    const Eigen::VectorXd move = solved_for(here.power + held, -descent, free, damping);
     Point there = point(members, clipped(all, here.coordinates + move));
-    if (!(there.loss < here.loss)) {
-      if (damping > 1e3 || move.norm() == 0.0) break;
+    const double weight = Stated::weight(here, rows);
+    const double fall =
+        here.loss - there.loss + stated.loss(here, weight) - stated.loss(there, weight);
+    const double matters = kConverged * (std::abs(here.loss) + here.noise_loss);
+    // A model that makes more of the channels' noise than there is to explain has gone astray.
+    const bool is_noisier = there.noise_loss > here.loss + here.noise_loss;
+    if (is_noisier || !(fall > 0.0)) {
+      if (damping > 1e3 || move.norm() == 0.0 || -move.dot(descent) < matters) break;
       damping *= 10.0;
-      const double promised = -move.dot(here.descent);
-      if (promised < kConverged * (std::abs(here.loss) + here.noise_loss)) break;
       continue;
     }
-    const double fall = here.loss - there.loss;
+    const Eigen::VectorXd moved = there.coordinates - here.coordinates;
+    const double promised = -moved.dot(2.0 * descent + (here.net_power + held) * moved);
+    if (std::abs(fall - promised) < kStraight * (std::abs(there.loss) + there.noise_loss)) {
+      there.slopes = std::move(here.slopes);
+      there.noise_slopes = std::move(here.noise_slopes);
+      add_products(there);
+    } else {
+      add_slopes(members, there);
+    }
     here = std::move(there);
-    add_slopes(members, here);
     damping = std::max(1e-9, damping * 0.1);
-    if (fall < kConverged * (std::abs(here.loss) + here.noise_loss)) break;
+    if (fall < matters) break;
   }
+  return here;
+}
+
+ModelFit ModelFitter::fit(const EffectSet& members, const Eigen::VectorXd& start) const {
+  const std::vector<FitParameter> all = parameters(members);
+  Point first = point(members, clipped(all, start));
+  add_slopes(members, first);
   ModelFit fit;
   fit.members = members;
   fit.always = static_cast<Eigen::Index>(equation_.always.size());
-  finish(all, here, fit);
+  finish(all, descended(members, all, std::move(first)), fit);
   return fit;
 }
 
@@ -243,14 +301,21 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
   fit.sums = point.sums;
   fit.loss = point.loss;
   fit.noise_loss = point.noise_loss;
-  fit.is_free =
-      determined(point.power, free_ones(all, point.coordinates, point.descent), fit.always);
-  fit.is_valid = point.residual.allFinite() && point.coordinates.allFinite();
   const Eigen::Index p = point.coordinates.size();
+  const auto rows = static_cast<double>(rows_.count());
+  const Eigen::MatrixXd held = stated(p).power(point, rows);
+  const Eigen::VectorXd held_descent = stated(p).descent(point, rows);
+  const Eigen::VectorXd all_descent = point.descent + held_descent;
+  fit.is_free =
+      determined(point.power + held, free_ones(all, point.coordinates, all_descent), fit.always);
+  fit.is_valid = point.residual.allFinite() && point.coordinates.allFinite();
+  for (Eigen::Index i = fit.always; i < p; ++i) {
+    if (all[static_cast<std::size_t>(i)].is_at_edge(point.coordinates[i])) fit.is_valid = false;
+  }
   const std::size_t folds = rows_.folds();
   std::vector<Eigen::MatrixXd> power(folds, Eigen::MatrixXd::Zero(p, p));
   std::vector<Eigen::VectorXd> descent(folds, Eigen::VectorXd::Zero(p));
-  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(p, p), scatter = total;
+  Eigen::MatrixXd total = held, scatter = Eigen::MatrixXd::Zero(p, p);
   for (std::size_t b = 0; b < fit.sums.size(); ++b) {
     const std::size_t fold = rows_.blocks()[b].fold;
     if (fold == kHeldOut) continue;
@@ -263,7 +328,7 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
   Eigen::MatrixXd between = Eigen::MatrixXd::Zero(p, p);
   for (std::size_t f = 0; f < folds && p > 0; ++f) {
     moves[f] =
-        clipped(all, point.coordinates + solved_for(total - power[f], -(point.descent - descent[f]),
+        clipped(all, point.coordinates + solved_for(total - power[f], -(all_descent - descent[f]),
                                                     fit.is_free, 0.0)) -
         point.coordinates;
     between += moves[f] * moves[f].transpose();

@@ -70,8 +70,12 @@ class ModelFitter {
   Eigen::VectorXd residual(const EffectSet& members, const Eigen::VectorXd& coordinates,
                            const std::vector<Signals>& like) const;
   struct Point;
+  struct Stated;
+  Stated stated(Eigen::Index count) const;
+  Point descended(const EffectSet& members, const std::vector<FitParameter>& all, Point here) const;
   Point point(const EffectSet& members, const Eigen::VectorXd& coordinates) const;
   void add_slopes(const EffectSet& members, Point& point) const;
+  void add_products(Point& point) const;
   void finish(const std::vector<FitParameter>& parameters, const Point& point, ModelFit& fit) const;
 
   const ForwardEquation& equation_;

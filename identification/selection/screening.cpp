@@ -4,11 +4,14 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace torquewright::identification {
 namespace {
 
 constexpr std::size_t kPaired = 14;  ///< Candidates of which pairs are made.
+constexpr std::size_t kTeeth = 4;    ///< Waves of a comb.
 constexpr double kRidge = 1e-9;      ///< Relative, of columns that coincide.
 
 /// A candidate at one of its starts, beside the model.
@@ -106,7 +109,10 @@ class Screen {
     for (const ScreenTrial& trial : best_) {
       result_.singles.push_back({{trial.candidate}, start_of({&trial}, {trial.move}), trial.loss});
     }
-    if (with_pairs) add_pairs();
+    if (with_pairs) {
+      add_pairs();
+      add_combs();
+    }
     return std::move(result_);
   }
 
@@ -205,19 +211,48 @@ class Screen {
     return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
   }
 
+  Prospect together(const std::vector<const ScreenTrial*>& trials) const {
+    const Solution solution = solved(trials);
+    Prospect prospect;
+    std::vector<Eigen::VectorXd> moves;
+    Eigen::Index at = own_.cols();
+    for (const ScreenTrial* trial : trials) {
+      prospect.added.push_back(trial->candidate);
+      moves.push_back(solution.move.segment(at, trial->slopes.cols()));
+      at += trial->slopes.cols();
+    }
+    prospect.start = start_of(trials, moves);
+    prospect.loss = solution.loss;
+    return prospect;
+  }
+
   void add_pairs() {
     const std::size_t count = std::min(kPaired, best_.size());
     for (std::size_t a = 0; a < count; ++a) {
       for (std::size_t b = a + 1; b < count; ++b) {
-        const Solution solution = solved({&best_[a], &best_[b]});
-        const Eigen::Index q = best_[a].slopes.cols(), r = best_[b].slopes.cols();
-        const Eigen::VectorXd tail = solution.move.tail(q + r);
-        result_.pairs.push_back({{best_[a].candidate, best_[b].candidate},
-                                 start_of({&best_[a], &best_[b]}, {tail.head(q), tail.tail(r)}),
-                                 solution.loss});
+        result_.pairs.push_back(together({&best_[a], &best_[b]}));
       }
     }
-    std::sort(result_.pairs.begin(), result_.pairs.end(),
+    sort_by_loss(result_.pairs);
+  }
+
+  /// A machine's waves come in numbers, and each is noise to the others.
+  void add_combs() {
+    std::map<std::string, std::vector<const ScreenTrial*>> waves;  // By kind.
+    for (const ScreenTrial& trial : best_) {
+      if (trial.candidate->order == 0.0) continue;
+      const std::string& key = trial.candidate->key;
+      auto& teeth = waves[key.substr(0, key.find(':'))];
+      if (teeth.size() < kTeeth) teeth.push_back(&trial);
+    }
+    for (const auto& [kind, teeth] : waves) {
+      if (teeth.size() > 1) result_.combs.push_back(together(teeth));
+    }
+    sort_by_loss(result_.combs);
+  }
+
+  static void sort_by_loss(std::vector<Prospect>& prospects) {
+    std::sort(prospects.begin(), prospects.end(),
               [](const Prospect& x, const Prospect& y) { return x.loss < y.loss; });
   }
 

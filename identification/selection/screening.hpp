@@ -7,13 +7,14 @@ namespace torquewright::identification {
 
 /// An addition to a model that looks promising before it is fitted.
 struct Prospect {
-  EffectSet added;        ///< One, or two.
+  EffectSet added;        ///< One, or more.
   Eigen::VectorXd start;  ///< Coordinates of the whole model with it.
   double loss = 0.0;      ///< Of the training rows, by the linear model.
 };
 
 struct Screening {
   std::vector<Prospect> singles, pairs;        ///< The most promising first.
+  std::vector<Prospect> combs;                 ///< The most promising waves of one kind, together.
   std::vector<const EffectCandidate*> silent;  ///< The log does not move them.
 };
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kRefinedSingles = 6;  ///< Of the most promising additions.
 constexpr std::size_t kRefinedPairs = 4;
 constexpr std::size_t kRefinedSwaps = 4;
-constexpr std::size_t kMostMembers = 8;
+constexpr std::size_t kMostMembers = 12;
 constexpr std::size_t kMostRounds = 12;
 constexpr double kMovesNothing = 0.1;  ///< Floors: the log does not show what changes less.
 
@@ -28,6 +28,28 @@ bool go_together(const EffectCandidate& a, const EffectCandidate& b) {
   return a.effect != b.effect || is_wave(a);
 }
 
+/// Whether nearly all that is fitted turned the same way: then a wave of friction is one of torque.
+bool turned_one_way(const Rows& rows) {
+  constexpr double kNearlyAll = 0.98;
+  double forward = 0.0, all = 0.0;
+  std::size_t block = 0;
+  Eigen::Index row = 0;
+  for (std::size_t s = 0; s < rows.signals().size(); ++s) {
+    for (const std::size_t sample : rows.samples()[s]) {
+      while (row >= rows.blocks()[block].begin + rows.blocks()[block].count) ++block;
+      ++row;
+      if (rows.blocks()[block].is_held_out()) continue;
+      forward += rows.signals()[s].at[sample].direction;
+      ++all;
+    }
+  }
+  return std::abs(forward) > kNearlyAll * all;
+}
+
+bool is_friction_wave(const EffectCandidate& candidate) {
+  return is_wave(candidate) && candidate.effect == "position_dependent_friction";
+}
+
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -36,7 +58,10 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 
 Search::Search(const ModelFitter& fitter, const SearchRules& rules,
                const std::vector<std::string>& settled)
-    : fitter_(fitter), rules_(rules), waves_(std::make_shared<std::deque<EffectCandidate>>()) {
+    : fitter_(fitter),
+      rules_(rules),
+      waves_(std::make_shared<std::deque<EffectCandidate>>()),
+      turned_one_way_(turned_one_way(fitter.rows())) {
   for (const EffectCandidate& each : fitter.equation().candidates) {
     if (std::find(settled.begin(), settled.end(), each.effect) == settled.end()) {
       candidates_.push_back(&each);
@@ -118,7 +143,7 @@ void Search::ask_for_waves(const ModelFit& model) {
     const bool is_known =
         std::any_of(candidates_.begin(), candidates_.end(),
                     [&](const EffectCandidate* each) { return each->key == wave.key; });
-    if (is_known) continue;
+    if (is_known || (turned_one_way_ && is_friction_wave(wave))) continue;
     waves_->push_back(std::move(wave));
     candidates_.push_back(&waves_->back());
   }
@@ -161,6 +186,7 @@ const ModelFit* Search::step(const ModelFit& model) {
     ++refined;
     take(with(model, pair), single);
   }
+  if (!screening.combs.empty()) take(with(model, screening.combs.front()), single);
   return best;
 }
 
@@ -216,23 +242,28 @@ const ModelFit* Search::by_parts(const ModelFit& model) {
   return nullptr;
 }
 
-const ModelFit* Search::pruned(const ModelFit* model) {
+/// Down to what earns its place, but not to less than what the whole still earns its place over:
+/// two that stand for one another may each be spared, and not both.
+const ModelFit* Search::pruned(const ModelFit* whole) {
+  const ModelFit* model = whole;
   for (std::size_t round = 0; round < kMostRounds; ++round) {
     const ModelFit* less = smaller(*model);
     if (less == nullptr) less = by_parts(*model);
-    if (less == nullptr) return model;
+    if (less == nullptr || earns(*less, *whole)) return model;
     model = less;
   }
   return model;
 }
 
-/// A model that explains more with another effect in the place of one; null if there is none.
-/// All that is tried may be a rival.
+/// A model that explains more with others in the places of some; null if there is none. All that
+/// is tried may be a rival.
 const ModelFit* Search::swapped(const ModelFit& model) {
   const ModelFit* best = &model;
   for (std::size_t m = 0; m < model.members.size(); ++m) {
     const EffectCandidate& own = *model.members[m];
-    const ModelFit& less = without(model, m);
+    const auto place = std::find(best->members.begin(), best->members.end(), &own);
+    if (place == best->members.end()) continue;
+    const ModelFit& less = without(*best, static_cast<std::size_t>(place - best->members.begin()));
     ask_for_waves(less);
     EffectSet others;
     for (const EffectCandidate* each : askable(less)) {
@@ -270,6 +301,7 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
 Found Search::run() {
   Found found;
   found.waves = waves_;
+  found.turned_one_way = turned_one_way_;
   const ModelFit* model = &fitted({}, fitter_.always_start());
   found.empty = *model;
   if (!model->is_valid) {
@@ -281,9 +313,11 @@ Found Search::run() {
     if (rules_.progress) rules_.progress(static_cast<double>(round) / kMostRounds);
     const ModelFit* next = step(*model);
     if (next != nullptr) next = pruned(next);
-    if (next == nullptr || !earns(*model, *next)) next = swapped(*model);
-    if (next != nullptr) next = pruned(next);
-    if (next == nullptr || !seen.insert(next).second) break;
+    if (next == nullptr || next->unseen_loss >= model->unseen_loss) {
+      next = swapped(*model);
+      if (next != nullptr) next = pruned(next);
+    }
+    if (next == nullptr || is_refuted(*next, *model) || !seen.insert(next).second) break;
     model = next;
   }
   found.best = *model;

@@ -39,6 +39,7 @@ struct Found {
   std::vector<Comparison> gains;  ///< Of each member of the best, over its own removal.
   std::vector<ModelFit> rivals;   ///< As good, as far as the log can tell; the best is not among.
   std::vector<const EffectCandidate*> silent;
+  bool turned_one_way = false;  ///< No wave of friction was asked: it is one of torque there.
   std::vector<Refusal> refused;
   std::shared_ptr<std::deque<EffectCandidate>> waves;  ///< That members may point to.
 };
@@ -75,6 +76,7 @@ class Search {
   const ModelFitter& fitter_;
   SearchRules rules_;
   std::shared_ptr<std::deque<EffectCandidate>> waves_;
+  bool turned_one_way_;
   EffectSet candidates_;
   std::map<Key, ModelFit> fits_;
   Screening first_;
