@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How often the right effect is named in logs of a foreign generator.
 
-foreign_rates.py GENERATOR TORQUEWRIGHT CLASS FIRST_SEED COUNT [FOLDER] [--forward]
+foreign_rates.py GENERATOR TORQUEWRIGHT CLASS FIRST_SEED COUNT [FOLDER]
 
 GENERATOR is a program that writes a log with a known truth (tests/oracles/mujoco_bench,
 tests/oracles/sampled_bench); its documents go to torquewright identify, and what that says is
@@ -97,11 +97,11 @@ def parameters_within(truth, report):
     return count, within
 
 
-def run(generator, identify, kind, seed, folder):
+def run(generator, torquewright, kind, seed, folder):
     subprocess.run([generator, kind, str(seed), folder], check=True, stdout=subprocess.DEVNULL)
     with open(os.path.join(folder, "truth.json")) as file:
         truth = json.load(file)
-    command = identify + [os.path.join(folder, "log.csv"), "--rig",
+    command = [torquewright, "identify", os.path.join(folder, "log.csv"), "--rig",
                os.path.join(folder, "rig.json"), "--json"]
     with open(os.path.join(folder, "rig.json")) as file:
         links = json.load(file).get("load", {}).get("links")
@@ -116,8 +116,6 @@ def run(generator, identify, kind, seed, folder):
 
 
 def main():
-    options = [each for each in sys.argv[1:] if each.startswith("--")]
-    sys.argv = [each for each in sys.argv if not each.startswith("--")]
     if len(sys.argv) < 6:
         print(__doc__, file=sys.stderr)
         return 2
@@ -128,7 +126,7 @@ def main():
     totals = {"right": 0, "found": 0, "wrong": 0, "coordinate": 0, "refused": 0}
     values, within, below = 0, 0, 0
     for seed in range(first, first + count):
-        truth, done, seconds = run(generator, [torquewright, "identify"] + options, kind, seed, folder)
+        truth, done, seconds = run(generator, torquewright, kind, seed, folder)
         truths = ",".join(each["effect"] for each in truth["effects"]) or truth.get(
             "outside", {}).get("kind", "-")
         sizes = ",".join(f"{size:.0f}" for size in truth.get("size_floors", []))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether what a plan calls separable is separated on the planned log.
 
-plan_closes.py TORQUEWRIGHT FIRST_SEED COUNT [FOLDER] [--forward]
+plan_closes.py TORQUEWRIGHT FIRST_SEED COUNT [FOLDER]
 
 From the repository's root. Each seed draws an actuator near that of specs/log, a rig (a dynamometer
 with a torque sensor, or a pendulum without) and three effects. `identify plan` is asked for them;
@@ -95,8 +95,8 @@ def outcome(report, effect):
 
 
 class Trial:
-    def __init__(self, torquewright, folder, options):
-        self.torquewright, self.folder, self.options = torquewright, folder, options
+    def __init__(self, torquewright, folder):
+        self.torquewright, self.folder = torquewright, folder
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -126,19 +126,17 @@ class Trial:
         played = self.identify(*words)
         if played.returncode != 0:
             return None, played.stderr.strip()[:120]
-        done = self.identify(*self.options, self.path("log.csv"), "--rig", self.path("rig.json"), "--actuator",
+        done = self.identify(self.path("log.csv"), "--rig", self.path("rig.json"), "--actuator",
                              self.path("actuator.json"), "--json")
         return (json.loads(done.stdout), "") if done.stdout else (None, done.stderr.strip()[:120])
 
 
 def main():
-    options = [each for each in sys.argv[1:] if each.startswith("--")]
-    sys.argv = [each for each in sys.argv if each not in options]
     if len(sys.argv) < 4:
         print(__doc__, file=sys.stderr)
         return 2
     first, count = int(sys.argv[2]), int(sys.argv[3])
-    trial = Trial(sys.argv[1], sys.argv[4] if len(sys.argv) > 4 else tempfile.mkdtemp(), options)
+    trial = Trial(sys.argv[1], sys.argv[4] if len(sys.argv) > 4 else tempfile.mkdtemp())
     os.makedirs(trial.folder, exist_ok=True)
     separated, asked, inseparable = 0, 0, 0
     for seed in range(first, first + count):

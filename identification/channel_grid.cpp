@@ -35,7 +35,7 @@ std::vector<double> ChannelGrid::read_unfiltered(Quantity quantity) {
     for (double& value : raw) value += noise(random_);
   }
   if (is_map_) return raw;
-  return resampled(run_.time_s, raw, start_s_ + options_.delay_s[index], step_s_, count_);
+  return resampled(run_.time_s, raw, start_s_, step_s_, count_);
 }
 
 std::vector<double> ChannelGrid::read_or(Quantity quantity, double otherwise) {

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "identification/preparation.hpp"
+#include "identification/preparation_options.hpp"
 
 namespace torquewright::identification {
 

@@ -85,7 +85,6 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   for (const JointActuator& each : actuators) nominal.push_back(&each.nominal.actuator);
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     AnalysisOptions analysis;
-    analysis.method = options.method;
     analysis.select = options.select && !has_error(log.findings);  // no names from such data
     if (options.progress) {
       analysis.progress = [&, joint](const std::string& what, double share) {

@@ -20,8 +20,7 @@ struct JointActuator {
 };
 
 struct IdentifyOptions {
-  bool select = true;  ///< False: steps 1 to 4 only.
-  Method method = Method::kColumns;
+  bool select = true;      ///< False: steps 1 to 4 only.
   bool empirical = false;  ///< Offer a table over the coordinate along which most is left.
   std::function<void(const std::string& what, double share_done)> progress;
 };

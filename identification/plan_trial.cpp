@@ -8,6 +8,7 @@
 
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
+#include "identification/preparation.hpp"
 #include "identification/rig_plant.hpp"
 
 namespace torquewright::identification {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "identification/channel_noise.hpp"
 #include "identification/excitation.hpp"
 #include "identification/planned_columns.hpp"
 #include "simulation/run/simulate.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/forward/candidates.hpp"
 #include "identification/standstill.hpp"
 #include "identification/with_effects.hpp"
 
@@ -60,9 +61,9 @@ double noise_floor(const ReplayCase& log, const Replay& noisy, const actuator::A
   return rms(losses);
 }
 
-StandstillScale scale_of(const std::vector<Signals>& signals) {
+StandstillScale scale_of(const Bench& bench, const std::vector<Signals>& signals) {
   StandstillScale scale;
-  scale.speed_rad_s = extent_of(signals).speed_rad_s;
+  scale.speed_rad_s = ranges_of(bench, signals).speed_rad_s;
   for (const Signals& stretch : signals) {
     for (const double torque : stretch.motor_side_Nm) {
       scale.torque_Nm = std::max(scale.torque_Nm, std::abs(torque));
@@ -121,8 +122,7 @@ std::string replaced_by(const actuator::Actuator& nominal) {
 }  // namespace
 
 std::optional<EquationResult> study_position(const PositionInput& input,
-                                             const EquationResult& torque, bool select,
-                                             bool only_if_left) {
+                                             const EquationResult& torque, bool select) {
   const Bench& bench = input.bench;
   const auto offset = known_offset_A(torque, bench.actuator());
   if (!Replay::can_replay(bench) || !offset) return std::nullopt;
@@ -137,10 +137,10 @@ std::optional<EquationResult> study_position(const PositionInput& input,
   actuator::Actuator known = with_effects(bench.actuator(), torque.added);
   const double known_floor = noise_floor(log, noisy, known);
   const double left = errors_of(log, known).train_rms;
-  const bool is_followed = only_if_left && left * left <= kNoiseLoss * known_floor * known_floor;
+  const bool is_followed = left * left <= kNoiseLoss * known_floor * known_floor;
   if (select && !is_followed && leaves_standstill_open(torque)) {
     const actuator::Actuator plain = with_effects(bench.actuator(), lasting(torque.added));
-    Standstill found = find_standstill(log, plain, scale_of(input.signals));
+    Standstill found = find_standstill(log, plain, scale_of(bench, input.signals));
     if (found.effect && follows_no_worse(log, with_standstill(plain, *found.effect), known)) {
       found.effect->replaces = replaced_by(bench.actuator());
       known = with_standstill(plain, *found.effect);

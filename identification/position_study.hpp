@@ -19,12 +19,10 @@ struct PositionInput {
 
 /// The position by simulation: the log's motor drives the nominal actuator, and then the one that
 /// the torque balance found, through windows of a second. Friction that only standstill shows is
-/// searched for where `select`. Nothing where the log cannot be driven again: an imposed motion, an
+/// searched for where `select`, unless what the torque balance found follows the position to within
+/// its noise. Nothing where the log cannot be driven again: an imposed motion, an
 /// arm, corrections that the simulation does not know (a late channel, values of the rig).
-/// `only_if_left`: not where what the torque balance found follows the position to within its
-/// noise.
 std::optional<EquationResult> study_position(const PositionInput& input,
-                                             const EquationResult& torque, bool select,
-                                             bool only_if_left = false);
+                                             const EquationResult& torque, bool select);
 
 }  // namespace torquewright::identification

@@ -250,7 +250,6 @@ std::optional<Signals> prepare_run(const Log& log, std::size_t index, const Benc
   Signals signals = raw_signals(grid, bench, levels, options, run);
   signals.run = index;
   signals.run_name = head.name;
-  signals.shares_block = head.continues;
   set_arm(run, bench, options, random, signals);
   if (bench.load_side == LoadSide::kModel) {
     signals.load_side_Nm = model_load_Nm(*bench.rig, bench.joint, signals);

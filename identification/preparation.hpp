@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <random>
 #include <vector>
 
 #include "identification/bench.hpp"
 #include "identification/channel_noise.hpp"
+#include "identification/preparation_options.hpp"
 
 namespace torquewright::identification {
-
-/// How raw channels become signals.
-struct PreparationOptions {
-  double cutoff_Hz = 25.0;
-  double least_rate_Hz = 100.0;  ///< Signals are thinned down to no less than this.
-  /// By how much a channel is late; it is moved back by as much.
-  std::array<double, kQuantityCount> delay_s{};
-  /// Adds that much noise to every raw channel first; of this seed.
-  const NoiseLevels* noise = nullptr;
-  std::uint64_t seed = 0;
-};
 
 /// The signals of every stretch of the log that is long enough (at least 0.5 s and 16 samples). In
 /// a map without time the samples are taken as they are. `levels`: of the same joint.

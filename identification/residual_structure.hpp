@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
-#include "identification/gram.hpp"
+#include "identification/signals.hpp"
 
 namespace torquewright::identification {
 

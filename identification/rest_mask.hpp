@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "identification/preparation.hpp"
+#include "identification/bench.hpp"
+#include "identification/channel_noise.hpp"
 
 namespace torquewright::identification {
 

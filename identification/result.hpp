@@ -3,11 +3,11 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "identification/log.hpp"
 #include "identification/residual_structure.hpp"
-#include "identification/search.hpp"
 
 namespace torquewright::identification {
 
@@ -17,6 +17,10 @@ struct Errors {
   double holdout_rms = 0.0;
 };
 
+/// Whose property an effect is.
+enum class EffectFamily { kActuator, kRig, kLog };
+std::string_view name_of(EffectFamily family);
+
 /// An effect that earned its place.
 struct NamedEffect {
   std::string effect;
@@ -25,7 +29,6 @@ struct NamedEffect {
   nlohmann::ordered_json standard_error;  ///< By the same keys.
   double holdout_rms_before = 0.0;        ///< Of the model with the effects before it.
   double holdout_rms_after = 0.0;
-  Gain gain;             ///< Against its own removal.
   std::string replaces;  ///< Stated effects that it takes the place of: "a, b".
   std::string evidence;  ///< A sentence.
 };
@@ -36,6 +39,12 @@ struct Correction {
   double stated = 0.0;
   double value = 0.0;
   double standard_error = 0.0;
+};
+
+/// Why an effect did not come in.
+struct Rejection {
+  std::string effect;
+  std::string reason;
 };
 
 /// Effects that the log cannot tell apart.

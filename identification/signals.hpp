@@ -56,7 +56,6 @@ struct Signals {
   /// so that filters do not see the cut.
   std::size_t core_begin = 0;
   std::size_t core_end = static_cast<std::size_t>(-1);
-  bool shares_block = false;  ///< May share one with the run before.
   std::size_t size() const { return at.size(); }
   std::size_t core_size() const { return std::min(core_end, size()) - core_begin; }
 };

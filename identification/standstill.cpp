@@ -61,24 +61,27 @@ std::vector<double> crossed_losses(const ReplayCase& log, const StandstillTrial&
   return losses;
 }
 
+struct Gain {
+  double share = 0.0;  ///< Of the losses without.
+  double t = 0.0;      ///< Over its standard error.
+};
+
 /// How much lower the second losses are, windows taken as independent.
 Gain gain_between(const std::vector<double>& without, const std::vector<double>& with) {
   Gain gain;
   const auto count = static_cast<double>(without.size());
-  double total = 0.0, squares = 0.0;
+  double sum = 0.0, total = 0.0, squares = 0.0;
   for (std::size_t w = 0; w < without.size(); ++w) {
     const double difference = without[w] - with[w];
-    gain.loss += difference;
+    sum += difference;
     squares += difference * difference;
     total += without[w];
-    gain.folds_better += difference > 0.0;
-    gain.folds_worse += difference < 0.0;
   }
-  gain.folds = without.size();
-  gain.share = total > 0.0 ? gain.loss / total : 0.0;
-  const double mean = gain.loss / count;
-  gain.error = std::sqrt(std::max(0.0, squares - count * mean * mean) * count / (count - 1.0));
-  gain.t = gain.error > 0.0 ? gain.loss / gain.error : 0.0;
+  gain.share = total > 0.0 ? sum / total : 0.0;
+  const double mean = sum / count;
+  const double error =
+      std::sqrt(std::max(0.0, squares - count * mean * mean) * count / (count - 1.0));
+  gain.t = error > 0.0 ? sum / error : 0.0;
   return gain;
 }
 
@@ -125,24 +128,6 @@ std::string objection_to(const std::string& effect, const Gain& gain, double hel
 
 }  // namespace
 
-std::vector<double> ReplayCase::losses(const actuator::Actuator& actuator,
-                                       const std::vector<std::size_t>& which) const {
-  std::vector<double> losses;
-  for (const std::size_t w : which) {
-    const Eigen::VectorXd errors = replay.errors(actuator, windows[w]);
-    losses.push_back(errors.squaredNorm() / static_cast<double>(errors.size()));
-  }
-  return losses;
-}
-
-std::vector<std::size_t> ReplayCase::chosen(bool held_out) const {
-  std::vector<std::size_t> indices;
-  for (std::size_t w = 0; w < windows.size(); ++w) {
-    if (windows[w].is_held_out == held_out) indices.push_back(w);
-  }
-  return indices;
-}
-
 Actuator with_standstill(Actuator known, const NamedEffect& effect) {
   std::erase_if(known.effects, is_level);
   return with_effects(std::move(known), {effect});
@@ -188,7 +173,6 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
   if (!found.objection.empty()) return found;
   const std::vector<double> parameters = with.parameters_of_start();
   NamedEffect effect = named(with, parameters, with.standard_errors(parameters, training));
-  effect.gain = gain;
   effect.holdout_rms_before = rms(seen);
   effect.holdout_rms_after = rms(unseen);
   effect.evidence = fmt::format(

@@ -3,24 +3,11 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "identification/replay.hpp"
+#include "identification/replay_case.hpp"
 #include "identification/result.hpp"
 
 namespace torquewright::identification {
-
-/// Windows of a log and what they are judged by.
-struct ReplayCase {
-  const Replay& replay;
-  std::vector<ReplayWindow> windows;
-
-  /// Mean squared error of each window, in rad2.
-  std::vector<double> losses(const actuator::Actuator& actuator,
-                             const std::vector<std::size_t>& which) const;
-  /// Indices into `windows`.
-  std::vector<std::size_t> chosen(bool held_out) const;
-};
 
 /// Friction that a regression cannot weigh, because the output stands still while it acts: its
 /// level, or how far its breakaway exceeds it.

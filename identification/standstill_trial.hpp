@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/standstill.hpp"
+#include "identification/replay_case.hpp"
 #include "identification/starts.hpp"
 #include "optimization/fit/local_fit.hpp"
 

@@ -5,22 +5,6 @@
 
 namespace torquewright::identification {
 
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kExplained:
-      return "explained";
-    case Verdict::kPartlyExplained:
-      return "partly_explained";
-    case Verdict::kUnexplained:
-      return "unexplained";
-    case Verdict::kNothingMissing:
-      return "nothing_missing";
-    case Verdict::kCannotTell:
-      return "cannot_tell";
-  }
-  return "";
-}
-
 Verdict verdict_of(const EquationResult& result, bool is_searched) {
   if (!result.not_one_rig.empty()) return Verdict::kCannotTell;
   if (!is_searched || result.added.empty()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "identification/channel_grid.hpp"
+#include "identification/signals.hpp"
 
 namespace torquewright::identification {
 

@@ -77,9 +77,8 @@ void report_length(Log& log) {
   log.findings.push_back(
       {Weight::kNote,
        fmt::format("the log holds {} rows; more than {} are not kept in memory: longer stretches "
-                   "are cut in pieces, {} in all. Every row is checked and counts in fits, errors "
-                   "and noise floor; delays, orders of harmonics, curved parameters and what is "
-                   "left along coordinates are sought in {} of them, evenly spread ({} rows){}",
+                   "are cut in pieces, {} in all. Every row is checked; what is missing is sought "
+                   "and judged in {} of them, evenly spread ({} rows){}",
                    log.runs.rows(), log.runs.most_rows_in_memory(), log.runs.size(), runs, rows,
                    groups)});
 }

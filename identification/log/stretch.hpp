@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "identification/log.hpp"
+#include "identification/log/run.hpp"
 
 namespace torquewright::identification {
 

@@ -1,38 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/outputs/output.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "actuator/region/torque_at.hpp"
-#include "identification/outputs/every_output.hpp"
-#include "io/refusal.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::identification {
 namespace {
 
-#define TORQUEWRIGHT_ADDRESS(name) &outputs::name,
-constexpr std::array kOutputs = {TORQUEWRIGHT_EVERY_OUTPUT(TORQUEWRIGHT_ADDRESS)};
-#undef TORQUEWRIGHT_ADDRESS
-
 constexpr double kLittleCurrent = 1e-6;  ///< Of the peak: far below any saturation.
 
 }  // namespace
-
-std::span<const Output* const> output_library() { return kOutputs; }
-
-const Output& output_of(std::string_view name) {
-  std::vector<std::string> names;
-  for (const Output* output : kOutputs) {
-    if (output->name == name) return *output;
-    names.emplace_back(output->name);
-  }
-  io::refuse("--as", fmt::format("\"{}\" is none of {}", name, io::listed(names)));
-}
 
 double torque_per_ampere_Nm_A(const actuator::Actuator& actuator) {
   actuator::Instant at;

@@ -117,7 +117,6 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
     named.holdout_rms_after = after.holdout_rms;
     named.replaces = stated_parts_of(*found.best.members[m], fitter.equation().stated.actuator);
     named.evidence = evidence_for(found.gains[m], found.gains[m].gain / before);
-    named.gain.t = found.gains[m].t;
     last = after;
     const auto same = std::find_if(result.added.begin(), result.added.end(), [&](const auto& each) {
       return found.best.members[m]->order > 0.0 && each.effect == named.effect &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "identification/analysis.hpp"
+#include "identification/analysis_options.hpp"
 #include "identification/forward/equation.hpp"
 #include "identification/held_signals.hpp"
 #include "identification/selection/rows.hpp"

@@ -36,7 +36,6 @@ Identification identification_of(const IdentifyRequest& request, const IdentifyI
   identification::IdentifyOptions options;
   options.select = request.select;
   options.empirical = request.empirical;
-  if (request.forward) options.method = identification::Method::kForward;
   options.progress = [&progress](const std::string& what, double share) {
     progress.show(fmt::format("{}: {:.0f} %", what, 100.0 * share));
   };
@@ -141,8 +140,6 @@ void add_identify_command(command_line::Command& program) {
                   "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
       .one_value_each();
   command.add_option("--report", request->report_file, "Write the report with pictures, as HTML");
-  command.add_flag("--forward", request->forward,
-                   "Fit the actuator's own law and judge sets of effects (new, slower)");
   command.add_flag("--empirical", request->empirical,
                    "Where no effect fits, a table over the coordinate along which most is left");
   std::string outputs;

@@ -17,7 +17,6 @@ std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& 
   document["options"] = nlohmann::ordered_json::object();
   if (!request.select) document["options"]["select"] = false;
   if (request.empirical) document["options"]["empirical"] = true;
-  if (request.forward) document["options"]["forward"] = true;
   std::vector<io::Document> read;
   for (const auto& file : found.files) read.push_back({file.path, "", {}, file.sha256});
   read.push_back(inputs.rig_document);

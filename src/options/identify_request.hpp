@@ -18,7 +18,6 @@ struct IdentifyRequest {
   std::string as;  ///< An output's name; empty: the report.
   bool json = false;
   bool empirical = false;
-  bool forward = false;
   bool select = true;
 };
 

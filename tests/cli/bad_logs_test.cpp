@@ -253,6 +253,7 @@ TEST(BadLogs, LogWithoutTimeIsAMap) {
   EXPECT_EQ(harmonic["order"], 7);
   EXPECT_NEAR(harmonic["amplitude_Nm"].get<double>(), 0.02 * 9.3, 0.001 * 9.3 * 0.02);
   EXPECT_NEAR(harmonic["phase_rad"].get<double>(), 0.3, 0.001);
+  ASSERT_EQ(answer.report["confounded"].size(), 1u);
   EXPECT_EQ(answer.report["confounded"][0]["effects"], json({"cogging_torque", "gear_ripple"}));
 }
 

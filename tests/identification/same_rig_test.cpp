@@ -3,7 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+
+#include "actuator/motor/actuator_spec.hpp"
+#include "identification/identify.hpp"
+#include "tests/io/scratch_folder.hpp"
+#include "tests/oracles/bench_log/scenario.hpp"
 
 namespace torquewright::identification::same_rig_test {
 namespace {
@@ -77,6 +83,49 @@ TEST(RunsThatDisagree, RunsThatAskForNearlyTheSameAreOne) {
 TEST(RunsThatDisagree, ValuesThatAreHardlyKnownDoNotSeparateRuns) {
   EXPECT_EQ(Runs({0.0, 2.0, 0.0}, 20.0).objection(), "");
 }
+
+/// The generator's bench with nothing missing, its torque constant called uncertain, and the
+/// current's column multiplied in some of the runs.
+Identification identified(std::uint64_t seed, double factor) {
+  oracles::Scenario scenario = oracles::draw(oracles::LogClass::kNone, seed);
+  scenario.rig["uncertain"] = {"/motor/torque_constant_Nm_A"};
+  std::size_t current = 0;
+  for (const auto& [column, use] : scenario.rig["columns"].items()) {
+    if (use != "motor_current_A") continue;
+    const auto& columns = scenario.log.columns;
+    current = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) -
+                                       columns.begin());
+  }
+  for (std::size_t run = 0; run < scenario.log.runs.size(); run += 2) {
+    for (double& value : scenario.log.runs[run].columns.at(current)) value *= factor;
+  }
+  const test::ScratchFolder folder;
+  const oracles::ScenarioFiles files = oracles::write_scenario(folder.path(), scenario);
+  return identify(files.logs, read_rig(io::read_document(files.rig, "rig")),
+                  {{"", actuator::read_actuator(files.actuator)}});
+}
+
+// Oracle: what was done to the log. With another scale of the current in every second run no one
+// torque constant is true of all; without, the stated one is.
+class SameRigLogs : public testing::TestWithParam<std::uint64_t> {};
+TEST_P(SameRigLogs, ACurrentOfAnotherScaleInSomeRunsCannotTell) {
+  const Identification found = identified(GetParam(), 3.0);
+  EXPECT_EQ(found.verdict, Verdict::kCannotTell);
+  bool is_said = false;
+  for (const DataFinding& finding : found.findings) {
+    is_said = is_said || (finding.weight == Weight::kError &&
+                          finding.sentence.find("not of one rig") != std::string::npos);
+  }
+  EXPECT_TRUE(is_said);
+}
+
+TEST_P(SameRigLogs, RunsOfOneScaleAreOneRig) {
+  const Identification found = identified(GetParam(), 1.0);
+  EXPECT_NE(found.verdict, Verdict::kCannotTell);
+  for (const DataFinding& finding : found.findings) EXPECT_NE(finding.weight, Weight::kError);
+}
+
+INSTANTIATE_TEST_SUITE_P(SameRig, SameRigLogs, testing::Values(0, 2, 3, 6));
 
 }  // namespace
 }  // namespace torquewright::identification::same_rig_test

@@ -9,8 +9,6 @@ namespace {
 
 TEST(Sources, IncludeEachOtherInNoCircle) {
   for (const std::string& file : files_in_circles(library_sources(TORQUEWRIGHT_SOURCE_DIR))) {
-    // Its rooms come with its redesign (docs/decisions/0011-rooms.md).
-    if (file.starts_with("identification/")) continue;
     ADD_FAILURE() << file << " is part of a circle of includes, or lies between two";
   }
 }

@@ -21,8 +21,6 @@ const std::vector<gates::Excuse> kExcused = {
     {"identification/forward/candidate.hpp", kNamedEffect},
     {"identification/forward/candidates.cpp", kNamedEffect},
     {"identification/forward/plain_forward.cpp", kNamedEffect},
-    {"identification/naming.cpp", kNamedEffect},
-    {"identification/plain_equations.cpp", kNamedEffect},
     {"identification/result.hpp", kNamedEffect},
     {"identification/selection/named.cpp", kNamedEffect},
     {"src/report/identification_words.cpp", kNamedEffect},

@@ -14,6 +14,7 @@
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/plan_trial.hpp"
+#include "identification/preparation.hpp"
 #include "identification/rig_plant.hpp"
 #include "io/spec_error.hpp"
 #include "simulation/run/simulate.hpp"

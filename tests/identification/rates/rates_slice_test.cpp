@@ -70,10 +70,8 @@ TEST(RatesSlice, NamesNoEffectForWhatIsOutsideTheLibrary) {
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
 
-// Logs that laws of the library resemble, each kept from a name by another of
-// identification/acceptance_tests: a dead zone (what is left along the current), friction that
-// grows with time (a table that takes more), spots of friction (held-out runs that all names
-// together do not help; a comb of waves).
+// Logs that laws of the library resemble: a dead zone, friction that grows with time, spots of
+// friction.
 class LooksLikeAnEffect : public testing::TestWithParam<std::uint64_t> {};
 TEST_P(LooksLikeAnEffect, IsNotNamed) {
   const Count counted = count(LogClass::kOutside, GetParam(), 1);
