@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/analysis.hpp"
 
+#include <algorithm>
+
 #include "identification/folds.hpp"
 #include "identification/forward/plain_forward.hpp"
 #include "identification/forward/torque_forward.hpp"
@@ -58,14 +60,19 @@ class JointAnalysis {
   void add_torque_and_position(const HeldSignals& held, std::vector<EquationResult>& results) {
     EquationResult torque = torque_result(held);
     say("simulating the log", 0.75);
-    std::optional<EquationResult> position =
-        study_position({bench_, held.rows, held.replica, held_out()}, torque, options_.select);
+    const PositionInput source{bench_, held.rows, held.replica, held_out()};
+    std::optional<EquationResult> position = study_position(source, torque, options_.select);
+    if (position && !position->added.empty() && !options_.asks(position->added.front().effect)) {
+      position = study_position(source, torque, false);
+    }
     if (position && !position->added.empty()) {
       const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];
       const actuator::Actuator informed = with_standstill(nominal, position->added.front());
       bench_.actuators[bench_.joint] = &informed;
-      torque_options_.settled = {"coulomb_friction", "stribeck_friction", "asymmetric_friction",
-                                 "presliding_friction"};
+      for (const char* settled : {"coulomb_friction", "stribeck_friction", "asymmetric_friction",
+                                  "presliding_friction"}) {
+        torque_options_.without.emplace_back(settled);
+      }
       EquationResult again = torque_result(signals());
       bench_.actuators[bench_.joint] = &nominal;
       again.before = torque.before;
@@ -92,6 +99,13 @@ class JointAnalysis {
 };
 
 }  // namespace
+
+bool AnalysisOptions::asks(const std::string& effect) const {
+  const auto is_in = [&](const std::vector<std::string>& list) {
+    return std::find(list.begin(), list.end(), effect) != list.end();
+  };
+  return (only.empty() || is_in(only)) && !is_in(without);
+}
 
 std::vector<EquationResult> analyse(const Rig& rig, const Log& log, std::size_t joint,
                                     const std::vector<const actuator::Actuator*>& actuators,

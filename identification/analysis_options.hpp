@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,13 @@ struct AnalysisOptions {
   bool select = true;                ///< False: residual, noise floor and structure only.
   double tolerance = 0.002;          ///< Share of what is predicted below which nothing matters.
   std::uint64_t seed = 1;            ///< Of the noise replicas.
-  std::vector<std::string> settled;  ///< Effects that are not asked about any more.
+  std::vector<std::string> only;     ///< Effects that are asked about; empty: all ...
+  std::vector<std::string> without;  ///< ... but these.
+  std::map<std::string, double> band_Hz;  ///< By quantity; else chosen by what stands out.
   /// Called with what is being done, and how much of all is done (0 to 1).
   std::function<void(const std::string&, double)> progress;
+
+  bool asks(const std::string& effect) const;
 };
 
 }  // namespace torquewright::identification

@@ -84,7 +84,7 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   std::vector<const actuator::Actuator*> nominal;
   for (const JointActuator& each : actuators) nominal.push_back(&each.nominal.actuator);
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
-    AnalysisOptions analysis;
+    AnalysisOptions analysis = options.analysis;
     analysis.select = options.select && !has_error(log.findings);  // no names from such data
     if (options.progress) {
       analysis.progress = [&, joint](const std::string& what, double share) {
@@ -105,6 +105,41 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   return found;
 }
 
+namespace {
+
+bool is_trusted(const EquationResult& equation) {
+  return equation.verdict != Verdict::kUnexplained && equation.not_one_rig.empty();
+}
+
+std::vector<const NamedEffect*> certain_of_actuator(const EquationResult& equation) {
+  std::vector<const NamedEffect*> certain;
+  for (const NamedEffect& effect : equation.added) {
+    if (!is_trusted(equation) || effect.family != EffectFamily::kActuator) continue;
+    if (is_certain(equation, effect.effect)) certain.push_back(&effect);
+  }
+  return certain;
+}
+
+/// Values belong to the model that they were fitted in: they go with one that is certain.
+std::vector<const Correction*> certain_corrections(const EquationResult& equation) {
+  std::vector<const Correction*> certain;
+  const bool is_settled = equation.verdict != Verdict::kCannotTell;
+  if (!is_trusted(equation) || (!is_settled && certain_of_actuator(equation).empty())) return {};
+  for (const Correction& each : equation.corrected) {
+    if (each.pointer.rfind("/load/", 0) != 0) certain.push_back(&each);
+  }
+  return certain;
+}
+
+}  // namespace
+
+bool has_anything_certain(const Identification& found) {
+  if (found.verdict == Verdict::kNothingMissing) return true;
+  return std::any_of(found.equations.begin(), found.equations.end(), [](const auto& each) {
+    return !certain_of_actuator(each).empty() || !certain_corrections(each).empty();
+  });
+}
+
 nlohmann::ordered_json refined_actuator(const Identification& found,
                                         const JointActuator& actuator) {
   nlohmann::ordered_json document =
@@ -115,8 +150,8 @@ nlohmann::ordered_json refined_actuator(const Identification& found,
     logs.push_back({{"path", file.path}, {"sha256", file.sha256}});
   for (const EquationResult& equation : found.equations) {
     if (equation.joint != actuator.joint) continue;
-    for (const NamedEffect& effect : equation.added) {
-      if (effect.family != EffectFamily::kActuator) continue;
+    for (const NamedEffect* named : certain_of_actuator(equation)) {
+      const NamedEffect& effect = *named;
       if (!effect.replaces.empty()) {
         auto& effects = document["effects"];
         for (auto it = effects.begin(); it != effects.end();) {
@@ -133,10 +168,9 @@ nlohmann::ordered_json refined_actuator(const Identification& found,
                              {"unit", equation.unit}};
       document["effects"].push_back(std::move(entry));
     }
-    for (const Correction& correction : equation.corrected) {
-      if (correction.pointer.rfind("/load/", 0) == 0) continue;
-      const nlohmann::ordered_json::json_pointer pointer(correction.pointer);
-      if (document.contains(pointer)) document[pointer] = correction.value;
+    for (const Correction* correction : certain_corrections(equation)) {
+      const nlohmann::ordered_json::json_pointer pointer(correction->pointer);
+      if (document.contains(pointer)) document[pointer] = correction->value;
     }
   }
   return document;

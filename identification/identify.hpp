@@ -21,6 +21,7 @@ struct JointActuator {
 
 struct IdentifyOptions {
   bool select = true;      ///< False: steps 1 to 4 only.
+  AnalysisOptions analysis;  ///< Its `select` and `progress` are set from these.
   bool empirical = false;  ///< Offer a table over the coordinate along which most is left.
   std::function<void(const std::string& what, double share_done)> progress;
 };
@@ -50,9 +51,13 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
                         const std::vector<JointActuator>& actuators,
                         const IdentifyOptions& options = {});
 
+/// Whether a refined actuator would say more than the stated one: an effect of it that no other of
+/// the log may stand for, or an uncertain value beside what was explained.
+bool has_anything_certain(const Identification& found);
+
 /// Step 6: the joint's actuator document with the effects that were added to it (family actuator
 /// only), each with value, standard error and provenance, and its uncertain values corrected. What
-/// belongs to rig and log stays out.
+/// belongs to rig and log stays out, and so does what is not certain.
 nlohmann::ordered_json refined_actuator(const Identification& found, const JointActuator& actuator);
 
 }  // namespace torquewright::identification

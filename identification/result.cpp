@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/result.hpp"
 
+#include <algorithm>
+
 namespace torquewright::identification {
 
 std::string_view name_of(EffectFamily family) {
@@ -29,6 +31,13 @@ std::string_view name_of(Verdict verdict) {
       return "cannot_tell";
   }
   return "";
+}
+
+bool is_certain(const EquationResult& result, const std::string& effect) {
+  return std::none_of(result.confounded.begin(), result.confounded.end(), [&](const auto& group) {
+    return !group.exact &&
+           std::find(group.effects.begin(), group.effects.end(), effect) != group.effects.end();
+  });
 }
 
 }  // namespace torquewright::identification

@@ -66,6 +66,7 @@ struct EquationResult {
   double band_Hz = 0.0;
   double noise_floor_rms = 0.0;
   Errors before, after;
+  Errors with_certain;  ///< With what is certain of the actuator: what a refined document leaves.
   std::vector<NamedEffect> added;
   std::vector<Correction> corrected;
   std::vector<Rejection> rejected;
@@ -79,5 +80,8 @@ struct EquationResult {
   std::string unusable;        ///< Why nothing could be said; empty: something could.
   Verdict verdict = Verdict::kCannotTell;
 };
+
+/// Whether no other effect of this log may stand in the place of one that was named.
+bool is_certain(const EquationResult& result, const std::string& effect);
 
 }  // namespace torquewright::identification

@@ -127,6 +127,13 @@ double FitParameter::value(double coordinate) const {
   return is_scale ? std::exp(coordinate) : coordinate;
 }
 
+std::vector<std::string> nameable_effects() {
+  std::vector<std::string> names = {"gravity_imbalance", "torque_offset", "channel_delay",
+                                    "velocity_mismatch"};
+  for (const EffectKind* each : actuator::effect_library()) names.emplace_back(each->name);
+  return names;
+}
+
 actuator::Ranges ranges_of(const Bench& bench, const std::vector<Signals>& signals) {
   Largest torque, speed, acceleration, current;
   Ranges ranges;

@@ -8,6 +8,10 @@
 
 namespace torquewright::identification {
 
+/// Names of all effects that a log may be told to lack: the actuator's library, and what rig and
+/// log may have done.
+std::vector<std::string> nameable_effects();
+
 /// What the stretches cover.
 actuator::Ranges ranges_of(const Bench& bench, const std::vector<Signals>& signals);
 

@@ -167,6 +167,24 @@ void append_groups(const Bench& bench, const Found& found, EquationResult& resul
   }
 }
 
+/// What the model leaves without the effects that are not the actuator's, or that are not certain.
+Errors errors_with_certain(const ModelFitter& fitter, const ModelFit& best,
+                           const EquationResult& result) {
+  EffectSet certain;
+  std::vector<double> coordinates(best.coordinates.data(), best.coordinates.data() + best.always);
+  for (std::size_t m = 0; m < best.members.size(); ++m) {
+    const EffectCandidate& member = *best.members[m];
+    if (member.family != EffectFamily::kActuator || !is_certain(result, member.effect)) continue;
+    certain.push_back(&member);
+    const double* first = best.coordinates.data() + best.first_of(m);
+    coordinates.insert(coordinates.end(), first, first + member.parameters.size());
+  }
+  return errors_over(fitter.equation(), fitter.rows(),
+                     fitter.residual(certain, Eigen::Map<const Eigen::VectorXd>(
+                                                  coordinates.data(),
+                                                  static_cast<Eigen::Index>(coordinates.size()))));
+}
+
 std::string reason_of(const Comparison& gain) {
   if (gain.gain <= 0.0) return "it raises the error where it was not fitted";
   return fmt::format(
@@ -240,7 +258,7 @@ double telling_band_Hz(const ForwardEquation& equation, const HeldSignals& held,
 
 Found found_by(const ModelFitter& fitter, const SearchRules& rules,
                const AnalysisOptions& options) {
-  if (options.select) return Search(fitter, rules, options.settled).run();
+  if (options.select) return Search(fitter, rules).run();
   Found found;
   found.empty = found.best = fitter.fit({}, fitter.always_start());
   return found;
@@ -261,7 +279,10 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   const ForwardEquation equation = with_what_is_determined(stated, held, fold_of_run);
   result.quantity = equation.quantity;
   result.unit = equation.unit;
-  const Rows rows(held.rows, fold_of_run, {telling_band_Hz(equation, held, fold_of_run)});
+  const auto band = options.band_Hz.find(equation.quantity);
+  const Rows rows(held.rows, fold_of_run,
+                  {band != options.band_Hz.end() ? band->second
+                                                 : telling_band_Hz(equation, held, fold_of_run)});
   result.band_Hz = rows.options().cutoff_Hz;
   if (rows.training_blocks() < kLeastTrainingBlocks) {
     result.unusable = fmt::format("{} blocks can be fitted; {} are needed: a longer log",
@@ -271,6 +292,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   const ModelFitter fitter(equation, rows, held.replica);
   SearchRules rules;
   rules.least_change = options.tolerance * equation.used;
+  rules.asks = [&options](const std::string& effect) { return options.asks(effect); };
   Found found = found_by(fitter, rules, options);
   result.before = errors_over(equation, rows, found.empty.residual);
   result.structure_before = structure_left(rows, found.empty.residual);
@@ -286,6 +308,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   name_members(fitter, found, result);
   append_groups(bench, found, result);
   describe_refused(found, result);
+  result.with_certain = errors_with_certain(fitter, kept, result);
   for (std::size_t k = 0; k < equation.pointers.size() && options.select; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     result.corrected.push_back({equation.pointers[k], equation.always_start[k], kept.coordinates[i],

@@ -56,17 +56,19 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 
 }  // namespace
 
-Search::Search(const ModelFitter& fitter, const SearchRules& rules,
-               const std::vector<std::string>& settled)
+Search::Search(const ModelFitter& fitter, const SearchRules& rules)
     : fitter_(fitter),
       rules_(rules),
       waves_(std::make_shared<std::deque<EffectCandidate>>()),
       turned_one_way_(turned_one_way(fitter.rows())) {
   for (const EffectCandidate& each : fitter.equation().candidates) {
-    if (std::find(settled.begin(), settled.end(), each.effect) == settled.end()) {
-      candidates_.push_back(&each);
-    }
+    if (asks(each)) candidates_.push_back(&each);
   }
+}
+
+bool Search::asks(const EffectCandidate& candidate) const {
+  if (turned_one_way_ && is_friction_wave(candidate)) return false;
+  return !rules_.asks || rules_.asks(candidate.effect);
 }
 
 const ModelFit& Search::fitted(const EffectSet& members, const Eigen::VectorXd& start) {
@@ -143,7 +145,7 @@ void Search::ask_for_waves(const ModelFit& model) {
     const bool is_known =
         std::any_of(candidates_.begin(), candidates_.end(),
                     [&](const EffectCandidate* each) { return each->key == wave.key; });
-    if (is_known || (turned_one_way_ && is_friction_wave(wave))) continue;
+    if (is_known || !asks(wave)) continue;
     waves_->push_back(std::move(wave));
     candidates_.push_back(&waves_->back());
   }

@@ -24,6 +24,7 @@ struct SearchRules {
   double least_share = 0.1;  ///< A name takes so much of the squares that are left without it.
   double tie_t = 3.0;        ///< A rival is refuted beyond this ...
   double tie_share = 0.1;    ///< ... if it leaves so much more of the squares that are left.
+  std::function<bool(const std::string& effect)> asks;  ///< Empty: about all.
   std::function<void(double)> progress;
 };
 
@@ -49,9 +50,7 @@ struct Found {
 /// nothing changes. docs/derivations/identification.md section 12.
 class Search {
  public:
-  /// Candidates of the effects in `settled` are not asked.
-  Search(const ModelFitter& fitter, const SearchRules& rules,
-         const std::vector<std::string>& settled = {});
+  Search(const ModelFitter& fitter, const SearchRules& rules);
   Found run();
 
   /// True if `more` earns its place over `less`.
@@ -63,6 +62,7 @@ class Search {
   const ModelFit& fitted(const EffectSet& members, const Eigen::VectorXd& start);
   const ModelFit& without(const ModelFit& model, std::size_t member);
   const ModelFit& with(const ModelFit& model, const Prospect& prospect);
+  bool asks(const EffectCandidate& candidate) const;
   void ask_for_waves(const ModelFit& model);
   EffectSet askable(const ModelFit& model) const;
   double floor_rms(const ModelFit& model) const;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "identification/forward/candidates.hpp"
 #include "identification/outputs/output.hpp"
 #include "io/atomic_file.hpp"
 #include "src/commands/identify_commands.hpp"
@@ -35,6 +36,9 @@ Identification identification_of(const IdentifyRequest& request, const IdentifyI
   report::ProgressLine progress;
   identification::IdentifyOptions options;
   options.select = request.select;
+  options.analysis.only = request.only;
+  options.analysis.without = request.without;
+  options.analysis.tolerance = request.tolerance;
   options.empirical = request.empirical;
   options.progress = [&progress](const std::string& what, double share) {
     progress.show(fmt::format("{}: {:.0f} %", what, 100.0 * share));
@@ -55,6 +59,8 @@ IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inpu
   IdentifyFound found;
   found.identification = identification_of(request, inputs);
   found.refined = refined_actuators(inputs, found.identification);
+  if (!inputs.outputs.empty() || !request.as.empty())
+    require_promise(request, inputs, found.identification, found.refined);
   if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
   return found;
 }
@@ -142,6 +148,22 @@ void add_identify_command(command_line::Command& program) {
   command.add_option("--report", request->report_file, "Write the report with pictures, as HTML");
   command.add_flag("--empirical", request->empirical,
                    "Where no effect fits, a table over the coordinate along which most is left");
+  command
+      .add_option("--only", request->only,
+                  "Effects that may be named, separated by commas; the others are not asked")
+      .separated_by_commas()
+      .one_of(identification::nameable_effects())
+      .one_value_each();
+  command
+      .add_option("--without", request->without, "Effects that may not be named, as for --only")
+      .separated_by_commas()
+      .one_of(identification::nameable_effects())
+      .one_value_each();
+  command
+      .add_option("--tolerance", request->tolerance,
+                  "What changes the prediction by less than this share of it is not named")
+      .number_between(0.0, 1.0)
+      .shows_default();
   std::string outputs;
   for (const identification::Output* output : identification::output_library()) {
     outputs += fmt::format("{}{}: {}", outputs.empty() ? "" : "; ", output->name, output->what);

@@ -7,6 +7,7 @@
 #include "actuator/region/mor_table.hpp"
 #include "actuator/region/operating_conditions.hpp"
 #include "actuator/region/region_comparison.hpp"
+#include "identification/self_check.hpp"
 #include "io/json_text.hpp"
 #include "src/commands/identify_json.hpp"
 #include "src/commands/result_json.hpp"
@@ -15,8 +16,6 @@
 
 namespace torquewright::cli {
 namespace {
-
-using identification::Verdict;
 
 RefinedActuator refined_actuator_of(const IdentifyInputs& inputs,
                                     const identification::Identification& found, std::size_t i) {
@@ -41,7 +40,7 @@ bool has_changed(const actuator::RegionComparison& comparison) {
 
 RefinedActuators refined_actuators(const IdentifyInputs& inputs,
                                    const identification::Identification& found) {
-  if (found.verdict == Verdict::kCannotTell || found.verdict == Verdict::kUnexplained) return {};
+  if (!identification::has_anything_certain(found)) return {};
   RefinedActuators refined;
   try {
     for (std::size_t i = 0; i < inputs.actuators.size(); ++i) {
@@ -53,10 +52,21 @@ RefinedActuators refined_actuators(const IdentifyInputs& inputs,
   return refined;
 }
 
+void require_promise(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                     const identification::Identification& found, RefinedActuators& refined) {
+  if (refined.of_joints.empty()) return;
+  std::vector<identification::JointActuator> actuators;
+  for (const RefinedActuator& each : refined.of_joints)
+    actuators.push_back({each.joint, each.read});
+  std::string broken = identification::broken_promise(
+      {request.logs.begin(), request.logs.end()}, inputs.rig, actuators, found);
+  if (!broken.empty()) refined = {{}, std::move(broken)};
+}
+
 std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
                                            const RefinedActuators& refined) {
   if (!refined.refusal.empty()) {
-    std::fprintf(stderr, "the refined actuator would be refused:\n%s\n", refined.refusal.c_str());
+    std::fprintf(stderr, "the refined actuator is refused:\n%s\n", refined.refusal.c_str());
   }
   std::vector<io::FileContent> files;
   for (std::size_t i = 0; i < inputs.outputs.size(); ++i) {

@@ -28,6 +28,10 @@ struct RefinedActuators {
 RefinedActuators refined_actuators(const IdentifyInputs& inputs,
                                    const identification::Identification& found);
 
+/// Refuses what does not leave the error, on the request's logs, that was promised of it.
+void require_promise(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                     const identification::Identification& found, RefinedActuators& refined);
+
 /// What is to be written for -o; on stderr where nothing is, though it was asked for.
 std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
                                            const RefinedActuators& refined);

@@ -15,6 +15,8 @@ struct IdentifyRequest {
   std::vector<std::string> actuators;  ///< FILE, or JOINT=FILE on a serial arm.
   std::vector<std::string> outputs;    ///< The same for refined actuators.
   std::string report_file;
+  std::vector<std::string> only, without;  ///< Effects.
+  double tolerance = 0.002;
   std::string as;  ///< An output's name; empty: the report.
   bool json = false;
   bool empirical = false;

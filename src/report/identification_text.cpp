@@ -178,8 +178,7 @@ std::string refined_lines(const Identification& found, const IdentificationConte
     text += line(step, "written to " + file);
     step = "";
   }
-  const bool is_sure =
-      found.verdict != Verdict::kCannotTell && found.verdict != Verdict::kUnexplained;
+  const bool is_sure = identification::has_anything_certain(found);
   if (text.empty()) {
     text = line(step, is_sure ? "not asked for (-o)" : "none: there is nothing sure to add");
   }
