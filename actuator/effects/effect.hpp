@@ -82,14 +82,10 @@ struct Effect;
 struct EffectKind {
   std::string_view name;
   Acts acts;
-  std::string_view sentence;                ///< The physics, for a person.
-  std::span<const Parameter> parameters;    ///< The scalar ones.
-  bool has_harmonics = false;               ///< Parameters are a list of harmonics besides.
-  std::span<const std::string_view> needs;  ///< Quantities a log must hold to show it.
+  std::string_view sentence;              ///< The physics, for a person.
+  std::span<const Parameter> parameters;  ///< The scalar ones.
+  bool has_harmonics = false;             ///< Parameters are a list of harmonics besides.
   double (*law)(const Effect&, const Instant&);
-  /// d law / d parameter: the scalar ones, then amplitude and phase of each harmonic. Orders are
-  /// not fitted.
-  void (*gradient)(const Effect&, const Instant&, std::span<double> derivative);
   /// d state / dt; null: no state.
   double (*state_rate)(const Effect&, const Instant&) = nullptr;
   std::string_view state;  ///< What the state is, with its unit.

@@ -60,45 +60,6 @@ Instant some_instant(std::mt19937& random) {
   return at;
 }
 
-/// The i-th of the values that a gradient covers.
-double& fitted_value(Effect& effect, std::size_t i) {
-  if (i < effect.values.size()) return effect.values[i];
-  Harmonic& wave = effect.harmonics[(i - effect.values.size()) / 2];
-  return (i - effect.values.size()) % 2 == 0 ? wave.amplitude : wave.phase_rad;
-}
-
-// Oracle: central differences with a step of cbrt(eps) max(1, |x|), whose error is of order h^2:
-// 1e-8 times the third derivative, which stays below 100 for the values drawn.
-constexpr double kDifferenceTolerance = 1e-6;
-
-TEST(Effects, HaveTheGradientOfTheirLaw) {
-  std::mt19937 random(1);
-  for (const EffectKind* kind : effect_library()) {
-    if (!kind->state.empty()) continue;  // the state carries the dependence
-    for (int repetition = 0; repetition < 50; ++repetition) {
-      Effect effect = some_effect(*kind, random);
-      effect.proportional = kind->name == "gear_ripple" && repetition % 2 == 1;
-      Instant at = some_instant(random);
-      if (repetition % 5 == 3) at.direction = 0.0;
-      if (repetition % 5 == 4) at.direction *= 0.4;  // it reverses within the instant's time
-      std::vector<double> gradient(kind->parameters.size() + 2 * effect.harmonics.size());
-      kind->gradient(effect, at, gradient);
-      for (std::size_t i = 0; i < gradient.size(); ++i) {
-        double& value = fitted_value(effect, i);
-        const double centre = value;
-        const double step = std::cbrt(2.2e-16) * std::max(1.0, std::abs(centre));
-        value = centre + step;
-        const double above = kind->law(effect, at);
-        value = centre - step;
-        const double below = kind->law(effect, at);
-        value = centre;
-        EXPECT_NEAR(gradient[i], (above - below) / (2.0 * step), kDifferenceTolerance)
-            << kind->name << " by value " << i;
-      }
-    }
-  }
-}
-
 // A neutral effect changes nothing: no torque, or a factor of one.
 TEST(Effects, ChangeNothingAtTheirNeutralParameters) {
   std::mt19937 random(2);
@@ -136,7 +97,6 @@ TEST(Effects, AreNamedOnceWithNeutralValuesInBounds) {
   std::set<std::string_view> names;
   for (const EffectKind* kind : effect_library()) {
     EXPECT_TRUE(names.insert(kind->name).second) << kind->name;
-    EXPECT_FALSE(kind->needs.empty()) << kind->name;
     EXPECT_EQ(kind->state_rate == nullptr, kind->state.empty()) << kind->name;
     for (const Parameter& parameter : kind->parameters) {
       EXPECT_LE(parameter.lowest, parameter.neutral) << kind->name << " " << parameter.name;
