@@ -177,6 +177,7 @@ EffectCandidate actuator_candidate(const EffectKind& kind, const actuator::Actua
   EffectCandidate candidate;
   candidate.effect = candidate.key = kind.name;
   candidate.contains.assign(kind.contains.begin(), kind.contains.end());
+  candidate.tends_to.assign(kind.tends_to.begin(), kind.tends_to.end());
   std::vector<std::vector<double>> starts = starts_of(kind, ranges);
   const std::vector<double> known = stated_values(kind, stated);
   if (!known.empty()) starts.insert(starts.begin(), known);
