@@ -25,6 +25,7 @@ constexpr double kLongestDelay_s = 0.2;
 constexpr double kLongestTime_s = 0.1;    ///< Of a lag.
 constexpr double kMostCoefficient = 5.0;  ///< Of what has no unit.
 constexpr double kMostWarming_1_K = 0.05;
+constexpr double kMostAsymmetry = 0.5;  ///< Of a current's gain, to either side of its mean.
 
 bool ends_with(std::string_view text, std::string_view end) { return text.ends_with(end); }
 
@@ -303,6 +304,47 @@ EffectCandidate offset_candidate(const actuator::Ranges& ranges) {
     hypothesis.log.torque_offset_Nm = u[0];
   };
   candidate.report = [](std::span<const double> u) { return Json{{"value", u[0]}}; };
+  return candidate;
+}
+
+EffectCandidate current_gain_candidate() {
+  EffectCandidate candidate;
+  candidate.effect = candidate.key = "current_gain_error";
+  candidate.family = EffectFamily::kLog;
+  candidate.parameters = {{"asymmetry", -kMostAsymmetry, kMostAsymmetry, 0.1, false}};
+  candidate.starts = {{0.0}};
+  candidate.tends_to = {"torque_constant_error", "torque_offset"};
+  candidate.apply = [](std::span<const double> u, Hypothesis& hypothesis) {
+    hypothesis.log.current_asymmetry = u[0];
+  };
+  candidate.report = [](std::span<const double> u) {
+    return Json{{"channel", name_of(Quantity::kMotorCurrent)},
+                {"positive_over_negative", (1.0 + u[0]) / (1.0 - u[0])}};
+  };
+  return candidate;
+}
+
+EffectCandidate encoder_candidate(std::size_t order, double scale_rad) {
+  EffectCandidate candidate;
+  candidate.effect = "encoder_harmonics";
+  candidate.family = EffectFamily::kLog;
+  candidate.key = fmt::format("{}:{}", candidate.effect, order);
+  candidate.order = static_cast<double>(order);
+  for (const char* part : {"sine_rad", "cosine_rad"}) {
+    candidate.parameters.push_back({part, -scale_rad, scale_rad, scale_rad, false});
+  }
+  candidate.starts = {{0.0, 0.0}};
+  candidate.apply = [order](std::span<const double> u, Hypothesis& hypothesis) {
+    hypothesis.log.encoder_sine_rad[order - 1] = u[0];
+    hypothesis.log.encoder_cosine_rad[order - 1] = u[1];
+  };
+  candidate.report = [order](std::span<const double> u) {
+    Json json{{"channel", name_of(Quantity::kOutputPosition)}};
+    json["harmonics"] = Json::array({{{"order", order},
+                                      {"amplitude_rad", std::hypot(u[0], u[1])},
+                                      {"phase_rad", std::atan2(u[1], u[0])}}});
+    return json;
+  };
   return candidate;
 }
 

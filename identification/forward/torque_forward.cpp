@@ -149,6 +149,7 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
   }
   candidates.push_back(offset_candidate(ranges));
   add_delays(bench, candidates);
+  if (bench.drive == Drive::kCurrent) candidates.push_back(current_gain_candidate());
   return candidates;
 }
 
