@@ -17,6 +17,9 @@ double law(const Effect& effect, const Instant& at) {
   return -effect.values[0] * (at.output_angle_rad - effect.values[1]);
 }
 
+/// Relaxed far away it is a constant.
+constexpr std::string_view kTendsTo[] = {"torque_offset"};
+
 /// Relaxed at zero, or at either end of a range about it.
 std::vector<std::vector<double>> starts(const Ranges& ranges) {
   return {{0.0, 0.0}, {0.0, 0.5 * ranges.angle_rad}, {0.0, -0.5 * ranges.angle_rad}};
@@ -33,6 +36,7 @@ const EffectKind parallel_spring = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .tends_to = kTendsTo,
     .starts = starts,
 };
 

@@ -25,7 +25,7 @@ constexpr double kLongestDelay_s = 0.2;
 constexpr double kLongestTime_s = 0.1;    ///< Of a lag.
 constexpr double kMostCoefficient = 5.0;  ///< Of what has no unit.
 constexpr double kMostWarming_1_K = 0.05;
-constexpr double kMostAsymmetry = 0.5;  ///< Of a current's gain, to either side of its mean.
+constexpr double kLeastGain = 0.2;  ///< Of a current's sensor; the inverse of the greatest.
 
 bool ends_with(std::string_view text, std::string_view end) { return text.ends_with(end); }
 
@@ -311,15 +311,18 @@ EffectCandidate current_gain_candidate() {
   EffectCandidate candidate;
   candidate.effect = candidate.key = "current_gain_error";
   candidate.family = EffectFamily::kLog;
-  candidate.parameters = {{"asymmetry", -kMostAsymmetry, kMostAsymmetry, 0.1, false}};
-  candidate.starts = {{0.0}};
+  candidate.parameters = {{"gain_positive", kLeastGain, 1.0 / kLeastGain, 1.0, false},
+                          {"gain_negative", kLeastGain, 1.0 / kLeastGain, 1.0, false}};
+  candidate.starts = {{1.0, 1.0}};
   candidate.tends_to = {"torque_constant_error", "torque_offset"};
   candidate.apply = [](std::span<const double> u, Hypothesis& hypothesis) {
-    hypothesis.log.current_asymmetry = u[0];
+    hypothesis.log.positive_current_gain = u[0];
+    hypothesis.log.negative_current_gain = u[1];
   };
   candidate.report = [](std::span<const double> u) {
     return Json{{"channel", name_of(Quantity::kMotorCurrent)},
-                {"positive_over_negative", (1.0 + u[0]) / (1.0 - u[0])}};
+                {"gain_positive", u[0]},
+                {"gain_negative", u[1]}};
   };
   return candidate;
 }

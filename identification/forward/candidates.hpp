@@ -39,8 +39,8 @@ EffectCandidate delay_candidate(Quantity channel);
 /// directions.
 EffectCandidate offset_candidate(const actuator::Ranges& ranges);
 
-/// A sensor of the current that has another gain for positive currents than for negative ones. What
-/// both have in common is the torque constant.
+/// A sensor of the current that has another gain for positive currents than for negative ones.
+/// Where both are the same it is the torque constant that is wrong.
 EffectCandidate current_gain_candidate();
 
 /// A wave of the output's encoder: it is off by a sine of its own angle, once or twice a turn.

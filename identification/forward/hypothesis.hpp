@@ -13,7 +13,8 @@ struct LogErrors {
   std::array<double, kQuantityCount> delay_s{};  ///< By which a channel is late.
   double torque_offset_Nm = 0.0;                 ///< measured = true + offset; N on a linear axis.
   double current_offset_A = 0.0;
-  double current_asymmetry = 0.0;            ///< measured = true + it |true|.
+  double positive_current_gain = 1.0;  ///< Measured over true, of positive currents.
+  double negative_current_gain = 1.0;
   std::array<double, 2> encoder_sine_rad{};  ///< Of the output's encoder: once a turn, and twice.
   std::array<double, 2> encoder_cosine_rad{};
   double velocity_scale = 1.0;  ///< Of the logged velocity.

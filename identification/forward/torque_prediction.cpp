@@ -227,7 +227,7 @@ namespace {
 /// From what the sensor says.
 double true_current_A(const LogErrors& log, double measured_A) {
   const double current_A = measured_A - log.current_offset_A;
-  return current_A / (1.0 + (current_A < 0.0 ? -1.0 : 1.0) * log.current_asymmetry);
+  return current_A / (current_A < 0.0 ? log.negative_current_gain : log.positive_current_gain);
 }
 
 /// The motor's torque at the output from the drive's channel; sets the instant's current.

@@ -196,7 +196,8 @@ TEST(ForwardSearch, FindsACurrentsGainThatDiffersBySign) {
     return at.torque_Nm / (1.0 + 0.03 * made::sign(at.current_A)) - at.torque_Nm;
   });
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found["current_gain_error"]["positive_over_negative"], 1.03 / 0.97, 0.001);
+  EXPECT_NEAR(found["current_gain_error"]["gain_positive"], 1.03, 0.001);
+  EXPECT_NEAR(found["current_gain_error"]["gain_negative"], 0.97, 0.001);
 }
 
 // What both signs have in common is the torque constant.
