@@ -61,9 +61,9 @@ json with_effect(const std::string& name, const json& parameters) {
   return {{"effect", name}, {"parameters", parameters}, {"provenance", "assumed"}};
 }
 
-/// What is added to the stated actuator after a log of one with these effects; `spoil`: what the
-/// sensors do to the log.
-json added(
+/// What is said of a log of an actuator with these effects, beside what is stated; `spoil`: what
+/// the sensors do to the log.
+json report_on(
     const json& effects, double speed_scale = 1.0,
     const std::function<void(SpoiltLog&)>& spoil = [](SpoiltLog&) {}) {
   const Workplace place;
@@ -83,7 +83,13 @@ json added(
   place.write("log.csv", log.text());
   const Outcome found = place.run(
       {"identify", "log.csv", "--rig", "rig.json", "--actuator", stated, "--forward", "--json"});
-  return json::parse(found.out)["effects_added"];
+  return json::parse(found.out);
+}
+
+json added(
+    const json& effects, double speed_scale = 1.0,
+    const std::function<void(SpoiltLog&)>& spoil = [](SpoiltLog&) {}) {
+  return report_on(effects, speed_scale, spoil)["effects_added"];
 }
 
 void expect_alone(const json& added, const std::string& name, const json& parameters) {
@@ -114,6 +120,15 @@ TEST(IdentifyEffects, NamesAParallelSpring) {
   const json truth = {{"stiffness_Nm_rad", 0.8}, {"neutral_angle_rad", 0.4}};
   expect_alone(added(json::array({with_effect("parallel_spring", truth)})), "parallel_spring",
                truth);
+}
+
+// A spring that is relaxed far away would be a constant too: it has to explain more.
+TEST(IdentifyEffects, CallsAConstantAnOffsetAndNoSpring) {
+  const json report = report_on(json::array(), 1.0, [](SpoiltLog& log) {
+    log.each("tau_Nm", [](double torque_Nm) { return torque_Nm + 0.3; });
+  });
+  expect_alone(report["effects_added"], "torque_offset", {{"value", 0.3}});
+  for (const json& group : report["confounded"]) EXPECT_EQ(group["exact"], true) << group;
 }
 
 /// A current sensor with these gains for positive and negative currents.
