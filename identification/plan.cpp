@@ -42,8 +42,8 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 
 void require_plannable(const Rig& rig, const PlanOptions& options) {
   for (const std::string& name : options.separate) {
-    if (contains(effects_of_the_contract(), name)) continue;
-    const auto near = io::nearest(name, effects_of_the_contract());
+    if (contains(effects_with_a_name(), name)) continue;
+    const auto near = io::nearest(name, effects_with_a_name());
     refuse_plan("--separate", fmt::format("no effect is named \"{}\"{}", name,
                                           near ? fmt::format("; did you mean \"{}\"?", *near)
                                                : "; docs/effects.md lists them"));

@@ -61,7 +61,10 @@ std::optional<EffectCandidate> planned_candidate(const Bench& bench, const actua
 class Columns {
  public:
   Columns(const Bench& bench, const actuator::Ranges& ranges, const EffectCandidate& candidate)
-      : ranges_(ranges), candidate_(candidate), start_(candidate.starts.front()) {
+      : ranges_(ranges),
+        candidate_(candidate),
+        kind_(actuator::find_effect(candidate.effect)),
+        start_(candidate.starts.front()) {
     stated_.actuator = bench.actuator();
     stated_.rig = *bench.rig;
   }
@@ -108,14 +111,38 @@ class Columns {
     return kDifference * candidate_.parameters[parameter].size;
   }
 
+  /// What moves nothing while there is nothing of the effect stands at what a fit starts from.
   std::vector<PlannedColumn> slopes() const {
     std::vector<PlannedColumn> all;
+    std::string at;
     for (std::size_t k = 0; k < start_.size(); ++k) {
+      const FitParameter& parameter = candidate_.parameters[k];
       Coordinates high = start_;
       high[k] += step(k);
-      all.push_back(between(name_of(candidate_.parameters[k].name), "", start_, high, step(k)));
+      PlannedColumn slope = between(name_of(parameter.name), "", start_, high, step(k));
+      if (kind_ == nullptr || law_in(slope.low) != law_in(slope.high)) {
+        all.push_back(std::move(slope));
+      } else {
+        at += fmt::format("{}{} {:.3g}", at.empty() ? "at " : ", ", parameter.name,
+                          parameter.value(start_[k]));
+      }
     }
+    for (PlannedColumn& each : all) each.at = at;
     return all;
+  }
+
+  /// The effect's law forward and backward, added so that neither hides the other.
+  double law_in(const Hypothesis& hypothesis) const {
+    const actuator::Instant forward{1.1, 1.0, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 318.15};
+    actuator::Instant backward = forward;
+    backward.speed_rad_s = -1.1;
+    backward.direction = -1.0;
+    double sum = 0.0;
+    for (const actuator::Effect& each : hypothesis.actuator.effects) {
+      if (each.kind == kind_)
+        sum += each.kind->law(each, forward) + 2.0 * each.kind->law(each, backward);
+    }
+    return sum;
   }
 
   /// As documents have it, but for what is fitted by sine and cosine.
@@ -170,6 +197,7 @@ class Columns {
 
   const actuator::Ranges& ranges_;
   const EffectCandidate& candidate_;
+  const actuator::EffectKind* kind_;  ///< Null: no effect of the actuator.
   Coordinates start_;
   Hypothesis stated_;
 };
@@ -183,35 +211,16 @@ std::vector<PlannedColumn> planned_columns(const Bench& bench, const actuator::R
   return Columns(bench, ranges, *candidate).take();
 }
 
-const std::vector<std::string>& effects_of_the_contract() {
-  static const std::vector<std::string> names = {"viscous_friction",
-                                                 "coulomb_friction",
-                                                 "stribeck_friction",
-                                                 "asymmetric_friction",
-                                                 "quadratic_drag",
-                                                 "load_dependent_friction",
-                                                 "presliding_friction",
-                                                 "torque_constant_saturation",
-                                                 "torque_constant_temperature",
-                                                 "friction_temperature",
-                                                 "cogging_torque",
-                                                 "gear_ripple",
-                                                 "position_dependent_friction",
-                                                 "backlash",
-                                                 "torsional_compliance",
-                                                 "reflected_inertia",
-                                                 "torque_lag",
-                                                 "voltage_sag",
-                                                 "winding_resistance_temperature",
-                                                 "inverter_dead_time",
-                                                 "torque_constant_error",
-                                                 "gravity_imbalance",
-                                                 "load_inertia_error",
-                                                 "load_mass_error",
-                                                 "channel_delay",
-                                                 "torque_offset",
-                                                 "current_offset",
-                                                 "velocity_mismatch"};
+const std::vector<std::string>& effects_with_a_name() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {"gravity_imbalance", "load_inertia_error", "load_mass_error",
+                                    "channel_delay",     "torque_offset",      "current_offset",
+                                    "velocity_mismatch"};
+    for (const actuator::EffectKind* each : actuator::effect_library()) {
+      all.emplace_back(each->name);
+    }
+    return all;
+  }();
   return names;
 }
 

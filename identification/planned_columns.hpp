@@ -26,8 +26,8 @@ struct PlannedColumn {
 std::vector<PlannedColumn> planned_columns(const Bench& bench, const actuator::Ranges& ranges,
                                            const std::string& effect);
 
-/// Every name of the contract.
-const std::vector<std::string>& effects_of_the_contract();
+/// Of the actuator, the rig and the log.
+const std::vector<std::string>& effects_with_a_name();
 
 /// (rows x columns) What one unit of each parameter takes from the residual of the torque balance.
 Eigen::MatrixXd planned_rows(const Bench& bench, const Rows& rows,

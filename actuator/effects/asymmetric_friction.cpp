@@ -14,7 +14,6 @@ constexpr Parameter kParameters[] = {
     {"viscous_positive_Nm_s_rad", 0.0, kInfinity, 0.0, "Viscous friction while it moves forward."},
     {"viscous_negative_Nm_s_rad", 0.0, kInfinity, 0.0, "Viscous friction while it moves backward."},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
 /// Share of the instant's time that is spent moving forward; none of either way at rest.
 double forward_share(const Instant& at) {
@@ -30,14 +29,6 @@ double law(const Effect& effect, const Instant& at) {
          effect.values[side + 2] * at.speed_rad_s;
 }
 
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  const std::size_t side = at.direction < 0.0 ? 1 : 0;
-  for (double& entry : derivative) entry = 0.0;
-  derivative[0] = -forward_share(at);
-  derivative[1] = backward_share(at);
-  derivative[side + 2] = -at.speed_rad_s;
-}
-
 constexpr std::string_view kContains[] = {"coulomb_friction", "viscous_friction"};
 
 }  // namespace
@@ -48,9 +39,7 @@ const EffectKind asymmetric_friction = {
     .sentence = "Dry and viscous friction with values of their own in each direction of motion.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
     .contains = kContains,

@@ -5,14 +5,8 @@
 namespace torquewright::actuator::effects {
 namespace {
 
-constexpr std::string_view kNeeds[] = {"motor_position_rad", "output_torque_Nm"};
-
 double law(const Effect& effect, const Instant& at) {
   return harmonic_sum(effect.harmonics, at.motor_angle_rad);
-}
-
-void gradient(const Effect& effect, const Instant& at, std::span<double> derivative) {
-  harmonic_gradient(effect.harmonics, at.motor_angle_rad, derivative);
 }
 
 }  // namespace
@@ -25,9 +19,7 @@ const EffectKind cogging_torque = {
         "angle, also without current.",
     .parameters = {},
     .has_harmonics = true,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
 };

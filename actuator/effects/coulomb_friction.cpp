@@ -11,13 +11,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Parameter kParameters[] = {
     {"coulomb_Nm", 0.0, kInfinity, 0.0, "Torque at the output."},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
 double law(const Effect& effect, const Instant& at) { return -effect.values[0] * at.direction; }
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = -at.direction;
-}
 
 }  // namespace
 
@@ -29,9 +24,7 @@ const EffectKind coulomb_friction = {
         "motion.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
 };

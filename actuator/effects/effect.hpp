@@ -19,7 +19,7 @@ enum class Acts {
   kWindingVoltage,    ///< Voltage lost between drive and winding, in the winding's convention.
   kBusVoltage,        ///< Change of the bus voltage, in V.
   kMotorSideTorque,   ///< Periodic torque before the gear's losses, referred to the output, in Nm.
-  kOutputTorque,      ///< Periodic torque at the output, in Nm.
+  kOutputTorque,      ///< Torque at the output by its angle, in Nm; a region has that of waves.
   kInertialTorque,    ///< Torque on the output that follows acceleration, in Nm.
   kDynamics,          ///< Has a state; no static region can hold it.
 };
@@ -82,19 +82,18 @@ struct Effect;
 struct EffectKind {
   std::string_view name;
   Acts acts;
-  std::string_view sentence;                ///< The physics, for a person.
-  std::span<const Parameter> parameters;    ///< The scalar ones.
-  bool has_harmonics = false;               ///< Parameters are a list of harmonics besides.
-  std::span<const std::string_view> needs;  ///< Quantities a log must hold to show it.
+  std::string_view sentence;              ///< The physics, for a person.
+  std::span<const Parameter> parameters;  ///< The scalar ones.
+  bool has_harmonics = false;             ///< Parameters are a list of harmonics besides.
   double (*law)(const Effect&, const Instant&);
-  /// d law / d parameter: the scalar ones, then amplitude and phase of each harmonic. Orders are
-  /// not fitted.
-  void (*gradient)(const Effect&, const Instant&, std::span<double> derivative);
   /// d state / dt; null: no state.
   double (*state_rate)(const Effect&, const Instant&) = nullptr;
   std::string_view state;  ///< What the state is, with its unit.
   /// Effects that are special cases of it: it takes their place.
   std::span<const std::string_view> contains = {};
+  /// Effects that it turns into towards an end of its parameters: it may stand beside them, but a
+  /// log that shows no more than they do has their name.
+  std::span<const std::string_view> tends_to = {};
   /// Values from which a fit may start; null: the neutral ones.
   std::vector<std::vector<double>> (*starts)(const Ranges&) = nullptr;
 };

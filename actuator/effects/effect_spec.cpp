@@ -150,12 +150,15 @@ class EffectReader {
   }
 
   void check_together() {
-    if (effect_.kind->name != "stribeck_friction") return;
-    if (effect_.values[1] >= effect_.values[0]) return;
-    report("/parameters/breakaway_Nm",
-           fmt::format("{} is below coulomb_Nm, {}: friction falls as motion sets in, it does not "
-                       "rise",
-                       effect_.values[1], effect_.values[0]));
+    const std::span<const Parameter> all = effect_.kind->parameters;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        if (all[k].name != all[i].at_least || effect_.values[i] >= effect_.values[k]) continue;
+        report(fmt::format("/parameters/{}", all[i].name),
+               fmt::format("{} is below {}, {}: {}", effect_.values[i], all[k].name,
+                           effect_.values[k], all[i].meaning));
+      }
+    }
   }
 
   const json& entry_;

@@ -8,8 +8,6 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"coefficient_1_K", -0.1, 0.1, 0.0, "Relative change per kelvin."},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm",
-                                       "winding_temperature_K"};
 
 }  // namespace
 
@@ -19,9 +17,7 @@ const EffectKind friction_temperature = {
     .sentence = "Grease thins as it warms: all drag changes with temperature.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = temperature_factor,
-    .gradient = temperature_factor_gradient,
     .state_rate = nullptr,
     .state = "",
 };

@@ -5,17 +5,9 @@
 namespace torquewright::actuator::effects {
 namespace {
 
-constexpr std::string_view kNeeds[] = {"output_position_rad", "output_torque_Nm"};
-
 double law(const Effect& effect, const Instant& at) {
   const double sum = harmonic_sum(effect.harmonics, at.output_angle_rad);
   return effect.proportional ? sum * at.load_torque_Nm : sum;
-}
-
-void gradient(const Effect& effect, const Instant& at, std::span<double> derivative) {
-  harmonic_gradient(effect.harmonics, at.output_angle_rad, derivative);
-  if (!effect.proportional) return;
-  for (double& entry : derivative) entry *= at.load_torque_Nm;
 }
 
 }  // namespace
@@ -28,9 +20,7 @@ const EffectKind gear_ripple = {
         "or in proportion to the load.",
     .parameters = {},
     .has_harmonics = true,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
 };

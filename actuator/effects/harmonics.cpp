@@ -33,16 +33,6 @@ double harmonic_sum(std::span<const Harmonic> harmonics, double angle_rad) {
   return sum;
 }
 
-void harmonic_gradient(std::span<const Harmonic> harmonics, double angle_rad,
-                       std::span<double> derivative) {
-  for (std::size_t i = 0; i < harmonics.size(); ++i) {
-    const Harmonic& wave = harmonics[i];
-    const double argument = wave.order * angle_rad + wave.phase_rad;
-    derivative[2 * i] = std::sin(argument);
-    derivative[2 * i + 1] = wave.amplitude * std::cos(argument);
-  }
-}
-
 HarmonicRange harmonic_range(std::span<const Harmonic> harmonics) {
   const double bound = sum_of_amplitudes(harmonics);
   if (harmonics.size() <= 1) return {-bound, bound};

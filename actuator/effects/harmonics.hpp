@@ -11,10 +11,6 @@ namespace torquewright::actuator {
 /// Sum of A sin(order angle + phase).
 double harmonic_sum(std::span<const Harmonic> harmonics, double angle_rad);
 
-/// Its derivative by amplitude and phase of each harmonic: 2 n values.
-void harmonic_gradient(std::span<const Harmonic> harmonics, double angle_rad,
-                       std::span<double> derivative);
-
 /// The sum's largest and smallest value over all angles. Where the orders are not all integers the
 /// sum of amplitudes, which it comes arbitrarily close to or stays below.
 struct HarmonicRange {

@@ -11,16 +11,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Parameter kParameters[] = {
     {"voltage_V", 0.0, kInfinity, 0.0, "In the winding's convention."},
 };
-constexpr std::string_view kNeeds[] = {"winding_voltage_V", "motor_current_A"};
 
 double sign_of(double value) { return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0; }
 
 double law(const Effect& effect, const Instant& at) {
   return -effect.values[0] * sign_of(at.current_A);
-}
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = -sign_of(at.current_A);
 }
 
 }  // namespace
@@ -31,9 +26,7 @@ const EffectKind inverter_dead_time = {
     .sentence = "The bridge's dead time costs a constant voltage, against the current's sign.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
 };

@@ -14,19 +14,10 @@ constexpr Parameter kParameters[] = {
     {"backdriving_coefficient", 0.0, 1.0, 0.0,
      "Friction per torque while the load drives: efficiency 1 - k."},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm",
-                                       "motor_current_A"};
 
 /// Share of the instant's time in which motor and load turn the same way.
 double driving_share(const Instant& at) {
   return 0.5 * (1.0 + (at.load_torque_Nm < 0.0 ? -at.direction : at.direction));
-}
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = derivative[1] = 0.0;
-  if (at.direction == 0.0) return;
-  derivative[0] = -at.load_torque_Nm * driving_share(at);
-  derivative[1] = at.load_torque_Nm * (1.0 - driving_share(at));
 }
 
 double law(const Effect& effect, const Instant& at) {
@@ -45,9 +36,7 @@ const EffectKind load_dependent_friction = {
         "beyond the stated efficiencies.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
 };

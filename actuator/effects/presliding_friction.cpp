@@ -13,15 +13,8 @@ constexpr Parameter kParameters[] = {
     {"stiffness_Nm_rad", 0.0, kInfinity, kInfinity,
      "Slope before slip, at the output; infinite: it slips at once.", true},
 };
-constexpr std::string_view kNeeds[] = {"output_position_rad", "output_velocity_rad_s",
-                                       "output_torque_Nm"};
 
 double law(const Effect& /*effect*/, const Instant& at) { return -at.state; }
-
-void gradient(const Effect& /*effect*/, const Instant& /*at*/, std::span<double> derivative) {
-  // The state holds all of it; how the state depends on the parameters is found by simulation.
-  for (double& entry : derivative) entry = 0.0;
-}
 
 double state_rate(const Effect& effect, const Instant& at) {
   const double coulomb_Nm = effect.values[0];
@@ -51,9 +44,7 @@ const EffectKind presliding_friction = {
     .sentence = "Dry friction that first gives way elastically: hysteresis before slip (Dahl).",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = state_rate,
     .state = "friction torque at the output, in Nm",
     .contains = kContains,

@@ -12,14 +12,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Parameter kParameters[] = {
     {"drag_Nm_s2_rad2", 0.0, kInfinity, 0.0, "Torque per squared speed, at the output."},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
 double law(const Effect& effect, const Instant& at) {
   return -effect.values[0] * at.speed_rad_s * std::abs(at.speed_rad_s);
-}
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = -at.speed_rad_s * std::abs(at.speed_rad_s);
 }
 
 }  // namespace
@@ -30,9 +25,7 @@ const EffectKind quadratic_drag = {
     .sentence = "Windage and churning: drag that grows with the square of the speed.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
 };

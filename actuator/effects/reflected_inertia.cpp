@@ -11,14 +11,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Parameter kParameters[] = {
     {"inertia_kg_m2", 0.0, kInfinity, 0.0, "At the output."},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
 double law(const Effect& effect, const Instant& at) {
   return -effect.values[0] * at.acceleration_rad_s2;
-}
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = -at.acceleration_rad_s2;
 }
 
 }  // namespace
@@ -29,9 +24,7 @@ const EffectKind reflected_inertia = {
     .sentence = "Inertia of rotor and gears beyond what is stated.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
 };

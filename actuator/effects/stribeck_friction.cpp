@@ -16,7 +16,6 @@ constexpr Parameter kParameters[] = {
     {"stribeck_velocity_rad_s", 0.0, kInfinity, 1.0,
      "Output speed at which the excess has fallen to 1/e.", true},
 };
-constexpr std::string_view kNeeds[] = {"output_velocity_rad_s", "output_torque_Nm"};
 
 /// exp(-(w/v)^2); at v = 0 the excess exists at rest only.
 double fading_at(const Effect& effect, const Instant& at) {
@@ -29,17 +28,6 @@ double fading_at(const Effect& effect, const Instant& at) {
 double law(const Effect& effect, const Instant& at) {
   const double fading = fading_at(effect, at);
   return -(effect.values[0] + (effect.values[1] - effect.values[0]) * fading) * at.direction;
-}
-
-void gradient(const Effect& effect, const Instant& at, std::span<double> derivative) {
-  const double fading = fading_at(effect, at);
-  const double v_rad_s = effect.values[2];
-  const double w_rad_s = at.speed_rad_s;
-  derivative[0] = -(1.0 - fading) * at.direction;
-  derivative[1] = -fading * at.direction;
-  derivative[2] = v_rad_s == 0.0 ? 0.0
-                                 : -(effect.values[1] - effect.values[0]) * fading * 2.0 * w_rad_s *
-                                       w_rad_s / (v_rad_s * v_rad_s * v_rad_s) * at.direction;
 }
 
 constexpr std::string_view kContains[] = {"coulomb_friction"};
@@ -61,9 +49,7 @@ const EffectKind stribeck_friction = {
         "over.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
     .contains = kContains,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
-
 #include "actuator/effects/effect.hpp"
 
 namespace torquewright::actuator::effects {
@@ -15,12 +13,6 @@ inline double temperature_factor(double coefficient_1_K, const Instant& at) {
 /// The law of a factor whose one parameter is that coefficient.
 inline double temperature_factor(const Effect& effect, const Instant& at) {
   return temperature_factor(effect.values[0], at);
-}
-
-/// Its derivative by a.
-inline void temperature_factor_gradient(const Effect& /*effect*/, const Instant& at,
-                                        std::span<double> derivative) {
-  derivative[0] = at.winding_temperature_K - at.reference_temperature_K;
 }
 
 }  // namespace torquewright::actuator::effects

@@ -14,27 +14,11 @@ constexpr Parameter kParameters[] = {
      "Current at which it sets in, in the actuator's convention.", true},
     {"exponent", 1.0, kInfinity, 2.0, "How sharply it sets in.", true},
 };
-constexpr std::string_view kNeeds[] = {"motor_current_A", "output_torque_Nm"};
 
 double law(const Effect& effect, const Instant& at) {
   const double x = std::abs(at.current_A) / effect.values[0];
   const double p = effect.values[1];
   return std::pow(1.0 + std::pow(x, p), -1.0 / p);
-}
-
-void gradient(const Effect& effect, const Instant& at, std::span<double> derivative) {
-  const double saturation_A = effect.values[0];
-  const double p = effect.values[1];
-  const double x = std::abs(at.current_A) / saturation_A;
-  if (x == 0.0) {
-    derivative[0] = derivative[1] = 0.0;
-    return;
-  }
-  const double power = std::pow(x, p);
-  const double factor = std::pow(1.0 + power, -1.0 / p);
-  const double share = power / (1.0 + power);
-  derivative[0] = factor * share / saturation_A;
-  derivative[1] = factor * (std::log1p(power) / p - share * std::log(x)) / p;
 }
 
 std::vector<std::vector<double>> starts(const Ranges& ranges) {
@@ -50,9 +34,7 @@ const EffectKind torque_constant_saturation = {
     .sentence = "The iron saturates: each further ampere yields less torque.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
     .starts = starts,

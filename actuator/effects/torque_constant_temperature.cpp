@@ -8,8 +8,6 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"coefficient_1_K", -0.01, 0.01, 0.0, "Relative change per kelvin."},
 };
-constexpr std::string_view kNeeds[] = {"motor_current_A", "output_torque_Nm",
-                                       "winding_temperature_K"};
 
 }  // namespace
 
@@ -19,9 +17,7 @@ const EffectKind torque_constant_temperature = {
     .sentence = "Magnets weaken as they warm: torque constant and back-EMF fall together.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = temperature_factor,
-    .gradient = temperature_factor_gradient,
     .state_rate = nullptr,
     .state = "",
 };

@@ -11,14 +11,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Parameter kParameters[] = {
     {"time_constant_s", 0.0, kInfinity, 0.0, "Time in which 63 % of a step is reached."},
 };
-constexpr std::string_view kNeeds[] = {"commanded_torque_Nm", "output_torque_Nm"};
 
 double law(const Effect& /*effect*/, const Instant& at) { return at.state - at.input; }
-
-void gradient(const Effect& /*effect*/, const Instant& /*at*/, std::span<double> derivative) {
-  // The state holds all of it; how the state depends on the time constant is found by simulation.
-  derivative[0] = 0.0;
-}
 
 double state_rate(const Effect& effect, const Instant& at) {
   const double time_constant_s = effect.values[0];
@@ -39,9 +33,7 @@ const EffectKind torque_lag = {
         "of the command.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = state_rate,
     .state = "torque that is there, in Nm",
     .starts = starts,

@@ -13,18 +13,11 @@ constexpr Parameter kParameters[] = {
      "Torque per twist, at the output; infinite: rigid.", true},
     {"damping_Nm_s_rad", 0.0, kInfinity, 0.0, "Torque per rate of twist, at the output."},
 };
-constexpr std::string_view kNeeds[] = {"motor_position_rad", "output_position_rad",
-                                       "output_torque_Nm"};
 
 double law(const Effect& effect, const Instant& at) {
   // Rigid (infinite stiffness) there is no twist, and the torque is whatever the load takes.
   const double elastic_Nm = at.twist_rad == 0.0 ? 0.0 : effect.values[0] * at.twist_rad;
   return elastic_Nm + effect.values[1] * at.twist_rate_rad_s;
-}
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = at.twist_rad;
-  derivative[1] = at.twist_rate_rad_s;
 }
 
 /// By the twist under the greatest torque.
@@ -45,9 +38,7 @@ const EffectKind torsional_compliance = {
         "Shafts and teeth twist under load: a spring and a damper between motor and output.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
     .starts = starts,

@@ -11,13 +11,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Parameter kParameters[] = {
     {"resistance_ohm", 0.0, kInfinity, 0.0, "Of everything that lies before the drive."},
 };
-constexpr std::string_view kNeeds[] = {"bus_voltage_V", "motor_current_A"};
 
 double law(const Effect& effect, const Instant& at) { return -effect.values[0] * at.bus_current_A; }
-
-void gradient(const Effect& /*effect*/, const Instant& at, std::span<double> derivative) {
-  derivative[0] = -at.bus_current_A;
-}
 
 }  // namespace
 
@@ -27,9 +22,7 @@ const EffectKind voltage_sag = {
     .sentence = "Battery and cables: the bus voltage falls as the drive draws current.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = law,
-    .gradient = gradient,
     .state_rate = nullptr,
     .state = "",
 };

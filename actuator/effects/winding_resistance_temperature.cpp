@@ -8,8 +8,6 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"coefficient_1_K", -0.01, 0.02, 0.0, "Relative change per kelvin."},
 };
-constexpr std::string_view kNeeds[] = {"winding_voltage_V", "motor_current_A",
-                                       "winding_temperature_K"};
 
 }  // namespace
 
@@ -21,9 +19,7 @@ const EffectKind winding_resistance_temperature = {
         "1/K.",
     .parameters = kParameters,
     .has_harmonics = false,
-    .needs = kNeeds,
     .law = temperature_factor,
-    .gradient = temperature_factor_gradient,
     .state_rate = nullptr,
     .state = "",
 };

@@ -145,6 +145,10 @@ std::vector<std::string> left_out(const Actuator& actuator) {
       sentences.push_back(fmt::format(
           "{}: depends on the motion's history, which no region of torque over speed can hold",
           effect.kind->name));
+    } else if (effect.kind->acts == Acts::kOutputTorque && !effect.kind->has_harmonics) {
+      sentences.push_back(fmt::format(
+          "{}: depends on the output's angle, which no region of torque over speed can hold",
+          effect.kind->name));
     }
   }
   if (!actuator.battery) sentences.emplace_back("battery: none stated; the bus voltage is stiff");

@@ -38,6 +38,7 @@ struct EffectCandidate {
   std::vector<FitParameter> parameters;
   std::vector<std::vector<double>> starts;  ///< Coordinates.
   std::vector<std::string> contains;        ///< Effects that are special cases of it.
+  std::vector<std::string> tends_to;        ///< Simpler ones that it is like in some logs.
   double order = 0.0;                       ///< Of a wave.
   std::function<void(std::span<const double>, Hypothesis&)> apply;
   /// The contract's parameters at coordinates.

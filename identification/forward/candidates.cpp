@@ -24,6 +24,7 @@ constexpr double kScaleReachDown = 30.0;
 constexpr double kLongestDelay_s = 0.2;
 constexpr double kLongestTime_s = 0.1;    ///< Of a lag.
 constexpr double kMostCoefficient = 5.0;  ///< Of what has no unit.
+constexpr double kLeastGain = 0.2;  ///< Of a current's sensor; the inverse of the greatest.
 
 bool ends_with(std::string_view text, std::string_view end) { return text.ends_with(end); }
 
@@ -129,7 +130,7 @@ double FitParameter::value(double coordinate) const {
 
 std::vector<std::string> nameable_effects() {
   std::vector<std::string> names = {"gravity_imbalance", "torque_offset", "channel_delay",
-                                    "velocity_mismatch"};
+                                    "current_gain_error", "encoder_harmonics", "velocity_mismatch"};
   for (const EffectKind* each : actuator::effect_library()) names.emplace_back(each->name);
   return names;
 }
@@ -187,6 +188,7 @@ EffectCandidate actuator_candidate(const EffectKind& kind, const actuator::Actua
   EffectCandidate candidate;
   candidate.effect = candidate.key = kind.name;
   candidate.contains.assign(kind.contains.begin(), kind.contains.end());
+  candidate.tends_to.assign(kind.tends_to.begin(), kind.tends_to.end());
   std::vector<std::vector<double>> starts = starts_of(kind, ranges);
   const std::vector<double> known = stated_values(kind, stated);
   if (!known.empty()) starts.insert(starts.begin(), known);
@@ -312,6 +314,50 @@ EffectCandidate offset_candidate(const actuator::Ranges& ranges) {
     hypothesis.log.torque_offset_Nm = u[0];
   };
   candidate.report = [](std::span<const double> u) { return Json{{"value", u[0]}}; };
+  return candidate;
+}
+
+EffectCandidate current_gain_candidate() {
+  EffectCandidate candidate;
+  candidate.effect = candidate.key = "current_gain_error";
+  candidate.family = EffectFamily::kLog;
+  candidate.parameters = {{"gain_positive", kLeastGain, 1.0 / kLeastGain, 1.0, false},
+                          {"gain_negative", kLeastGain, 1.0 / kLeastGain, 1.0, false}};
+  candidate.starts = {{1.0, 1.0}};
+  candidate.tends_to = {"torque_constant_error", "torque_offset"};
+  candidate.apply = [](std::span<const double> u, Hypothesis& hypothesis) {
+    hypothesis.log.positive_current_gain = u[0];
+    hypothesis.log.negative_current_gain = u[1];
+  };
+  candidate.report = [](std::span<const double> u) {
+    return Json{{"channel", name_of(Quantity::kMotorCurrent)},
+                {"gain_positive", u[0]},
+                {"gain_negative", u[1]}};
+  };
+  return candidate;
+}
+
+EffectCandidate encoder_candidate(std::size_t order, double scale_rad) {
+  EffectCandidate candidate;
+  candidate.effect = "encoder_harmonics";
+  candidate.family = EffectFamily::kLog;
+  candidate.key = fmt::format("{}:{}", candidate.effect, order);
+  candidate.order = static_cast<double>(order);
+  for (const char* part : {"sine_rad", "cosine_rad"}) {
+    candidate.parameters.push_back({part, -scale_rad, scale_rad, scale_rad, false});
+  }
+  candidate.starts = {{0.0, 0.0}};
+  candidate.apply = [order](std::span<const double> u, Hypothesis& hypothesis) {
+    hypothesis.log.encoder_sine_rad[order - 1] = u[0];
+    hypothesis.log.encoder_cosine_rad[order - 1] = u[1];
+  };
+  candidate.report = [order](std::span<const double> u) {
+    Json json{{"channel", name_of(Quantity::kOutputPosition)}};
+    json["harmonics"] = Json::array({{{"order", order},
+                                      {"amplitude_rad", std::hypot(u[0], u[1])},
+                                      {"phase_rad", std::atan2(u[1], u[0])}}});
+    return json;
+  };
   return candidate;
 }
 

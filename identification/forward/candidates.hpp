@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "identification/bench.hpp"
@@ -41,5 +42,12 @@ EffectCandidate delay_candidate(Quantity channel);
 /// A constant on the torque's sensor; exactly that of the current, and of friction's two
 /// directions.
 EffectCandidate offset_candidate(const actuator::Ranges& ranges);
+
+/// A sensor of the current that has another gain for positive currents than for negative ones.
+/// Where both are the same it is the torque constant that is wrong.
+EffectCandidate current_gain_candidate();
+
+/// A wave of the output's encoder: it is off by a sine of its own angle, once or twice a turn.
+EffectCandidate encoder_candidate(std::size_t order, double scale_rad);
 
 }  // namespace torquewright::identification

@@ -13,6 +13,10 @@ struct LogErrors {
   std::array<double, kQuantityCount> delay_s{};  ///< By which a channel is late.
   double torque_offset_Nm = 0.0;                 ///< measured = true + offset; N on a linear axis.
   double current_offset_A = 0.0;
+  double positive_current_gain = 1.0;  ///< Measured over true, of positive currents.
+  double negative_current_gain = 1.0;
+  std::array<double, 2> encoder_sine_rad{};  ///< Of the output's encoder: once a turn, and twice.
+  std::array<double, 2> encoder_cosine_rad{};
   double velocity_scale = 1.0;  ///< Of the logged velocity.
   double velocity_delay_s = 0.0;
   double encoder_zero_rad = 0.0;  ///< Motor angle over ratio less output angle, unloaded.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "actuator/effects/acting.hpp"
 #include "actuator/effects/library.hpp"
@@ -21,6 +22,8 @@ using actuator::Instant;
 using Json = nlohmann::ordered_json;
 
 constexpr double kMostMismatch = 10.0;  ///< Of a velocity's scale, to either side of one.
+constexpr double kWholeTurn_rad = 2.0 * std::numbers::pi;
+constexpr double kMostEncoderError_rad = 0.3;
 constexpr const char* kResistance = "/motor/resistance_ohm";
 
 bool has(const std::vector<Signals>& signals, std::vector<double> Signals::*channel) {
@@ -77,6 +80,16 @@ double twist_rad(const actuator::Actuator& actuator, const Instant& at) {
   return twist;
 }
 
+double encoder_error_rad(const LogErrors& log, double angle_rad) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < log.encoder_sine_rad.size(); ++k) {
+    const double turned = static_cast<double>(k + 1) * angle_rad;
+    sum +=
+        log.encoder_sine_rad[k] * std::sin(turned) + log.encoder_cosine_rad[k] * std::cos(turned);
+  }
+  return sum;
+}
+
 ForwardEquation twist_forward(const Bench& bench, const actuator::Ranges& ranges) {
   ForwardEquation equation = equation_of(bench, "motor_position_rad", "rad");
   add_zero(equation, &LogErrors::encoder_zero_rad, "zero of the encoders", ranges.angle_rad);
@@ -85,6 +98,10 @@ ForwardEquation twist_forward(const Bench& bench, const actuator::Ranges& ranges
   const Quantity output = bench.is_linear ? Quantity::kLinearPosition : Quantity::kOutputPosition;
   equation.candidates.push_back(delay_candidate(Quantity::kMotorPosition));
   equation.candidates.push_back(delay_candidate(output));
+  // Over less than a turn a wave is too much like what a load that hangs does to a spring.
+  for (std::size_t order = 1; order <= 2 && ranges.angle_rad >= kWholeTurn_rad; ++order) {
+    equation.candidates.push_back(encoder_candidate(order, kMostEncoderError_rad));
+  }
   equation.residual = [output](const Hypothesis& supposed, const Signals& signals) {
     const auto delay_s = [&](Quantity q) {
       return supposed.log.delay_s[static_cast<std::size_t>(q)];
@@ -94,7 +111,8 @@ ForwardEquation twist_forward(const Bench& bench, const actuator::Ranges& ranges
     std::vector<double> left(signals.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
       left[i] = signals.twist_rad[i] - supposed.log.encoder_zero_rad -
-                twist_rad(supposed.actuator, signals.at[i]) + late_s * signals.at[i].speed_rad_s;
+                twist_rad(supposed.actuator, signals.at[i]) + late_s * signals.at[i].speed_rad_s +
+                encoder_error_rad(supposed.log, signals.at[i].output_angle_rad);
     }
     return left;
   };

@@ -165,6 +165,7 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
     std::for_each(candidates.begin(), candidates.end(), widen);
   }
   add_delays(bench, candidates);
+  if (bench.drive == Drive::kCurrent) candidates.push_back(current_gain_candidate());
   return candidates;
 }
 

@@ -224,13 +224,19 @@ double winding_current_A(const Bench& bench, const Actuator& actuator, double vo
 
 namespace {
 
+/// From what the sensor says.
+double true_current_A(const LogErrors& log, double measured_A) {
+  const double current_A = measured_A - log.current_offset_A;
+  return current_A / (current_A < 0.0 ? log.negative_current_gain : log.positive_current_gain);
+}
+
 /// The motor's torque at the output from the drive's channel; sets the instant's current.
 double motor_Nm_at(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
                    double drive, Instant& at) {
   at.current_A =
       bench.drive == Drive::kVoltage
           ? winding_current_A(bench, hypothesis.actuator, drive, !signals.bus_V.empty(), at)
-          : drive - hypothesis.log.current_offset_A;
+          : true_current_A(hypothesis.log, drive);
   return actuator::motor_torque_Nm(hypothesis.actuator, at);
 }
 

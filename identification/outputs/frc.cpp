@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
+#include "actuator/effects/library.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
@@ -18,11 +19,16 @@ namespace {
 
 constexpr int kSpeeds = 20;
 
-/// What the line through the friction cannot show is said.
-constexpr std::array<std::string_view, 10> kHeld = {
-    "coulomb_friction",   "viscous_friction",    "asymmetric_friction",   "stribeck_friction",
-    "quadratic_drag",     "reflected_inertia",   "torque_constant_error", "load_dependent_friction",
-    "inverter_dead_time", "friction_temperature"};
+/// Every drag by speed is in the line through the friction; what it cannot show is said.
+std::vector<std::string_view> held() {
+  std::vector<std::string_view> names = {"reflected_inertia", "torque_constant_error",
+                                         "load_dependent_friction", "inverter_dead_time",
+                                         "friction_temperature"};
+  for (const actuator::EffectKind* each : actuator::effect_library()) {
+    if (each->acts == actuator::Acts::kDrag && !each->has_harmonics) names.push_back(each->name);
+  }
+  return names;
+}
 
 /// Friction as a line over speed: c + b w, the mean of both directions, up to the no-load speed.
 struct FrictionLine {
@@ -112,7 +118,7 @@ std::string write_frc(const OutputSubject& subject) {
   if (through_mesh != 1.0) {
     text += "losses in proportion to the load are those of driving; braking takes less\n";
   }
-  const std::string left = others(actuator, kHeld);
+  const std::string left = others(actuator, held());
   if (!left.empty()) text += "without a counterpart: " + left + "\n";
   return text;
 }

@@ -22,6 +22,12 @@ bool holds_as_part(const EffectCandidate& whole, const EffectCandidate& part) {
          whole.contains.end();
 }
 
+/// Whether the whole has to explain more than the part.
+bool is_more_than(const EffectCandidate& whole, const EffectCandidate& part) {
+  return holds_as_part(whole, part) || std::find(whole.tends_to.begin(), whole.tends_to.end(),
+                                                 part.effect) != whole.tends_to.end();
+}
+
 /// Whether both may be in a model.
 bool go_together(const EffectCandidate& a, const EffectCandidate& b) {
   if (holds_as_part(a, b) || holds_as_part(b, a)) return false;
@@ -209,7 +215,7 @@ const ModelFit* Search::by_parts(const ModelFit& model) {
   for (std::size_t m = 0; m < model.members.size(); ++m) {
     EffectSet parts, offset;
     for (const EffectCandidate* each : candidates_) {
-      if (holds_as_part(*model.members[m], *each)) parts.push_back(each);
+      if (is_more_than(*model.members[m], *each)) parts.push_back(each);
       if (each->effect == "torque_offset" && !model.holds("torque_offset")) offset.push_back(each);
     }
     if (parts.empty()) continue;
@@ -269,7 +275,7 @@ const ModelFit* Search::swapped(const ModelFit& model) {
     ask_for_waves(less);
     EffectSet others;
     for (const EffectCandidate* each : askable(less)) {
-      if (each != &own && !holds_as_part(*each, own)) others.push_back(each);
+      if (each != &own && !is_more_than(*each, own)) others.push_back(each);
     }
     const Screening screening =
         screen(fitter_, less, others, kMovesNothing * floor_rms(less), false);
@@ -290,7 +296,7 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
   const auto is_more_of_the_same = [&](const ModelFit& rival) {
     return std::any_of(best.members.begin(), best.members.end(), [&](const EffectCandidate* own) {
       return std::any_of(rival.members.begin(), rival.members.end(),
-                         [&](const EffectCandidate* other) { return holds_as_part(*other, *own); });
+                         [&](const EffectCandidate* other) { return is_more_than(*other, *own); });
     });
   };
   for (const auto& [key, fit] : fits_) {

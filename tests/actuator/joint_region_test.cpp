@@ -138,6 +138,36 @@ TEST(TorqueAt, TheRippleIsAShareOfTheLoadWithItsSign) {
   EXPECT_NEAR(output_torque_Nm(actuator, at), 20.0 * (1.0 + 0.05 * std::sin(1.4)), 1e-14);
 }
 
+// Oracle: the law by hand. Without losses of the mesh a bound moves by the drag at its speed, most
+// at the critical one; at rest, and far beyond, by next to nothing.
+TEST(JointRange, LosesMostToEddyCurrentsAtTheCriticalSpeed) {
+  Actuator actuator = round_actuator();
+  const Region free(actuator, {});
+  actuator.effects.push_back(effect("eddy_current_drag", {8.0, 2.0}));
+  const Region braked(actuator, {});
+  const auto lost_Nm = [&](double w) {
+    return free.at(w).greatest.torque_Nm - braked.at(w).greatest.torque_Nm;
+  };
+  EXPECT_NEAR(lost_Nm(0.0), 0.0, 1e-12);
+  for (const double w : {0.5, 2.0, 4.0, 9.0}) {
+    EXPECT_NEAR(lost_Nm(w), 8.0 * 2.0 * (w / 2.0) / (1.0 + w * w / 4.0), 1e-10) << w;
+    EXPECT_NEAR(lost_Nm(-w), -lost_Nm(w), 1e-10) << w;
+  }
+  EXPECT_FALSE(left_out(actuator).front().starts_with("eddy_current_drag"));
+}
+
+// A spring's torque has no bound over all angles: the region does without it, and says so.
+TEST(LeftOut, ListsASpringByTheAngleAndLeavesTheRegionAlone) {
+  Actuator actuator = round_actuator();
+  const Region free(actuator, {});
+  actuator.effects.push_back(effect("parallel_spring", {30.0, 0.4}));
+  const Region sprung(actuator, {});
+  EXPECT_EQ(sprung.at(3.0).greatest.torque_Nm, free.at(3.0).greatest.torque_Nm);
+  EXPECT_EQ(left_out(actuator).front(),
+            "parallel_spring: depends on the output's angle, which no region of torque over speed "
+            "can hold");
+}
+
 TEST(LeftOut, ListsWhatARegionCannotHold) {
   Actuator actuator = round_actuator();
   actuator.effects.push_back(effect("torque_lag", {0.01}));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
@@ -114,9 +115,9 @@ TEST(ForwardBalance, LagsAsAFirstOrderLagDoes) {
   }
 }
 
-/// What a search finds in a made log: effects, with their first parameter.
-std::map<std::string, double> found_in(const std::function<double(const Made&)>& added) {
-  const MadeBench rig;
+/// What a search finds in a made log: effects, with their parameters as reported.
+std::map<std::string, nlohmann::ordered_json> found_in(
+    const std::function<double(const Made&)>& added, const MadeBench& rig = {}) {
   const Log log = rig.log(added);
   const Bench bench = rig.bench(log);
   const NoiseLevels levels = noise_levels(log, 0);
@@ -126,24 +127,84 @@ std::map<std::string, double> found_in(const std::function<double(const Made&)>&
   const Rows rows(held.rows, folds, {});
   const ModelFitter fitter(equation, rows, held.replica);
   const Found found = Search(fitter, {}).run();
-  std::map<std::string, double> named;
+  std::map<std::string, nlohmann::ordered_json> named;
   for (std::size_t m = 0; m < found.best.members.size(); ++m) {
-    named[found.best.members[m]->effect] = found.best.coordinates[found.best.first_of(m)];
+    const EffectCandidate& member = *found.best.members[m];
+    const double* first = found.best.coordinates.data() + found.best.first_of(m);
+    named[member.effect] = member.report({first, member.parameters.size()});
   }
   return named;
 }
 
 // Oracle: the two coefficients that were put in, by the sign of the motion and by its speed.
 TEST(ForwardSearch, FindsCoulombAndViscousFrictionAndNothingElse) {
-  const std::map<std::string, double> found = found_in(
+  auto found = found_in(
       [](const Made& at) { return -0.4 * made::sign(at.speed_rad_s) - 0.08 * at.speed_rad_s; });
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_NEAR(found.at("coulomb_friction"), 0.4, 0.004);
-  EXPECT_NEAR(found.at("viscous_friction"), 0.08, 0.0008);
+  EXPECT_NEAR(found["coulomb_friction"]["coulomb_Nm"], 0.4, 0.004);
+  EXPECT_NEAR(found["viscous_friction"]["viscous_Nm_s_rad"], 0.08, 0.0008);
+}
+
+/// Drag of eddy currents with its peak at `critical_rad_s`; the made motion reaches 6 rad/s.
+std::function<double(const Made&)> eddy_currents(double peak_Nm, double critical_rad_s) {
+  return [=](const Made& at) {
+    const double x = at.speed_rad_s / critical_rad_s;
+    return -2.0 * peak_Nm * x / (1.0 + x * x);
+  };
+}
+
+TEST(ForwardSearch, FindsEddyCurrentDragThatPassesItsPeak) {
+  auto found = found_in(eddy_currents(0.6, 2.0));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found["eddy_current_drag"]["peak_Nm"], 0.6, 0.006);
+  EXPECT_NEAR(found["eddy_current_drag"]["critical_rad_s"], 2.0, 0.02);
+}
+
+// At a fiftieth of the critical speed it is viscous friction but for 0.04 %.
+TEST(ForwardSearch, CallsSlowEddyCurrentDragViscous) {
+  auto found = found_in(eddy_currents(15.0, 300.0));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found["viscous_friction"]["viscous_Nm_s_rad"], 0.1, 0.001);
+}
+
+// What the document states of viscous friction stays beside it.
+TEST(ForwardSearch, FindsEddyCurrentDragBesideStatedViscousFriction) {
+  MadeBench rig;
+  rig.actuator.effects = {effect("viscous_friction", {0.1})};
+  auto found = found_in(
+      [drag = eddy_currents(0.6, 2.0)](const Made& at) { return drag(at) - 0.1 * at.speed_rad_s; },
+      rig);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found["eddy_current_drag"]["peak_Nm"], 0.6, 0.006);
+}
+
+TEST(ForwardSearch, FindsAParallelSpring) {
+  auto found = found_in([](const Made& at) { return -0.2 * (at.angle_rad - 0.5); });
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found["parallel_spring"]["stiffness_Nm_rad"], 0.2, 0.002);
+  EXPECT_NEAR(found["parallel_spring"]["neutral_angle_rad"], 0.5, 0.02);
 }
 
 TEST(ForwardSearch, NamesNothingWhereNothingIsMissing) {
   EXPECT_TRUE(found_in([](const Made&) { return 0.0; }).empty());
+}
+
+// A sensor that shows 3 % too much of positive currents, 3 % too little of negative ones.
+TEST(ForwardSearch, FindsACurrentsGainThatDiffersBySign) {
+  auto found = found_in([](const Made& at) {
+    // The log shows the sensor's current; the torque is that of the true one.
+    return at.torque_Nm / (1.0 + 0.03 * made::sign(at.current_A)) - at.torque_Nm;
+  });
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found["current_gain_error"]["gain_positive"], 1.03, 0.001);
+  EXPECT_NEAR(found["current_gain_error"]["gain_negative"], 0.97, 0.001);
+}
+
+// What both signs have in common is the torque constant.
+TEST(ForwardSearch, CallsAGainOfBothSignsTheTorqueConstant) {
+  auto found = found_in([](const Made& at) { return 0.05 * at.torque_Nm; });
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found["torque_constant_error"]["factor"], 1.05, 0.001);
 }
 
 // Oracle: the normal distribution's table, and Student's of 30 degrees of freedom (3.646 at 5e-4).

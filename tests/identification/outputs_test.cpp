@@ -63,6 +63,17 @@ TEST(OutputAsFrc, SaysWhereItsLineIsOff) {
   EXPECT_NE(text.find("friction is a curve: this line is off by"), std::string::npos) << text;
 }
 
+// What the line holds, though roughly, is not said to be missing; what stands at one angle is.
+TEST(OutputAsFrc, HoldsEveryDragBySpeed) {
+  const std::string text = written("frc", R"({"effects": [
+      {"effect": "eddy_current_drag", "parameters": {"peak_Nm": 0.3, "critical_rad_s": 9}},
+      {"effect": "position_dependent_friction", "parameters": {"harmonics":
+          [{"order": 1, "amplitude_Nm": 0.1, "phase_rad": 0}]}}]})");
+  EXPECT_NE(text.find("friction is a curve: this line is off by"), std::string::npos) << text;
+  EXPECT_NE(text.find("without a counterpart: position_dependent_friction\n"), std::string::npos)
+      << text;
+}
+
 // Oracle: 2 kg on a linear axis, no gravity.
 TEST(OutputAsFrc, IsInMetresOnALinearAxis) {
   const std::string text = written("frc", "{}", LoadType::kLinearAxis);

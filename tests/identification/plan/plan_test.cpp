@@ -159,6 +159,31 @@ TEST(Plan, SaysThatAnExactIdentityIsNotSeparable) {
   EXPECT_NE(plan.unseen[0].remedy.find("tare"), std::string::npos);
 }
 
+Log played(const Plan& plan, const Rig& rig, const actuator::Actuator& actuator) {
+  std::vector<simulation::SimulatedRun> simulated;
+  for (const ExcitationRun& run : plan.runs) {
+    simulated.push_back(
+        simulation::simulate(*plant_of(rig.load), {&actuator}, run.excitation, {run.start}));
+  }
+  return noiseless_log(rig, actuator, plan.runs, simulated);
+}
+
+// A parameter that moves nothing while there is nothing of its effect has no column: it would be
+// one of zeros, and nothing beside it could be told.
+TEST(PlannedColumns, LeaveOutWhatMovesNothing) {
+  const Rig rig = bench_rig();
+  const actuator::Actuator actuator = bench_actuator();
+  const Log log = played(stribeck_plan(), rig, actuator);
+  const Bench bench = make_bench(rig, log, 0, {&actuator});
+  const actuator::Ranges ranges = ranges_of(bench, prepare(log, bench, {}, {}));
+  const std::vector<PlannedColumn> eddy = planned_columns(bench, ranges, "eddy_current_drag");
+  ASSERT_EQ(eddy.size(), 1u);
+  EXPECT_EQ(eddy[0].parameter, "peak_Nm");
+  EXPECT_TRUE(eddy[0].at.starts_with("at critical_rad_s ")) << eddy[0].at;
+  EXPECT_EQ(planned_columns(bench, ranges, "load_dependent_friction").size(), 2u);
+  EXPECT_EQ(planned_columns(bench, ranges, "gear_ripple").size(), 2u);
+}
+
 TEST(Plan, RefusesAnUnknownNameWithTheNearest) {
   try {
     plan_excitation(bench_rig(), bench_actuator(), asked({"viscous_fricton"}));
@@ -191,15 +216,6 @@ Eigen::VectorXd fitted(const Log& clean, const Plan& plan, const Bench& bench,
       [&](const Signals& stretch) { return torque_balance_Nm(bench, stated, stretch); });
   const Eigen::MatrixXd columns_at = planned_rows(bench, rows, columns);
   return columns_at.colPivHouseholderQr().solve(residual);
-}
-
-Log played(const Plan& plan, const Rig& rig, const actuator::Actuator& actuator) {
-  std::vector<simulation::SimulatedRun> simulated;
-  for (const ExcitationRun& run : plan.runs) {
-    simulated.push_back(
-        simulation::simulate(*plant_of(rig.load), {&actuator}, run.excitation, {run.start}));
-  }
-  return noiseless_log(rig, actuator, plan.runs, simulated);
 }
 
 // Oracle: the laws of docs/effects.md by hand. Behind a gear without losses a sensor misses as much
@@ -241,6 +257,11 @@ TEST(PlannedColumns, AreTheLawsBehindAGearWithoutLosses) {
     const double x = at.current_A / ranges.current_A;
     return -per_ampere_Nm * at.current_A * (1.0 - 1.0 / std::sqrt(1.0 + x * x));
   });
+  expect("eddy_current_drag", 0, [&](const At& at) {
+    const double x = at.speed_rad_s / (0.4 * ranges.speed_rad_s);
+    return -2.0 * x / (1.0 + x * x);
+  });
+  expect("parallel_spring", 0, [](const At& at) { return -at.output_angle_rad; });
   expect("torque_offset", 0, [](const At&) { return 1.0; });
 }
 

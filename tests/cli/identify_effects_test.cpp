@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Effects that no other generator of logs draws, from a document through `identify simulate` and
+// back by `identify --forward`. Oracle: what was put in.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/cli/spoilt_log.hpp"
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test::effects {
+namespace {
+
+using nlohmann::json;
+
+/// Standard errors of a fit to one fixed log.
+constexpr double kErrors = 4.0;
+
+double sum_of_sines(const std::array<std::array<double, 3>, 3>& terms, double t, double shift) {
+  double sum = 0.0;
+  for (const auto& [amplitude, frequency_Hz, phase] : terms) {
+    sum += amplitude * std::sin(2.0 * std::numbers::pi * frequency_Hz * t + phase * shift);
+  }
+  return sum;
+}
+
+/// A dynamometer in all four quadrants, at up to 6.3 rad/s times the scale.
+std::string excitation(double speed_scale) {
+  std::string text = "time_s,motor_current_A,output_velocity_rad_s,run\n";
+  for (int run = 1; run <= 4; ++run) {
+    for (int k = 0; k < 2400; ++k) {
+      const double t = 0.005 * k;
+      text += fmt::format(
+          "{:.6g},{:.6g},{:.6g},run_{}\n", t,
+          sum_of_sines({{{8.0, 0.23, 1.1}, {6.0, 0.57, 0.3}, {4.0, 1.9, 2.2}}}, t, run),
+          speed_scale *
+              sum_of_sines({{{4.0, 0.15, 0.4}, {1.5, 0.71, 1.7}, {0.8, 1.3, 2.9}}}, t, run),
+          run);
+    }
+  }
+  return text;
+}
+
+const json kRig = {{"kind", "rig"},
+                   {"version", 1},
+                   {"name", "two encoders"},
+                   {"columns",
+                    {{"run", "run"},
+                     {"t_s", "time_s"},
+                     {"q_rad", "output_position_rad"},
+                     {"motor_rad", "motor_position_rad"},
+                     {"i_A", "motor_current_A"},
+                     {"tau_Nm", "output_torque_Nm"}}},
+                   {"load", {{"type", "dynamometer"}}},
+                   {"holdout_runs", {"run_4"}}};
+
+json with_effect(const std::string& name, const json& parameters) {
+  return {{"effect", name}, {"parameters", parameters}, {"provenance", "assumed"}};
+}
+
+/// What is said of a log of an actuator with these effects, beside what is stated; `spoil`: what
+/// the sensors do to the log.
+json report_on(
+    const json& effects, double speed_scale = 1.0,
+    const std::function<void(SpoiltLog&)>& spoil = [](SpoiltLog&) {}) {
+  const Workplace place;
+  const std::string stated = in_repository("specs/log/bench_actuator.json");
+  json truth = json::parse(text_of(stated));
+  truth["effects"] = effects;
+  place.write("truth.json", truth.dump());
+  place.write("rig.json", kRig.dump());
+  place.write("excitation.csv", excitation(speed_scale));
+  const Outcome played = place.run(
+      {"identify", "simulate", "truth.json", "--rig", "rig.json", "--excitation", "excitation.csv",
+       "--noise", "output_torque_Nm=0.1", "--noise", "output_position_rad=0.0002", "--noise",
+       "motor_position_rad=0.001", "--noise", "motor_current_A=0.05"});
+  EXPECT_EQ(played.exit_code, 0) << played.err;
+  SpoiltLog log(played.out);
+  spoil(log);
+  place.write("log.csv", log.text());
+  const Outcome found = place.run(
+      {"identify", "log.csv", "--rig", "rig.json", "--actuator", stated, "--forward", "--json"});
+  return json::parse(found.out);
+}
+
+json added(
+    const json& effects, double speed_scale = 1.0,
+    const std::function<void(SpoiltLog&)>& spoil = [](SpoiltLog&) {}) {
+  return report_on(effects, speed_scale, spoil)["effects_added"];
+}
+
+void expect_alone(const json& added, const std::string& name, const json& parameters) {
+  ASSERT_EQ(added.size(), 1u) << added;
+  EXPECT_EQ(added[0]["effect"], name);
+  for (const auto& [key, value] : parameters.items()) {
+    const double error = added[0]["standard_error"][key];
+    EXPECT_NEAR(added[0]["parameters"][key].get<double>(), value.get<double>(), kErrors * error)
+        << key;
+    EXPECT_LT(error, 0.05 * std::abs(value.get<double>())) << key;
+  }
+}
+
+TEST(IdentifyEffects, NamesEddyCurrentDragThatPassesItsPeak) {
+  const json truth = {{"peak_Nm", 1.5}, {"critical_rad_s", 3.0}};
+  expect_alone(added(json::array({with_effect("eddy_current_drag", truth)})), "eddy_current_drag",
+               truth);
+}
+
+// At a sixtieth of the critical speed: 2 T_max / w_c, but for 0.03 %.
+TEST(IdentifyEffects, CallsSlowEddyCurrentDragViscous) {
+  const json truth = {{"peak_Nm", 3.0}, {"critical_rad_s", 40.0}};
+  expect_alone(added(json::array({with_effect("eddy_current_drag", truth)}), 0.1),
+               "viscous_friction", {{"viscous_Nm_s_rad", 0.15}});
+}
+
+TEST(IdentifyEffects, NamesAParallelSpring) {
+  const json truth = {{"stiffness_Nm_rad", 0.8}, {"neutral_angle_rad", 0.4}};
+  expect_alone(added(json::array({with_effect("parallel_spring", truth)})), "parallel_spring",
+               truth);
+}
+
+// A spring that is relaxed far away would be a constant too: it has to explain more.
+TEST(IdentifyEffects, CallsAConstantAnOffsetAndNoSpring) {
+  const json report = report_on(json::array(), 1.0, [](SpoiltLog& log) {
+    log.each("tau_Nm", [](double torque_Nm) { return torque_Nm + 0.3; });
+  });
+  expect_alone(report["effects_added"], "torque_offset", {{"value", 0.3}});
+  for (const json& group : report["confounded"]) EXPECT_EQ(group["exact"], true) << group;
+}
+
+/// A current sensor with these gains for positive and negative currents.
+std::function<void(SpoiltLog&)> current_gains(double positive, double negative) {
+  return [=](SpoiltLog& log) {
+    log.each("i_A",
+             [=](double current_A) { return current_A * (current_A > 0.0 ? positive : negative); });
+  };
+}
+
+TEST(IdentifyEffects, NamesACurrentsGainThatIsWrongForOneSign) {
+  expect_alone(added(json::array(), 1.0, current_gains(1.0, 0.9)), "current_gain_error",
+               {{"gain_positive", 1.0}, {"gain_negative", 0.9}});
+}
+
+TEST(IdentifyEffects, CallsAGainOfBothSignsTheTorqueConstant) {
+  expect_alone(added(json::array(), 1.0, current_gains(1.05, 1.05)), "torque_constant_error",
+               {{"factor", 1.0 / 1.05}});
+}
+
+TEST(IdentifyEffects, NamesAnEncoderThatIsOffCentre) {
+  const json effects = added(json::array(), 1.0, [](SpoiltLog& log) {
+    log.each("q_rad", [](double q) {
+      return q + 0.004 * std::sin(q + 0.7) + 0.002 * std::sin(2.0 * q - 1.0);
+    });
+  });
+  ASSERT_EQ(effects.size(), 1u) << effects;
+  EXPECT_EQ(effects[0]["effect"], "encoder_harmonics");
+  const json& waves = effects[0]["parameters"]["harmonics"];
+  ASSERT_EQ(waves.size(), 2u);
+  const double amplitudes_rad[] = {0.004, 0.002}, phases_rad[] = {0.7, -1.0};
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(waves[k]["order"], k + 1);
+    // The law asks by the measured angle, which is off by 0.006 rad at most.
+    EXPECT_NEAR(waves[k]["amplitude_rad"].get<double>(), amplitudes_rad[k], 0.012 * 0.006);
+    EXPECT_NEAR(waves[k]["phase_rad"].get<double>(), phases_rad[k], 0.012);
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test::effects
