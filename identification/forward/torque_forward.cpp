@@ -83,7 +83,7 @@ void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
 }
 
 /// Where the torque constant is open, so is what torques are compared with.
-void widen(EffectCandidate& candidate) {
+void widen_torques(EffectCandidate& candidate) {
   for (FitParameter& each : candidate.parameters) {
     const bool is_torque = candidate.order > 0.0 || each.name.find("_Nm") != std::string::npos;
     if (!is_torque || each.is_scale || each.size == 1.0) continue;
@@ -118,7 +118,7 @@ std::vector<EffectCandidate> waves_of(const Bench& bench, const WaveOrders& orde
     waves.push_back(wave_candidate(kind("position_dependent_friction"), order, false, torque_Nm));
   }
   if (is_uncertain(bench, "/motor/torque_constant_Nm_A")) {
-    std::for_each(waves.begin(), waves.end(), widen);
+    std::for_each(waves.begin(), waves.end(), widen_torques);
   }
   return waves;
 }
@@ -162,7 +162,7 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
   }
   candidates.push_back(offset_candidate(ranges));
   if (is_uncertain(bench, "/motor/torque_constant_Nm_A")) {
-    std::for_each(candidates.begin(), candidates.end(), widen);
+    std::for_each(candidates.begin(), candidates.end(), widen_torques);
   }
   add_delays(bench, candidates);
   if (bench.drive == Drive::kCurrent) candidates.push_back(current_gain_candidate());

@@ -131,8 +131,12 @@ bool Search::earns(const ModelFit& less, const ModelFit& more) const {
   const double least = std::max({rules_.least_floors * floor_rms(more), rules_.least_change,
                                  rules_.least_of_largest * largest});
   const double left = std::max(0.0, less.unseen_loss) + less.noise_loss;
-  return gain.gain > rules_.least_share * left && gain.held_out_gain >= 0.0 &&
-         gain.change_rms > least &&
+  const double floors2 = rules_.unexplained_floors * rules_.unexplained_floors;
+  const bool is_model_error = more.unseen_loss + more.noise_loss > floors2 * more.noise_loss;
+  const double share = is_model_error ? rules_.steady_share : rules_.least_share;
+  const double parts = is_model_error ? rules_.steady_parts * static_cast<double>(gain.parts) : 0.0;
+  return gain.gain > share * left && gain.held_out_gain >= 0.0 &&
+         static_cast<double>(gain.parts_better) >= parts && gain.change_rms > least &&
          gain.t > threshold_t(rules_.chance, candidates_.size(), fitter_.rows().training_blocks());
 }
 
@@ -290,7 +294,7 @@ const ModelFit* Search::swapped(const ModelFit& model) {
   return best == &model ? nullptr : best;
 }
 
-/// Models of no more members that the log cannot tell from the best. What contains another that is
+/// Models of no more members and parameters that the log cannot tell from the best. What contains another that is
 /// there says nothing against it.
 void Search::take_rivals(const ModelFit& best, Found& found) const {
   const auto is_more_of_the_same = [&](const ModelFit& rival) {
@@ -301,6 +305,7 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
   };
   for (const auto& [key, fit] : fits_) {
     if (&fit == &best || fit.members.size() > best.members.size() || fit.members.empty()) continue;
+    if (fit.coordinates.size() > best.coordinates.size()) continue;
     if (is_more_of_the_same(fit) || is_refuted(fit, best)) continue;
     found.rivals.push_back(fit);
   }

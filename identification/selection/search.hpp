@@ -22,6 +22,9 @@ struct SearchRules {
   double least_of_largest =
       0.02;                  ///< ... and by so much of the largest named effect: laws hold so far.
   double least_share = 0.1;  ///< A name takes so much of the squares that are left without it.
+  double unexplained_floors = 3.0;  ///< Beyond it what is left is the model's error, and a name ...
+  double steady_share = 0.2;        ///< ... takes so much of the squares ...
+  double steady_parts = 0.75;       ///< ... and helps in so many of the parts.
   double tie_t = 3.0;        ///< A rival is refuted beyond this ...
   double tie_share = 0.1;    ///< ... if it leaves so much more of the squares that are left.
   std::function<bool(const std::string& effect)> asks;  ///< Empty: about all.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Effects that no other generator of logs draws, from a document through `identify simulate` and
-// back by `identify --forward`. Oracle: what was put in.
+// back by `identify`. Oracle: what was put in.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -82,7 +82,7 @@ json report_on(
   spoil(log);
   place.write("log.csv", log.text());
   const Outcome found = place.run(
-      {"identify", "log.csv", "--rig", "rig.json", "--actuator", stated, "--forward", "--json"});
+      {"identify", "log.csv", "--rig", "rig.json", "--actuator", stated, "--json"});
   return json::parse(found.out);
 }
 
