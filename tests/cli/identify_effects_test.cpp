@@ -122,12 +122,15 @@ TEST(IdentifyEffects, NamesAParallelSpring) {
                truth);
 }
 
-// A spring that is relaxed far away would be a constant too: it has to explain more.
+// Relaxed at the end of the travel, a weak spring explains a fifth of the noise nearly as well as a
+// constant does: it has to explain more.
 TEST(IdentifyEffects, CallsAConstantAnOffsetAndNoSpring) {
   const json report = report_on(json::array(), 1.0, [](SpoiltLog& log) {
-    log.each("tau_Nm", [](double torque_Nm) { return torque_Nm + 0.3; });
+    log.each("tau_Nm", [](double torque_Nm) { return torque_Nm + 0.02; });
   });
-  expect_alone(report["effects_added"], "torque_offset", {{"value", 0.3}});
+  const json& effects = report["effects_added"];
+  ASSERT_EQ(effects.size(), 1u) << effects;
+  EXPECT_EQ(effects[0]["effect"], "torque_offset");
   for (const json& group : report["confounded"]) EXPECT_EQ(group["exact"], true) << group;
 }
 
