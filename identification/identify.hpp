@@ -20,9 +20,9 @@ struct JointActuator {
 };
 
 struct IdentifyOptions {
-  bool select = true;      ///< False: steps 1 to 4 only.
+  bool select = true;        ///< False: steps 1 to 4 only.
   AnalysisOptions analysis;  ///< Its `select` and `progress` are set from these.
-  bool empirical = false;  ///< Offer a table over the coordinate along which most is left.
+  bool empirical = false;    ///< Offer a table over the coordinate along which most is left.
   std::function<void(const std::string& what, double share_done)> progress;
 };
 

@@ -8,23 +8,22 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kAsPromised = 1.05;     ///< Uncertain values are fitted once more.
-constexpr double kOfNoiseFloor = 0.2;    ///< What that may change besides.
+constexpr double kAsPromised = 1.05;   ///< Uncertain values are fitted once more.
+constexpr double kOfNoiseFloor = 0.2;  ///< What that may change besides.
 
 std::string broken_in(const EquationResult& promised, const EquationResult& kept) {
   const auto breaks = [&](double promise, double came_out) {
     return came_out > kAsPromised * promise + kOfNoiseFloor * promised.noise_floor_rms;
   };
-  const bool is_broken =
-      breaks(promised.with_certain.train_rms, kept.before.train_rms) ||
-      breaks(promised.with_certain.holdout_rms, kept.before.holdout_rms);
+  const bool is_broken = breaks(promised.with_certain.train_rms, kept.before.train_rms) ||
+                         breaks(promised.with_certain.holdout_rms, kept.before.holdout_rms);
   if (!is_broken) return "";
   return fmt::format(
       "{}{}: with the refined document the error is {:.4g} {} on fitted and {:.4g} {} on held-out "
       "runs; {:.4g} and {:.4g} were promised: it is not written",
-      promised.joint.empty() ? "" : promised.joint + ": ", promised.quantity,
-      kept.before.train_rms, promised.unit, kept.before.holdout_rms, promised.unit,
-      promised.with_certain.train_rms, promised.with_certain.holdout_rms);
+      promised.joint.empty() ? "" : promised.joint + ": ", promised.quantity, kept.before.train_rms,
+      promised.unit, kept.before.holdout_rms, promised.unit, promised.with_certain.train_rms,
+      promised.with_certain.holdout_rms);
 }
 
 }  // namespace

@@ -19,6 +19,15 @@ double law(const Effect& effect, const Instant& at) {
   return at.twist_rad - std::copysign(half_rad, at.twist_rad);
 }
 
+/// By the travel: from a gap that one just sees to a quarter of it.
+std::vector<std::vector<double>> starts(const Ranges& ranges) {
+  std::vector<std::vector<double>> all;
+  for (const double share : {0.002, 0.005, 0.0125, 0.03, 0.08, 0.2}) {
+    all.push_back({share * ranges.angle_rad});
+  }
+  return all;
+}
+
 }  // namespace
 
 const EffectKind backlash = {
@@ -32,6 +41,7 @@ const EffectKind backlash = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .starts = starts,
 };
 
 }  // namespace torquewright::actuator::effects

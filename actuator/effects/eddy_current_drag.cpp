@@ -23,7 +23,7 @@ double law(const Effect& effect, const Instant& at) {
 }
 
 /// Far below the critical speed it is viscous friction of 2 T_max / w_c.
-constexpr std::string_view kTendsTo[] = {"viscous_friction"};
+constexpr std::string_view kTendsTo[] = {"viscous_friction", "coulomb_friction"};
 
 std::vector<std::vector<double>> starts(const Ranges& ranges) {
   std::vector<std::vector<double>> all;

@@ -24,7 +24,7 @@ constexpr double kScaleReachDown = 30.0;
 constexpr double kLongestDelay_s = 0.2;
 constexpr double kLongestTime_s = 0.1;    ///< Of a lag.
 constexpr double kMostCoefficient = 5.0;  ///< Of what has no unit.
-constexpr double kLeastGain = 0.2;  ///< Of a current's sensor; the inverse of the greatest.
+constexpr double kLeastGain = 0.2;        ///< Of a current's sensor; the inverse of the greatest.
 
 bool ends_with(std::string_view text, std::string_view end) { return text.ends_with(end); }
 
@@ -129,7 +129,7 @@ double FitParameter::value(double coordinate) const {
 }
 
 std::vector<std::string> nameable_effects() {
-  std::vector<std::string> names = {"gravity_imbalance", "torque_offset", "channel_delay",
+  std::vector<std::string> names = {"gravity_imbalance",  "torque_offset",     "channel_delay",
                                     "current_gain_error", "encoder_harmonics", "velocity_mismatch"};
   for (const EffectKind* each : actuator::effect_library()) names.emplace_back(each->name);
   return names;

@@ -25,6 +25,8 @@ struct ForwardEquation {
   std::vector<std::string> pointers;  ///< What the first of `always` are.
   std::vector<EffectCandidate> candidates;
   std::function<std::vector<double>(const Hypothesis&, const Signals&)> residual;
+  /// Whether no law of nature speaks against it; empty: none is asked.
+  std::function<bool(const Hypothesis&)> is_possible;
   /// Waves of the motor's or the output's angle that what a model leaves suggests.
   std::function<std::vector<EffectCandidate>(
       const std::function<std::vector<double>(const Signals&)>&)>

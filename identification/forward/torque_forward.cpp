@@ -9,6 +9,7 @@
 #include "identification/backlash_residual.hpp"
 #include "identification/balance.hpp"
 #include "identification/forward/candidates.hpp"
+#include "identification/forward/pushing_friction.hpp"
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/forward/wave_orders.hpp"
 #include "identification/uncertain.hpp"
@@ -79,7 +80,8 @@ void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
   const auto add = [&](Quantity channel) { candidates.push_back(delay_candidate(channel)); };
   add(bench.drive_channel);
   if (bench.load_side == LoadSide::kSensor) add(bench.load_channel);
-  add(bench.is_linear ? Quantity::kLinearPosition : Quantity::kOutputPosition);
+  if (bench.is_linear) return add(Quantity::kLinearPosition);
+  add(bench.encoders == Encoders::kMotor ? Quantity::kMotorPosition : Quantity::kOutputPosition);
 }
 
 /// Where the torque constant is open, so is what torques are compared with.
@@ -165,7 +167,8 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
     std::for_each(candidates.begin(), candidates.end(), widen_torques);
   }
   add_delays(bench, candidates);
-  if (bench.drive == Drive::kCurrent) candidates.push_back(current_gain_candidate());
+  if (bench.drive == Drive::kCurrent && !is_uncertain(bench, "/motor/torque_constant_Nm_A"))
+    candidates.push_back(current_gain_candidate());
   return candidates;
 }
 
@@ -186,6 +189,9 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.candidates = torque_candidates(bench, ranges);
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
     return torque_balance_Nm(bench, hypothesis, stretch);
+  };
+  equation.is_possible = [speed_rad_s = ranges.speed_rad_s](const Hypothesis& hypothesis) {
+    return !friction_pushes(hypothesis.actuator, speed_rad_s);
   };
   const bool is_map = std::none_of(signals.begin(), signals.end(),
                                    [](const Signals& each) { return each.step_s > 0.0; });

@@ -256,18 +256,26 @@ double telling_band_Hz(const ForwardEquation& equation, const HeldSignals& held,
   return best_Hz;
 }
 
+std::vector<std::string> names_of_runs(const Log& log) {
+  std::vector<std::string> names;
+  for (std::size_t run = 0; run < log.runs.size(); ++run) names.push_back(log.runs.head(run).name);
+  return names;
+}
+
+/// Of all uncertain values: one that every run has otherwise is not determined by all of them.
+std::string disagreement_as_stated(const ForwardEquation& stated, const Rows& rows,
+                                   const HeldSignals& held, const Log& log) {
+  const ModelFitter fitter(stated, rows, held.replica);
+  return runs_that_disagree(stated, rows, fitter.fit({}, fitter.always_start()),
+                            names_of_runs(log));
+}
+
 Found found_by(const ModelFitter& fitter, const SearchRules& rules,
                const AnalysisOptions& options) {
   if (options.select) return Search(fitter, rules).run();
   Found found;
   found.empty = found.best = fitter.fit({}, fitter.always_start());
   return found;
-}
-
-std::vector<std::string> names_of_runs(const Log& log) {
-  std::vector<std::string> names;
-  for (std::size_t run = 0; run < log.runs.size(); ++run) names.push_back(log.runs.head(run).name);
-  return names;
 }
 
 }  // namespace
@@ -315,6 +323,8 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
                                 std::sqrt(std::max(0.0, kept.covariance(i, i)))});
   }
   result.not_one_rig = runs_that_disagree(equation, rows, kept, names_of_runs(log));
+  if (result.not_one_rig.empty() && kept.members.empty())
+    result.not_one_rig = disagreement_as_stated(stated, rows, held, log);
   result.verdict = verdict_of(result, options.select);
   return result;
 }

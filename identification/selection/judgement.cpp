@@ -14,8 +14,23 @@ constexpr double kUnexplainedFloors =
     3.0;  ///< Floors: beyond it, with structure left, no name is sure ...
 constexpr double kLeastRemoved = 0.6;  ///< ... that takes less of the squares.
 
-constexpr double kMostUnsteady = 0.25;  ///< Of the rest, that goes where a law's parameters differ.
-constexpr double kMostOfOwn = 0.1;      ///< Of what it explains itself: differing by 30 %.
+constexpr double kMostUnsteady = 0.2;  ///< Of the rest, that goes where a law's parameters differ.
+constexpr double kMostOfOwn = 0.1;     ///< Of what it explains itself: differing by 30 %.
+
+constexpr std::size_t kFewestOfASpot = 4;  ///< Waves of friction that are multiples of one.
+
+/// A hard spot is no wave: it shows as many, all multiples of one.
+bool is_one_spot(const EffectSet& members) {
+  std::vector<double> orders;
+  for (const EffectCandidate* each : members) {
+    if (each->effect == "position_dependent_friction") orders.push_back(each->order);
+  }
+  if (orders.size() < kFewestOfASpot) return false;
+  const double lowest = *std::min_element(orders.begin(), orders.end());
+  return std::all_of(orders.begin(), orders.end(), [&](double order) {
+    return std::abs(order / lowest - std::round(order / lowest)) < 1e-6;
+  });
+}
 
 double rms_over(const Rows& rows, const Eigen::VectorXd& values, bool held_out) {
   double square = 0.0, count = 0.0;
@@ -57,7 +72,8 @@ Judgement judge(const ModelFitter& fitter, Found& found,
     is_steady =
         is_steady && (wanders.share <= kMostUnsteady || wanders.squares <= kMostOfOwn * own);
   }
-  if (!is_steady || (left > kUnexplainedFloors * floor && share < kLeastRemoved)) {
+  if (!is_steady || is_one_spot(found.best.members) ||
+      (left > kUnexplainedFloors * floor && share < kLeastRemoved)) {
     judged.has_tentative = true;
     found.best = found.empty;
     found.gains.clear();

@@ -290,6 +290,8 @@ ModelFit ModelFitter::fit(const EffectSet& members, const Eigen::VectorXd& start
   fit.members = members;
   fit.always = static_cast<Eigen::Index>(equation_.always.size());
   finish(all, descended(members, all, std::move(first)), fit);
+  if (fit.is_valid && equation_.is_possible)
+    fit.is_valid = equation_.is_possible(hypothesis(members, fit.coordinates));
   return fit;
 }
 
@@ -350,6 +352,7 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
     double loss = sums.loss;
     if (fold != kHeldOut && p > 0) {
       loss += 2.0 * sums.descent.dot(moves[fold]) + moves[fold].dot(sums.slopes * moves[fold]);
+      loss = std::max(loss, -sums.noise);  // No residual is less than nothing.
       fit.unseen_loss += loss;
     } else if (fold != kHeldOut) {
       fit.unseen_loss += loss;

@@ -294,7 +294,7 @@ const ModelFit* Search::swapped(const ModelFit& model) {
   return best == &model ? nullptr : best;
 }
 
-/// Models of no more members and parameters that the log cannot tell from the best. What contains another that is
+/// Models of no more members that the log cannot tell from the best. What contains another that is
 /// there says nothing against it.
 void Search::take_rivals(const ModelFit& best, Found& found) const {
   const auto is_more_of_the_same = [&](const ModelFit& rival) {
@@ -305,7 +305,6 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
   };
   for (const auto& [key, fit] : fits_) {
     if (&fit == &best || fit.members.size() > best.members.size() || fit.members.empty()) continue;
-    if (fit.coordinates.size() > best.coordinates.size()) continue;
     if (is_more_of_the_same(fit) || is_refuted(fit, best)) continue;
     found.rivals.push_back(fit);
   }

@@ -154,8 +154,7 @@ void add_identify_command(command_line::Command& program) {
       .separated_by_commas()
       .one_of(identification::nameable_effects())
       .one_value_each();
-  command
-      .add_option("--without", request->without, "Effects that may not be named, as for --only")
+  command.add_option("--without", request->without, "Effects that may not be named, as for --only")
       .separated_by_commas()
       .one_of(identification::nameable_effects())
       .one_value_each();

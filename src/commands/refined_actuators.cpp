@@ -58,8 +58,8 @@ void require_promise(const IdentifyRequest& request, const IdentifyInputs& input
   std::vector<identification::JointActuator> actuators;
   for (const RefinedActuator& each : refined.of_joints)
     actuators.push_back({each.joint, each.read});
-  std::string broken = identification::broken_promise(
-      {request.logs.begin(), request.logs.end()}, inputs.rig, actuators, found);
+  std::string broken = identification::broken_promise({request.logs.begin(), request.logs.end()},
+                                                      inputs.rig, actuators, found);
   if (!broken.empty()) refined = {{}, std::move(broken)};
 }
 

@@ -235,7 +235,7 @@ SpoiltLog map() {
 }
 
 // A map has no speed, and so no effect of one. What was put in, 0.02 Nm of order 7 at the motor
-// (9.3 times as much at the output), is found; one turn of the motor cannot tell it from a ripple.
+// (9.3 times as much at the output), is found; no order of the output is 65.1.
 TEST(BadLogs, LogWithoutTimeIsAMap) {
   const json rig = {
       {"kind", "rig"},
@@ -245,7 +245,7 @@ TEST(BadLogs, LogWithoutTimeIsAMap) {
       {"load", {{"type", "free"}, {"inertia_kg_m2", 0}}},
       {"holdout_runs", {"map_4"}}};
   const Answer answer = identify(map(), rig);
-  EXPECT_EQ(answer.outcome.exit_code, 3) << answer.outcome.err;
+  EXPECT_EQ(answer.outcome.exit_code, 0) << answer.outcome.err;
   ASSERT_EQ(answer.report["effects_added"].size(), 1u) << answer.outcome.out;
   const json& effect = answer.report["effects_added"][0];
   EXPECT_EQ(effect["effect"], "cogging_torque");
@@ -253,8 +253,7 @@ TEST(BadLogs, LogWithoutTimeIsAMap) {
   EXPECT_EQ(harmonic["order"], 7);
   EXPECT_NEAR(harmonic["amplitude_Nm"].get<double>(), 0.02 * 9.3, 0.001 * 9.3 * 0.02);
   EXPECT_NEAR(harmonic["phase_rad"].get<double>(), 0.3, 0.001);
-  ASSERT_EQ(answer.report["confounded"].size(), 1u);
-  EXPECT_EQ(answer.report["confounded"][0]["effects"], json({"cogging_torque", "gear_ripple"}));
+  EXPECT_TRUE(answer.report["confounded"].empty());
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ json report_on(
   SpoiltLog log(played.out);
   spoil(log);
   place.write("log.csv", log.text());
-  const Outcome found = place.run(
-      {"identify", "log.csv", "--rig", "rig.json", "--actuator", stated, "--json"});
+  const Outcome found =
+      place.run({"identify", "log.csv", "--rig", "rig.json", "--actuator", stated, "--json"});
   return json::parse(found.out);
 }
 
