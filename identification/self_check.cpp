@@ -8,7 +8,7 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kAsPromised = 1.05;   ///< Uncertain values are fitted once more.
+constexpr double kAsPromised = 1.05;   ///< The rig's own uncertain values are as stated.
 constexpr double kOfNoiseFloor = 0.2;  ///< What that may change besides.
 
 std::string broken_in(const EquationResult& promised, const EquationResult& kept) {
@@ -35,7 +35,9 @@ std::string broken_promise(const std::vector<std::filesystem::path>& logs, const
   for (const EquationResult& each : found.equations) {
     if (each.band_Hz > 0.0) options.analysis.band_Hz[each.quantity] = each.band_Hz;
   }
-  const Identification again = identify(logs, rig, refined, options);
+  Rig as_written = rig;  // Nothing of the document is open any more.
+  as_written.uncertain.clear();
+  const Identification again = identify(logs, as_written, refined, options);
   for (const EquationResult& promised : found.equations) {
     const bool has_promise = promised.with_certain.train_rms > 0.0 && !promised.added.empty();
     for (const EquationResult& kept : again.equations) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -47,8 +48,20 @@ Identification identification_of(const IdentifyRequest& request, const IdentifyI
                                   inputs.actuators, options);
 }
 
+/// An effect that is misspelt would be asked, or not asked, in silence.
+void require_names(const std::string& option, const std::vector<std::string>& names) {
+  const std::vector<std::string> known = identification::nameable_effects();
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    command_line::refuse(fmt::format("{}: no effect is called \"{}\"; allowed are {}", option, name,
+                                     fmt::join(known, ", ")));
+  }
+}
+
 IdentifyInputs read(const IdentifyRequest& request) {
   require_log_options(request);
+  require_names("--only", request.only);
+  require_names("--without", request.without);
   if (!request.as.empty()) (void)identification::output_of(request.as);
   IdentifyInputs inputs = read_inputs(request);
   if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
@@ -150,13 +163,11 @@ void add_identify_command(command_line::Command& program) {
                    "Where no effect fits, a table over the coordinate along which most is left");
   command
       .add_option("--only", request->only,
-                  "Effects that may be named, separated by commas; the others are not asked")
+                  "Effects that may be named, separated by commas (docs/effects.md)")
       .separated_by_commas()
-      .one_of(identification::nameable_effects())
       .one_value_each();
   command.add_option("--without", request->without, "Effects that may not be named, as for --only")
       .separated_by_commas()
-      .one_of(identification::nameable_effects())
       .one_value_each();
   command
       .add_option("--tolerance", request->tolerance,

@@ -73,8 +73,8 @@ std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
     if (i < refined.of_joints.size()) {
       files.push_back({inputs.outputs[i], refined.of_joints[i].text});
     } else {
-      std::fprintf(stderr, "%s: not written, there is nothing sure to add to the actuator\n",
-                   inputs.outputs[i].c_str());
+      std::fprintf(stderr, "%s: not written%s\n", inputs.outputs[i].c_str(),
+                   refined.refusal.empty() ? ", there is nothing sure to add to the actuator" : "");
     }
   }
   return files;

@@ -104,6 +104,23 @@ TEST(Identify, SaysAllStepsInItsText) {
   }
 }
 
+// The effect that is missing may not be named: then nothing else takes its name.
+TEST(Identify, AsksOnlyWhatItMay) {
+  const Bench bench;
+  const json without =
+      report_of(bench.run({"identify", "--json"}, {"--without", "load_dependent_friction"}));
+  for (const json& each : without["effects_added"]) {
+    EXPECT_NE(each["effect"], "load_dependent_friction");
+  }
+  const json only = report_of(
+      bench.run({"identify", "--json"}, {"--only", "load_dependent_friction,gear_ripple"}));
+  ASSERT_EQ(only["effects_added"].size(), 1u);
+  EXPECT_EQ(only["effects_added"][0]["effect"], "load_dependent_friction");
+  const Outcome misspelt = bench.run({"identify"}, {"--without", "load_friction"});
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_NE(misspelt.err.find("no effect is called \"load_friction\""), std::string::npos);
+}
+
 TEST(Identify, ResidualStopsBeforeTheSelection) {
   const Outcome outcome = Bench().run({"identify", "residual"}, {"--json"});
   EXPECT_EQ(outcome.exit_code, 1);
