@@ -59,7 +59,10 @@ double friction(const Made& at) { return -0.4 * made::sign(at.speed_rad_s) - 0.2
 /// 0.3 ms is a sixteenth of a sample of the log.
 void expect_delay(const EquationResult& result, const char* channel, double delay_s) {
   const NamedEffect* found = find(result, "channel_delay");
-  ASSERT_NE(found, nullptr);
+  std::string named;
+  for (const NamedEffect& each : result.added) named += each.effect + each.parameters.dump() + " ";
+  named += std::to_string(result.has_tentative);
+  ASSERT_NE(found, nullptr) << named;
   EXPECT_EQ(found->parameters.at("channel"), channel);
   EXPECT_NEAR(found->parameters.at("delay_s").get<double>(), delay_s, 3e-4);
 }
