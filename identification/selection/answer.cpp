@@ -193,8 +193,20 @@ std::string reason_of(const Comparison& gain) {
       gain.t, gain.change_rms);
 }
 
-void describe_refused(const Found& found, EquationResult& result) {
+std::string reason_of(const Unsteadiness& by) {
+  return fmt::format(
+      "its value is not one over {}: fitted apart in quarters of it, it takes {:.0f} % of the "
+      "squares that are left",
+      by.coordinate, 100.0 * by.share);
+}
+
+void describe_refused(const Judgement& judged, const Found& found, EquationResult& result) {
   std::set<std::string> seen;
+  for (const Wanderer& each : judged.wanderers) {
+    if (seen.insert(each.candidate->effect).second) {
+      result.rejected.push_back({each.candidate->effect, reason_of(each.by)});
+    }
+  }
   for (const Refusal& each : found.refused) {
     if (seen.insert(each.candidate->effect).second) {
       result.rejected.push_back({each.candidate->effect, reason_of(each.gain)});
@@ -270,14 +282,6 @@ std::string disagreement_as_stated(const ForwardEquation& stated, const Rows& ro
                             names_of_runs(log));
 }
 
-Found found_by(const ModelFitter& fitter, const SearchRules& rules,
-               const AnalysisOptions& options) {
-  if (options.select) return Search(fitter, rules).run();
-  Found found;
-  found.empty = found.best = fitter.fit({}, fitter.always_start());
-  return found;
-}
-
 }  // namespace
 
 EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation& stated,
@@ -301,10 +305,11 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   SearchRules rules;
   rules.least_change = options.tolerance * equation.used;
   rules.asks = [&options](const std::string& effect) { return options.asks(effect); };
-  Found found = found_by(fitter, rules, options);
+  Search search(fitter, rules);
+  Found found = options.select ? search.run() : search.nothing();
   result.before = errors_over(equation, rows, found.empty.residual);
   result.structure_before = structure_left(rows, found.empty.residual);
-  const Judgement judged = judge(fitter, found, result.structure_before);
+  const Judgement judged = judge(fitter, search, found, result.structure_before);
   result.is_noise_before = judged.is_noise_before;
   result.has_tentative = judged.has_tentative;
   const ModelFit& kept = found.best;
@@ -315,7 +320,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   result.is_noise_after = judged.is_noise(fitter, kept, result.structure_after);
   name_members(fitter, found, result);
   append_groups(bench, found, result);
-  describe_refused(found, result);
+  describe_refused(judged, found, result);
   result.with_certain = errors_with_certain(fitter, kept, result);
   for (std::size_t k = 0; k < equation.pointers.size() && options.select; ++k) {
     const auto i = static_cast<Eigen::Index>(k);

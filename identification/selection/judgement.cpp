@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "identification/selection/steadiness.hpp"
+#include <optional>
 
 namespace torquewright::identification {
 namespace {
 
 constexpr double kExplainedFloors = 1.3;  ///< Floors, in rms where no fit saw it.
-constexpr double kUnexplainedFloors =
-    3.0;  ///< Floors: beyond it, with structure left, no name is sure ...
-constexpr double kLeastRemoved = 0.6;  ///< ... that takes less of the squares.
+constexpr double kUnexplainedFloors = 3.0;  ///< Beyond it what is left is not noise ...
+constexpr double kLeastRemoved = 0.6;  ///< ... and no name is sure that takes less of the squares.
 
-constexpr double kMostUnsteady = 0.22;  ///< Of the rest, that goes where a law's parameters differ.
 constexpr double kMostOfOwn = 0.1;      ///< Of what it explains itself: differing by 30 %.
 
 constexpr std::size_t kFewestOfASpot = 4;  ///< Waves of friction that are multiples of one.
@@ -42,6 +39,23 @@ double rms_over(const Rows& rows, const Eigen::VectorXd& values, bool held_out) 
   return count > 0.0 ? std::sqrt(square / count) : 0.0;
 }
 
+/// The member whose parameters, fitted apart in parts of the log, take most of what is left; none if
+/// each holds everywhere.
+std::optional<Wanderer> most_unsteady(const ModelFitter& fitter, const SearchRules& rules,
+                                      const Found& found) {
+  std::optional<Wanderer> worst;
+  const double floor = rms_over(fitter.rows(), found.best.noise, false);
+  const double left = rms_over(fitter.rows(), found.best.residual, false);
+  for (std::size_t m = 0; m < found.best.members.size() && left > kExplainedFloors * floor; ++m) {
+    Unsteadiness wanders = unsteadiness(fitter, found.best, m);
+    const double own = found.gains[m].change_rms * found.gains[m].change_rms;
+    const double most = worst ? worst->by.share : rules.steady_share;
+    if (wanders.share <= most || wanders.squares <= kMostOfOwn * own) continue;
+    worst = {found.best.members[m], std::move(wanders)};
+  }
+  return worst;
+}
+
 }  // namespace
 
 bool Judgement::is_noise(const ModelFitter& fitter, const ModelFit& fit,
@@ -55,25 +69,25 @@ bool Judgement::is_noise(const ModelFitter& fitter, const ModelFit& fit,
                       [](const ResidualStructure& each) { return is_significant(each); });
 }
 
-Judgement judge(const ModelFitter& fitter, Found& found,
+Judgement judge(const ModelFitter& fitter, Search& search, Found& found,
                 const std::vector<ResidualStructure>& structure_before) {
   Judgement judged;
   judged.is_noise_before =
       found.best.members.empty() && judged.is_noise(fitter, found.empty, structure_before);
+  while (const auto wanderer = most_unsteady(fitter, search.rules(), found)) {
+    search.leave_out(wanderer->candidate, found);
+    judged.wanderers.push_back(*wanderer);
+    judged.has_tentative = true;
+  }
   if (found.best.members.empty()) return judged;
   const double floor = rms_over(fitter.rows(), found.best.noise, false);
   const double left = rms_over(fitter.rows(), found.best.residual, false);
   const double share =
       1.0 - std::max(0.0, found.best.unseen_loss) / std::max(1e-300, found.empty.unseen_loss);
-  bool is_steady = true;
-  for (std::size_t m = 0; m < found.best.members.size() && left > kExplainedFloors * floor; ++m) {
-    const Unsteadiness wanders = unsteadiness(fitter, found.best, m);
-    const double own = found.gains[m].change_rms * found.gains[m].change_rms;
-    is_steady =
-        is_steady && (wanders.share <= kMostUnsteady || wanders.squares <= kMostOfOwn * own);
-  }
-  if (!is_steady || is_one_spot(found.best.members) ||
-      (left > kUnexplainedFloors * floor && share < kLeastRemoved)) {
+  const bool is_sure =
+      share >= (judged.wanderers.empty() ? kLeastRemoved : 1.0 - search.rules().least_share);
+  if (is_one_spot(found.best.members) ||
+      (left > search.rules().unexplained_floors * floor && !is_sure)) {
     judged.has_tentative = true;
     found.best = found.empty;
     found.gains.clear();

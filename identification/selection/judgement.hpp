@@ -3,13 +3,21 @@
 
 #include "identification/residual_structure.hpp"
 #include "identification/selection/search.hpp"
+#include "identification/selection/steadiness.hpp"
 
 namespace torquewright::identification {
+
+/// An effect whose parameters do not hold in all parts of the log: no law of this actuator.
+struct Wanderer {
+  const EffectCandidate* candidate = nullptr;
+  Unsteadiness by;
+};
 
 /// Which of what a search found is certain.
 struct Judgement {
   bool is_noise_before = false;
   bool has_tentative = false;
+  std::vector<Wanderer> wanderers;
 
   /// True if nothing but noise is left.
   bool is_noise(const ModelFitter& fitter, const ModelFit& fit,
@@ -17,7 +25,7 @@ struct Judgement {
 };
 
 /// Takes from `found.best` what is not certain, and says so.
-Judgement judge(const ModelFitter& fitter, Found& found,
+Judgement judge(const ModelFitter& fitter, Search& search, Found& found,
                 const std::vector<ResidualStructure>& structure_before);
 
 }  // namespace torquewright::identification

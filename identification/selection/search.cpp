@@ -310,16 +310,36 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
   }
 }
 
-Found Search::run() {
+Found Search::nothing() {
   Found found;
   found.waves = waves_;
   found.turned_one_way = turned_one_way_;
-  const ModelFit* model = &fitted({}, fitter_.always_start());
-  found.empty = *model;
-  if (!model->is_valid) {
-    found.best = *model;
-    return found;
+  found.empty = found.best = fitted({}, fitter_.always_start());
+  return found;
+}
+
+/// Takes the model, with what each member gains and what else it might be.
+void Search::settle(const ModelFit& model, Found& found) {
+  found.best = model;
+  found.gains.clear();
+  found.rivals.clear();
+  for (std::size_t m = 0; m < model.members.size(); ++m) {
+    found.gains.push_back(compare(fitter_.rows(), without(model, m), model));
   }
+  take_rivals(model, found);
+}
+
+void Search::leave_out(const EffectCandidate* member, Found& found) {
+  const auto& members = found.best.members;
+  const auto place = std::find(members.begin(), members.end(), member);
+  const ModelFit& less = without(found.best, static_cast<std::size_t>(place - members.begin()));
+  settle(less.is_valid ? *pruned(&less) : fitted({}, fitter_.always_start()), found);
+}
+
+Found Search::run() {
+  Found found = nothing();
+  const ModelFit* model = &fitted({}, fitter_.always_start());
+  if (!model->is_valid) return found;
   std::set<const ModelFit*> seen = {model};
   for (std::size_t round = 0; round < kMostRounds; ++round) {
     if (rules_.progress) rules_.progress(static_cast<double>(round) / kMostRounds);
@@ -332,11 +352,7 @@ Found Search::run() {
     if (next == nullptr || is_refuted(*next, *model) || !seen.insert(next).second) break;
     model = next;
   }
-  found.best = *model;
-  for (std::size_t m = 0; m < model->members.size(); ++m) {
-    found.gains.push_back(compare(fitter_.rows(), without(*model, m), *model));
-  }
-  take_rivals(*model, found);
+  settle(*model, found);
   found.silent = first_.silent;
   for (const auto& [key, fit] : fits_) {
     if (fit.members.size() != 1 || model->holds(fit.members.front()->effect)) continue;

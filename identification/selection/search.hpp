@@ -55,10 +55,15 @@ class Search {
  public:
   Search(const ModelFitter& fitter, const SearchRules& rules);
   Found run();
+  /// The stated model alone.
+  Found nothing();
+  /// Takes a member of the best out, and what then does not earn its place.
+  void leave_out(const EffectCandidate* member, Found& found);
 
   /// True if `more` earns its place over `less`.
   bool earns(const ModelFit& less, const ModelFit& more) const;
   bool is_refuted(const ModelFit& rival, const ModelFit& best) const;
+  const SearchRules& rules() const { return rules_; }
 
  private:
   using Key = std::vector<const EffectCandidate*>;
@@ -75,6 +80,7 @@ class Search {
   const ModelFit* by_parts(const ModelFit& model);
   const ModelFit* swapped(const ModelFit& model);
   void take_rivals(const ModelFit& best, Found& found) const;
+  void settle(const ModelFit& model, Found& found);
 
   const ModelFitter& fitter_;
   SearchRules rules_;
