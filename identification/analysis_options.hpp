@@ -12,7 +12,7 @@ namespace torquewright::identification {
 /// How one joint is analysed.
 struct AnalysisOptions {
   bool select = true;                ///< False: residual, noise floor and structure only.
-  double tolerance = 0.002;          ///< Share of what is predicted below which nothing matters.
+  double tolerance = 0.001;          ///< Share of what is predicted below which nothing matters.
   std::uint64_t seed = 1;            ///< Of the noise replicas.
   std::vector<std::string> only;     ///< Effects that are asked about; empty: all ...
   std::vector<std::string> without;  ///< ... but these.

@@ -8,11 +8,11 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kExplainedFloors = 1.3;  ///< Floors, in rms where no fit saw it.
+constexpr double kExplainedFloors = 1.3;    ///< Floors, in rms where no fit saw it.
 constexpr double kUnexplainedFloors = 3.0;  ///< Beyond it what is left is not noise ...
 constexpr double kLeastRemoved = 0.6;  ///< ... and no name is sure that takes less of the squares.
 
-constexpr double kMostOfOwn = 0.1;      ///< Of what it explains itself: differing by 30 %.
+constexpr double kMostOfOwn = 0.1;  ///< Of what it explains itself: differing by 30 %.
 
 constexpr std::size_t kFewestOfASpot = 4;  ///< Waves of friction that are multiples of one.
 
@@ -39,8 +39,8 @@ double rms_over(const Rows& rows, const Eigen::VectorXd& values, bool held_out) 
   return count > 0.0 ? std::sqrt(square / count) : 0.0;
 }
 
-/// The member whose parameters, fitted apart in parts of the log, take most of what is left; none if
-/// each holds everywhere.
+/// The member whose parameters, fitted apart in parts of the log, take most of what is left; none
+/// if each holds everywhere.
 std::optional<Wanderer> most_unsteady(const ModelFitter& fitter, const SearchRules& rules,
                                       const Found& found) {
   std::optional<Wanderer> worst;
@@ -54,6 +54,19 @@ std::optional<Wanderer> most_unsteady(const ModelFitter& fitter, const SearchRul
     worst = {found.best.members[m], std::move(wanders)};
   }
   return worst;
+}
+
+/// The member that the log can do without beside others; null if it needs each. A search ends at
+/// such a member where one that it dropped helped to bring it in.
+const EffectCandidate* least_needed(const Search& search, const Found& found) {
+  const EffectCandidate* least = nullptr;
+  double t = std::min(search.rules().tie_t, search.chance_t());
+  for (std::size_t m = 0; m < found.gains.size() && found.gains.size() > 1; ++m) {
+    if (found.gains[m].t > t) continue;
+    t = found.gains[m].t;
+    least = found.best.members[m];
+  }
+  return least;
 }
 
 }  // namespace
@@ -74,9 +87,15 @@ Judgement judge(const ModelFitter& fitter, Search& search, Found& found,
   Judgement judged;
   judged.is_noise_before =
       found.best.members.empty() && judged.is_noise(fitter, found.empty, structure_before);
-  while (const auto wanderer = most_unsteady(fitter, search.rules(), found)) {
-    search.leave_out(wanderer->candidate, found);
-    judged.wanderers.push_back(*wanderer);
+  for (;;) {
+    const EffectCandidate* left_out = least_needed(search, found);
+    if (left_out == nullptr) {
+      const auto wanderer = most_unsteady(fitter, search.rules(), found);
+      if (!wanderer) break;
+      judged.wanderers.push_back(*wanderer);
+      left_out = wanderer->candidate;
+    }
+    search.leave_out(left_out, found);
     judged.has_tentative = true;
   }
   if (found.best.members.empty()) return judged;

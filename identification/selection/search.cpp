@@ -123,6 +123,10 @@ double Search::floor_rms(const ModelFit& model) const {
   return std::sqrt(std::max(0.0, model.noise_loss) / std::max(1.0, rows));
 }
 
+double Search::chance_t() const {
+  return threshold_t(rules_.chance, candidates_.size(), fitter_.rows().training_blocks());
+}
+
 bool Search::earns(const ModelFit& less, const ModelFit& more) const {
   if (!more.is_valid) return false;
   const Comparison gain = compare(fitter_.rows(), less, more);
@@ -137,7 +141,7 @@ bool Search::earns(const ModelFit& less, const ModelFit& more) const {
   const double parts = is_model_error ? rules_.steady_parts * static_cast<double>(gain.parts) : 0.0;
   return gain.gain > share * left && gain.held_out_gain >= 0.0 &&
          static_cast<double>(gain.parts_better) >= parts && gain.change_rms > least &&
-         gain.t > threshold_t(rules_.chance, candidates_.size(), fitter_.rows().training_blocks());
+         gain.t > chance_t();
 }
 
 bool Search::is_refuted(const ModelFit& rival, const ModelFit& best) const {
@@ -333,7 +337,7 @@ void Search::leave_out(const EffectCandidate* member, Found& found) {
   const auto& members = found.best.members;
   const auto place = std::find(members.begin(), members.end(), member);
   const ModelFit& less = without(found.best, static_cast<std::size_t>(place - members.begin()));
-  settle(less.is_valid ? *pruned(&less) : fitted({}, fitter_.always_start()), found);
+  settle(less.is_valid ? less : fitted({}, fitter_.always_start()), found);
 }
 
 Found Search::run() {

@@ -57,12 +57,14 @@ class Search {
   Found run();
   /// The stated model alone.
   Found nothing();
-  /// Takes a member of the best out, and what then does not earn its place.
+  /// Takes a member of the best out; all of them if the others cannot be fitted without it.
   void leave_out(const EffectCandidate* member, Found& found);
 
   /// True if `more` earns its place over `less`.
   bool earns(const ModelFit& less, const ModelFit& more) const;
   bool is_refuted(const ModelFit& rival, const ModelFit& best) const;
+  /// What noise alone does not reach by any of all that is tried.
+  double chance_t() const;
   const SearchRules& rules() const { return rules_; }
 
  private:

@@ -16,7 +16,7 @@ struct IdentifyRequest {
   std::vector<std::string> outputs;    ///< The same for refined actuators.
   std::string report_file;
   std::vector<std::string> only, without;  ///< Effects.
-  double tolerance = 0.002;
+  double tolerance = 0.001;
   std::string as;  ///< An output's name; empty: the report.
   bool json = false;
   bool empirical = false;
