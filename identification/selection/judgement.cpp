@@ -8,11 +8,11 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kExplainedFloors = 1.3;  ///< Floors, in rms where no fit saw it.
+constexpr double kExplainedFloors = 1.3;    ///< Floors, in rms where no fit saw it.
 constexpr double kUnexplainedFloors = 3.0;  ///< Beyond it what is left is not noise ...
 constexpr double kLeastRemoved = 0.6;  ///< ... and no name is sure that takes less of the squares.
 
-constexpr double kMostOfOwn = 0.1;      ///< Of what it explains itself: differing by 30 %.
+constexpr double kMostOfOwn = 0.1;  ///< Of what it explains itself: differing by 30 %.
 
 constexpr std::size_t kFewestOfASpot = 4;  ///< Waves of friction that are multiples of one.
 
@@ -39,8 +39,8 @@ double rms_over(const Rows& rows, const Eigen::VectorXd& values, bool held_out) 
   return count > 0.0 ? std::sqrt(square / count) : 0.0;
 }
 
-/// The member whose parameters, fitted apart in parts of the log, take most of what is left; none if
-/// each holds everywhere.
+/// The member whose parameters, fitted apart in parts of the log, take most of what is left; none
+/// if each holds everywhere.
 std::optional<Wanderer> most_unsteady(const ModelFitter& fitter, const SearchRules& rules,
                                       const Found& found) {
   std::optional<Wanderer> worst;
