@@ -23,7 +23,9 @@ double between(const std::vector<double>& values, std::size_t sample, double sha
 class FreeMotor : public FreeSide {
  public:
   FreeMotor(const actuator::Actuator& actuator, const Signals& signals)
-      : actuator_(actuator), signals_(signals) {
+      : actuator_(actuator),
+        signals_(signals),
+        inertia_kg_m2_(actuator::reflected_inertia_kg_m2(actuator)) {
     for (const actuator::Instant& at : signals.at) {
       rigid_drag_Nm_.push_back(actuator::drag_Nm(actuator, at));
       undamped_Nm_.push_back(actuator::before_mesh_at_Nm(actuator, at) - rigid_drag_Nm_.back());
@@ -48,13 +50,13 @@ class FreeMotor : public FreeSide {
     at.speed_rad_s = motor_rad_s;
     at.direction = std::copysign(1.0, motor_rad_s);
     const double drag_Nm = actuator::drag_Nm(actuator_, at);
-    const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(actuator_);
-    const double stopped_in_a_step = std::abs(motor_rad_s) * inertia_kg_m2 / kFreePlayStep_s;
+    const double stopped_in_a_step = std::abs(motor_rad_s) * inertia_kg_m2_ / kFreePlayStep_s;
     return std::copysign(std::min(std::abs(drag_Nm), stopped_in_a_step), drag_Nm);
   }
 
   const actuator::Actuator& actuator_;
   const Signals& signals_;
+  double inertia_kg_m2_;
   std::vector<double> undamped_Nm_, rigid_drag_Nm_, speed_rad_s_;
 };
 

@@ -91,9 +91,13 @@ std::vector<double> resampled(std::span<const double> time_s, std::span<const do
 }
 
 double cubic_between(std::span<const double> four, double share) {
+  const std::array<double, 4> weight = cubic_weights(share);
+  return weight[0] * four[0] + weight[1] * four[1] + weight[2] * four[2] + weight[3] * four[3];
+}
+
+std::array<double, 4> cubic_weights(double share) {
   const double s = share, b = s - 1.0, c = s - 2.0, a = s + 1.0;
-  return -s * b * c / 6.0 * four[0] + a * b * c / 2.0 * four[1] - a * s * c / 2.0 * four[2] +
-         a * s * b / 6.0 * four[3];
+  return {-s * b * c / 6.0, a * b * c / 2.0, -(a * s * c) / 2.0, a * s * b / 6.0};
 }
 
 std::vector<double> advanced(std::span<const double> signal, double delay_s, double step_s) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -38,6 +39,9 @@ std::vector<double> resampled(std::span<const double> time_s, std::span<const do
 
 /// The cubic through four samples, `share` of the way from the second to the third.
 double cubic_between(std::span<const double> four, double share);
+
+/// By how much each of the four counts there.
+std::array<double, 4> cubic_weights(double share);
 
 /// The signal `delay_s` earlier: out(t) = in(t + delay), cubic between samples (straight next to an
 /// end), ends held.

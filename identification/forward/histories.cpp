@@ -20,7 +20,7 @@ constexpr int kParts = 4;  ///< Of a step.
 struct LinearRate {
   double at_rest, slope;
 };
-LinearRate rate_at(const actuator::Effect& effect, Instant at, double state) {
+LinearRate rate_at(const actuator::Effect& effect, Instant& at, double state) {
   at.state = 0.0;
   const double at_rest = effect.kind->state_rate(effect, at);
   at.state = std::max(1e-9, std::abs(state));
@@ -28,9 +28,7 @@ LinearRate rate_at(const actuator::Effect& effect, Instant at, double state) {
 }
 
 /// The state after a step, exact where what it settles to moves evenly.
-double advanced_state(const actuator::Effect& effect, const Instant& from, const Instant& to,
-                      double state, double step_s) {
-  const LinearRate begin = rate_at(effect, from, state), end = rate_at(effect, to, state);
+double advanced_state(const LinearRate& begin, const LinearRate& end, double state, double step_s) {
   if (end.slope > -1e-12) {
     return state + step_s * (0.5 * (begin.at_rest + end.at_rest) + end.slope * state);
   }
@@ -39,27 +37,36 @@ double advanced_state(const actuator::Effect& effect, const Instant& from, const
   return settled - behind + (state - settled_before + behind) * std::exp(end.slope * step_s);
 }
 
-/// One effect, through the stretch.
+/// Where a signal passes at the beginning of a step, between its parts, and at its end.
+using AtParts = std::array<double, kParts + 1>;
+
+/// The cubic through the samples around a step; beyond an end the last sample stands for all.
+/// `value_at`: of a sample.
+template <typename ValueAt>
+AtParts at_parts(std::size_t step, std::size_t samples, const ValueAt& value_at) {
+  static const std::array<std::array<double, 4>, kParts + 1> kWeights = [] {
+    std::array<std::array<double, 4>, kParts + 1> weights;
+    for (int p = 0; p <= kParts; ++p)
+      weights[static_cast<std::size_t>(p)] = cubic_weights(static_cast<double>(p) / kParts);
+    return weights;
+  }();
+  const double before = value_at(step > 0 ? step - 1 : 0), from = value_at(step);
+  const double to = value_at(step + 1), after = value_at(std::min(step + 2, samples - 1));
+  AtParts values;
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const std::array<double, 4>& weight = kWeights[p];
+    values[p] = weight[0] * before + weight[1] * from + weight[2] * to + weight[3] * after;
+  }
+  return values;
+}
+
+/// One effect, through the stretch. Friction follows the motion alone, a lag the motor's torque.
 void add_history(const actuator::Actuator& actuator, const actuator::Effect& effect,
                  const std::vector<Instant>& at, const std::vector<double>& motor_Nm, double step_s,
                  std::vector<double>& sum_Nm) {
   const std::size_t n = at.size();
+  const double part_s = step_s / kParts;
   const bool is_friction = effect.kind->name != "torque_lag";
-  const auto index = [&](std::size_t i, std::ptrdiff_t by) {
-    return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-        static_cast<std::ptrdiff_t>(i) + by, 0, static_cast<std::ptrdiff_t>(n) - 1));
-  };
-  const auto input_at = [&](std::size_t i, double share) {
-    return cubic_between(std::array{motor_Nm[index(i, -1)], motor_Nm[i], motor_Nm[index(i, 1)],
-                                    motor_Nm[index(i, 2)]},
-                         share);
-  };
-  const auto angle_at = [&](std::size_t i, double share) {
-    return cubic_between(
-        std::array{at[index(i, -1)].output_angle_rad, at[i].output_angle_rad,
-                   at[index(i, 1)].output_angle_rad, at[index(i, 2)].output_angle_rad},
-        share);
-  };
   double state = is_friction ? 0.0 : motor_Nm.front();
   for (std::size_t i = 0; i < n; ++i) {
     Instant now = at[i];
@@ -67,15 +74,22 @@ void add_history(const actuator::Actuator& actuator, const actuator::Effect& eff
     now.input = motor_Nm[i];
     const double torque_Nm = effect.kind->law(effect, now);
     sum_Nm[i] += is_friction ? torque_Nm * actuator::drag_factor(actuator, now) : torque_Nm;
-    for (int part = 0; part < kParts && i + 1 < n; ++part) {
-      const double from = static_cast<double>(part) / kParts, to = from + 1.0 / kParts;
-      const double part_s = step_s / kParts;
-      now.input = input_at(i, from);
-      now.speed_rad_s = (angle_at(i, to) - angle_at(i, from)) / part_s;
+    if (i + 1 == n) break;
+    const AtParts angle_rad =
+        at_parts(i, n, [&](std::size_t sample) { return at[sample].output_angle_rad; });
+    AtParts input{};
+    if (!is_friction) input = at_parts(i, n, [&](std::size_t sample) { return motor_Nm[sample]; });
+    for (std::size_t part = 0; part < kParts; ++part) {
+      now.speed_rad_s = (angle_rad[part + 1] - angle_rad[part]) / part_s;
       now.direction = now.speed_rad_s > 0.0 ? 1.0 : now.speed_rad_s < 0.0 ? -1.0 : 0.0;
-      Instant then = now;
-      then.input = input_at(i, to);
-      state = advanced_state(effect, now, then, state, part_s);
+      now.input = input[part];
+      const LinearRate begin = rate_at(effect, now, state);
+      LinearRate end = begin;
+      if (!is_friction) {
+        now.input = input[part + 1];
+        end = rate_at(effect, now, state);
+      }
+      state = advanced_state(begin, end, state, part_s);
     }
   }
 }

@@ -115,9 +115,9 @@ struct Mesh {
   }
 };
 
-/// The mean over both directions by their shares of the instant's time.
+/// The mean over both directions by their shares of the instant's time; leaves it in the last one.
 template <typename Law>
-double over_directions(Instant at, const Law& law) {
+double over_directions(Instant& at, const Law& law) {
   const double forward = 0.5 * (1.0 + at.direction);
   double sum = 0.0;
   if (forward > 0.0) {
@@ -199,11 +199,8 @@ class SlowWaves {
   std::size_t folded_ = 0;
 };
 
-}  // namespace
-
-double winding_current_A(const Bench& bench, const Actuator& actuator, double voltage_V,
-                         bool bus_is_logged, const Instant& at) {
-  const actuator::Winding winding = actuator::winding_of(actuator);
+double current_of_A(const Bench& bench, const Actuator& actuator, const actuator::Winding& winding,
+                    double voltage_V, bool bus_is_logged, const Instant& at) {
   const double back_emf_V = winding.back_emf_V_s_rad * actuator::flux_factor(actuator, at) *
                             actuator.transmission.ratio * at.speed_rad_s;
   double resistance = actuator::resistance_ohm(actuator, winding, at);
@@ -222,56 +219,74 @@ double winding_current_A(const Bench& bench, const Actuator& actuator, double vo
   return (drop_V - std::copysign(dead_V, drop_V)) / resistance;
 }
 
-namespace {
-
 /// From what the sensor says.
 double true_current_A(const LogErrors& log, double measured_A) {
   const double current_A = measured_A - log.current_offset_A;
   return current_A / (current_A < 0.0 ? log.negative_current_gain : log.positive_current_gain);
 }
 
-/// The motor's torque at the output from the drive's channel; sets the instant's current.
-double motor_Nm_at(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
-                   double drive, Instant& at) {
-  at.current_A =
-      bench.drive == Drive::kVoltage
-          ? winding_current_A(bench, hypothesis.actuator, drive, !signals.bus_V.empty(), at)
-          : true_current_A(hypothesis.log, drive);
-  return actuator::motor_torque_Nm(hypothesis.actuator, at);
-}
+/// What the drive's channel makes of the motor under a hypothesis.
+class DriveSide {
+ public:
+  DriveSide(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals)
+      : bench_(bench),
+        actuator_(hypothesis.actuator),
+        log_(hypothesis.log),
+        winding_(actuator::winding_of(hypothesis.actuator)),
+        is_voltage_(bench.drive == Drive::kVoltage),
+        bus_is_logged_(!signals.bus_V.empty()) {
+    const Actuator& stated = bench.actuator();
+    stated_slope_ = stated.transmission.ratio * stated.motor.torque_constant_Nm_A;
+    if (is_voltage_) stated_slope_ /= actuator::winding_of(stated).resistance_ohm;
+    step_ = 1e-3 * (is_voltage_ ? stated.drive.bus_voltage_V : stated.drive.peak_current_A);
+  }
 
-/// Where the drive's channel is what was measured, what is missing counts by what the stated
-/// actuator makes of a unit of it: else a fit could make everything small by a motor that yields
-/// little. By a difference; at least a twentieth of the stated one.
-double stated_over_own_slope(const Bench& bench, const Hypothesis& hypothesis,
-                             const Signals& signals, double drive, const Instant& at) {
-  const actuator::Actuator& stated = bench.actuator();
-  const bool is_voltage = bench.drive == Drive::kVoltage;
-  double stated_slope = stated.transmission.ratio * stated.motor.torque_constant_Nm_A;
-  if (is_voltage) stated_slope /= actuator::winding_of(stated).resistance_ohm;
-  const double step =
-      1e-3 * (is_voltage ? stated.drive.bus_voltage_V : stated.drive.peak_current_A);
-  Instant here = at, there = at;
-  const double change_Nm = motor_Nm_at(bench, hypothesis, signals, drive + step, there) -
-                           motor_Nm_at(bench, hypothesis, signals, drive - step, here);
-  const double share = 0.5 * change_Nm / step / stated_slope;
-  // The bridge's dead band yields nothing; that says nothing of the rest.
-  return 1.0 / std::max(share, is_voltage ? kLeastSlope : kLeastSlope * kLeastSlope);
-}
+  /// The motor's torque at the output; sets the instant's current.
+  double motor_Nm(double drive, Instant& at) const {
+    at.current_A = is_voltage_
+                       ? current_of_A(bench_, actuator_, winding_, drive, bus_is_logged_, at)
+                       : true_current_A(log_, drive);
+    return actuator::motor_torque_Nm(actuator_, at);
+  }
+
+  /// Where the drive's channel is what was measured, what is missing counts by what the stated
+  /// actuator makes of a unit of it: else a fit could make everything small by a motor that yields
+  /// little. By a difference; at least a twentieth of the stated one.
+  double stated_over_own_slope(double drive, Instant at) const {
+    const double above_Nm = motor_Nm(drive + step_, at), below_Nm = motor_Nm(drive - step_, at);
+    const double share = 0.5 * (above_Nm - below_Nm) / step_ / stated_slope_;
+    // The bridge's dead band yields nothing; that says nothing of the rest.
+    return 1.0 / std::max(share, is_voltage_ ? kLeastSlope : kLeastSlope * kLeastSlope);
+  }
+
+ private:
+  const Bench& bench_;
+  const Actuator& actuator_;
+  const LogErrors& log_;
+  actuator::Winding winding_;
+  bool is_voltage_, bus_is_logged_;
+  double stated_slope_ = 1.0, step_ = 1.0;
+};
 
 }  // namespace
+
+double winding_current_A(const Bench& bench, const Actuator& actuator, double voltage_V,
+                         bool bus_is_logged, const Instant& at) {
+  return current_of_A(bench, actuator, actuator::winding_of(actuator), voltage_V, bus_is_logged,
+                      at);
+}
 
 std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
                                       const Signals& signals) {
   Motion motion = motion_of(bench, hypothesis, signals);
   const std::size_t n = signals.size();
   const bool is_sensor = bench.load_side == LoadSide::kSensor;
+  const DriveSide drive(bench, hypothesis, signals);
   std::vector<double> motor_Nm(n), stated_per_own(n, 1.0);
   for (std::size_t i = 0; i < n; ++i) {
     Instant& at = motion.at[i];
-    motor_Nm[i] = motor_Nm_at(bench, hypothesis, signals, motion.drive[i], at);
-    if (!is_sensor)
-      stated_per_own[i] = stated_over_own_slope(bench, hypothesis, signals, motion.drive[i], at);
+    motor_Nm[i] = drive.motor_Nm(motion.drive[i], at);
+    if (!is_sensor) stated_per_own[i] = drive.stated_over_own_slope(motion.drive[i], at);
   }
   const std::vector<double> histories_Nm =
       torque_of_histories_Nm(hypothesis.actuator, motion.at, motor_Nm, signals.step_s);
@@ -280,7 +295,7 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
   std::vector<double> balance_Nm(n);
   SlowWaves waves(hypothesis.actuator, signals.step_s);
   for (std::size_t i = 0; i < n; ++i) {
-    const Instant& at = motion.at[i];
+    Instant& at = motion.at[i];
     const Actuator& actuator = waves.below_folding(at.speed_rad_s);
     const double imbalance = imbalance_Nm(hypothesis, at.output_angle_rad);
     const double acceleration_rad_s2 = motion.motor_acceleration_rad_s2.empty()
@@ -290,7 +305,7 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
                              actuator::periodic_motor_torque_Nm(actuator, at) -
                              inertia_kg_m2 * acceleration_rad_s2;
     if (is_sensor) {
-      const double predicted_Nm = over_directions(at, [&](Instant now) {
+      const double predicted_Nm = over_directions(at, [&](Instant& now) {
         now.load_torque_Nm =
             mesh.after(smooth_Nm + actuator::drag_Nm(actuator, now), now.direction);
         return now.load_torque_Nm + actuator::ripple_Nm(actuator, now);
