@@ -131,6 +131,23 @@ double over_directions(Instant& at, const Law& law) {
   return sum;
 }
 
+/// Torque at the output by its angle: what is there without a load, and in proportion to it.
+struct Ripple {
+  double alone_Nm = 0.0, per_load = 0.0;
+};
+Ripple ripple_of(const Actuator& actuator, Instant at) {
+  at.load_torque_Nm = 0.0;
+  const double alone_Nm = actuator::ripple_Nm(actuator, at);
+  at.load_torque_Nm = 1.0;
+  return {alone_Nm, actuator::ripple_Nm(actuator, at) - alone_Nm};
+}
+
+bool acts_on_output(const Actuator& actuator) {
+  return std::any_of(
+      actuator.effects.begin(), actuator.effects.end(),
+      [](const actuator::Effect& each) { return each.kind->acts == Acts::kOutputTorque; });
+}
+
 /// What gravity adds on the output beyond the rig's model.
 double imbalance_Nm(const Hypothesis& hypothesis, double angle_rad) {
   if (hypothesis.imbalance_sine_Nm == 0.0 && hypothesis.imbalance_cosine_Nm == 0.0) return 0.0;
@@ -252,8 +269,10 @@ class DriveSide {
   /// Where the drive's channel is what was measured, what is missing counts by what the stated
   /// actuator makes of a unit of it: else a fit could make everything small by a motor that yields
   /// little. By a difference; at least a twentieth of the stated one.
-  double stated_over_own_slope(double drive, Instant at) const {
+  double stated_over_own_slope(double drive, Instant& at) const {
+    const double own_A = at.current_A;
     const double above_Nm = motor_Nm(drive + step_, at), below_Nm = motor_Nm(drive - step_, at);
+    at.current_A = own_A;
     const double share = 0.5 * (above_Nm - below_Nm) / step_ / stated_slope_;
     // The bridge's dead band yields nothing; that says nothing of the rest.
     return 1.0 / std::max(share, is_voltage_ ? kLeastSlope : kLeastSlope * kLeastSlope);
@@ -293,6 +312,7 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
   const Mesh mesh(hypothesis.actuator);
   const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(hypothesis.actuator);
   std::vector<double> balance_Nm(n);
+  const bool has_ripple = acts_on_output(hypothesis.actuator);
   SlowWaves waves(hypothesis.actuator, signals.step_s);
   for (std::size_t i = 0; i < n; ++i) {
     Instant& at = motion.at[i];
@@ -314,14 +334,10 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
           motion.load_Nm[i] - hypothesis.log.torque_offset_Nm - imbalance - predicted_Nm;
       continue;
     }
-    Instant probe = at;
-    probe.load_torque_Nm = 0.0;
-    const double ripple_Nm = actuator::ripple_Nm(actuator, probe);
-    probe.load_torque_Nm = 1.0;
-    const double ripple_ratio = actuator::ripple_Nm(actuator, probe) - ripple_Nm;
+    const Ripple ripple = has_ripple ? ripple_of(actuator, at) : Ripple{};
     const double load_Nm =
-        (motion.load_Nm[i] - imbalance - ripple_Nm - hypothesis.log.torque_offset_Nm) /
-        (1.0 + ripple_ratio);
+        (motion.load_Nm[i] - imbalance - ripple.alone_Nm - hypothesis.log.torque_offset_Nm) /
+        (1.0 + ripple.per_load);
     balance_Nm[i] = over_directions(at,
                                     [&](const Instant& now) {
                                       return mesh.before(load_Nm, now.direction) -
