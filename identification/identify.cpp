@@ -5,6 +5,7 @@
 
 #include "identification/allowed_equations.hpp"
 #include "identification/analysis.hpp"
+#include "identification/forward/candidates.hpp"
 #include "identification/with_effects.hpp"
 
 namespace torquewright::identification {
@@ -66,6 +67,25 @@ std::vector<EmpiricalTable> tables_of(const std::vector<EquationResult>& equatio
   return tables;
 }
 
+/// What the equations say of the data rather than of the actuator.
+void add_findings(Identification& found) {
+  for (const EquationResult& each : found.equations) {
+    if (!each.not_one_rig.empty()) found.findings.push_back({Weight::kError, each.not_one_rig});
+    for (const SpectralLine& line : each.lines) {
+      if (!is_of_the_data(line)) continue;
+      const std::string whose =
+          each.joint.empty() ? each.quantity : each.joint + " " + each.quantity;
+      found.findings.push_back({Weight::kWarning, sentence_of(line, whose, each.unit)});
+    }
+  }
+}
+
+std::vector<std::string> effects_not_asked(const AnalysisOptions& options) {
+  std::vector<std::string> names = nameable_effects();
+  std::erase_if(names, [&](const std::string& name) { return options.asks(name); });
+  return names;
+}
+
 }  // namespace
 
 Identification identify(const std::vector<std::filesystem::path>& logs, const Rig& rig,
@@ -93,12 +113,12 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
       };
     }
     for (EquationResult& each : analyse(rig, log, joint, nominal, analysis)) {
+      if (has_error(log.findings)) each.verdict = Verdict::kCannotTell;
       found.equations.push_back(std::move(each));
     }
   }
-  for (const EquationResult& each : found.equations) {
-    if (!each.not_one_rig.empty()) found.findings.push_back({Weight::kError, each.not_one_rig});
-  }
+  found.not_asked = effects_not_asked(options.analysis);
+  add_findings(found);
   found.verdict = overall(found.equations, found.findings);
   found.leading = leading(found.equations);
   if (options.empirical) found.tables = tables_of(found.equations);

@@ -43,6 +43,7 @@ struct Identification {
   std::vector<std::string> train_runs, holdout_runs;
   std::vector<Log::File> files;
   std::vector<EmpiricalTable> tables;  ///< With `empirical`.
+  std::vector<std::string> not_asked;  ///< Effects that options left out.
 };
 
 /// Reads the logs, and goes through steps 1 to 5 for every joint. Throws io::SpecError where what

@@ -74,6 +74,48 @@ ordered_json structures_json(const std::vector<ResidualStructure>& structures) {
   return list;
 }
 
+ordered_json runs_json(const std::vector<RunResult>& runs) {
+  ordered_json list = ordered_json::array();
+  for (const RunResult& each : runs) {
+    list.push_back({{"run", each.run},
+                    {"held_out", each.is_held_out},
+                    {"rms_before", number(each.rms_before)},
+                    {"rms_after", number(each.rms_after)}});
+  }
+  return list;
+}
+
+ordered_json models_json(const EquationResult& equation) {
+  ordered_json list = ordered_json::array();
+  for (const ModelWithinNoise& model : equation.models) {
+    ordered_json entry{{"effects", ordered_json::array()}};
+    for (const NamedEffect& each : model.effects) {
+      entry["effects"].push_back({{"effect", each.effect},
+                                  {"parameters", finite(each.parameters)},
+                                  {"standard_error", finite(each.standard_error)}});
+    }
+    entry.update(errors_json(equation, model.errors));
+    if (!model.decided_by.empty()) entry["decided_by"] = model.decided_by;
+    list.push_back(entry);
+  }
+  return list;
+}
+
+ordered_json lines_json(const EquationResult& equation) {
+  ordered_json list = ordered_json::array();
+  for (const SpectralLine& each : equation.lines) {
+    list.push_back({{"frequency_hz", number(each.frequency_Hz)},
+                    {"amplitude", number(each.amplitude)},
+                    {"standard_error", number(each.amplitude_error)},
+                    {"keeps_to", name_of(each.keeps_to)},
+                    {"order", number(each.order)},
+                    {"chance", number(each.chance)},
+                    {"runs", each.runs},
+                    {"sentence", sentence_of(each, equation.quantity, equation.unit)}});
+  }
+  return list;
+}
+
 ordered_json equation_json(const EquationResult& equation) {
   const bool is_usable = equation.unusable.empty();
   ordered_json json = ordered_json::object();
@@ -85,10 +127,14 @@ ordered_json equation_json(const EquationResult& equation) {
   json["before"] = errors_json(equation, equation.before);
   json["after"] = errors_json(equation, equation.after);
   json["verdict"] = name_of(equation.verdict);
+  if (only_confirms(equation)) json["only_confirms"] = true;
   if (!is_usable) json["unusable"] = equation.unusable;
   json["not_excited"] = equation.not_excited;
   json["structure_before"] = structures_json(equation.structure_before);
   json["structure_after"] = structures_json(equation.structure_after);
+  json["runs"] = runs_json(equation.runs);
+  json["models"] = models_json(equation);
+  json["lines"] = lines_json(equation);
   return json;
 }
 
@@ -203,6 +249,11 @@ std::vector<ResidualStructure> significant_of(const std::vector<ResidualStructur
   return chosen;
 }
 
+bool only_confirms(const EquationResult& equation) {
+  return equation.verdict == Verdict::kNothingMissing && equation.unusable.empty() &&
+         !equation.is_noise_after;
+}
+
 std::vector<Rejection> rejections_of(const EquationResult& equation) {
   std::vector<Rejection> rejected;
   for (const Rejection& each : equation.rejected) {
@@ -231,6 +282,7 @@ ordered_json identification_report_json(const Identification& found) {
     document["data_findings"].push_back(
         {{"severity", name_of(finding.weight)}, {"sentence", finding.sentence}});
   }
+  if (!found.not_asked.empty()) document["not_asked"] = found.not_asked;
   if (!found.tables.empty()) document["empirical_tables"] = ordered_json::array();
   for (const EmpiricalTable& table : found.tables) {
     document["empirical_tables"].push_back(table_json(table));

@@ -21,6 +21,10 @@ std::string sentence_of(const ResidualStructure& structure);
 /// The coordinates along which something is left beyond chance, each once, the strongest first.
 std::vector<ResidualStructure> significant_of(const std::vector<ResidualStructure>& structures);
 
+/// Whether an equation that leaves more than noise has no verdict of its own: it was simulated with
+/// what others found, and added nothing.
+bool only_confirms(const EquationResult& equation);
+
 /// What was rejected and did not come in in another form (another delay, another harmonic).
 std::vector<Rejection> rejections_of(const EquationResult& equation);
 

@@ -33,6 +33,14 @@ std::string_view name_of(Verdict verdict) {
   return "";
 }
 
+std::vector<const NamedEffect*> certain_of(const EquationResult& result) {
+  std::vector<const NamedEffect*> certain;
+  for (const NamedEffect& effect : result.added) {
+    if (is_certain(result, effect.effect)) certain.push_back(&effect);
+  }
+  return certain;
+}
+
 bool is_certain(const EquationResult& result, const std::string& effect) {
   return std::none_of(result.confounded.begin(), result.confounded.end(), [&](const auto& group) {
     return !group.exact &&

@@ -8,6 +8,7 @@
 
 #include "identification/log.hpp"
 #include "identification/residual_structure.hpp"
+#include "identification/spectral_lines.hpp"
 
 namespace torquewright::identification {
 
@@ -15,6 +16,22 @@ namespace torquewright::identification {
 struct Errors {
   double train_rms = 0.0;
   double holdout_rms = 0.0;
+};
+
+/// Points to draw, in the order of time; a value that is not a number ends a line.
+struct Curve {
+  std::vector<double> time_s;  ///< Of a map without time: the sample.
+  std::vector<double> value;
+};
+
+/// An equation in one run, in its band.
+struct RunResult {
+  std::string run;
+  bool is_held_out = false;
+  bool is_map = false;  ///< Without time.
+  double rms_before = 0.0, rms_after = 0.0;
+  /// Of many points the least and the greatest of equal shares of them, where they stand.
+  Curve measured, stated, refined;
 };
 
 /// Whose property an effect is.
@@ -55,6 +72,13 @@ struct Confounded {
   std::string consequence;  ///< For the region, of each reading.
 };
 
+/// A set of effects that the log cannot tell from the one that was taken.
+struct ModelWithinNoise {
+  std::vector<NamedEffect> effects;  ///< Without evidence.
+  Errors errors;
+  std::string decided_by;  ///< What would tell it from the one that was taken; of that one: empty.
+};
+
 enum class Verdict { kExplained, kPartlyExplained, kUnexplained, kNothingMissing, kCannotTell };
 std::string_view name_of(Verdict verdict);
 
@@ -73,13 +97,19 @@ struct EquationResult {
   std::vector<Confounded> confounded;
   std::vector<std::string> not_excited;
   std::vector<ResidualStructure> structure_before, structure_after;
-  bool is_noise_before = false;  ///< Nothing to explain.
+  std::vector<RunResult> runs;           ///< None of what is simulated in windows.
+  std::vector<ModelWithinNoise> models;  ///< The one that was taken, then those as good.
+  std::vector<SpectralLine> lines;       ///< Of what is left, up to half the log's rate.
+  bool is_noise_before = false;          ///< Nothing to explain.
   bool is_noise_after = false;
   bool has_tentative = false;  ///< Something helps, but no name is sure.
   std::string not_one_rig;     ///< Why the runs do not belong together; empty: they do.
   std::string unusable;        ///< Why nothing could be said; empty: something could.
   Verdict verdict = Verdict::kCannotTell;
 };
+
+/// Effects that were named and that no other of this log may stand for.
+std::vector<const NamedEffect*> certain_of(const EquationResult& result);
 
 /// Whether no other effect of this log may stand in the place of one that was named.
 bool is_certain(const EquationResult& result, const std::string& effect);

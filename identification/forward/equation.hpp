@@ -25,6 +25,7 @@ struct ForwardEquation {
   std::vector<std::string> pointers;  ///< What the first of `always` are.
   std::vector<EffectCandidate> candidates;
   std::function<std::vector<double>(const Hypothesis&, const Signals&)> residual;
+  std::function<std::vector<double>(const Signals&)> measured;  ///< In `unit`.
   /// Whether no law of nature speaks against it; empty: none is asked.
   std::function<bool(const Hypothesis&)> is_possible;
   /// Waves of the motor's or the output's angle that what a model leaves suggests.

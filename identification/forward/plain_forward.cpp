@@ -102,6 +102,7 @@ ForwardEquation twist_forward(const Bench& bench, const actuator::Ranges& ranges
   for (std::size_t order = 1; order <= 2 && ranges.angle_rad >= kWholeTurn_rad; ++order) {
     equation.candidates.push_back(encoder_candidate(order, kMostEncoderError_rad));
   }
+  equation.measured = [](const Signals& signals) { return signals.twist_rad; };
   equation.residual = [output](const Hypothesis& supposed, const Signals& signals) {
     const auto delay_s = [&](Quantity q) {
       return supposed.log.delay_s[static_cast<std::size_t>(q)];
@@ -137,6 +138,7 @@ ForwardEquation voltage_forward(const Bench& bench, const actuator::Ranges& rang
   }
   if (bench.has_temperature) add_effect(bench, "winding_resistance_temperature", ranges, equation);
   add_effect(bench, "inverter_dead_time", ranges, equation);
+  equation.measured = [](const Signals& signals) { return signals.voltage_V; };
   equation.residual = [](const Hypothesis& supposed, const Signals& signals) {
     const actuator::Actuator& actuator = supposed.actuator;
     const actuator::Winding winding = actuator::winding_of(actuator);
@@ -159,6 +161,7 @@ ForwardEquation bus_forward(const Bench& bench, const actuator::Ranges& ranges) 
   // What the supply has without load is known to its charge only.
   add_zero(equation, &LogErrors::open_circuit_V, "open circuit", ranges.voltage_V);
   add_effect(bench, "voltage_sag", ranges, equation);
+  equation.measured = [](const Signals& signals) { return signals.bus_V; };
   equation.residual = [](const Hypothesis& supposed, const Signals& signals) {
     std::vector<double> left(signals.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
@@ -194,6 +197,7 @@ ForwardEquation velocity_forward(const Bench& bench, std::string quantity, std::
                                  std::vector<double> Signals::*logged, double ratio) {
   ForwardEquation equation = equation_of(bench, std::move(quantity), std::move(unit));
   equation.candidates.push_back(velocity_mismatch());
+  equation.measured = [logged](const Signals& signals) { return signals.*logged; };
   equation.residual = [logged, ratio](const Hypothesis& supposed, const Signals& signals) {
     std::vector<double> speed(signals.size());
     for (std::size_t i = 0; i < speed.size(); ++i) speed[i] = ratio * signals.at[i].speed_rad_s;

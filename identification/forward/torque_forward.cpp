@@ -125,6 +125,16 @@ std::vector<EffectCandidate> waves_of(const Bench& bench, const WaveOrders& orde
   return waves;
 }
 
+/// The balance's measured side, in its unit.
+std::vector<double> measured_of(const Bench& bench, const Signals& signals) {
+  if (bench.load_side == LoadSide::kSensor) return signals.load_side_Nm;
+  if (bench.drive == Drive::kVoltage) return signals.voltage_V;
+  if (bench.drive == Drive::kTorque) return signals.motor_side_Nm;
+  std::vector<double> current_A;
+  for (const actuator::Instant& at : signals.at) current_A.push_back(at.current_A);
+  return current_A;
+}
+
 /// Of the motor's side or the load's, whichever is more.
 double used_torque_Nm(const std::vector<Signals>& signals) {
   double square = 0.0, count = 0.0;
@@ -190,6 +200,7 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
     return torque_balance_Nm(bench, hypothesis, stretch);
   };
+  equation.measured = [&bench](const Signals& stretch) { return measured_of(bench, stretch); };
   equation.is_possible = [speed_rad_s = ranges.speed_rad_s](const Hypothesis& hypothesis) {
     return !friction_pushes(hypothesis.actuator, speed_rad_s);
   };

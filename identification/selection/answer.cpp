@@ -8,8 +8,12 @@
 #include <set>
 
 #include "identification/confusions.hpp"
+#include "identification/line_traces.hpp"
+#include "identification/selection/errors.hpp"
 #include "identification/selection/judgement.hpp"
+#include "identification/selection/models_within_noise.hpp"
 #include "identification/selection/named.hpp"
+#include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
 #include "identification/selection/search.hpp"
 #include "identification/verdict.hpp"
@@ -21,21 +25,6 @@ constexpr std::size_t kLeastTrainingBlocks = 6;    ///< In training, to say anyt
 constexpr double kBands_Hz[] = {8.0, 16.0, 24.0};  ///< Below the signals' own.
 constexpr double kClearlyMore = 1.2;
 constexpr double kKnown = 0.5;  ///< Relative error, at most, of an uncertain value that is fitted.
-
-/// Root mean squares over rows that were fitted and that were not, in the equation's unit.
-Errors errors_over(const ForwardEquation& equation, const Rows& rows,
-                   const Eigen::VectorXd& residual) {
-  double square[2] = {0.0, 0.0}, count[2] = {0.0, 0.0};
-  for (const Rows::Block& block : rows.blocks()) {
-    square[block.is_held_out()] += residual.segment(block.begin, block.count).squaredNorm();
-    count[block.is_held_out()] += static_cast<double>(block.count);
-  }
-  const auto rms = [&](int k) {
-    return count[k] > 0.0 ? std::sqrt(square[k] / count[k]) * std::abs(equation.unit_per_residual)
-                          : 0.0;
-  };
-  return {rms(0), rms(1)};
-}
 
 std::vector<ResidualStructure> structure_left(const Rows& rows, const Eigen::VectorXd& residual) {
   std::vector<ResidualTrace> traces;
@@ -119,10 +108,7 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
     named.evidence = evidence_for(found.gains[m], found.gains[m].gain / before);
     last = after;
     const auto same = std::find_if(result.added.begin(), result.added.end(), [&](const auto& each) {
-      return found.best.members[m]->order > 0.0 && each.effect == named.effect &&
-             each.parameters.contains("harmonics") &&
-             each.parameters.value("proportional", false) ==
-                 named.parameters.value("proportional", false);
+      return found.best.members[m]->order > 0.0 && is_wave_of(each, named);
     });
     if (same == result.added.end()) {
       result.added.push_back(std::move(named));
@@ -321,6 +307,10 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   name_members(fitter, found, result);
   append_groups(bench, found, result);
   describe_refused(judged, found, result);
+  result.runs = run_results(equation, rows, found.empty.residual, kept.residual);
+  if (options.select) result.models = models_within_noise(bench, fitter, found);
+  result.lines = spectral_lines(
+      line_traces(equation, fitter.hypothesis(kept.members, kept.coordinates), held));
   result.with_certain = errors_with_certain(fitter, kept, result);
   for (std::size_t k = 0; k < equation.pointers.size() && options.select; ++k) {
     const auto i = static_cast<Eigen::Index>(k);

@@ -95,6 +95,12 @@ NamedEffect named_effect(const ModelFit& fit, std::size_t member) {
   return named;
 }
 
+bool is_wave_of(const NamedEffect& first, const NamedEffect& wave) {
+  return first.effect == wave.effect && first.parameters.contains("harmonics") &&
+         first.parameters.value("proportional", false) ==
+             wave.parameters.value("proportional", false);
+}
+
 void append_wave(NamedEffect& first, const NamedEffect& wave) {
   for (const Json& each : wave.parameters["harmonics"])
     first.parameters["harmonics"].push_back(each);

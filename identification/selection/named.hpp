@@ -9,6 +9,9 @@ namespace torquewright::identification {
 /// propagation of the fit's covariance; null where the log does not determine one.
 NamedEffect named_effect(const ModelFit& fit, std::size_t member);
 
+/// Whether both are waves of one effect that a report holds together.
+bool is_wave_of(const NamedEffect& first, const NamedEffect& wave);
+
 /// Waves of one effect become one effect: the second's harmonics are appended to the first's.
 void append_wave(NamedEffect& first, const NamedEffect& wave);
 

@@ -58,10 +58,21 @@ void require_names(const std::string& option, const std::vector<std::string>& na
   }
 }
 
+/// What may be named and may not be named is a mistake in one of the two.
+void require_no_contradiction(const IdentifyRequest& request) {
+  for (const std::string& name : request.only) {
+    if (std::find(request.without.begin(), request.without.end(), name) == request.without.end())
+      continue;
+    command_line::refuse(
+        fmt::format("--only and --without: \"{}\" is in both; allowed is one of them", name));
+  }
+}
+
 IdentifyInputs read(const IdentifyRequest& request) {
   require_log_options(request);
   require_names("--only", request.only);
   require_names("--without", request.without);
+  require_no_contradiction(request);
   if (!request.as.empty()) (void)identification::output_of(request.as);
   IdentifyInputs inputs = read_inputs(request);
   if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early

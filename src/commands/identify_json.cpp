@@ -17,6 +17,10 @@ std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& 
   document["options"] = nlohmann::ordered_json::object();
   if (!request.select) document["options"]["select"] = false;
   if (request.empirical) document["options"]["empirical"] = true;
+  if (request.tolerance != IdentifyRequest().tolerance)
+    document["options"]["tolerance"] = request.tolerance;
+  if (!request.only.empty()) document["options"]["only"] = request.only;
+  if (!request.without.empty()) document["options"]["without"] = request.without;
   std::vector<io::Document> read;
   for (const auto& file : found.files) read.push_back({file.path, "", {}, file.sha256});
   read.push_back(inputs.rig_document);

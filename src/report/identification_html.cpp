@@ -8,6 +8,8 @@
 #include "io/provenance.hpp"
 #include "src/report/html_page.hpp"
 #include "src/report/identification_plots.hpp"
+#include "src/report/identification_runs_html.hpp"
+#include "src/report/identification_verdict.hpp"
 #include "src/report/svg.hpp"
 
 namespace torquewright::report {
@@ -42,6 +44,10 @@ std::string rms_text(double value, const std::string& unit) {
 std::string card(const std::string& figure, const std::string& what) {
   return fmt::format("<div class=\"card\"><b>{}</b><span>{}</span></div>\n", escaped(figure),
                      escaped(what));
+}
+
+std::string badge(Verdict verdict) {
+  return fmt::format("<span class=\"badge {0}\">{0}</span>", identification::name_of(verdict));
 }
 
 std::string cards(const Identification& found) {
@@ -136,11 +142,44 @@ std::string coordinates_section(const EquationResult& equation, Pictures& pictur
          picture;
 }
 
+/// What a model adds, with its numbers.
+std::string model_cell(const ModelWithinNoise& model) {
+  std::string cell;
+  for (const NamedEffect& effect : model.effects) {
+    cell += fmt::format("<b>{}</b><br/>", escaped(effect.effect));
+    for (const std::string& each : parameter_texts(effect)) cell += escaped(each) + "<br/>";
+  }
+  return cell.empty() ? escaped(name_of_model(model)) : cell;
+}
+
+std::string models_table(const EquationResult& equation) {
+  if (equation.models.size() < 2) return "";
+  std::string text = fmt::format(
+      "<h3>Models within the noise</h3>\n<table><tr><th>effects</th><th>fitted, {0}</th><th>held "
+      "out, {0}</th><th>would be decided by</th></tr>\n",
+      escaped(equation.unit));
+  for (const ModelWithinNoise& model : equation.models) {
+    text += fmt::format(
+        "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
+        model_cell(model), fmt::format("{:.4g}", model.errors.train_rms),
+        model.errors.holdout_rms > 0.0 ? fmt::format("{:.4g}", model.errors.holdout_rms) : "none",
+        model.decided_by.empty() ? "the one that was taken" : escaped(model.decided_by));
+  }
+  return text + "</table>\n";
+}
+
+std::string lines_section(const EquationResult& equation) {
+  std::vector<std::string> items;
+  for (const SpectralLine& each : equation.lines)
+    items.push_back(sentence_of(each, equation.quantity, equation.unit));
+  return items.empty() ? "" : "<h3>Lines in the spectrum of what is left</h3>\n" + list(items);
+}
+
 std::string equation_section(const EquationResult& equation, bool select, Pictures& pictures) {
-  std::string text =
-      fmt::format("<section>\n<h2>{} <span class=\"badge {}\">{}</span></h2>\n",
-                  escaped(name_of_equation(equation)), identification::name_of(equation.verdict),
-                  identification::name_of(equation.verdict));
+  std::string text = fmt::format(
+      "<section>\n<h2>{} {}</h2>\n", escaped(name_of_equation(equation)),
+      only_confirms(equation) ? "<span class=\"soft\">simulated, no verdict of its own</span>"
+                              : badge(equation.verdict));
   if (!equation.unusable.empty()) return text + paragraph(equation.unusable) + "</section>\n";
   text += paragraph(
       fmt::format("Up to {:g} Hz: {} rms on held-out runs, {} on fitted ones; noise floor {}.",
@@ -148,8 +187,11 @@ std::string equation_section(const EquationResult& equation, bool select, Pictur
                   rms_text(equation.before.train_rms, equation.unit),
                   rms_text(equation.noise_floor_rms, equation.unit)));
   if (select) text += pictures.draw(waterfall_plot(equation)) + effects_table(equation);
-  text += corrections(equation) + coordinates_section(equation, pictures);
-  if (select) text += remainder(equation) + groups(equation) + rejections(equation);
+  text += corrections(equation) + runs_section(equation, pictures) +
+          coordinates_section(equation, pictures);
+  if (select) text += remainder(equation);
+  text += lines_section(equation);
+  if (select) text += groups(equation) + models_table(equation) + rejections(equation);
   if (!equation.not_excited.empty()) {
     text += "<h3>Not excited by this log, so not judged</h3>\n" +
             paragraph(fmt::format("{}", fmt::join(equation.not_excited, ", ")));
@@ -193,7 +235,10 @@ std::string head(const Identification& found, const IdentificationContext& conte
       "<style>{1}</style>\n</head>\n<body>\n<main>\n<section>\n<h1>{0} <span class=\"badge "
       "{2}\">{2}</span></h1>\n",
       escaped(title), kPageStyle, verdict);
-  text += paragraph(verdict_sentence(found, context.select)) + cards(found);
+  text += paragraph(verdict_sentence(found, context.select));
+  const std::string not_asked = not_asked_sentence(found);
+  if (!not_asked.empty()) text += paragraph(not_asked);
+  text += cards(found);
   const std::vector<std::string> steps = next_steps(found, context);
   if (!steps.empty()) text += "<h3>Next</h3>\n" + list(steps);
   return text + "</section>\n";

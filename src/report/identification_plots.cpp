@@ -18,10 +18,13 @@ using namespace identification;
 constexpr int kWidth = 900;
 constexpr int kBarHeight = 38;
 constexpr int kPanelHeight = 230;
+constexpr int kStripHeight = 150;
+constexpr std::size_t kMostStrips = 16;
 constexpr std::size_t kColumns = 3;
 constexpr std::size_t kMostPanels = 9;
 constexpr const char* kBefore = "#d55e00";  ///< Told apart by the colour-blind as well.
 constexpr const char* kAfter = "#0072b2";
+constexpr const char* kMeasured = "#b9c2cb";
 
 /// One coordinate before and after; what opposes the motion is shown so.
 struct Panel {
@@ -94,6 +97,63 @@ std::string panel_script(const Panel& panel, std::size_t index) {
   return script + "\n";
 }
 
+/// In their own order, no more than fit.
+std::vector<const RunResult*> strips_of(const EquationResult& equation) {
+  std::vector<const RunResult*> runs;
+  for (const RunResult& run : equation.runs) runs.push_back(&run);
+  if (runs.size() <= kMostStrips) return runs;
+  const auto comes_first = [](const RunResult* a, const RunResult* b) {
+    if (a->is_held_out != b->is_held_out) return a->is_held_out;
+    return a->rms_after > b->rms_after;
+  };
+  std::stable_sort(runs.begin(), runs.end(), comes_first);
+  runs.resize(kMostStrips);
+  std::sort(runs.begin(), runs.end());
+  return runs;
+}
+
+/// Times count from the run's beginning; a gap is an empty line.
+std::string curve_block(const std::string& name, const identification::Curve& curve,
+                        double begin_s) {
+  std::string text = "$" + name + " << END\n";
+  for (std::size_t i = 0; i < curve.value.size(); ++i) {
+    text += std::isfinite(curve.value[i])
+                ? fmt::format("{:.6g},{:.6g}\n", curve.time_s[i] - begin_s, curve.value[i])
+                : "\n";
+  }
+  return text + "END\n";
+}
+
+std::string strip_script(const RunResult& run, const EquationResult& equation, std::size_t index,
+                         bool is_refined) {
+  struct Drawn {
+    const char* name;
+    const identification::Curve& curve;
+    const char* color;
+    double width;
+  };
+  std::vector<Drawn> all = {{"measured", run.measured, kMeasured, 4.0},
+                            {"stated", run.stated, kBefore, 1.3}};
+  if (is_refined) all.push_back({"refined", run.refined, kAfter, 1.3});
+  const double begin_s = run.measured.time_s.empty() ? 0.0 : run.measured.time_s.front();
+  std::string script, curves;
+  for (const Drawn& each : all) {
+    const std::string block = fmt::format("{}{}", each.name, index);
+    script += curve_block(block, each.curve, begin_s);
+    curves += fmt::format("{}${} using 1:2 with lines linewidth {} linecolor rgb '{}' notitle",
+                          curves.empty() ? "" : ", ", block, each.width, each.color);
+  }
+  const std::string errors = is_refined
+                                 ? fmt::format("{:.3g} → {:.3g}", run.rms_before, run.rms_after)
+                                 : fmt::format("{:.3g}", run.rms_before);
+  script += fmt::format(
+      "set title {}\nset xlabel '{}' offset 0,0.6\nset ylabel {}\nplot {}\n",
+      gnuplot_quoted(fmt::format("{}{}: {} {} rms", run.run, run.is_held_out ? ", held out" : "",
+                                 errors, equation.unit)),
+      run.is_map ? "sample" : "s", gnuplot_quoted(equation.unit), curves);
+  return script;
+}
+
 std::string thin_axes() {
   return "set border 3 linecolor rgb '#888888'\nset tics nomirror scale 0.5 textcolor rgb "
          "'#333333'\n"
@@ -134,6 +194,23 @@ std::string waterfall_plot(const EquationResult& equation) {
       "plot $bars using ($2/2):1:(0):2:($1-0.3):($1+0.3):3 with boxxyerror linecolor rgb variable, "
       "'' using 2:1:4 with labels left offset 0.7,0 textcolor rgb '#222222'\n";
   return script;
+}
+
+std::size_t plotted_runs(const EquationResult& equation) { return strips_of(equation).size(); }
+
+std::string run_plot(const EquationResult& equation) {
+  const std::vector<const RunResult*> strips = strips_of(equation);
+  if (strips.empty()) return "";
+  const bool is_refined = !equation.added.empty() || !equation.corrected.empty();
+  std::string script =
+      gnuplot_terminal(PlotFormat::kSvg, kWidth, static_cast<int>(strips.size()) * kStripHeight) +
+      thin_axes();
+  script += "set title font ',10' offset 0,-0.6\nset tics font ',9'\nset format y '%.3g'\n";
+  script += fmt::format("set lmargin 9\nset multiplot layout {},1\n", strips.size());
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    script += strip_script(*strips[i], equation, i, is_refined);
+  }
+  return script + "unset multiplot\n";
 }
 
 std::string structure_plot(const EquationResult& equation) {

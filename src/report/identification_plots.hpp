@@ -15,4 +15,11 @@ std::string waterfall_plot(const identification::EquationResult& equation);
 /// The mean residual over each coordinate, before and after; empty where there is none.
 std::string structure_plot(const identification::EquationResult& equation);
 
+/// Measured and predicted over time, a strip for each run; of many runs those that are held out and
+/// those of which most is left. Empty where there are none.
+std::string run_plot(const identification::EquationResult& equation);
+
+/// How many runs it shows.
+std::size_t plotted_runs(const identification::EquationResult& equation);
+
 }  // namespace torquewright::report

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "identification/report_spec.hpp"
+#include "src/report/identification_verdict.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -16,6 +17,8 @@ using namespace identification;
 
 constexpr std::size_t kMostRejected = 5;
 constexpr std::size_t kMostCoordinates = 4;
+constexpr std::size_t kMostRuns = 6;
+constexpr std::size_t kMostRivals = 5;
 constexpr double kBarLength = 32.0;
 
 /// A line of a step; the step's name stands before the first one only.
@@ -96,6 +99,57 @@ std::string waterfall_lines(const EquationResult& equation) {
                                      bar(floor, full)));
 }
 
+/// The error in each run; of many, those in which most is left.
+std::string run_lines(const EquationResult& equation) {
+  std::vector<RunResult> runs = equation.runs;
+  if (runs.size() < 2) return "";
+  if (runs.size() > kMostRuns) {
+    std::stable_sort(runs.begin(), runs.end(), [](const RunResult& a, const RunResult& b) {
+      return a.rms_after > b.rms_after;
+    });
+    runs.resize(kMostRuns);
+  }
+  std::vector<std::string> parts;
+  for (const RunResult& run : runs) {
+    parts.push_back(fmt::format("{}{} {:.4g} -> {:.4g}", run.run,
+                                run.is_held_out ? " (held out)" : "", run.rms_before,
+                                run.rms_after));
+  }
+  const std::size_t others = equation.runs.size() - runs.size();
+  const std::string more =
+      others > 0 ? fmt::format("; less is left of {} more, see --json", others) : std::string();
+  return line("", fmt::format("by run: {}{}", fmt::join(parts, ", "), more));
+}
+
+/// What else the log may hold in the place of what was taken.
+std::string model_lines(const EquationResult& equation) {
+  std::string text;
+  for (std::size_t i = 1; i < std::min(1 + kMostRivals, equation.models.size()); ++i) {
+    const ModelWithinNoise& model = equation.models[i];
+    text += line("", fmt::format("within the noise: {}: {}; decided by {}", name_of_model(model),
+                                 rms(shown_error(model.errors), equation.unit), model.decided_by));
+  }
+  if (equation.models.size() > 1 + kMostRivals) {
+    text += line("", fmt::format("within the noise: {} more, see --json",
+                                 equation.models.size() - 1 - kMostRivals));
+  }
+  return text;
+}
+
+/// Lines that findings do not tell of.
+std::string spectral_lines_text(const EquationResult& equation) {
+  std::vector<std::string> parts;
+  for (const SpectralLine& each : equation.lines) {
+    if (is_of_the_data(each)) continue;
+    parts.push_back(
+        fmt::format("{:.4g} Hz ({:.3g} {})", each.frequency_Hz, each.amplitude, equation.unit));
+  }
+  if (parts.empty()) return "";
+  return line("", fmt::format("lines where the motion repeats, so that a law that is missing may "
+                              "sound there: {}",
+                              fmt::join(parts, ", ")));
+}
+
 std::string effect_lines(const EquationResult& equation) {
   std::string text;
   for (const NamedEffect& effect : equation.added) {
@@ -150,13 +204,14 @@ std::string equation_text(const EquationResult& equation, bool select, bool is_o
   if (!equation.unusable.empty()) return text + line("2 residual", equation.unusable);
   text += residual_lines(equation) + evidence_lines(equation);
   if (!select) return text;
-  text += waterfall_lines(equation) + effect_lines(equation) + rejection_lines(equation);
-  return text + left_line(equation);
+  text += waterfall_lines(equation) + run_lines(equation) + effect_lines(equation) +
+          rejection_lines(equation) + model_lines(equation);
+  return text + left_line(equation) + spectral_lines_text(equation);
 }
 
 /// An equation in which nothing is missing, in one line.
 std::string noise_line(const EquationResult& equation) {
-  if (equation.after.train_rms != equation.before.train_rms) {
+  if (only_confirms(equation) || equation.after.train_rms != equation.before.train_rms) {
     return fmt::format(
         "\n{}: simulated as stated and with what was found, {} -> {} rms, noise floor "
         "{}\n",
@@ -205,6 +260,8 @@ std::string headline(const Identification& found, const IdentificationContext& c
   std::string text = fmt::format(
       "{} on {}: {}\n{}\n", logs, context.rig_name.empty() ? context.rig_file : context.rig_name,
       identification::name_of(found.verdict), verdict_sentence(found, context.select));
+  const std::string not_asked = not_asked_sentence(found);
+  if (!not_asked.empty()) text += not_asked + "\n";
   if (!context.select || found.leading >= found.equations.size()) return text;
   const EquationResult& equation = found.equations[found.leading];
   if (equation.added.empty() && equation.corrected.empty()) return text;

@@ -68,45 +68,6 @@ std::string harmonic_text(const ordered_json& wave, const ordered_json& error) {
                      fmt::join(parts, ", "));
 }
 
-std::vector<std::string> names_added(const Identification& found) {
-  std::vector<std::string> names;
-  for (const EquationResult& equation : found.equations) {
-    for (const NamedEffect& effect : equation.added) {
-      std::string name = effect.effect;
-      if (!equation.joint.empty()) name += " (" + equation.joint + ")";
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-  }
-  return names;
-}
-
-std::string along(const Identification& found) {
-  for (const EquationResult& equation : found.equations) {
-    const auto left = significant_of(equation.structure_after);
-    if (left.empty() || equation.verdict == Verdict::kNothingMissing) continue;
-    return fmt::format("what is left varies most with {} ({:.0f} % of its square)",
-                       name_of_coordinate(left.front()), 100.0 * left.front().share);
-  }
-  return "what is left is more than noise, but varies with no coordinate that was tried";
-}
-
-std::string doubt_sentence(const Identification& found) {
-  for (const DataFinding& finding : found.findings) {
-    if (finding.weight == Weight::kError) return "The data cannot tell. " + finding.sentence;
-  }
-  for (const EquationResult& equation : found.equations) {
-    for (const Confounded& group : equation.confounded) {
-      if (!group.exact) {
-        return fmt::format("The log cannot tell {} apart.", fmt::join(group.effects, " and "));
-      }
-    }
-  }
-  for (const EquationResult& equation : found.equations) {
-    if (!equation.unusable.empty()) return "The log cannot tell: " + equation.unusable + ".";
-  }
-  return "The log cannot tell: its channels allow no equation to be compared.";
-}
-
 std::string compare_command(const IdentificationContext& context, std::size_t i,
                             std::string refined) {
   std::string nominal = i < context.actuator_files.size() ? context.actuator_files[i] : "ACTUATOR";
@@ -175,21 +136,10 @@ std::string alternatives(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, " or "));
 }
 
-std::string verdict_sentence(const Identification& found, bool select) {
-  const bool is_noise = found.verdict == Verdict::kNothingMissing;
-  if (is_noise) return "The error is noise: nothing is missing that this log could show.";
-  if (found.verdict == Verdict::kCannotTell) return doubt_sentence(found);
-  if (!select) return "There is something to explain: " + along(found) + ".";
-  const std::string names = fmt::format("{}", fmt::join(names_added(found), ", "));
-  if (found.verdict == Verdict::kExplained) {
-    return fmt::format("Missing from the model: {}. With {} what is left is noise.", names,
-                       names_added(found).size() == 1 ? "it" : "them");
-  }
-  if (found.verdict == Verdict::kPartlyExplained) {
-    return fmt::format("Missing from the model: {}; that is not all: {}.", names, along(found));
-  }
-  return fmt::format("The model is wrong, and no effect of the library explains how: {}.",
-                     along(found));
+std::string name_of_model(const ModelWithinNoise& model) {
+  std::vector<std::string> names;
+  for (const NamedEffect& each : model.effects) names.push_back(each.effect);
+  return names.empty() ? "as stated" : fmt::format("{}", fmt::join(names, " + "));
 }
 
 std::vector<std::string> next_steps(const Identification& found,
@@ -208,7 +158,7 @@ std::vector<std::string> next_steps(const Identification& found,
   const bool has_added = std::any_of(
       found.equations.begin(), found.equations.end(),
       [](const EquationResult& each) { return !each.added.empty() || !each.corrected.empty(); });
-  if (!has_added || found.verdict == Verdict::kCannotTell) return steps;
+  if (!has_added || !identification::has_anything_certain(found)) return steps;
   if (context.refined_files.empty()) {
     steps.push_back("-o REFINED writes the refined actuator; then " +
                     compare_command(context, 0, "REFINED"));

@@ -39,8 +39,8 @@ std::string name_of_coordinate(const identification::ResidualStructure& structur
 /// "a", "a or b", "a, b or c".
 std::string alternatives(const std::vector<std::string>& names);
 
-/// The verdict in plain words: what is missing, what is left, or why nothing can be said.
-std::string verdict_sentence(const identification::Identification& found, bool select);
+/// The effects of a model: "a + b"; of none: "as stated".
+std::string name_of_model(const identification::ModelWithinNoise& model);
 
 /// What to do now: commands or measurements, a line each.
 std::vector<std::string> next_steps(const identification::Identification& found,

@@ -226,7 +226,7 @@ TEST(Identify, ReportIsAPageThatHoldsAll) {
        at = page.find("<svg", at + 1)) {
     ++pictures;
   }
-  EXPECT_EQ(pictures, 3u);  // waterfall, coordinates, regions
+  EXPECT_EQ(pictures, 4u);  // waterfall, runs, coordinates, regions
 }
 
 // The loop closes: what the log showed turns the verdict on a motion. Stall torque by hand: mesh

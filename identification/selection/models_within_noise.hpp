@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "identification/bench.hpp"
+#include "identification/result.hpp"
+#include "identification/selection/search.hpp"
+
+namespace torquewright::identification {
+
+/// The model that was taken, and behind it those that the log cannot tell from it, the lowest loss
+/// where they were not fitted first.
+std::vector<ModelWithinNoise> models_within_noise(const Bench& bench, const ModelFitter& fitter,
+                                                  const Found& found);
+
+}  // namespace torquewright::identification

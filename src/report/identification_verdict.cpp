@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/identification_verdict.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "identification/report_spec.hpp"
+#include "src/report/identification_words.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using namespace identification;
+
+/// Of those that no other may stand for; the joint's name behind it on a serial arm.
+std::vector<std::string> certain_names(const Identification& found) {
+  std::vector<std::string> names;
+  for (const EquationResult& equation : found.equations) {
+    for (const NamedEffect* effect : certain_of(equation)) {
+      std::string name = effect->effect;
+      if (!equation.joint.empty()) name += " (" + equation.joint + ")";
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+/// Whether its verdict says that something is left which is not noise.
+bool is_open(const EquationResult& equation) {
+  return equation.verdict == Verdict::kUnexplained || equation.verdict == Verdict::kPartlyExplained;
+}
+
+/// Of the first equation that is not explained.
+std::string along(const Identification& found) {
+  const auto open = std::find_if(found.equations.begin(), found.equations.end(), is_open);
+  if (open == found.equations.end()) return "what is left is more than noise";
+  const std::string where =
+      found.equations.size() == 1 ? std::string() : " of " + name_of_equation(*open);
+  const auto left = significant_of(open->structure_after);
+  if (left.empty()) {
+    return fmt::format(
+        "what is left{} is more than noise, but varies with no coordinate that was "
+        "tried",
+        where);
+  }
+  return fmt::format("what is left{} varies most with {} ({:.0f} % of its square)", where,
+                     name_of_coordinate(left.front()), 100.0 * left.front().share);
+}
+
+/// A sentence for each group of which the log does not say which it is.
+std::vector<std::string> undecided(const Identification& found) {
+  std::vector<std::string> sentences;
+  for (const EquationResult& equation : found.equations) {
+    for (const Confounded& group : equation.confounded) {
+      if (group.exact) continue;
+      std::string sentence =
+          fmt::format("The log cannot tell {} apart.", fmt::join(group.effects, " and "));
+      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+        sentences.push_back(std::move(sentence));
+    }
+  }
+  return sentences;
+}
+
+/// What every equation's verdict comes to, but for noise and for what was not asked.
+std::string doubt_sentence(const Identification& found) {
+  for (const DataFinding& finding : found.findings) {
+    if (finding.weight == Weight::kError) return "The data cannot tell. " + finding.sentence;
+  }
+  std::vector<std::string> sentences = undecided(found);
+  for (const EquationResult& equation : found.equations) {
+    if (equation.unusable.empty()) continue;
+    const std::string where =
+        found.equations.size() == 1 ? std::string() : " of " + name_of_equation(equation);
+    sentences.push_back(fmt::format("The log cannot tell{}: {}.", where, equation.unusable));
+  }
+  if (sentences.empty())
+    return "The log cannot tell: its channels allow no equation to be compared.";
+  const std::vector<std::string> names = certain_names(found);
+  if (!names.empty()) {
+    sentences.insert(sentences.begin(),
+                     fmt::format("Missing from the model: {}.", fmt::join(names, ", ")));
+  }
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+/// What is certain, what is not told apart, and what is left.
+std::string partly_sentence(const Identification& found) {
+  const std::vector<std::string> names = certain_names(found), open = undecided(found);
+  const std::string missing = fmt::format("Missing from the model: {}", fmt::join(names, ", "));
+  if (open.empty()) return fmt::format("{}; that is not all: {}.", missing, along(found));
+  return fmt::format("{}{} That is not all: {}.", names.empty() ? std::string() : missing + ". ",
+                     fmt::join(open, " "), along(found));
+}
+
+std::string sentence_of_verdict(const Identification& found, bool select) {
+  switch (found.verdict) {
+    case Verdict::kNothingMissing:
+      return "The error is noise: nothing is missing that this log could show.";
+    case Verdict::kCannotTell:
+      return doubt_sentence(found);
+    case Verdict::kExplained: {
+      const std::vector<std::string> names = certain_names(found);
+      return fmt::format("Missing from the model: {}. With {} what is left is noise.",
+                         fmt::join(names, ", "), names.size() == 1 ? "it" : "them");
+    }
+    case Verdict::kPartlyExplained:
+      return partly_sentence(found);
+    case Verdict::kUnexplained:
+      break;
+  }
+  if (!select) return "There is something to explain: " + along(found) + ".";
+  return fmt::format("The model is wrong, and no effect {} explains how: {}.",
+                     found.not_asked.empty() ? "of the library" : "that was asked", along(found));
+}
+
+/// Of the clearest line that is the data's own.
+std::string line_sentence(const Identification& found) {
+  for (const EquationResult& equation : found.equations) {
+    for (const SpectralLine& line : equation.lines) {
+      if (!is_of_the_data(line)) continue;
+      return fmt::format(" A line stands in the data at {:.4g} Hz, {:.3g} {}.", line.frequency_Hz,
+                         line.amplitude, equation.unit);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string verdict_sentence(const Identification& found, bool select) {
+  return sentence_of_verdict(found, select) + line_sentence(found);
+}
+
+std::string not_asked_sentence(const Identification& found) {
+  if (found.not_asked.empty()) return "";
+  return fmt::format("Not asked: {}.", fmt::join(found.not_asked, ", "));
+}
+
+}  // namespace torquewright::report

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle: the equations' own verdicts, from which the sentence has to follow.
+#include "src/report/identification_verdict.hpp"
+
+#include <gtest/gtest.h>
+
+namespace torquewright::report {
+namespace {
+
+using namespace identification;
+
+EquationResult equation(const char* quantity, Verdict verdict,
+                        const std::vector<std::string>& added = {},
+                        const std::vector<std::string>& not_told_apart = {}) {
+  EquationResult result;
+  result.quantity = quantity;
+  result.unit = "Nm";
+  result.verdict = verdict;
+  for (const std::string& name : added) {
+    result.added.emplace_back();
+    result.added.back().effect = name;
+  }
+  if (!not_told_apart.empty()) result.confounded.push_back({not_told_apart, false, "", ""});
+  return result;
+}
+
+EquationResult varying_with(EquationResult result, const char* coordinate) {
+  result.structure_after.push_back({coordinate, false, 0.5, 0.01, {}, {}});
+  return result;
+}
+
+Identification identification_of(Verdict verdict, std::vector<EquationResult> equations) {
+  Identification found;
+  found.verdict = verdict;
+  found.equations = std::move(equations);
+  return found;
+}
+
+TEST(VerdictSentence, NamesWhatIsCertainAndKeepsWhatIsNotToldApart) {
+  const Identification found = identification_of(
+      Verdict::kPartlyExplained,
+      {equation("output_torque_Nm", Verdict::kCannotTell, {"a", "b"}, {"b", "c"}),
+       varying_with(equation("winding_voltage_V", Verdict::kPartlyExplained, {"d"}), "time_s")});
+  EXPECT_EQ(
+      verdict_sentence(found, true),
+      "Missing from the model: a, d. The log cannot tell b and c apart. That is not all: what "
+      "is left of winding_voltage_V varies most with time_s (50 % of its square).");
+}
+
+TEST(VerdictSentence, SaysWhatIsCertainBesideWhatIsNotToldApart) {
+  const Identification found = identification_of(
+      Verdict::kCannotTell,
+      {equation("output_torque_Nm", Verdict::kCannotTell, {"a", "b"}, {"b", "c"})});
+  EXPECT_EQ(verdict_sentence(found, true),
+            "Missing from the model: a. The log cannot tell b and c apart.");
+}
+
+// What is left of an equation that is explained is noise: it is not what is left.
+TEST(VerdictSentence, SpeaksOfTheEquationThatIsOpen) {
+  const Identification found = identification_of(
+      Verdict::kPartlyExplained,
+      {varying_with(equation("output_torque_Nm", Verdict::kExplained, {"a"}), "motor_current_A"),
+       varying_with(equation("winding_voltage_V", Verdict::kUnexplained), "time_s")});
+  EXPECT_EQ(verdict_sentence(found, true),
+            "Missing from the model: a; that is not all: what is left of winding_voltage_V varies "
+            "most with time_s (50 % of its square).");
+}
+
+TEST(VerdictSentence, SaysWhichEquationTheLogCannotTell) {
+  Identification found = identification_of(
+      Verdict::kCannotTell, {equation("output_torque_Nm", Verdict::kExplained, {"a"}),
+                             equation("winding_voltage_V", Verdict::kCannotTell)});
+  found.equations[1].unusable = "too short";
+  EXPECT_EQ(verdict_sentence(found, true),
+            "Missing from the model: a. The log cannot tell of winding_voltage_V: too short.");
+}
+
+TEST(VerdictSentence, BlamesNotTheLibraryForWhatWasNotAsked) {
+  Identification found = identification_of(Verdict::kUnexplained,
+                                           {equation("output_torque_Nm", Verdict::kUnexplained)});
+  EXPECT_NE(verdict_sentence(found, true).find("no effect of the library explains"),
+            std::string::npos);
+  EXPECT_EQ(not_asked_sentence(found), "");
+  found.not_asked = {"a", "b"};
+  EXPECT_NE(verdict_sentence(found, true).find("no effect that was asked explains"),
+            std::string::npos);
+  EXPECT_EQ(not_asked_sentence(found), "Not asked: a, b.");
+}
+
+TEST(VerdictSentence, TellsOfALineOfTheData) {
+  Identification found = identification_of(
+      Verdict::kNothingMissing, {equation("output_torque_Nm", Verdict::kNothingMissing)});
+  SpectralLine line;
+  line.frequency_Hz = 16.85;
+  line.amplitude = 0.12;
+  line.keeps_to = LineKeepsTo::kMotion;
+  found.equations[0].lines = {line};
+  const std::string noise = verdict_sentence(found, true);
+  found.equations[0].lines[0].keeps_to = LineKeepsTo::kTime;
+  EXPECT_EQ(verdict_sentence(found, true),
+            noise + " A line stands in the data at 16.85 Hz, 0.12 Nm.");
+}
+
+}  // namespace
+}  // namespace torquewright::report
