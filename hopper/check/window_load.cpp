@@ -9,6 +9,7 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double kRoundOff = 1e-12;
 constexpr double kSameInstant = 1e-9;  // of the window: the rounding of its two ends
 
 class Windows {
@@ -104,7 +105,7 @@ class Windows {
     const double steady = std::abs(integral_until(end_s) - integral_until(begin_s)) / window_s_;
     const double mean = steady + (impulse_[after] - impulse_[first]) / window_s_;
     const double doubt = doubt_of(begin_s, end_s, first, after) / window_s_;
-    if (mean > load_.mean || !has_any_) {
+    if (mean > load_.mean * (1.0 + kRoundOff) || !has_any_) {  // the first of those alike
       load_.mean = mean;
       load_.time_s = begin_s;
       load_.without_impulses = steady;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "src/report/check_text.hpp"
 
 namespace torquewright::report {
@@ -77,6 +79,14 @@ std::string passing_line(const CandidateResult& result) {
 
 std::string candidates_text(const Robot& robot, const std::vector<CandidateResult>& results) {
   std::string text;
+  const bool by_file = std::any_of(results.begin(), results.end(), [](const auto& result) {
+    return result.torques == CandidateTorques::kExchangedFile;
+  });
+  if (by_file) {
+    text +=
+        "\ncandidates' torques are the file's, with what the old rotor (and mass) takes exchanged "
+        "for what each candidate's does\n";
+  }
   for (std::size_t drivetrain = 0; drivetrain < robot.drivetrains.size(); ++drivetrain) {
     const auto& names = robot.drivetrains[drivetrain].actuator_names;
     text += fmt::format(
