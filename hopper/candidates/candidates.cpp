@@ -8,6 +8,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <thread>
 
 #include "actuator/check/drive_check.hpp"
@@ -23,14 +24,23 @@ struct Basis {
   Motion motion;
   ContactSchedule contacts;
   Motion with_forces;  ///< The same with the contact forces known.
+  Demand demand;       ///< Of the robot as it is,
+  DriveTorques torques;  ///< and its torques that count.
+  CandidateTorques source = CandidateTorques::kDynamics;
 };
 
 Basis basis_of(const Robot& robot, const Motion& motion, const CheckOptions& options) {
-  Basis basis{motion, {}, {}};
+  Basis basis{motion, {}, {}, {}, {}};
   basis.contacts = schedule_contacts(robot, options.contact, basis.motion);
+  basis.demand = demand_of(robot, basis.motion, basis.contacts);
+  basis.torques =
+      drive_torques({robot, options, basis.motion, basis.contacts, basis.demand});
+  if (options.torques == TorqueSource::kFile || !basis.demand.has_dynamics) {
+    basis.source = CandidateTorques::kExchangedFile;
+  }
   basis.with_forces = basis.motion;
   if (!basis.motion.has_base) return basis;
-  basis.with_forces.forces_N = demand_of(robot, basis.motion, basis.contacts).forces_N;
+  basis.with_forces.forces_N = basis.demand.forces_N;
   basis.with_forces.has_forces = true;
   return basis;
 }
@@ -74,13 +84,26 @@ Robot with(const Robot& robot, std::size_t drivetrain, const Candidate& candidat
     if (battery && !actuator.battery) actuator.battery = battery;
   }
   if (!drive.rotors_in_tree) return changed;
+  // What the joints state is of the rotors that it replaces; its own turn as the mechanism says.
+  drive.rotors_in_tree = false;
   for (const std::size_t joint : drive.joints) {
-    const SmallMatrix jacobian =
-        drive.mechanism->constant_jacobian().value_or(SmallMatrix::Identity(1, 1));
-    changed.tree.bodies[joint].joint.reflected_inertia =
-        jacobian(0, 0) * jacobian(0, 0) * actuator::armature_kg_m2(candidate.actuator);
+    changed.tree.bodies[joint].joint.reflected_inertia = 0.0;
   }
   return changed;
+}
+
+/// What each reading of the file makes of the candidate's torques; one where there is one.
+std::vector<DriveTorques> torques_of(const Basis& basis, const Demand& demand) {
+  DriveTorques torques;
+  torques.torque_Nm = torques_by_dynamics(demand);
+  if (basis.source == CandidateTorques::kDynamics) return {torques};
+  const Eigen::MatrixXd with_rotor_Nm = torques.torque_Nm;
+  torques.from_file = true;
+  torques.torque_Nm += basis.torques.torque_Nm - torques_by_dynamics(basis.demand);
+  if (basis.torques.inertia != actuator::InertiaConvention::kUnstated) return {torques};
+  DriveTorques without = torques;
+  without.torque_Nm = basis.torques.torque_Nm + with_rotor_Nm;
+  return {torques, without};
 }
 
 double stall_torque_Nm(const actuator::Actuator& actuator,
@@ -123,61 +146,102 @@ std::string reason(const actuator::DriveReport& report) {
                      "whether the file's torque includes the rotor's decides");
 }
 
-CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions& options,
-                      std::size_t drivetrain, const Candidate& candidate) {
+/// What stands of a candidate before any motion.
+CandidateResult described(const Robot& robot, std::size_t drivetrain, const Candidate& candidate) {
   CandidateResult result;
   result.drivetrain = drivetrain;
   result.name = candidate.name;
   result.ratio = candidate.actuator.transmission.ratio;
-  if (const auto objections = actuator::objections(candidate.actuator, options.conditions);
-      !objections.empty()) {
-    result.verdict = Verdict::kFail;
-    result.margin_share = -1.0;
-    result.why = objections.front();
-    return result;
-  }
-  const Robot changed = with(robot, drivetrain, candidate);
-  const bool same_mass = heavier_kg(robot.drivetrains[drivetrain], candidate) == 0.0;
-  const Motion& motion = same_mass ? basis.with_forces : basis.motion;
-  const Demand demand = demand_of(changed, motion, basis.contacts);
-  const CheckedMotion checked{changed, options, motion, basis.contacts, demand};
-  const DriveTorques torques = drive_torques(checked);
-  const std::vector<SharedBus> buses = shared_buses(checked, torques.torque_Nm);
-  const DriveReports reports = check_drivetrain(checked, torques, buses, drivetrain);
-  const Drivetrain& own = changed.drivetrains[drivetrain];
-  const double stall_Nm = stall_torque_Nm(candidate.actuator, options.conditions);
-  result.margin_share = std::numeric_limits<double>::infinity();
   result.rotor_inertia_kg_m2 = actuator::armature_kg_m2(candidate.actuator);
   if (candidate.actuator.mass_kg) {
-    result.mass_kg = *candidate.actuator.mass_kg * static_cast<double>(own.actuators.size());
+    const auto count = robot.drivetrains[drivetrain].actuators.size();
+    result.mass_kg = *candidate.actuator.mass_kg * static_cast<double>(count);
   }
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < drivetrain; ++i) first += robot.drivetrains[i].actuators.size();
-  for (const actuator::DriveReport& report : reports.drives) {
-    const actuator::CheckedInterpretation& interpretation = report.interpretation;
-    result.margin_share = std::min(result.margin_share, interpretation.margin_Nm / stall_Nm);
-    result.energy_J += interpretation.energy_drawn_J - interpretation.energy_returned_J;
-    result.copper_loss_J += copper_loss_J(candidate.actuator, options.conditions, report);
-    result.peak_torque_Nm = std::max(result.peak_torque_Nm, interpretation.peak_torque_Nm);
-    if (interpretation.speed_margin_rad_s &&
-        (!result.speed_margin_rad_s ||
-         *interpretation.speed_margin_rad_s < *result.speed_margin_rad_s)) {
-      result.speed_margin_rad_s = interpretation.speed_margin_rad_s;
-    }
-    if (report.verdict == Verdict::kPass || result.verdict == Verdict::kFail) continue;
-    result.verdict = report.verdict;
-    result.why = reason(report);
+  return result;
+}
+
+void add_drive(const Candidate& candidate, const CheckOptions& options, double stall_Nm,
+               const actuator::DriveReport& report, CandidateResult& result) {
+  const actuator::CheckedInterpretation& interpretation = report.interpretation;
+  result.margin_share = std::min(result.margin_share, interpretation.margin_Nm / stall_Nm);
+  result.energy_J += interpretation.energy_drawn_J - interpretation.energy_returned_J;
+  result.copper_loss_J += copper_loss_J(candidate.actuator, options.conditions, report);
+  result.peak_torque_Nm = std::max(result.peak_torque_Nm, interpretation.peak_torque_Nm);
+  if (interpretation.speed_margin_rad_s &&
+      (!result.speed_margin_rad_s ||
+       *interpretation.speed_margin_rad_s < *result.speed_margin_rad_s)) {
+    result.speed_margin_rad_s = interpretation.speed_margin_rad_s;
   }
+  if (report.verdict == Verdict::kPass || result.verdict == Verdict::kFail) return;
+  result.verdict = report.verdict;
+  result.why = reason(report);
+}
+
+void add_battery(const std::vector<SharedBus>& buses, std::size_t first, std::size_t count,
+                 CandidateResult& result) {
   for (const SharedBus& bus : buses) {
     const bool is_fed = std::any_of(bus.drives.begin(), bus.drives.end(), [&](std::size_t drive) {
-      return drive >= first && drive < first + own.actuators.size();
+      return drive >= first && drive < first + count;
     });
     if (bus.starved == 0 || !is_fed) continue;
     result.verdict = Verdict::kFail;
     result.why = fmt::format("the battery cannot deliver {:.4g} W at t = {:.4g} s",
                              bus.greatest_power_W, bus.power_time_s);
   }
+}
+
+/// With one reading of its torques.
+CandidateResult judge(const CheckedMotion& checked, const DriveTorques& torques,
+                      std::size_t drivetrain, const Candidate& candidate, CandidateResult result) {
+  const std::vector<SharedBus> buses = shared_buses(checked, torques.torque_Nm);
+  const DriveReports reports = check_drivetrain(checked, torques, buses, drivetrain);
+  const double stall_Nm = stall_torque_Nm(candidate.actuator, checked.options.conditions);
+  result.margin_share = std::numeric_limits<double>::infinity();
+  for (const actuator::DriveReport& report : reports.drives) {
+    add_drive(candidate, checked.options, stall_Nm, report, result);
+  }
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < drivetrain; ++i) {
+    first += checked.robot.drivetrains[i].actuators.size();
+  }
+  add_battery(buses, first, checked.robot.drivetrains[drivetrain].actuators.size(), result);
   return result;
+}
+
+CandidateResult refused(CandidateResult result, Verdict verdict, std::string why) {
+  result.verdict = verdict;
+  result.margin_share = -1.0;
+  result.why = std::move(why);
+  return result;
+}
+
+CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions& options,
+                      std::size_t drivetrain, const Candidate& candidate) {
+  CandidateResult result = described(robot, drivetrain, candidate);
+  result.torques = basis.source;
+  if (const auto objections = actuator::objections(candidate.actuator, options.conditions);
+      !objections.empty()) {
+    return refused(std::move(result), Verdict::kFail, objections.front());
+  }
+  const bool same_mass = heavier_kg(robot.drivetrains[drivetrain], candidate) == 0.0;
+  if (!same_mass && !basis.demand.has_dynamics) {
+    return refused(std::move(result), Verdict::kUndecided,
+                   "its mass is another, and nothing says how the base moves");
+  }
+  const Robot changed = with(robot, drivetrain, candidate);
+  const Motion& motion = same_mass ? basis.with_forces : basis.motion;
+  const Demand demand = demand_of(changed, motion, basis.contacts);
+  const CheckedMotion checked{changed, options, motion, basis.contacts, demand};
+  std::optional<CandidateResult> worst;
+  for (const DriveTorques& torques : torques_of(basis, demand)) {
+    CandidateResult one = judge(checked, torques, drivetrain, candidate, result);
+    const bool differs = worst && worst->verdict != one.verdict;
+    if (!worst || one.margin_share < worst->margin_share) worst = std::move(one);
+    if (!differs) continue;
+    worst->verdict = Verdict::kUndecided;
+    worst->why = "whether the file's torque includes that of the old rotor decides";
+  }
+  return *worst;
 }
 
 /// As good in everything and better in something. Masses that are not known count as equal.

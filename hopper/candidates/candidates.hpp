@@ -8,6 +8,13 @@
 
 namespace torquewright::hopper {
 
+/// Where a candidate's torques come from.
+enum class CandidateTorques {
+  kDynamics,       ///< Of the robot with the candidate in it.
+  kExchangedFile,  ///< The file's, less what the dynamics with the old rotor (and mass) ask for,
+                   ///< more what those with the candidate's do.
+};
+
 /// How one candidate does in one drivetrain, all others as the robot has them.
 struct CandidateResult {
   std::size_t drivetrain = 0;
@@ -22,14 +29,19 @@ struct CandidateResult {
   double copper_loss_J = 0.0;     ///< The heat that the windings take in one run.
   double peak_torque_Nm = 0.0;    ///< At the joint, its rotor's part included.
   double rotor_inertia_kg_m2 = 0.0;
+  CandidateTorques torques = CandidateTorques::kDynamics;
   bool is_on_front = false;  ///< Of margin, mass, energy and heat, among those that pass.
   std::string why;           ///< Where it does not pass: the first violation, in one line.
 };
 
-/// Tries every candidate in every drivetrain, demands recomputed with its rotor: reflected inertia
-/// changes torque but no contact force, and a mass that differs (where both are known and the
-/// drivetrain says where it is mounted) changes both. Those that pass come first in each
-/// drivetrain, by margin; the others after them, by margin too. `threads` at least 1.
+/// Tries every candidate in every drivetrain. Its demand is that of the dynamics with its rotor and
+/// ratio, and with its mass where both masses are known and the drivetrain says where they are
+/// mounted; what a file holds of torques is that of another rotor and counts only if
+/// `options.torques` is kFile, or where there are no dynamics: then what the exchange changes is
+/// added to it. Where nothing says whether the file's torques hold the old rotor's, both readings
+/// are judged, undecided if they differ. Those that pass come first in each drivetrain, by margin;
+/// the others after them, by margin too. `threads` at least 1. Throws io::SpecError where the
+/// file's torques are asked for and absent.
 std::vector<CandidateResult> try_candidates(
     const Robot& robot, const Motion& motion, const CheckOptions& options, const Shelf& shelf,
     std::size_t threads, const std::function<void(double share)>& on_progress = {});

@@ -30,6 +30,9 @@ ordered_json candidates_json(const Robot& robot, const std::vector<CandidateResu
                     {"copper_loss_J", number(result.copper_loss_J)},
                     {"peak_torque_Nm", number(result.peak_torque_Nm)},
                     {"rotor_inertia_kg_m2", result.rotor_inertia_kg_m2},
+                    {"torques", result.torques == CandidateTorques::kDynamics
+                                    ? "dynamics"
+                                    : "file_with_rotors_exchanged"},
                     {"on_pareto_front", result.is_on_front},
                     {"why", result.why}});
   }

@@ -22,6 +22,7 @@ using Eigen::VectorXd;
 
 constexpr Index kSamplesBetweenProgress = 2000;
 constexpr double kLeastSize_m = 1e-6;
+constexpr double kShortest = 1e-8;  // e of eq. (6)
 
 /// Walks through a motion sample by sample; everything it works in is allocated once.
 class DemandPass {
@@ -71,6 +72,11 @@ class DemandPass {
     demand_.contact_Nm.setZero(drives, samples);
     if (has_file_torque_) demand_.file_torque_Nm.setZero(drives, samples);
     demand_.forces_N.setZero(3 * points_, samples);
+    demand_.unsampled_Nm_s.setZero(drives, samples);
+    demand_.before_gears_kg_m2.resize(drives);
+    for (Index i = 0; i < drives; ++i) {
+      demand_.before_gears_kg_m2[i] = body_.before_gears_kg_m2(static_cast<std::size_t>(i));
+    }
     demand_.joint_effort.setZero(motion_.efforts.rows(), samples);
     demand_.residual.setZero(rows_.size(), samples);
     demand_.rows = rows_.kinds();
@@ -84,6 +90,7 @@ class DemandPass {
     asked_.setZero(rows_.size());
     force_.setZero(size_);
     load_.setZero(size_);
+    for (VectorXd* vector : {&change_, &lacking_, &still_}) vector->setZero(size_);
     drive_torque_.setZero(drives);
   }
 
@@ -122,16 +129,12 @@ class DemandPass {
     scales_ = rows_.scales(demand_.weight_N, demand_.size_m);
   }
 
-  /// Jacobians of the touching points, transposed, side by side; how many there are.
-  Index gather_contacts(Index sample, bool near_ground_too) {
+  /// Jacobians of the points of which it is asked, transposed, side by side; how many there are.
+  template <typename Feels>
+  Index gather_contacts(const Feels& feels) {
     touching_.clear();
     for (Index i = 0; i < points_; ++i) {
-      if (!contacts_.touches(i, sample) && !near_ground_too) continue;
-      if (near_ground_too && contacts_.height_m(i, sample) > contacts_.near_ground_m &&
-          !contacts_.touches(i, sample)) {
-        continue;
-      }
-      touching_.push_back(i);
+      if (feels(i)) touching_.push_back(i);
     }
     const auto count = static_cast<Index>(touching_.size());
     for (Index k = 0; k < count; ++k) {
@@ -145,13 +148,18 @@ class DemandPass {
     return count;
   }
 
-  /// Forces on the touching points whose sum is nearest to what the free rows ask for.
-  /// `asked` is in the units of the rows; the answer in those over the rows' scales' force.
-  void share_out(Index count, const VectorXd& asked, double unit) {
+  /// The free rows of the points' Jacobians, also in units of the rows' scales' force.
+  void gather_columns(Index count) {
     columns_.leftCols(3 * count).setZero();
     rows_.take(jacobians_.leftCols(3 * count), columns_.leftCols(3 * count));
     scaled_.leftCols(3 * count) =
         scales_.cwiseInverse().asDiagonal() * columns_.leftCols(3 * count) * demand_.weight_N;
+  }
+
+  /// Forces on the touching points whose sum is nearest to what the free rows ask for.
+  /// `asked` is in the units of the rows; the answer in those over the rows' scales' force.
+  void share_out(Index count, const VectorXd& asked, double unit) {
+    gather_columns(count);
     const VectorXd target = asked.cwiseQuotient(scales_) / unit;
     const auto status = solver_.solve(scaled_.leftCols(3 * count), target, friction_.head(count));
     if (status != ConeLeastSquares::Status::kSolved) ++demand_.unsolved;
@@ -175,6 +183,7 @@ class DemandPass {
     }
     rows_.take(load_, asked_);
     demand_.residual.col(sample) = asked_;
+    if (sample > 0 && !motion_.is_break(sample)) store_unsampled(sample);
     store_drives(sample);
     if (has_file_torque_) store_file_torque(sample);
   }
@@ -197,7 +206,7 @@ class DemandPass {
   }
 
   void solve_forces(Index sample) {
-    const Index count = gather_contacts(sample, false);
+    const Index count = gather_contacts([&](Index i) { return contacts_.touches(i, sample); });
     if (count == 0) return;
     rows_.take(force_, asked_);
     share_out(count, asked_, 1.0);
@@ -206,6 +215,42 @@ class DemandPass {
           shared_.segment<3>(3 * k);
     }
     load_.noalias() -= jacobians_.leftCols(3 * count) * shared_;
+  }
+
+  /// Eq. (18): the velocities changed by dv, the samples' accelerations make up for a part of it.
+  void store_unsampled(Index sample) {
+    const double step_s = motion_.step_s(sample - 1);
+    change_ =
+        motion_.velocities.col(sample) - motion_.velocities.col(sample - 1) -
+        0.5 * step_s * (motion_.accelerations.col(sample) + motion_.accelerations.col(sample - 1));
+    // Forces are linear in the acceleration: the difference of two is M times the change.
+    const VectorXd shifted = motion_.accelerations.col(sample) + change_;
+    dynamics::inverse_dynamics(body_.state(), shifted, lacking_);
+    dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), still_);
+    lacking_ -= still_;
+    const Index count = gather_contacts(
+        [&](Index i) { return contacts_.touches(i, sample) || contacts_.touches(i, sample - 1); });
+    if (count > 0 && rows_.size() > 0) take_off_ground(sample, step_s, count);
+    still_.setZero();
+    body_.add_rotors(shifted, lacking_);
+    body_.add_rotors(motion_.accelerations.col(sample), still_);
+    lacking_ -= still_;
+    body_.at_actuators(lacking_, drive_torque_);
+    demand_.unsampled_Nm_s.col(sample) = drive_torque_;
+  }
+
+  /// What of it the ground gives: the shortest impulses that leave the free rows nothing, those
+  /// included that contact forces left over.
+  void take_off_ground(Index sample, double step_s, Index count) {
+    gather_columns(count);
+    rows_.take(lacking_, asked_);
+    asked_ += 0.5 * step_s * (demand_.residual.col(sample) + demand_.residual.col(sample - 1));
+    const auto columns = scaled_.leftCols(3 * count);
+    MatrixXd gram = columns * columns.transpose();
+    gram.diagonal().array() += kShortest;
+    shared_ = columns.transpose() * gram.ldlt().solve(asked_.cwiseQuotient(scales_));
+    shared_ *= demand_.weight_N;
+    lacking_.noalias() -= jacobians_.leftCols(3 * count) * shared_;
   }
 
   void store_drives(Index sample) {
@@ -259,7 +304,10 @@ class DemandPass {
     jolt.lost_energy_J = 0.5 * (before.dot(mass * before) - after.dot(mass * after));
     jolt.impulses_N_s.setZero(3 * points_);
     VectorXd contact = VectorXd::Zero(size_);
-    const Index count = gather_contacts(sample, true);
+    const Index count = gather_contacts([&](Index i) {
+      return contacts_.touches(i, sample) ||
+             contacts_.height_m(i, sample) <= contacts_.near_ground_m;
+    });
     if (count > 0) {
       rows_.take(impulse, asked_);
       share_out(count, asked_, std::sqrt(demand_.size_m / robot_gravity()));
@@ -287,7 +335,7 @@ class DemandPass {
     body_.at_actuators(left, jolt.drive_Nm_s);
     body_.speed_changes(change, jolt.rotor_Nm_s);
     for (Index i = 0; i < drives; ++i) {
-      jolt.rotor_Nm_s[i] *= body_.rotor_inertia_kg_m2(static_cast<std::size_t>(i));
+      jolt.rotor_Nm_s[i] *= body_.before_gears_kg_m2(static_cast<std::size_t>(i));
     }
   }
 
@@ -312,6 +360,9 @@ class DemandPass {
   VectorXd asked_;
   VectorXd force_;
   VectorXd load_;
+  VectorXd change_;
+  VectorXd lacking_;
+  VectorXd still_;
   VectorXd shared_;
   VectorXd drive_torque_;
   std::vector<DriveInstant> instants_;

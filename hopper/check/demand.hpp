@@ -16,7 +16,7 @@ struct Jolt {
   double time_s = 0.0;
   Eigen::VectorXd impulses_N_s;  ///< (3 points x 1), world's axes.
   Eigen::VectorXd contact_Nm_s;  ///< By drive, at its output: J^T of the impulses.
-  Eigen::VectorXd rotor_Nm_s;    ///< By drive: what changes its rotor's speed.
+  Eigen::VectorXd rotor_Nm_s;    ///< By drive: what changes its rotor's speed, at its output.
   Eigen::VectorXd drive_Nm_s;    ///< By drive: what else the jump asks of its motor. Zero where
                                  ///< the jump is one of rigid bodies without motors.
   double lost_energy_J = 0.0;    ///< Of bodies and rotors; negative: the jump makes energy.
@@ -29,8 +29,13 @@ struct Demand {
   std::vector<std::vector<DriveInstant>> drives;  ///< By drive, then by sample; torque by dynamics.
   Eigen::MatrixXd contact_Nm;      ///< (drives x samples): at its output, of the contact forces.
   Eigen::MatrixXd file_torque_Nm;  ///< (drives x samples); empty where the file has not all.
-  Eigen::MatrixXd joint_effort;    ///< (joints x samples), Nm or N: dynamics, rotors included.
-  Eigen::MatrixXd forces_N;        ///< (3 points x samples), world's axes.
+  Eigen::VectorXd before_gears_kg_m2;  ///< (drives x 1): rotors at their outputs, without gears.
+  /// (drives x samples), Nm s at its output: what the velocities' changes since the sample before
+  /// ask of it beyond what the samples' accelerations and contact forces do, eq. (18). 0 where an
+  /// impact lies between.
+  Eigen::MatrixXd unsampled_Nm_s;
+  Eigen::MatrixXd joint_effort;  ///< (joints x samples), Nm or N: dynamics, rotors included.
+  Eigen::MatrixXd forces_N;      ///< (3 points x samples), world's axes.
   /// (free rows x samples), N and Nm: what neither gravity nor inertia nor contacts explain.
   Eigen::MatrixXd residual;
   RowKinds rows;

@@ -92,6 +92,10 @@ void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
 
 }  // namespace
 
+MatrixXd torques_by_dynamics(const Demand& demand) {
+  return by_dynamics(demand, &DriveInstant::torque_Nm);
+}
+
 DriveTorques drive_torques(const CheckedMotion& checked) {
   const Demand& demand = checked.demand;
   const bool has_file = demand.file_torque_Nm.size() > 0;

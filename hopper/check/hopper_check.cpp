@@ -20,26 +20,6 @@ void append(std::vector<Finding> more, std::vector<Finding>& findings) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
 }
 
-Finding load_finding(const TransmissionLoad& load, double window_s) {
-  Finding finding;
-  finding.rule = "transmission-load";
-  finding.joint = load.drive;
-  finding.time_s = load.time_s;
-  finding.unit = "Nm";
-  const bool at_motor = load.limit && load.limit->side == GearSide::kMotor;
-  finding.value = at_motor ? load.motor_Nm : load.joint_Nm;
-  finding.sentence = fmt::format(
-      "{}: contacts load the transmission with {:.4g} Nm at the joint, {:.4g} Nm at the motor "
-      "(mean of {:g} ms from t = {:.6g} s)",
-      load.drive, load.joint_Nm, load.motor_Nm, 1e3 * window_s, load.time_s);
-  if (!load.limit) return finding;
-  finding.limit = load.limit->torque_Nm;
-  if (*finding.value > *finding.limit) finding.severity = Severity::kViolation;
-  finding.sentence += fmt::format("; its limit is {:.4g} Nm at the {} ({})", load.limit->torque_Nm,
-                                  at_motor ? "motor" : "joint", load.limit->source);
-  return finding;
-}
-
 /// How contacts and rates came about, and what of the dynamics is missing.
 std::vector<Finding> origin_notes(const CheckedMotion& checked) {
   std::vector<Finding> findings;
@@ -53,7 +33,7 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
   if (!checked.demand.has_dynamics) {
     note("no-base-motion", Severity::kWarning,
          "the file does not say how the base moves: its torques were held against the regions, "
-         "and dynamics, contacts and transmission loads were not computed");
+         "and dynamics and contacts were not computed");
   }
   if (checked.robot.drivetrains.empty()) {
     note("no-drives", Severity::kWarning,
@@ -92,7 +72,8 @@ std::vector<Finding> assumed_notes(const Robot& robot) {
   return {finding};
 }
 
-Verdict verdict_of(const actuator::CheckReport& report) {
+Verdict verdict_of(const HopperReport& whole) {
+  const actuator::CheckReport& report = whole.check;
   const bool violates =
       std::any_of(report.findings.begin(), report.findings.end(),
                   [](const Finding& finding) { return finding.severity == Severity::kViolation; });
@@ -102,7 +83,11 @@ Verdict verdict_of(const actuator::CheckReport& report) {
         [verdict](const actuator::DriveReport& drive) { return drive.verdict == verdict; });
   };
   if (violates || some(Verdict::kFail)) return Verdict::kFail;
-  return some(Verdict::kUndecided) || report.drives.empty() ? Verdict::kUndecided : Verdict::kPass;
+  const bool is_open =
+      std::any_of(whole.transmission_loads.begin(), whole.transmission_loads.end(),
+                  [](const TransmissionLoad& load) { return load.verdict == Verdict::kUndecided; });
+  const bool is_undecided = some(Verdict::kUndecided) || is_open || report.drives.empty();
+  return is_undecided ? Verdict::kUndecided : Verdict::kPass;
 }
 
 }  // namespace
@@ -120,7 +105,10 @@ HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions
   DriveReports drives = check_drives(checked, torques, report.buses);
   report.check.drives = std::move(drives.drives);
   report.check.traces = std::move(drives.traces);
-  report.transmission_loads = transmission_loads(checked);
+  report.torques_Nm = torques.torque_Nm;
+  report.gears = gear_torque(checked, torques);
+  report.transmission_loads = transmission_loads(checked, report.gears);
+  report.contact_loads = contact_loads(checked);
   report.flights = flights(checked);
   std::vector<Finding>& findings = report.check.findings;
   findings = actuator::findings_of(report.check.drives);
@@ -128,9 +116,7 @@ HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions
     std::erase_if(findings, [](const Finding& one) { return one.rule == "reflected-inertia"; });
   }
   append(shared_bus_findings(checked, report.buses), findings);
-  for (const TransmissionLoad& load : report.transmission_loads) {
-    findings.push_back(load_finding(load, options.load_window_s));
-  }
+  append(transmission_findings(report.transmission_loads), findings);
   for (const Rule rule : kEveryRule) append(rule(checked), findings);
   append(torques.findings, findings);
   append(origin_notes(checked), findings);
@@ -138,7 +124,7 @@ HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& one, const Finding& other) {
     return one.severity > other.severity;
   });
-  report.check.verdict = verdict_of(report.check);
+  report.check.verdict = verdict_of(report);
   report.check.sha256 = motion.sha256;
   return report;
 }

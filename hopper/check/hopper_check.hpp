@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hopper/check/base_residual.hpp"
-#include "hopper/check/drive_reports.hpp"
+#include "hopper/check/contact_load.hpp"
 #include "hopper/check/flights.hpp"
 #include "hopper/check/transmission_load.hpp"
 
@@ -12,7 +12,10 @@ namespace torquewright::hopper {
 struct HopperReport {
   actuator::CheckReport check;  ///< Verdict, drives, findings: as of actuator::check().
   BaseResidual base_residual;
+  Eigen::MatrixXd torques_Nm;  ///< By drive and sample: those that count, rotors included.
+  GearTorque gears;
   std::vector<TransmissionLoad> transmission_loads;
+  std::vector<ContactLoad> contact_loads;  ///< Empty without dynamics.
   std::vector<SharedBus> buses;
   std::vector<Flight> flights;
   Origin contact_origin = Origin::kDerived;

@@ -33,15 +33,34 @@ ordered_json residual_json(const HopperReport& report) {
 
 ordered_json limit_json(const TransmissionLoad& load) {
   if (!load.limit) return nullptr;
-  const bool at_motor = load.limit->side == GearSide::kMotor;
-  const double value = at_motor ? load.motor_Nm : load.joint_Nm;
   return {{"torque_Nm", load.limit->torque_Nm},
-          {"side", at_motor ? "motor" : "joint"},
+          {"side", load.is_judged_at_joint() ? "joint" : "motor"},
           {"source", load.limit->source},
-          {"margin_Nm", load.limit->torque_Nm - value}};
+          {"margin_Nm", load.limit->torque_Nm - load.judged().mean},
+          {"verdict", actuator::name_of(load.verdict)}};
 }
 
 ordered_json load_json(const TransmissionLoad& load) {
+  return {{"drive", load.drive},
+          {"ratio", load.ratio},
+          {"joint_Nm", load.joint.mean},
+          {"motor_Nm", load.motor.mean},
+          {"time_s", load.judged().time_s},
+          {"window_s", load.window_s},
+          {"without_impulses_joint_Nm", load.joint.without_impulses},
+          {"peak_joint_Nm", load.peak_joint_Nm},
+          {"peak_motor_Nm", load.peak_motor_Nm},
+          {"peak_time_s", load.peak_time_s},
+          {"rotor_impulse_Nm_s", load.rotor_Nm_s},
+          {"impulse_time_s", load.impact_time_s},
+          {"least_motor_Nm", load.motor.least},
+          {"most_motor_Nm", load.motor.most},
+          {"sampling_doubt_Nm_s", load.doubt_Nm_s},
+          {"sampling_doubt_time_s", load.doubt_time_s},
+          {"limit", limit_json(load)}};
+}
+
+ordered_json contact_json(const ContactLoad& load) {
   return {{"drive", load.drive},
           {"ratio", load.ratio},
           {"joint_Nm", load.joint_Nm},
@@ -49,9 +68,7 @@ ordered_json load_json(const TransmissionLoad& load) {
           {"time_s", load.time_s},
           {"without_impulses_joint_Nm", load.steady_joint_Nm},
           {"impulse_Nm_s", load.impulse_Nm_s},
-          {"impulse_time_s", load.impulse_time_s},
-          {"rotor_impulse_Nm_s", load.rotor_Nm_s},
-          {"limit", limit_json(load)}};
+          {"impulse_time_s", load.impulse_time_s}};
 }
 
 ordered_json heat_json(const HopperReport& report) {
@@ -102,6 +119,7 @@ ordered_json list_of(const List& list, const Make& make) {
 ordered_json hopper_report_json(const HopperReport& report) {
   ordered_json document = actuator::check_report_json(report.check);
   document["transmission_load"] = list_of(report.transmission_loads, load_json);
+  document["contact_load"] = list_of(report.contact_loads, contact_json);
   document["base_residual"] = residual_json(report);
   document["heat"] = heat_json(report);
   document["flights"] = list_of(report.flights, flight_json);

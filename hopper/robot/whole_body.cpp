@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/robot/whole_body.hpp"
 
+#include <algorithm>
+
 #include "actuator/check/drive_check.hpp"
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
@@ -38,6 +40,14 @@ double rotor_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std::size_t
   return actuator::armature_kg_m2(drivetrain.actuators[actuator]);
 }
 
+double in_front_of_gears_kg_m2(const Robot& robot, const Drivetrain& drivetrain,
+                               std::size_t index) {
+  const actuator::Actuator& actuator = drivetrain.actuators[index];
+  const double all_kg_m2 = stays_in_tree(drivetrain) ? actuator::armature_kg_m2(actuator)
+                                                     : rotor_kg_m2(robot, drivetrain, index);
+  return std::max(0.0, all_kg_m2 - actuator.transmission.inertia_kg_m2);
+}
+
 }  // namespace
 
 WholeBody::WholeBody(const Robot& robot)
@@ -49,6 +59,7 @@ WholeBody::WholeBody(const Robot& robot)
     first_drive_.push_back(rotors_kg_m2_.size());
     for (std::size_t j = 0; j < drivetrain.actuators.size(); ++j) {
       rotors_kg_m2_.push_back(rotor_kg_m2(robot, drivetrain, j));
+      before_gears_kg_m2_.push_back(in_front_of_gears_kg_m2(robot, drivetrain, j));
     }
   }
   transfers_.resize(robot.drivetrains.size());

@@ -38,6 +38,9 @@ class WholeBody {
   std::size_t drive_count() const { return rotors_kg_m2_.size(); }
   /// N^2 J and the gears'; 0 where what the joints state of it stays in the tree.
   double rotor_inertia_kg_m2(std::size_t drive) const { return rotors_kg_m2_[drive]; }
+  /// Of that what turns before the first mesh: without the gears' own. Where what the joints state
+  /// stays in the tree, the actuator's N^2 J.
+  double before_gears_kg_m2(std::size_t drive) const { return before_gears_kg_m2_[drive]; }
 
   /// (n x n), rotors included; eq. (2).
   void mass_matrix(dynamics::MatrixOut out);
@@ -64,7 +67,8 @@ class WholeBody {
   Eigen::VectorXd position_;
   std::vector<std::size_t> first_drive_;  ///< By drivetrain.
   std::vector<double> rotors_kg_m2_;      ///< By drive, at its output.
-  std::vector<Transfer> transfers_;       ///< By drivetrain, as set.
+  std::vector<double> before_gears_kg_m2_;
+  std::vector<Transfer> transfers_;  ///< By drivetrain, as set.
   std::size_t unreached_ = 0;
 };
 

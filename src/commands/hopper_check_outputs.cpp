@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hopper/check/series.hpp"
 #include "io/atomic_file.hpp"
 #include "src/commands/hopper_check_json.hpp"
 #include "src/report/gnuplot.hpp"
@@ -55,8 +56,7 @@ std::vector<io::FileContent> pictures(const HopperCheckRequest& request,
   }
   if (!request.loads_file.empty()) {
     add(request.loads_file,
-        drawn(report::loads_plot(report::plot_format(request.loads_file), page.motion, page.report),
-              "--plot-loads"));
+        drawn(report::loads_plot(report::plot_format(request.loads_file), page), "--plot-loads"));
   }
   if (!request.figures_file.empty()) {
     add(request.figures_file,
@@ -76,8 +76,9 @@ void require_outputs(const HopperCheckRequest& request) {
   if (!request.loads_file.empty()) report::require_gnuplot("--plot-loads");
   if (!request.report_file.empty()) report::require_gnuplot("--report");
   std::vector<std::filesystem::path> outputs;
-  for (const std::string* file : {&request.plot_file, &request.loads_file, &request.figures_file,
-                                  &request.report_file, &request.output_file}) {
+  for (const std::string* file :
+       {&request.plot_file, &request.loads_file, &request.figures_file, &request.report_file,
+        &request.series_file, &request.output_file}) {
     if (!file->empty()) outputs.emplace_back(*file);
   }
   std::vector<std::filesystem::path> inputs{request.robot_file, request.trajectory_file};
@@ -91,6 +92,11 @@ void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& i
       request.json ? hopper_check_json(request, inputs, found) : hopper_check_text(inputs, found);
   std::vector<io::FileContent> files = pictures(
       request, {inputs.robot.robot, found.motion, inputs.check, found.report, found.candidates});
+  if (!request.series_file.empty()) {
+    const hopper::Series series = hopper::series_of(inputs.robot.robot, found.motion, inputs.check,
+                                                    found.report, hopper::SeriesDetail::kDrives);
+    files.push_back({request.series_file, hopper::series_csv(series)});
+  }
   if (!request.output_file.empty()) files.push_back({request.output_file, text});
   io::write_whole_files(files);
   if (request.output_file.empty()) print_result(text);

@@ -61,6 +61,8 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
                      "Draw the robot at moments of the motion to this SVG");
   command.add_option("--report", request.report_file,
                      "Write a page with everything, pictures included, to this HTML");
+  command.add_option("--series", request.series_file,
+                     "Write everything that was computed, by time, to this CSV");
   command.add_option("-o,--output", request.output_file, "Write to this file");
   command.add_flag("--json", request.json, "The report as JSON");
 }

@@ -28,6 +28,7 @@ struct HopperCheckRequest {
   std::string loads_file;
   std::string figures_file;
   std::string report_file;
+  std::string series_file;
   std::string output_file;
   bool json = false;
 };

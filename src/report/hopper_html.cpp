@@ -50,14 +50,14 @@ std::string head(const HopperPage& page) {
 std::string drives_table(const HopperPage& page) {
   std::string text =
       "<table>\n" + headings({"drive", "actuator", "verdict", "torque margin", "peak torque",
-                              "peak current", "energy", "contacts' load: joint, motor"});
+                              "peak current", "energy", "through the gears: joint, motor"});
   for (std::size_t i = 0; i < page.report.check.drives.size(); ++i) {
     const actuator::DriveReport& drive = page.report.check.drives[i];
     const actuator::CheckedInterpretation& interpretation = drive.interpretation;
     std::string load = "-";
     if (i < page.report.transmission_loads.size()) {
       const hopper::TransmissionLoad& gears = page.report.transmission_loads[i];
-      load = fmt::format("{:.4g} Nm, {:.4g} Nm", gears.joint_Nm, gears.motor_Nm);
+      load = fmt::format("{:.4g} Nm, {:.4g} Nm", gears.joint.mean, gears.motor.mean);
     }
     text += cells({drive.name, drive.actuator, std::string(actuator::name_of(drive.verdict)),
                    fmt::format("{:.4g} Nm", interpretation.margin_Nm),
@@ -114,8 +114,7 @@ std::string hopper_html(const HopperPage& page) {
       "Torque and speed in each region",
       drives_table(page) + pictures.draw(drives_plot(PlotFormat::kSvg, page.robot,
                                                      page.options.conditions, "", page.report)));
-  text += section("Loads over time",
-                  pictures.draw(loads_plot(PlotFormat::kSvg, page.motion, page.report)));
+  text += section("Loads over time", pictures.draw(loads_plot(PlotFormat::kSvg, page)));
   text += section("Candidates", candidates_table(page));
   text += section("Findings", findings_table(page));
   return text + fmt::format("<p class=\"soft\">torquewright {}</p>\n</main>\n</body>\n</html>\n",

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "actuator/region/mor_table.hpp"
+#include "hopper/check/series.hpp"
 #include "src/report/region_plot.hpp"
 
 namespace torquewright::report {
@@ -53,20 +54,18 @@ std::string panel_plot(const LoadPanel& panel, std::size_t index) {
                      fmt::join(plots, ", "));
 }
 
-std::vector<LoadPanel> panels_of(const HopperReport& report) {
+Curve column(const hopper::Series& series, const std::string& label, const std::string& header) {
+  const Eigen::VectorXd& values = *hopper::find_column(series, header);
+  return {label, [&values](Eigen::Index sample) { return values[sample]; }};
+}
+
+std::vector<LoadPanel> panels_of(const HopperReport& report, const hopper::Series& series) {
   const hopper::Demand& demand = report.demand;
   LoadPanel torque{"joint torque, Nm", {}};
-  LoadPanel load{"contacts, at motor, Nm", {}};
-  for (std::size_t i = 0; i < demand.drives.size(); ++i) {
-    const std::string& name = report.check.drives[i].name;
-    const auto row = static_cast<Eigen::Index>(i);
-    const double ratio = report.transmission_loads[i].ratio;
-    torque.curves.push_back({name, [&demand, i](Eigen::Index sample) {
-                               return demand.drives[i][static_cast<std::size_t>(sample)].torque_Nm;
-                             }});
-    load.curves.push_back({name, [&demand, row, ratio](Eigen::Index sample) {
-                             return demand.contact_Nm(row, sample) / ratio;
-                           }});
+  LoadPanel load{"gears, at motor, Nm", {}};
+  for (const actuator::DriveReport& drive : report.check.drives) {
+    torque.curves.push_back(column(series, drive.name, drive.name + "_drive_torque_Nm"));
+    load.curves.push_back(column(series, drive.name, drive.name + "_gear_motor_torque_Nm"));
   }
   const auto sum = [&demand](Eigen::Index axis, Eigen::Index sample) {
     double total_N = 0.0;
@@ -112,9 +111,13 @@ std::string drives_plot(PlotFormat format, const hopper::Robot& robot,
   return motions.empty() ? "" : motion_plot(format, title, motions);
 }
 
-std::string loads_plot(PlotFormat format, const Motion& motion, const HopperReport& report) {
+std::string loads_plot(PlotFormat format, const HopperPage& page) {
+  const HopperReport& report = page.report;
+  const Motion& motion = page.motion;
   if (!report.demand.has_dynamics) return "";
-  const std::vector<LoadPanel> panels = panels_of(report);
+  const hopper::Series series =
+      hopper::series_of(page.robot, motion, page.options, report, hopper::SeriesDetail::kMotion);
+  const std::vector<LoadPanel> panels = panels_of(report, series);
   const auto count = static_cast<int>(panels.size());
   std::string script = gnuplot_terminal(format, kLoadsWidth, count * kLoadPanelHeight);
   script +=

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "hopper/check/hopper_check.hpp"
 #include "src/report/gnuplot.hpp"
+#include "src/report/hopper_page.hpp"
 
 namespace torquewright::report {
 
@@ -14,9 +14,8 @@ std::string drives_plot(PlotFormat format, const hopper::Robot& robot,
                         const actuator::OperatingConditions& conditions, const std::string& title,
                         const hopper::HopperReport& report);
 
-/// A script for gnuplot, over time: the drives' torques, the ground's force, what contacts put on
-/// each transmission, CAM and CAV. Empty where the dynamics are not known.
-std::string loads_plot(PlotFormat format, const hopper::Motion& motion,
-                       const hopper::HopperReport& report);
+/// A script for gnuplot, over time: the drives' torques, the ground's force, what passes each
+/// transmission, CAM and CAV. Empty where the dynamics are not known.
+std::string loads_plot(PlotFormat format, const HopperPage& page);
 
 }  // namespace torquewright::report

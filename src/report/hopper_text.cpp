@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "src/report/check_text.hpp"
 
 namespace torquewright::report {
@@ -43,16 +45,23 @@ std::string motion_lines(const Robot& robot, const Motion& motion, const HopperR
   return text;
 }
 
-std::string load_line(const TransmissionLoad& load) {
+std::string load_lines(const HopperReport& report, std::size_t drive) {
+  const TransmissionLoad& load = report.transmission_loads[drive];
   std::string text = fmt::format(
-      "  gears    contacts load them with {:.4g} Nm at the joint, {:.4g} Nm at the motor (from t = "
-      "{:.6g} s)\n",
-      load.joint_Nm, load.motor_Nm, load.time_s);
-  if (load.impulse_Nm_s > 0.0) {
-    text += fmt::format("           {:.3g} Nm s of it in the impact at t = {:.6g} s\n",
-                        load.impulse_Nm_s, load.impulse_time_s);
+      "  gears    {:.4g} Nm at the joint, {:.4g} Nm at the motor pass them over {:g} ms (from t = "
+      "{:.6g} s){}\n",
+      load.joint.mean, load.motor.mean, 1e3 * load.window_s, load.judged().time_s,
+      load.limit ? fmt::format(": {}", actuator::name_of(load.verdict)) : "");
+  if (load.rotor_Nm_s > 0.0) {
+    text += fmt::format("           {:.3g} Nm s for the rotor in the impact at t = {:.6g} s\n",
+                        load.rotor_Nm_s, load.impact_time_s);
   }
-  return text;
+  if (drive >= report.contact_loads.size()) return text;
+  const ContactLoad& contact = report.contact_loads[drive];
+  return text + fmt::format(
+                    "  contacts ask for {:.4g} Nm at the joint, {:.4g} Nm at the motor (from t = "
+                    "{:.6g} s), most of it past the gears\n",
+                    contact.joint_Nm, contact.motor_Nm, contact.time_s);
 }
 
 std::string or_unknown(const std::optional<double>& value) {
@@ -70,6 +79,14 @@ std::string passing_line(const CandidateResult& result) {
 
 std::string candidates_text(const Robot& robot, const std::vector<CandidateResult>& results) {
   std::string text;
+  const bool by_file = std::any_of(results.begin(), results.end(), [](const auto& result) {
+    return result.torques == CandidateTorques::kExchangedFile;
+  });
+  if (by_file) {
+    text +=
+        "\ncandidates' torques are the file's, with what the old rotor (and mass) takes exchanged "
+        "for what each candidate's does\n";
+  }
   for (std::size_t drivetrain = 0; drivetrain < robot.drivetrains.size(); ++drivetrain) {
     const auto& names = robot.drivetrains[drivetrain].actuator_names;
     text += fmt::format(
@@ -97,7 +114,7 @@ std::string hopper_text(const Robot& robot, const Motion& motion, const HopperRe
   text += motion_lines(robot, motion, report);
   for (std::size_t i = 0; i < report.check.drives.size(); ++i) {
     text += drive_text(report.check.drives[i]);
-    if (i < report.transmission_loads.size()) text += load_line(report.transmission_loads[i]);
+    if (i < report.transmission_loads.size()) text += load_lines(report, i);
   }
   return text + "\n" + findings_text(report.check);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/csv.hpp"
 #include "io/document.hpp"
 #include "tests/cli/workplace.hpp"
 
@@ -77,7 +78,42 @@ TEST_F(HopperCheck, PassesAndReportsByItsSchema) {
   EXPECT_LE(report["base_residual"]["force"]["mean"].get<double>(), 1e-3);
   EXPECT_NEAR(report["base_residual"]["weight_N"].get<double>(), 11 * 9.81, 1e-9);
   EXPECT_EQ(report["transmission_load"].size(), 1u);
-  EXPECT_NEAR(report["transmission_load"][0]["joint_Nm"].get<double>(), 0.0, 1e-6);
+  EXPECT_NEAR(report["transmission_load"][0]["joint_Nm"].get<double>(), 9.81 * 0.5, 1e-9);
+  EXPECT_NEAR(report["contact_load"][0]["joint_Nm"].get<double>(), 0.0, 1e-6);
+}
+
+// The elbow holds the arm with 4.905 Nm, which its gears pass, touching or not.
+TEST_F(HopperCheck, FailsWhereTheGearsPassMoreThanTheyBear) {
+  json robot = crane();
+  robot["mechanisms"][0]["transmission_limit"] = {{"torque_Nm", 4.9}, {"side", "joint"}};
+  const Outcome fails = check(robot, swing(0.0));
+  EXPECT_EQ(fails.exit_code, 1);
+  EXPECT_NE(fails.out.find("violation [transmission-load] elbow: 4.905 Nm at the joint, 0.2453 Nm "
+                           "at the motor pass its gears"),
+            std::string::npos)
+      << fails.out;
+  robot["mechanisms"][0]["transmission_limit"]["torque_Nm"] = 4.91;
+  EXPECT_EQ(check(robot, swing(0.0)).exit_code, 0);
+}
+
+// Columns that the report's figures can be found in again, as a CSV that this tool reads.
+TEST_F(HopperCheck, WritesEverythingByTime) {
+  const Outcome outcome = check(crane(), swing(0.5), {"--series", "series.csv", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  io::CsvReader csv(place_.path("series.csv"));
+  const auto torque = csv.find("elbow_drive_torque_Nm");
+  const auto up = csv.find("front_force_z_N");
+  ASSERT_TRUE(torque && up && csv.find("elbow_current_A") && csv.find("elbow_bus_voltage_V") &&
+              csv.find("base_residual_moment_y_Nm") && csv.find("elbow_torque_margin_Nm"));
+  double peak_Nm = 0.0;
+  int rows = 0;
+  for (; csv.next(); ++rows) {
+    peak_Nm = std::max(peak_Nm, std::abs(csv.number(*torque)));
+    EXPECT_GT(csv.number(*up), 0.0);
+  }
+  EXPECT_EQ(rows, 401);
+  EXPECT_NEAR(peak_Nm, json::parse(outcome.out)["joints"][0]["peak_torque_Nm"].get<double>(), 1e-6);
+  expect_refusal(crane(), swing(0.5), "motion.csv", {"--series", "motion.csv"});
 }
 
 TEST_F(HopperCheck, FailsBeyondARangeAndSaysWhere) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flights, transmission loads, shared batteries, the choice of torques and what is left over, of
+// Flights, contact loads, shared batteries, the choice of torques and what is left over, of
 // demands written by hand.
 // Oracles: areas of trapezoids, means by hand, Kirchhoff's quadratic.
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "hopper/check/base_residual.hpp"
+#include "hopper/check/contact_load.hpp"
 #include "hopper/check/drive_reports.hpp"
 #include "hopper/check/flights.hpp"
 #include "hopper/check/shared_bus.hpp"
-#include "hopper/check/transmission_load.hpp"
 #include "hopper/mechanisms/constant_jacobian.hpp"
 #include "io/spec_error.hpp"
 #include "tests/actuator/example_actuator.hpp"
@@ -92,7 +92,7 @@ TEST(Flights, NeedABaseThatMovesAndSomethingThatCouldTouch) {
 
 // Oracle: areas. 30 Nm at one sample among zeros are a triangle of 30 * 10 ms: windows of 20 ms
 // that begin 10 ms before it mean 15 Nm. A jolt of -0.5 Nm s in the same window adds 25 Nm.
-TEST(TransmissionLoad, HoldsSteadyPartAndJoltOfItsWindow) {
+TEST(ContactLoad, HoldsSteadyPartAndJoltOfItsWindow) {
   DrivenMotion driven(8);
   driven.options.load_window_s = 0.02;
   driven.demand.contact_Nm(1, 3) = -30.0;
@@ -100,18 +100,16 @@ TEST(TransmissionLoad, HoldsSteadyPartAndJoltOfItsWindow) {
   jolt.sample = 3;
   jolt.time_s = 0.03;
   jolt.contact_Nm_s = Eigen::Vector2d(0.0, -0.5);
-  jolt.rotor_Nm_s = Eigen::Vector2d(0.0, -0.2);
   Jolt lesser = jolt;
   lesser.sample = 6;
   lesser.time_s = 0.06;
   lesser.contact_Nm_s[1] = 0.1;
-  lesser.rotor_Nm_s[1] = 0.7;
   driven.demand.jolts = {jolt, lesser};
-  const std::vector<TransmissionLoad> loads = transmission_loads(driven.checked());
+  const std::vector<ContactLoad> loads = contact_loads(driven.checked());
   ASSERT_EQ(loads.size(), 2u);
   EXPECT_EQ(loads[0].joint_Nm, 0.0);
   EXPECT_EQ(loads[0].impulse_Nm_s, 0.0);
-  const TransmissionLoad& load = loads[1];
+  const ContactLoad& load = loads[1];
   EXPECT_EQ(load.drive, "two");
   EXPECT_EQ(load.ratio, 10.0);
   EXPECT_NEAR(load.joint_Nm, 15.0 + 25.0, 1e-12);
@@ -120,9 +118,8 @@ TEST(TransmissionLoad, HoldsSteadyPartAndJoltOfItsWindow) {
   EXPECT_DOUBLE_EQ(load.time_s, 0.02);
   EXPECT_DOUBLE_EQ(load.impulse_Nm_s, 0.5);
   EXPECT_DOUBLE_EQ(load.impulse_time_s, 0.03);
-  EXPECT_DOUBLE_EQ(load.rotor_Nm_s, 0.2);  // of the greatest jolt
   driven.demand.has_dynamics = false;
-  EXPECT_TRUE(transmission_loads(driven.checked()).empty());
+  EXPECT_TRUE(contact_loads(driven.checked()).empty());
 }
 
 /// Both drives on 50 V behind 0.1 ohm.

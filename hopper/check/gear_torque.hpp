@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/check/drive_reports.hpp"
+
+namespace torquewright::hopper {
+
+/// The torque that passes each transmission: what its motor makes, less what its rotor's speed and
+/// the friction on the motor's side take. docs/derivations/whole_body_check.md eqs. (14)-(19).
+/// All (drives x samples).
+struct GearTorque {
+  Eigen::MatrixXd joint_Nm;      ///< Behind the mesh, at the actuator's output.
+  Eigen::MatrixXd motor_Nm;      ///< Before it, at the rotor.
+  Eigen::MatrixXd impulse_Nm_s;  ///< Of the rotor's jump in speed, at the output; else 0.
+  /// At the output, since the sample before: what the velocities' change asks for and the samples
+  /// do not make,
+  Eigen::MatrixXd doubt_Nm_s;
+  Eigen::MatrixXd bend_Nm_s;  ///< and how far a jump or bend between samples may lead off.
+};
+
+/// Of the torques that count. Requires velocities and accelerations, as demand_of() leaves them.
+GearTorque gear_torque(const CheckedMotion& checked, const DriveTorques& torques);
+
+}  // namespace torquewright::hopper

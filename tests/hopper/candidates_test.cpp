@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// Candidates on one joint. Oracle: a program apart, OneJoint below, that knows Newton's law of a
+// pendulum and Ohm's of a line, sample by sample, and none of the tool's regions or trees.
+#include "hopper/candidates/candidates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hopper/mechanisms/constant_jacobian.hpp"
+#include "io/spec_error.hpp"
+#include "tests/actuator/example_actuator.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using actuator::Verdict;
+using Eigen::Index;
+
+constexpr double kMass_kg = 4.0, kReach_m = 0.35, kOwn_kg_m2 = 0.05, kGravity = 9.81;
+constexpr double kMountReach_m = 0.5;  // where actuators' mass hangs, if stated
+
+struct Shop {
+  const char* name;
+  double kt, ohm, volt, ampere, rotor_kg_m2, forward, backward, coulomb_Nm, viscous, mass_kg;
+};
+constexpr Shop kShops[]{{"light", 0.12, 0.20, 48, 30, 4e-5, 0.92, 0.88, 0.3, 0.02, 0.6},
+                        {"heavy", 0.35, 0.30, 60, 40, 9e-4, 0.80, 0.70, 0.9, 0.05, 2.5},
+                        {"smooth", 0.20, 0.25, 48, 25, 2e-4, 1.00, 1.00, 0.0, 0.00, 1.2}};
+constexpr double kRatios[]{4, 6, 8, 10, 14, 18, 24, 32};
+constexpr double kOldRotor_kg_m2 = 3e-3, kOldRatio = 9.0, kOldMass_kg = 1.0;
+
+actuator::Actuator bought(const Shop& shop, double ratio) {
+  actuator::Actuator actuator;
+  actuator.name = shop.name;
+  actuator.motor.torque_constant_Nm_A = shop.kt;
+  actuator.motor.resistance_ohm = shop.ohm;
+  actuator.motor.rotor_inertia_kg_m2 = shop.rotor_kg_m2;
+  actuator.drive = {shop.volt, shop.ampere, {}, actuator::Modulation::kSvpwm};
+  actuator.transmission.ratio = ratio;
+  actuator.transmission.forward_efficiency = shop.forward;
+  actuator.transmission.backward_efficiency = shop.backward;
+  actuator.effects = {actuator::effect("coulomb_friction", {shop.coulomb_Nm}),
+                      actuator::effect("viscous_friction", {shop.viscous})};
+  actuator.mass_kg = shop.mass_kg;
+  return actuator;
+}
+
+/// A pendulum about +y, level at 0; positive turns down.
+Robot pendulum(bool is_mounted) {
+  Robot robot;
+  dynamics::Body arm;
+  arm.joint.name = "hinge";
+  arm.inertia = {kMass_kg, {kReach_m, 0, 0}, kOwn_kg_m2 * Eigen::Matrix3d::Identity()};
+  robot.tree.bodies = {dynamics::Body{}, arm};
+  Drivetrain drivetrain;
+  drivetrain.mechanism = std::make_shared<ConstantJacobian>(direct_drive());
+  drivetrain.joints = {1};
+  actuator::Actuator old = bought({"old", 0.3, 0.2, 100, 100, kOldRotor_kg_m2, 1, 1, 0, 0, 1.0},
+                                  kOldRatio);
+  old.mass_kg = kOldMass_kg;
+  drivetrain.actuators = {old};
+  drivetrain.actuator_names = {"hinge"};
+  drivetrain.actuator_files = {"old.json"};
+  drivetrain.rotors_in_tree = false;
+  if (is_mounted) drivetrain.mount = {1, {kMountReach_m, 0, 0}};
+  robot.drivetrains = {drivetrain};
+  return robot;
+}
+
+constexpr double kSwing_rad = 0.6, kPulse_rad_s = 9.0;
+
+Motion swing() {
+  Motion motion;
+  for (int i = 0; i <= 1200; ++i) motion.times_s.push_back(1e-3 * i);
+  motion.positions.resize(1, motion.samples());
+  motion.velocities.resize(1, motion.samples());
+  motion.accelerations.resize(1, motion.samples());
+  for (Index i = 0; i < motion.samples(); ++i) {
+    const double phase = kPulse_rad_s * motion.time_s(i) + 0.2;
+    motion.positions(0, i) = kSwing_rad * std::sin(phase);
+    motion.velocities(0, i) = kSwing_rad * kPulse_rad_s * std::cos(phase);
+    motion.accelerations(0, i) = -kSwing_rad * kPulse_rad_s * kPulse_rad_s * std::sin(phase);
+  }
+  motion.efforts.setZero(1, motion.samples());
+  motion.has_effort = {false};
+  return motion;
+}
+
+/// The oracle.
+class OneJoint {
+ public:
+  OneJoint(const Shop& shop, double ratio, double extra_kg) : shop_(shop), n_(ratio) {
+    const double rotor = ratio * ratio * shop.rotor_kg_m2;
+    double last_square = 0.0, last_power = 0.0;
+    const double step = 1e-3;
+    for (int i = 0; i <= 1200; ++i) {
+      const double phase = kPulse_rad_s * step * i + 0.2;
+      const double q = kSwing_rad * std::sin(phase);
+      const double w = kSwing_rad * kPulse_rad_s * std::cos(phase);
+      const double a = -kSwing_rad * kPulse_rad_s * kPulse_rad_s * std::sin(phase);
+      const double inertia = kOwn_kg_m2 + kMass_kg * kReach_m * kReach_m +
+                             extra_kg * kMountReach_m * kMountReach_m + rotor;
+      const double lever = kMass_kg * kReach_m + extra_kg * kMountReach_m;
+      const double torque = inertia * a - lever * kGravity * std::cos(q);
+      peak = std::max(peak, std::abs(torque));
+      margin = std::min({margin, greatest(w) - torque, torque - least(w)});
+      const double current = motor_torque(torque, w) / shop.kt;
+      const double square = current * current;
+      const double power = shop.ohm * square + shop.kt * current * ratio * w;
+      if (i > 0) {
+        copper += 0.5 * step * shop.ohm * (square + last_square);
+        energy += 0.5 * step * (power + last_power);
+      }
+      last_square = square;
+      last_power = power;
+    }
+    share = margin / greatest_at_rest();
+  }
+
+  double peak = 0.0, margin = std::numeric_limits<double>::infinity();
+  double share = 0.0, copper = 0.0, energy = 0.0;
+
+ private:
+  double drag(double w) const {
+    return w == 0.0 ? 0.0 : std::copysign(shop_.coulomb_Nm + shop_.viscous * std::abs(w), w);
+  }
+  double motor_torque(double torque, double w) const {
+    const double mesh = torque * w > 0.0 ? torque / shop_.forward : torque * shop_.backward;
+    return (mesh + drag(w)) / n_;
+  }
+  double on_load(double current, double w, double friction) const {
+    const double mesh = n_ * shop_.kt * current - friction;
+    return mesh * w > 0.0 ? mesh * shop_.forward : mesh / shop_.backward;
+  }
+  double greatest(double w) const {
+    const double free = (shop_.volt - shop_.kt * n_ * w) / shop_.ohm;
+    return on_load(std::min(shop_.ampere, free), w, drag(w));
+  }
+  double least(double w) const {
+    const double free = (-shop_.volt - shop_.kt * n_ * w) / shop_.ohm;
+    return on_load(std::max(-shop_.ampere, free), w, drag(w));
+  }
+  /// Held against a load that would drive it back: friction helps.
+  double greatest_at_rest() const {
+    const double ampere = std::min(shop_.ampere, shop_.volt / shop_.ohm);
+    return (n_ * shop_.kt * ampere + shop_.coulomb_Nm) / shop_.backward;
+  }
+
+  Shop shop_;
+  double n_;
+};
+
+Shelf shelf() {
+  Shelf shelf;
+  shelf.by_drivetrain.resize(1);
+  for (const Shop& shop : kShops) {
+    for (const double ratio : kRatios) {
+      shelf.by_drivetrain[0].push_back(
+          {std::string(shop.name) + std::to_string(static_cast<int>(ratio)), bought(shop, ratio)});
+    }
+  }
+  return shelf;
+}
+
+/// What the file says of the old motor's torque.
+enum class FileTorque { kNone, kWithRotor, kWithoutRotor };
+
+Motion swing_with(FileTorque file) {
+  Motion motion = swing();
+  if (file == FileTorque::kNone) return motion;
+  motion.has_effort = {true};
+  const double old = kOldRotor_kg_m2 * kOldRatio * kOldRatio;
+  for (Index i = 0; i < motion.samples(); ++i) {
+    const double inertia = kOwn_kg_m2 + kMass_kg * kReach_m * kReach_m +
+                           (file == FileTorque::kWithRotor ? old : 0.0);
+    motion.efforts(0, i) = inertia * motion.accelerations(0, i) -
+                           kMass_kg * kReach_m * kGravity * std::cos(motion.positions(0, i));
+  }
+  return motion;
+}
+
+void expect_oracles_ranking(const std::vector<CandidateResult>& results, bool is_mounted) {
+  ASSERT_EQ(results.size(), 24u);
+  int passing = 0;
+  for (const CandidateResult& result : results) {
+    const Shop& shop = *std::find_if(std::begin(kShops), std::end(kShops), [&](const Shop& one) {
+      return result.name.starts_with(one.name);
+    });
+    const OneJoint truth(shop, result.ratio, is_mounted ? shop.mass_kg - kOldMass_kg : 0.0);
+    EXPECT_EQ(result.verdict, truth.margin >= 0.0 ? Verdict::kPass : Verdict::kFail) << result.name;
+    // The dynamics agree to round-off of some 100 Nm.
+    EXPECT_NEAR(result.peak_torque_Nm, truth.peak, 1e-10) << result.name;
+    EXPECT_NEAR(result.margin_share, truth.share, 1e-9) << result.name;
+    if (result.verdict != Verdict::kPass) continue;  // what no current yields is counted clipped
+    ++passing;
+    EXPECT_NEAR(result.copper_loss_J, truth.copper, 1e-9 * truth.copper) << result.name;
+    EXPECT_NEAR(result.energy_J, truth.energy, 1e-9 * truth.copper) << result.name;
+  }
+  EXPECT_GE(passing, 4);   // else nothing was ranked
+  EXPECT_LE(passing, 20);  // or refused
+  for (std::size_t i = 1; i < results.size(); ++i) {
+    const bool after_pass = results[i - 1].verdict == Verdict::kPass;
+    if (after_pass != (results[i].verdict == Verdict::kPass)) {
+      EXPECT_TRUE(after_pass);
+      continue;
+    }
+    EXPECT_GE(results[i - 1].margin_share, results[i].margin_share);
+  }
+}
+
+// The file's torques are the old motor's: the dynamics with the candidate's rotor take their place.
+TEST(Candidates, HaveTheDemandOfTheirOwnRotorWhateverTheFileHolds) {
+  for (const FileTorque file :
+       {FileTorque::kNone, FileTorque::kWithRotor, FileTorque::kWithoutRotor}) {
+    const auto results = try_candidates(pendulum(false), swing_with(file), {}, shelf(), 1);
+    expect_oracles_ranking(results, false);
+    EXPECT_EQ(results[0].torques, CandidateTorques::kDynamics);
+  }
+}
+
+// Asked for, the file's torques count, the old rotor's part exchanged for the new one's.
+TEST(Candidates, ExchangeTheRotorInTheFilesTorques) {
+  CheckOptions options;
+  options.torques = TorqueSource::kFile;
+  for (const FileTorque file : {FileTorque::kWithRotor, FileTorque::kWithoutRotor}) {
+    for (const bool is_mounted : {false, true}) {
+      Robot robot = pendulum(is_mounted);
+      const auto results = try_candidates(robot, swing_with(file), options, shelf(), 2);
+      expect_oracles_ranking(results, is_mounted);
+      EXPECT_EQ(results[0].torques, CandidateTorques::kExchangedFile);
+    }
+  }
+  EXPECT_THROW(
+      try_candidates(pendulum(false), swing_with(FileTorque::kNone), options, shelf(), 1),
+      io::SpecError);
+}
+
+TEST(Candidates, CarryTheirMassWhereItIsMounted) {
+  expect_oracles_ranking(
+      try_candidates(pendulum(true), swing_with(FileTorque::kWithRotor), {}, shelf(), 1), true);
+}
+
+// What the joint states of the old rotor leaves with it.
+TEST(Candidates, TakeTheOldRotorOutOfTheJoint) {
+  Robot robot = pendulum(false);
+  robot.drivetrains[0].rotors_in_tree = true;
+  robot.tree.bodies[1].joint.reflected_inertia = kOldRotor_kg_m2 * kOldRatio * kOldRatio;
+  expect_oracles_ranking(try_candidates(robot, swing(), {}, shelf(), 1), false);
+}
+
+// A base that floats, nobody says where: only torques are known. Held at 10 rad/s2 with 9 Nm; the
+// old rotor takes 2.43 of them or not, the new one 1.6: 8.17 or 10.6 Nm of what it bears.
+TEST(Candidates, AreUndecidedWhereWhatTheFileHoldsDecides) {
+  Robot robot = pendulum(false);
+  robot.tree.base = dynamics::BaseKind::kPlanar;
+  Motion motion;
+  for (int i = 0; i <= 100; ++i) motion.times_s.push_back(1e-3 * i);
+  motion.has_base = false;
+  motion.positions.setZero(4, motion.samples());
+  motion.velocities.setZero(4, motion.samples());
+  motion.accelerations.setZero(4, motion.samples());
+  motion.efforts.setConstant(1, motion.samples(), 9.0);
+  motion.has_effort = {true};
+  motion.accelerations.row(3).setConstant(10.0);
+  for (Index i = 0; i < motion.samples(); ++i) {
+    motion.velocities(3, i) = 10.0 * motion.time_s(i) + 1e-3;
+  }
+  const auto verdict_at = [&](double bears_Nm) {
+    Shop shop{"plain", 0.2, 0.01, 100, bears_Nm / 0.2 / 40, 1e-4, 1, 1, 0, 0, 1.0};
+    Shelf one;
+    one.by_drivetrain = {{{"plain40", bought(shop, 40)}}};
+    return try_candidates(robot, motion, {}, one, 1).at(0).verdict;
+  };
+  EXPECT_EQ(verdict_at(8.1), Verdict::kFail);
+  EXPECT_EQ(verdict_at(8.3), Verdict::kUndecided);
+  EXPECT_EQ(verdict_at(10.5), Verdict::kUndecided);
+  EXPECT_EQ(verdict_at(10.7), Verdict::kPass);
+}
+
+}  // namespace
+}  // namespace torquewright::hopper
