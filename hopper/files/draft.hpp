@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hopper/files/element.hpp"
 #include "hopper/robot/robot.hpp"
 
 namespace torquewright::hopper {
@@ -12,6 +13,8 @@ namespace torquewright::hopper {
 struct DraftBody {
   dynamics::Body body;  ///< Parents come first.
   bool is_welded = false;
+  const Element* source = nullptr;  ///< Of the inertia; null where the file states no such body.
+  double rounding_kg_m2 = 0;        ///< By so much its moments may be off by how they are written.
 };
 
 /// A robot read from another format, and what was left behind, in sentences.

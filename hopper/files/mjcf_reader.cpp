@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields: MuJoCo's XML reference (mujoco.readthedocs.io, XMLreference).
+// Rules: MuJoCo's XML reference (mujoco.readthedocs.io, XMLreference).
 #include "hopper/files/mjcf_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
-#include <numbers>
+#include <algorithm>
 
 #include "dynamics/rigid_inertia.hpp"
-#include "hopper/files/mjcf_defaults.hpp"
-#include "hopper/files/xml.hpp"
+#include "hopper/files/finish.hpp"
+#include "hopper/files/mended_inertia.hpp"
+#include "hopper/files/mjcf_base.hpp"
+#include "hopper/files/mjcf_efforts.hpp"
+#include "hopper/files/mjcf_equality.hpp"
+#include "hopper/files/mjcf_include.hpp"
+#include "hopper/files/mjcf_inertia.hpp"
+#include "hopper/files/mjcf_vocabulary.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -18,241 +25,262 @@ using dynamics::BaseKind;
 using dynamics::JointKind;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using tinyxml2::XMLElement;
+
+bool moves(const Element& element) {
+  return std::any_of(element.children.begin(), element.children.end(), [](const Element& held) {
+    return held.name == "joint" || held.name == "freejoint" || moves(held);
+  });
+}
+
+/// Where the file's frame of a body stands in the frame of the draft that it became.
+struct Seen {
+  std::size_t draft = 0;
+  Matrix3d R = Matrix3d::Identity();
+  Vector3d p_m = Vector3d::Zero();
+};
 
 class MjcfReader {
  public:
-  explicit MjcfReader(const std::filesystem::path& file)
-      : xml_(file, "mujoco"), defaults_(xml_.root()) {}
+  MjcfReader(const std::filesystem::path& file, const ImportFileOptions& options)
+      : options_(options),
+        root_(read_with_includes(file, faults_)),
+        vocabulary_(mjcf_words(), faults_),
+        compiler_(read_compiler(root_, faults_)),
+        defaults_(root_, faults_) {}
 
   Imported read() {
-    Robot& robot = imported_.robot;
-    robot.name = attribute(xml_.root(), "model");
-    if (robot.name.empty()) robot.name = "robot";
-    read_options();
-    refuse_loops();
-    const XMLElement* top = only_tree();
-    xml_.refuse_faults();
-    robot.tree.base = base_of(*top);
-    if (robot.tree.base == BaseKind::kFixed && !joints_in(*top).empty()) {
-      draft_.emplace_back();
-      draft_.back().body.name = "world";
-      read_body(*top, 0, "");
-    } else {
-      read_base(*top);
-    }
-    xml_.refuse_faults();
-    robot.tree.bodies = without_welds(draft_);
-    imported_.notes.emplace_back(
-        "shapes, damping, friction and actuators were left behind (no mesh "
-        "was opened); contact points are to be stated");
+    imported_.robot.name = attribute(root_, "model");
+    if (imported_.robot.name.empty()) imported_.robot.name = "robot";
+    check_sections();
+    read_gravity();
+    const std::vector<Placed> bodies = bodies_of_world();
+    const Placed* top = chosen(bodies);
+    faults_.refuse();
+    refuse_equalities(root_, *top->element, faults_);
+    read_top(*top);
+    faults_.refuse();
+    scale_mass(bodies);
+    limit_efforts();
+    finish(draft_, options_, imported_, faults_);
+    for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
     return std::move(imported_);
   }
 
  private:
-  void read_options() {
-    for (const XMLElement* compiler : children(xml_.root(), "compiler")) {
-      if (attribute(*compiler, "angle") == "radian") per_degree_ = 1;
-      if (attribute(*compiler, "coordinate") == "global") {
-        xml_.report(*compiler, "coordinate must be local");
-      }
-      const std::string order = attribute(*compiler, "eulerseq");
-      if (!order.empty() && order != "xyz") xml_.report(*compiler, "eulerseq must be xyz");
+  void check_sections() {
+    vocabulary_.check(root_);
+    for (const char* name : {"compiler", "option"}) {
+      for (const Element* element : children(root_, name)) vocabulary_.check(*element);
     }
-    for (const XMLElement* option : children(xml_.root(), "option")) {
-      const Vector3d gravity = xml_.vector(*option, "gravity", {0, 0, -9.81});
+    for (const Element* section : children(root_, "tendon")) {
+      for (const Element& tendon : section->children) {
+        vocabulary_.check(defaults_.completed(tendon, ""));
+      }
+    }
+  }
+
+  void read_gravity() {
+    double& gravity_m_s2 = imported_.robot.tree.gravity_m_s2;
+    for (const Element* option : children(root_, "option")) {
+      const Vector3d gravity = faults_.vector(*option, "gravity", {0, 0, -gravity_m_s2});
       if (gravity.x() != 0 || gravity.y() != 0 || gravity.z() > 0) {
-        xml_.report(*option, "gravity must point along -z");
+        faults_.report(*option, "gravity must point along -z");
       }
-      imported_.robot.tree.gravity_m_s2 = -gravity.z();
+      gravity_m_s2 = -gravity.z();
+      for (const Element* flag : children(*option, "flag")) {
+        vocabulary_.check(*flag);
+        has_gravity_ = has_gravity_ && attribute(*flag, "gravity") != "disable";
+      }
     }
+    if (!has_gravity_ || gravity_m_s2 == 0) gravity_m_s2 = 0;
   }
 
-  void refuse_loops() {
-    const XMLElement* equality = xml_.root().FirstChildElement("equality");
-    if (equality == nullptr) return;
-    for (const auto* one = equality->FirstChildElement(); one != nullptr;
-         one = one->NextSiblingElement()) {
-      xml_.report(*one,
-                  "closes a loop or couples joints, which a tree does not; leave it out and "
-                  "state a mechanism");
+  std::vector<Placed> bodies_of_world() {
+    std::vector<Placed> bodies;
+    const auto worlds = children(root_, "worldbody");
+    if (worlds.empty()) faults_.report(root_, "holds no worldbody");
+    for (const Element* world : worlds) {
+      for (const Placed& placed : contents(*world, "", context_)) {
+        if (placed.element->name == "body") bodies.push_back(placed);
+      }
     }
+    return bodies;
   }
 
-  const XMLElement* only_tree() {
-    const XMLElement* world = xml_.root().FirstChildElement("worldbody");
-    if (world == nullptr) {
-      xml_.report(xml_.root(), "holds no worldbody");
+  /// The body that is asked for; else the only one, or the only one that moves.
+  const Placed* chosen(const std::vector<Placed>& bodies) {
+    std::vector<std::string> names;
+    const Placed* found = nullptr;
+    std::size_t count = 0;
+    for (const Placed& body : bodies) {
+      const std::string name = attribute(*body.element, "name");
+      names.push_back(name);
+      const bool is_meant = options_.body.empty() ? bodies.size() == 1 || moves(*body.element)
+                                                  : name == options_.body;
+      if (!is_meant) continue;
+      found = &body;
+      ++count;
+    }
+    if (count == 1) {
+      note_others(names, attribute(*found->element, "name"));
+      return found;
+    }
+    if (bodies.empty()) {
+      if (child(root_, "worldbody") != nullptr) faults_.report(root_, "its world holds no body");
       return nullptr;
     }
-    const auto bodies = children(*world, "body");
-    if (bodies.size() != 1) {
-      xml_.report(*world, fmt::format("holds {} bodies; one robot, one tree", bodies.size()));
-    }
-    return bodies.empty() ? nullptr : bodies.front();
+    faults_.report(
+        root_, fmt::format(
+                   "the world holds {} bodies ({}), {} of them {}; one robot, one "
+                   "tree: name its body with --body",
+                   bodies.size(), fmt::join(names, ", "), count,
+                   options_.body.empty() ? "moving" : fmt::format("called \"{}\"", options_.body)));
+    return nullptr;
   }
 
-  std::vector<const XMLElement*> joints_in(const XMLElement& body) {
-    auto joints = children(body, "joint");
-    for (const XMLElement* free : children(body, "freejoint")) joints.push_back(free);
+  void note_others(std::vector<std::string> names, const std::string& top) {
+    std::erase(names, top);
+    if (names.empty()) return;
+    imported_.notes.push_back(
+        fmt::format("other bodies of the world are left out: {}", fmt::join(names, ", ")));
+  }
+
+  void read_top(const Placed& placed) {
+    const Element& body = *placed.element;
+    const Placed pose = pose_of(placed, body, context_);
+    const std::vector<Placed> held = contents(body, placed.childclass, context_);
+    const std::vector<MjcfJoint> joints = joints_in(held);
+    const MjcfBase base = base_of(pose, joints, faults_);
+    imported_.robot.tree.base = base.kind;
+    imported_.notes.insert(imported_.notes.end(), base.notes.begin(), base.notes.end());
+    draft_.emplace_back();
+    if (base.kind == BaseKind::kFixed && !joints.empty()) {
+      draft_.back().body.name = "world";
+      read_body(placed, {});
+      return;
+    }
+    draft_.back().source = &body;
+    draft_.back().body.name = name_of(body);
+    if (base.kind == BaseKind::kFixed) {
+      draft_.back().body.joint.R_PB = pose.R;
+      draft_.back().body.joint.p_PB_m = pose.p_m;
+    }
+    fill(body, held, {0, base.R_DB, base.p_DB_m});
+  }
+
+  std::vector<MjcfJoint> joints_in(const std::vector<Placed>& held) {
+    std::vector<MjcfJoint> joints;
+    for (const Placed& placed : held) {
+      if (placed.element->name != "joint" && placed.element->name != "freejoint") continue;
+      joints.push_back(read_mjcf_joint(placed, context_));
+    }
     return joints;
   }
 
-  BaseKind base_of(const XMLElement& top) {
-    const std::string childclass = attribute(top, "childclass");
-    std::string kinds;
-    for (const XMLElement* joint : joints_in(top)) {
-      const XMLElement& full = defaults_.completed(*joint, childclass);
-      const std::string type = attribute(full, "type");
-      const Vector3d axis = xml_.vector(full, "axis", Vector3d::UnitZ());
-      if (std::string(full.Name()) == "freejoint" || type == "free") return BaseKind::kSpatial;
-      if (type == "slide" && axis == Vector3d::UnitX()) kinds += 'x';
-      if (type == "slide" && axis == Vector3d::UnitZ()) kinds += 'z';
-      if (type != "slide" && axis == Vector3d::UnitY()) kinds += 'p';
+  /// A body below a draft: welded to it, or carried by a chain of its joints.
+  void read_body(const Placed& placed, const Seen& parent) {
+    const Element& body = *placed.element;
+    const std::vector<Placed> held = contents(body, placed.childclass, context_);
+    const Placed own = pose_of(placed, body, context_);
+    Seen seen{parent.draft, parent.R * own.R, parent.p_m + parent.R * own.p_m};
+    const std::vector<MjcfJoint> joints = joints_in(held);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (joints[i].is_free) faults_.report(*joints[i].element, "a free joint is for the top body");
+      seen = carried(joints[i], seen);
+      draft_.back().body.name = name_of(body);
+      if (i + 1 < joints.size()) draft_.back().body.name += "." + draft_.back().body.joint.name;
     }
-    return kinds == "xzp" && joints_in(top).size() == 3 ? BaseKind::kPlanar : BaseKind::kFixed;
+    if (joints.empty()) {
+      seen = welded(seen);
+      draft_.back().body.name = name_of(body);
+    }
+    draft_.back().source = &body;
+    fill(body, held, seen);
   }
 
-  /// The top body is the base itself: it floats, or no joint carries it.
-  void read_base(const XMLElement& top) {
-    DraftBody base;
-    base.body.name = name_of(top);
-    if (imported_.robot.tree.base == BaseKind::kFixed) read_pose(top, base.body.joint);
-    base.body.inertia = inertia_of(top, imported_.robot.tree.base != BaseKind::kFixed);
-    draft_.push_back(std::move(base));
-    read_children(top, 0, attribute(top, "childclass"));
-  }
-
-  void read_children(const XMLElement& element, std::size_t index, const std::string& childclass) {
-    for (const XMLElement* child : children(element, "body")) read_body(*child, index, childclass);
-  }
-
-  void read_body(const XMLElement& element, std::size_t parent, const std::string& around) {
-    const std::string own = attribute(element, "childclass");
-    const std::string& childclass = own.empty() ? around : own;
-    const auto joints = joints_in(element);
+  Seen welded(const Seen& at) {
     DraftBody draft;
-    draft.body.name = name_of(element);
-    draft.body.parent = parent;
-    draft.is_welded = joints.empty();
-    read_pose(element, draft.body.joint);
-    draft.body.inertia = inertia_of(element, !draft.is_welded);
-    Vector3d shift_m = Vector3d::Zero();
-    if (joints.size() > 1) {
-      xml_.report(element, "has several joints; give each but the last a body of its own");
-    } else if (!joints.empty()) {
-      shift_m = read_joint(defaults_.completed(*joints.front(), childclass), draft.body.joint);
-    }
-    // Our frames sit at the joint: the body is seen from there.
-    draft.body.joint.p_PB_m += draft.body.joint.R_PB * shift_m;
-    draft.body.inertia.center_of_mass_m -= shift_m;
-    const std::size_t index = draft_.size();
+    draft.is_welded = true;
+    draft.body.parent = at.draft;
+    draft.body.joint.R_PB = at.R;
+    draft.body.joint.p_PB_m = at.p_m;
     draft_.push_back(std::move(draft));
-    const std::size_t before = draft_.size();
-    read_children(element, index, childclass);
-    for (std::size_t i = before; i < draft_.size(); ++i) {
-      if (draft_[i].body.parent == index) draft_[i].body.joint.p_PB_m -= shift_m;
-    }
+    return {draft_.size() - 1, Matrix3d::Identity(), Vector3d::Zero()};
   }
 
-  /// Where the joint sits in the body.
-  Vector3d read_joint(const XMLElement& element, dynamics::Joint& joint) {
-    const std::string type = attribute(element, "type");
-    if (!type.empty() && type != "hinge" && type != "slide") {
-      xml_.report(element, fmt::format("type \"{}\" must be hinge or slide here", type));
-    }
-    joint.name = attribute(element, "name");
+  /// Our frames sit at the joint and are where its position is zero, not where the file's body is.
+  Seen carried(const MjcfJoint& stated, const Seen& at) {
+    DraftBody draft;
+    draft.body.parent = at.draft;
+    draft.body.joint = stated.joint;
+    dynamics::Joint& joint = draft.body.joint;
     if (joint.name.empty()) joint.name = fmt::format("joint_{}", draft_.size());
-    joint.kind = type == "slide" ? JointKind::kPrismatic : JointKind::kRevolute;
-    const Vector3d axis = xml_.vector(element, "axis", Vector3d::UnitZ());
-    if (axis.norm() < 1e-6) {
-      xml_.report(element, "the axis has no direction");
-    } else {
-      joint.axis = axis.normalized();
+    const bool turns = joint.kind == JointKind::kRevolute;
+    const double back = -stated.reference;
+    const Vector3d shift_m = turns ? stated.place_m : stated.place_m + back * joint.axis;
+    joint.p_PB_m = at.p_m + at.R * shift_m;
+    joint.R_PB = at.R;
+    if (turns && back != 0) {
+      joint.R_PB = at.R * Eigen::AngleAxisd(back, joint.axis).toRotationMatrix();
     }
-    joint.reflected_inertia = xml_.number(element, "armature", 0);
-    if (joint.reflected_inertia < 0) xml_.report(element, "the armature is negative");
-    const std::string limited = attribute(element, "limited");
-    const auto range = xml_.numbers(element, "range", 2);
-    if (range && limited != "false") {
-      const double unit = joint.kind == JointKind::kRevolute ? per_degree_ : 1;
-      joint.limits.position_min = unit * range->front();
-      joint.limits.position_max = unit * range->back();
-      if (!(range->front() < range->back())) {
-        xml_.report(element, "the range's first number is not below its second");
-      }
-    }
-    return xml_.vector(element, "pos", Vector3d::Zero());
+    draft_.push_back(std::move(draft));
+    return {draft_.size() - 1, Matrix3d::Identity(), -stated.place_m};
   }
 
-  void read_pose(const XMLElement& element, dynamics::Joint& joint) {
-    joint.p_PB_m = xml_.vector(element, "pos", Vector3d::Zero());
-    joint.R_PB = rotation_of(element);
+  void fill(const Element& body, const std::vector<Placed>& held, const Seen& seen) {
+    draft_[seen.draft].rounding_kg_m2 = rounding_of(child(body, "inertial"));
+    draft_[seen.draft].body.inertia =
+        dynamics::moved(compiled_inertia(body, held, context_), seen.R, seen.p_m);
+    for (const Placed& placed : held) {
+      if (placed.element->name == "body") read_body(placed, seen);
+    }
   }
 
-  Matrix3d rotation_of(const XMLElement& element) {
-    for (const char* other : {"xyaxes", "zaxis"}) {
-      if (element.Attribute(other) == nullptr) continue;
-      xml_.report(element, fmt::format("{} is not read; write quat, axisangle or euler", other));
+  /// All of the world's mass counts.
+  void scale_mass(const std::vector<Placed>& bodies) {
+    if (!compiler_.total_mass_kg) return;
+    double total_kg = 0;
+    for (const Placed& body : bodies) total_kg += total_mass_kg(body, context_);
+    faults_.refuse();
+    const double scale = *compiler_.total_mass_kg / std::max(total_kg, 1e-15);
+    for (DraftBody& draft : draft_) {
+      draft.body.inertia.mass_kg *= scale;
+      draft.body.inertia.inertia_kg_m2 *= scale;
     }
-    if (const auto q = xml_.numbers(element, "quat", 4)) {
-      const Eigen::Quaterniond quaternion((*q)[0], (*q)[1], (*q)[2], (*q)[3]);
-      if (quaternion.norm() > 1e-6) return quaternion.normalized().toRotationMatrix();
-      xml_.report(element, "the quaternion is zero");
-    }
-    if (const auto a = xml_.numbers(element, "axisangle", 4)) {
-      const Vector3d axis((*a)[0], (*a)[1], (*a)[2]);
-      if (axis.norm() > 1e-6) return turn(per_degree_ * (*a)[3], axis.normalized());
-      xml_.report(element, "axisangle has no direction");
-    }
-    const Vector3d euler = per_degree_ * xml_.vector(element, "euler", Vector3d::Zero());
-    return turn(euler[0], Vector3d::UnitX()) * turn(euler[1], Vector3d::UnitY()) *
-           turn(euler[2], Vector3d::UnitZ());
   }
 
-  static Matrix3d turn(double angle_rad, const Vector3d& axis) {
-    return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix();
+  void limit_efforts() {
+    MjcfEfforts efforts = read_efforts(root_, context_);
+    for (DraftBody& draft : draft_) {
+      const auto found = efforts.limit.find(draft.body.joint.name);
+      if (found == efforts.limit.end()) continue;
+      double& greatest = draft.body.joint.limits.effort_max;
+      greatest = std::min(greatest, found->second);
+    }
+    for (std::string& note : efforts.notes) imported_.notes.push_back(std::move(note));
   }
 
-  dynamics::RigidInertia inertia_of(const XMLElement& body, bool is_needed) {
-    dynamics::RigidInertia inertia;
-    const XMLElement* element = body.FirstChildElement("inertial");
-    if (element == nullptr) {
-      const bool has_shapes = body.FirstChildElement("geom") != nullptr;
-      if (is_needed || has_shapes) {
-        xml_.report(body, "states no <inertial>; MuJoCo writes it when it saves the model");
-      }
-      return inertia;
-    }
-    inertia.mass_kg = xml_.number(*element, "mass", 0);
-    if (inertia.mass_kg < 0) xml_.report(*element, "the mass is negative");
-    inertia.center_of_mass_m = xml_.vector(*element, "pos", Vector3d::Zero());
-    if (const auto full = xml_.numbers(*element, "fullinertia", 6)) {
-      const std::vector<double>& I = *full;
-      inertia.inertia_kg_m2 << I[0], I[3], I[4], I[3], I[1], I[5], I[4], I[5], I[2];
-      return inertia;
-    }
-    const Matrix3d R = rotation_of(*element);
-    const Vector3d moments = xml_.vector(*element, "diaginertia", Vector3d::Zero());
-    const Matrix3d turned = R * moments.asDiagonal() * R.transpose();
-    inertia.inertia_kg_m2 = 0.5 * (turned + turned.transpose());
-    return inertia;
-  }
-
-  std::string name_of(const XMLElement& body) {
+  std::string name_of(const Element& body) {
     const std::string name = attribute(body, "name");
-    return name.empty() ? fmt::format("body_{}", draft_.size()) : name;
+    return name.empty() ? fmt::format("body_{}", draft_.size() - 1) : name;
   }
 
-  Xml xml_;
-  JointDefaults defaults_;
+  ImportFileOptions options_;
+  Faults faults_;
+  Element root_;
+  Vocabulary vocabulary_;
+  MjcfCompiler compiler_;
+  MjcfDefaults defaults_;
+  MjcfContext context_{compiler_, defaults_, vocabulary_, faults_};
   Imported imported_;
   std::vector<DraftBody> draft_;
-  double per_degree_ = std::numbers::pi / 180;
+  bool has_gravity_ = true;
 };
 
 }  // namespace
 
-Imported read_mjcf(const std::filesystem::path& file) { return MjcfReader(file).read(); }
+Imported read_mjcf(const std::filesystem::path& file, const ImportFileOptions& options) {
+  return MjcfReader(file, options).read();
+}
 
 }  // namespace torquewright::hopper

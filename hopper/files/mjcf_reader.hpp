@@ -4,15 +4,15 @@
 #include <filesystem>
 
 #include "hopper/files/draft.hpp"
+#include "hopper/files/import_options.hpp"
 
 namespace torquewright::hopper {
 
-/// Reads the one tree of an MJCF file: bodies with <inertial>, hinges and slides (one per body),
-/// armature as reflected inertia, defaults and their classes. A free joint at its top floats;
-/// slides along x and z and a hinge about y there are a planar base; anything else stands on a
-/// fixed base. Shapes, damping, actuators are left behind, and said; loops closed by equality
-/// constraints, ball joints, several joints in one body and bodies whose mass only their shapes say
-/// are faults. Throws io::SpecError with all faults.
-Imported read_mjcf(const std::filesystem::path& file);
+/// Reads one tree of an MJCF file as MuJoCo's compiler does: includes, classes of defaults, frames,
+/// mass by <inertial> or by shapes, hinges and slides. A free joint at its top floats; slides along
+/// the world's x and z and a hinge about y there are a planar base; anything else stands on a fixed
+/// base. Several joints in one body become as many bodies, all but the last without mass. What is
+/// read, left behind and refused: mjcf_vocabulary.cpp. Throws io::SpecError with all faults.
+Imported read_mjcf(const std::filesystem::path& file, const ImportFileOptions& options = {});
 
 }  // namespace torquewright::hopper

@@ -2,21 +2,20 @@
 #include "hopper/files/xml.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
-#include "io/file_bytes.hpp"
-
 namespace torquewright::hopper {
 namespace {
 
-using tinyxml2::XMLElement;
-
 constexpr double kGreatest = 1e9;  // no number of a robot comes near
 
-/// Numbers between spaces; nothing if anything else stands there.
+/// Numbers between spaces; nothing if anything else stands there. What is too small for a double is
+/// zero.
 std::optional<std::vector<double>> parsed(std::string_view text) {
   std::vector<double> found;
   const char* at = text.data();
@@ -33,93 +32,68 @@ std::optional<std::vector<double>> parsed(std::string_view text) {
   }
 }
 
+std::string counted(std::size_t least, std::size_t most) {
+  const std::string count =
+      least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
+  return fmt::format("{} number{}", count, most == 1 ? "" : "s");
+}
+
 }  // namespace
 
-Xml::Xml(const std::filesystem::path& file, const std::string& root_name)
-    : file_(file.string()), document_(std::make_unique<tinyxml2::XMLDocument>()) {
-  const std::string bytes = io::read_file_bytes(file);
-  if (document_->Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS) {
-    throw io::SpecError({{file_, "",
-                          fmt::format("line {}: is no XML that can be read ({})",
-                                      document_->ErrorLineNum(), document_->ErrorName())}});
-  }
-  const XMLElement* found = document_->RootElement();
-  if (found == nullptr || found->Name() != root_name) {
-    throw io::SpecError({{file_, "",
-                          fmt::format("must hold <{}>, not <{}>", root_name,
-                                      found == nullptr ? "" : found->Name())}});
-  }
-  look_for_references(*document_);
-}
-
-void Xml::look_for_references(const tinyxml2::XMLNode& node) {
-  for (const auto* child = node.FirstChild(); child != nullptr; child = child->NextSibling()) {
-    if (child->ToUnknown() != nullptr) {
-      faults_.push_back({file_, "",
-                         fmt::format("line {}: a DOCTYPE or another declaration is not "
-                                     "read, nor are entities; expand them first",
-                                     child->GetLineNum())});
-    }
-    const XMLElement* element = child->ToElement();
-    if (element == nullptr) continue;
-    const std::string_view name = element->Name();
-    if (name == "include") report(*element, "other files are not followed; put its content here");
-    if (name.starts_with("xacro:")) report(*element, "macros are not expanded; run xacro first");
-    look_for_references(*element);
-  }
-}
-
-void Xml::report(const XMLElement& element, const std::string& message) {
+void Faults::report(const Element& element, const std::string& message) {
   const std::string name = attribute(element, "name");
-  faults_.push_back({file_, "",
-                     fmt::format("line {}, <{}{}>: {}", element.GetLineNum(), element.Name(),
+  faults_.push_back({*element.file, "",
+                     fmt::format("line {}, <{}{}>: {}", element.line, element.name,
                                  name.empty() ? "" : fmt::format(" name=\"{}\"", name), message)});
 }
 
-void Xml::refuse_faults() {
+void Faults::refuse() const {
   if (!faults_.empty()) throw io::SpecError(faults_);
 }
 
-std::optional<std::vector<double>> Xml::numbers(const XMLElement& element, const char* name,
-                                                std::size_t count) {
-  const char* text = element.Attribute(name);
+std::optional<std::vector<double>> Faults::numbers(const Element& element, const char* name,
+                                                   std::size_t least, std::size_t most) {
+  const std::string* text = find_attribute(element, name);
   if (text == nullptr) return std::nullopt;
-  auto found = parsed(text);
-  if (found && found->size() == count) return found;
-  report(element, fmt::format("{}=\"{}\" must be {} number{} of at most 1e9", name, text, count,
-                              count == 1 ? "" : "s"));
+  auto found = parsed(*text);
+  if (found && found->size() >= least && found->size() <= most) return found;
+  report(element,
+         fmt::format("{}=\"{}\" must be {} of at most 1e9", name, *text, counted(least, most)));
   return std::nullopt;
 }
 
-double Xml::number(const XMLElement& element, const char* name, double otherwise) {
+double Faults::number(const Element& element, const char* name, double otherwise) {
   const auto found = numbers(element, name, 1);
   return found ? found->front() : otherwise;
 }
 
-Eigen::Vector3d Xml::vector(const XMLElement& element, const char* name,
-                            const Eigen::Vector3d& otherwise) {
+Eigen::Vector3d Faults::vector(const Element& element, const char* name,
+                               const Eigen::Vector3d& otherwise) {
   const auto found = numbers(element, name, 3);
   return found ? Eigen::Vector3d(found->data()) : otherwise;
 }
 
-std::string Xml::needed(const XMLElement& element, const char* name) {
+std::string Faults::needed(const Element& element, const char* name) {
   const std::string found = attribute(element, name);
   if (found.empty()) report(element, fmt::format("{} is missing", name));
   return found;
 }
 
-std::vector<const XMLElement*> children(const XMLElement& element, const char* name) {
-  std::vector<const XMLElement*> found;
-  for (const auto* child = element.FirstChildElement(name); child != nullptr;
-       child = child->NextSiblingElement(name)) {
-    found.push_back(child);
-  }
-  return found;
+std::string Faults::one_of(const Element& element, const char* name,
+                           const std::vector<std::string>& allowed) {
+  const std::string* found = find_attribute(element, name);
+  if (found == nullptr) return allowed.front();
+  if (std::find(allowed.begin(), allowed.end(), *found) != allowed.end()) return *found;
+  report(element,
+         fmt::format("{}=\"{}\" must be one of {}", name, *found, fmt::join(allowed, ", ")));
+  return allowed.front();
 }
 
-std::string attribute(const XMLElement& element, const char* name) {
-  const char* text = element.Attribute(name);
-  return text == nullptr ? "" : text;
+Element read_root(const std::filesystem::path& file, const std::string& name) {
+  Element root = read_element(file);
+  if (root.name == name) return root;
+  throw io::SpecError(
+      {{file.string(), "", fmt::format("must hold <{}>, not <{}>", name, root.name)}});
 }
 
 }  // namespace torquewright::hopper

@@ -24,6 +24,7 @@ using Eigen::Vector3d;
 using nlohmann::json;
 
 constexpr double kNoDirection = 1e-6;
+constexpr std::array kInertiaKeys{"mass_kg", "center_of_mass_m", "inertia_kg_m2"};
 constexpr std::array kRevoluteKeys{"range_rad", "speed_limit_rad_s", "torque_limit_Nm",
                                    "reflected_inertia_kg_m2"};
 constexpr std::array kPrismaticKeys{"range_m", "speed_limit_m_s", "force_limit_N",
@@ -134,13 +135,26 @@ class RobotReader {
   void check_inertia(std::size_t index, bool is_needed) {
     const json& body = root()["bodies"][index];
     const std::string path = fmt::format("/bodies/{}", index);
-    for (const char* key : {"mass_kg", "center_of_mass_m", "inertia_kg_m2"}) {
-      if (is_needed && !body.contains(key)) report(fmt::format("{}/{}", path, key), "missing");
+    int stated = 0;
+    for (const char* key : kInertiaKeys) stated += body.contains(key) ? 1 : 0;
+    for (const char* key : kInertiaKeys) {
+      if (body.contains(key) || stated == 0) continue;
+      if (is_needed) report(fmt::format("{}/{}", path, key), "missing");
+    }
+    if (is_needed && stated == 0 && !carries_another(body_names_[index])) {
+      report(path + "/mass_kg", "missing: only a body that carries another may have no mass");
     }
     if (!body.contains("inertia_kg_m2")) return;
     if (const auto objection = inertia_objection(inertia_of(body["inertia_kg_m2"]))) {
       report(path + "/inertia_kg_m2", *objection);
     }
+  }
+
+  /// By a joint.
+  bool carries_another(const std::string& body) const {
+    const json joints = list("joints");
+    return std::any_of(joints.begin(), joints.end(),
+                       [&](const json& joint) { return joint["parent"] == body; });
   }
 
   const json& joint_at(const Ends& ends) const { return root().at(json::json_pointer(ends.path)); }

@@ -23,6 +23,7 @@ struct ImportOptions {
   std::string file;
   std::string format;
   std::string output_file;
+  hopper::ImportFileOptions reading;
 };
 
 hopper::Imported read(const ImportOptions& options) {
@@ -30,7 +31,8 @@ hopper::Imported read(const ImportOptions& options) {
   const bool is_urdf = options.format.empty()
                            ? std::filesystem::path(options.file).extension() == ".urdf"
                            : options.format == "urdf";
-  return is_urdf ? hopper::read_urdf(options.file) : hopper::read_mjcf(options.file);
+  return is_urdf ? hopper::read_urdf(options.file, options.reading)
+                 : hopper::read_mjcf(options.file, options.reading);
 }
 
 /// The robot's document. What a file says may still be no robot (inertias that no body has): such a
@@ -67,6 +69,11 @@ void add_import_command(command_line::Command& robot) {
   command.add_option("file", options->file, "A URDF file (.urdf) or an MJCF file").required();
   command.add_option("--format", options->format, "Where the file's ending does not say it")
       .one_of({"urdf", "mjcf"});
+  command.add_option("--body", options->reading.body,
+                     "Of an MJCF file's world: the body that is the robot, where several move");
+  command.add_flag("--mend-inertias", options->reading.mends_inertias,
+                   "Inertias that no body has, but for the rounding of their numbers: the nearest "
+                   "that one has");
   command.add_option("-o,--output", options->output_file, "Write the document to this file");
   command.example("torquewright robot import specs/robot/rabbit.urdf -o rabbit.json");
   command.works([options] { return run_import(*options); });

@@ -95,7 +95,8 @@ TEST(Urdf, WeldsFixedLinksIntoTheirParents) {
 
 // Oracle: N^2 J.
 TEST(Urdf, ReadsRotorsOfTransmissions) {
-  const Imported read = imported_urdf(R"(<robot name="r"><link name="world"/><link name="a"/>
+  const Imported read = imported_urdf(R"(<robot name="r"><link name="world"/>
+    <link name="a"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
     <joint name="j" type="continuous"><parent link="world"/><child link="a"/>
       <dynamics damping="0.1"/></joint>
     <transmission><joint name="j"/><actuator name="m"><drake:rotor_inertia value="0.0002"/>
@@ -160,9 +161,9 @@ TEST(RobotFile, SaysWhatIsWrong) {
        "<robot><link name='a'><inertial><mass value='1e400'/><inertia/></inertial></link>"
        "</robot>",
        "must be 1 number"},
-      {false, "<mujoco><include file='/etc/hostname'/></mujoco>", "not followed"},
-      {false, "<mujoco><worldbody/></mujoco>", "one tree"},
-      {false, "<mujoco><worldbody><body><geom/></body></worldbody></mujoco>", "<inertial>"},
+      {false, "<mujoco><include file='/etc/hostname'/></mujoco>", "relative path"},
+      {false, "<mujoco><worldbody/></mujoco>", "holds no body"},
+      {false, "<mujoco><worldbody><body><geom/></body></worldbody></mujoco>", "sizes are missing"},
       {false,
        "<mujoco><worldbody><body><inertial mass='1' pos='nan 0 0'/></body></worldbody></mujoco>",
        "must be 3 numbers"},

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/files/finish.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "hopper/files/mended_inertia.hpp"
+#include "hopper/robot/plausible_inertia.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+void mend(std::vector<DraftBody>& draft, std::vector<std::string>& notes) {
+  std::vector<std::string> names;
+  for (DraftBody& next : draft) {
+    Eigen::Matrix3d& inertia = next.body.inertia.inertia_kg_m2;
+    const auto better = mended(inertia, next.rounding_kg_m2);
+    if (!better) continue;
+    names.push_back(fmt::format("{} (by {:.2g} kg m2)", next.body.name,
+                                (*better - inertia).cwiseAbs().maxCoeff()));
+    inertia = *better;
+  }
+  if (names.empty()) return;
+  notes.push_back(
+      fmt::format("inertias mended to those of flat bodies: {}", fmt::join(names, ", ")));
+}
+
+bool is_mendable(const std::vector<DraftBody>& draft) {
+  return std::any_of(draft.begin(), draft.end(), [](const DraftBody& next) {
+    return mended(next.body.inertia.inertia_kg_m2, next.rounding_kg_m2).has_value();
+  });
+}
+
+bool carries_another(const std::vector<dynamics::Body>& bodies, std::size_t index) {
+  return std::any_of(bodies.begin() + static_cast<std::ptrdiff_t>(index) + 1, bodies.end(),
+                     [&](const dynamics::Body& next) { return next.parent == index; });
+}
+
+std::string objection_to(const std::vector<dynamics::Body>& bodies, std::size_t index) {
+  const dynamics::RigidInertia& inertia = bodies[index].inertia;
+  if (inertia.mass_kg > 0) return inertia_objection(inertia.inertia_kg_m2).value_or("");
+  if (carries_another(bodies, index)) return "";
+  return "has no mass, and moves";
+}
+
+}  // namespace
+
+void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Imported& imported,
+            Faults& faults) {
+  if (options.mends_inertias) mend(draft, imported.notes);
+  dynamics::Tree& tree = imported.robot.tree;
+  tree.bodies = without_welds(draft);
+  std::erase_if(draft, [&](const DraftBody& next) {
+    return next.is_welded && &next != draft.data();  // as without_welds() keeps them
+  });
+  const bool is_fixed = tree.base == dynamics::BaseKind::kFixed;
+  for (std::size_t i = is_fixed ? 1 : 0; i < tree.bodies.size(); ++i) {
+    std::string objection = objection_to(tree.bodies, i);
+    if (objection.empty() || draft[i].source == nullptr) continue;
+    objection = fmt::format("body \"{}\": {}", tree.bodies[i].name, objection);
+    if (!options.mends_inertias && is_mendable(draft)) {
+      objection += "; --mend-inertias mends what rounding explains";
+    }
+    faults.report(*draft[i].source, objection);
+  }
+  faults.refuse();
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fields: MuJoCo's XML reference, "joint", "freejoint".
+#include "hopper/files/mjcf_joint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace torquewright::hopper {
+namespace {
+
+using dynamics::JointKind;
+using Eigen::Vector3d;
+
+void read_range(const Element& element, double unit, const MjcfContext& context,
+                dynamics::JointLimits& limits) {
+  const auto range = context.faults.numbers(element, "range", 2);
+  if (!range || !is_limited(element, "limited", context)) return;
+  limits.position_min = unit * range->front();
+  limits.position_max = unit * range->back();
+  if (range->front() < range->back()) return;
+  context.faults.report(element, "the range's first number is not below its second");
+}
+
+/// The smaller of both directions: what the joint may push either way.
+void read_force_range(const Element& element, const MjcfContext& context,
+                      dynamics::JointLimits& limits) {
+  const auto range = context.faults.numbers(element, "actuatorfrcrange", 2);
+  if (!range || !is_limited(element, "actuatorfrclimited", context)) return;
+  const double least = std::min(-range->front(), range->back());
+  if (least > 0) limits.effort_max = least;
+}
+
+void read_axis(const Element& element, const Placed& placed, const MjcfContext& context,
+               MjcfJoint& read) {
+  const Vector3d axis = context.faults.vector(element, "axis", Vector3d::UnitZ());
+  if (axis.norm() < 1e-6) {
+    context.faults.report(element, "the axis has no direction");
+  } else {
+    read.joint.axis = (placed.R * axis).normalized();
+  }
+  read.place_m = placed.p_m + placed.R * context.faults.vector(element, "pos", Vector3d::Zero());
+}
+
+}  // namespace
+
+bool is_limited(const Element& element, const char* limited, const MjcfContext& context) {
+  const std::string stated = context.faults.one_of(element, limited, {"auto", "true", "false"});
+  return stated == "true" || (stated == "auto" && context.compiler.are_limits_automatic);
+}
+
+MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
+  const Element element = context.defaults.completed(*placed.element, placed.childclass);
+  Faults& faults = context.faults;
+  context.vocabulary.check(element);
+  const std::string type = attribute(element, "type");
+  MjcfJoint read;
+  read.element = placed.element;
+  read.joint.name = attribute(element, "name");
+  read.is_free = element.name == "freejoint" || type == "free";
+  read.joint.reflected_inertia = faults.number(element, "armature", 0);
+  if (read.joint.reflected_inertia < 0) faults.report(element, "the armature is negative");
+  if (read.is_free) return read;
+  if (!type.empty() && type != "hinge" && type != "slide") {
+    faults.report(element, fmt::format("type \"{}\" must be hinge or slide here; three hinges in "
+                                       "one body turn like a ball",
+                                       type));
+  }
+  const bool turns = type != "slide";
+  read.joint.kind = turns ? JointKind::kRevolute : JointKind::kPrismatic;
+  const double unit = turns ? context.compiler.rad_per_angle : 1;
+  read.reference = unit * faults.number(element, "ref", 0);
+  read_axis(element, placed, context, read);
+  read_range(element, unit, context, read.joint.limits);
+  read_force_range(element, context, read.joint.limits);
+  return read;
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/tree.hpp"
+#include "hopper/files/mjcf_context.hpp"
+
+namespace torquewright::hopper {
+
+/// A joint as MJCF has it, in its body's frame.
+struct MjcfJoint {
+  dynamics::Joint joint;  ///< Its frame in its parent is not set.
+  Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
+  double reference = 0;  ///< Its position where the body stands as the file puts it.
+  bool is_free = false;
+  const Element* element = nullptr;
+};
+
+/// Hinges, slides and free joints; a ball is a fault.
+MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context);
+
+/// Whether a range holds: as stated, or where none is stated and limits are automatic.
+bool is_limited(const Element& element, const char* limited, const MjcfContext& context);
+
+}  // namespace torquewright::hopper

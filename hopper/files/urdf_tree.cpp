@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/files/urdf_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "hopper/find_name.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+std::optional<std::size_t> read_end(const UrdfTree& tree, const Element& joint, const char* which,
+                                    Faults& faults) {
+  const Element* element = child(joint, which);
+  const std::string wanted = element == nullptr ? "" : attribute(*element, "link");
+  std::vector<io::Fault> found;
+  const auto link = find_name(tree.names, wanted, "link", {"", "", ""}, found);
+  if (!link) faults.report(joint, found.back().message);
+  return link;
+}
+
+void read_ends(const Element& robot, UrdfTree& tree, Faults& faults) {
+  for (const Element* joint : children(robot, "joint")) {
+    const std::string name = faults.needed(*joint, "name");
+    const auto parent = read_end(tree, *joint, "parent", faults);
+    const auto child = read_end(tree, *joint, "child", faults);
+    if (parent && child) tree.ends.push_back({name, "", *parent, *child});
+    if (!tree.joints.emplace(name, joint).second) faults.report(*joint, "its name stands twice");
+  }
+  faults.refuse();
+}
+
+/// That no joint carries; the first of several, the others are faults of the tree.
+std::size_t root_link(const Element& robot, const UrdfTree& tree, Faults& faults) {
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const bool is_carried = std::any_of(tree.ends.begin(), tree.ends.end(),
+                                        [&](const Ends& ends) { return ends.child == i; });
+    if (!is_carried) return i;
+  }
+  faults.report(robot, "every link is carried by a joint: a closed loop is no tree");
+  faults.refuse();
+  return 0;
+}
+
+/// The link that floats by its own joint, in place of a root that is nothing but the world; the
+/// root itself where there is none.
+std::size_t without_world(std::size_t root, UrdfTree& tree) {
+  const auto carries = [&](const Ends& ends) { return ends.parent == root; };
+  const auto first = std::find_if(tree.ends.begin(), tree.ends.end(), carries);
+  const bool is_only =
+      first != tree.ends.end() && std::count_if(tree.ends.begin(), tree.ends.end(), carries) == 1;
+  const bool floats = is_only && attribute(*tree.joints[first->joint], "type") == "floating";
+  if (!floats || child(*tree.links[root], "inertial") != nullptr) return root;
+  const std::size_t base = first->child;
+  tree.ends.erase(first);
+  return base;
+}
+
+/// The root of a file without it is not in the tree.
+void drop_link(std::size_t link, UrdfTree& tree) {
+  tree.links.erase(tree.links.begin() + static_cast<std::ptrdiff_t>(link));
+  tree.names.erase(tree.names.begin() + static_cast<std::ptrdiff_t>(link));
+  for (Ends& ends : tree.ends) {
+    if (ends.parent > link) --ends.parent;
+    if (ends.child > link) --ends.child;
+  }
+}
+
+}  // namespace
+
+UrdfTree read_urdf_tree(const Element& robot, Faults& faults) {
+  UrdfTree tree;
+  tree.links = children(robot, "link");
+  for (const Element* link : tree.links) tree.names.push_back(faults.needed(*link, "name"));
+  if (tree.links.empty()) faults.report(robot, "holds no link");
+  faults.refuse();
+  read_ends(robot, tree, faults);
+  const std::size_t root = root_link(robot, tree, faults);
+  std::size_t base = without_world(root, tree);
+  tree.floats = base != root || tree.names[root] != "world";
+  if (base != root) {
+    drop_link(root, tree);
+    if (base > root) --base;
+  }
+  std::vector<io::Fault> found;
+  tree.order = tree_order(tree.names, base, tree.ends, *robot.file, found);
+  if (!found.empty()) throw io::SpecError(found);
+  return tree;
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names: the URDF XML specification (wiki.ros.org/urdf/XML); Drake's in "Notes on parsing"
+// (drake.mit.edu); Gazebo's, ros2_control's and MuJoCo's own extensions.
+#include "hopper/files/urdf_vocabulary.hpp"
+
+namespace torquewright::hopper {
+std::span<const Words> urdf_words() {
+  using enum Meaning;
+  using enum Words::Kind;
+  static constexpr Words kWords[] = {
+      {"robot", kAttributes, kRead, "name"},
+      {"robot", kAttributes, kNeutral, "version"},
+      {"robot", kChildren, kRead, "link joint transmission gazebo"},
+      {"robot", kChildren, kNeutral,
+       "material sensor ros2_control mujoco drake:collision_filter_group group group_state "
+       "disable_collisions link_collision_filter"},
+      {"robot", kChildren, kRefused, "include", "put the file's content here"},
+      {"robot", kChildren, kRefused,
+       "xacro:include xacro:macro xacro:property xacro:if xacro:unless",
+       "macros are not expanded here: run xacro first"},
+
+      {"link", kAttributes, kRead, "name"},
+      {"link", kAttributes, kNeutral, "type"},
+      {"link", kChildren, kRead, "inertial"},
+      {"link", kChildren, kNeutral,
+       "visual collision self_filter self_collision_checking contact sensor"},
+
+      {"inertial", kAttributes, kNeutral, "name"},
+      {"inertial", kChildren, kRead, "origin mass inertia"},
+      {"origin", kAttributes, kRead, "xyz rpy"},
+      {"mass", kAttributes, kRead, "value"},
+      {"inertia", kAttributes, kRead, "ixx ixy ixz iyy iyz izz"},
+
+      {"joint", kAttributes, kRead, "name type"},
+      {"joint", kChildren, kRead, "parent child origin axis limit mimic"},
+      {"joint", kChildren, kForce, "dynamics"},
+      {"joint", kChildren, kNeutral, "safety_controller calibration hardwareInterface"},
+      {"axis", kAttributes, kRead, "xyz"},
+      {"limit", kAttributes, kRead, "lower upper effort velocity"},
+      {"limit", kAttributes, kNeutral, "acceleration drake:acceleration jerk"},
+  };
+  return kWords;
+}
+
+}  // namespace torquewright::hopper

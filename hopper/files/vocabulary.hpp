@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hopper/files/xml.hpp"
+
+namespace torquewright::hopper {
+
+/// What a word of a format is to us.
+enum class Meaning {
+  kRead,     ///< It is understood.
+  kNeutral,  ///< It changes neither mass nor kinematics nor forces: left behind.
+  kForce,    ///< A force that no robot document holds: left behind, and said where.
+  kRefused,  ///< It changes mass or kinematics, and is not read.
+};
+
+/// Words of one meaning: attributes that an element may have or children that it may hold, their
+/// names between spaces. What no list names is refused.
+struct Words {
+  std::string_view element;
+  enum class Kind { kAttributes, kChildren } kind;
+  Meaning meaning;
+  std::string_view names;
+  std::string_view advice = {};  ///< For what is refused.
+};
+
+/// Holds elements against a list of words, and keeps what was left behind.
+class Vocabulary {
+ public:
+  Vocabulary(std::span<const Words> words, Faults& faults) : words_(words), faults_(&faults) {}
+
+  /// Attributes and children of the element, not what is inside these. Attributes that say nothing
+  /// ("0", "false") are neutral.
+  void check(const Element& element);
+  /// The same of a part of them.
+  void check_attributes(const Element& element);
+
+  /// What was left behind, each once, in sentences.
+  std::vector<std::string> notes() const;
+
+ private:
+  void check_word(const Element& element, Words::Kind kind, const std::string& name,
+                  const Element& place);
+  const Words* find(std::string_view element, Words::Kind kind, std::string_view name) const;
+
+  std::span<const Words> words_;
+  Faults* faults_;
+  std::set<std::string> neutral_;
+  std::map<std::string, std::vector<std::string>> forces_;  ///< Where, by what.
+};
+
+}  // namespace torquewright::hopper
