@@ -156,6 +156,29 @@ bool needs_time(const EffectCandidate& candidate) {
          (kind != nullptr && (kind->state_rate != nullptr || kind->acts == Acts::kInertialTorque));
 }
 
+/// Half of the shortest time between samples; 0 for a log without times.
+double half_a_step_s(const std::vector<Signals>& signals) {
+  double shortest_s = INFINITY;
+  for (const Signals& each : signals) {
+    if (each.step_s > 0.0) shortest_s = std::min(shortest_s, each.step_s);
+  }
+  return std::isfinite(shortest_s) ? 0.5 * shortest_s : 0.0;
+}
+
+/// Whether something is later than stated by less than the log can hold: at which instant of its
+/// step a sample was taken no log says.
+bool is_late_by_less(const Hypothesis& hypothesis, const actuator::Actuator& stated,
+                     double least_s) {
+  const auto is_less = [&](double late_s) { return late_s > 0.0 && late_s < least_s; };
+  const auto& delays_s = hypothesis.log.delay_s;
+  if (std::any_of(delays_s.begin(), delays_s.end(), is_less)) return true;
+  const auto is_lag = [](const actuator::Effect& each) { return each.kind == &kind("torque_lag"); };
+  if (std::any_of(stated.effects.begin(), stated.effects.end(), is_lag)) return false;
+  return std::any_of(
+      hypothesis.actuator.effects.begin(), hypothesis.actuator.effects.end(),
+      [&](const actuator::Effect& each) { return is_lag(each) && is_less(each.values[0]); });
+}
+
 }  // namespace
 
 std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuator::Ranges& ranges) {
@@ -201,8 +224,10 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
     return torque_balance_Nm(bench, hypothesis, stretch);
   };
   equation.measured = [&bench](const Signals& stretch) { return measured_of(bench, stretch); };
-  equation.is_possible = [speed_rad_s = ranges.speed_rad_s](const Hypothesis& hypothesis) {
-    return !friction_pushes(hypothesis.actuator, speed_rad_s);
+  equation.is_possible = [&bench, speed_rad_s = ranges.speed_rad_s,
+                          least_s = half_a_step_s(signals)](const Hypothesis& hypothesis) {
+    return !friction_pushes(hypothesis.actuator, speed_rad_s) &&
+           !is_late_by_less(hypothesis, bench.actuator(), least_s);
   };
   const bool is_map = std::none_of(signals.begin(), signals.end(),
                                    [](const Signals& each) { return each.step_s > 0.0; });
