@@ -23,8 +23,8 @@ using actuator::Verdict;
 struct Basis {
   Motion motion;
   ContactSchedule contacts;
-  Motion with_forces;  ///< The same with the contact forces known.
-  Demand demand;       ///< Of the robot as it is,
+  Motion with_forces;    ///< The same with the contact forces known.
+  Demand demand;         ///< Of the robot as it is,
   DriveTorques torques;  ///< and its torques that count.
   CandidateTorques source = CandidateTorques::kDynamics;
 };
@@ -33,8 +33,7 @@ Basis basis_of(const Robot& robot, const Motion& motion, const CheckOptions& opt
   Basis basis{motion, {}, {}, {}, {}};
   basis.contacts = schedule_contacts(robot, options.contact, basis.motion);
   basis.demand = demand_of(robot, basis.motion, basis.contacts);
-  basis.torques =
-      drive_torques({robot, options, basis.motion, basis.contacts, basis.demand});
+  basis.torques = drive_torques({robot, options, basis.motion, basis.contacts, basis.demand});
   if (options.torques == TorqueSource::kFile || !basis.demand.has_dynamics) {
     basis.source = CandidateTorques::kExchangedFile;
   }

@@ -58,8 +58,8 @@ Robot pendulum(bool is_mounted) {
   Drivetrain drivetrain;
   drivetrain.mechanism = std::make_shared<ConstantJacobian>(direct_drive());
   drivetrain.joints = {1};
-  actuator::Actuator old = bought({"old", 0.3, 0.2, 100, 100, kOldRotor_kg_m2, 1, 1, 0, 0, 1.0},
-                                  kOldRatio);
+  actuator::Actuator old =
+      bought({"old", 0.3, 0.2, 100, 100, kOldRotor_kg_m2, 1, 1, 0, 0, 1.0}, kOldRatio);
   old.mass_kg = kOldMass_kg;
   drivetrain.actuators = {old};
   drivetrain.actuator_names = {"hinge"};
@@ -174,8 +174,8 @@ Motion swing_with(FileTorque file) {
   motion.has_effort = {true};
   const double old = kOldRotor_kg_m2 * kOldRatio * kOldRatio;
   for (Index i = 0; i < motion.samples(); ++i) {
-    const double inertia = kOwn_kg_m2 + kMass_kg * kReach_m * kReach_m +
-                           (file == FileTorque::kWithRotor ? old : 0.0);
+    const double inertia =
+        kOwn_kg_m2 + kMass_kg * kReach_m * kReach_m + (file == FileTorque::kWithRotor ? old : 0.0);
     motion.efforts(0, i) = inertia * motion.accelerations(0, i) -
                            kMass_kg * kReach_m * kGravity * std::cos(motion.positions(0, i));
   }
@@ -233,9 +233,8 @@ TEST(Candidates, ExchangeTheRotorInTheFilesTorques) {
       EXPECT_EQ(results[0].torques, CandidateTorques::kExchangedFile);
     }
   }
-  EXPECT_THROW(
-      try_candidates(pendulum(false), swing_with(FileTorque::kNone), options, shelf(), 1),
-      io::SpecError);
+  EXPECT_THROW(try_candidates(pendulum(false), swing_with(FileTorque::kNone), options, shelf(), 1),
+               io::SpecError);
 }
 
 TEST(Candidates, CarryTheirMassWhereItIsMounted) {
