@@ -109,6 +109,12 @@ class Pass {
   void add_agreement(std::size_t drive, DriveReport& report) const {
     const std::vector<std::size_t> joints = rows_.joints_of(drive);
     report.is_speed_differentiated = !every_joint_has(drive, &JointColumns::velocity);
+    for (const std::size_t joint : joints) {
+      const AngleUnwrap& unwrap = reader_.unwrap(joint);
+      if (unwrap.count() <= report.unwrapped) continue;
+      report.unwrapped = unwrap.count();
+      report.unwrapped_from_s = unwrap.first_s();
+    }
     if (joints.size() != 1) return;
     report.velocity_over_slope = agreements_[joints.front()].factor();
     report.velocity_correlation = agreements_[joints.front()].correlation();

@@ -174,6 +174,15 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
     add_winding(drive, findings);
     add_inertia(drive, findings);
   }
+  if (drive.unwrapped > 0) {
+    findings.push_back(finding(
+        drive, Severity::kNote, "angle-unwrapped",
+        fmt::format(
+            "{}: the position jumps by a whole turn {} times, first at t = {:.6g} s; it was "
+            "made to run on",
+            drive.name, drive.unwrapped, drive.unwrapped_from_s)));
+    findings.back().time_s = drive.unwrapped_from_s;
+  }
   if (drive.is_speed_differentiated) {
     findings.push_back(finding(
         drive, Severity::kNote, "velocity-differentiated",

@@ -82,6 +82,8 @@ struct DriveReport {
       with_inertia;                   ///< Where that is open: with the rotor's torque added.
   double velocity_over_slope = 1.0;   ///< Logged velocity over d(position)/dt, least squares.
   double velocity_correlation = 0.0;  ///< Of the two, squared; 0: not compared.
+  std::size_t unwrapped = 0;          ///< Times that its position was made to run on,
+  double unwrapped_from_s = 0.0;      ///< and when first.
   std::vector<std::string> left_out;
   std::vector<std::string> assumed;
 };

@@ -72,7 +72,7 @@ std::vector<ColumnMapping> complete(const io::CsvReader& csv,
 TrajectoryReader::TrajectoryReader(const std::filesystem::path& file,
                                    const std::vector<ColumnMapping>& mappings,
                                    const std::vector<std::string>& joints, const Window& window)
-    : csv_(file), window_(window), joints_(joints.size()) {
+    : csv_(file), window_(window), joints_(joints.size()), unwraps_(joints.size()) {
   const std::vector<ColumnMapping> all = complete(csv_, mappings);
   assign(all, joints);
   require_complete(all, joints);
@@ -137,6 +137,10 @@ bool TrajectoryReader::next(Row& row) {
         row.values[kPlaces * i + place] = value;
       };
       read(joints_[i].position, kPositionAt);
+      if (joints_[i].position) {
+        double& angle_rad = row.values[kPlaces * i + kPositionAt];
+        angle_rad = unwraps_[i].next(row.time_s, angle_rad);
+      }
       read(joints_[i].velocity, kVelocityAt);
       read(joints_[i].torque, kTorqueAt);
     }

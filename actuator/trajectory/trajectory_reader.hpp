@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "actuator/trajectory/angle_unwrap.hpp"
 #include "actuator/trajectory/columns.hpp"
 #include "actuator/trajectory/slope_filter.hpp"
 #include "io/csv.hpp"
@@ -45,6 +46,9 @@ class TrajectoryReader {
 
   const JointColumns& columns(std::size_t joint) const { return joints_[joint]; }
 
+  /// How its position was made to run on, if the file keeps it within a turn.
+  const AngleUnwrap& unwrap(std::size_t joint) const { return unwraps_[joint]; }
+
   /// The next row inside the window; false at the end. Throws for what CsvReader throws for, and
   /// where time repeats or runs backwards.
   bool next(Row& row);
@@ -64,6 +68,7 @@ class TrajectoryReader {
   Window window_;
   std::optional<JointColumns::Source> time_;
   std::vector<JointColumns> joints_;
+  std::vector<AngleUnwrap> unwraps_;
   std::optional<double> previous_s_;
   std::size_t previous_line_ = 0;
 };

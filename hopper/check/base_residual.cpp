@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/check/base_residual.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "hopper/check/running_integral.hpp"
-#include "io/spec_error.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -21,17 +18,6 @@ void note(const Eigen::VectorXd& mean, Index first, Index count, double time_s,
   if (size <= peak.mean) return;
   peak.mean = size;
   peak.time_s = time_s;
-}
-
-std::string sentence(const char* what, const ResidualPeak& peak, const char* unit,
-                     double window_s) {
-  return fmt::format(
-      "t = {:.6g} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
-      "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): is it this "
-      "robot's motion, are its contacts found (--contact-height, --ground-height), its rates "
-      "smooth? --residual-limit allows more",
-      peak.time_s, what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
-      100.0 * peak.share_beyond);
 }
 
 }  // namespace
@@ -66,18 +52,6 @@ BaseResidual base_residual(const CheckedMotion& checked) {
     peak->share_beyond /= static_cast<double>(checked.motion.samples());
   }
   return residual;
-}
-
-void require_physical(const CheckedMotion& checked, const BaseResidual& residual) {
-  std::vector<io::Fault> faults;
-  const auto require = [&](const ResidualPeak& peak, const char* what, const char* unit) {
-    if (peak.mean <= peak.limit) return;
-    faults.push_back({checked.motion.file, "", sentence(what, peak, unit, residual.window_s)});
-  };
-  require(residual.force, "a force on the base", "N");
-  require(residual.moment, "a moment about the centre of mass", "Nm");
-  require(residual.passive, "a torque of joints without an actuator", "Nm");
-  if (!faults.empty()) throw io::SpecError(std::move(faults));
 }
 
 }  // namespace torquewright::hopper

@@ -26,8 +26,4 @@ struct BaseResidual {
 /// docs/derivations/whole_body_check.md eq. (11).
 BaseResidual base_residual(const CheckedMotion& checked);
 
-/// Throws io::SpecError with time and size where a mean passes its limit: such a motion cannot be
-/// judged.
-void require_physical(const CheckedMotion& checked, const BaseResidual& residual);
-
 }  // namespace torquewright::hopper

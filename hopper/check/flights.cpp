@@ -1,12 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/check/flights.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 namespace torquewright::hopper {
 namespace {
 
 using Eigen::Index;
+
+constexpr double kOverAFlight = 0.1;     // of --residual-limit: share of the weight
+constexpr double kOfMomentum = 0.2;      // of --residual-limit: share of CAM
+constexpr double kShortFlights = 10.0;   // residual windows: shorter flights count as that long
+constexpr double kNoise = 4.0;           // standard deviations
+constexpr Index kFewestForParabola = 5;  // samples: three make one, two tell how well it fits
+
+/// Standard deviation of what is in a signal beside its smooth course, by second differences.
+double noise_of(const Eigen::MatrixXd& signal) {
+  const Index count = signal.cols() - 2;
+  if (count < 1) return 0.0;
+  const Eigen::MatrixXd second =
+      signal.rightCols(count) - 2.0 * signal.middleCols(1, count) + signal.leftCols(count);
+  return second.norm() / std::sqrt(6.0 * static_cast<double>(count));
+}
+
+void add_momentum_limit(const CheckedMotion& checked, const Eigen::MatrixXd& momentum,
+                        double duration_s, Flight& flight) {
+  const double share = checked.options.residual_share;
+  const double counted_s = std::max(duration_s, kShortFlights * checked.options.residual_window_s);
+  const double of_weight_Nm_s =
+      kOverAFlight * share * checked.demand.weight_N * checked.demand.size_m * counted_s;
+  flight.angular_momentum_limit_Nm_s =
+      std::max(kOfMomentum * share * flight.angular_momentum_Nm_s, of_weight_Nm_s) +
+      kNoise * noise_of(momentum);
+}
+
+/// Eq. (22): the parabola through the centre of mass's path, by least squares.
+void add_fall(const CheckedMotion& checked, Index from, Index count, Flight& flight) {
+  if (count < kFewestForParabola) return;
+  const double middle_s = 0.5 * (flight.from_s + flight.until_s);
+  const double half_s = 0.5 * (flight.until_s - flight.from_s);
+  Eigen::MatrixX3d columns(count, 3);
+  for (Index i = 0; i < count; ++i) {
+    const double x = (checked.motion.time_s(from + i) - middle_s) / half_s;
+    columns.row(i) << 1.0, x, x * x;
+  }
+  const Eigen::MatrixX3d path = checked.demand.center_of_mass_m.middleCols(from, count).transpose();
+  const Eigen::Matrix3d inverse = (columns.transpose() * columns).inverse();
+  const Eigen::Matrix3d fitted = inverse * columns.transpose() * path;
+  const double variance_m2 =
+      (path - columns * fitted).squaredNorm() / static_cast<double>(3 * (count - 3));
+  const double to_rate = 2.0 / (half_s * half_s);
+  const double gravity_m_s2 = checked.robot.tree.gravity_m_s2;
+  const double counted_s = kShortFlights * checked.options.residual_window_s;
+  flight.fall_m_s2 = to_rate * fitted.row(2).transpose();
+  flight.fall_error_m_s2 = (flight.fall_m_s2 + Eigen::Vector3d(0, 0, gravity_m_s2)).norm();
+  flight.fall_limit_m_s2 = kOverAFlight * checked.options.residual_share * gravity_m_s2 *
+                               std::max(1.0, 0.5 * counted_s / half_s) +
+                           kNoise * to_rate * std::sqrt(variance_m2 * inverse(2, 2));
+}
 
 Flight flight_of(const CheckedMotion& checked, Index from, Index count) {
   const Demand& demand = checked.demand;
@@ -18,11 +71,16 @@ Flight flight_of(const CheckedMotion& checked, Index from, Index count) {
   flight.from_s = checked.motion.time_s(from);
   flight.until_s = checked.motion.time_s(from + count - 1);
   flight.angular_momentum_Nm_s = mean.norm();
-  flight.angular_momentum_drift_Nm_s = (momentum.colwise() - mean).colwise().norm().maxCoeff();
   flight.take_off_rad_s = velocity.col(0).norm();
   flight.peak_rad_s = velocity.colwise().norm().maxCoeff();
   flight.touch_down_rad_s = velocity.col(count - 1).norm();
   flight.rise_m = height_m.maxCoeff() - height_m[0];
+  // What is derived at a flight's ends is from a sample of the ground too.
+  const Index edge = checked.motion.velocity_origin == Origin::kDerived && count > 4 ? 1 : 0;
+  const auto inner = momentum.middleCols(edge, count - 2 * edge);
+  flight.angular_momentum_drift_Nm_s = (inner.colwise() - mean).colwise().norm().maxCoeff();
+  add_momentum_limit(checked, inner, flight.until_s - flight.from_s, flight);
+  add_fall(checked, from, count, flight);
   return flight;
 }
 

@@ -14,11 +14,18 @@ struct Flight {
   double take_off_rad_s = 0.0;               ///< CAV in size at the first sample.
   double peak_rad_s = 0.0;
   double touch_down_rad_s = 0.0;
-  double rise_m = 0.0;  ///< Of the centre of mass over the first sample.
+  double rise_m = 0.0;                       ///< Of the centre of mass over the first sample.
+  double angular_momentum_limit_Nm_s = 0.0;  ///< Of the drift.
+  /// Of the parabola that fits the centre of mass's path: its acceleration, world's axes,
+  Eigen::Vector3d fall_m_s2 = Eigen::Vector3d::Zero();
+  double fall_error_m_s2 = 0.0;  ///< how far that is from gravity's, in size,
+  double fall_limit_m_s2 = 0.0;  ///< and by how much it may be.
 };
 
-/// Those of two samples and more. CAM is constant in each, whatever the actuators do: its drift is
-/// the motion's own error.
+/// Those of two samples and more. In each CAM is constant and the centre of mass falls, whatever
+/// the actuators do: drift and wrong fall are the motion's own error. Their limits are in units of
+/// the motion, a tenth of what the residual may be over its short window, since a flight averages
+/// out what that does not; docs/derivations/whole_body_check.md eqs. (21), (22).
 std::vector<Flight> flights(const CheckedMotion& checked);
 
 }  // namespace torquewright::hopper

@@ -7,7 +7,9 @@
 #include <iterator>
 
 #include "actuator/check/findings.hpp"
+#include "hopper/check/physical.hpp"
 #include "hopper/check/rules/every_rule.hpp"
+#include "hopper/motion/rate_agreement.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::hopper {
@@ -34,6 +36,13 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
     note("no-base-motion", Severity::kWarning,
          "the file does not say how the base moves: its torques were held against the regions, "
          "and dynamics and contacts were not computed");
+  }
+  for (const UnwrappedAngle& angle : motion.unwrapped) {
+    note("angle-unwrapped", Severity::kNote,
+         fmt::format("{} jumps by a whole turn {} times, first at t = {:.6g} s; it was made to run "
+                     "on",
+                     angle.column, angle.count, angle.first_s));
+    findings.back().time_s = angle.first_s;
   }
   if (checked.robot.drivetrains.empty()) {
     note("no-drives", Severity::kWarning,
@@ -94,12 +103,14 @@ Verdict verdict_of(const HopperReport& whole) {
 
 HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options) {
   const ContactSchedule contacts = schedule_contacts(robot, options.contact, motion);
+  require_rates_agree(robot, motion);
   HopperReport report;
   report.contact_origin = contacts.origin;
   report.demand = demand_of(robot, motion, contacts, options.on_progress);
   const CheckedMotion checked{robot, options, motion, contacts, report.demand};
   report.base_residual = base_residual(checked);
-  require_physical(checked, report.base_residual);
+  report.flights = flights(checked);
+  require_physical(checked, report.base_residual, report.flights);
   const DriveTorques torques = drive_torques(checked);
   report.buses = shared_buses(checked, torques.torque_Nm);
   DriveReports drives = check_drives(checked, torques, report.buses);
@@ -109,7 +120,6 @@ HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions
   report.gears = gear_torque(checked, torques);
   report.transmission_loads = transmission_loads(checked, report.gears);
   report.contact_loads = contact_loads(checked);
-  report.flights = flights(checked);
   std::vector<Finding>& findings = report.check.findings;
   findings = actuator::findings_of(report.check.drives);
   if (!torques.from_file) {  // the dynamics have the rotors' torque in any case

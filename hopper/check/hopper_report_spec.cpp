@@ -93,7 +93,10 @@ ordered_json flight_json(const Flight& flight) {
           {"take_off_rad_s", flight.take_off_rad_s},
           {"peak_rad_s", flight.peak_rad_s},
           {"touch_down_rad_s", flight.touch_down_rad_s},
-          {"rise_m", flight.rise_m}};
+          {"rise_m", flight.rise_m},
+          {"angular_momentum_limit_Nm_s", flight.angular_momentum_limit_Nm_s},
+          {"fall_error_m_s2", flight.fall_error_m_s2},
+          {"fall_limit_m_s2", flight.fall_limit_m_s2}};
 }
 
 ordered_json bus_json(const HopperReport& report, const SharedBus& bus) {

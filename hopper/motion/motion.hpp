@@ -16,6 +16,13 @@ enum class Origin {
   kDerived,  ///< From the quantity it is the rate of, as slopes.hpp says.
 };
 
+/// An angle that the file keeps within one turn, and how often it was made to run on.
+struct UnwrappedAngle {
+  std::string column;
+  std::size_t count = 0;
+  double first_s = 0.0;
+};
+
 /// A whole-body motion: one column of each table per sample. Rows are those of the tree's positions
 /// and velocities (docs/notation.md).
 struct Motion {
@@ -34,6 +41,7 @@ struct Motion {
   Origin acceleration_origin = Origin::kGiven;
   /// Samples whose velocity does not continue that of the sample before: an impact lies between.
   std::vector<Eigen::Index> breaks;
+  std::vector<UnwrappedAngle> unwrapped;
   std::string file;
   std::string sha256;
 

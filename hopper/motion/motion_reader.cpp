@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "actuator/trajectory/angle_unwrap.hpp"
 #include "hopper/motion/mapping_spec.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "io/nearest.hpp"
@@ -38,6 +39,7 @@ class MotionReader {
     take_canonical_columns();
     size_tables();
     require_complete();
+    unwraps_.resize(sources_.size());
   }
 
   Motion read() {
@@ -211,11 +213,13 @@ class MotionReader {
     for (std::size_t kind = 1; kind < rows_.size(); ++kind) {
       tables_[kind].resize(tables_[kind].size() + static_cast<std::size_t>(rows_[kind]), 0.0);
     }
-    for (const Source& source : sources_) {
-      const Channel& channel = channels_[source.channel];
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      const Channel& channel = channels_[sources_[i].channel];
       const auto kind = static_cast<std::size_t>(channel.kind);
       if (channel.kind == Kind::kTime) continue;
-      *(tables_[kind].end() - rows_[kind] + channel.row) = number(source);
+      double value = number(sources_[i]);
+      if (is_angle(channel)) value = unwraps_[i].next(time_s, value);
+      *(tables_[kind].end() - rows_[kind] + channel.row) = value;
     }
     if (!motion_.has_base && tree().base == dynamics::BaseKind::kSpatial) {
       *(positions().end() - rows_[1] + 3) = 1.0;
@@ -266,12 +270,17 @@ class MotionReader {
     was_repeated_ = true;
   }
 
-  /// A whole turn between two rows is a wrapped angle; no robot turns so fast.
+  static bool is_angle(const Channel& channel) {
+    return channel.kind == Kind::kPosition && channel.dimension == io::Dimension::kAngle;
+  }
+
+  /// More than half a turn between two rows; whole turns are taken out already. No robot turns so
+  /// fast.
   void require_no_jump(const Eigen::VectorXd& before, const Eigen::VectorXd& now) {
     was_repeated_ = false;
     for (const Source& source : sources_) {
       const Channel& channel = channels_[source.channel];
-      if (channel.kind != Kind::kPosition || channel.dimension != io::Dimension::kAngle) continue;
+      if (!is_angle(channel)) continue;
       const double jump_rad = now[channel.row] - before[channel.row];
       if (std::abs(jump_rad) <= std::numbers::pi) continue;
       csv_.refuse(source.column,
@@ -287,6 +296,11 @@ class MotionReader {
       return Eigen::Map<const Eigen::MatrixXd>(tables_[index].data(), rows_[index],
                                                motion_.samples());
     };
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      if (unwraps_[i].count() == 0) continue;
+      motion_.unwrapped.push_back(
+          {channels_[sources_[i].channel].header, unwraps_[i].count(), unwraps_[i].first_s()});
+    }
     motion_.positions = table(Kind::kPosition);
     motion_.velocities = table(Kind::kVelocity);
     motion_.accelerations = table(Kind::kAcceleration);
@@ -300,7 +314,8 @@ class MotionReader {
   std::vector<Channel> channels_;
   io::CsvReader csv_;
   std::vector<Source> sources_;
-  std::array<Index, 7> rows_{};  ///< By kind of channel.
+  std::vector<actuator::AngleUnwrap> unwraps_;  ///< By source.
+  std::array<Index, 7> rows_{};                 ///< By kind of channel.
   std::array<std::vector<double>, 7> tables_;
   Motion motion_;
   std::optional<double> previous_s_;

@@ -23,8 +23,8 @@ struct MotionFile {
 /// ones. Rates that it lacks are left to derive_rates(). Throws io::SpecError: columns of another
 /// robot (with the nearest names), joints without a position, some coordinates of the base and not
 /// all, a base that floats with nothing said of it where torques are missing too, time that runs
-/// backwards or repeats where positions differ, turns that jump by a whole one (unwrapping is
-/// suggested), a quaternion of no length, no rows.
+/// backwards or repeats where positions differ, turns that jump (whole turns are taken out and
+/// noted), a quaternion of no length, no rows.
 Motion read_motion(const Robot& robot, const MotionFile& source);
 
 }  // namespace torquewright::hopper

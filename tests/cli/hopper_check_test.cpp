@@ -267,7 +267,7 @@ TEST_F(HopperCheck, RefusesWithASentence) {
   twice.insert(twice.find("0.015,"), "0.01,0,0,0,0.2\n");
   expect_refusal(crane(), twice, "time repeats");
   std::string wrapped = good;
-  wrapped.insert(wrapped.find("0.015,"), "0.012,0,0,0,6.28\n");
+  wrapped.insert(wrapped.find("0.015,"), "0.012,0,0,0,4.7\n");  // a quarter turn short of one
   expect_refusal(crane(), wrapped, "a wrapped angle? Unwrap it");
   std::string hole = good;
   hole.insert(hole.find("0.015,"), "0.012,0,0,0,nan\n");
@@ -281,6 +281,44 @@ TEST_F(HopperCheck, RefusesWithASentence) {
   expect_refusal(crane(), good, "has no unit", {"--column", "x=front.contact:m"});
   expect_refusal(crane(), good, "did you mean \"elbow\"?", {"--column", "x=elbo.position"});
   expect_refusal(crane(), good, "no torque of every driven joint", {"--torques", "file"});
+}
+
+// An angle kept within a turn is the same motion, and the report says what was done to it.
+TEST_F(HopperCheck, LetsAWrappedAngleRunOn) {
+  std::string plain, wrapped;
+  plain = wrapped =
+      "time_s,base_x_position_m,base_z_position_m,base_pitch_position_rad,elbow_position_rad\n";
+  for (int i = 0; i <= 400; ++i) {
+    const double angle = 3.0 + 0.3 * (1 - std::cos(3 * 0.005 * i)) / 2;  // past pi and back
+    plain += fmt::format("{},0,0,0,{}\n", 0.005 * i, angle);
+    wrapped += fmt::format("{},0,0,0,{}\n", 0.005 * i, std::remainder(angle, 2 * M_PI));
+  }
+  json robot = crane();
+  robot["joints"][0].erase("range_rad");
+  const Outcome outcome = check(robot, wrapped, {"--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json found = json::parse(outcome.out);
+  EXPECT_NO_THROW(io::check_document(found, "check_report", "report", ""));
+  EXPECT_NE(
+      outcome.out.find("elbow_position_rad jumps by a whole turn 2 times, first at t = 0.505 s"),
+      std::string::npos);
+  const json straight = json::parse(check(robot, plain, {"--json"}).out);
+  EXPECT_NEAR(found["joints"][0]["peak_torque_Nm"].get<double>(),
+              straight["joints"][0]["peak_torque_Nm"].get<double>(), 1e-6);
+}
+
+TEST_F(HopperCheck, RefusesVelocitiesThatAreNone) {
+  std::string motion =
+      "time_s,base_x_position_m,base_z_position_m,base_pitch_position_rad,elbow_position_rad,"
+      "base_x_velocity_m_s,base_z_velocity_m_s,base_pitch_velocity_rad_s,elbow_velocity_rad_s\n";
+  for (int i = 0; i <= 400; ++i) {
+    const double t = 5.0 * i;  // milliseconds
+    motion += fmt::format("{},0,0,0,{},0,0,0,{}\n", t, 0.25 * (1 - std::cos(3e-3 * t)),
+                          0.75 * std::sin(3e-3 * t));
+  }
+  expect_refusal(crane(), motion, "s: the velocity of elbow is not the rate of its position");
+  expect_refusal(crane(), motion, "likely cause: time_s seems to be in milliseconds");
+  EXPECT_EQ(check(crane(), motion, {"--column", "time_s=time:ms"}).exit_code, 0);
 }
 
 TEST_F(HopperCheck, RefusesRobotsThatAreNone) {

@@ -64,7 +64,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"files", {"robot"}},
       {"motion", {"robot"}},
       {"contact", {"motion"}},
-      {"check", {"robot", "contact"}},
+      {"check", {"robot", "motion", "contact"}},
       {"candidates", {"robot", "check"}},
       {"calibration", {"robot"}}}},
     {"src",

@@ -151,6 +151,20 @@ TEST(Check, DifferentiatesThePosition) {
   EXPECT_TRUE(has_finding(derived, "velocity-differentiated", Severity::kNote));
 }
 
+double past_a_turn(double t) { return 3.0 + 0.3 * std::sin(4.0 * t); }
+double kept_in_a_turn(double t) { return std::remainder(past_a_turn(t), 2.0 * kPi); }
+
+// Oracle: the same motion unwrapped. A jump that is no whole turn stays.
+TEST(Check, LetsAWrappedAngleRunOn) {
+  Checked checked;
+  const CheckReport plain = checked.report(motion(400, past_a_turn, nullptr, steady_5));
+  const CheckReport wrapped = checked.report(motion(400, kept_in_a_turn, nullptr, steady_5));
+  EXPECT_NEAR(wrapped.drives[0].peak_speed_rad_s, plain.drives[0].peak_speed_rad_s, 1e-6);
+  EXPECT_GT(wrapped.drives[0].unwrapped, 0u);
+  EXPECT_TRUE(has_finding(wrapped, "angle-unwrapped", Severity::kNote));
+  EXPECT_FALSE(has_finding(plain, "angle-unwrapped", Severity::kNote));
+}
+
 double in_degrees(double t) { return 180.0 / kPi * swing_rate(t); }
 
 TEST(Check, WarnsOfDegreesUnderAHeaderInRad) {

@@ -9,7 +9,7 @@
 #include "hopper/check/base_residual.hpp"
 #include "hopper/check/contact_load.hpp"
 #include "hopper/check/drive_reports.hpp"
-#include "hopper/check/flights.hpp"
+#include "hopper/check/physical.hpp"
 #include "hopper/check/shared_bus.hpp"
 #include "hopper/mechanisms/constant_jacobian.hpp"
 #include "io/spec_error.hpp"
@@ -333,7 +333,7 @@ TEST(BaseResidual, IsTheGreatestMeanOverItsWindowAndTheShareBeyond) {
   EXPECT_EQ(found.moment.share_beyond, 0.0);
   EXPECT_NEAR(found.passive.mean, 6.0, 1e-12);
   EXPECT_NEAR(found.passive.share_beyond, 9.0 / 11.0, 1e-15);  // windows that end in the motion
-  EXPECT_THROW(require_physical(driven.checked(), found), io::SpecError);
+  EXPECT_THROW(require_physical(driven.checked(), found, {}), io::SpecError);
 }
 
 TEST(BaseResidual, CountsTheImpulsesOfJolts) {
@@ -345,10 +345,10 @@ TEST(BaseResidual, CountsTheImpulsesOfJolts) {
   driven.demand.jolts = {jolt};
   BaseResidual found = base_residual(driven.checked());
   EXPECT_NEAR(found.force.mean, 9.5, 1e-12);  // 0.19 N s in 20 ms
-  EXPECT_NO_THROW(require_physical(driven.checked(), found));
+  EXPECT_NO_THROW(require_physical(driven.checked(), found, {}));
   driven.demand.jolts[0].residual[1] = 0.21;
   found = base_residual(driven.checked());
-  EXPECT_THROW(require_physical(driven.checked(), found), io::SpecError);
+  EXPECT_THROW(require_physical(driven.checked(), found, {}), io::SpecError);
 }
 
 }  // namespace

@@ -121,7 +121,12 @@ TEST(Somersault, IsFoundFromPositionsAlone) {
 TEST(Somersault, ThatFloatsIsRefusedWithTimeAndSize) {
   Robot robot = diver();
   Motion motion = somersault(robot);
-  motion.accelerations.row(1).setConstant(-0.5 * kGravity);
+  for (Index i = 0; i < motion.samples(); ++i) {
+    const double t = motion.time_s(i);
+    motion.positions(1, i) += 0.25 * kGravity * t * t;
+    motion.velocities(1, i) += 0.5 * kGravity * t;
+    motion.accelerations(1, i) += 0.5 * kGravity;
+  }
   motion.file = "floats.csv";
   CheckOptions options;
   try {

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/check/physical.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "io/spec_error.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+constexpr double kKnownFactor = 0.05;  // relative, for a scale to count as a known one
+
+std::string sentence(const char* what, const ResidualPeak& peak, const char* unit,
+                     double window_s) {
+  return fmt::format(
+      "t = {:.6g} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
+      "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): is it this "
+      "robot's motion, are its contacts found (--contact-height, --ground-height), its rates "
+      "smooth? --residual-limit allows more",
+      peak.time_s, what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
+      100.0 * peak.share_beyond);
+}
+
+/// What makes a body fall so: time and lengths in other units, z down, or a force.
+std::string cause_of_fall(const Flight& flight, double gravity_m_s2) {
+  const double share = -flight.fall_m_s2.z() / gravity_m_s2;
+  struct Known {
+    double share;
+    const char* words;
+  };
+  constexpr std::array kShares{
+      Known{1e-6, "time_s is in milliseconds"},   Known{1e-12, "time_s is in microseconds"},
+      Known{1e-18, "time_s is in nanoseconds"},   Known{1e3, "positions are in millimetres"},
+      Known{1e2, "positions are in centimetres"}, Known{-1.0, "z points down"}};
+  for (const Known& known : kShares) {
+    if (std::abs(share / known.share - 1.0) < kKnownFactor) return known.words;
+  }
+  return "another gravity, or the ground touches where no contact was found (--contact-height, "
+         "--contact-speed)";
+}
+
+void add_fall(const CheckedMotion& checked, const Flight& flight, std::vector<io::Fault>& faults) {
+  if (flight.fall_error_m_s2 <= flight.fall_limit_m_s2) return;
+  const double gravity_m_s2 = checked.robot.tree.gravity_m_s2;
+  faults.push_back(
+      {checked.motion.file, "",
+       fmt::format("t = {:.6g} to {:.6g} s: in flight the centre of mass accelerates by ({:.4g}, "
+                   "{:.4g}, {:.4g}) m/s^2, {:.4g} m/s^2 ({:.3g} % of gravity) from falling freely "
+                   "(limit {:.3g}); likely cause: {}; --residual-limit allows more",
+                   flight.from_s, flight.until_s, flight.fall_m_s2.x(), flight.fall_m_s2.y(),
+                   flight.fall_m_s2.z(), flight.fall_error_m_s2,
+                   100.0 * flight.fall_error_m_s2 / gravity_m_s2, flight.fall_limit_m_s2,
+                   cause_of_fall(flight, gravity_m_s2))});
+}
+
+void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io::Fault>& faults) {
+  if (flight.angular_momentum_drift_Nm_s <= flight.angular_momentum_limit_Nm_s) return;
+  const bool is_derived = checked.motion.velocity_origin == Origin::kDerived;
+  faults.push_back(
+      {checked.motion.file, "",
+       fmt::format(
+           "t = {:.6g} to {:.6g} s: in flight the angular momentum about the centre of mass "
+           "moves by {:.4g} Nm s from its mean of {:.4g} Nm s (limit {:.3g}), and nothing "
+           "turns a body in the air; likely cause: {}, or the ground touches where no "
+           "contact was found; --residual-limit allows more",
+           flight.from_s, flight.until_s, flight.angular_momentum_drift_Nm_s,
+           flight.angular_momentum_Nm_s, flight.angular_momentum_limit_Nm_s,
+           is_derived ? "masses or inertias of another robot, a joint's sign"
+                      : "velocities in other units or axes, a joint's sign, masses or "
+                        "inertias of another robot")});
+}
+
+}  // namespace
+
+void require_physical(const CheckedMotion& checked, const BaseResidual& residual,
+                      const std::vector<Flight>& flights) {
+  std::vector<io::Fault> faults;
+  for (const Flight& flight : flights) {
+    add_fall(checked, flight, faults);
+    add_spin(checked, flight, faults);
+  }
+  const auto require = [&](const ResidualPeak& peak, const char* what, const char* unit) {
+    if (peak.mean <= peak.limit) return;
+    faults.push_back({checked.motion.file, "", sentence(what, peak, unit, residual.window_s)});
+  };
+  require(residual.force, "a force on the base", "N");
+  require(residual.moment, "a moment about the centre of mass", "Nm");
+  require(residual.passive, "a torque of joints without an actuator", "Nm");
+  if (!faults.empty()) throw io::SpecError(std::move(faults));
+}
+
+}  // namespace torquewright::hopper
