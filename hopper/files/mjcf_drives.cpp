@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "actuator/exporters/every_exporter.hpp"
@@ -91,12 +90,6 @@ void write_general(tinyxml2::XMLPrinter& out, const Robot& robot, const Drive& d
   out.CloseElement();
 }
 
-bool is_driven(std::size_t body, const std::vector<Drive>& drives) {
-  return std::any_of(drives.begin(), drives.end(), [&](const Drive& drive) {
-    return std::find(drive.joints.begin(), drive.joints.end(), body) != drive.joints.end();
-  });
-}
-
 void write_motor(tinyxml2::XMLPrinter& out, const dynamics::Joint& joint) {
   out.OpenElement("motor");
   push(out, "name", joint.name);
@@ -136,7 +129,7 @@ void write_drives(tinyxml2::XMLPrinter& out, const Robot& robot, const std::vect
   for (const Drive& drive : drives) write_general(out, robot, drive);
   for (std::size_t i = 1; i < robot.tree.bodies.size(); ++i) {
     const dynamics::Joint& joint = robot.tree.bodies[i].joint;
-    if (std::isfinite(joint.limits.effort_max) && !is_driven(i, drives)) write_motor(out, joint);
+    if (std::isfinite(joint.limits.effort_max)) write_motor(out, joint);
   }
   out.CloseElement();
 }

@@ -26,7 +26,7 @@ struct Drive {
 std::vector<Drive> drives_of(const Robot& robot, std::vector<std::string>& notes);
 
 /// <tendon> and <actuator>: drives, whose control is the voltage in V, by a joint or by a tendon of
-/// several; of other joints that have a torque limit, motors.
+/// several; motors of all joints that have a torque limit.
 void write_drives(tinyxml2::XMLPrinter& out, const Robot& robot, const std::vector<Drive>& drives);
 
 }  // namespace torquewright::hopper

@@ -50,15 +50,24 @@ std::string position_text(const Robot& robot, const Posture& posture) {
   return text;
 }
 
+/// What stands in the document knows nothing of cranks and rods, which stand at zero.
+Posture completed(Posture posture, const dynamics::Tree& tree) {
+  posture.joints.conservativeResizeLike(
+      Eigen::VectorXd::Zero(static_cast<Index>(tree.bodies.size()) - 1));
+  return posture;
+}
+
 }  // namespace
 
-void write_keyframes(tinyxml2::XMLPrinter& out, const Robot& robot) {
-  std::vector<Posture> postures = robot.postures;
+void write_keyframes(tinyxml2::XMLPrinter& out, const Robot& robot, bool only_zero) {
+  std::vector<Posture> postures;
+  for (const Posture& next : robot.postures) postures.push_back(completed(next, robot.tree));
   const bool has_home = std::any_of(postures.begin(), postures.end(),
                                     [](const Posture& next) { return next.name == "home"; });
   if (!has_home) postures.insert(postures.begin(), home_of(robot.tree));
   out.OpenElement("keyframe");
   for (const Posture& posture : postures) {
+    if (only_zero && !posture.joints.isZero(0)) continue;
     out.OpenElement("key");
     out.PushAttribute("name", posture.name.c_str());
     out.PushAttribute("qpos", position_text(robot, posture).c_str());

@@ -2,6 +2,9 @@
 // Fields: MuJoCo's XML reference (mujoco.readthedocs.io, XMLreference).
 #include "hopper/files/mjcf_writer.hpp"
 
+#include <limits>
+
+#include "hopper/files/closed_loops.hpp"
 #include "hopper/files/mjcf_bodies.hpp"
 #include "hopper/files/mjcf_drives.hpp"
 #include "hopper/files/mjcf_keyframes.hpp"
@@ -42,18 +45,32 @@ void add_notes_of_parts(const Robot& robot, const MjcfParts& parts,
   }
 }
 
-}  // namespace
+/// What a drive moves needs no motor with a torque limit.
+void leave_to_drives(const Robot& robot, dynamics::Tree& tree) {
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    for (const std::size_t body : drivetrain.joints) {
+      tree.bodies[body].joint.limits.effort_max = std::numeric_limits<double>::infinity();
+    }
+  }
+}
 
-Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
-  Exported exported;
-  exported.notes.emplace_back("speed limits of joints are not held");
-  const dynamics::Tree tree = tree_with_rotors(robot, exported.notes);
-  add_common_notes(robot, {!parts.collisions, !parts.actuators}, exported.notes);
-  add_notes_of_parts(robot, parts, exported.notes);
-  const std::vector<Drive> drives =
-      parts.actuators ? drives_of(robot, exported.notes) : std::vector<Drive>();
-  tinyxml2::XMLPrinter out;
-  write_notes(out, exported.notes);
+/// In MuJoCo the other body's point is where the rod's is at the file's own posture.
+void write_pins(tinyxml2::XMLPrinter& out, const LoopedRobot& looped) {
+  out.OpenElement("equality");
+  for (const LoopPin& pin : looped.pins) {
+    const auto& bodies = looped.robot.tree.bodies;
+    out.OpenElement("connect");
+    out.PushAttribute("body1", bodies[pin.rod].name.c_str());
+    out.PushAttribute("body2", bodies[pin.held].name.c_str());
+    out.PushAttribute("anchor", text_of(pin.p_R_m).c_str());
+    out.CloseElement();
+  }
+  out.CloseElement();
+}
+
+void write_all(tinyxml2::XMLPrinter& out, const LoopedRobot& looped, const dynamics::Tree& tree,
+               const std::vector<Drive>& drives, const MjcfParts& parts) {
+  const Robot& robot = looped.robot;
   out.OpenElement("mujoco");
   out.PushAttribute("model", robot.name.c_str());
   write_settings(out, tree);
@@ -61,9 +78,31 @@ Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
   if (parts.ground) write_ground(out);
   write_bodies(out, robot, tree, parts.collisions);
   out.CloseElement();
+  if (!looped.pins.empty()) write_pins(out, looped);
   write_drives(out, robot, drives);
-  if (parts.ground) write_keyframes(out, robot);
+  if (parts.ground) write_keyframes(out, robot, !looped.pins.empty());
   out.CloseElement();
+}
+
+}  // namespace
+
+Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
+  Exported exported;
+  exported.notes.emplace_back("speed limits of joints are not held");
+  LoopedRobot looped =
+      parts.closed_loops ? with_closed_loops(robot, exported.notes) : LoopedRobot{robot, {}};
+  if (parts.actuators) leave_to_drives(robot, looped.robot.tree);
+  const dynamics::Tree tree = tree_with_rotors(looped.robot, exported.notes);
+  add_common_notes(robot, {!parts.collisions, !parts.actuators}, exported.notes);
+  add_notes_of_parts(robot, parts, exported.notes);
+  if (parts.ground && !looped.pins.empty()) {
+    exported.notes.emplace_back("of keyframes only the one with all joints at zero is held");
+  }
+  const std::vector<Drive> drives =
+      parts.actuators ? drives_of(looped.robot, exported.notes) : std::vector<Drive>();
+  tinyxml2::XMLPrinter out;
+  write_notes(out, exported.notes);
+  write_all(out, looped, tree, drives, parts);
   exported.text = out.CStr();
   return exported;
 }

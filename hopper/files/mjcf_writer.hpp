@@ -7,9 +7,10 @@ namespace torquewright::hopper {
 
 /// What an MJCF file may hold beside bodies and joints.
 struct MjcfParts {
-  bool actuators = false;   ///< Each drive's region, as `actuator mor --format mujoco` writes it.
-  bool ground = false;      ///< A plane, and keyframes of the postures that stand on it.
-  bool collisions = false;  ///< Small balls at the contact points, and the collision spheres.
+  bool actuators = false;     ///< Each drive's region, as `actuator mor --format mujoco` writes it.
+  bool ground = false;        ///< A plane, and keyframes of the postures that stand on it.
+  bool closed_loops = false;  ///< Cranks and rods of linkages as bodies, in place of frozen rotors.
+  bool collisions = false;    ///< Small balls at the contact points, and the collision spheres.
 };
 
 /// For MuJoCo 2.2.2 and later: bodies with their inertia, joints with reflected inertia as

@@ -22,8 +22,9 @@ struct ExportOptions {
 
 hopper::Robot read(const ExportOptions& options) {
   const hopper::MjcfParts& parts = options.parts;
-  if (options.format == "urdf" && (parts.actuators || parts.ground || parts.collisions)) {
-    io::refuse("--format", "--actuators, --ground and --collisions are for mjcf");
+  if (options.format == "urdf" &&
+      (parts.actuators || parts.ground || parts.collisions || parts.closed_loops)) {
+    io::refuse("--format", "--actuators, --ground, --collisions and --closed-loops are for mjcf");
   }
   if (!options.output_file.empty()) io::check_outputs({options.output_file}, {options.robot_file});
   return hopper::read_robot(options.robot_file).robot;
@@ -62,6 +63,8 @@ void add_export_command(command_line::Command& robot) {
                    "MJCF: a plane, and keyframes of the postures standing on it");
   command.add_flag("--collisions", options->parts.collisions,
                    "MJCF: shapes at contact points and collision spheres");
+  command.add_flag("--closed-loops", options->parts.closed_loops,
+                   "MJCF: cranks and rods of linkages as bodies, their loops closed by <connect>");
   command.add_option("-o,--output", options->output_file, "Write to this file");
   command.example("torquewright robot export specs/robot/hopper.json --format mjcf");
   command.works([options] { return run_export(*options); });
