@@ -9,6 +9,8 @@ namespace torquewright::hopper {
 struct ImportFileOptions {
   std::string
       body;  ///< Of the world's bodies this one is the robot; empty: the only one that moves.
+  bool drops_base_armature = false;  ///< That of a free joint, which no robot document holds.
+  bool frees_couplings = false;      ///< Joints and tendons that an equality couples.
   bool mends_inertias = false;  ///< Those that miss the triangle inequality by their own rounding.
 };
 

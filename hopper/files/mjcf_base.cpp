@@ -66,17 +66,25 @@ MjcfBase planar_base(const Placed& pose, const std::vector<MjcfJoint>& joints) {
 
 }  // namespace
 
-MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints, Faults& faults) {
+MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints, bool drops_armature,
+                 Faults& faults) {
   MjcfBase base;
   for (const MjcfJoint& next : joints) {
     if (!next.is_free) continue;
     base.kind = BaseKind::kSpatial;
     if (joints.size() > 1) faults.report(*next.element, "a free joint must be its body's only one");
-    if (next.joint.reflected_inertia == 0) continue;
-    faults.report(*next.element,
-                  fmt::format("its armature of {} (from a default, perhaps) is inertia of the base "
-                              "that no robot document holds; write <freejoint/>",
-                              next.joint.reflected_inertia));
+    const double armature = next.joint.reflected_inertia;
+    if (armature == 0) continue;
+    if (drops_armature) {
+      base.notes.push_back(fmt::format("the free joint's armature of {} is left out", armature));
+      continue;
+    }
+    faults.report(
+        *next.element,
+        fmt::format("its armature of {} (from a default, perhaps) is inertia of the base "
+                    "that no robot document holds; write <freejoint/>, or leave it out by "
+                    "--drop-base-armature",
+                    armature));
   }
   if (base.kind == BaseKind::kSpatial || !is_planar(pose, joints)) return base;
   return planar_base(pose, joints);

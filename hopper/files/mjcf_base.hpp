@@ -19,7 +19,9 @@ struct MjcfBase {
 
 /// The base that the joints of a top body at this pose make: one free joint, or slides along the
 /// world's x and z and then a hinge about its y, none with an armature; else the base is fixed.
-/// Faults where a free joint is not alone or has an armature, which no base of ours holds.
-MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints, Faults& faults);
+/// Faults where a free joint is not alone, or has an armature that may not be dropped: no base of
+/// ours holds one.
+MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints, bool drops_armature,
+                 Faults& faults);
 
 }  // namespace torquewright::hopper

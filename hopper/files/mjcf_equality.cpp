@@ -42,6 +42,17 @@ bool holds(const Element& equality, const Names& names) {
   return names_none;
 }
 
+bool is_coupling(const Element& equality) {
+  return equality.name == "joint" || equality.name == "tendon";
+}
+
+std::string coupling_of(const Element& equality) {
+  const std::string one = attribute(equality, equality.name + "1");
+  const std::string other = attribute(equality, equality.name + "2");
+  return other.empty() ? fmt::format("holds \"{}\"", one)
+                       : fmt::format("couples \"{}\" to \"{}\"", one, other);
+}
+
 std::string objection(const Element& equality) {
   const auto at = [&](const char* key) { return attribute(equality, key); };
   if (equality.name == "connect") {
@@ -51,12 +62,9 @@ std::string objection(const Element& equality) {
         "their mass to their neighbours, and state a four_bar or parallel_ankle",
         at(at("body1").empty() ? "site1" : "body1"), at(at("body2").empty() ? "site2" : "body2"));
   }
-  if (equality.name == "joint" || equality.name == "tendon") {
-    const bool is_joint = equality.name == "joint";
-    return fmt::format(
-        "couples \"{}\" to \"{}\", which no mechanism of ours does; leave it out and "
-        "it is free",
-        at(is_joint ? "joint1" : "tendon1"), at(is_joint ? "joint2" : "tendon2"));
+  if (is_coupling(equality)) {
+    return fmt::format("{}, which no mechanism of ours does; --free-couplings leaves it out",
+                       coupling_of(equality));
   }
   return "closes a loop or couples joints, which a tree does not; leave it out and state a "
          "mechanism";
@@ -64,16 +72,23 @@ std::string objection(const Element& equality) {
 
 }  // namespace
 
-void refuse_equalities(const Element& mujoco, const Element& top, Faults& faults) {
+std::vector<std::string> refuse_equalities(const Element& mujoco, const Element& top,
+                                           bool frees_couplings, Faults& faults) {
   Names names;
   gather_names(top, names);
   add_tendons(mujoco, names);
+  std::vector<std::string> freed;
   for (const Element* section : children(mujoco, "equality")) {
     for (const Element& stated : section->children) {
       if (attribute(stated, "active") == "false" || !holds(stated, names)) continue;
-      faults.report(stated, objection(stated));
+      if (frees_couplings && is_coupling(stated)) {
+        freed.push_back(fmt::format("an equality that {} is left out", coupling_of(stated)));
+      } else {
+        faults.report(stated, objection(stated));
+      }
     }
   }
+  return freed;
 }
 
 }  // namespace torquewright::hopper

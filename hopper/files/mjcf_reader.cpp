@@ -56,7 +56,10 @@ class MjcfReader {
     const std::vector<Placed> bodies = bodies_of_world();
     const Placed* top = chosen(bodies);
     faults_.refuse();
-    refuse_equalities(root_, *top->element, faults_);
+    for (std::string& note :
+         refuse_equalities(root_, *top->element, options_.frees_couplings, faults_)) {
+      imported_.notes.push_back(std::move(note));
+    }
     read_top(*top);
     faults_.refuse();
     scale_mass(bodies);
@@ -109,37 +112,38 @@ class MjcfReader {
 
   /// The body that is asked for; else the only one, or the only one that moves.
   const Placed* chosen(const std::vector<Placed>& bodies) {
-    std::vector<std::string> names;
+    std::vector<std::string> meant;
     const Placed* found = nullptr;
-    std::size_t count = 0;
     for (const Placed& body : bodies) {
       const std::string name = attribute(*body.element, "name");
-      names.push_back(name);
       const bool is_meant = options_.body.empty() ? bodies.size() == 1 || moves(*body.element)
                                                   : name == options_.body;
       if (!is_meant) continue;
       found = &body;
-      ++count;
+      meant.push_back(name);
     }
-    if (count == 1) {
-      note_others(names, attribute(*found->element, "name"));
+    if (meant.size() == 1) {
+      note_others(bodies, found);
       return found;
     }
     if (bodies.empty()) {
       if (child(root_, "worldbody") != nullptr) faults_.report(root_, "its world holds no body");
-      return nullptr;
+    } else if (options_.body.empty()) {
+      faults_.report(root_, fmt::format("the world holds {} bodies that move ({}); one robot, one "
+                                        "tree: name its body by --body",
+                                        meant.size(), fmt::join(meant, ", ")));
+    } else {
+      faults_.report(root_, fmt::format("the world holds {} bodies called \"{}\"", meant.size(),
+                                        options_.body));
     }
-    faults_.report(
-        root_, fmt::format(
-                   "the world holds {} bodies ({}), {} of them {}; one robot, one "
-                   "tree: name its body with --body",
-                   bodies.size(), fmt::join(names, ", "), count,
-                   options_.body.empty() ? "moving" : fmt::format("called \"{}\"", options_.body)));
     return nullptr;
   }
 
-  void note_others(std::vector<std::string> names, const std::string& top) {
-    std::erase(names, top);
+  void note_others(const std::vector<Placed>& bodies, const Placed* chosen) {
+    std::vector<std::string> names;
+    for (const Placed& body : bodies) {
+      if (&body != chosen) names.push_back(attribute(*body.element, "name"));
+    }
     if (names.empty()) return;
     imported_.notes.push_back(
         fmt::format("other bodies of the world are left out: {}", fmt::join(names, ", ")));
@@ -150,7 +154,7 @@ class MjcfReader {
     const Placed pose = pose_of(placed, body, context_);
     const std::vector<Placed> held = contents(body, placed.childclass, context_);
     const std::vector<MjcfJoint> joints = joints_in(held);
-    const MjcfBase base = base_of(pose, joints, faults_);
+    const MjcfBase base = base_of(pose, joints, options_.drops_base_armature, faults_);
     imported_.robot.tree.base = base.kind;
     imported_.notes.insert(imported_.notes.end(), base.notes.begin(), base.notes.end());
     draft_.emplace_back();

@@ -4,10 +4,51 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "actuator/check/drive_check.hpp"
 #include "hopper/robot/mechanism_reach.hpp"
 
 namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+
+constexpr int kPostures = 9;      // along the range of each joint
+constexpr double kReach_rad = 1;  // where a joint has no range
+
+double posture_rad(const dynamics::JointLimits& limits, double home_rad, int step) {
+  const double share = static_cast<double>(step) / (kPostures - 1);
+  const bool has_range = std::isfinite(limits.position_min) && std::isfinite(limits.position_max);
+  const double least = has_range ? limits.position_min : home_rad - kReach_rad;
+  const double most = has_range ? limits.position_max : home_rad + kReach_rad;
+  return least + share * (most - least);
+}
+
+/// The greatest change of an entry of the reflected inertia within the joints' ranges, couplings
+/// included, where the mechanism reaches.
+double greatest_change_kg_m2(const dynamics::Tree& tree, const Drivetrain& drivetrain,
+                             const SmallVector& armature_kg_m2, const SmallMatrix& held_kg_m2) {
+  const Index joints = held_kg_m2.rows();
+  const SmallVector home = home_posture_rad(tree, drivetrain.joints);
+  double greatest = 0;
+  const int count = joints > 1 ? kPostures * kPostures : kPostures;
+  for (int sample = 0; sample < count; ++sample) {
+    SmallVector q = home;
+    for (Index k = 0; k < joints; ++k) {
+      const auto& limits = tree.bodies[drivetrain.joints[static_cast<std::size_t>(k)]].joint.limits;
+      q[k] = posture_rad(limits, home[k], k == 0 ? sample % kPostures : sample / kPostures);
+    }
+    const auto transfer = drivetrain.mechanism->transfer(q, SmallVector::Zero(joints));
+    if (!transfer) continue;
+    const SmallMatrix off = reflected_inertia_kg_m2(*transfer, armature_kg_m2) - held_kg_m2;
+    greatest = std::max(greatest, off.cwiseAbs().maxCoeff());
+  }
+  return greatest;
+}
+
+}  // namespace
 
 dynamics::Tree tree_with_rotors(const Robot& robot, std::vector<std::string>& notes) {
   dynamics::Tree tree = robot.tree;
@@ -31,15 +72,18 @@ dynamics::Tree tree_with_rotors(const Robot& robot, std::vector<std::string>& no
       continue;
     }
     const SmallMatrix reflected = reflected_inertia_kg_m2(*transfer, armature_kg_m2);
+    const SmallVector held = reflected.diagonal();
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       tree.bodies[drivetrain.joints[i]].joint.reflected_inertia += reflected(row, row);
     }
-    notes.push_back(
-        fmt::format("the rotors of {} stand as they weigh at each joint nearest to "
-                    "zero: their change with posture and their coupling of joints are "
-                    "not held",
-                    fmt::join(names, ", ")));
+    const double off =
+        greatest_change_kg_m2(tree, drivetrain, armature_kg_m2, SmallMatrix(held.asDiagonal()));
+    notes.push_back(fmt::format(
+        "the rotors of {} stand frozen as they weigh at each joint nearest to zero, {:.4g} "
+        "kg m2 and less: within the joints' ranges their change with posture and their "
+        "coupling of joints, which are not held, reach {:.4g} kg m2",
+        fmt::join(names, ", "), held.maxCoeff(), off));
   }
   return tree;
 }

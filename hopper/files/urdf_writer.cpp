@@ -128,7 +128,7 @@ std::vector<std::string> notes_of(const Robot& robot) {
   notes.emplace_back(
       "reflected inertia stands as drake:rotor_inertia with gear ratio 1; readers "
       "other than Drake ignore it");
-  add_common_notes(robot, notes);
+  add_common_notes(robot, {}, notes);
   return notes;
 }
 

@@ -22,17 +22,18 @@ void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& note
   out.PushComment(comment.c_str());
 }
 
-void add_common_notes(const Robot& robot, std::vector<std::string>& notes) {
+void add_common_notes(const Robot& robot, const LeftOut& left_out,
+                      std::vector<std::string>& notes) {
   for (const dynamics::Body& body : robot.tree.bodies) {
     if (body.joint.rotor_spin_kg_m2.isZero(0)) continue;
     notes.emplace_back("the rotors' own spin momentum is not held: reflected inertia alone is");
     break;
   }
-  if (!robot.contacts.empty()) {
+  if (left_out.contacts && !robot.contacts.empty()) {
     notes.push_back(fmt::format("{} contact points, their friction and restitution are not held",
                                 robot.contacts.size()));
   }
-  if (!robot.drivetrains.empty()) {
+  if (left_out.drives && !robot.drivetrains.empty()) {
     notes.push_back(
         fmt::format("{} mechanisms and their actuators are not held", robot.drivetrains.size()));
   }

@@ -21,7 +21,13 @@ std::string text_of(const Eigen::Vector3d& vector);
 /// As a comment at the file's head.
 void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& notes);
 
-/// What neither URDF nor MJCF holds of this robot.
-void add_common_notes(const Robot& robot, std::vector<std::string>& notes);
+/// Parts of a robot that a file may leave out.
+struct LeftOut {
+  bool contacts = true;
+  bool drives = true;
+};
+
+/// What a file does not hold of this robot.
+void add_common_notes(const Robot& robot, const LeftOut& left_out, std::vector<std::string>& notes);
 
 }  // namespace torquewright::hopper

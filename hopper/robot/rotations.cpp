@@ -17,10 +17,16 @@ Eigen::Matrix3d rotation_of_rpy(const Eigen::Vector3d& rpy_rad) {
 }
 
 Eigen::Vector3d rpy_of_rotation(const Eigen::Matrix3d& R) {
-  const double cosine = std::hypot(R(0, 0), R(1, 0));
-  const double pitch_rad = std::atan2(0 - R(2, 0), cosine);
-  if (cosine < kUpright) return {0, pitch_rad, std::atan2(-R(0, 1), R(1, 1))};
-  return {std::atan2(R(2, 1), R(2, 2)), pitch_rad, std::atan2(R(1, 0), R(0, 0))};
+  const double level = std::hypot(R(0, 0), R(1, 0));
+  const double yaw_rad =
+      level < kUpright ? std::atan2(-R(0, 1), R(1, 1)) : std::atan2(R(1, 0), R(0, 0));
+  // Pitch and roll of what is left without that yaw, which is all but unknown near the upright:
+  // whatever it is, these are what completes it.
+  const double c = std::cos(yaw_rad);
+  const double s = std::sin(yaw_rad);
+  const double pitch_rad = std::atan2(-R(2, 0), c * R(0, 0) + s * R(1, 0));
+  const double roll_rad = std::atan2(s * R(0, 2) - c * R(1, 2), c * R(1, 1) - s * R(0, 1));
+  return {roll_rad, pitch_rad, yaw_rad};
 }
 
 }  // namespace torquewright::hopper

@@ -6,6 +6,7 @@
 #include "hopper/files/urdf_writer.hpp"
 #include "hopper/robot/robot_spec.hpp"
 #include "io/atomic_file.hpp"
+#include "io/refusal.hpp"
 #include "src/commands/robot_commands.hpp"
 #include "src/standard_output.hpp"
 
@@ -16,15 +17,21 @@ struct ExportOptions {
   std::string robot_file;
   std::string format;
   std::string output_file;
+  hopper::MjcfParts parts;
 };
 
 hopper::Robot read(const ExportOptions& options) {
+  const hopper::MjcfParts& parts = options.parts;
+  if (options.format == "urdf" &&
+      (parts.actuators || parts.ground || parts.collisions || parts.closed_loops)) {
+    io::refuse("--format", "--actuators, --ground, --collisions and --closed-loops are for mjcf");
+  }
   if (!options.output_file.empty()) io::check_outputs({options.output_file}, {options.robot_file});
   return hopper::read_robot(options.robot_file).robot;
 }
 
 hopper::Exported compute(const ExportOptions& options, const hopper::Robot& robot) {
-  return options.format == "urdf" ? hopper::urdf_of(robot) : hopper::mjcf_of(robot);
+  return options.format == "urdf" ? hopper::urdf_of(robot) : hopper::mjcf_of(robot, options.parts);
 }
 
 void write(const ExportOptions& options, const hopper::Exported& exported) {
@@ -50,6 +57,14 @@ void add_export_command(command_line::Command& robot) {
   command.add_option("--format", options->format, "urdf or mjcf")
       .required()
       .one_of({"urdf", "mjcf"});
+  command.add_flag("--actuators", options->parts.actuators,
+                   "MJCF: each drive's torque and speed limits, its control the voltage");
+  command.add_flag("--ground", options->parts.ground,
+                   "MJCF: a plane, and keyframes of the postures standing on it");
+  command.add_flag("--collisions", options->parts.collisions,
+                   "MJCF: shapes at contact points and collision spheres");
+  command.add_flag("--closed-loops", options->parts.closed_loops,
+                   "MJCF: cranks and rods of linkages as bodies, their loops closed by <connect>");
   command.add_option("-o,--output", options->output_file, "Write to this file");
   command.example("torquewright robot export specs/robot/hopper.json --format mjcf");
   command.works([options] { return run_export(*options); });

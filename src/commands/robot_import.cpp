@@ -71,6 +71,10 @@ void add_import_command(command_line::Command& robot) {
       .one_of({"urdf", "mjcf"});
   command.add_option("--body", options->reading.body,
                      "Of an MJCF file's world: the body that is the robot, where several move");
+  command.add_flag("--drop-base-armature", options->reading.drops_base_armature,
+                   "Read a free joint with armature as one without");
+  command.add_flag("--free-couplings", options->reading.frees_couplings,
+                   "Leave out equalities that couple joints or tendons");
   command.add_flag("--mend-inertias", options->reading.mends_inertias,
                    "Inertias that no body has, but for the rounding of their numbers: the nearest "
                    "that one has");

@@ -16,6 +16,7 @@ namespace torquewright::hopper {
 namespace {
 
 const std::string kPart = R"(<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>)";
+const ImportFileOptions kMends{"", false, false, true};
 const std::string kUnit =
     R"(<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>)";
 
@@ -67,7 +68,7 @@ TEST(MjcfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
        "armature of <fixed>"},
       {"<default><joint armature='0.1'/></default>",
        R"(<body name="a"><joint type="free"/>)" + kPart + "</body>", "its armature of 0.1"},
-      {"<equality/><equality><joint joint1='j'/></equality>", kTwoBodies, "couples \"j\""},
+      {"<equality/><equality><joint joint1='j'/></equality>", kTwoBodies, "holds \"j\""},
       {"<equality><connect body1='a' body2='b' anchor='0 0 0'/></equality>", kTwoBodies,
        "rods with mass"},
       {"", R"(<body name="a"><freejoint/><geom type="mesh" mesh="m"/></body>)",
@@ -78,7 +79,7 @@ TEST(MjcfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
       {"", R"(<body name="a"><joint/></body>)", "has no mass, and moves"},
       {"", R"(<body name="a"><joint class="leg"/></body>)", "no default has class \"leg\""},
       {"", R"(<body name="a" quat="1 0 0 0" euler="0 0 0"/>)", "several ways"},
-      {"", kTwoBodies + R"(<body name="c"><joint/></body>)", "name its body with --body"},
+      {"", kTwoBodies + R"(<body name="c"><joint/></body>)", "name its body by --body"},
       {"<include file='other.xml'/>", kTwoBodies, "is not there"},
       {"<compiler eulerseq='xyq'/>", kTwoBodies, "three of x, y, z"},
       {"<option gravity='0 1 -9'/>", kTwoBodies, "along -z"}};
@@ -92,6 +93,17 @@ TEST(MjcfWords, OfEqualitiesElsewhereOrNotActiveDoNotCount) {
   const std::string ball = R"(<body name="c"/><body name="d"/>)";
   EXPECT_NO_THROW(mjcf("<equality><weld body1='c' body2='d'/></equality>", kTwoBodies + ball));
   EXPECT_NO_THROW(mjcf("<equality><weld body1='a' active='false'/></equality>", kTwoBodies));
+}
+
+TEST(MjcfWords, MayBeLeftOutWhereThatIsAskedForAndSaid) {
+  const std::string joint = "<equality><joint joint1='j' polycoef='0 1'/></equality>";
+  const Imported freed = mjcf(joint, kTwoBodies, {"", false, true});
+  EXPECT_NE(all_of(freed.notes).find("holds \"j\" is left out"), std::string::npos);
+  const std::string weld = "<equality><weld body1='a' body2='b'/></equality>";
+  EXPECT_NE(refusal([&] { return mjcf(weld, kTwoBodies, {"", false, true}); }), "was read");
+  const std::string free =
+      R"(<body name="a"><joint type="free" armature="0.2"/>)" + kPart + "</body>";
+  EXPECT_NE(all_of(mjcf("", free, {"", true}).notes).find("armature of 0.2"), std::string::npos);
 }
 
 TEST(MjcfWords, ThatAreLeftBehindAreListedOnce) {
@@ -166,7 +178,7 @@ TEST(MjcfBodies, ThatDoNotMoveAreNotAskedFor) {
   EXPECT_EQ(read.robot.tree.bodies[0].name, "a");
   EXPECT_NE(all_of(read.notes).find("left out: table"), std::string::npos);
   const std::string ball = R"(<body name="ball"><freejoint/><geom size="1"/></body>)";
-  EXPECT_EQ(mjcf("", kTwoBodies + ball, {"ball", false}).robot.tree.bodies[0].name, "ball");
+  EXPECT_EQ(mjcf("", kTwoBodies + ball, {"ball"}).robot.tree.bodies[0].name, "ball");
 }
 
 // Bodies without mass between joints go through a document and come back.
@@ -242,7 +254,7 @@ std::string plate(const std::string& moments) {
 TEST(Inertias, ThatRoundingSpoiltAreMendedWhereThatIsAskedFor) {
   const std::string flat = plate("ixx='0.011' iyy='0.024' izz='0.036'");
   EXPECT_NE(refusal([&] { return urdf(flat); }).find("--mend-inertias"), std::string::npos);
-  const Imported read = urdf(flat, {"", true});
+  const Imported read = urdf(flat, kMends);
   EXPECT_NE(all_of(read.notes).find("mended"), std::string::npos);
   // The nearest: a third of what is too much, each.
   const Eigen::Matrix3d& inertia = read.robot.tree.bodies[0].inertia.inertia_kg_m2;
@@ -250,10 +262,7 @@ TEST(Inertias, ThatRoundingSpoiltAreMendedWhereThatIsAskedFor) {
   EXPECT_NEAR(inertia(2, 2), 0.036 - 0.001 / 3, 1e-9);
   // Three moments off by half a unit of their last place each explain 0.0015, not 0.002.
   const std::string wrong = plate("ixx='0.011' iyy='0.024' izz='0.037'");
-  EXPECT_NE(refusal([&] {
-              return urdf(wrong, {"", true});
-            }).find("no rigid body"),
-            std::string::npos);
+  EXPECT_NE(refusal([&] { return urdf(wrong, kMends); }).find("no rigid body"), std::string::npos);
 }
 
 TEST(Inertias, RoundAsTheyAreWritten) {

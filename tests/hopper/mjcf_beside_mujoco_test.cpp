@@ -73,10 +73,7 @@ std::vector<Case> cases() {
           <joint name="c" type="slide" axis="1 0 0" ref="-0.3"/><joint name="d" axis="0 0.6 0.8" pos="0 0.2 0"/>)" +
                                        std::string(kPart))},
       {"SecondWorldbody", two_worlds},
-      {"SetTotalMass",
-       arm("<compiler settotalmass=\"30\"/>" + other, kHinge, fore),
-       "",
-       {"trunk", false}},
+      {"SetTotalMass", arm("<compiler settotalmass=\"30\"/>" + other, kHinge, fore), "", {"trunk"}},
       {"InertiaFromGeom", arm("<compiler inertiafromgeom=\"true\"/>",
                               std::string(kHinge) + "<geom size=\"0.1\" pos=\"0.2 0 0\"/>", fore)},
       {"BalanceInertia",

@@ -61,7 +61,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
     {"hopper",
      {{"mechanisms", {}},
       {"robot", {"mechanisms"}},
-      {"files", {"robot"}},
+      {"files", {"mechanisms", "robot"}},
       {"motion", {"robot"}},
       {"contact", {"motion"}},
       {"check", {"robot", "motion", "contact"}},
