@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "actuator/check/region_words.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::actuator {
@@ -26,21 +27,16 @@ std::string percent(std::size_t part, std::size_t whole) {
   return fmt::format("{:.3g} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-std::string limit_words(const WorstSample& worst) {
-  if (!worst.limit_Nm) return fmt::format("no torque at all ({})", name_of(worst.limiter));
-  return fmt::format("{:.6g} Nm ({})", *worst.limit_Nm, name_of(worst.limiter));
-}
-
 Finding region_violation(const DriveReport& drive, const CheckedInterpretation& interpretation,
                          Severity severity, const char* how) {
   const WorstSample& worst = interpretation.worst;
   Finding result = finding(
       drive, severity, "motor-operating-region",
       fmt::format("{}{}: {} of {} samples ({}) lie outside the region, the worst at t = {:.6g} s: "
-                  "{:.6g} Nm at {:.6g} rad/s, where the region ends at {}",
+                  "{} ({})",
                   drive.name, how, interpretation.clipped_samples, drive.samples,
                   percent(interpretation.clipped_samples, drive.samples), worst.time_s,
-                  worst.torque_Nm, worst.speed_rad_s, limit_words(worst)));
+                  outside_words(worst), name_of(worst.limiter)));
   result.time_s = worst.time_s;
   result.value = worst.torque_Nm;
   result.limit = worst.limit_Nm;

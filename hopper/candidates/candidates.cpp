@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "actuator/check/drive_check.hpp"
+#include "actuator/check/region_words.hpp"
 #include "actuator/region/joint_region.hpp"
 
 namespace torquewright::hopper {
@@ -127,15 +128,12 @@ std::string reason(const actuator::DriveReport& report) {
   const actuator::CheckedInterpretation& interpretation = report.interpretation;
   if (interpretation.first) {
     const actuator::WorstSample& first = *interpretation.first;
-    const std::string limit = first.limit_Nm ? fmt::format("{:.4g} Nm", *first.limit_Nm) : "none";
     return fmt::format(
-        "{} at t = {:.4g} s: {:.4g} Nm at {:.4g} rad/s asked, {} there ({}); "
-        "{:.3g} % of the samples, {:.4g} Nm short at worst",
-        report.name, first.time_s, first.torque_Nm, first.speed_rad_s, limit,
-        actuator::name_of(first.limiter),
+        "{} at t = {:.4g} s: {} ({}); {:.3g} % of the samples, the worst at t = {:.4g} s",
+        report.name, first.time_s, actuator::outside_words(first), actuator::name_of(first.limiter),
         100.0 * static_cast<double>(interpretation.clipped_samples) /
             static_cast<double>(report.samples),
-        interpretation.worst.excess_Nm);
+        interpretation.worst.time_s);
   }
   if (interpretation.winding && interpretation.winding->runs_to_limit) {
     return fmt::format("{}: its winding passes {:.4g} K in run {}", report.name,

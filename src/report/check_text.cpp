@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/check/region_words.hpp"
+
 namespace torquewright::report {
 namespace {
 
@@ -20,12 +22,11 @@ std::string clipped_line(const DriveReport& drive, const CheckedInterpretation& 
   const WorstSample& worst = interpretation.worst;
   return fmt::format(
       "  clipped  {:.3g} % of samples ({}), {:.4g} s\n"
-      "  worst    {:.6g} Nm at {:.6g} rad/s, t = {:.6g} s: {:.6g} Nm beyond {} (limiter: {})\n",
+      "  worst    t = {:.6g} s: {} (limiter: {})\n",
       100.0 * static_cast<double>(interpretation.clipped_samples) /
           static_cast<double>(drive.samples),
-      interpretation.clipped_samples, interpretation.clipped_time_s, worst.torque_Nm,
-      worst.speed_rad_s, worst.time_s, worst.excess_Nm,
-      or_none(worst.limit_Nm, "Nm", "an empty region"), name_of(worst.limiter));
+      interpretation.clipped_samples, interpretation.clipped_time_s, worst.time_s,
+      outside_words(worst), name_of(worst.limiter));
 }
 
 std::string winding_line(const WindingReport& winding) {
