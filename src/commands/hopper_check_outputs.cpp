@@ -59,8 +59,7 @@ std::vector<io::FileContent> pictures(const HopperCheckRequest& request,
         drawn(report::loads_plot(report::plot_format(request.loads_file), page), "--plot-loads"));
   }
   if (!request.figures_file.empty()) {
-    add(request.figures_file,
-        report::stick_figures(page.robot, page.motion, page.options.contact.ground_height_m));
+    add(request.figures_file, report::stick_figures(page));
   }
   if (!request.report_file.empty()) add(request.report_file, report::hopper_html(page));
   return files;
@@ -74,7 +73,6 @@ void require_outputs(const HopperCheckRequest& request) {
   }
   if (!request.plot_file.empty()) report::require_gnuplot("--plot");
   if (!request.loads_file.empty()) report::require_gnuplot("--plot-loads");
-  if (!request.report_file.empty()) report::require_gnuplot("--report");
   std::vector<std::filesystem::path> outputs;
   for (const std::string* file :
        {&request.plot_file, &request.loads_file, &request.figures_file, &request.report_file,

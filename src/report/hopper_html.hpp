@@ -7,8 +7,9 @@
 
 namespace torquewright::report {
 
-/// A page that holds its styles and pictures; what users wrote is escaped. Draws with gnuplot:
-/// throws io::SpecError for --report where that is not installed. Requires kept traces.
+/// A page that needs nothing else: styles, pictures, numbers and the script of its time cursor are
+/// in it, and its policy lets no other script run and asks no network. Without scripts the pictures
+/// stand. What users wrote is escaped.
 std::string hopper_html(const HopperPage& page);
 
 }  // namespace torquewright::report

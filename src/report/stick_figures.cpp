@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
+#include <set>
 
-#include "dynamics/momentum.hpp"
-#include "dynamics/point.hpp"
+#include "src/report/figure_view.hpp"
+#include "src/report/moments.hpp"
 #include "src/report/svg.hpp"
 
 namespace torquewright::report {
@@ -17,123 +16,33 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
-constexpr double kPageHeight = 420;  // points on paper
-constexpr double kMostPageWidth = 1400;
-constexpr double kPageMargin = 40;
-constexpr int kPoses = 12;
-constexpr int kFrames = 150;
-constexpr double kPathSteps = 200;
+constexpr int kMoments = 12;
+constexpr double kLegendHeight = 26;
+constexpr double kLongWay = 3.0;      // width over height of a motion whose view goes along
+constexpr double kArrowShare = 0.45;  // of the height: the greatest force
 
-/// A robot at one instant: lines of its bodies from the side, the first of each body.
-struct Pose {
-  double time_s = 0.0;
-  std::vector<std::pair<Vector2d, Vector2d>> bones;
-  Vector2d center_of_mass;
+struct Drawn {
+  std::vector<Moment> moments;
+  std::vector<Pose> poses;
 };
 
-Vector2d seen(const Vector3d& point) { return {point.x(), point.z()}; }
-
-/// From each joint to those it carries; a last body to its contact points, or its centre of mass.
-Pose pose_of(const hopper::Robot& robot, const hopper::Motion& motion, dynamics::TreeState& state,
-             Index sample) {
-  state.set(motion.positions.col(sample), Eigen::VectorXd::Zero(state.tree().velocity_size()));
-  Pose pose;
-  pose.time_s = motion.time_s(sample);
-  const auto& bodies = robot.tree.bodies;
-  const auto place = [&](std::size_t body, const Vector3d& p_B_m) {
-    return seen(dynamics::point_position_m(state, {body, p_B_m}));
-  };
-  for (std::size_t body = 0; body < bodies.size(); ++body) {
-    const Vector2d from = place(body, Vector3d::Zero());
-    bool carries = false;
-    for (std::size_t child = 1; child < bodies.size(); ++child) {
-      if (bodies[child].parent != body) continue;
-      carries = true;
-      pose.bones.emplace_back(from, place(child, Vector3d::Zero()));
-    }
-    std::vector<Vector2d> feet;
-    for (const hopper::ContactPoint& contact : robot.contacts) {
-      if (contact.point.body == body) feet.push_back(place(body, contact.point.p_B_m));
-    }
-    for (std::size_t i = 0; i < feet.size(); ++i) {
-      pose.bones.emplace_back(from, feet[i]);
-      if (i > 0) pose.bones.emplace_back(feet[i - 1], feet[i]);
-    }
-    if ((!carries && feet.empty()) || body == 0) {
-      pose.bones.emplace_back(from, place(body, bodies[body].inertia.center_of_mass_m));
-    }
-  }
-  pose.center_of_mass = seen(dynamics::centroid(state).position_m);
-  return pose;
+Drawn drawn_moments(const HopperPage& page, const Skeleton& skeleton) {
+  Drawn drawn{moments_of(page.motion, page.report.flights, kMoments), {}};
+  std::vector<Index> samples;
+  for (const Moment& moment : drawn.moments) samples.push_back(moment.sample);
+  drawn.poses = poses_at(page.robot, page.motion, skeleton, samples);
+  return drawn;
 }
 
-/// The sample at, or next after, a share of the motion's time.
-Index sample_at(const hopper::Motion& motion, double share) {
-  const double time_s = motion.times_s.front() + share * motion.duration_s();
-  const auto found = std::lower_bound(motion.times_s.begin(), motion.times_s.end(), time_s);
-  return std::min<Index>(found - motion.times_s.begin(), motion.samples() - 1);
+std::string line_of(const Skeleton::Bone& bone, const Pose& pose, const std::string& attributes) {
+  const Vector2d& from = pose.points[bone.from];
+  const Vector2d& to = pose.points[bone.to];
+  return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>\n", decimal(from.x(), 1),
+                     decimal(from.y(), 1), decimal(to.x(), 1), decimal(to.y(), 1), attributes);
 }
 
-std::vector<Pose> poses(const hopper::Robot& robot, const hopper::Motion& motion, int count) {
-  dynamics::TreeState state(robot.tree);
-  std::vector<Pose> all;
-  for (int i = 0; i < count; ++i) {
-    all.push_back(pose_of(robot, motion, state, sample_at(motion, i / std::max(1.0, count - 1.0))));
-  }
-  return all;
-}
-
-/// Metres to points on paper; every pose moved aside by what belongs to it.
-class View {
- public:
-  /// `spread_m` between neighbours, so that a motion on the spot can be read.
-  View(const std::vector<Pose>& poses, double spread_m, double ground_m) : spread_m_(spread_m) {
-    Vector2d least(1e9, ground_m);
-    Vector2d most(-1e9, ground_m + 1e-3);
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      for (const auto& [from, to] : poses[i].bones) {
-        for (const Vector2d& point : {from, to}) {
-          const Vector2d moved = point + Vector2d(shift_m(i), 0);
-          least = least.cwiseMin(moved);
-          most = most.cwiseMax(moved);
-        }
-      }
-    }
-    const Vector2d size = most - least;
-    scale_ = std::min((kPageHeight - 2 * kPageMargin) / size.y(),
-                      (kMostPageWidth - 2 * kPageMargin) / size.x());
-    least_ = least;
-    width_ = size.x() * scale_ + 2 * kPageMargin;
-    bottom_ = size.y() * scale_ + kPageMargin;
-  }
-
-  double shift_m(std::size_t pose) const { return spread_m_ * static_cast<double>(pose); }
-  double x(const Vector2d& point, std::size_t pose) const {
-    return kPageMargin + (point.x() + shift_m(pose) - least_.x()) * scale_;
-  }
-  double y(const Vector2d& point) const { return bottom_ - (point.y() - least_.y()) * scale_; }
-  double width() const { return width_; }
-  double height() const { return bottom_ + kPageMargin; }
-
- private:
-  double spread_m_;
-  double scale_ = 1.0;
-  Vector2d least_;
-  double width_ = 0.0;
-  double bottom_ = 0.0;
-};
-
-std::string opening(const View& view, double ground_m) {
-  const double y = view.y({0, ground_m});
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-      "height=\"{1}\" font-family=\"DejaVu Sans,sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
-      "<line x1=\"0\" y1=\"{2}\" x2=\"{0}\" y2=\"{2}\" stroke=\"#7a8692\" stroke-width=\"1.5\"/>\n",
-      decimal(view.width(), 1), decimal(view.height(), 1), decimal(y, 1));
-}
+// The document.
 
 /// From blue to orange over the motion.
 std::string colour(double share) {
@@ -143,98 +52,167 @@ std::string colour(double share) {
   return fmt::format("#{:02x}{:02x}{:02x}", mix(0x1f, 0xd9), mix(0x5f, 0x6b), mix(0xa8, 0x0f));
 }
 
-std::string figure(const View& view, const Pose& pose, std::size_t index, double share) {
-  std::string text =
-      fmt::format("<g stroke=\"{}\" stroke-width=\"3\" stroke-linecap=\"round\">\n", colour(share));
-  for (const auto& [from, to] : pose.bones) {
-    text += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n",
-                        decimal(view.x(from, index), 1), decimal(view.y(from), 1),
-                        decimal(view.x(to, index), 1), decimal(view.y(to), 1));
-  }
-  text += fmt::format("</g>\n<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"{}\"/>\n",
-                      decimal(view.x(pose.center_of_mass, index), 1),
-                      decimal(view.y(pose.center_of_mass), 1), colour(share));
-  return text + fmt::format(
-                    "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"#49566b\">{} "
-                    "s</text>\n",
-                    decimal(view.x(pose.center_of_mass, index), 1), decimal(view.height() - 12, 1),
-                    decimal(pose.time_s, 2));
-}
-
-/// Room between neighbours, so that they do not hide one another: a third of the robot's height.
-double spread_of(const std::vector<Pose>& poses) {
+/// Room between neighbours, so that they do not hide one another.
+double spread_m(const std::vector<Pose>& poses) {
   double widest_m = 0.0;
   for (const Pose& pose : poses) {
-    double least_m = 1e9;
-    double most_m = -1e9;
-    for (const auto& [from, to] : pose.bones) {
-      least_m = std::min({least_m, from.x(), to.x()});
-      most_m = std::max({most_m, from.x(), to.x()});
-    }
-    widest_m = std::max(widest_m, most_m - least_m);
+    const auto [least, most] = std::minmax_element(
+        pose.points.begin(), pose.points.end(),
+        [](const Vector2d& one, const Vector2d& other) { return one.x() < other.x(); });
+    widest_m = std::max(widest_m, most->x() - least->x());
   }
   return 0.7 * widest_m;
 }
 
-std::string values_of(const std::vector<double>& numbers) {
+std::string document_figure(const Skeleton& skeleton, const Pose& pose, const Moment& moment,
+                            double share, double bottom) {
+  std::string text =
+      fmt::format("<g stroke=\"{}\" stroke-width=\"3\" stroke-linecap=\"round\">\n", colour(share));
+  for (const Skeleton::Bone& bone : skeleton.bones) text += line_of(bone, pose, "");
+  const std::string x = decimal(pose.center_of_mass_m.x(), 1);
+  return text + fmt::format(
+                    "</g>\n<circle cx=\"{0}\" cy=\"{1}\" r=\"4\" fill=\"{2}\"/>\n<text x=\"{0}\" "
+                    "y=\"{3}\" text-anchor=\"middle\" fill=\"#49566b\">{4} s{5}</text>\n",
+                    x, decimal(pose.center_of_mass_m.y(), 1), colour(share), decimal(bottom, 1),
+                    decimal(pose.time_s, 2), moment.is_in_flight ? " *" : "");
+}
+
+std::string document_legend(double y) {
+  return fmt::format(
+      "<g fill=\"#49566b\"><circle cx=\"20\" cy=\"{1}\" r=\"4\" fill=\"{2}\"/><text x=\"30\" "
+      "y=\"{0}\">centre of mass</text><text x=\"150\" y=\"{0}\">colour: from the begin (blue) to "
+      "the end (orange)</text><text x=\"490\" y=\"{0}\">* in flight</text></g>\n",
+      decimal(y, 1), decimal(y - 4, 1), colour(0.0));
+}
+
+// On the page.
+
+std::set<std::size_t> bad_bodies(const std::vector<ShownViolation>& violations, double time_s) {
+  std::set<std::size_t> bodies;
+  for (const ShownViolation& violation : violations) {
+    if (violation.holds_at(time_s)) bodies.insert(violation.bodies.begin(), violation.bodies.end());
+  }
+  return bodies;
+}
+
+std::string bones_of(const Skeleton& skeleton, const Pose& pose, const std::set<std::size_t>& bad) {
   std::string text;
-  for (const double number : numbers) {
-    if (!text.empty()) text += ';';
-    text += decimal(number, 1);
+  for (const Skeleton::Bone& bone : skeleton.bones) {
+    text +=
+        line_of(bone, pose,
+                fmt::format(" class=\"bone{}\" data-body=\"{}\" data-from=\"{}\" "
+                            "data-to=\"{}\"",
+                            bad.contains(bone.body) ? " bad" : "", bone.body, bone.from, bone.to));
   }
   return text;
 }
 
-std::string animated(const char* attribute, const std::vector<double>& numbers, double duration_s) {
+std::string svg_of(const char* style, double width, double height, double ground,
+                   const std::string& title) {
   return fmt::format(
-      "<animate attributeName=\"{}\" values=\"{}\" dur=\"{}s\" repeatCount=\"indefinite\"/>",
-      attribute, values_of(numbers), decimal(std::max(duration_s, 0.1), 3));
+      "<svg class=\"{0}\" role=\"img\" viewBox=\"0 0 {1} {2}\">\n<title>{4}</title>\n<line "
+      "class=\"ground\" x1=\"0\" y1=\"{3}\" x2=\"{1}\" y2=\"{3}\"/>\n",
+      style, decimal(width, 1), decimal(height, 1), decimal(ground, 1), escaped(title));
+}
+
+std::string still(const Skeleton& skeleton, const Pose& pose, const Moment& moment,
+                  const FigureView& view, const std::set<std::size_t>& bad) {
+  const std::string when = decimal(pose.time_s, 3) + " s";
+  const char* phase = moment.is_in_flight ? "flight" : "ground";
+  std::string text = svg_of(
+      "still", view.width(), view.height(), view.ground(),
+      fmt::format("The robot at {}, {}{}", when, phase, bad.empty() ? "" : ", violating a limit"));
+  text += bones_of(skeleton, pose, bad);
+  text += fmt::format("<circle class=\"mass\" cx=\"{}\" cy=\"{}\" r=\"4\"/>\n</svg>\n",
+                      decimal(pose.center_of_mass_m.x(), 1), decimal(pose.center_of_mass_m.y(), 1));
+  return fmt::format(
+      "<figure class=\"moment {0}\">\n{1}<figcaption>{2}<br/>{0}</figcaption>\n"
+      "</figure>\n",
+      phase, text, when);
+}
+
+double greatest_force_N(const HopperPage& page) {
+  double greatest_N = 0.0;
+  const Eigen::MatrixXd& forces_N = page.report.demand.forces_N;
+  for (Index row = 0; row + 2 < forces_N.rows(); row += 3) {
+    greatest_N = std::max(greatest_N, forces_N.middleRows(row, 3).colwise().norm().maxCoeff());
+  }
+  return greatest_N;
 }
 
 }  // namespace
 
-std::string stick_figures(const hopper::Robot& robot, const hopper::Motion& motion,
-                          double ground_height_m) {
-  if (!motion.has_base) return "";
-  const std::vector<Pose> all = poses(robot, motion, kPoses);
-  const View view(all, spread_of(all), ground_height_m);
-  std::string text = opening(view, ground_height_m);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    text += figure(view, all[i], i, static_cast<double>(i) / (kPoses - 1));
+std::string stick_figures(const HopperPage& page) {
+  if (!page.motion.has_base) return "";
+  const Skeleton skeleton = skeleton_of(page.robot);
+  const auto [moments, poses] = drawn_moments(page, skeleton);
+  const FigureView view(
+      poses, {page.options.contact.ground_height_m, spread_m(poses), false, 1400, 420, 40});
+  const double height = view.height() + kLegendHeight;
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" font-family=\"DejaVu Sans,sans-serif\" font-size=\"12\">\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
+      "<line x1=\"0\" y1=\"{2}\" x2=\"{0}\" y2=\"{2}\" stroke=\"#7a8692\" stroke-width=\"1.5\"/>\n",
+      decimal(view.width(), 1), decimal(height, 1), decimal(view.ground(), 1));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double share =
+        (poses[i].time_s - page.motion.times_s.front()) / std::max(page.motion.duration_s(), 1e-9);
+    text += document_figure(skeleton, view.on_paper(poses[i], i), moments[i], share,
+                            view.height() - 12);
   }
-  return text + "</svg>\n";
+  return text + document_legend(height - 12) + "</svg>\n";
 }
 
-std::string stick_animation(const hopper::Robot& robot, const hopper::Motion& motion,
-                            double ground_height_m) {
-  if (!motion.has_base) return "";
-  const std::vector<Pose> all = poses(robot, motion, kFrames);
-  const View view(all, 0.0, ground_height_m);
-  const double duration_s = motion.duration_s();
-  std::string text = opening(view, ground_height_m);
-  text += "<g stroke=\"#1f5fa8\" stroke-width=\"4\" stroke-linecap=\"round\">\n";
-  for (std::size_t bone = 0; bone < all.front().bones.size(); ++bone) {
-    std::array<std::vector<double>, 4> ends;
-    for (const Pose& pose : all) {
-      const auto& [from, to] = pose.bones[bone];
-      ends[0].push_back(view.x(from, 0));
-      ends[1].push_back(view.y(from));
-      ends[2].push_back(view.x(to, 0));
-      ends[3].push_back(view.y(to));
+std::string still_figures(const HopperPage& page, const std::vector<ShownViolation>& violations) {
+  if (!page.motion.has_base) return "";
+  const Skeleton skeleton = skeleton_of(page.robot);
+  const auto [moments, poses] = drawn_moments(page, skeleton);
+  const FigureView view(poses, {page.options.contact.ground_height_m, 0.0, true, 220, 220, 8});
+  std::string text = "<div class=\"moments\">\n";
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    text += still(skeleton, view.on_paper(poses[i], i), moments[i], view,
+                  bad_bodies(violations, poses[i].time_s));
+  }
+  return text + "</div>\n";
+}
+
+MovingFigure moving_figure(const HopperPage& page, const std::vector<Index>& samples) {
+  MovingFigure figure;
+  figure.skeleton = skeleton_of(page.robot);
+  const std::vector<Pose> poses = poses_at(page.robot, page.motion, figure.skeleton, samples);
+  const double ground_m = page.options.contact.ground_height_m;
+  figure.follows = FigureView::proportion(poses, ground_m) > kLongWay;
+  const FigureView view(poses, {ground_m, 0.0, figure.follows, 640, 400, 26});
+  for (const Pose& pose : poses) figure.poses.push_back(view.on_paper(pose, 0));
+  figure.width = view.width();
+  figure.height = view.height();
+  figure.ground = view.ground();
+  const double greatest_N = greatest_force_N(page);
+  if (greatest_N > 0.0) figure.per_N = kArrowShare * figure.height / greatest_N;
+  return figure;
+}
+
+std::string figure_svg(const HopperPage& page, const MovingFigure& figure, std::size_t pose,
+                       const std::vector<ShownViolation>& violations) {
+  const Pose& at = figure.poses[pose];
+  std::string text = svg_of("robot", figure.width, figure.height, figure.ground,
+                            page.robot.name + " from the side, at the time of the cursor");
+  if (!figure.follows) {
+    text += "<polyline class=\"way\" points=\"";
+    for (const Pose& each : figure.poses) {
+      text += fmt::format("{},{} ", decimal(each.center_of_mass_m.x(), 1),
+                          decimal(each.center_of_mass_m.y(), 1));
     }
-    text += "<line>";
-    constexpr std::array kNames{"x1", "y1", "x2", "y2"};
-    for (std::size_t i = 0; i < 4; ++i) text += animated(kNames[i], ends[i], duration_s);
-    text += "</line>\n";
+    text += "\"/>\n";
   }
-  std::vector<double> x;
-  std::vector<double> y;
-  for (const Pose& pose : all) {
-    x.push_back(view.x(pose.center_of_mass, 0));
-    y.push_back(view.y(pose.center_of_mass));
+  text += bones_of(figure.skeleton, at, bad_bodies(violations, at.time_s));
+  for (std::size_t i = 0; i < page.robot.contacts.size(); ++i) {
+    text += fmt::format("<path class=\"force\" data-contact=\"{}\"/>\n", i);
   }
-  return text + "</g>\n<circle r=\"5\" fill=\"#d96b0f\">" + animated("cx", x, duration_s) +
-         animated("cy", y, duration_s) + "</circle>\n</svg>\n";
+  return text + fmt::format("<circle class=\"mass\" cx=\"{}\" cy=\"{}\" r=\"5\"/>\n</svg>\n",
+                            decimal(at.center_of_mass_m.x(), 1),
+                            decimal(at.center_of_mass_m.y(), 1));
 }
 
 }  // namespace torquewright::report

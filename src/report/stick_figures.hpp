@@ -2,18 +2,37 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "hopper/motion/motion.hpp"
+#include "src/report/hopper_page.hpp"
+#include "src/report/shown_violations.hpp"
+#include "src/report/skeleton.hpp"
 
 namespace torquewright::report {
 
-/// The robot seen from the side (x to the right, z up) at moments spread over its motion, and the
-/// path of its centre of mass: an SVG document. Empty where the base's motion is not known.
-std::string stick_figures(const hopper::Robot& robot, const hopper::Motion& motion,
-                          double ground_height_m);
+/// The robot seen from the side (x to the right, z up) at moments of its motion, half of them in
+/// flight, and what dots and colours mean: an SVG document. Empty where the base's motion is not
+/// known.
+std::string stick_figures(const HopperPage& page);
 
-/// The same view moving in real time, over and over: an SVG document that needs no script.
-std::string stick_animation(const hopper::Robot& robot, const hopper::Motion& motion,
-                            double ground_height_m);
+/// The same as pictures of a page, one a moment, what violates something in red.
+std::string still_figures(const HopperPage& page, const std::vector<ShownViolation>& violations);
+
+/// The robot's poses on the paper of the figure that the page's cursor moves.
+struct MovingFigure {
+  Skeleton skeleton;
+  std::vector<Pose> poses;  ///< Places on paper, y downwards.
+  double width = 0.0;
+  double height = 0.0;
+  double ground = 0.0;   ///< On paper.
+  double per_N = 0.0;    ///< Of the arrows of forces.
+  bool follows = false;  ///< The view goes with the robot: its way is too long.
+};
+/// Requires that the motion says how the base moves.
+MovingFigure moving_figure(const HopperPage& page, const std::vector<Eigen::Index>& samples);
+
+/// That figure as an SVG element, as it stands at one of its poses; the script moves it on.
+std::string figure_svg(const HopperPage& page, const MovingFigure& figure, std::size_t pose,
+                       const std::vector<ShownViolation>& violations);
 
 }  // namespace torquewright::report

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/cursor_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "src/report/svg.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using Eigen::Index;
+
+/// In ASCII, without what HTML reads as the begin of something; U+2028 becomes an escape as well.
+std::string as_json(const std::string& text) {
+  std::string json =
+      nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  for (const char character : {'<', '>', '&'}) {
+    const std::string escape = fmt::format("\\u{:04x}", static_cast<int>(character));
+    for (std::size_t at = json.find(character); at != std::string::npos;
+         at = json.find(character, at)) {
+      json.replace(at, 1, escape);
+    }
+  }
+  return json;
+}
+
+std::string list(const std::vector<std::string>& items) {
+  return fmt::format("[{}]", fmt::join(items, ","));
+}
+
+/// Few digits: for the eye, not for arithmetic.
+std::string values(const Eigen::VectorXd& column, const std::vector<Index>& samples, int digits) {
+  std::string text;
+  for (const Index sample : samples) {
+    const double value = column[sample];
+    text += text.empty() ? "[" : ",";
+    text += std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "null";
+  }
+  return text + "]";
+}
+
+std::vector<std::string> headers(const ChartSource& source) {
+  std::vector<std::string> names{"time_s"};
+  const auto& drives = source.page.report.check.drives;
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    for (const char* what : {"_drive_speed_rad_s", "_drive_torque_Nm", "_torque_min_Nm",
+                             "_torque_max_Nm", "_torque_margin_Nm", "_bus_voltage_V"}) {
+      names.push_back(drives[i].name + what);
+    }
+    names.push_back(outside_column(drives[i].name));
+    names.push_back(gear_column(source.page, i));
+  }
+  for (const hopper::ContactPoint& contact : source.page.robot.contacts) {
+    for (const char* what : {"_force_x_N", "_force_z_N"}) names.push_back(contact.name + what);
+  }
+  names.insert(names.end(),
+               {"ground_up_N", "ground_forward_N", "in_flight", "cam_Nm_s", "cav_rad_s"});
+  return names;
+}
+
+std::string columns(const ChartSource& source, const std::vector<Index>& samples) {
+  std::vector<std::string> items;
+  for (const std::string& header : headers(source)) {
+    const Eigen::VectorXd* column = hopper::find_column(source.series, header);
+    if (column == nullptr) continue;
+    items.push_back(as_json(header) + ":" + values(*column, samples, header == "time_s" ? 8 : 5));
+  }
+  return fmt::format("{{{}}}", fmt::join(items, ",\n"));
+}
+
+std::string intervals(const std::vector<Interval>& times) {
+  std::vector<std::string> items;
+  for (const Interval& time : times) {
+    items.push_back(fmt::format("[{:.8g},{:.8g}]", time.from_s, time.until_s));
+  }
+  return list(items);
+}
+
+std::string violations(const std::vector<ShownViolation>& shown) {
+  std::vector<std::string> items;
+  for (const ShownViolation& violation : shown) {
+    std::string rule = violation.rule;
+    std::replace(rule.begin(), rule.end(), '-', ' ');
+    items.push_back(
+        fmt::format("{{\"name\":{},\"rule\":{},\"bodies\":[{}],\"worst_s\":{:.8g},\"times\":{}}}",
+                    as_json(violation.name), as_json(rule), fmt::join(violation.bodies, ","),
+                    violation.worst_s, intervals(violation.times)));
+  }
+  return list(items);
+}
+
+std::string drives(const ChartSource& source) {
+  std::vector<std::string> items;
+  for (const actuator::DriveReport& drive : source.page.report.check.drives) {
+    items.push_back(fmt::format("{{\"name\":{},\"torque\":{},\"speed\":{},\"outside\":{}}}",
+                                as_json(drive.name), as_json(drive.name + "_drive_torque_Nm"),
+                                as_json(drive.name + "_drive_speed_rad_s"),
+                                as_json(outside_column(drive.name))));
+  }
+  return list(items);
+}
+
+template <typename PointOf>
+std::string way(const std::vector<Pose>& poses, const PointOf& point_of) {
+  std::string x;
+  std::string y;
+  for (const Pose& pose : poses) {
+    const Eigen::Vector2d& point = point_of(pose);
+    x += (x.empty() ? "" : ",") + decimal(point.x(), 1);
+    y += (y.empty() ? "" : ",") + decimal(point.y(), 1);
+  }
+  return fmt::format("{{\"x\":[{}],\"y\":[{}]}}", x, y);
+}
+
+std::string figure_keys(const ChartSource& source, const MovingFigure& figure) {
+  std::vector<std::string> points;
+  for (std::size_t i = 0; i < figure.skeleton.points.size(); ++i) {
+    points.push_back(way(
+        figure.poses, [i](const Pose& pose) -> const Eigen::Vector2d& { return pose.points[i]; }));
+  }
+  std::vector<std::string> contacts;
+  for (std::size_t i = 0; i < source.page.robot.contacts.size(); ++i) {
+    const std::string& name = source.page.robot.contacts[i].name;
+    const bool has_force = source.page.report.demand.has_dynamics;
+    contacts.push_back(fmt::format("{{\"point\":{},\"x\":{},\"z\":{}}}",
+                                   figure.skeleton.contacts[i],
+                                   has_force ? as_json(name + "_force_x_N") : "null",
+                                   has_force ? as_json(name + "_force_z_N") : "null"));
+  }
+  return fmt::format(
+      ",\n\"points\":{},\n\"mass\":{},\n\"contacts\":{},\n\"paper_per_N\":{:.6g}",
+      fmt::format("[{}]", fmt::join(points, ",\n")),
+      way(figure.poses,
+          [](const Pose& pose) -> const Eigen::Vector2d& { return pose.center_of_mass_m; }),
+      list(contacts), figure.per_N);
+}
+
+}  // namespace
+
+std::string cursor_json(const ChartSource& source, const std::vector<Index>& samples,
+                        const MovingFigure* figure, double begin_s) {
+  return fmt::format(
+      "{{\"begin_s\":{:.8g},\n\"columns\":{},\n\"drives\":{},\n\"violations\":{}{}}}", begin_s,
+      columns(source, samples), drives(source), violations(source.violations),
+      figure == nullptr ? "" : figure_keys(source, *figure));
+}
+
+}  // namespace torquewright::report

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace torquewright::report {
+
+/// The texts of hopper_page.js and hopper_page.css, compiled in by the build.
+extern const char* const kHopperScript;
+extern const char* const kHopperStyle;
+
+}  // namespace torquewright::report
