@@ -33,11 +33,13 @@ std::string list(const std::vector<std::string>& items) {
   return fmt::format("[{}]", fmt::join(items, ","));
 }
 
+constexpr double kNothing = 1e-9;  // What is smaller is the rounding of a zero.
+
 /// Few digits: for the eye, not for arithmetic.
 std::string values(const Eigen::VectorXd& column, const std::vector<Index>& samples, int digits) {
   std::string text;
   for (const Index sample : samples) {
-    const double value = column[sample];
+    const double value = std::abs(column[sample]) < kNothing ? 0.0 : column[sample];
     text += text.empty() ? "[" : ",";
     text += std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "null";
   }

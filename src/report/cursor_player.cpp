@@ -90,11 +90,9 @@ std::string cursor_values(const ChartSource& source) {
         rows + "</table>\n";
   }
   std::string quantities;
-  if (!drives.empty()) {
-    quantities +=
-        quantity(source, drives.front().name + "_bus_voltage_V",
-                 source.page.report.buses.empty() ? "bus of " + drives.front().name + ", V"
-                                                  : "bus voltage, V");
+  for (const hopper::SharedBus& bus : source.page.report.buses) {
+    quantities += quantity(source, drives[bus.drives.front()].name + "_bus_voltage_V",
+                           fmt::format("battery of {} drives, V", bus.drives.size()));
   }
   quantities += quantity(source, "ground_up_N", "ground pushes up, N") +
                 quantity(source, "ground_forward_N", "ground pushes forward, N") +

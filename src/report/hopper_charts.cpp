@@ -296,9 +296,11 @@ std::string bus_charts(const ChartSource& source) {
         "bus voltage in V", {drives[bus.drives.front()].name + "_bus_voltage_V"});
   }
   for (std::size_t i = 0; i < drives.size(); ++i) {
-    if (shared.contains(i)) continue;
-    charts += plain_chart(source, "Bus of " + drives[i].name, "bus voltage in V",
-                          {drives[i].name + "_bus_voltage_V"});
+    const std::string header = drives[i].name + "_bus_voltage_V";
+    const VectorXd& voltage_V = column(source, header);
+    // A bus that does not give way has nothing to show.
+    if (shared.contains(i) || !(voltage_V.maxCoeff() > voltage_V.minCoeff())) continue;
+    charts += plain_chart(source, "Bus of " + drives[i].name, "bus voltage in V", {header});
   }
   return charts;
 }

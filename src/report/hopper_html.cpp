@@ -115,9 +115,11 @@ std::string moments_table(const ChartSource& source) {
           at(outside_column(drive.name), moment.sample) > 0.0 ? ", outside" : ""));
     }
   }
-  return "<details>\n<summary>The motion in numbers</summary>\n" +
-         page_table("Torque and speed of the drives at moments of the motion", headings, rows) +
-         "</details>\n";
+  const char* caption = "Torque and speed of the drives at moments of the motion";
+  return fmt::format(
+      "<details>\n<summary>The motion in numbers</summary>\n<div class=\"wide\" role=\"region\" "
+      "tabindex=\"0\" aria-label=\"{}\">\n{}</div>\n</details>\n",
+      caption, page_table(caption, headings, rows));
 }
 
 /// All that the page's parts are made of, in the order in which they need one another.

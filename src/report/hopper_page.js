@@ -192,7 +192,7 @@
     const time = worst.find(isPast);
     if (time !== undefined) stopAndMoveTo(sampleAt(time));
   });
-  if (worst.length === 0) byId("before").hidden = byId("after").hidden = true;
+  for (const id of ["before", "after", "violated"]) byId(id).hidden = worst.length === 0;
 
   all(".needs-script").forEach((element) => { element.hidden = false; });
   moveTo(sampleAt(data.begin_s));

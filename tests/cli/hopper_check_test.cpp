@@ -116,6 +116,28 @@ TEST_F(HopperCheck, WritesEverythingByTime) {
   expect_refusal(crane(), swing(0.5), "motion.csv", {"--series", "motion.csv"});
 }
 
+// Pushed at a constant speed beyond no-load, either way: text, JSON and page tell what the drive
+// must do and what it is asked to do. Oracle: the signs; 13 V of 67 lack at that speed, which is
+// braking.
+TEST_F(HopperCheck, TellsOfTorqueBeyondNoLoadSpeedByItsSense) {
+  for (const int sign : {-1, 1}) {
+    std::string motion = "time_s,elbow_position_rad,elbow_velocity_rad_s,elbow_torque_Nm\n";
+    for (int i = 0; i < 10; ++i) {
+      motion += fmt::format("{},{},{},{}\n", 0.01 * i, sign * 0.125 * i, sign * 12.5, sign * 312);
+    }
+    const std::vector<std::string> asked{"--report", "page.html"};
+    const std::string text = check(crane(), motion, asked).out;
+    const json report = json::parse(check(crane(), motion, {"--json"}).out);
+    std::string sentence = report["findings"][0]["sentence"];
+    sentence = sentence.substr(sentence.find("at 12.5 rad/s"));
+    EXPECT_TRUE(sentence.starts_with("at 12.5 rad/s the drive must brake with at least ")) << text;
+    EXPECT_TRUE(sentence.ends_with("; it is asked to push with 312 Nm (voltage)")) << text;
+    EXPECT_NE(text.find(sentence), std::string::npos) << text;
+    EXPECT_NE(place_.text("page.html").find(sentence), std::string::npos);
+    EXPECT_EQ(text.find("Nm beyond"), std::string::npos) << text;
+  }
+}
+
 TEST_F(HopperCheck, FailsBeyondARangeAndSaysWhere) {
   const Outcome outcome = check(crane(), swing(1.2));
   EXPECT_EQ(outcome.exit_code, 1);

@@ -256,6 +256,32 @@ TEST_F(HopperPage, NamesWhatAScreenReaderMeets) {
             "ankle_right: -76.4 newton metres at -2.94 radians per second, inside its region");
 }
 
+// Where nothing says how the base moves there is no figure and no ground; the drives' marks move.
+TEST_F(HopperPage, ShowsDrivesAloneWhereTheBaseIsNotKnown) {
+  std::string motion =
+      "time_s,knee_position_rad,ankle_pitch_position_rad,ankle_roll_position_rad,"
+      "knee_torque_Nm,ankle_pitch_torque_Nm,ankle_roll_torque_Nm\n";
+  for (int i = 0; i <= 200; ++i) {
+    const double time_s = 0.005 * i;
+    motion += fmt::format("{0},{1},0,0,{2},1,0\n", time_s, 0.5 + 0.3 * std::sin(6 * time_s),
+                          40 * std::sin(9 * time_s));
+  }
+  place_->write("drives.csv", motion);
+  const auto outcome =
+      place_->run({"hopper", "check", in_repository("specs/robot/hopper.json").string(),
+                   "drives.csv", "--report", "drives.html"});
+  ASSERT_NE(outcome.exit_code, 2) << outcome.err;
+  browser().open(place_->path("drives.html"), kNarrow, 900);
+  click_slider(browser(), 0.3);
+  const json before = browser().value_of(kDrawn);
+  click_slider(browser(), 0.6);
+  EXPECT_NE(before, browser().value_of(kDrawn));
+  EXPECT_EQ(browser().value_of("document.querySelectorAll('svg.robot, svg.still').length"), 0);
+  EXPECT_EQ(browser().value_of("document.getElementById('phase').textContent"), "");
+  EXPECT_LE(browser().value_of("document.documentElement.scrollWidth").get<int>(), kNarrow);
+  EXPECT_TRUE(browser().complaints().empty()) << browser().complaints().front();
+}
+
 // Names that would end the element that holds the numbers, an attribute, or a line of JavaScript.
 TEST_F(HopperPage, RunsNothingOutOfNames) {
   const std::string hostile =
