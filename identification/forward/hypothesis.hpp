@@ -4,7 +4,7 @@
 #include <array>
 
 #include "actuator/motor/actuator.hpp"
-#include "identification/rig.hpp"
+#include "identification/rig/rig.hpp"
 
 namespace torquewright::identification {
 

@@ -13,7 +13,7 @@
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
 #include "identification/forward/candidates.hpp"
-#include "identification/signal.hpp"
+#include "identification/signals/signal.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "actuator/effects/library.hpp"
-#include "identification/backlash_residual.hpp"
-#include "identification/balance.hpp"
+#include "identification/forward/backlash_residual.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/pushing_friction.hpp"
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/forward/wave_orders.hpp"
-#include "identification/uncertain.hpp"
+#include "identification/signals/balance.hpp"
+#include "identification/signals/uncertain.hpp"
 
 namespace torquewright::identification {
 namespace {

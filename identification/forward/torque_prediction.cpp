@@ -10,12 +10,12 @@
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
-#include "identification/backlash_residual.hpp"
-#include "identification/balance.hpp"
+#include "identification/forward/backlash_residual.hpp"
 #include "identification/forward/histories.hpp"
-#include "identification/load_model.hpp"
-#include "identification/signal.hpp"
-#include "identification/winding_channels.hpp"
+#include "identification/signals/balance.hpp"
+#include "identification/signals/load_model.hpp"
+#include "identification/signals/signal.hpp"
+#include "identification/signals/winding_channels.hpp"
 
 namespace torquewright::identification {
 namespace {

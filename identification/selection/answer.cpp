@@ -7,16 +7,16 @@
 #include <cmath>
 #include <set>
 
-#include "identification/confusions.hpp"
-#include "identification/line_traces.hpp"
+#include "identification/findings/confusions.hpp"
+#include "identification/findings/verdict.hpp"
 #include "identification/selection/errors.hpp"
 #include "identification/selection/judgement.hpp"
+#include "identification/selection/line_traces.hpp"
 #include "identification/selection/models_within_noise.hpp"
 #include "identification/selection/named.hpp"
 #include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
 #include "identification/selection/search.hpp"
-#include "identification/verdict.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "identification/residual_structure.hpp"
+#include "identification/findings/residual_structure.hpp"
 #include "identification/selection/search.hpp"
 #include "identification/selection/steadiness.hpp"
 

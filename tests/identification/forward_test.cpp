@@ -9,13 +9,13 @@
 #include <string>
 
 #include "actuator/effects/library.hpp"
-#include "identification/folds.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/torque_forward.hpp"
 #include "identification/forward/torque_prediction.hpp"
-#include "identification/held_signals.hpp"
 #include "identification/selection/comparison.hpp"
+#include "identification/selection/folds.hpp"
 #include "identification/selection/search.hpp"
+#include "identification/signals/held_signals.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::forward_test {
