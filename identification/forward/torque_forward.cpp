@@ -9,6 +9,7 @@
 #include "identification/forward/backlash_residual.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/pushing_friction.hpp"
+#include "identification/forward/sample_step.hpp"
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/forward/wave_orders.hpp"
 #include "identification/signals/balance.hpp"
@@ -154,15 +155,6 @@ bool needs_time(const EffectCandidate& candidate) {
   const EffectKind* kind = actuator::find_effect(candidate.effect);
   return candidate.effect == "channel_delay" ||
          (kind != nullptr && (kind->state_rate != nullptr || kind->acts == Acts::kInertialTorque));
-}
-
-/// Half of the shortest time between samples; 0 for a log without times.
-double half_a_step_s(const std::vector<Signals>& signals) {
-  double shortest_s = INFINITY;
-  for (const Signals& each : signals) {
-    if (each.step_s > 0.0) shortest_s = std::min(shortest_s, each.step_s);
-  }
-  return std::isfinite(shortest_s) ? 0.5 * shortest_s : 0.0;
 }
 
 /// Whether something is later than stated by less than the log can hold: at which instant of its

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "identification/signals/signals.hpp"
+
+namespace torquewright::identification {
+
+/// Half of the shortest time between samples; 0 for a log without times. At which instant of its
+/// step a sample was taken no log says, so that less than this is no delay.
+double half_a_step_s(const std::vector<Signals>& signals);
+
+}  // namespace torquewright::identification
