@@ -193,22 +193,12 @@ EffectCandidate velocity_mismatch() {
   return candidate;
 }
 
-/// The instant of its step at which a sample was taken, which no log says.
-void add_instant(double half_a_step_s, ForwardEquation& equation) {
-  if (half_a_step_s == 0.0) return;
-  equation.always.push_back({"instant", -half_a_step_s, half_a_step_s, half_a_step_s, false});
-  equation.always_start.push_back(0.0);
-  equation.apply_always = [](std::span<const double> values, Hypothesis& hypothesis) {
-    hypothesis.log.velocity_delay_s = values[0];
-  };
-}
-
 /// A logged velocity less that of the position, which turns `ratio` times as fast.
 ForwardEquation velocity_forward(const Bench& bench, std::string quantity, std::string unit,
                                  std::vector<double> Signals::*logged, double ratio,
                                  double half_a_step_s) {
   ForwardEquation equation = equation_of(bench, std::move(quantity), std::move(unit));
-  add_instant(half_a_step_s, equation);
+  add_instant(half_a_step_s, &LogErrors::velocity_delay_s, equation);
   equation.candidates.push_back(velocity_mismatch());
   equation.measured = [logged](const Signals& signals) { return signals.*logged; };
   equation.residual = [logged, ratio](const Hypothesis& supposed, const Signals& signals) {

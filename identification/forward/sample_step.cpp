@@ -14,4 +14,16 @@ double half_a_step_s(const std::vector<Signals>& signals) {
   return std::isfinite(shortest_s) ? 0.5 * shortest_s : 0.0;
 }
 
+void add_instant(double half_a_step_s, double LogErrors::*instant, ForwardEquation& equation) {
+  if (half_a_step_s == 0.0) return;
+  const std::size_t index = equation.always.size();
+  equation.always.push_back({"instant", -half_a_step_s, half_a_step_s, half_a_step_s, false});
+  equation.always_start.push_back(0.0);
+  equation.apply_always = [instant, index, before = equation.apply_always](
+                              std::span<const double> values, Hypothesis& hypothesis) {
+    before(values, hypothesis);
+    hypothesis.log.*instant = values[index];
+  };
+}
+
 }  // namespace torquewright::identification

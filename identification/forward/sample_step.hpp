@@ -3,12 +3,15 @@
 
 #include <vector>
 
-#include "identification/signals/signals.hpp"
+#include "identification/forward/equation.hpp"
 
 namespace torquewright::identification {
 
 /// Half of the shortest time between samples; 0 for a log without times. At which instant of its
 /// step a sample was taken no log says, so that less than this is no delay.
 double half_a_step_s(const std::vector<Signals>& signals);
+
+/// Frees that instant in every model of the equation, within half a step to either side.
+void add_instant(double half_a_step_s, double LogErrors::*instant, ForwardEquation& equation);
 
 }  // namespace torquewright::identification

@@ -211,6 +211,7 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.used = used_torque_Nm(signals);
   const actuator::Ranges ranges = ranges_of(bench, signals);
   add_uncertain(bench, ranges, equation);
+  add_instant(half_a_step_s(signals), &LogErrors::instant_s, equation);
   equation.candidates = torque_candidates(bench, ranges);
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
     return torque_balance_Nm(bench, hypothesis, stretch);
