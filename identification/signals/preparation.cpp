@@ -132,6 +132,7 @@ void set_usable(ChannelGrid& grid, const Run& run, const std::vector<std::uint8_
 
 void set_time(const ChannelGrid& grid, Signals& signals) {
   signals.step_s = grid.step_s();
+  signals.sample_step_s = grid.is_map() ? 0.0 : grid.step_s();
   signals.start_s = grid.start_s();
   signals.time_s.resize(grid.count());
   for (std::size_t i = 0; i < grid.count(); ++i) {

@@ -34,7 +34,8 @@ struct JointMotion {
 struct Signals {
   std::size_t run = 0;  ///< Index into RunTable.
   std::string run_name;
-  double step_s = 0.0;
+  double step_s = 0.0;         ///< Of the grid.
+  double sample_step_s = 0.0;  ///< Of the log, mean; 0 in a map without time.
   double pole_pairs = 1.0;
   double start_s = 0.0;
   std::vector<double> time_s;
