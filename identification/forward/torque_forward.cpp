@@ -77,8 +77,20 @@ void add_uncertain(const Bench& bench, const actuator::Ranges& ranges, ForwardEq
   };
 }
 
+/// What is late is so from the middle of a step: the instant is not fitted beside it.
+EffectCandidate from_mid_step(EffectCandidate candidate) {
+  candidate.apply = [before = candidate.apply](std::span<const double> values,
+                                               Hypothesis& hypothesis) {
+    before(values, hypothesis);
+    hypothesis.log.instant_s = 0.0;
+  };
+  return candidate;
+}
+
 void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
-  const auto add = [&](Quantity channel) { candidates.push_back(delay_candidate(channel)); };
+  const auto add = [&](Quantity channel) {
+    candidates.push_back(from_mid_step(delay_candidate(channel)));
+  };
   add(bench.drive_channel);
   if (bench.load_side == LoadSide::kSensor) add(bench.load_channel);
   if (bench.is_linear) return add(Quantity::kLinearPosition);
@@ -178,6 +190,8 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
   for (const EffectKind* each : actuator::effect_library()) {
     if (each->has_harmonics || !can_enter(bench, *each)) continue;
     candidates.push_back(actuator_candidate(*each, bench.actuator(), ranges));
+    if (each == &kind("torque_lag"))
+      candidates.back() = from_mid_step(std::move(candidates.back()));
     // Driving less back-driving load friction is the load itself: beside an open torque constant
     // the sum of the two coefficients is all that a log can hold.
     if (each->acts == Acts::kLoadFriction && is_uncertain(bench, "/motor/torque_constant_Nm_A")) {

@@ -72,17 +72,6 @@ std::vector<double> load_of(const Bench& bench, const Hypothesis& hypothesis,
   return model_load_Nm(hypothesis.rig, bench.joint, signals);
 }
 
-/// Whether a delay or lag is supposed beyond what is stated: it then holds the instant, too.
-bool is_late(const Bench& bench, const Hypothesis& hypothesis) {
-  const auto lags = [](const Actuator& actuator) {
-    return std::count_if(actuator.effects.begin(), actuator.effects.end(),
-                         [](const auto& each) { return each.kind->name == "torque_lag"; });
-  };
-  const auto& delay_s = hypothesis.log.delay_s;
-  return std::any_of(delay_s.begin(), delay_s.end(), [](double each) { return each != 0.0; }) ||
-         lags(hypothesis.actuator) > lags(bench.actuator());
-}
-
 Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals) {
   Motion motion{
       signals.at, {}, load_of(bench, hypothesis, signals), signals.motor_acceleration_rad_s2};
@@ -103,8 +92,8 @@ Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals
       motion.load_Nm = advanced(motion.load_Nm, moved_s, step_s);
   }
   const auto& delay_s = hypothesis.log.delay_s;
-  double drive_s = delay_s[static_cast<std::size_t>(bench.drive_channel)];
-  if (!is_late(bench, hypothesis)) drive_s += hypothesis.log.instant_s;
+  const double drive_s =
+      delay_s[static_cast<std::size_t>(bench.drive_channel)] + hypothesis.log.instant_s;
   if (drive_s != 0.0) motion.drive = advanced(motion.drive, drive_s, step_s);
   if (bench.load_side == LoadSide::kSensor) {
     const double load_s = delay_s[static_cast<std::size_t>(bench.load_channel)];
