@@ -303,7 +303,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   result.noise_floor_rms = errors_over(equation, rows, kept.noise).train_rms;
   result.structure_after =
       kept.members.empty() ? result.structure_before : structure_left(rows, kept.residual);
-  result.is_noise_after = judged.is_noise(fitter, kept, result.structure_after);
+  result.is_noise_after = leaves_noise(search, fitter, kept, result.structure_after);
   name_members(fitter, found, result);
   append_groups(bench, found, result);
   describe_refused(judged, found, result);
