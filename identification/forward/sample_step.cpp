@@ -17,7 +17,7 @@ double half_a_step_s(const std::vector<Signals>& signals) {
 void add_instant(double half_a_step_s, double LogErrors::*instant, ForwardEquation& equation) {
   if (half_a_step_s == 0.0) return;
   const std::size_t index = equation.always.size();
-  equation.always.push_back({"instant", -half_a_step_s, half_a_step_s, half_a_step_s, false});
+  equation.always.push_back({kInstant, -half_a_step_s, half_a_step_s, half_a_step_s, false});
   equation.always_start.push_back(0.0);
   equation.apply_always = [instant, index, before = equation.apply_always](
                               std::span<const double> values, Hypothesis& hypothesis) {
