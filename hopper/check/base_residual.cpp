@@ -10,6 +10,8 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double kNoise = 4.0;  // standard deviations
+
 void note(const Eigen::VectorXd& mean, Index first, Index count, double time_s,
           ResidualPeak& peak) {
   if (count == 0) return;
@@ -31,6 +33,9 @@ BaseResidual base_residual(const CheckedMotion& checked) {
   residual.passive.limit = residual.moment.limit;
   if (!demand.has_dynamics || demand.residual.rows() == 0) return residual;
   const RowKinds& rows = demand.rows;
+  residual.force.limit += kNoise * demand.residual_noise.head(rows.forces).norm();
+  residual.moment.limit += kNoise * demand.residual_noise.segment(rows.forces, rows.moments).norm();
+  residual.passive.limit += kNoise * demand.residual_noise.tail(rows.passives).norm();
   const auto note_all = [&](const Eigen::VectorXd& mean, double time_s) {
     note(mean, 0, rows.forces, time_s, residual.force);
     note(mean, rows.forces, rows.moments, time_s, residual.moment);
