@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hops of public robots, simulated by MuJoCo and cut into logs: what `hopper check` makes of each,
-// beside MuJoCo's own state and forces at its fine step. Prints the table of
+// beside MuJoCo's own state and forces at its fine step. Prints the tables of
 // docs/simulator_logs.md.
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,53 +32,77 @@ std::vector<LogContent> contents() {
   return all;
 }
 
-void print_hop(const std::string& name) {
-  const auto hopper = read_public_hopper(name);
-  if (!hopper) return;
-  const SimulatedHop hop = simulate_hop(*hopper);
-  if (const char* debug = std::getenv("HOP_DEBUG"); debug != nullptr) {
-    for (Eigen::Index i = 1540; name == "hopper" && i < 1660; i += 2) {
-      fmt::print(
-          "{} {:.3f} base {:.3f} {:.3f} {:.3f} {:.3f} touch {} F {:.0f} tau {:.0f} L {:.3f}\n",
-          name, hop.motion.time_s(i), hop.motion.positions(0, i), hop.motion.positions(1, i),
-          hop.motion.positions(2, i), hop.motion.positions(3, i), hop.motion.touching.col(i).sum(),
-          hop.motion.forces_N.col(i)(Eigen::seq(2, Eigen::last, 3)).sum(),
-          hop.motion.touching(0, i) + 10 * hop.motion.touching(1, i),
-          hop.angular_momentum_Nm_s.col(i).norm());
-    }
-    return;
-  }
-  for (const LogContent& content : contents()) {
-    fmt::print("| {} | {} | {} | {} | ", name, content.rate_Hz, words_of(content),
-               content.noise > 0 ? "noise" : "");
-    hopper::Motion log = log_of(*hopper, hop, content);
-    try {
-      const auto report = hopper::check_motion(hopper->robot, log, {});
-      const HopErrors errors = errors_of(hop, log, report);
-      fmt::print(
-          "{:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.2f} | {} r{} h{:g} s{:g} u{:.2g} {} jolts {} fl "
-          "{}\n",
-          100 * errors.peak, 100 * errors.rms, 100 * errors.flight_momentum, 100 * errors.momentum,
-          100 * errors.impulse,
-          (errors.is_known ? "known " : "MISS ") + fmt::format("{:.2f}", errors.doubt), log.reach,
-          report.contact_thresholds.height_m, report.contact_thresholds.speed_m_s,
-          report.unexplained_share, actuator::name_of(report.check.verdict),
-          report.demand.jolts.size(), report.flights.size());
-      if (std::getenv("HOP_WHY") != nullptr)
-        for (const auto& f : report.check.findings)
-          if (f.severity != actuator::Severity::kNote)
-            fmt::print("   {} {}\n", f.rule, f.sentence.substr(0, 200));
-    } catch (const io::SpecError& refusal) {
-      fmt::print("| | | | | {} |\n", std::string(refusal.what()).substr(0, 250));
-    }
-  }
+/// What is wrong, in words; empty: nothing.
+std::string misses(const HopErrors& errors) {
+  std::string text;
+  const auto add = [&text](bool is_wrong, const char* word) {
+    if (is_wrong) text += (text.empty() ? "" : ", ") + std::string(word);
+  };
+  add(!errors.is_known, "torque");
+  add(errors.flight_momentum > kMomentumGoal, "CAM");
+  add(errors.impulse > kImpulseGoal, "impulse");
+  return text;
 }
+
+class Table {
+ public:
+  void add(const PublicHopper& hopper, const SimulatedHop& hop, const LogContent& content) {
+    rows_ += fmt::format("| {} | {} | {} | {} | ", hopper.name, content.rate_Hz, words_of(content),
+                         content.noise > 0 ? "yes" : "");
+    hopper::Motion log = log_of(hopper, hop, content);
+    try {
+      const auto report = hopper::check_motion(hopper.robot, log, {});
+      add_errors(errors_of(hop, log, report), log, content);
+    } catch (const io::SpecError& refusal) {
+      const std::string text = refusal.what();
+      const std::size_t from = text.find("s: ") + 3;
+      rows_ += fmt::format("| | | | | | refused: {} ... |\n", text.substr(from, 60));
+      count("refused", content);
+    }
+  }
+
+  void print() const {
+    fmt::print("| outcome | clean | noise |\n|---|---|---|\n");
+    for (const auto& [outcome, counts] : counts_) {
+      fmt::print("| {} | {} | {} |\n", outcome, counts[0], counts[1]);
+    }
+    fmt::print(
+        "\n| robot | Hz | log | noise | window | peak % | rms % | range % | CAM % | impulse % | "
+        "outcome |\n|---|---|---|---|---|---|---|---|---|---|---|\n{}",
+        rows_);
+  }
+
+ private:
+  void add_errors(const HopErrors& errors, const hopper::Motion& log, const LogContent& content) {
+    const bool is_close = errors.peak <= kTorqueGoal && errors.rms <= kTorqueGoal;
+    const std::string wrong = misses(errors);
+    const std::string outcome = !wrong.empty() ? "missed" : is_close ? "within" : "doubted";
+    count(outcome, content);
+    rows_ += fmt::format("{} | {:.2f} | {:.2f} | {:.0f} | {:.3f} | {:.2f} | {}{} |\n",
+                         log.reach > 0 ? std::to_string(2 * log.reach + 1) : "-", 100 * errors.peak,
+                         100 * errors.rms, 100 * errors.doubt, 100 * errors.flight_momentum,
+                         100 * errors.impulse, outcome, wrong.empty() ? "" : ": " + wrong);
+  }
+
+  void count(const std::string& outcome, const LogContent& content) {
+    ++counts_[outcome][content.noise > 0 ? 1 : 0];
+  }
+
+  std::string rows_;
+  std::map<std::string, std::array<int, 2>> counts_;
+};
 
 }  // namespace
 }  // namespace torquewright::test
 
 int main() {
-  for (const std::string& name : torquewright::test::public_hoppers()) {
-    torquewright::test::print_hop(name);
+  using namespace torquewright::test;
+  Table table;
+  for (const std::string& name : public_hoppers()) {
+    const auto hopper = read_public_hopper(name);
+    if (!hopper) continue;
+    const SimulatedHop hop = simulate_hop(*hopper);
+    for (const LogContent& content : contents()) table.add(*hopper, hop, content);
   }
+  table.print();
 }

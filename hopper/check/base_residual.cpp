@@ -22,6 +22,16 @@ void note(const Eigen::VectorXd& mean, Index first, Index count, double time_s,
   peak.time_s = time_s;
 }
 
+/// What noise of derived accelerations may leave beside.
+void add_noise(const Demand& demand, BaseResidual& residual) {
+  if (demand.residual_noise.size() == 0) return;
+  const RowKinds& rows = demand.rows;
+  residual.force.limit += kNoise * demand.residual_noise.head(rows.forces).norm();
+  residual.moment.limit +=
+      kNoise * demand.residual_noise.segment(rows.forces, rows.moments).norm();
+  residual.passive.limit += kNoise * demand.residual_noise.tail(rows.passives).norm();
+}
+
 }  // namespace
 
 BaseResidual base_residual(const CheckedMotion& checked) {
@@ -33,9 +43,7 @@ BaseResidual base_residual(const CheckedMotion& checked) {
   residual.passive.limit = residual.moment.limit;
   if (!demand.has_dynamics || demand.residual.rows() == 0) return residual;
   const RowKinds& rows = demand.rows;
-  residual.force.limit += kNoise * demand.residual_noise.head(rows.forces).norm();
-  residual.moment.limit += kNoise * demand.residual_noise.segment(rows.forces, rows.moments).norm();
-  residual.passive.limit += kNoise * demand.residual_noise.tail(rows.passives).norm();
+  add_noise(demand, residual);
   const auto note_all = [&](const Eigen::VectorXd& mean, double time_s) {
     note(mean, 0, rows.forces, time_s, residual.force);
     note(mean, rows.forces, rows.moments, time_s, residual.moment);

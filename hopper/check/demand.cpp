@@ -25,9 +25,9 @@ constexpr double kLeastSize_m = 1e-6;
 constexpr double kShortest = 1e-8;  // e of eq. (6)
 constexpr double kNearGuide =
     1e-3;  // weight of given forces beside the base's motion: they are near
-constexpr double kKnownForce = 0.01;  // weights: of forces that stand still over the samples
-constexpr double kFarGuide = 1e-4;    // of forces far away, which must not move the base,
-constexpr double kFarAway = 3.0;      // in weights, and times the forces there are
+constexpr double kKnownForce = 0.1;   // weights: a guide that is off by more counts less
+constexpr double kFarGuide = 1e-5;    // of forces far away, which must not move the base,
+constexpr double kFarAway = 10.0;     // in weights, and times the forces there are
 constexpr Index kDoubtSamples = 300;  // at which the doubt of shared forces is found
 
 /// Walks through a motion sample by sample; everything it works in is allocated once.

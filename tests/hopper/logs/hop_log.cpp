@@ -90,7 +90,8 @@ void compare_torques(const SimulatedHop& hop, const hopper::HopperReport& report
     const auto& found = report.check.drives[static_cast<std::size_t>(joint)].interpretation;
     errors.peak = std::max(errors.peak, std::abs(found.peak_torque_Nm - peak) / peak);
     const hopper::PeakDoubt& doubt = report.peak_doubts[static_cast<std::size_t>(joint)];
-    const bool is_within = peak <= 1.03 * doubt.most_Nm && peak >= 0.97 * doubt.least_Nm;
+    const bool is_within =
+        peak <= (1.0 + kTorqueGoal) * doubt.most_Nm && peak >= (1.0 - kTorqueGoal) * doubt.least_Nm;
     errors.is_known = errors.is_known && is_within;
     errors.doubt = std::max(errors.doubt, (doubt.most_Nm - doubt.least_Nm) / peak);
     errors.rms = std::max(errors.rms, std::abs(found.rms_torque_Nm - rms) / rms);

@@ -32,6 +32,11 @@ std::string words_of(const LogContent& content);
 hopper::Motion log_of(const PublicHopper& hopper, const SimulatedHop& hop,
                       const LogContent& content);
 
+// What the check is asked for, relative.
+constexpr double kTorqueGoal = 0.03;
+constexpr double kMomentumGoal = 1e-3;
+constexpr double kImpulseGoal = 0.05;
+
 /// How far what the check says is from what MuJoCo computed at its fine step, relative.
 struct HopErrors {
   double peak = 0.0;  ///< Torque, the worst of joints that matter (a tenth of the greatest).
@@ -40,7 +45,7 @@ struct HopErrors {
   double momentum = 0.0;         ///< CAM at any sample, of its greatest.
   double impulse = 0.0;          ///< Of the ground, upwards, in the 60 ms from the touch-down on.
   double doubt = 0.0;            ///< Widest range that the check states for a peak, over the peak.
-  bool is_known = true;          ///< Each peak lies within the doubt that the check states.
+  bool is_known = true;  ///< Each peak is within the goal, or in the range that the check states.
 };
 
 HopErrors errors_of(const SimulatedHop& hop, const hopper::Motion& log,
