@@ -27,8 +27,7 @@ void add_noise(const Demand& demand, BaseResidual& residual) {
   if (demand.residual_noise.size() == 0) return;
   const RowKinds& rows = demand.rows;
   residual.force.limit += kNoise * demand.residual_noise.head(rows.forces).norm();
-  residual.moment.limit +=
-      kNoise * demand.residual_noise.segment(rows.forces, rows.moments).norm();
+  residual.moment.limit += kNoise * demand.residual_noise.segment(rows.forces, rows.moments).norm();
   residual.passive.limit += kNoise * demand.residual_noise.tail(rows.passives).norm();
 }
 

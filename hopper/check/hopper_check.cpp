@@ -33,6 +33,13 @@ std::string window_words(const Motion& motion) {
       motion.reach, 1e3 * step_s * static_cast<double>(2 * motion.reach));
 }
 
+/// How far the solved forces are from the file's, averaged as the accelerations are; of these.
+double guide_mismatch(const CheckedMotion& checked) {
+  const double file_N = checked.contacts.guide_N.norm();
+  const double apart_N = (checked.demand.forces_N - checked.contacts.guide_N).norm();
+  return file_N > 0.0 ? apart_N / file_N : 0.0;
+}
+
 /// How contacts and rates came about, and what of the dynamics is missing.
 std::vector<Finding> origin_notes(const CheckedMotion& checked) {
   std::vector<Finding> findings;
@@ -81,6 +88,18 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
                          ? fmt::format(" and no faster up or down than {:g} m/s", found.speed_m_s)
                          : " at any speed",
                      checked.contacts.unexplained_share));
+  }
+  if (motion.forces_guide) {
+    const double apart = guide_mismatch(checked);
+    note("contact-forces-solved",
+         apart > checked.options.residual_share ? Severity::kWarning : Severity::kNote,
+         fmt::format("accelerations are derived, so contact forces are solved from the motion, "
+                     "nearest to the file's: they differ by {:.3g} % rms{}",
+                     100.0 * apart,
+                     apart > checked.options.residual_share
+                         ? "; are these the forces of this motion, in the world's axes, of these "
+                           "points? Accelerations in the log would tell"
+                         : ""));
   }
   if (checked.demand.has_dynamics && !checked.robot.contacts.empty() && !motion.has_forces) {
     note("contact-forces-solved", Severity::kNote,

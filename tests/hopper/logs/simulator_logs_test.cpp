@@ -83,6 +83,22 @@ TEST(SimulatorLogs, WithForcesTellHowFeetShare) {
   expect_goals(check(*it, {1000, true, false, true, false, 0.0}).errors);
 }
 
+TEST(SimulatorLogs, WithForcesOfAnotherMotionAreWarnedOf) {
+  const Hop* it = hop_of("go1");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  for (const double factor : {1.0, 0.8}) {
+    hopper::Motion log = log_of(it->hopper, it->hop, {1000, true, false, true, false, 0.0});
+    log.forces_N *= factor;
+    const hopper::HopperReport report = hopper::check_motion(it->hopper.robot, log, {});
+    const auto& findings = report.check.findings;
+    const auto solved = std::find_if(
+        findings.begin(), findings.end(),
+        [](const hopper::Finding& finding) { return finding.rule == "contact-forces-solved"; });
+    ASSERT_NE(solved, findings.end());
+    EXPECT_EQ(solved->severity == actuator::Severity::kWarning, factor != 1.0) << solved->sentence;
+  }
+}
+
 TEST(SimulatorLogs, WithoutForcesSayThatFeetMayShareOtherwise) {
   const Hop* it = hop_of("go1");
   if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
