@@ -14,6 +14,7 @@
 #include "actuator/check/drive_check.hpp"
 #include "actuator/check/region_words.hpp"
 #include "actuator/region/joint_region.hpp"
+#include "hopper/check/contact_search.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -32,7 +33,7 @@ struct Basis {
 
 Basis basis_of(const Robot& robot, const Motion& motion, const CheckOptions& options) {
   Basis basis{motion, {}, {}, {}, {}};
-  basis.contacts = schedule_contacts(robot, options.contact, basis.motion);
+  basis.contacts = find_contacts(robot, options.contact, basis.motion);
   basis.demand = demand_of(robot, basis.motion, basis.contacts);
   basis.torques = drive_torques({robot, options, basis.motion, basis.contacts, basis.demand});
   if (options.torques == TorqueSource::kFile || !basis.demand.has_dynamics) {
@@ -42,6 +43,7 @@ Basis basis_of(const Robot& robot, const Motion& motion, const CheckOptions& opt
   if (!basis.motion.has_base) return basis;
   basis.with_forces.forces_N = basis.demand.forces_N;
   basis.with_forces.has_forces = true;
+  basis.with_forces.forces_guide = false;
   return basis;
 }
 

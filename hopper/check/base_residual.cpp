@@ -10,6 +10,8 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double kNoise = 4.0;  // standard deviations
+
 void note(const Eigen::VectorXd& mean, Index first, Index count, double time_s,
           ResidualPeak& peak) {
   if (count == 0) return;
@@ -18,6 +20,15 @@ void note(const Eigen::VectorXd& mean, Index first, Index count, double time_s,
   if (size <= peak.mean) return;
   peak.mean = size;
   peak.time_s = time_s;
+}
+
+/// What noise of derived accelerations may leave beside.
+void add_noise(const Demand& demand, BaseResidual& residual) {
+  if (demand.residual_noise.size() == 0) return;
+  const RowKinds& rows = demand.rows;
+  residual.force.limit += kNoise * demand.residual_noise.head(rows.forces).norm();
+  residual.moment.limit += kNoise * demand.residual_noise.segment(rows.forces, rows.moments).norm();
+  residual.passive.limit += kNoise * demand.residual_noise.tail(rows.passives).norm();
 }
 
 }  // namespace
@@ -31,6 +42,7 @@ BaseResidual base_residual(const CheckedMotion& checked) {
   residual.passive.limit = residual.moment.limit;
   if (!demand.has_dynamics || demand.residual.rows() == 0) return residual;
   const RowKinds& rows = demand.rows;
+  add_noise(demand, residual);
   const auto note_all = [&](const Eigen::VectorXd& mean, double time_s) {
     note(mean, 0, rows.forces, time_s, residual.force);
     note(mean, rows.forces, rows.moments, time_s, residual.moment);

@@ -20,6 +20,7 @@ struct CheckOptions {
   ContactRule contact;
   double residual_share = 0.1;      ///< Of the weight (and weight times size): more is no motion.
   double residual_window_s = 0.01;  ///< Over which the residual is averaged.
+  double shortest_flight_s = 0.01;  ///< A shorter loss of contact is chatter.
   double load_window_s = 0.01;      ///< Over which a transmission's load is.
   TorqueSource torques = TorqueSource::kBest;
   actuator::OperatingConditions conditions;

@@ -23,6 +23,12 @@ using Eigen::VectorXd;
 constexpr Index kSamplesBetweenProgress = 2000;
 constexpr double kLeastSize_m = 1e-6;
 constexpr double kShortest = 1e-8;  // e of eq. (6)
+constexpr double kNearGuide =
+    1e-3;  // weight of given forces beside the base's motion: they are near
+constexpr double kKnownForce = 0.1;   // weights: a guide that is off by more counts less
+constexpr double kFarGuide = 1e-5;    // of forces far away, which must not move the base,
+constexpr double kFarAway = 10.0;     // in weights, and times the forces there are
+constexpr Index kDoubtSamples = 300;  // at which the doubt of shared forces is found
 
 /// Walks through a motion sample by sample; everything it works in is allocated once.
 class DemandPass {
@@ -42,7 +48,10 @@ class DemandPass {
   Demand run(const std::function<void(double)>& on_progress) {
     for (Index sample = 0; sample < motion_.samples(); ++sample) {
       set(sample);
-      if (sample == 0) measure_robot();
+      if (sample == 0) {
+        measure_robot();
+        note_noise();
+      }
       if (motion_.has_base && motion_.is_break(sample)) add_jolt(sample);
       if (motion_.has_base) {
         solve_sample(sample);
@@ -53,10 +62,47 @@ class DemandPass {
         on_progress(static_cast<double>(sample) / static_cast<double>(motion_.samples()));
       }
     }
+    spread_shared_doubt();
     return std::move(demand_);
   }
 
+  std::vector<double> unexplained(const std::vector<Touching>& schedules) {
+    VectorXd squares = VectorXd::Zero(static_cast<Index>(schedules.size()));
+    for (Index sample = 0; sample < motion_.samples(); ++sample) {
+      set(sample);
+      if (sample == 0) measure_robot();
+      note_centroid(sample);
+      ask(sample);
+      add_unexplained(sample, schedules, squares);
+    }
+    const VectorXd rms = (squares / static_cast<double>(motion_.samples())).cwiseSqrt();
+    return {rms.begin(), rms.end()};
+  }
+
  private:
+  /// Schedules that agree at the sample share their answer.
+  void add_unexplained(Index sample, const std::vector<Touching>& schedules, VectorXd& squares) {
+    VectorXd found = VectorXd::Zero(squares.size());
+    for (std::size_t i = 0; i < schedules.size(); ++i) {
+      const auto& presses = schedules[i];
+      const auto at = static_cast<Index>(i);
+      const auto same = [&](std::size_t other) {
+        return (schedules[other].col(sample) == presses.col(sample)).all();
+      };
+      std::size_t known = i;
+      for (std::size_t other = i; known == i && other-- > 0;) known = same(other) ? other : i;
+      if (known != i) {
+        found[at] = found[static_cast<Index>(known)];
+        continue;
+      }
+      load_ = force_;
+      solve_forces([&](Index point) { return presses(point, sample); }, sample);
+      rows_.take(load_, asked_);
+      found[at] = asked_.cwiseQuotient(scales_).squaredNorm();
+    }
+    squares += found;
+  }
+
   void allocate() {
     const Index samples = motion_.samples();
     const auto drives = static_cast<Index>(body_.drive_count());
@@ -73,6 +119,9 @@ class DemandPass {
     if (has_file_torque_) demand_.file_torque_Nm.setZero(drives, samples);
     demand_.forces_N.setZero(3 * points_, samples);
     demand_.unsampled_Nm_s.setZero(drives, samples);
+    demand_.shared_doubt_Nm.setZero(drives, samples);
+    at_drives_.setZero(drives, 3 * points_);
+    doubt_stride_ = std::max<Index>(1, samples / kDoubtSamples);
     demand_.before_gears_kg_m2.resize(drives);
     for (Index i = 0; i < drives; ++i) {
       demand_.before_gears_kg_m2[i] = body_.before_gears_kg_m2(static_cast<std::size_t>(i));
@@ -129,21 +178,43 @@ class DemandPass {
     scales_ = rows_.scales(demand_.weight_N, demand_.size_m);
   }
 
+  /// What the accelerations' noise is in the free rows: M times it.
+  void note_noise() {
+    demand_.residual_noise.setZero(rows_.size());
+    if (motion_.acceleration_noise.size() == 0 || !motion_.has_base) return;
+    note_centroid(0);
+    MatrixXd mass(size_, size_);
+    body_.mass_matrix(mass);
+    MatrixXd free(rows_.size(), size_);
+    rows_.take(mass, free);
+    demand_.residual_noise =
+        (free.cwiseAbs2() * motion_.acceleration_noise.cwiseAbs2()).cwiseSqrt();
+  }
+
+  /// Where the ground presses on a contact point: soft ground, into which it has sunk, halfway
+  /// between the point and the surface.
+  dynamics::BodyPoint pressed_point(Index i, Index sample) {
+    dynamics::BodyPoint point = robot_.contacts[static_cast<std::size_t>(i)].point;
+    if (contacts_.height_m.size() == 0 || contacts_.height_m(i, sample) >= 0.0) return point;
+    const Vector3d up_m(0, 0, -0.5 * contacts_.height_m(i, sample));
+    point.p_B_m += body_.state().motion(point.body).R_WB.transpose() * up_m;
+    return point;
+  }
+
   /// Jacobians of the points of which it is asked, transposed, side by side; how many there are.
   template <typename Feels>
-  Index gather_contacts(const Feels& feels) {
+  Index gather_contacts(const Feels& feels, Index sample) {
     touching_.clear();
     for (Index i = 0; i < points_; ++i) {
       if (feels(i)) touching_.push_back(i);
     }
     const auto count = static_cast<Index>(touching_.size());
     for (Index k = 0; k < count; ++k) {
-      const ContactPoint& contact =
-          robot_.contacts[static_cast<std::size_t>(touching_[static_cast<std::size_t>(k)])];
+      const Index i = touching_[static_cast<std::size_t>(k)];
       jacobian_.setZero(3, size_);
-      dynamics::point_jacobian(body_.state(), contact.point, jacobian_);
+      dynamics::point_jacobian(body_.state(), pressed_point(i, sample), jacobian_);
       jacobians_.middleCols(3 * k, 3) = jacobian_.transpose();
-      friction_[k] = contact.friction_coefficient;
+      friction_[k] = robot_.contacts[static_cast<std::size_t>(i)].friction_coefficient;
     }
     return count;
   }
@@ -158,10 +229,12 @@ class DemandPass {
 
   /// Forces on the touching points whose sum is nearest to what the free rows ask for.
   /// `asked` is in the units of the rows; the answer in those over the rows' scales' force.
-  void share_out(Index count, const VectorXd& asked, double unit) {
+  void share_out(Index count, const VectorXd& asked, double unit,
+                 const ConeLeastSquares::Guide* guide = nullptr) {
     gather_columns(count);
     const VectorXd target = asked.cwiseQuotient(scales_) / unit;
-    const auto status = solver_.solve(scaled_.leftCols(3 * count), target, friction_.head(count));
+    const auto status =
+        solver_.solve(scaled_.leftCols(3 * count), target, friction_.head(count), guide);
     if (status != ConeLeastSquares::Status::kSolved) ++demand_.unsolved;
     shared_ = solver_.x() * (demand_.weight_N * unit);
     demand_.is_shared = demand_.is_shared || 3 * count > rows_.size();
@@ -169,23 +242,31 @@ class DemandPass {
 
   void solve_sample(Index sample) {
     note_centroid(sample);
-    // Rotors apart: they load no free row (but through the base's acceleration, which none has).
-    dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), force_);
-    for (const std::size_t joint : given_passive_) {
-      const auto row = static_cast<Index>(joint) - 1;
-      force_[body_.state().joint_row(joint)] -= motion_.efforts(row, sample);
-    }
+    ask(sample);
     load_ = force_;
-    if (motion_.has_forces) {
+    if (motion_.has_forces && !motion_.forces_guide) {
       take_file_forces(sample);
     } else {
-      solve_forces(sample);
+      const Index count =
+          solve_forces([&](Index i) { return contacts_.may_press(i, sample); }, sample);
+      store_forces(count, sample);
+      if (!motion_.has_forces) note_shared_doubt(count, sample);
     }
     rows_.take(load_, asked_);
     demand_.residual.col(sample) = asked_;
     if (sample > 0 && !motion_.is_break(sample)) store_unsampled(sample);
     store_drives(sample);
     if (has_file_torque_) store_file_torque(sample);
+  }
+
+  /// Forces for the sample's accelerations. Rotors apart: they load no free row (but through the
+  /// base's acceleration, which none has).
+  void ask(Index sample) {
+    dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), force_);
+    for (const std::size_t joint : given_passive_) {
+      const auto row = static_cast<Index>(joint) - 1;
+      force_[body_.state().joint_row(joint)] -= motion_.efforts(row, sample);
+    }
   }
 
   void note_centroid(Index sample) {
@@ -200,21 +281,82 @@ class DemandPass {
     demand_.forces_N.col(sample) = motion_.forces_N.col(sample);
     for (Index i = 0; i < points_; ++i) {
       const Vector3d force_N = motion_.forces_N.block<3, 1>(3 * i, sample);
-      dynamics::add_point_force(body_.state(), robot_.contacts[static_cast<std::size_t>(i)].point,
-                                -force_N, load_);
+      dynamics::add_point_force(body_.state(), pressed_point(i, sample), -force_N, load_);
     }
   }
 
-  void solve_forces(Index sample) {
-    const Index count = gather_contacts([&](Index i) { return contacts_.touches(i, sample); });
-    if (count == 0) return;
+  /// Takes the forces of the points that press off the load; how many there are.
+  template <typename Presses>
+  Index solve_forces(const Presses& presses, Index sample) {
+    const Index count = gather_contacts(presses, sample);
+    if (count == 0) return 0;
     rows_.take(force_, asked_);
-    share_out(count, asked_, 1.0);
+    if (motion_.forces_guide) {
+      guide_ = {VectorXd(3 * count), VectorXd(3 * count)};
+      for (Index k = 0; k < count; ++k) {
+        const Index point = touching_[static_cast<std::size_t>(k)];
+        guide_.x.segment<3>(3 * k) = contacts_.guide_N.block<3, 1>(3 * point, sample);
+        const double doubt = contacts_.guide_doubt_N(point, sample) / demand_.weight_N;
+        guide_.weights.segment<3>(3 * k).setConstant(
+            kNearGuide / (1.0 + doubt * doubt / (kKnownForce * kKnownForce)));
+      }
+      guide_.x /= demand_.weight_N;
+    }
+    share_out(count, asked_, 1.0, motion_.forces_guide ? &guide_ : nullptr);
+    load_.noalias() -= jacobians_.leftCols(3 * count) * shared_;
+    return count;
+  }
+
+  void store_forces(Index count, Index sample) {
     for (Index k = 0; k < count; ++k) {
       demand_.forces_N.block<3, 1>(3 * touching_[static_cast<std::size_t>(k)], sample) =
           shared_.segment<3>(3 * k);
     }
-    load_.noalias() -= jacobians_.leftCols(3 * count) * shared_;
+  }
+
+  /// The drives' torques at the farthest that forces inside the cones can go, without moving a free
+  /// row, either way along those that move each torque the most.
+  void note_shared_doubt(Index count, Index sample) {
+    if (sample % doubt_stride_ != 0 || count < 2 || rows_.size() == 0) return;
+    const auto columns = scaled_.leftCols(3 * count);
+    MatrixXd gram = columns * columns.transpose();
+    gram.diagonal().array() += kShortest;
+    const Eigen::LDLT<MatrixXd> factor(gram);
+    for (Index k = 0; k < 3 * count; ++k) {
+      body_.at_actuators(jacobians_.col(k), drive_torque_);
+      at_drives_.col(k) = drive_torque_;
+    }
+    rows_.take(force_, asked_);
+    const VectorXd target = asked_.cwiseQuotient(scales_);
+    for (Index drive = 0; drive < at_drives_.rows(); ++drive) {
+      const VectorXd pull = at_drives_.row(drive).head(3 * count).transpose();
+      const VectorXd way = pull - columns.transpose() * factor.solve(columns * pull);
+      if (way.squaredNorm() <= kShortest * pull.squaredNorm()) continue;
+      const double away = kFarAway * (1.0 + shared_.norm() / demand_.weight_N);
+      for (const double far : {-away, away}) {
+        guide_ = {shared_ / demand_.weight_N + far * way.normalized(),
+                  VectorXd::Constant(3 * count, kFarGuide)};
+        solver_.solve(columns, target, friction_.head(count), &guide_);
+        const double change_Nm =
+            std::abs(pull.dot(VectorXd(solver_.x() * demand_.weight_N - shared_)));
+        double& doubt_Nm = demand_.shared_doubt_Nm(drive, sample);
+        doubt_Nm = std::max(doubt_Nm, change_Nm);
+      }
+    }
+  }
+
+  /// Samples between those that were asked have the greater doubt of the two beside.
+  void spread_shared_doubt() {
+    MatrixXd& doubt_Nm = demand_.shared_doubt_Nm;
+    for (Index sample = 0; sample < motion_.samples(); ++sample) {
+      const Index before = sample - sample % doubt_stride_;
+      if (sample == before) continue;
+      const Index after = std::min(before + doubt_stride_, motion_.samples() - 1);
+      doubt_Nm.col(sample) = doubt_Nm.col(before);
+      if (after % doubt_stride_ == 0) {
+        doubt_Nm.col(sample) = doubt_Nm.col(sample).cwiseMax(doubt_Nm.col(after));
+      }
+    }
   }
 
   /// Eq. (18): the velocities changed by dv, the samples' accelerations make up for a part of it.
@@ -228,8 +370,10 @@ class DemandPass {
     dynamics::inverse_dynamics(body_.state(), shifted, lacking_);
     dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), still_);
     lacking_ -= still_;
-    const Index count = gather_contacts(
-        [&](Index i) { return contacts_.touches(i, sample) || contacts_.touches(i, sample - 1); });
+    const auto presses = [&](Index i) {
+      return contacts_.may_press(i, sample) || contacts_.may_press(i, sample - 1);
+    };
+    const Index count = gather_contacts(presses, sample);
     if (count > 0 && rows_.size() > 0) take_off_ground(sample, step_s, count);
     still_.setZero();
     body_.add_rotors(shifted, lacking_);
@@ -304,10 +448,11 @@ class DemandPass {
     jolt.lost_energy_J = 0.5 * (before.dot(mass * before) - after.dot(mass * after));
     jolt.impulses_N_s.setZero(3 * points_);
     VectorXd contact = VectorXd::Zero(size_);
-    const Index count = gather_contacts([&](Index i) {
+    const auto feels = [&](Index i) {
       return contacts_.touches(i, sample) ||
              contacts_.height_m(i, sample) <= contacts_.near_ground_m;
-    });
+    };
+    const Index count = gather_contacts(feels, sample);
     if (count > 0) {
       rows_.take(impulse, asked_);
       share_out(count, asked_, std::sqrt(demand_.size_m / robot_gravity()));
@@ -364,6 +509,9 @@ class DemandPass {
   VectorXd lacking_;
   VectorXd still_;
   VectorXd shared_;
+  ConeLeastSquares::Guide guide_;
+  Index doubt_stride_ = 1;
+  MatrixXd at_drives_;  ///< By drive and force, three columns a touching point.
   VectorXd drive_torque_;
   std::vector<DriveInstant> instants_;
 };
@@ -373,6 +521,12 @@ class DemandPass {
 Demand demand_of(const Robot& robot, const Motion& motion, const ContactSchedule& contacts,
                  const std::function<void(double share)>& on_progress) {
   return DemandPass(robot, motion, contacts).run(on_progress);
+}
+
+std::vector<double> unexplained_shares(const Robot& robot, const Motion& motion,
+                                       const ContactSchedule& contacts,
+                                       const std::vector<Touching>& schedules) {
+  return DemandPass(robot, motion, contacts).unexplained(schedules);
 }
 
 }  // namespace torquewright::hopper

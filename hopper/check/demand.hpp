@@ -38,6 +38,13 @@ struct Demand {
   Eigen::MatrixXd forces_N;      ///< (3 points x samples), world's axes.
   /// (free rows x samples), N and Nm: what neither gravity nor inertia nor contacts explain.
   Eigen::MatrixXd residual;
+  /// (drives x samples): so far the torque may be off, because other forces of the points that
+  /// press, within their cones, would move the base alike. Found at some 300 samples; 0 where
+  /// forces are given or unique.
+  Eigen::MatrixXd shared_doubt_Nm;
+  /// (free rows x 1): standard deviation of the residual that the noise of derived accelerations
+  /// makes, at the first sample's posture.
+  Eigen::VectorXd residual_noise;
   RowKinds rows;
   Eigen::MatrixXd center_of_mass_m;        ///< (3 x samples), world's axes; so the next two.
   Eigen::MatrixXd angular_momentum_Nm_s;   ///< CAM.
@@ -55,5 +62,12 @@ struct Demand {
 /// reach a posture of the motion, naming time and angles.
 Demand demand_of(const Robot& robot, const Motion& motion, const ContactSchedule& contacts,
                  const std::function<void(double share)>& on_progress = {});
+
+/// What the free rows lack with the shortest forces of those points that may press, root mean
+/// square over the samples, forces in weights and moments in weights times the robot's size: by
+/// schedule.
+std::vector<double> unexplained_shares(const Robot& robot, const Motion& motion,
+                                       const ContactSchedule& contacts,
+                                       const std::vector<Touching>& schedules);
 
 }  // namespace torquewright::hopper

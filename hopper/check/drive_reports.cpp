@@ -12,6 +12,7 @@ namespace torquewright::hopper {
 namespace {
 
 using actuator::InertiaConvention;
+using actuator::Verdict;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
@@ -68,14 +69,24 @@ void add_rotors(const Demand& demand, DriveTorques& torques) {
   torques.inertia = InertiaConvention::kIncluded;
 }
 
-/// Holds one drive's samples against its region, on its battery's voltage.
-void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
-                 const std::vector<SharedBus>& buses, const Drivetrain& drivetrain,
-                 std::size_t actuator, std::size_t drive, DriveReports& reports) {
-  actuator::DriveCheck check({drivetrain.actuator_names[actuator], &drivetrain.actuators[actuator],
-                              checked.options.conditions},
-                             {true, torques.inertia, checked.options.runs, checked.options.pause_s,
-                              checked.options.keep_traces});
+/// One drive of the motion.
+struct Place {
+  const Drivetrain& drivetrain;
+  std::size_t actuator;  ///< Of the drivetrain's.
+  std::size_t drive;     ///< Of all.
+};
+
+/// Holds one drive's samples against its region, on its battery's voltage. The trace is kept where
+/// one is given.
+actuator::DriveReport checked_drive(const CheckedMotion& checked, const DriveTorques& torques,
+                                    const Eigen::VectorXd& torque_Nm,
+                                    const std::vector<SharedBus>& buses, const Place& place,
+                                    std::vector<actuator::TracePoint>* trace = nullptr) {
+  const auto& [drivetrain, actuator, drive] = place;
+  actuator::DriveCheck check(
+      {drivetrain.actuator_names[actuator], &drivetrain.actuators[actuator],
+       checked.options.conditions},
+      {true, torques.inertia, checked.options.runs, checked.options.pause_s, trace != nullptr});
   const SharedBus* bus = nullptr;
   for (const SharedBus& shared : buses) {
     for (const std::size_t member : shared.drives) bus = member == drive ? &shared : bus;
@@ -83,11 +94,31 @@ void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
   for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
     if (bus != nullptr) check.set_bus_voltage_V(bus->voltage_V[sample]);
     const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
-    check.add(checked.motion.time_s(sample), at.speed_rad_s,
-              torques.torque_Nm(static_cast<Index>(drive), sample), at.acceleration_rad_s2);
+    check.add(checked.motion.time_s(sample), at.speed_rad_s, torque_Nm[sample],
+              at.acceleration_rad_s2);
   }
-  reports.drives.push_back(check.finish());
-  if (checked.options.keep_traces) reports.traces.push_back(check.trace());
+  actuator::DriveReport report = check.finish();
+  if (trace != nullptr) *trace = check.trace();
+  return report;
+}
+
+void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
+                 const std::vector<SharedBus>& buses, const Place& place, DriveReports& reports) {
+  const auto row = static_cast<Index>(place.drive);
+  const Eigen::VectorXd torque_Nm = torques.torque_Nm.row(row);
+  std::vector<actuator::TracePoint>* trace =
+      checked.options.keep_traces ? &reports.traces.emplace_back() : nullptr;
+  reports.drives.push_back(checked_drive(checked, torques, torque_Nm, buses, place, trace));
+  if (torques.doubt_Nm.size() == 0 || torques.doubt_Nm.row(row).maxCoeff() == 0.0) return;
+  actuator::DriveReport& report = reports.drives.back();
+  const auto verdict_at = [&](double side) {
+    const Eigen::ArrayXd size_Nm =
+        (torque_Nm.array().abs() + side * torques.doubt_Nm.row(row).transpose().array()).max(0.0);
+    const Eigen::VectorXd moved_Nm = (torque_Nm.array() < 0.0).select(-size_Nm, size_Nm);
+    return checked_drive(checked, torques, moved_Nm, buses, place).verdict;
+  };
+  const Verdict other = verdict_at(report.verdict == Verdict::kFail ? -1.0 : 1.0);
+  if (other != report.verdict) report.verdict = Verdict::kUndecided;
 }
 
 }  // namespace
@@ -126,7 +157,7 @@ DriveReports check_drives(const CheckedMotion& checked, const DriveTorques& torq
   std::size_t drive = 0;
   for (const Drivetrain& drivetrain : checked.robot.drivetrains) {
     for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
-      check_drive(checked, torques, buses, drivetrain, i, drive++, reports);
+      check_drive(checked, torques, buses, {drivetrain, i, drive++}, reports);
     }
   }
   return reports;
@@ -139,7 +170,7 @@ DriveReports check_drivetrain(const CheckedMotion& checked, const DriveTorques& 
   const std::vector<Drivetrain>& all = checked.robot.drivetrains;
   for (std::size_t i = 0; i < drivetrain; ++i) drive += all[i].actuators.size();
   for (std::size_t i = 0; i < all[drivetrain].actuators.size(); ++i) {
-    check_drive(checked, torques, buses, all[drivetrain], i, drive++, reports);
+    check_drive(checked, torques, buses, {all[drivetrain], i, drive++}, reports);
   }
   return reports;
 }

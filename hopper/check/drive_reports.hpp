@@ -9,6 +9,7 @@ namespace torquewright::hopper {
 /// How the torques of the drives were chosen, and how well file and dynamics agree.
 struct DriveTorques {
   Eigen::MatrixXd torque_Nm;  ///< By drive and sample, at the actuator's output.
+  Eigen::MatrixXd doubt_Nm;   ///< How far they may be off; empty: they are as they are.
   actuator::InertiaConvention inertia = actuator::InertiaConvention::kIncluded;
   bool from_file = false;
   std::vector<Finding> findings;
@@ -23,7 +24,8 @@ Eigen::MatrixXd torques_by_dynamics(const Demand& demand);
 /// file's are asked for and absent.
 DriveTorques drive_torques(const CheckedMotion& checked);
 
-/// Everything of actuator::check() for every drive at its samples, on its battery's voltage.
+/// Everything of actuator::check() for every drive at its samples, on its battery's voltage. Where
+/// torques have a doubt that the verdict turns on, it is undecided.
 struct DriveReports {
   std::vector<actuator::DriveReport> drives;
   std::vector<std::vector<actuator::TracePoint>> traces;  ///< One a drive, if asked for.

@@ -14,14 +14,17 @@ constexpr double kOverAFlight = 0.1;     // of --residual-limit: share of the we
 constexpr double kOfMomentum = 0.2;      // of --residual-limit: share of CAM
 constexpr double kShortFlights = 10.0;   // residual windows: shorter flights count as that long
 constexpr double kNoise = 4.0;           // standard deviations
+constexpr double kNoiseOfMany = 5.0;     // of the largest of a thousand samples
+constexpr double kRounding = 1e-6;       // of times
 constexpr Index kFewestForParabola = 5;  // samples: three make one, two tell how well it fits
 
-/// Standard deviation of what is in a signal beside its smooth course, by second differences.
-double noise_of(const Eigen::MatrixXd& signal) {
-  const Index count = signal.cols() - 2;
+/// Standard deviation of what is in a signal beside its smooth course, by second differences of
+/// samples so far apart that no smoothing ties them together.
+double noise_of(const Eigen::MatrixXd& signal, Index apart) {
+  const Index count = signal.cols() - 2 * apart;
   if (count < 1) return 0.0;
   const Eigen::MatrixXd second =
-      signal.rightCols(count) - 2.0 * signal.middleCols(1, count) + signal.leftCols(count);
+      signal.rightCols(count) - 2.0 * signal.middleCols(apart, count) + signal.leftCols(count);
   return second.norm() / std::sqrt(6.0 * static_cast<double>(count));
 }
 
@@ -29,11 +32,14 @@ void add_momentum_limit(const CheckedMotion& checked, const Eigen::MatrixXd& mom
                         double duration_s, Flight& flight) {
   const double share = checked.options.residual_share;
   const double counted_s = std::max(duration_s, kShortFlights * checked.options.residual_window_s);
+  const bool is_derived = checked.motion.velocity_origin == Origin::kDerived;
+  const Index most = std::max<Index>(1, (momentum.cols() - 1) / 2);
+  const Index apart = is_derived ? std::min(2 * checked.motion.reach + 1, most) : 1;
   const double of_weight_Nm_s =
       kOverAFlight * share * checked.demand.weight_N * checked.demand.size_m * counted_s;
   flight.angular_momentum_limit_Nm_s =
       std::max(kOfMomentum * share * flight.angular_momentum_Nm_s, of_weight_Nm_s) +
-      kNoise * noise_of(momentum);
+      kNoiseOfMany * noise_of(momentum, apart);
 }
 
 /// Eq. (22): the parabola through the centre of mass's path, by least squares.
@@ -76,12 +82,20 @@ Flight flight_of(const CheckedMotion& checked, Index from, Index count) {
   flight.touch_down_rad_s = velocity.col(count - 1).norm();
   flight.rise_m = height_m.maxCoeff() - height_m[0];
   // What is derived at a flight's ends is from a sample of the ground too.
-  const Index edge = checked.motion.velocity_origin == Origin::kDerived && count > 4 ? 1 : 0;
+  const Index reach = checked.motion.velocity_origin == Origin::kDerived ? checked.motion.reach : 0;
+  const Index edge = std::min(reach, std::max<Index>(0, (count - 3) / 2));
   const auto inner = momentum.middleCols(edge, count - 2 * edge);
   flight.angular_momentum_drift_Nm_s = (inner.colwise() - mean).colwise().norm().maxCoeff();
   add_momentum_limit(checked, inner, flight.until_s - flight.from_s, flight);
   add_fall(checked, from, count, flight);
   return flight;
+}
+
+/// Not what chatters: soft ground lets a foot go for moments.
+bool is_flight(const CheckedMotion& checked, Index from, Index to) {
+  if (to - from < 2) return false;
+  const double duration_s = checked.motion.time_s(to - 1) - checked.motion.time_s(from);
+  return duration_s >= (1.0 - kRounding) * checked.options.shortest_flight_s;
 }
 
 }  // namespace
@@ -97,7 +111,7 @@ std::vector<Flight> flights(const CheckedMotion& checked) {
   for (Index sample = 0; sample <= samples; ++sample) {
     const bool flies = sample < samples && !checked.contacts.any(sample);
     if (flies) continue;
-    if (sample - from > 1) found.push_back(flight_of(checked, from, sample - from));
+    if (is_flight(checked, from, sample)) found.push_back(flight_of(checked, from, sample - from));
     from = sample + 1;
   }
   return found;

@@ -22,10 +22,11 @@ struct Flight {
   double fall_limit_m_s2 = 0.0;  ///< and by how much it may be.
 };
 
-/// Those of two samples and more. In each CAM is constant and the centre of mass falls, whatever
-/// the actuators do: drift and wrong fall are the motion's own error. Their limits are in units of
-/// the motion, a tenth of what the residual may be over its short window, since a flight averages
-/// out what that does not; docs/derivations/whole_body_check.md eqs. (21), (22).
+/// Those of two samples and more that last as long as options say. In each CAM is constant and the
+/// centre of mass falls, whatever the actuators do: drift and wrong fall are the motion's own
+/// error. Their limits are in units of the motion, a tenth of what the residual may be over its
+/// short window, since a flight averages out what that does not;
+/// docs/derivations/whole_body_check.md eqs. (21), (22).
 std::vector<Flight> flights(const CheckedMotion& checked);
 
 }  // namespace torquewright::hopper

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "actuator/check/findings.hpp"
+#include "hopper/check/contact_search.hpp"
 #include "hopper/check/physical.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/motion/rate_agreement.hpp"
@@ -20,6 +22,22 @@ using actuator::Verdict;
 
 void append(std::vector<Finding> more, std::vector<Finding>& findings) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
+
+std::string window_words(const Motion& motion) {
+  if (motion.reach <= 1) return "its two neighbours";
+  const double step_s = motion.duration_s() / static_cast<double>(motion.samples() - 1);
+  return fmt::format(
+      "{} neighbours on either side ({:.3g} ms in all): the widest window that changes no more "
+      "than the noise explains",
+      motion.reach, 1e3 * step_s * static_cast<double>(2 * motion.reach));
+}
+
+/// How far the solved forces are from the file's, averaged as the accelerations are; of these.
+double guide_mismatch(const CheckedMotion& checked) {
+  const double file_N = checked.contacts.guide_N.norm();
+  const double apart_N = (checked.demand.forces_N - checked.contacts.guide_N).norm();
+  return file_N > 0.0 ? apart_N / file_N : 0.0;
 }
 
 /// How contacts and rates came about, and what of the dynamics is missing.
@@ -50,12 +68,38 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
   }
   if (motion.velocity_origin == Origin::kDerived) {
     note("velocity-differentiated", Severity::kNote,
-         "velocities and accelerations are slope and curvature of the parabola through each "
-         "position and its two neighbours, not across impacts");
+         fmt::format("velocities and accelerations are slope and curvature of the parabola that "
+                     "fits each position and {}, not across impacts",
+                     window_words(motion)));
   } else if (motion.acceleration_origin == Origin::kDerived) {
     note("acceleration-differentiated", Severity::kNote,
-         "accelerations are the slope of the parabola through each velocity and its two "
-         "neighbours, not across impacts");
+         fmt::format("accelerations are the slope of the parabola that fits each velocity and {}, "
+                     "not across impacts",
+                     window_words(motion)));
+  }
+  if (checked.contacts.is_searched) {
+    const ContactThresholds& found = checked.contacts.thresholds;
+    note("contacts-searched", Severity::kNote,
+         fmt::format("points count as touching no higher than {:g} m{} (--contact-height, "
+                     "--contact-speed): of the pairs tried the one that leaves the least "
+                     "unexplained, {:.3g} weights rms",
+                     found.height_m,
+                     std::isfinite(found.speed_m_s)
+                         ? fmt::format(" and no faster up or down than {:g} m/s", found.speed_m_s)
+                         : " at any speed",
+                     checked.contacts.unexplained_share));
+  }
+  if (motion.forces_guide) {
+    const double apart = guide_mismatch(checked);
+    note("contact-forces-solved",
+         apart > checked.options.residual_share ? Severity::kWarning : Severity::kNote,
+         fmt::format("accelerations are derived, so contact forces are solved from the motion, "
+                     "nearest to the file's: they differ by {:.3g} % rms{}",
+                     100.0 * apart,
+                     apart > checked.options.residual_share
+                         ? "; are these the forces of this motion, in the world's axes, of these "
+                           "points? Accelerations in the log would tell"
+                         : ""));
   }
   if (checked.demand.has_dynamics && !checked.robot.contacts.empty() && !motion.has_forces) {
     note("contact-forces-solved", Severity::kNote,
@@ -81,6 +125,16 @@ std::vector<Finding> assumed_notes(const Robot& robot) {
   return {finding};
 }
 
+/// What is found of a drive whose verdict is open is no violation yet.
+void leave_open(const std::vector<actuator::DriveReport>& drives, std::vector<Finding>& findings) {
+  for (Finding& finding : findings) {
+    const bool is_open = std::any_of(drives.begin(), drives.end(), [&](const auto& drive) {
+      return drive.name == finding.joint && drive.verdict == Verdict::kUndecided;
+    });
+    if (is_open && finding.severity == Severity::kViolation) finding.severity = Severity::kWarning;
+  }
+}
+
 Verdict verdict_of(const HopperReport& whole) {
   const actuator::CheckReport& report = whole.check;
   const bool violates =
@@ -102,16 +156,23 @@ Verdict verdict_of(const HopperReport& whole) {
 }  // namespace
 
 HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options) {
-  const ContactSchedule contacts = schedule_contacts(robot, options.contact, motion);
+  const ContactSchedule contacts = find_contacts(robot, options.contact, motion);
   require_rates_agree(robot, motion);
   HopperReport report;
   report.contact_origin = contacts.origin;
+  report.contact_thresholds = contacts.thresholds;
+  report.contacts_searched = contacts.is_searched;
+  report.unexplained_share = contacts.unexplained_share;
   report.demand = demand_of(robot, motion, contacts, options.on_progress);
   const CheckedMotion checked{robot, options, motion, contacts, report.demand};
   report.base_residual = base_residual(checked);
   report.flights = flights(checked);
   require_physical(checked, report.base_residual, report.flights);
-  const DriveTorques torques = drive_torques(checked);
+  DriveTorques torques = drive_torques(checked);
+  if (!torques.from_file) {
+    torques.doubt_Nm = torque_doubts(checked);
+    report.peak_doubts = peak_doubts(checked, torques.torque_Nm, torques.doubt_Nm);
+  }
   report.buses = shared_buses(checked, torques.torque_Nm);
   DriveReports drives = check_drives(checked, torques, report.buses);
   report.check.drives = std::move(drives.drives);
@@ -124,6 +185,10 @@ HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions
   findings = actuator::findings_of(report.check.drives);
   if (!torques.from_file) {  // the dynamics have the rotors' torque in any case
     std::erase_if(findings, [](const Finding& one) { return one.rule == "reflected-inertia"; });
+  }
+  if (!torques.from_file) {
+    leave_open(report.check.drives, findings);
+    append(doubt_findings(checked, report.peak_doubts, report.check.drives), findings);
   }
   append(shared_bus_findings(checked, report.buses), findings);
   append(transmission_findings(report.transmission_loads), findings);

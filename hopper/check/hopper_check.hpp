@@ -4,6 +4,7 @@
 #include "hopper/check/base_residual.hpp"
 #include "hopper/check/contact_load.hpp"
 #include "hopper/check/flights.hpp"
+#include "hopper/check/torque_doubt.hpp"
 #include "hopper/check/transmission_load.hpp"
 
 namespace torquewright::hopper {
@@ -19,6 +20,10 @@ struct HopperReport {
   std::vector<SharedBus> buses;
   std::vector<Flight> flights;
   Origin contact_origin = Origin::kDerived;
+  ContactThresholds contact_thresholds;  ///< By which contacts were found, where they were.
+  bool contacts_searched = false;        ///< Whether the thresholds were searched for.
+  double unexplained_share = 0.0;        ///< What they leave, of the weight, rms.
+  std::vector<PeakDoubt> peak_doubts;    ///< By drive, where the dynamics' torques count.
   Demand demand;
 };
 

@@ -99,6 +99,23 @@ ordered_json flight_json(const Flight& flight) {
           {"fall_limit_m_s2", flight.fall_limit_m_s2}};
 }
 
+/// Infinity: at any speed.
+ordered_json contact_rule_json(const HopperReport& report) {
+  if (report.contact_origin != Origin::kDerived || !report.demand.has_dynamics) return nullptr;
+  return {{"height_m", report.contact_thresholds.height_m},
+          {"speed_m_s", number(report.contact_thresholds.speed_m_s)},
+          {"searched", report.contacts_searched},
+          {"unexplained_share", number(report.unexplained_share)}};
+}
+
+ordered_json doubt_json(const PeakDoubt& doubt) {
+  return {{"drive", doubt.drive},
+          {"peak_Nm", number(doubt.peak_Nm)},
+          {"time_s", doubt.time_s},
+          {"least_Nm", number(doubt.least_Nm)},
+          {"most_Nm", number(doubt.most_Nm)}};
+}
+
 ordered_json bus_json(const HopperReport& report, const SharedBus& bus) {
   ordered_json drives = ordered_json::array();
   for (const std::size_t drive : bus.drives) drives.push_back(report.check.drives[drive].name);
@@ -124,6 +141,8 @@ ordered_json hopper_report_json(const HopperReport& report) {
   document["transmission_load"] = list_of(report.transmission_loads, load_json);
   document["contact_load"] = list_of(report.contact_loads, contact_json);
   document["base_residual"] = residual_json(report);
+  document["contact_rule"] = contact_rule_json(report);
+  document["torque_doubt"] = list_of(report.peak_doubts, doubt_json);
   document["heat"] = heat_json(report);
   document["flights"] = list_of(report.flights, flight_json);
   document["buses"] =

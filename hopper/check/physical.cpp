@@ -13,15 +13,23 @@ namespace {
 
 constexpr double kKnownFactor = 0.05;  // relative, for a scale to count as a known one
 
-std::string sentence(const char* what, const ResidualPeak& peak, const char* unit,
-                     double window_s) {
+/// What in the log would help.
+const char* help_words(const Motion& motion) {
+  if (motion.acceleration_origin != Origin::kDerived) return "";
+  return motion.velocity_origin == Origin::kDerived
+             ? "; velocities or accelerations in the log, or samples closer together, would help"
+             : "; accelerations in the log, or samples closer together, would help";
+}
+
+std::string sentence(const char* what, const ResidualPeak& peak, const char* unit, double window_s,
+                     const Motion& motion) {
   return fmt::format(
       "t = {:.6g} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
       "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): is it this "
       "robot's motion, are its contacts found (--contact-height, --ground-height), its rates "
-      "smooth? --residual-limit allows more",
+      "smooth? --residual-limit allows more{}",
       peak.time_s, what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
-      100.0 * peak.share_beyond);
+      100.0 * peak.share_beyond, help_words(motion));
 }
 
 /// What makes a body fall so: time and lengths in other units, z down, or a force.
@@ -49,11 +57,11 @@ void add_fall(const CheckedMotion& checked, const Flight& flight, std::vector<io
       {checked.motion.file, "",
        fmt::format("t = {:.6g} to {:.6g} s: in flight the centre of mass accelerates by ({:.4g}, "
                    "{:.4g}, {:.4g}) m/s^2, {:.4g} m/s^2 ({:.3g} % of gravity) from falling freely "
-                   "(limit {:.3g}); likely cause: {}; --residual-limit allows more",
+                   "(limit {:.3g}); likely cause: {}; --residual-limit allows more{}",
                    flight.from_s, flight.until_s, flight.fall_m_s2.x(), flight.fall_m_s2.y(),
                    flight.fall_m_s2.z(), flight.fall_error_m_s2,
                    100.0 * flight.fall_error_m_s2 / gravity_m_s2, flight.fall_limit_m_s2,
-                   cause_of_fall(flight, gravity_m_s2))});
+                   cause_of_fall(flight, gravity_m_s2), help_words(checked.motion))});
 }
 
 void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io::Fault>& faults) {
@@ -65,12 +73,13 @@ void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io
            "t = {:.6g} to {:.6g} s: in flight the angular momentum about the centre of mass "
            "moves by {:.4g} Nm s from its mean of {:.4g} Nm s (limit {:.3g}), and nothing "
            "turns a body in the air; likely cause: {}, or the ground touches where no "
-           "contact was found; --residual-limit allows more",
+           "contact was found; --residual-limit allows more{}",
            flight.from_s, flight.until_s, flight.angular_momentum_drift_Nm_s,
            flight.angular_momentum_Nm_s, flight.angular_momentum_limit_Nm_s,
            is_derived ? "masses or inertias of another robot, a joint's sign"
                       : "velocities in other units or axes, a joint's sign, masses or "
-                        "inertias of another robot")});
+                        "inertias of another robot",
+           help_words(checked.motion))});
 }
 
 }  // namespace
@@ -84,7 +93,8 @@ void require_physical(const CheckedMotion& checked, const BaseResidual& residual
   }
   const auto require = [&](const ResidualPeak& peak, const char* what, const char* unit) {
     if (peak.mean <= peak.limit) return;
-    faults.push_back({checked.motion.file, "", sentence(what, peak, unit, residual.window_s)});
+    faults.push_back(
+        {checked.motion.file, "", sentence(what, peak, unit, residual.window_s, checked.motion)});
   };
   require(residual.force, "a force on the base", "N");
   require(residual.moment, "a moment about the centre of mass", "Nm");

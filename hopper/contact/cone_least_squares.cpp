@@ -34,13 +34,19 @@ ConeLeastSquares::ConeLeastSquares(Index most_points) {
 
 ConeLeastSquares::Status ConeLeastSquares::solve(const Eigen::Ref<const Eigen::MatrixXd>& A,
                                                  const Eigen::Ref<const VectorXd>& b,
-                                                 const Eigen::Ref<const VectorXd>& friction) {
+                                                 const Eigen::Ref<const VectorXd>& friction,
+                                                 const Guide* guide) {
   size_ = A.cols();
   points_ = friction.size();
   auto normal = normal_.topLeftCorner(size_, size_);
   normal.noalias() = A.transpose() * A;
-  normal.diagonal().array() += kTieBreaker;
   pull_.head(size_).noalias() = A.transpose() * b;
+  if (guide != nullptr) {
+    normal.diagonal() += guide->weights;
+    pull_.head(size_) += guide->weights.cwiseProduct(guide->x);
+  } else {
+    normal.diagonal().array() += kTieBreaker;
+  }
   if (solve_without_cones(friction)) return Status::kSolved;
   for (Index i = 0; i < points_; ++i) {
     scale_.segment<3>(3 * i) << friction[i], friction[i], 1.0;

@@ -14,7 +14,8 @@ namespace torquewright::hopper {
 ///   minimise |A x - b|^2 + kTieBreaker |x|^2,  x = (x_1, ..., x_n), each x_i in its friction cone
 ///   |(x_i)_t| <= mu_i (x_i)_n,  with axes (tangent, tangent, normal).
 ///
-/// Where many forces have the same sum the tie-breaker picks the shortest. Primal-dual interior
+/// Where many forces have the same sum the tie-breaker picks the shortest, or, given a guide g, by
+/// |x - g|^2 by weights in its place the nearest to it. Primal-dual interior
 /// points with Nesterov-Todd scaling; docs/derivations/whole_body_check.md eqs. (6)-(9). The value
 /// found lies within kGap of the least one, by its duality gap.
 ///
@@ -24,17 +25,23 @@ class ConeLeastSquares {
   static constexpr double kTieBreaker = 1e-8;
   static constexpr double kGap = 1e-9;
 
+  /// Forces that the answer is to be near to.
+  struct Guide {
+    Eigen::VectorXd x;        ///< (3 n x 1)
+    Eigen::VectorXd weights;  ///< (3 n x 1), positive.
+  };
+
   enum class Status { kSolved, kStalled };
 
   /// Room for that many points; does not allocate after that for as many or fewer.
   explicit ConeLeastSquares(Eigen::Index most_points);
 
-  /// A (m x 3 n), b (m x 1), friction (n x 1), all finite, n at most what was asked for. Solution:
-  /// x(). kStalled: rounding
-  /// ended the search before its gap closed; x() is the best found, inside its cones.
+  /// A (m x 3 n), b (m x 1), friction (n x 1), all finite, n at most what
+  /// was asked for. Solution: x(). kStalled: rounding ended the search before its gap closed; x()
+  /// is the best found, inside its cones.
   Status solve(const Eigen::Ref<const Eigen::MatrixXd>& A,
                const Eigen::Ref<const Eigen::VectorXd>& b,
-               const Eigen::Ref<const Eigen::VectorXd>& friction);
+               const Eigen::Ref<const Eigen::VectorXd>& friction, const Guide* guide = nullptr);
 
   /// (3 n x 1), a point after the other.
   Eigen::Ref<const Eigen::VectorXd> x() const { return x_.head(size_); }

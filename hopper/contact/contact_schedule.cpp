@@ -6,6 +6,7 @@
 
 #include "dynamics/point.hpp"
 #include "hopper/motion/slopes.hpp"
+#include "hopper/motion/smoothing.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -18,6 +19,9 @@ using Eigen::VectorXd;
 constexpr double kStopped = 0.5;
 /// and changes it so many times more than the steps beside it do: else it is a smooth motion.
 constexpr double kSharp = 3.0;
+
+/// A point that lets go for a shorter time chatters on soft ground.
+constexpr double kChatter_s = 0.01;
 
 template <typename Take>
 void for_each_point(const Robot& robot, const Motion& motion, bool with_velocity,
@@ -75,9 +79,23 @@ Approach approach_at(const Motion& motion, const MatrixXd& heights_m, const Matr
   return {-slope(std::max<Index>(sample - 2, 0)), sample < last ? -slope(sample) : 0.0};
 }
 
+/// Of heights alone: an impact bends their slope at the two samples around it and nowhere beside.
+bool is_sharp_bend(const Motion& motion, const MatrixXd& heights_m, Index contact, Index sample) {
+  const auto bend = [&](Index at) {
+    if (at < 1 || at + 1 >= motion.samples()) return 0.0;
+    if (motion.step_s(at - 1) == 0.0 || motion.step_s(at) == 0.0) return 0.0;
+    return (heights_m(contact, at + 1) - heights_m(contact, at)) / motion.step_s(at) -
+           (heights_m(contact, at) - heights_m(contact, at - 1)) / motion.step_s(at - 1);
+  };
+  const double inside = std::abs(bend(sample - 1) + bend(sample));
+  const double beside = std::max(std::abs(bend(sample - 2)), std::abs(bend(sample + 1)));
+  return inside > kSharp * beside;
+}
+
 /// Whether the velocities change far more into a sample than in the steps before and after.
-bool is_sharp(const Motion& motion, const MatrixXd& speeds_m_s, Index contact, Index sample) {
-  if (speeds_m_s.size() == 0) return true;  // heights alone do not tell
+bool is_sharp(const Motion& motion, const MatrixXd& heights_m, const MatrixXd& speeds_m_s,
+              Index contact, Index sample) {
+  if (speeds_m_s.size() == 0) return is_sharp_bend(motion, heights_m, contact, sample);
   const auto rate = [&](Index to) {
     if (to < 1 || to >= motion.samples() || motion.step_s(to - 1) == 0.0) return 0.0;
     return std::abs(speeds_m_s(contact, to) - speeds_m_s(contact, to - 1)) / motion.step_s(to - 1);
@@ -85,8 +103,8 @@ bool is_sharp(const Motion& motion, const MatrixXd& speeds_m_s, Index contact, I
   return rate(sample) > kSharp * std::max(rate(sample - 1), rate(sample + 1));
 }
 
-void add_touch_downs(const ContactRule& rule, const MatrixXd& heights_m, const MatrixXd& speeds_m_s,
-                     Motion& motion) {
+void add_touch_downs(const ContactThresholds& rule, const MatrixXd& heights_m,
+                     const MatrixXd& speeds_m_s, Motion& motion) {
   std::vector<Index> found = motion.breaks;
   for (Index sample = 1; sample < motion.samples(); ++sample) {
     if (motion.step_s(sample - 1) == 0.0) continue;              // stated already
@@ -96,7 +114,7 @@ void add_touch_downs(const ContactRule& rule, const MatrixXd& heights_m, const M
       const Approach approach = approach_at(motion, heights_m, speeds_m_s, i, sample);
       if (approach.before_m_s <= rule.speed_m_s ||
           approach.after_m_s > (1.0 - kStopped) * approach.before_m_s ||
-          !is_sharp(motion, speeds_m_s, i, sample)) {
+          !is_sharp(motion, heights_m, speeds_m_s, i, sample)) {
         continue;
       }
       found.push_back(sample);
@@ -108,7 +126,75 @@ void add_touch_downs(const ContactRule& rule, const MatrixXd& heights_m, const M
   motion.breaks = std::move(found);
 }
 
+/// A point that lets go for a moment chatters: it may press at any time in between.
+void close_gaps(const Motion& motion, Touching& presses) {
+  for (Index i = 0; i < presses.rows(); ++i) {
+    Index last = -1;
+    for (Index sample = 0; sample < motion.samples(); ++sample) {
+      if (motion.is_break(sample)) last = -1;
+      if (!presses(i, sample)) continue;
+      const bool is_gap = last >= 0 && last < sample - 1;
+      if (is_gap && motion.time_s(sample) - motion.time_s(last) < kChatter_s) {
+        presses.row(i).segment(last, sample - last).setConstant(true);
+      }
+      last = sample;
+    }
+  }
+}
+
+void derive_smoothed(const Robot& robot, Motion& motion) {
+  if (motion.reach > 0) return derive_rates(robot.tree, motion, motion.reach);
+  const bool lacks_some =
+      motion.velocity_origin != Origin::kGiven || motion.acceleration_origin != Origin::kGiven;
+  if (!lacks_some) return;
+  const Smoothing smoothing = smoothing_of(robot.tree, motion);
+  motion.acceleration_noise = smoothing.acceleration_noise;
+  derive_rates(robot.tree, motion, smoothing.reach);
+}
+
 }  // namespace
+
+ContactThresholds ContactRule::thresholds() const {
+  const ContactThresholds usual;
+  return {height_m.value_or(usual.height_m), speed_m_s.value_or(usual.speed_m_s)};
+}
+
+Touching touching_by(const ContactThresholds& thresholds, const ContactSchedule& schedule) {
+  return schedule.height_m.array() <= thresholds.height_m &&
+         schedule.speed_m_s.array().abs() <= thresholds.speed_m_s;
+}
+
+Touching pressing(const Touching& touches, const Motion& motion) {
+  if (motion.acceleration_origin != Origin::kDerived) return touches;
+  Touching presses = touches;
+  close_gaps(motion, presses);
+  // One more: what touches between two samples may show at neither.
+  for (Index step = 0; step <= motion.reach; ++step) {
+    const Touching before = presses;
+    for (Index sample = 1; sample < motion.samples(); ++sample) {
+      if (motion.is_break(sample)) continue;
+      presses.col(sample) = presses.col(sample) || before.col(sample - 1);
+      presses.col(sample - 1) = presses.col(sample - 1) || before.col(sample);
+    }
+  }
+  return presses;
+}
+
+void guide_by_forces(const Motion& motion, ContactSchedule& schedule) {
+  if (!motion.forces_guide) return;
+  schedule.guide_N = spread_as_accelerations(motion, motion.forces_N);
+  schedule.guide_doubt_N.setZero(schedule.touches.rows(), motion.samples());
+  for (Index sample = 0; sample < motion.samples(); ++sample) {
+    const Index last = std::min(sample + motion.reach, motion.samples() - 1);
+    for (Index to = std::max<Index>(1, sample - motion.reach + 1); to <= last; ++to) {
+      const VectorXd jump = motion.forces_N.col(to) - motion.forces_N.col(to - 1);
+      for (Index i = 0; i < schedule.touches.rows(); ++i) {
+        double& doubt_N = schedule.guide_doubt_N(i, sample);
+        doubt_N = std::max(doubt_N, 0.5 * jump.segment<3>(3 * i).norm());
+      }
+    }
+  }
+}
 
 ContactSchedule schedule_contacts(const Robot& robot, const ContactRule& rule, Motion& motion) {
   ContactSchedule schedule;
@@ -118,12 +204,13 @@ ContactSchedule schedule_contacts(const Robot& robot, const ContactRule& rule, M
     derive_rates(robot.tree, motion);
     return schedule;
   }
-  schedule.near_ground_m = rule.height_m;
+  schedule.thresholds = rule.thresholds();
+  schedule.near_ground_m = schedule.thresholds.height_m;
   schedule.height_m = heights(robot, motion, rule.ground_height_m);
   const bool has_velocity = motion.velocity_origin == Origin::kGiven;
-  add_touch_downs(rule, schedule.height_m,
+  add_touch_downs(schedule.thresholds, schedule.height_m,
                   has_velocity ? vertical_speeds(robot, motion) : MatrixXd(), motion);
-  derive_rates(robot.tree, motion);
+  derive_smoothed(robot, motion);
   if (motion.has_forces) {
     schedule.origin = Origin::kGiven;
     for (Index i = 0; i < contacts; ++i) {
@@ -134,10 +221,12 @@ ContactSchedule schedule_contacts(const Robot& robot, const ContactRule& rule, M
     schedule.origin = Origin::kGiven;
     schedule.touches = motion.touching.array() != 0.0;
   } else {
-    const MatrixXd speeds_m_s = vertical_speeds(robot, motion);
-    schedule.touches =
-        schedule.height_m.array() <= rule.height_m && speeds_m_s.array().abs() <= rule.speed_m_s;
+    schedule.speed_m_s = vertical_speeds(robot, motion);
+    schedule.touches = touching_by(schedule.thresholds, schedule);
   }
+  schedule.presses = pressing(schedule.touches, motion);
+  motion.forces_guide = motion.has_forces && motion.acceleration_origin == Origin::kDerived;
+  guide_by_forces(motion, schedule);
   return schedule;
 }
 

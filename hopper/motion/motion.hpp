@@ -37,8 +37,16 @@ struct Motion {
   std::vector<bool> has_effort;  ///< By joint.
   bool has_forces = false;       ///< Of all contact points that have a column; others: none.
   bool has_touching = false;
+  /// Given forces only tell how touching points share what the motion asks for: accelerations are
+  /// derived and spread a touch-down over samples where the forces know it at an instant.
+  bool forces_guide = false;
   Origin velocity_origin = Origin::kGiven;
   Origin acceleration_origin = Origin::kGiven;
+  /// Samples on either side of each that derived rates were fitted to; 0: none is derived.
+  Eigen::Index reach = 0;
+  /// Standard deviation of derived accelerations by the noise of what they are derived from, by
+  /// coordinate; empty: none is derived, or the log is too short to tell.
+  Eigen::VectorXd acceleration_noise;
   /// Samples whose velocity does not continue that of the sample before: an impact lies between.
   std::vector<Eigen::Index> breaks;
   std::vector<UnwrappedAngle> unwrapped;

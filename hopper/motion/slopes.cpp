@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/motion/slopes.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +25,24 @@ Parabola through(const VectorXd& one, double one_s, const VectorXd& other, doubl
           2.0 * (other / other_s - one / one_s) / (other_s - one_s)};
 }
 
+/// What each displacement counts in rate and curvature of the parabola c + r s + k s^2 / 2 that
+/// fits them by least squares.
+struct Weights {
+  VectorXd rate;
+  VectorXd curvature;
+};
+
+Weights least_squares(const VectorXd& from_own_s) {
+  const double scale_s = from_own_s.cwiseAbs().maxCoeff();
+  Eigen::MatrixX3d columns(from_own_s.size(), 3);
+  columns.col(0).setOnes();
+  columns.col(1) = from_own_s / scale_s;
+  columns.col(2) = 0.5 * columns.col(1).cwiseAbs2();
+  const Eigen::Matrix3d normal = columns.transpose() * columns;
+  const Eigen::Matrix3Xd solved = normal.ldlt().solve(columns.transpose());
+  return {solved.row(1).transpose() / scale_s, solved.row(2).transpose() / (scale_s * scale_s)};
+}
+
 /// Samples [from, to) without a break inside.
 struct Stretch {
   Index from;
@@ -40,15 +60,43 @@ std::vector<Stretch> stretches(const Motion& motion) {
   return found;
 }
 
+VectorXd times_from(const Motion& motion, Index sample, Index first, Index count) {
+  VectorXd from_own_s(count);
+  for (Index i = 0; i < count; ++i) {
+    from_own_s[i] = motion.time_s(first + i) - motion.time_s(sample);
+  }
+  return from_own_s;
+}
+
+template <typename Difference>
+Parabola fitted(const Motion& motion, Index sample, Index first, Index count,
+                const Difference& difference) {
+  const Weights weights = least_squares(times_from(motion, sample, first, count));
+  const VectorXd start = difference(sample, first);
+  Parabola parabola{weights.rate[0] * start, weights.curvature[0] * start};
+  for (Index i = 1; i < count; ++i) {
+    const VectorXd step = difference(sample, first + i);
+    parabola.rate += weights.rate[i] * step;
+    parabola.curvature += weights.curvature[i] * step;
+  }
+  return parabola;
+}
+
 /// Slopes over one stretch; `difference(a, b)` leads from sample a to sample b.
 template <typename Difference, typename Take>
-void fit(const Motion& motion, const Stretch& stretch, const Difference& difference,
+void fit(const Motion& motion, const Stretch& stretch, Index reach, const Difference& difference,
          const Take& take) {
   const Index count = stretch.to - stretch.from;
+  const Index wide = std::min(2 * reach + 1, count);
   for (Index sample = stretch.from; sample < stretch.to; ++sample) {
+    if (wide > 3) {
+      const Index first = std::clamp(sample - reach, stretch.from, stretch.to - wide);
+      take(sample, fitted(motion, sample, first, wide, difference));
+      continue;
+    }
     const auto seconds = [&](Index other) { return motion.time_s(other) - motion.time_s(sample); };
     if (count == 1) {
-      const VectorXd none = VectorXd::Zero(motion.velocities.rows());
+      const VectorXd none = VectorXd::Zero(difference(sample, sample).size());
       take(sample, Parabola{none, none});
     } else if (count == 2) {
       const Index other = sample == stretch.from ? sample + 1 : sample - 1;
@@ -84,7 +132,49 @@ VectorXd displacement(const dynamics::Tree& tree, const VectorXd& from, const Ve
   return step;
 }
 
-void derive_rates(const dynamics::Tree& tree, Motion& motion) {
+bool has_given_velocity(const Motion& motion) { return motion.velocity_origin == Origin::kGiven; }
+
+Eigen::MatrixXd spread_as_accelerations(const Motion& motion, const Eigen::MatrixXd& table) {
+  const bool once = has_given_velocity(motion);
+  Eigen::MatrixXd integral = Eigen::MatrixXd::Zero(table.rows(), table.cols());
+  Eigen::MatrixXd twice = integral;
+  for (Index i = 0; i + 1 < motion.samples(); ++i) {
+    const double step_s = motion.step_s(i);
+    integral.col(i + 1) = integral.col(i) + 0.5 * step_s * (table.col(i) + table.col(i + 1));
+    twice.col(i + 1) = twice.col(i) + step_s * integral.col(i) +
+                       step_s * step_s / 6.0 * (2.0 * table.col(i) + table.col(i + 1));
+  }
+  Eigen::MatrixXd spread(table.rows(), table.cols());
+  const auto difference = [&](Index one, Index other) -> VectorXd {
+    return once ? integral.col(other) - integral.col(one) : twice.col(other) - twice.col(one);
+  };
+  for (const Stretch& stretch : stretches(motion)) {
+    fit(motion, stretch, motion.reach, difference, [&](Index sample, const Parabola& parabola) {
+      spread.col(sample) = once ? parabola.rate : parabola.curvature;
+    });
+  }
+  return spread;
+}
+
+FittedAcceleration fitted_acceleration(const dynamics::Tree& tree, const Motion& motion,
+                                       Index sample, Index reach) {
+  const Index first = sample - reach;
+  const Index count = 2 * reach + 1;
+  const bool by_velocity = has_given_velocity(motion);
+  const Weights weights = least_squares(times_from(motion, sample, first, count));
+  const VectorXd& counts = by_velocity ? weights.rate : weights.curvature;
+  FittedAcceleration found{VectorXd::Zero(tree.velocity_size()), counts.norm()};
+  for (Index i = 0; i < count; ++i) {
+    found.acceleration +=
+        counts[i] *
+        (by_velocity
+             ? VectorXd(motion.velocities.col(first + i) - motion.velocities.col(sample))
+             : displacement(tree, motion.positions.col(sample), motion.positions.col(first + i)));
+  }
+  return found;
+}
+
+void derive_rates(const dynamics::Tree& tree, Motion& motion, Index reach) {
   const bool needs_velocity = motion.velocity_origin != Origin::kGiven;
   const bool needs_acceleration = motion.acceleration_origin != Origin::kGiven;
   const Index size = tree.velocity_size();
@@ -94,16 +184,17 @@ void derive_rates(const dynamics::Tree& tree, Motion& motion) {
   const auto of_velocities = [&](Index one, Index other) -> VectorXd {
     return motion.velocities.col(other) - motion.velocities.col(one);
   };
+  if (needs_velocity || needs_acceleration) motion.reach = reach;
   if (needs_velocity) motion.velocities.resize(size, motion.samples());
   if (needs_acceleration) motion.accelerations.resize(size, motion.samples());
   for (const Stretch& stretch : stretches(motion)) {
     if (needs_velocity) {
-      fit(motion, stretch, of_positions, [&](Index sample, const Parabola& parabola) {
+      fit(motion, stretch, reach, of_positions, [&](Index sample, const Parabola& parabola) {
         motion.velocities.col(sample) = parabola.rate;
         if (needs_acceleration) motion.accelerations.col(sample) = parabola.curvature;
       });
     } else if (needs_acceleration) {
-      fit(motion, stretch, of_velocities, [&](Index sample, const Parabola& parabola) {
+      fit(motion, stretch, reach, of_velocities, [&](Index sample, const Parabola& parabola) {
         motion.accelerations.col(sample) = parabola.rate;
       });
     }

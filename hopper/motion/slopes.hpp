@@ -7,13 +7,31 @@ namespace torquewright::hopper {
 
 /// Fills in what the motion's origins say is derived, and marks it so.
 ///
-/// Velocities are the slopes, at each sample's own time, of the parabola through the sample and its
-/// two neighbours; at the ends of a stretch between breaks, through its first or last three.
-/// Accelerations are the slopes of the velocities where those are given, and the curvature of the
-/// same parabola where they are not. Rotations of a spatial base count as rotation vectors from the
-/// sample's own. Second order in the step, on uneven steps too; a stretch of two samples has one
-/// slope and no curvature, a single sample neither. docs/derivations/whole_body_check.md eq. (1).
-void derive_rates(const dynamics::Tree& tree, Motion& motion);
+/// Velocities are the slopes, at each sample's own time, of the parabola that fits the sample and
+/// `reach` neighbours on either side by least squares, so with one through all three; at the ends
+/// of a stretch between breaks, of its first or last 2 reach + 1. Accelerations are the slopes of
+/// the velocities where those are given, and the curvature of the same parabola where they are not.
+/// Rotations of a spatial base count as rotation vectors from the sample's own. Second order in the
+/// step, on uneven steps too; a stretch of two samples has one slope and no curvature, a single
+/// sample neither. docs/derivations/whole_body_check.md eq. (1).
+void derive_rates(const dynamics::Tree& tree, Motion& motion, Eigen::Index reach = 1);
+
+/// A table of rows over time, such as forces, averaged over samples as derived accelerations are:
+/// what derive_rates() makes of its integral, or of the integral's.
+Eigen::MatrixXd spread_as_accelerations(const Motion& motion, const Eigen::MatrixXd& table);
+
+/// What is to be differentiated to find accelerations.
+bool has_given_velocity(const Motion& motion);
+
+/// The acceleration of a sample as derive_rates() has it, where it may look at all samples, and how
+/// many times the noise of what is differentiated it holds. Requires `reach` samples on either
+/// side.
+struct FittedAcceleration {
+  Eigen::VectorXd acceleration;
+  double gain = 0.0;
+};
+FittedAcceleration fitted_acceleration(const dynamics::Tree& tree, const Motion& motion,
+                                       Eigen::Index sample, Eigen::Index reach);
 
 /// From one position to another as a displacement along the velocities: exact for a step at
 /// constant velocity (dynamics::step_position()).

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "identification/findings/result.hpp"
 #include "identification/forward/hypothesis.hpp"
-#include "identification/result.hpp"
 
 namespace torquewright::identification {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "identification/bench.hpp"
 #include "identification/forward/candidate.hpp"
+#include "identification/signals/bench.hpp"
 
 namespace torquewright::identification {
 

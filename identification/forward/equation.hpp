@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "identification/bench.hpp"
 #include "identification/forward/candidate.hpp"
+#include "identification/signals/bench.hpp"
 
 namespace torquewright::identification {
 

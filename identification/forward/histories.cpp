@@ -7,7 +7,7 @@
 
 #include "actuator/effects/effect.hpp"
 #include "actuator/region/torque_at.hpp"
-#include "identification/signal.hpp"
+#include "identification/signals/signal.hpp"
 
 namespace torquewright::identification {
 namespace {

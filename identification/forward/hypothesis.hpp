@@ -4,14 +4,15 @@
 #include <array>
 
 #include "actuator/motor/actuator.hpp"
-#include "identification/rig.hpp"
+#include "identification/rig/rig.hpp"
 
 namespace torquewright::identification {
 
 /// What a log's channels may have done to the truth.
 struct LogErrors {
   std::array<double, kQuantityCount> delay_s{};  ///< By which a channel is late.
-  double torque_offset_Nm = 0.0;                 ///< measured = true + offset; N on a linear axis.
+  double instant_s = 0.0;         ///< Of its step, at which the drive's channel was taken.
+  double torque_offset_Nm = 0.0;  ///< measured = true + offset; N on a linear axis.
   double current_offset_A = 0.0;
   double positive_current_gain = 1.0;  ///< Measured over true, of positive currents.
   double negative_current_gain = 1.0;

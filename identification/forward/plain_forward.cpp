@@ -13,7 +13,8 @@
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
 #include "identification/forward/candidates.hpp"
-#include "identification/signal.hpp"
+#include "identification/forward/sample_step.hpp"
+#include "identification/signals/signal.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -194,8 +195,10 @@ EffectCandidate velocity_mismatch() {
 
 /// A logged velocity less that of the position, which turns `ratio` times as fast.
 ForwardEquation velocity_forward(const Bench& bench, std::string quantity, std::string unit,
-                                 std::vector<double> Signals::*logged, double ratio) {
+                                 std::vector<double> Signals::*logged, double ratio,
+                                 double half_a_step_s) {
   ForwardEquation equation = equation_of(bench, std::move(quantity), std::move(unit));
+  add_instant(half_a_step_s, &LogErrors::velocity_delay_s, equation);
   equation.candidates.push_back(velocity_mismatch());
   equation.measured = [logged](const Signals& signals) { return signals.*logged; };
   equation.residual = [logged, ratio](const Hypothesis& supposed, const Signals& signals) {
@@ -229,7 +232,8 @@ std::vector<ForwardEquation> plain_forward(const Bench& bench,
   const auto add_velocity = [&](const char* quantity, const char* unit,
                                 std::vector<double> Signals::*logged, double ratio) {
     if (!has(signals, logged)) return;
-    equations.push_back(velocity_forward(bench, quantity, unit, logged, ratio));
+    equations.push_back(
+        velocity_forward(bench, quantity, unit, logged, ratio, half_a_step_s(signals)));
     equations.back().used = rms_of(signals, logged);
   };
   if (bench.is_linear) {

@@ -6,13 +6,14 @@
 #include <numbers>
 
 #include "actuator/effects/library.hpp"
-#include "identification/backlash_residual.hpp"
-#include "identification/balance.hpp"
+#include "identification/forward/backlash_residual.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/pushing_friction.hpp"
+#include "identification/forward/sample_step.hpp"
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/forward/wave_orders.hpp"
-#include "identification/uncertain.hpp"
+#include "identification/signals/balance.hpp"
+#include "identification/signals/uncertain.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -76,8 +77,20 @@ void add_uncertain(const Bench& bench, const actuator::Ranges& ranges, ForwardEq
   };
 }
 
+/// What is late is so from the middle of a step: the instant is not fitted beside it.
+EffectCandidate from_mid_step(EffectCandidate candidate) {
+  candidate.apply = [before = candidate.apply](std::span<const double> values,
+                                               Hypothesis& hypothesis) {
+    before(values, hypothesis);
+    hypothesis.log.instant_s = 0.0;
+  };
+  return candidate;
+}
+
 void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
-  const auto add = [&](Quantity channel) { candidates.push_back(delay_candidate(channel)); };
+  const auto add = [&](Quantity channel) {
+    candidates.push_back(from_mid_step(delay_candidate(channel)));
+  };
   add(bench.drive_channel);
   if (bench.load_side == LoadSide::kSensor) add(bench.load_channel);
   if (bench.is_linear) return add(Quantity::kLinearPosition);
@@ -156,15 +169,6 @@ bool needs_time(const EffectCandidate& candidate) {
          (kind != nullptr && (kind->state_rate != nullptr || kind->acts == Acts::kInertialTorque));
 }
 
-/// Half of the shortest time between samples; 0 for a log without times.
-double half_a_step_s(const std::vector<Signals>& signals) {
-  double shortest_s = INFINITY;
-  for (const Signals& each : signals) {
-    if (each.step_s > 0.0) shortest_s = std::min(shortest_s, each.step_s);
-  }
-  return std::isfinite(shortest_s) ? 0.5 * shortest_s : 0.0;
-}
-
 /// Whether something is later than stated by less than the log can hold: at which instant of its
 /// step a sample was taken no log says.
 bool is_late_by_less(const Hypothesis& hypothesis, const actuator::Actuator& stated,
@@ -186,6 +190,8 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
   for (const EffectKind* each : actuator::effect_library()) {
     if (each->has_harmonics || !can_enter(bench, *each)) continue;
     candidates.push_back(actuator_candidate(*each, bench.actuator(), ranges));
+    if (each == &kind("torque_lag"))
+      candidates.back() = from_mid_step(std::move(candidates.back()));
     // Driving less back-driving load friction is the load itself: beside an open torque constant
     // the sum of the two coefficients is all that a log can hold.
     if (each->acts == Acts::kLoadFriction && is_uncertain(bench, "/motor/torque_constant_Nm_A")) {
@@ -219,6 +225,7 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.used = used_torque_Nm(signals);
   const actuator::Ranges ranges = ranges_of(bench, signals);
   add_uncertain(bench, ranges, equation);
+  add_instant(half_a_step_s(signals), &LogErrors::instant_s, equation);
   equation.candidates = torque_candidates(bench, ranges);
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
     return torque_balance_Nm(bench, hypothesis, stretch);

@@ -10,12 +10,12 @@
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
-#include "identification/backlash_residual.hpp"
-#include "identification/balance.hpp"
+#include "identification/forward/backlash_residual.hpp"
 #include "identification/forward/histories.hpp"
-#include "identification/load_model.hpp"
-#include "identification/signal.hpp"
-#include "identification/winding_channels.hpp"
+#include "identification/signals/balance.hpp"
+#include "identification/signals/load_model.hpp"
+#include "identification/signals/signal.hpp"
+#include "identification/signals/winding_channels.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -92,7 +92,8 @@ Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals
       motion.load_Nm = advanced(motion.load_Nm, moved_s, step_s);
   }
   const auto& delay_s = hypothesis.log.delay_s;
-  const double drive_s = delay_s[static_cast<std::size_t>(bench.drive_channel)];
+  const double drive_s =
+      delay_s[static_cast<std::size_t>(bench.drive_channel)] + hypothesis.log.instant_s;
   if (drive_s != 0.0) motion.drive = advanced(motion.drive, drive_s, step_s);
   if (bench.load_side == LoadSide::kSensor) {
     const double load_s = delay_s[static_cast<std::size_t>(bench.load_channel)];

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "identification/bench.hpp"
 #include "identification/forward/hypothesis.hpp"
+#include "identification/signals/bench.hpp"
 
 namespace torquewright::identification {
 

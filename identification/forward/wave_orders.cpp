@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "identification/wave_pursuit.hpp"
+#include "identification/forward/wave_pursuit.hpp"
 
 namespace torquewright::identification {
 namespace {

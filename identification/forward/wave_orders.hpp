@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "identification/bench.hpp"
-#include "identification/selection/rows.hpp"
+#include "identification/signals/bench.hpp"
+#include "identification/signals/rows.hpp"
 
 namespace torquewright::identification {
 

@@ -5,7 +5,7 @@
 
 // One line for each importer; its file defines the constant of that name.
 #define TORQUEWRIGHT_EVERY_IMPORTER(importer) \
-  importer(sysid) importer(bam) importer(ros) importer(odrive) importer(moteus)
+  importer(sysid) importer(sysid_csv) importer(bam) importer(ros) importer(odrive) importer(moteus)
 
 namespace torquewright::identification::imports {
 

@@ -9,13 +9,14 @@
 #include <string_view>
 #include <vector>
 
-#include "identification/rig.hpp"
+#include "identification/rig/rig.hpp"
 
 namespace torquewright::identification {
 
 struct ImportRequest {
   std::vector<std::filesystem::path> files;
   std::string joint;  ///< Which one, where a file holds several; as the file calls it.
+  std::string units;  ///< Of positions, where no file says it and the user does.
 };
 
 /// Logs of another program: their numbers as they were written, and what their columns are.
@@ -41,6 +42,7 @@ struct Importer {
   std::string_view what;    ///< For the help.
   std::string_view source;  ///< Where the format is documented.
   ImportedLog (*read)(const ImportRequest& request);
+  bool asks_units = false;  ///< Its files do not say what positions are in.
 };
 
 std::span<const Importer* const> importer_library();

@@ -5,8 +5,7 @@
 
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/file_json.hpp"
-#include "identification/imports/named_columns.hpp"
-#include "io/wording.hpp"
+#include "identification/imports/sysid_columns.hpp"
 
 namespace torquewright::identification::imports {
 namespace {
@@ -16,35 +15,11 @@ using nlohmann::json;
 constexpr std::array kTests = {"slow-forward", "slow-backward", "fast-forward", "fast-backward"};
 
 /// Positions are in rotations of the output; a unit says what one of them is.
-struct Unit {
-  std::string_view name;
-  bool is_linear;
-  double in_SI;
-};
-constexpr std::array kUnits = {
-    Unit{"Meters", true, 1.0},           Unit{"Feet", true, 0.3048},
-    Unit{"Inches", true, 0.0254},        Unit{"Radians", false, 1.0},
-    Unit{"Rotations", false, kTurn_rad}, Unit{"Degrees", false, kTurn_rad / 360.0},
-};
-
-const Unit& unit_of_file(const JsonFile& file) {
+const PositionUnit& unit_of_file(const JsonFile& file) {
   const std::string name = file.text("units");
-  for (const Unit& unit : kUnits) {
-    if (unit.name == name) return unit;
-  }
-  file.refuse("/units", fmt::format("\"{}\" is not known", name));
-}
-
-void set_columns(const Unit& unit, double per_rotation, ImportedLog& log) {
-  const double scale = unit.in_SI * per_rotation;
-  log.header = {"timestamp", "voltage", "position", "velocity"};
-  log.columns = {
-      {"timestamp", Quantity::kTime, 1.0, 0.0, ""},
-      {"voltage", Quantity::kWindingVoltage, 1.0, 0.0, ""},
-      {"position", unit.is_linear ? Quantity::kLinearPosition : Quantity::kOutputPosition, scale,
-       0.0, ""},
-      {"velocity", unit.is_linear ? Quantity::kLinearVelocity : Quantity::kOutputVelocity, scale,
-       0.0, ""}};
+  const PositionUnit* unit = find_position_unit(name);
+  if (unit == nullptr) file.refuse("/units", fmt::format("\"{}\" is not known", name));
+  return *unit;
 }
 
 void add_runs(const JsonFile& file, const std::string& prefix, ImportedLog& log) {
@@ -76,7 +51,7 @@ ImportedLog read_sysid(const ImportRequest& request) {
                   fmt::format("\"{}\": only Simple, Elevator and Arm are one actuator", test));
     }
     const std::vector<ColumnUse> before = log.columns;
-    set_columns(unit_of_file(file), file.number("unitsPerRotation"), log);
+    set_sysid_columns(unit_of_file(file), file.number("unitsPerRotation"), log);
     if (!before.empty() && (before[2].quantity != log.columns[2].quantity ||
                             before[2].scale != log.columns[2].scale)) {
       file.refuse("/units", "other units than in the file before it");

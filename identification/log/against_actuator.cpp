@@ -8,10 +8,10 @@
 
 #include "actuator/motor/convention.hpp"
 #include "actuator/region/torque_at.hpp"
-#include "identification/log.hpp"
 #include "identification/log/agreement.hpp"
 #include "identification/log/channel.hpp"
 #include "identification/log/largest_values.hpp"
+#include "identification/log/log.hpp"
 #include "identification/log/remedy.hpp"
 #include "io/spec_error.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "identification/log.hpp"
+#include "identification/log/log.hpp"
 
 namespace torquewright::identification {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "identification/rig.hpp"
+#include "identification/rig/rig.hpp"
 #include "io/csv.hpp"
 
 namespace torquewright::identification {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "identification/log.hpp"
 #include "identification/log/columns.hpp"
+#include "identification/log/log.hpp"
 #include "identification/log/printed_digits.hpp"
 #include "identification/log/stretch.hpp"
 #include "io/csv.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "identification/log.hpp"
+#include "identification/log/log.hpp"
 
 namespace torquewright::identification {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "identification/log.hpp"
 #include "identification/log/contents.hpp"
 #include "identification/log/holdout.hpp"
+#include "identification/log/log.hpp"
 #include "identification/log/log_reader.hpp"
 #include "identification/log/motion.hpp"
 #include "identification/log/repair.hpp"

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "identification/log.hpp"
 #include "identification/log/channel.hpp"
+#include "identification/log/log.hpp"
 
 namespace torquewright::identification {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/quantity.hpp"
+#include "identification/rig/quantity.hpp"
 
 namespace torquewright::identification {
 

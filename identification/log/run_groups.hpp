@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "identification/log.hpp"
+#include "identification/log/log.hpp"
 
 namespace torquewright::identification {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "identification/rig.hpp"
+#include "identification/rig/rig.hpp"
 
 namespace torquewright::identification {
 

@@ -10,8 +10,8 @@
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
 #include "dynamics/gravity.hpp"
-#include "identification/load_inertia.hpp"
 #include "identification/outputs/every_output.hpp"
+#include "identification/rig/load_inertia.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::identification::outputs {

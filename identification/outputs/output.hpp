@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "actuator/motor/actuator.hpp"
-#include "identification/rig.hpp"
+#include "identification/rig/rig.hpp"
 
 namespace torquewright::identification {
 

@@ -7,16 +7,18 @@
 #include <cmath>
 #include <set>
 
-#include "identification/confusions.hpp"
-#include "identification/line_traces.hpp"
+#include "identification/findings/confusions.hpp"
+#include "identification/findings/verdict.hpp"
+#include "identification/forward/sample_step.hpp"
+#include "identification/selection/comparison.hpp"
 #include "identification/selection/errors.hpp"
 #include "identification/selection/judgement.hpp"
+#include "identification/selection/line_traces.hpp"
 #include "identification/selection/models_within_noise.hpp"
 #include "identification/selection/named.hpp"
 #include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
 #include "identification/selection/search.hpp"
-#include "identification/verdict.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -206,29 +208,32 @@ void describe_refused(const Judgement& judged, const Found& found, EquationResul
   }
 }
 
+/// One of the values that every model fits stays where it starts.
+ForwardEquation held_at_start(ForwardEquation equation, std::size_t k) {
+  const auto place = static_cast<std::ptrdiff_t>(k);
+  equation.apply_always = [before = equation.apply_always, place, value = equation.always_start[k]](
+                              std::span<const double> values, Hypothesis& hypothesis) {
+    std::vector<double> all(values.begin(), values.end());
+    all.insert(all.begin() + place, value);
+    before(all, hypothesis);
+  };
+  equation.always.erase(equation.always.begin() + place);
+  equation.always_start.erase(equation.always_start.begin() + place);
+  if (k < equation.pointers.size()) equation.pointers.erase(equation.pointers.begin() + place);
+  return equation;
+}
+
 /// Without those uncertain values that the log cannot tell: they stay as stated.
 ForwardEquation with_what_is_determined(ForwardEquation equation, const HeldSignals& held,
                                         const std::vector<std::size_t>& fold_of_run) {
   for (std::size_t k = equation.pointers.size(); k-- > 0;) {
     const Rows rows(held.rows, fold_of_run, {});
-    const ModelFit fit = ModelFitter(equation, rows, held.replica)
-                             .fit({}, Eigen::Map<const Eigen::VectorXd>(
-                                          equation.always_start.data(),
-                                          static_cast<Eigen::Index>(equation.always_start.size())));
+    const ModelFitter fitter(equation, rows, held.replica);
+    const ModelFit fit = fitter.fit({}, fitter.always_start());
     const auto i = static_cast<Eigen::Index>(k);
     const double error = std::sqrt(std::max(0.0, fit.covariance(i, i)));
     if (fit.is_free[k] && error <= kKnown * std::abs(fit.coordinates[i])) continue;
-    const auto place = static_cast<std::ptrdiff_t>(k);
-    equation.apply_always = [before = equation.apply_always, place,
-                             value = equation.always_start[k]](std::span<const double> values,
-                                                               Hypothesis& hypothesis) {
-      std::vector<double> all(values.begin(), values.end());
-      all.insert(all.begin() + place, value);
-      before(all, hypothesis);
-    };
-    equation.always.erase(equation.always.begin() + place);
-    equation.always_start.erase(equation.always_start.begin() + place);
-    equation.pointers.erase(equation.pointers.begin() + place);
+    equation = held_at_start(std::move(equation), k);
   }
   return equation;
 }
@@ -254,6 +259,28 @@ double telling_band_Hz(const ForwardEquation& equation, const HeldSignals& held,
   return best_Hz;
 }
 
+/// Without the instant of the samples, unless it takes from what the stated model leaves what a
+/// name would have to: a search with one more value that is free goes other ways.
+ForwardEquation with_instant_if_it_shows(ForwardEquation equation, const HeldSignals& held,
+                                         const std::vector<std::size_t>& fold_of_run,
+                                         const SearchRules& rules) {
+  const auto instant = std::find_if(equation.always.begin(), equation.always.end(),
+                                    [](const FitParameter& each) { return each.name == kInstant; });
+  if (instant == equation.always.end()) return equation;
+  const ForwardEquation without =
+      held_at_start(equation, static_cast<std::size_t>(instant - equation.always.begin()));
+  const Rows rows(held.rows, fold_of_run, {telling_band_Hz(without, held, fold_of_run)});
+  const ModelFitter less(without, rows, held.replica), more(equation, rows, held.replica);
+  const ModelFit stated = less.fit({}, less.always_start());
+  const ModelFit moved = more.fit({}, more.always_start());
+  const Comparison gain = compare(rows, stated, moved);
+  const double left = std::max(0.0, stated.unseen_loss) + stated.noise_loss;
+  const bool shows =
+      gain.gain > rules.least_share * left &&
+      gain.t > threshold_t(rules.chance, equation.candidates.size(), rows.training_blocks());
+  return shows ? equation : without;
+}
+
 std::vector<std::string> names_of_runs(const Log& log) {
   std::vector<std::string> names;
   for (std::size_t run = 0; run < log.runs.size(); ++run) names.push_back(log.runs.head(run).name);
@@ -274,7 +301,11 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
                       const HeldSignals& held, const std::vector<std::size_t>& fold_of_run,
                       const AnalysisOptions& options) {
   EquationResult result;
-  const ForwardEquation equation = with_what_is_determined(stated, held, fold_of_run);
+  SearchRules rules;
+  rules.least_change = options.tolerance * stated.used;
+  rules.asks = [&options](const std::string& effect) { return options.asks(effect); };
+  const ForwardEquation equation = with_instant_if_it_shows(
+      with_what_is_determined(stated, held, fold_of_run), held, fold_of_run, rules);
   result.quantity = equation.quantity;
   result.unit = equation.unit;
   const auto band = options.band_Hz.find(equation.quantity);
@@ -288,9 +319,6 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
     return result;
   }
   const ModelFitter fitter(equation, rows, held.replica);
-  SearchRules rules;
-  rules.least_change = options.tolerance * equation.used;
-  rules.asks = [&options](const std::string& effect) { return options.asks(effect); };
   Search search(fitter, rules);
   Found found = options.select ? search.run() : search.nothing();
   result.before = errors_over(equation, rows, found.empty.residual);
@@ -303,7 +331,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   result.noise_floor_rms = errors_over(equation, rows, kept.noise).train_rms;
   result.structure_after =
       kept.members.empty() ? result.structure_before : structure_left(rows, kept.residual);
-  result.is_noise_after = judged.is_noise(fitter, kept, result.structure_after);
+  result.is_noise_after = leaves_noise(search, fitter, kept, result.structure_after);
   name_members(fitter, found, result);
   append_groups(bench, found, result);
   describe_refused(judged, found, result);

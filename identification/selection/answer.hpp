@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "identification/analysis_options.hpp"
 #include "identification/forward/equation.hpp"
-#include "identification/held_signals.hpp"
-#include "identification/selection/rows.hpp"
+#include "identification/selection/analysis_options.hpp"
+#include "identification/signals/held_signals.hpp"
+#include "identification/signals/rows.hpp"
 
 namespace torquewright::identification {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "identification/forward/equation.hpp"
-#include "identification/selection/rows.hpp"
+#include "identification/signals/rows.hpp"
 
 namespace torquewright::identification {
 

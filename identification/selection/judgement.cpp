@@ -8,12 +8,8 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kExplainedFloors = 1.3;    ///< Floors, in rms where no fit saw it.
-constexpr double kUnexplainedFloors = 3.0;  ///< Beyond it what is left is not noise ...
-constexpr double kLeastRemoved = 0.6;  ///< ... and no name is sure that takes less of the squares.
-
-constexpr double kMostOfOwn = 0.1;  ///< Of what it explains itself: differing by 30 %.
-
+constexpr double kExplainedFloors = 1.3;   ///< In rms, where no fit saw it.
+constexpr double kLeastRemoved = 0.6;      ///< Of the squares, by sure names where much is left.
 constexpr std::size_t kFewestOfASpot = 4;  ///< Waves of friction that are multiples of one.
 
 /// A hard spot is no wave: it shows as many, all multiples of one.
@@ -50,7 +46,7 @@ std::optional<Wanderer> most_unsteady(const ModelFitter& fitter, const SearchRul
     Unsteadiness wanders = unsteadiness(fitter, found.best, m);
     const double own = found.gains[m].change_rms * found.gains[m].change_rms;
     const double most = worst ? worst->by.share : rules.steady_share;
-    if (wanders.share <= most || wanders.squares <= kMostOfOwn * own) continue;
+    if (wanders.share <= most || wanders.squares <= rules.least_share * own) continue;
     worst = {found.best.members[m], std::move(wanders)};
   }
   return worst;
@@ -60,7 +56,7 @@ std::optional<Wanderer> most_unsteady(const ModelFitter& fitter, const SearchRul
 /// such a member where one that it dropped helped to bring it in.
 const EffectCandidate* least_needed(const Search& search, const Found& found) {
   const EffectCandidate* least = nullptr;
-  double t = std::min(search.rules().tie_t, search.chance_t());
+  double t = search.chance_t();
   for (std::size_t m = 0; m < found.gains.size() && found.gains.size() > 1; ++m) {
     if (found.gains[m].t > t) continue;
     t = found.gains[m].t;
@@ -71,13 +67,13 @@ const EffectCandidate* least_needed(const Search& search, const Found& found) {
 
 }  // namespace
 
-bool Judgement::is_noise(const ModelFitter& fitter, const ModelFit& fit,
-                         const std::vector<ResidualStructure>& structure) const {
+bool leaves_noise(const Search& search, const ModelFitter& fitter, const ModelFit& fit,
+                  const std::vector<ResidualStructure>& structure) {
   const double floor = rms_over(fitter.rows(), fit.noise, false);
   const double left = std::max(rms_over(fitter.rows(), fit.residual, false),
                                rms_over(fitter.rows(), fit.residual, true));
   if (left <= kExplainedFloors * floor) return true;
-  if (left > kUnexplainedFloors * floor) return false;
+  if (left > search.rules().unexplained_floors * floor) return false;
   return std::none_of(structure.begin(), structure.end(),
                       [](const ResidualStructure& each) { return is_significant(each); });
 }
@@ -86,7 +82,7 @@ Judgement judge(const ModelFitter& fitter, Search& search, Found& found,
                 const std::vector<ResidualStructure>& structure_before) {
   Judgement judged;
   judged.is_noise_before =
-      found.best.members.empty() && judged.is_noise(fitter, found.empty, structure_before);
+      found.best.members.empty() && leaves_noise(search, fitter, found.empty, structure_before);
   for (;;) {
     const EffectCandidate* left_out = least_needed(search, found);
     if (left_out == nullptr) {

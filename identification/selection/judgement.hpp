@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "identification/residual_structure.hpp"
+#include "identification/findings/residual_structure.hpp"
 #include "identification/selection/search.hpp"
 #include "identification/selection/steadiness.hpp"
 
@@ -18,11 +18,11 @@ struct Judgement {
   bool is_noise_before = false;
   bool has_tentative = false;
   std::vector<Wanderer> wanderers;
-
-  /// True if nothing but noise is left.
-  bool is_noise(const ModelFitter& fitter, const ModelFit& fit,
-                const std::vector<ResidualStructure>& structure) const;
 };
+
+/// Whether a model, and the structure that it leaves, leave nothing but noise.
+bool leaves_noise(const Search& search, const ModelFitter& fitter, const ModelFit& fit,
+                  const std::vector<ResidualStructure>& structure);
 
 /// Takes from `found.best` what is not certain, and says so.
 Judgement judge(const ModelFitter& fitter, Search& search, Found& found,

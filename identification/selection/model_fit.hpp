@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "identification/forward/equation.hpp"
-#include "identification/selection/rows.hpp"
+#include "identification/signals/rows.hpp"
 
 namespace torquewright::identification {
 

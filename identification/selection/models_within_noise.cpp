@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "identification/confusions.hpp"
+#include "identification/findings/confusions.hpp"
 #include "identification/selection/errors.hpp"
 #include "identification/selection/named.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "identification/bench.hpp"
-#include "identification/result.hpp"
+#include "identification/findings/result.hpp"
 #include "identification/selection/search.hpp"
+#include "identification/signals/bench.hpp"
 
 namespace torquewright::identification {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "identification/findings/result.hpp"
 #include "identification/forward/equation.hpp"
-#include "identification/result.hpp"
-#include "identification/selection/rows.hpp"
+#include "identification/signals/rows.hpp"
 
 namespace torquewright::identification {
 

@@ -96,6 +96,9 @@ class Screen {
     }
     own_ = training_.asDiagonal() *
            fitter.slopes(model.members, model.coordinates, model.residual, fitter.rows().signals());
+    for (Eigen::Index k = 0; k < own_.cols(); ++k) {
+      if (!model.is_free[static_cast<std::size_t>(k)]) own_.col(k).setZero();
+    }
     for (const EffectCandidate* each : candidates) {
       if (std::find(model.members.begin(), model.members.end(), each) != model.members.end())
         continue;

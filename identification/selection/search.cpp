@@ -13,7 +13,6 @@ constexpr std::size_t kRefinedPairs = 4;
 constexpr std::size_t kRefinedSwaps = 4;
 constexpr std::size_t kMostMembers = 12;
 constexpr std::size_t kMostRounds = 12;
-constexpr double kMovesNothing = 0.1;  ///< Floors: the log does not show what changes less.
 
 bool is_wave(const EffectCandidate& candidate) { return candidate.order > 0.0; }
 
@@ -147,8 +146,8 @@ bool Search::earns(const ModelFit& less, const ModelFit& more) const {
 bool Search::is_refuted(const ModelFit& rival, const ModelFit& best) const {
   if (!rival.is_valid) return true;
   const Comparison gain = compare(fitter_.rows(), rival, best);
-  return gain.t > rules_.tie_t &&
-         gain.gain > rules_.tie_share * (std::max(0.0, best.unseen_loss) + best.noise_loss);
+  return gain.t > chance_t() &&
+         gain.gain > rules_.least_share * (std::max(0.0, best.unseen_loss) + best.noise_loss);
 }
 
 void Search::ask_for_waves(const ModelFit& model) {
@@ -183,7 +182,7 @@ EffectSet Search::askable(const ModelFit& model) const {
 const ModelFit* Search::step(const ModelFit& model) {
   ask_for_waves(model);
   const Screening screening =
-      screen(fitter_, model, askable(model), kMovesNothing * floor_rms(model), true);
+      screen(fitter_, model, askable(model), rules_.least_floors * floor_rms(model), true);
   if (model.members.empty()) first_ = screening;
   const ModelFit* best = nullptr;
   const auto take = [&](const ModelFit& child, const ModelFit* over) {
@@ -286,7 +285,7 @@ const ModelFit* Search::swapped(const ModelFit& model) {
       if (each != &own && !is_more_than(*each, own)) others.push_back(each);
     }
     const Screening screening =
-        screen(fitter_, less, others, kMovesNothing * floor_rms(less), false);
+        screen(fitter_, less, others, rules_.least_floors * floor_rms(less), false);
     for (std::size_t k = 0; k < std::min(kRefinedSwaps, screening.singles.size()); ++k) {
       const ModelFit& trial = with(less, screening.singles[k]);
       if (trial.is_valid && trial.members.size() <= model.members.size() &&

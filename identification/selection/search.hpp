@@ -18,15 +18,14 @@ namespace torquewright::identification {
 struct SearchRules {
   double chance = 0.05;       ///< That noise alone gains so much by any one of all that is tried.
   double least_floors = 0.5;  ///< A name changes the prediction by so many noise floors ...
+                              ///< (what cannot change it by as much is not excited)
   double least_change = 0.0;  ///< ... and by as much, in the residual's unit (tolerance).
   double least_of_largest =
       0.02;                  ///< ... and by so much of the largest named effect: laws hold so far.
-  double least_share = 0.1;  ///< A name takes so much of the squares that are left without it.
+  double least_share = 0.1;  ///< What takes less of the squares that are left makes no difference.
   double unexplained_floors = 3.0;  ///< Beyond it what is left is the model's error, and a name ...
   double steady_share = 0.2;        ///< ... takes so much of the squares ...
   double steady_parts = 0.75;       ///< ... and helps in so many of the parts.
-  double tie_t = 3.0;               ///< A rival is refuted beyond this ...
-  double tie_share = 0.1;           ///< ... if it leaves so much more of the squares that are left.
   std::function<bool(const std::string& effect)> asks;  ///< Empty: about all.
   std::function<void(double)> progress;
 };

@@ -10,9 +10,10 @@
 namespace torquewright::command_line {
 namespace {
 
-const CLI::Validator kNotNaN(
+/// No quantity is "nan" or "inf", and every comparison lets "nan" pass.
+const CLI::Validator kFinite(
     [](const std::string& text) {
-      return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : "";
+      return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : text + " is no finite number";
     },
     "");
 
@@ -42,10 +43,6 @@ Option Option::integer_between(std::int64_t least, std::int64_t greatest) {
   return Option(*option_->check(CLI::Range(least, greatest)));
 }
 
-Option Option::number_between(double least, double greatest) {
-  return Option(*option_->check(CLI::Range(least, greatest) & kNotNaN));
-}
-
 Option Option::positive() { return Option(*option_->check(CLI::PositiveNumber)); }
 
 Option Option::one_of(const std::vector<std::string>& words) {
@@ -65,12 +62,12 @@ Option Command::add_option(const std::string& names, std::string& value, const s
 }
 
 Option Command::add_option(const std::string& names, double& value, const std::string& help) {
-  return Option(*app_->add_option(names, value, help));
+  return Option(*app_->add_option(names, value, help)->check(kFinite));
 }
 
 Option Command::add_option(const std::string& names, std::optional<double>& value,
                            const std::string& help) {
-  return Option(*app_->add_option(names, value, help));
+  return Option(*app_->add_option(names, value, help)->check(kFinite));
 }
 
 Option Command::add_option(const std::string& names, int& value, const std::string& help) {
@@ -93,7 +90,7 @@ Option Command::add_option(const std::string& names, std::vector<std::string>& v
 
 Option Command::add_option(const std::string& names, std::vector<double>& values,
                            const std::string& help) {
-  return Option(*app_->add_option(names, values, help));
+  return Option(*app_->add_option(names, values, help)->check(kFinite));
 }
 
 Option Command::add_option(const std::string& names, std::vector<std::int64_t>& values,

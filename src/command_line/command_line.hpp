@@ -31,11 +31,9 @@ class Option {
   Option takes(int values);
   Option shows_default();  ///< In the help.
 
-  /// Both ends included. "nan" passes: it is neither below nor above.
+  /// Both ends included.
   Option between(double least, double greatest);
   Option integer_between(std::int64_t least, std::int64_t greatest);
-  /// As between(), and "nan" is refused.
-  Option number_between(double least, double greatest);
   Option positive();
   Option one_of(const std::vector<std::string>& words);
   Option existing_file();
@@ -61,7 +59,8 @@ class Command {
   Command(CLI::App& app, std::vector<Work>& named) : app_(&app), named_(&named) {}
 
   /// The arguments fill `value`, which must live until they are read; what stands in it before is
-  /// the default. Names are "--name", "-n,--name", or "name" for an argument by its place.
+  /// the default. A number must be finite. Names are "--name", "-n,--name", or "name" for an
+  /// argument by its place.
   Option add_option(const std::string& names, std::string& value, const std::string& help);
   Option add_option(const std::string& names, double& value, const std::string& help);
   Option add_option(const std::string& names, std::optional<double>& value,

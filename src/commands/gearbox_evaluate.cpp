@@ -126,7 +126,7 @@ void add_evaluate_command(command_line::Command& gearbox) {
   command.add_option("--planet-count", options->planet_count, "Where the problem lists several")
       .integer_between(2, 20);
   command.add_option("--module", options->module_mm, "In mm, where the problem lists several")
-      .number_between(0.05, 25.0);
+      .between(0.05, 25.0);
   add_output_options(command, options->outputs);
   command.add_flag("--json", options->json, "Print the evaluation as JSON");
   command.example("torquewright gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32");

@@ -15,6 +15,7 @@ namespace {
 /// What was asked for beyond the files, where it is not the default.
 nlohmann::ordered_json request_json(const HopperCheckRequest& request) {
   const hopper::CheckOptions defaults;
+  const hopper::ContactRule& contact = request.check.contact;
   nlohmann::ordered_json json =
       check_options_json(request.columns, request.window, request.operating);
   const auto add = [&json](const char* key, const auto& value, const auto& usual) {
@@ -22,8 +23,8 @@ nlohmann::ordered_json request_json(const HopperCheckRequest& request) {
   };
   add("torques", request.torques, std::string("best"));
   add("ground_height_m", request.check.contact.ground_height_m, defaults.contact.ground_height_m);
-  add("contact_height_m", request.check.contact.height_m, defaults.contact.height_m);
-  add("contact_speed_m_s", request.check.contact.speed_m_s, defaults.contact.speed_m_s);
+  if (contact.height_m) json["contact_height_m"] = *contact.height_m;
+  if (contact.speed_m_s) json["contact_speed_m_s"] = *contact.speed_m_s;
   add("residual_limit", request.check.residual_share, defaults.residual_share);
   add("load_window_s", request.check.load_window_s, defaults.load_window_s);
   add("repeat", request.check.runs, defaults.runs);

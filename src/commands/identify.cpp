@@ -183,7 +183,7 @@ void add_identify_command(command_line::Command& program) {
   command
       .add_option("--tolerance", request->tolerance,
                   "What changes the prediction by less than this share of it is not named")
-      .number_between(0.0, 1.0)
+      .between(0.0, 1.0)
       .shows_default();
   std::string outputs;
   for (const identification::Output* output : identification::output_library()) {

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ImportOptions {
-  std::string format, folder, joint;
+  std::string format, folder, joint, units;
   std::vector<std::string> files;
 };
 
@@ -30,8 +30,12 @@ void make_folder(const fs::path& folder) {
 
 ExitCode run_import(const ImportOptions& options) {
   const identification::Importer& importer = identification::importer_of(options.format);
+  if (!options.units.empty() && !importer.asks_units) {
+    io::refuse("--units",
+               fmt::format("{}'s files say themselves what they are in", options.format));
+  }
   const identification::ImportedLog log =
-      importer.read({{options.files.begin(), options.files.end()}, options.joint});
+      importer.read({{options.files.begin(), options.files.end()}, options.joint, options.units});
   const fs::path folder = options.folder;
   make_folder(folder);
   const fs::path csv = folder / "log.csv", rig = folder / "rig.json";
@@ -66,6 +70,8 @@ void add_identify_import(command_line::Command& identify) {
   command.add_option("format", options->format, formats()).required();
   command.add_option("files", options->files, "Its files; each is a run, or holds runs").required();
   command.add_option("--joint", options->joint, "Where a file holds several: which one");
+  command.add_option("--units", options->units,
+                     "sysid_csv: what positions are in (Rotations, Meters, ...)");
   command.add_option("-o,--output", options->folder, "log.csv and rig.json are written into it")
       .required()
       .names_a_file();

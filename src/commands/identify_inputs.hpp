@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/identify.hpp"
+#include "identification/answer/identify.hpp"
 #include "io/document.hpp"
 #include "src/options/identify_request.hpp"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "identification/report_spec.hpp"
+#include "identification/answer/report_spec.hpp"
 #include "io/json_text.hpp"
 #include "src/commands/moved_references_json.hpp"
 #include "src/commands/result_json.hpp"

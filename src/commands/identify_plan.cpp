@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "actuator/motor/actuator_spec.hpp"
-#include "identification/plan.hpp"
+#include "identification/experiment/plan.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "src/commands/identify_commands.hpp"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "actuator/motor/actuator_spec.hpp"
-#include "identification/rig.hpp"
-#include "identification/simulated_log.hpp"
+#include "identification/rig/rig.hpp"
+#include "identification/simulated/simulated_log.hpp"
 #include "io/document.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/options/noise_option.hpp"

@@ -7,7 +7,7 @@
 #include "actuator/region/mor_table.hpp"
 #include "actuator/region/operating_conditions.hpp"
 #include "actuator/region/region_comparison.hpp"
-#include "identification/self_check.hpp"
+#include "identification/answer/self_check.hpp"
 #include "io/json_text.hpp"
 #include "src/commands/identify_json.hpp"
 #include "src/commands/result_json.hpp"

@@ -25,11 +25,11 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
       .between(-1e6, 1e6);
   command
       .add_option("--contact-height", check.contact.height_m,
-                  "Points no higher than this touch, in m")
+                  "Points no higher than this touch, in m; searched for where not stated")
       .between(0.0, 10.0);
   command
       .add_option("--contact-speed", check.contact.speed_m_s,
-                  "and that move up or down no faster, in m/s")
+                  "and that move up or down no faster, in m/s; likewise")
       .between(0.0, 100.0);
   command
       .add_option("--residual-limit", check.residual_share,

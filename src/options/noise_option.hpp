@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/quantity.hpp"
+#include "identification/rig/quantity.hpp"
 
 namespace torquewright::cli {
 

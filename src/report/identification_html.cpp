@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "identification/report_spec.hpp"
+#include "identification/answer/report_spec.hpp"
 #include "io/provenance.hpp"
 #include "src/report/html_page.hpp"
 #include "src/report/identification_plots.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "identification/result.hpp"
+#include "identification/findings/result.hpp"
 
 namespace torquewright::report {
 

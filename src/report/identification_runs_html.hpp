@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "identification/result.hpp"
+#include "identification/findings/result.hpp"
 #include "src/report/html_page.hpp"
 
 namespace torquewright::report {

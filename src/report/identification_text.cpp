@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/report_spec.hpp"
+#include "identification/answer/report_spec.hpp"
 #include "src/report/identification_verdict.hpp"
 
 namespace torquewright::report {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "identification/report_spec.hpp"
+#include "identification/answer/report_spec.hpp"
 #include "src/report/identification_words.hpp"
 
 namespace torquewright::report {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "identification/identify.hpp"
+#include "identification/answer/identify.hpp"
 
 namespace torquewright::report {
 

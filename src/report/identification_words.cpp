@@ -9,7 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "identification/report_spec.hpp"
+#include "identification/answer/report_spec.hpp"
 
 namespace torquewright::report {
 namespace {

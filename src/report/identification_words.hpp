@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "identification/identify.hpp"
+#include "identification/answer/identify.hpp"
 
 namespace torquewright::report {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "identification/plan.hpp"
+#include "identification/experiment/plan.hpp"
 
 namespace torquewright::report {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "identification/plan.hpp"
+#include "identification/experiment/plan.hpp"
 
 namespace torquewright::report {
 

@@ -67,9 +67,9 @@ std::vector<BadArguments> bad_arguments() {
       {after(teeth("44,44,32"), {"--planet-count", "1"}),
        "command line: --planet-count: Value 1 not in range 2 to 20"},
       {after(teeth("44,44,32"), {"--module", "nan"}),
-       "command line: --module: nan is not a number"},
+       "command line: --module: nan is no finite number"},
       {after(teeth("44,44,32"), {"--module", "1e400"}),
-       "command line: --module: Value 1e400 not in range 0.050000 to 25.000000"},
+       "command line: --module: 1e400 is no finite number"},
   };
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <stdexcept>
 
 #include "io/spec_error.hpp"
@@ -106,30 +107,37 @@ TEST(CommandLine, WorksOnlyWhenAllWordsAreUnderstood) {
 
 struct Bounded {
   Program program{"program", ""};
-  double loose = 0.0, strict = 0.0;
+  double strict = 0.0, free = 0.0;
+  std::optional<double> maybe;
+  std::vector<double> list;
   std::int64_t whole = 0;
   std::string word, file;
   Bounded() {
     Command& top = program.top();
-    top.add_option("--loose", loose, "").between(1.0, 2.0);
-    top.add_option("--strict", strict, "").number_between(1.0, 2.0);
+    top.add_option("--strict", strict, "").between(1.0, 2.0);
+    top.add_option("--free", free, "");
+    top.add_option("--maybe", maybe, "").positive();
+    top.add_option("--list", list, "").separated_by_commas();
     top.add_option("--whole", whole, "").integer_between(1, 2);
-    top.add_option("--word", word, "").one_of({"a", "b"}).excludes("--loose");
+    top.add_option("--word", word, "").one_of({"a", "b"}).excludes("--free");
     top.add_option("--file", file, "").names_a_file().needs("--word");
   }
 };
 
 TEST(CommandLine, RefusesWhatLiesOutside) {
-  for (const auto& words : std::vector<std::vector<const char*>>{{"--loose", "0.999"},
-                                                                 {"--loose", "2.001"},
-                                                                 {"--strict", "0.999"},
+  for (const auto& words : std::vector<std::vector<const char*>>{{"--strict", "0.999"},
                                                                  {"--strict", "2.001"},
                                                                  {"--strict", "nan"},
+                                                                 {"--free", "inf"},
+                                                                 {"--free", "-nan"},
+                                                                 {"--maybe", "nan"},
+                                                                 {"--maybe", "infinity"},
+                                                                 {"--list", "1,nan,2"},
                                                                  {"--whole", "0"},
                                                                  {"--whole", "3"},
                                                                  {"--whole", "1.5"},
                                                                  {"--word", "c"},
-                                                                 {"--word", "a", "--loose", "1"},
+                                                                 {"--word", "a", "--free", "1"},
                                                                  {"--file", "f"},
                                                                  {"--word", "a", "--file", ""}}) {
     Bounded bounded;
@@ -139,9 +147,9 @@ TEST(CommandLine, RefusesWhatLiesOutside) {
 
 TEST(CommandLine, TakesBothEndsAndWhatBelongsTogether) {
   for (const auto& words :
-       std::vector<std::vector<const char*>>{{"--loose", "1", "--strict", "2", "--whole", "1"},
-                                             {"--loose", "2", "--strict", "1", "--whole", "2"},
-                                             {"--loose", "nan"},
+       std::vector<std::vector<const char*>>{{"--strict", "2", "--whole", "1"},
+                                             {"--strict", "1", "--whole", "2"},
+                                             {"--free", "-1e9", "--list", "1,2"},
                                              {"--word", "b", "--file", "f"}}) {
     Bounded bounded;
     EXPECT_EQ(refusal(bounded.program, words), "") << testing::PrintToString(words);

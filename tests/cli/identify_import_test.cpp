@@ -97,6 +97,58 @@ TEST(Import, RefusesSysIdByName) {
   expect_refused(imported_text("sysyd", "arm.json", "{}"), "did you mean \"sysid\"?");
 }
 
+/// A table as AdvantageScope exports it: a row for each value that a loop appends, the others held.
+const char* const kSysIdTable =
+    "Timestamp,/battery,/position-arm-lift,/sysid-test-state-lift,/velocity-arm-lift,"
+    "/voltage-arm-lift\n"
+    "9.99,12.1,null,null,null,null\n"
+    "10.0000,12.1,null,none,null,null\n"
+    "10.0200,12.1,0.0,none,null,1.0\n"
+    "10.0201,12.1,0.0,quasistatic-forward,0.5,1.0\n"
+    "10.0400,12.1,0.0,quasistatic-forward,0.5,2.0\n"
+    "10.0401,12.1,0.25,quasistatic-forward,0.5,2.0\n"
+    "10.0402,12.1,0.25,quasistatic-forward,0.75,2.0\n"
+    "10.0500,12.2,0.25,quasistatic-forward,0.75,2.0\n"
+    "10.0600,12.2,0.5,none,0.75,2.0\n"
+    "12.0000,12.2,0.5,quasistatic-forward,0.0,-1.0\n"
+    "13.0000,12.2,0.5,dynamic-reverse,0.0,-7.0\n"
+    "13.0200,12.2,0.375,dynamic-reverse,-2.5,-7.0\n";
+
+TEST(Import, ReadsATableOfSysIdsEntries) {
+  const Imported result =
+      imported_text("sysid_csv", "lift.csv", kSysIdTable, {"--units", "Rotations"});
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+  EXPECT_EQ(result.log,
+            "run,timestamp,voltage,position,velocity\n"
+            "quasistatic-forward,10.0201,1.0,0.0,0.5\n"
+            "quasistatic-forward,10.0402,2.0,0.25,0.75\n"
+            "quasistatic-forward 2,12.0000,-1.0,0.5,0.0\n"
+            "dynamic-reverse,13.0000,-7.0,0.5,0.0\n"
+            "dynamic-reverse,13.0200,-7.0,0.375,-2.5\n");
+  EXPECT_NEAR(result.rig["columns"]["position"]["scale"].get<double>(), kTurn_rad, 1e-14);
+}
+
+TEST(Import, RefusesATableThatItDoesNotUnderstandByName) {
+  const auto changed = [](const std::string& from, const std::string& to,
+                          const std::vector<std::string>& more = {"--units", "Meters"}) {
+    std::string text = kSysIdTable;
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from)) {
+      text.replace(at, from.size(), to);
+    }
+    return imported_text("sysid_csv", "lift.csv", text, more);
+  };
+  expect_refused(changed("12.1,", "12,", {}), "--units: is needed");
+  expect_refused(changed("12.1,", "12,", {"--units", "Furlongs"}), "\"Furlongs\" is none");
+  expect_refused(changed("velocity-arm", "speed-arm"), "no motor has voltage-MOTOR-TEST");
+  expect_refused(changed("sysid-test-state", "state"), "has no sysid-test-state-TEST");
+  expect_refused(changed("dynamic-reverse", "sideways"), "\"sideways\" is no state of a test");
+  expect_refused(changed("quasistatic-forward,0.75", "quasistatic-forward,x"), "lift.csv");
+  expect_refused(changed("12.1,", "12,", {"--units", "Meters", "--joint", "leg"}),
+                 "has no motor leg; say --joint, one of arm-lift");
+  expect_refused(imported_text("sysid", "arm.json", sysid().dump(), {"--units", "Meters"}),
+                 "sysid's files say themselves");
+}
+
 json bam(double arm_kg) {
   json file = {{"mass", 0.5}, {"length", 0.2}, {"kp", 32}, {"vin", 7.4}, {"motor", "x"}};
   file["trajectory"] = "sin_sin";

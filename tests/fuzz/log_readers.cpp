@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "actuator/motor/actuator_spec.hpp"
-#include "identification/log.hpp"
+#include "identification/log/log.hpp"
 #include "io/document.hpp"
 #include "tests/fuzz/readers.hpp"
 

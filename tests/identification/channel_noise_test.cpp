@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/channel_noise.hpp"
+#include "identification/signals/channel_noise.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "identification/analysis.hpp"
+#include "identification/answer/analysis.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification {

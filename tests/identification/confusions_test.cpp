@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the columns' algebra, rig by rig, as docs/derivations/identification.md section 1 has the
 // balance: what stands in it in the same place is the same column.
-#include "identification/confusions.hpp"
+#include "identification/findings/confusions.hpp"
 
 #include <gtest/gtest.h>
 

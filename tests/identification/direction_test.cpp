@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: motions in closed form, whose reversals are known.
-#include "identification/direction.hpp"
+#include "identification/signals/direction.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "identification/signal.hpp"
-#include "identification/thinning.hpp"
+#include "identification/signals/signal.hpp"
+#include "identification/signals/thinning.hpp"
 
 namespace torquewright::identification {
 namespace {

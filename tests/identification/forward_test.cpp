@@ -6,16 +6,18 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include "actuator/effects/library.hpp"
-#include "identification/folds.hpp"
 #include "identification/forward/candidates.hpp"
+#include "identification/forward/plain_forward.hpp"
 #include "identification/forward/torque_forward.hpp"
 #include "identification/forward/torque_prediction.hpp"
-#include "identification/held_signals.hpp"
 #include "identification/selection/comparison.hpp"
+#include "identification/selection/folds.hpp"
 #include "identification/selection/search.hpp"
+#include "identification/signals/held_signals.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::forward_test {
@@ -115,25 +117,32 @@ TEST(ForwardBalance, LagsAsAFirstOrderLagDoes) {
   }
 }
 
-/// What a search finds in a made log: effects, with their parameters as reported.
-std::map<std::string, nlohmann::ordered_json> found_in(
-    const std::function<double(const Made&)>& added, const MadeBench& rig = {}) {
-  const Log log = rig.log(added);
+using Named = std::map<std::string, nlohmann::ordered_json>;
+
+/// What a search finds in an equation of a log: effects, with their parameters as reported.
+Named found_in(const Log& log, const MadeBench& rig,
+               const std::function<ForwardEquation(const Bench&, const std::vector<Signals>&,
+                                                   const std::vector<std::size_t>&)>& equation_of) {
   const Bench bench = rig.bench(log);
   const NoiseLevels levels = noise_levels(log, 0);
   const HeldSignals held = held_signals(log, bench, levels, 1);
   const std::vector<std::size_t> folds = run_folds(log);
-  const ForwardEquation equation = torque_forward(bench, held.rows, folds);
+  const ForwardEquation equation = equation_of(bench, held.rows, folds);
   const Rows rows(held.rows, folds, {});
   const ModelFitter fitter(equation, rows, held.replica);
   const Found found = Search(fitter, {}).run();
-  std::map<std::string, nlohmann::ordered_json> named;
+  Named named;
   for (std::size_t m = 0; m < found.best.members.size(); ++m) {
     const EffectCandidate& member = *found.best.members[m];
     const double* first = found.best.coordinates.data() + found.best.first_of(m);
     named[member.effect] = member.report({first, member.parameters.size()});
   }
   return named;
+}
+
+Named found_in(const std::function<double(const Made&)>& added, const MadeBench& rig = {},
+               double late_s = 0.0) {
+  return found_in(rig.log(added, 0.01, late_s), rig, torque_forward);
 }
 
 // Oracle: the two coefficients that were put in, by the sign of the motion and by its speed.
@@ -187,6 +196,49 @@ TEST(ForwardSearch, FindsAParallelSpring) {
 
 TEST(ForwardSearch, NamesNothingWhereNothingIsMissing) {
   EXPECT_TRUE(found_in([](const Made&) { return 0.0; }).empty());
+}
+
+// Samples are 5 ms apart, and at which instant of these a channel was read no log says.
+TEST(ForwardSearch, CallsLessThanHalfASampleNoDelay) {
+  const auto nothing = [](const Made&) { return 0.0; };
+  EXPECT_TRUE(found_in(nothing, {}, 0.002).empty());
+  auto found = found_in(nothing, {}, 0.005);
+  ASSERT_EQ(found.size(), 1u);
+  // So slow a motion hardly tells a delay from a lag.
+  const auto& [name, parameters] = *found.begin();
+  ASSERT_TRUE(name == "channel_delay" || name == "torque_lag") << name;
+  const char* late_s = name == "torque_lag" ? "time_constant_s" : "delay_s";
+  EXPECT_NEAR(parameters[late_s].get<double>(), 0.005, 0.0003);
+}
+
+/// The velocity beside the position, late by so much; told by the last equation of a channel.
+Named found_in_velocity(double late_s) {
+  const MadeBench rig;
+  const Log log = rig.log([](const Made&) { return 0.0; });
+  Log with_velocity;
+  with_velocity.train_runs = log.train_runs;
+  with_velocity.holdout_runs = log.holdout_runs;
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  for (std::size_t r = 0; r < MadeBench::kRuns; ++r) {
+    Run run = log.runs[r];
+    for (const double t : run.time_s) {
+      run.joints[0][Quantity::kOutputVelocity].push_back(MadeBench::speed_rad_s(r, t - late_s) +
+                                                         noise(random));
+    }
+    with_velocity.runs.push_back(std::move(run));
+  }
+  return found_in(with_velocity, rig, [](const Bench& bench, const auto& signals, const auto&) {
+    return plain_forward(bench, signals).back();
+  });
+}
+
+TEST(ForwardSearch, CallsASpeedReadWithinItsStepNoMismatch) {
+  EXPECT_TRUE(found_in_velocity(0.002).empty());
+  auto found = found_in_velocity(0.01);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found["velocity_mismatch"]["delay_s"], 0.01, 0.0005);
+  EXPECT_NEAR(found["velocity_mismatch"]["scale"], 1.0, 0.002);
 }
 
 // A sensor that shows 3 % too much of positive currents, 3 % too little of negative ones.

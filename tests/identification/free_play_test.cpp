@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A body in a gap. Oracle: closed forms of uniformly accelerated motion.
-#include "identification/free_play.hpp"
+#include "identification/forward/free_play.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/bench.hpp"
+#include "identification/signals/bench.hpp"
 
 namespace torquewright::identification::made {
 

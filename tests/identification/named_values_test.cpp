@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/analysis.hpp"
+#include "identification/answer/analysis.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::named_values_test {

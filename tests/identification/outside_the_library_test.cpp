@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "identification/analysis.hpp"
+#include "identification/answer/analysis.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::outside_the_library_test {

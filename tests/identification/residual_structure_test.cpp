@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/residual_structure.hpp"
+#include "identification/findings/residual_structure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/rig_plant.hpp"
+#include "identification/simulated/rig_plant.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "identification/load_model.hpp"
+#include "identification/signals/load_model.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "identification/analysis.hpp"
+#include "identification/answer/analysis.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::run_results_test {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "actuator/motor/actuator_spec.hpp"
-#include "identification/identify.hpp"
+#include "identification/answer/identify.hpp"
 #include "tests/io/scratch_folder.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a refined document promises is kept, or it is not written. Oracle: the same log, read with
 // a document that is what was found, and with one that was changed behind the search's back.
-#include "identification/self_check.hpp"
+#include "identification/answer/self_check.hpp"
 
 #include <gtest/gtest.h>
 

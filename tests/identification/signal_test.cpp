@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/signal.hpp"
+#include "identification/signals/signal.hpp"
 
 #include <gtest/gtest.h>
 

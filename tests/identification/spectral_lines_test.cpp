@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/spectral_lines.hpp"
+#include "identification/findings/spectral_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "identification/analysis.hpp"
+#include "identification/answer/analysis.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::spectral_lines_test {

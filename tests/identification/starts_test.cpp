@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/starts.hpp"
+#include "identification/replay/starts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "identification/folds.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/torque_forward.hpp"
-#include "identification/preparation.hpp"
+#include "identification/selection/folds.hpp"
+#include "identification/signals/preparation.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::wave_orders_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the waves that a target was made of, which one by one sound in orders that are not there.
-#include "identification/wave_pursuit.hpp"
+#include "identification/forward/wave_pursuit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "identification/identify.hpp"
+#include "identification/answer/identify.hpp"
 #include "io/document.hpp"
 
 namespace torquewright::identification {

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "actuator/motor/actuator_spec.hpp"
-#include "identification/log.hpp"
+#include "identification/log/log.hpp"
 #include "io/document.hpp"
 #include "io/spec_error.hpp"
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "identification/identify.hpp"
+#include "identification/answer/identify.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "tests/real_data/bam_servos/servo.hpp"

@@ -23,6 +23,8 @@ std::vector<Finding> friction_cone(const CheckedMotion& checked) {
   std::vector<Finding> findings;
   const Demand& demand = checked.demand;
   if (!demand.has_dynamics) return findings;
+  const Eigen::MatrixXd& forces_N =
+      checked.motion.has_forces ? checked.motion.forces_N : demand.forces_N;
   const double small_N = kSmallForce * demand.weight_N;
   std::optional<Finding> most_used;
   double most_share = 0.0;
@@ -33,7 +35,7 @@ std::vector<Finding> friction_cone(const CheckedMotion& checked) {
     double pull_N = 0.0;
     double pull_time_s = 0.0;
     for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
-      const Eigen::Vector3d force_N = demand.forces_N.block<3, 1>(3 * i, sample);
+      const Eigen::Vector3d force_N = forces_N.block<3, 1>(3 * i, sample);
       const double time_s = checked.motion.time_s(sample);
       if (-force_N.z() > std::max(pull_N, small_N)) {
         pull_N = -force_N.z();

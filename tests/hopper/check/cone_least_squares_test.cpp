@@ -44,6 +44,26 @@ VectorXd gradient(const Problem& problem, const VectorXd& x) {
   return problem.A.transpose() * (problem.A * x - problem.b) + ConeLeastSquares::kTieBreaker * x;
 }
 
+// Oracle: two points share 1 upwards as the guide does, which they are free to; with 1.2 asked for,
+// each takes of the rest in proportion to 1 / weight.
+TEST(ConeLeastSquares, IsNearToAGuide) {
+  ConeLeastSquares solver(2);
+  MatrixXd A(3, 6);
+  A << MatrixXd::Identity(3, 3), MatrixXd::Identity(3, 3);
+  ConeLeastSquares::Guide guide{VectorXd::Zero(6), VectorXd::Constant(6, 1e-6)};
+  guide.x[2] = 0.7;
+  guide.x[5] = 0.3;
+  constexpr double kOfWeights = 1e-5;
+  const auto asked = [&](double up) {
+    EXPECT_EQ(solver.solve(A, Vector3d(0, 0, up), Eigen::Vector2d(0.5, 0.5), &guide),
+              ConeLeastSquares::Status::kSolved);
+    return Eigen::Vector2d(solver.x()[2], solver.x()[5]);
+  };
+  EXPECT_LE((asked(1.0) - Eigen::Vector2d(0.7, 0.3)).norm(), kOfWeights);
+  guide.weights.tail<3>() /= 3.0;
+  EXPECT_LE((asked(1.2) - Eigen::Vector2d(0.75, 0.45)).norm(), kOfWeights);
+}
+
 TEST(ConeLeastSquares, MeetsTheConditionsOfAMinimum) {
   std::mt19937 random(7);
   ConeLeastSquares solver(6);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "identification/log.hpp"
+#include "identification/log/log.hpp"
 #include "tests/identification/log/made_log.hpp"
 #include "tests/identification/log/written_log.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "identification/rig.hpp"
+#include "identification/rig/rig.hpp"
 #include "io/document.hpp"
 #include "tests/identification/log/written_log.hpp"
 

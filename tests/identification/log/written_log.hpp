@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "identification/log.hpp"
+#include "identification/log/log.hpp"
 #include "io/document.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"

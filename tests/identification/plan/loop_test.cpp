@@ -8,8 +8,8 @@
 
 #include "actuator/effects/library.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "identification/identify.hpp"
-#include "identification/plan.hpp"
+#include "identification/answer/identify.hpp"
+#include "identification/experiment/plan.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::identification::loop_test {

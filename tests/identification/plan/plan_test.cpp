@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plan is inside the region at every sample, the same every time, no worse than the chirp for
 // what it is made for, and its standard errors are what repeated fits scatter by.
-#include "identification/plan.hpp"
+#include "identification/experiment/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@
 #include <random>
 
 #include "actuator/motor/actuator_spec.hpp"
+#include "identification/experiment/plan_trial.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/torque_prediction.hpp"
-#include "identification/plan_trial.hpp"
-#include "identification/preparation.hpp"
-#include "identification/rig_plant.hpp"
+#include "identification/signals/preparation.hpp"
+#include "identification/simulated/rig_plant.hpp"
 #include "io/spec_error.hpp"
 #include "simulation/run/simulate.hpp"
 

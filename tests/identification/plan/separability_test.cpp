@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the inverse of a matrix of two by two, by hand.
-#include "identification/separability.hpp"
+#include "identification/experiment/separability.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "actuator/motor/actuator_spec.hpp"
-#include "identification/analysis.hpp"
+#include "identification/answer/analysis.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"
 
 namespace torquewright::rates {

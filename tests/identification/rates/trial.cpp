@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "actuator/motor/actuator_spec.hpp"
-#include "identification/analysis.hpp"
+#include "identification/answer/analysis.hpp"
 
 namespace torquewright::rates {
 namespace {

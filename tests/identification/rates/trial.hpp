@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/result.hpp"
+#include "identification/findings/result.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"
 
 namespace torquewright::rates {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "identification/rig_plant.hpp"
+#include "identification/simulated/rig_plant.hpp"
 #include "io/spec_error.hpp"
 #include "simulation/run/simulate.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "actuator/motor/actuator.hpp"
-#include "identification/log.hpp"
-#include "identification/rig.hpp"
+#include "identification/log/log.hpp"
+#include "identification/rig/rig.hpp"
 #include "simulation/excitation.hpp"
 
 namespace torquewright::identification {

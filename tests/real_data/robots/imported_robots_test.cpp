@@ -29,7 +29,7 @@ fs::path robots() {
   const char* variable = std::getenv("TORQUEWRIGHT_DATA");
   const fs::path source = TORQUEWRIGHT_SOURCE_DIR;
   const fs::path data = variable != nullptr ? fs::path(variable) : source / "../shared/data";
-  return fs::is_directory(data / "robots") ? data / "robots" : fs::path();
+  return fs::is_directory(data / "robots") ? fs::canonical(data / "robots") : fs::path();
 }
 
 std::vector<fs::path> files() {
@@ -46,10 +46,15 @@ Imported read_file(const fs::path& file, const ImportFileOptions& options) {
   return file.extension() == ".urdf" ? read_urdf(file) : read_mjcf(file, options);
 }
 
-/// The first sentence of a refusal, without the folder.
+/// The first sentence of a refusal, without the folder of all robots: the page is the same on every
+/// machine.
 std::string sentence_of(const io::SpecError& error) {
-  return fmt::format("{}: {}", fs::path(error.faults().front().file).filename().string(),
-                     error.faults().front().message);
+  std::string message = error.faults().front().message;
+  const std::string folder = robots().string() + "/";
+  for (std::size_t at = message.find(folder); at != std::string::npos; at = message.find(folder)) {
+    message.erase(at, folder.size());
+  }
+  return fmt::format("{}: {}", fs::path(error.faults().front().file).filename().string(), message);
 }
 
 /// The names in "the world holds 2 bodies that move (cup, ball)": each is a robot of its own.

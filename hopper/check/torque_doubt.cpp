@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/check/torque_doubt.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hopper/check/drive_reports.hpp"
+#include "hopper/motion/slopes.hpp"
+#include "hopper/motion/smoothing.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double kNotable = 0.03;  // of the peak
+constexpr double kDeviations = 4.0;
+constexpr double kMatters = 0.1;  // of the greatest peak: smaller ones do not need to be known
+
+/// The largest of the samples within the reach.
+MatrixXd spread(const MatrixXd& values, Index reach) {
+  MatrixXd largest = values;
+  for (Index sample = 0; sample < values.cols(); ++sample) {
+    const Index first = std::max<Index>(0, sample - reach);
+    const Index count = std::min(values.cols(), sample + reach + 1) - first;
+    largest.col(sample) = values.middleCols(first, count).rowwise().maxCoeff();
+  }
+  return largest;
+}
+
+/// The same with accelerations that look twice as far.
+MatrixXd torques_twice_as_far(const CheckedMotion& checked) {
+  Motion motion = checked.motion;
+  ContactSchedule contacts = checked.contacts;
+  derive_rates(checked.robot.tree, motion, 2 * motion.reach);
+  contacts.presses = pressing(contacts.touches, motion);
+  guide_by_forces(motion, contacts);
+  return torques_by_dynamics(demand_of(checked.robot, motion, contacts));
+}
+
+const char* help_words(const CheckedMotion& checked, bool by_sharing) {
+  if (by_sharing) {
+    return "other forces of the points that touch would move the base alike; contact forces or "
+           "joint torques in the log would tell";
+  }
+  return checked.motion.velocity_origin == Origin::kDerived
+             ? "accelerations are derived from positions; velocities, accelerations or samples "
+               "closer together would tell"
+             : "accelerations are derived; accelerations or joint torques in the log, less noise "
+               "or samples closer together would tell";
+}
+
+}  // namespace
+
+MatrixXd torque_doubts(const CheckedMotion& checked) {
+  MatrixXd doubt_Nm = checked.demand.shared_doubt_Nm;
+  const Motion& motion = checked.motion;
+  if (!checked.demand.has_dynamics) return doubt_Nm;
+  if (motion.acceleration_origin != Origin::kDerived) {
+    const Eigen::VectorXd noise_Nm = sample_noise(motion, torques_by_dynamics(checked.demand));
+    return doubt_Nm.colwise() + kDeviations * noise_Nm;
+  }
+  if (motion.samples() <= 4 * motion.reach + 1) return doubt_Nm;
+  const MatrixXd change_Nm =
+      (torques_twice_as_far(checked) - torques_by_dynamics(checked.demand)).cwiseAbs();
+  return doubt_Nm + spread(change_Nm, motion.reach);
+}
+
+std::vector<PeakDoubt> peak_doubts(const CheckedMotion& checked, const MatrixXd& torque_Nm,
+                                   const MatrixXd& doubt_Nm) {
+  std::vector<PeakDoubt> peaks;
+  for (const Drivetrain& drivetrain : checked.robot.drivetrains) {
+    for (const std::string& name : drivetrain.actuator_names) {
+      const auto drive = static_cast<Index>(peaks.size());
+      PeakDoubt& peak = peaks.emplace_back();
+      peak.drive = name;
+      const Eigen::VectorXd size_Nm = torque_Nm.row(drive).cwiseAbs();
+      const Eigen::VectorXd doubts_Nm = doubt_Nm.row(drive);
+      Index at = 0;
+      peak.peak_Nm = size_Nm.maxCoeff(&at);
+      peak.time_s = checked.motion.time_s(at);
+      peak.least_Nm = std::max(0.0, (size_Nm - doubts_Nm).maxCoeff());
+      peak.most_Nm = (size_Nm + doubts_Nm).maxCoeff(&at);
+      peak.by_sharing = checked.demand.shared_doubt_Nm(drive, at) > 0.5 * doubts_Nm[at];
+    }
+  }
+  return peaks;
+}
+
+std::vector<Finding> doubt_findings(const CheckedMotion& checked,
+                                    const std::vector<PeakDoubt>& peaks,
+                                    const std::vector<actuator::DriveReport>& drives) {
+  double greatest_Nm = 0.0;
+  for (const PeakDoubt& peak : peaks) greatest_Nm = std::max(greatest_Nm, peak.peak_Nm);
+  std::vector<Finding> findings;
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    const PeakDoubt& peak = peaks[i];
+    const bool is_open = drives[i].verdict == actuator::Verdict::kUndecided;
+    const bool is_notable = peak.most_Nm - peak.least_Nm > kNotable * peak.peak_Nm &&
+                            peak.most_Nm > kMatters * greatest_Nm;
+    if (!is_open && !is_notable) continue;
+    Finding& finding = findings.emplace_back();
+    finding.rule = "torque-doubt";
+    finding.severity = actuator::Severity::kWarning;
+    finding.joint = peak.drive;
+    finding.time_s = peak.time_s;
+    finding.value = peak.peak_Nm;
+    finding.unit = "Nm";
+    finding.sentence =
+        fmt::format("{}: its peak torque, {:.4g} Nm, lies between {:.4g} and {:.4g} Nm{}: {}",
+                    peak.drive, peak.peak_Nm, peak.least_Nm, peak.most_Nm,
+                    is_open ? ", and its limits within what that leaves open" : "",
+                    help_words(checked, peak.by_sharing));
+  }
+  return findings;
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "actuator/check/report.hpp"
+#include "hopper/check/checked_motion.hpp"
+
+namespace torquewright::hopper {
+
+/// (drives x samples), Nm: how far torques of the dynamics may be off.
+///
+/// Where accelerations are derived: what changes when they look twice as far to either side, the
+/// largest of the samples within that reach; it holds what noise is left and what smoothing takes
+/// away. Where contact forces are not unique: as far as they let the torque go. Where
+/// accelerations are given: four standard deviations of the torques' own noise.
+/// docs/derivations/whole_body_check.md, "Doubt".
+Eigen::MatrixXd torque_doubts(const CheckedMotion& checked);
+
+/// Of one drive's peak torque.
+struct PeakDoubt {
+  std::string drive;
+  double peak_Nm = 0.0;
+  double time_s = 0.0;
+  double least_Nm = 0.0;    ///< The peak is no less than this,
+  double most_Nm = 0.0;     ///< and no more.
+  bool by_sharing = false;  ///< Most of it is that contact forces are not unique.
+};
+
+/// By drive; of torques and doubts by drive and sample.
+std::vector<PeakDoubt> peak_doubts(const CheckedMotion& checked, const Eigen::MatrixXd& torque_Nm,
+                                   const Eigen::MatrixXd& doubt_Nm);
+
+/// Of drives whose peak is not known to a share that matters, or whose verdict it leaves open.
+std::vector<Finding> doubt_findings(const CheckedMotion& checked,
+                                    const std::vector<PeakDoubt>& peaks,
+                                    const std::vector<actuator::DriveReport>& drives);
+
+}  // namespace torquewright::hopper

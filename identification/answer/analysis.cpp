@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/answer/analysis.hpp"
+
+#include <algorithm>
+
+#include "identification/forward/plain_forward.hpp"
+#include "identification/forward/torque_forward.hpp"
+#include "identification/replay/position_study.hpp"
+#include "identification/replay/standstill.hpp"
+#include "identification/selection/answer.hpp"
+#include "identification/selection/folds.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+/// The equations of one joint, one after the other.
+class JointAnalysis {
+ public:
+  JointAnalysis(const Rig& rig, const Log& log, std::size_t joint,
+                const std::vector<const actuator::Actuator*>& actuators,
+                const AnalysisOptions& options)
+      : log_(log),
+        options_(options),
+        torque_options_(options),
+        bench_(make_bench(rig, log, joint, actuators)),
+        levels_(noise_levels(log, joint)),
+        folds_(run_folds(log)) {}
+
+  std::vector<EquationResult> run() {
+    say("preparing", 0.0);
+    const HeldSignals held = signals();
+    std::vector<EquationResult> results;
+    if (held.rows.empty()) {
+      results.emplace_back().unusable = "no stretch of the log is long enough (0.5 s)";
+      return results;
+    }
+    if (bench_.has_torque_balance()) add_torque_and_position(held, results);
+    for (const ForwardEquation& each : plain_forward(bench_, held.rows)) {
+      say("searching: " + each.quantity, 0.9);
+      results.push_back(answer(bench_, log_, each, held, folds_, options_));
+    }
+    return results;
+  }
+
+ private:
+  void say(const std::string& what, double share) const {
+    if (options_.progress) options_.progress(what, share);
+  }
+
+  HeldSignals signals() const { return held_signals(log_, bench_, levels_, options_.seed); }
+
+  EquationResult torque_result(const HeldSignals& held) const {
+    say("searching: torque", 0.3);
+    const ForwardEquation equation = torque_forward(bench_, held.rows, folds_);
+    return answer(bench_, log_, equation, held, folds_, torque_options_);
+  }
+
+  /// Friction that only a simulation finds is stated to the torque balance, which is then asked
+  /// again; what it left before stays what the nominal actuator left.
+  void add_torque_and_position(const HeldSignals& held, std::vector<EquationResult>& results) {
+    EquationResult torque = torque_result(held);
+    say("simulating the log", 0.75);
+    const PositionInput source{bench_, held.rows, held.replica, held_out()};
+    std::optional<EquationResult> position = study_position(source, torque, options_.select);
+    if (position && !position->added.empty() && !options_.asks(position->added.front().effect)) {
+      position = study_position(source, torque, false);
+    }
+    if (position && !position->added.empty()) {
+      const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];
+      const actuator::Actuator informed = with_standstill(nominal, position->added.front());
+      bench_.actuators[bench_.joint] = &informed;
+      for (const char* settled : {"coulomb_friction", "stribeck_friction", "asymmetric_friction",
+                                  "presliding_friction"}) {
+        torque_options_.without.emplace_back(settled);
+      }
+      EquationResult again = torque_result(signals());
+      bench_.actuators[bench_.joint] = &nominal;
+      again.before = torque.before;
+      again.structure_before = std::move(torque.structure_before);
+      again.is_noise_before = torque.is_noise_before;
+      torque = std::move(again);
+    }
+    results.push_back(std::move(torque));
+    if (position) results.push_back(*std::move(position));
+  }
+
+  std::vector<bool> held_out() const {
+    std::vector<bool> held_out;
+    for (const std::size_t fold : folds_) held_out.push_back(fold == kHeldOut);
+    return held_out;
+  }
+
+  const Log& log_;
+  const AnalysisOptions& options_;
+  AnalysisOptions torque_options_;
+  Bench bench_;
+  NoiseLevels levels_;
+  std::vector<std::size_t> folds_;
+};
+
+}  // namespace
+
+bool AnalysisOptions::asks(const std::string& effect) const {
+  const auto is_in = [&](const std::vector<std::string>& list) {
+    return std::find(list.begin(), list.end(), effect) != list.end();
+  };
+  return (only.empty() || is_in(only)) && !is_in(without);
+}
+
+std::vector<EquationResult> analyse(const Rig& rig, const Log& log, std::size_t joint,
+                                    const std::vector<const actuator::Actuator*>& actuators,
+                                    const AnalysisOptions& options) {
+  std::vector<EquationResult> results = JointAnalysis(rig, log, joint, actuators, options).run();
+  for (EquationResult& each : results) each.joint = rig.joints[joint];
+  return results;
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "identification/findings/result.hpp"
+#include "identification/selection/analysis_options.hpp"
+
+namespace torquewright::identification {
+
+/// Steps 2 to 5 for every equation that a joint's channels allow.
+/// docs/derivations/identification.md.
+std::vector<EquationResult> analyse(const Rig& rig, const Log& log, std::size_t joint,
+                                    const std::vector<const actuator::Actuator*>& actuators,
+                                    const AnalysisOptions& options = {});
+
+}  // namespace torquewright::identification

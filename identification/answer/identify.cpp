@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/answer/identify.hpp"
+
+#include <algorithm>
+
+#include "identification/answer/allowed_equations.hpp"
+#include "identification/answer/analysis.hpp"
+#include "identification/findings/with_effects.hpp"
+#include "identification/forward/candidates.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+/// How much a verdict on one equation weighs for the whole: what is known to be wrong comes before
+/// what cannot be told, that before what is explained.
+int weight(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNothingMissing:
+      return 0;
+    case Verdict::kExplained:
+      return 1;
+    case Verdict::kCannotTell:
+      return 2;
+    case Verdict::kUnexplained:
+      return 3;
+    case Verdict::kPartlyExplained:
+      return 4;
+  }
+  return 0;
+}
+
+bool has_error(const std::vector<DataFinding>& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const DataFinding& each) { return each.weight == Weight::kError; });
+}
+
+Verdict overall(const std::vector<EquationResult>& equations,
+                const std::vector<DataFinding>& findings) {
+  if (has_error(findings) || equations.empty()) return Verdict::kCannotTell;
+  Verdict verdict = Verdict::kNothingMissing;
+  bool any_added = false;
+  for (const EquationResult& equation : equations) {
+    if (weight(equation.verdict) > weight(verdict)) verdict = equation.verdict;
+    any_added = any_added || !equation.added.empty();
+  }
+  // One equation explained, another with structure left: explained in part.
+  if (verdict == Verdict::kUnexplained && any_added) return Verdict::kPartlyExplained;
+  return verdict;
+}
+
+/// The first equation with an effect; else the torque's, which comes first.
+std::size_t leading(const std::vector<EquationResult>& equations) {
+  const auto first = std::find_if(equations.begin(), equations.end(),
+                                  [](const EquationResult& each) { return !each.added.empty(); });
+  return first == equations.end() ? 0 : static_cast<std::size_t>(first - equations.begin());
+}
+
+std::vector<EmpiricalTable> tables_of(const std::vector<EquationResult>& equations) {
+  std::vector<EmpiricalTable> tables;
+  for (const EquationResult& equation : equations) {
+    if (equation.structure_after.empty()) continue;
+    const ResidualStructure& strongest = equation.structure_after.front();
+    if (!is_significant(strongest)) continue;
+    tables.push_back({strongest.coordinate, strongest.times_direction, strongest.centre,
+                      strongest.level, strongest.share});
+  }
+  return tables;
+}
+
+/// What the equations say of the data rather than of the actuator.
+void add_findings(Identification& found) {
+  for (const EquationResult& each : found.equations) {
+    if (!each.not_one_rig.empty()) found.findings.push_back({Weight::kError, each.not_one_rig});
+    for (const SpectralLine& line : each.lines) {
+      if (!is_of_the_data(line)) continue;
+      const std::string whose =
+          each.joint.empty() ? each.quantity : each.joint + " " + each.quantity;
+      found.findings.push_back({Weight::kWarning, sentence_of(line, whose, each.unit)});
+    }
+  }
+}
+
+std::vector<std::string> effects_not_asked(const AnalysisOptions& options) {
+  std::vector<std::string> names = nameable_effects();
+  std::erase_if(names, [&](const std::string& name) { return options.asks(name); });
+  return names;
+}
+
+}  // namespace
+
+Identification identify(const std::vector<std::filesystem::path>& logs, const Rig& rig,
+                        const std::vector<JointActuator>& actuators,
+                        const IdentifyOptions& options) {
+  Log log = read_log(logs, rig);
+  std::vector<actuator::Actuator> stated;
+  for (const JointActuator& each : actuators) stated.push_back(each.nominal.actuator);
+  check_against(log, rig, stated);
+  check_equations(log, rig);
+  Identification found;
+  found.findings = log.findings;
+  found.train_runs = log.train_runs;
+  found.holdout_runs = log.holdout_runs;
+  found.files = log.files;
+  std::vector<const actuator::Actuator*> nominal;
+  for (const JointActuator& each : actuators) nominal.push_back(&each.nominal.actuator);
+  for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
+    AnalysisOptions analysis = options.analysis;
+    analysis.select = options.select && !has_error(log.findings);  // no names from such data
+    if (options.progress) {
+      analysis.progress = [&, joint](const std::string& what, double share) {
+        const auto joints = static_cast<double>(rig.joints.size());
+        options.progress(what, (static_cast<double>(joint) + share) / joints);
+      };
+    }
+    for (EquationResult& each : analyse(rig, log, joint, nominal, analysis)) {
+      if (has_error(log.findings)) each.verdict = Verdict::kCannotTell;
+      found.equations.push_back(std::move(each));
+    }
+  }
+  found.not_asked = effects_not_asked(options.analysis);
+  add_findings(found);
+  found.verdict = overall(found.equations, found.findings);
+  found.leading = leading(found.equations);
+  if (options.empirical) found.tables = tables_of(found.equations);
+  return found;
+}
+
+namespace {
+
+bool is_trusted(const EquationResult& equation) {
+  return equation.verdict != Verdict::kUnexplained && equation.not_one_rig.empty();
+}
+
+std::vector<const NamedEffect*> certain_of_actuator(const EquationResult& equation) {
+  std::vector<const NamedEffect*> certain;
+  for (const NamedEffect& effect : equation.added) {
+    if (!is_trusted(equation) || effect.family != EffectFamily::kActuator) continue;
+    if (is_certain(equation, effect.effect)) certain.push_back(&effect);
+  }
+  return certain;
+}
+
+/// Values belong to the model that they were fitted in: they go with one that is certain.
+std::vector<const Correction*> certain_corrections(const EquationResult& equation) {
+  std::vector<const Correction*> certain;
+  const bool is_settled = equation.verdict != Verdict::kCannotTell;
+  if (!is_trusted(equation) || (!is_settled && certain_of_actuator(equation).empty())) return {};
+  for (const Correction& each : equation.corrected) {
+    if (each.pointer.rfind("/load/", 0) != 0) certain.push_back(&each);
+  }
+  return certain;
+}
+
+}  // namespace
+
+bool has_anything_certain(const Identification& found) {
+  if (found.verdict == Verdict::kNothingMissing) return true;
+  return std::any_of(found.equations.begin(), found.equations.end(), [](const auto& each) {
+    return !certain_of_actuator(each).empty() || !certain_corrections(each).empty();
+  });
+}
+
+nlohmann::ordered_json refined_actuator(const Identification& found,
+                                        const JointActuator& actuator) {
+  nlohmann::ordered_json document =
+      nlohmann::ordered_json::parse(actuator.nominal.documents.front().root.dump());
+  if (!document.contains("effects")) document["effects"] = nlohmann::ordered_json::array();
+  nlohmann::ordered_json logs = nlohmann::ordered_json::array();
+  for (const Log::File& file : found.files)
+    logs.push_back({{"path", file.path}, {"sha256", file.sha256}});
+  for (const EquationResult& equation : found.equations) {
+    if (equation.joint != actuator.joint) continue;
+    for (const NamedEffect* named : certain_of_actuator(equation)) {
+      const NamedEffect& effect = *named;
+      if (!effect.replaces.empty()) {
+        auto& effects = document["effects"];
+        for (auto it = effects.begin(); it != effects.end();) {
+          it = is_listed(effect.replaces, it->value("effect", "")) ? effects.erase(it)
+                                                                   : std::next(it);
+        }
+      }
+      nlohmann::ordered_json entry = {{"effect", effect.effect}, {"parameters", effect.parameters}};
+      entry["standard_error"] = effect.standard_error;
+      entry["provenance"] = {{"source", "identified"},
+                             {"logs", logs},
+                             {"holdout_rms_before", effect.holdout_rms_before},
+                             {"holdout_rms_after", effect.holdout_rms_after},
+                             {"unit", equation.unit}};
+      document["effects"].push_back(std::move(entry));
+    }
+    for (const Correction* correction : certain_corrections(equation)) {
+      const nlohmann::ordered_json::json_pointer pointer(correction->pointer);
+      if (document.contains(pointer)) document[pointer] = correction->value;
+    }
+  }
+  return document;
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "actuator/motor/actuator_spec.hpp"
+#include "identification/answer/analysis.hpp"
+#include "identification/findings/result.hpp"
+
+namespace torquewright::identification {
+
+/// The nominal actuator of one joint (joint empty unless the rig is a serial arm).
+struct JointActuator {
+  std::string joint;
+  actuator::ReadActuator nominal;
+};
+
+struct IdentifyOptions {
+  bool select = true;        ///< False: steps 1 to 4 only.
+  AnalysisOptions analysis;  ///< Its `select` and `progress` are set from these.
+  bool empirical = false;    ///< Offer a table over the coordinate along which most is left.
+  std::function<void(const std::string& what, double share_done)> progress;
+};
+
+/// A smooth table over one coordinate, for what no physical effect explains.
+struct EmpiricalTable {
+  std::string coordinate;
+  bool times_direction = false;
+  std::vector<double> at, level;
+  double share = 0.0;  ///< Of what is left that it explains where it was not fitted.
+};
+
+/// The outcome for one log on one rig.
+struct Identification {
+  Verdict verdict = Verdict::kCannotTell;
+  std::vector<EquationResult> equations;  ///< Of every joint.
+  std::size_t leading = 0;                ///< The equation that top-level figures are of.
+  std::vector<DataFinding> findings;
+  std::vector<std::string> train_runs, holdout_runs;
+  std::vector<Log::File> files;
+  std::vector<EmpiricalTable> tables;  ///< With `empirical`.
+  std::vector<std::string> not_asked;  ///< Effects that options left out.
+};
+
+/// Reads the logs, and goes through steps 1 to 5 for every joint. Throws io::SpecError where what
+/// is read cannot be used.
+Identification identify(const std::vector<std::filesystem::path>& logs, const Rig& rig,
+                        const std::vector<JointActuator>& actuators,
+                        const IdentifyOptions& options = {});
+
+/// Whether a refined actuator would say more than the stated one: an effect of it that no other of
+/// the log may stand for, or an uncertain value beside what was explained.
+bool has_anything_certain(const Identification& found);
+
+/// Step 6: the joint's actuator document with the effects that were added to it (family actuator
+/// only), each with value, standard error and provenance, and its uncertain values corrected. What
+/// belongs to rig and log stays out, and so does what is not certain.
+nlohmann::ordered_json refined_actuator(const Identification& found, const JointActuator& actuator);
+
+}  // namespace torquewright::identification

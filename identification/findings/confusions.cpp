@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/findings/confusions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace torquewright::identification {
+namespace {
+
+bool has(const std::vector<std::string>& effects, std::initializer_list<const char*> any) {
+  return std::any_of(any.begin(), any.end(), [&](const char* name) {
+    return std::find(effects.begin(), effects.end(), name) != effects.end();
+  });
+}
+
+bool is_uncertain(const Bench& bench, const char* pointer) {
+  const auto& list = bench.rig->uncertain;
+  return std::find(list.begin(), list.end(), pointer) != list.end();
+}
+
+}  // namespace
+
+std::vector<std::string> exact_identities(const Bench& bench, const std::string& effect) {
+  const LoadType load = bench.rig->load.type;
+  std::vector<std::vector<std::string>> groups = {
+      {"torque_offset", "current_offset", "asymmetric_friction"}};
+  const double ratio = bench.actuator().transmission.ratio;
+  if (ratio == std::floor(ratio)) groups.push_back({"cogging_torque", "gear_ripple"});
+  if (bench.load_side == LoadSide::kModel) {
+    if (is_uncertain(bench, "/load/inertia_kg_m2")) {
+      groups.push_back({"reflected_inertia", "load_inertia_error"});
+    }
+    if (load == LoadType::kFree) groups.push_back({"torque_constant_error", "reflected_inertia"});
+    if (load == LoadType::kPendulum && is_uncertain(bench, "/load/mass_kg")) {
+      groups.push_back({"torque_constant_error", "load_mass_error"});
+    }
+  }
+  // A ripple of the output need not be a multiple of the ratio: only cogging's name is in question.
+  if (effect == "gear_ripple") return {effect};
+  for (const auto& group : groups) {
+    if (std::find(group.begin(), group.end(), effect) != group.end()) return group;
+  }
+  return {effect};
+}
+
+std::string separated_by(const Bench& bench, const std::vector<std::string>& effects) {
+  if (has(effects, {"torque_offset", "current_offset"})) {
+    return "a tare with the drive off, the voltage equation, or rest reached from both sides";
+  }
+  if (has(effects, {"torque_lag", "channel_delay"})) {
+    return "motion so fast that lag times angular frequency exceeds 0.5, or a second pair of "
+           "channels";
+  }
+  if (has(effects, {"reflected_inertia", "load_inertia_error"}) &&
+      bench.load_side == LoadSide::kModel) {
+    return "a torque sensor, or a second load of known inertia";
+  }
+  if (has(effects, {"load_mass_error"})) {
+    return "a second known mass, holding still at several angles, or the voltage equation";
+  }
+  if (has(effects, {"friction_temperature", "torque_constant_temperature",
+                    "winding_resistance_temperature"})) {
+    return "cold and warm runs in turn, the same motion in each";
+  }
+  if (has(effects, {"stribeck_friction", "presliding_friction"})) {
+    return "speeds down to a tenth of the Stribeck velocity, and strokes of one to five presliding "
+           "lengths";
+  }
+  if (has(effects, {"load_dependent_friction"})) {
+    return "driving and back-driving at each load";
+  }
+  if (has(effects, {"viscous_friction", "quadratic_drag", "coulomb_friction"})) {
+    return "steady speeds that differ by a factor of four, in both directions";
+  }
+  if (has(effects, {"torque_constant_saturation", "torque_constant_error"})) {
+    return "three loads of both signs, the largest near the peak current";
+  }
+  if (has(effects, {"cogging_torque", "gear_ripple", "gravity_imbalance"})) {
+    return "a slow turn of the whole range, and an encoder on the motor";
+  }
+  return "a mix of slow and fast motion in both directions under several loads";
+}
+
+std::string consequence(const std::vector<std::string>& effects) {
+  if (has(effects, {"torque_offset"})) {
+    return "As an offset of a sensor nothing changes in the region; as asymmetric friction its "
+           "bounds for the two directions move by the value.";
+  }
+  if (has(effects, {"load_inertia_error"})) {
+    return "As inertia of the rotor it takes torque wherever the actuator accelerates; as an error "
+           "of the rig nothing changes.";
+  }
+  if (has(effects, {"torque_constant_error"})) {
+    return "As an error of the torque constant all torques of the region change by the factor; as "
+           "the other, none.";
+  }
+  return "";
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/signals/preparation.hpp"
+
+namespace torquewright::identification {
+
+/// Effects that are the same column whatever the excitation on such a rig, the preferred name
+/// first; only the effect itself if there are none.
+std::vector<std::string> exact_identities(const Bench& bench, const std::string& effect);
+
+/// What would tell them apart, a sentence.
+std::string separated_by(const Bench& bench, const std::vector<std::string>& effects);
+
+/// What follows for the region from each reading, a sentence; for exact groups.
+std::string consequence(const std::vector<std::string>& effects);
+
+}  // namespace torquewright::identification

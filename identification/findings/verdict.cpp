@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/findings/verdict.hpp"
+
+#include <algorithm>
+
+namespace torquewright::identification {
+
+Verdict verdict_of(const EquationResult& result, bool is_searched) {
+  if (!result.not_one_rig.empty()) return Verdict::kCannotTell;
+  if (!is_searched || result.added.empty()) {
+    return result.is_noise_before ? Verdict::kNothingMissing : Verdict::kUnexplained;
+  }
+  const bool is_ambiguous = std::any_of(result.confounded.begin(), result.confounded.end(),
+                                        [](const Confounded& group) { return !group.exact; });
+  if (is_ambiguous) return Verdict::kCannotTell;
+  const bool is_all = result.is_noise_after && !result.has_tentative;
+  return is_all ? Verdict::kExplained : Verdict::kPartlyExplained;
+}
+
+}  // namespace torquewright::identification

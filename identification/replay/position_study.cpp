@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/replay/position_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identification/findings/with_effects.hpp"
+#include "identification/forward/candidates.hpp"
+#include "identification/replay/standstill.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+constexpr std::size_t kMostWindows = 36;
+constexpr std::size_t kLeastWindows = 4;  ///< Of training.
+constexpr double kBand_Hz = 25.0;         ///< Of the signals.
+constexpr double kNoiseLoss = 2.5;        ///< In floors: what is left is noise.
+
+/// The offset of the motor's current that an effect of the log stands for; nothing where it is
+/// none.
+std::optional<double> offset_A(const NamedEffect& effect, const actuator::Actuator& actuator) {
+  if (effect.effect == "current_offset") return effect.parameters.value("value", 0.0);
+  if (effect.effect != "torque_offset") return std::nullopt;
+  return effect.parameters.value("value", 0.0) /
+         (actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A);
+}
+
+/// The sum of offsets; nothing where something was found that the simulation does not know.
+std::optional<double> known_offset_A(const EquationResult& torque,
+                                     const actuator::Actuator& actuator) {
+  if (!torque.unusable.empty() || !torque.corrected.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const NamedEffect& effect : torque.added) {
+    if (effect.family == EffectFamily::kActuator) continue;
+    const auto offset = offset_A(effect, actuator);
+    if (!offset) return std::nullopt;
+    sum += *offset;
+  }
+  return sum;
+}
+
+double rms(const std::vector<double>& losses) {
+  double sum = 0.0;
+  for (const double loss : losses) sum += loss;
+  return losses.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(losses.size()));
+}
+
+Errors errors_of(const ReplayCase& log, const actuator::Actuator& actuator) {
+  return {rms(log.losses(actuator, log.chosen(false))),
+          rms(log.losses(actuator, log.chosen(true)))};
+}
+
+/// What the channels' noise does to the errors: of the start, the drive and the position.
+double noise_floor(const ReplayCase& log, const Replay& noisy, const actuator::Actuator& actuator) {
+  std::vector<double> losses;
+  for (const ReplayWindow& window : log.windows) {
+    const Eigen::VectorXd added =
+        noisy.errors(actuator, window) - log.replay.errors(actuator, window);
+    losses.push_back(added.squaredNorm() / static_cast<double>(added.size()));
+  }
+  return rms(losses);
+}
+
+StandstillScale scale_of(const Bench& bench, const std::vector<Signals>& signals) {
+  StandstillScale scale;
+  scale.speed_rad_s = ranges_of(bench, signals).speed_rad_s;
+  for (const Signals& stretch : signals) {
+    for (const double torque : stretch.motor_side_Nm) {
+      scale.torque_Nm = std::max(scale.torque_Nm, std::abs(torque));
+    }
+  }
+  return scale;
+}
+
+bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* each) { return name == each; });
+}
+
+bool repeats(const NamedEffect& effect) { return effect.parameters.contains("harmonics"); }
+
+bool is_beyond_level(const NamedEffect& effect) {
+  return is_one_of(effect.effect,
+                   {"stribeck_friction", "presliding_friction", "asymmetric_friction"});
+}
+
+/// The balance of torques, blind where the output stands, named no law of friction near rest for
+/// certain; or ripple, whose columns resemble what sticks and slips.
+bool leaves_standstill_open(const EquationResult& torque) {
+  const bool in_doubt =
+      std::any_of(torque.confounded.begin(), torque.confounded.end(), [](const Confounded& group) {
+        return !group.exact && std::find(group.effects.begin(), group.effects.end(),
+                                         "stribeck_friction") != group.effects.end();
+      });
+  const auto& added = torque.added;
+  return in_doubt || std::any_of(added.begin(), added.end(), repeats) ||
+         std::none_of(added.begin(), added.end(), is_beyond_level);
+}
+
+/// Without what standstill may have been taken for.
+std::vector<NamedEffect> lasting(std::vector<NamedEffect> added) {
+  std::erase_if(added, [](const NamedEffect& effect) {
+    return repeats(effect) || effect.effect == "stribeck_friction";
+  });
+  return added;
+}
+
+bool follows_no_worse(const ReplayCase& log, const actuator::Actuator& simple,
+                      const actuator::Actuator& known) {
+  const Errors of_simple = errors_of(log, simple), of_known = errors_of(log, known);
+  return of_simple.train_rms <= of_known.train_rms && of_simple.holdout_rms <= of_known.holdout_rms;
+}
+
+std::string replaced_by(const actuator::Actuator& nominal) {
+  for (const actuator::Effect& stated : nominal.effects) {
+    if (stated.kind->name == "coulomb_friction" || stated.kind->name == "stribeck_friction") {
+      return std::string(stated.kind->name);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::optional<EquationResult> study_position(const PositionInput& input,
+                                             const EquationResult& torque, bool select) {
+  const Bench& bench = input.bench;
+  const auto offset = known_offset_A(torque, bench.actuator());
+  if (!Replay::can_replay(bench) || !offset) return std::nullopt;
+  const Replay replay(bench, input.signals, *offset), noisy(bench, input.replica, *offset);
+  const ReplayCase log{replay, replay_windows(input.signals, input.held_out, kMostWindows)};
+  if (log.chosen(false).size() < kLeastWindows) return std::nullopt;
+  EquationResult result;
+  result.quantity = bench.is_linear ? "linear_position_m" : "output_position_rad";
+  result.unit = bench.is_linear ? "m" : "rad";
+  result.band_Hz = kBand_Hz;
+  result.before = errors_of(log, bench.actuator());
+  actuator::Actuator known = with_effects(bench.actuator(), torque.added);
+  const double known_floor = noise_floor(log, noisy, known);
+  const double left = errors_of(log, known).train_rms;
+  const bool is_followed = left * left <= kNoiseLoss * known_floor * known_floor;
+  if (select && !is_followed && leaves_standstill_open(torque)) {
+    const actuator::Actuator plain = with_effects(bench.actuator(), lasting(torque.added));
+    Standstill found = find_standstill(log, plain, scale_of(bench, input.signals));
+    if (found.effect && follows_no_worse(log, with_standstill(plain, *found.effect), known)) {
+      found.effect->replaces = replaced_by(bench.actuator());
+      known = with_standstill(plain, *found.effect);
+      result.added.push_back(*std::move(found.effect));
+    } else if (!found.objection.empty()) {
+      result.rejected.push_back({"stribeck_friction", found.objection});
+    }
+  }
+  result.after = errors_of(log, known);
+  result.noise_floor_rms = noise_floor(log, noisy, known);
+  const double floor = kNoiseLoss * result.noise_floor_rms * result.noise_floor_rms;
+  result.is_noise_before = result.before.train_rms * result.before.train_rms <= floor;
+  result.is_noise_after = result.after.train_rms * result.after.train_rms <= floor;
+  // It confirms what was found elsewhere, and judges alone only what it added itself.
+  result.verdict = result.added.empty()    ? Verdict::kNothingMissing
+                   : result.is_noise_after ? Verdict::kExplained
+                                           : Verdict::kPartlyExplained;
+  return result;
+}
+
+}  // namespace torquewright::identification

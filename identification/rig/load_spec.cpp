@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/rig/load_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "io/wording.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array<std::string_view, 5> kLoadNames = {"dynamometer", "free", "pendulum",
+                                                        "linear_axis", "serial_arm"};
+
+/// The keys of a load, besides its type, that the types need; no others may stand there.
+const std::vector<std::string>& keys_of(LoadType type) {
+  static const std::array<std::vector<std::string>, 5> kKeys = {
+      {{}, {"inertia_kg_m2"}, {"mass_kg", "length_m", "inertia_kg_m2"}, {"mass_kg"}, {"links"}}};
+  return kKeys[static_cast<std::size_t>(type)];
+}
+
+}  // namespace
+
+std::string_view name_of(LoadType type) { return kLoadNames[static_cast<std::size_t>(type)]; }
+
+Load load_of_json(const json& load,
+                  const std::function<void(const std::string&, std::string)>& report) {
+  Load read;
+  const auto found = std::find(kLoadNames.begin(), kLoadNames.end(), load["type"]);
+  read.type = static_cast<LoadType>(found - kLoadNames.begin());
+  const std::vector<std::string>& needed = keys_of(read.type);
+  for (const std::string& key : needed) {
+    if (load.contains(key)) continue;
+    report("/" + key, fmt::format("missing; a load of type \"{}\" needs it", *found));
+  }
+  for (const auto& [key, value] : load.items()) {
+    if (key == "type" || std::find(needed.begin(), needed.end(), key) != needed.end()) continue;
+    report("/" + key, fmt::format("has no meaning for a load of type \"{}\", which {}", *found,
+                                  needed.empty() ? "has no values" : "has " + io::listed(needed)));
+  }
+  read.mass_kg = load.value("mass_kg", 0.0);
+  read.length_m = load.value("length_m", 0.0);
+  read.inertia_kg_m2 = load.value("inertia_kg_m2", 0.0);
+  for (const json& link : load.value("links", json::array())) {
+    read.links.push_back(
+        {link["mass_kg"], link["length_m"], link["center_of_mass_m"], link["inertia_kg_m2"]});
+  }
+  return read;
+}
+
+std::vector<std::string> joints_of_links(const json& load) {
+  std::vector<std::string> joints;
+  for (const json& link : load.value("links", json::array())) {
+    if (link.contains("joint")) joints.push_back(link["joint"]);
+  }
+  return joints;
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/rig/rig_parts_spec.hpp"
+
+#include <fmt/format.h>
+
+#include "io/document.hpp"
+#include "io/file_bytes.hpp"
+#include "io/json_text.hpp"
+#include "io/nearest.hpp"
+#include "io/schema.hpp"
+#include "io/wording.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using nlohmann::json;
+
+/// The numbers among an object's properties as a schema lists them.
+std::vector<std::string> numbers_of(const json& schema) {
+  std::vector<std::string> names;
+  for (const auto& [key, property] : schema["properties"].items()) {
+    if (property.value("type", "") == "number") names.push_back(key);
+  }
+  return names;
+}
+
+/// What may be corrected of a part of an actuator: /motor or /gearbox.
+std::vector<std::string> numbers_of_actuator(const std::string& part) {
+  const json& schema = io::schema_of("actuator")["properties"][part];
+  return numbers_of(schema.contains("anyOf") ? schema["anyOf"][0] : schema);
+}
+
+void collect_numbers(const json& value, const std::string& path, std::vector<std::string>& found) {
+  if (value.is_number()) found.push_back(path);
+  if (value.is_object()) {
+    for (const auto& [key, child] : value.items()) {
+      collect_numbers(child, io::child_path(path, key), found);
+    }
+  }
+  if (!value.is_array()) return;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    collect_numbers(value[i], fmt::format("{}/{}", path, i), found);
+  }
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> columns_as_written(const io::Document& document) {
+  using Ordered = nlohmann::ordered_json;
+  try {
+    const Ordered root = Ordered::parse(io::read_file_bytes(document.file));
+    std::vector<std::string> names;
+    for (const auto& [name, entry] :
+         root.at(Ordered::json_pointer(document.path + "/columns")).items()) {
+      names.push_back(name);
+    }
+    return names;
+  } catch (const io::SpecError&) {
+    return std::nullopt;
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string objection_to_pointer(const std::string& pointer, const json& rig) {
+  std::vector<std::string> known;
+  if (pointer.starts_with("/load/") && rig.contains("loads")) {
+    return fmt::format("{}: the loads are given by run; say of which run, /loads/RUN{}",
+                       io::as_written(pointer), pointer.substr(std::string("/load").size()));
+  }
+  if (pointer.starts_with("/loads/")) {
+    if (rig.contains("loads")) collect_numbers(rig["loads"], "/loads", known);
+  } else if (pointer.starts_with("/load")) {
+    // Those of all types of loads: the contract's own example names one that its type lacks.
+    for (const std::string& key : numbers_of(io::schema_of("rig")["properties"]["load"])) {
+      known.push_back("/load/" + key);
+    }
+    const json load = rig.value("load", json::object());
+    if (load.contains("links")) collect_numbers(load["links"], "/load/links", known);
+  } else {
+    for (const char* part : {"motor", "gearbox"}) {
+      for (const std::string& key : numbers_of_actuator(part)) {
+        known.push_back(fmt::format("/{}/{}", part, key));
+      }
+    }
+  }
+  for (const std::string& one : known) {
+    if (one == pointer) return "";
+  }
+  if (const auto near = io::nearest(pointer, known)) {
+    return fmt::format("{} leads to no value; did you mean {}?", io::as_written(pointer), *near);
+  }
+  return fmt::format(
+      "{} leads to no value; must be a number of this rig's \"load\" (/load/...; by run: "
+      "/loads/RUN/...) or "
+      "of the actuator's motor or gearbox (/motor/..., /gearbox/...)",
+      io::as_written(pointer));
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "identification/findings/spectral_lines.hpp"
+#include "identification/forward/equation.hpp"
+#include "identification/signals/held_signals.hpp"
+
+namespace torquewright::identification {
+
+/// What a hypothesis leaves of an equation in the runs that are held, at the log's own rate.
+std::vector<LineTrace> line_traces(const ForwardEquation& equation, const Hypothesis& hypothesis,
+                                   const HeldSignals& held);
+
+}  // namespace torquewright::identification

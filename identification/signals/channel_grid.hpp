@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "identification/signals/preparation_options.hpp"
+
+namespace torquewright::identification {
+
+/// The raw channels of one joint in one stretch, brought to a uniform grid and filtered. In a map
+/// without time the samples are taken as they are. Each read of a channel draws its added noise
+/// anew, so the order of reads is part of what a seed means.
+class ChannelGrid {
+ public:
+  /// Keeps references to all four. Requires at least two samples of ascending time, or a map.
+  ChannelGrid(const Run& run, std::size_t joint, const PreparationOptions& options,
+              std::mt19937_64& random);
+
+  double step_s() const { return step_s_; }    ///< 0 in a map.
+  double start_s() const { return start_s_; }  ///< 0 in a map.
+  std::size_t count() const { return count_; }
+  bool is_map() const { return is_map_; }
+  bool has(Quantity quantity) const { return channels_.has(quantity); }
+
+  /// `count` values of a channel that was logged, in its unit.
+  std::vector<double> read(Quantity quantity);
+
+  /// The two steps of it: on the grid, and then through the low-pass.
+  std::vector<double> read_unfiltered(Quantity quantity);
+  std::vector<double> filtered(std::vector<double> values) const;
+
+  /// The channel, or a constant where it was not logged.
+  std::vector<double> read_or(Quantity quantity, double otherwise);
+
+  /// The channel, or nothing where it was not logged.
+  std::vector<double> read_if_any(Quantity quantity);
+
+ private:
+  const Run& run_;
+  const Channels& channels_;
+  const PreparationOptions& options_;
+  std::mt19937_64& random_;
+  bool is_map_ = false;
+  double step_s_ = 0.0, start_s_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace torquewright::identification

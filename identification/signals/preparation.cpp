@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/signals/preparation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "actuator/region/gear_losses.hpp"
+#include "actuator/region/torque_at.hpp"
+#include "actuator/region/winding.hpp"
+#include "identification/log/piece.hpp"
+#include "identification/signals/channel_grid.hpp"
+#include "identification/signals/direction.hpp"
+#include "identification/signals/load_model.hpp"
+#include "identification/signals/output_motion.hpp"
+#include "identification/signals/rest_mask.hpp"
+#include "identification/signals/signal.hpp"
+#include "identification/signals/thinning.hpp"
+#include "identification/signals/winding_channels.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+constexpr double kEnabled = 0.99;  ///< Below, the filter has seen a drive that was off.
+
+constexpr double kStickBand = 2.0;       ///< Times the cut-off, where sticking is looked for.
+constexpr double kLeastStick_s = 0.005;  ///< A shorter one moves a reversal by less than a sample.
+constexpr double kShortestStretch_s = 0.5;
+constexpr std::size_t kLeastSamples = 16;
+
+constexpr double kAround_s = 1.0;
+constexpr std::size_t kThinned = 120;
+constexpr double kSameStep = 1e-6;  ///< Relative.
+
+double torque_per_ampere_Nm_A(const actuator::Actuator& actuator) {
+  return actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A;
+}
+
+/// Everything of an instant but its current, load and state.
+std::vector<actuator::Instant> instants(const JointMotion& motion,
+                                        const std::vector<double>& direction,
+                                        const std::vector<double>& motor_angle_rad,
+                                        const std::vector<double>& temperature_K,
+                                        const actuator::Actuator& actuator) {
+  std::vector<actuator::Instant> all(direction.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    actuator::Instant& at = all[i];
+    at.speed_rad_s = motion.velocity_rad_s[i];
+    at.direction = direction[i];
+    at.acceleration_rad_s2 = motion.acceleration_rad_s2[i];
+    at.output_angle_rad = motion.position_rad[i];
+    at.motor_angle_rad = motor_angle_rad.empty()
+                             ? motion.position_rad[i] * actuator.transmission.ratio
+                             : motor_angle_rad[i];
+    at.winding_temperature_K = temperature_K[i];
+    at.reference_temperature_K = actuator.motor.winding_temperature_K;
+  }
+  return all;
+}
+
+void read_logged_speeds(ChannelGrid& grid, Signals& signals) {
+  signals.logged_velocity_rad_s = grid.read_if_any(
+      grid.has(Quantity::kOutputVelocity) ? Quantity::kOutputVelocity : Quantity::kLinearVelocity);
+  signals.motor_velocity_rad_s = grid.read_if_any(Quantity::kMotorVelocity);
+}
+
+/// Where both sides' positions were logged.
+void set_twist(const ChannelGrid& grid, const std::vector<double>& motor_angle_rad, double ratio,
+               const JointMotion& motion, Signals& signals) {
+  const bool has_output =
+      grid.has(Quantity::kOutputPosition) || grid.has(Quantity::kLinearPosition);
+  if (motor_angle_rad.empty() || !has_output) return;
+  for (std::size_t i = 0; i < motor_angle_rad.size(); ++i) {
+    signals.twist_rad.push_back(motor_angle_rad[i] / ratio - motion.position_rad[i]);
+  }
+  if (grid.is_map()) return;
+  signals.motor_acceleration_rad_s2 =
+      derivative(derivative(motor_angle_rad, grid.step_s()), grid.step_s());
+  for (double& each : signals.motor_acceleration_rad_s2) each /= ratio;
+}
+
+/// The motor's current by the drive's channel, and its torque at the output by the stated constant.
+void set_drive(ChannelGrid& grid, const Bench& bench, Signals& signals) {
+  const actuator::Actuator& actuator = bench.actuator();
+  const double ratio = actuator.transmission.ratio;
+  const actuator::Winding winding = actuator::winding_of(actuator);
+  std::vector<double> drive;
+  if (bench.drive) {
+    drive = bench.drive == Drive::kVoltage ? signals.voltage_V : grid.read(bench.drive_channel);
+  }
+  signals.motor_side_Nm.resize(signals.size());
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    actuator::Instant& at = signals.at[i];
+    if (bench.drive == Drive::kCurrent) at.current_A = drive[i];
+    if (bench.drive == Drive::kTorque) at.current_A = drive[i] / torque_per_ampere_Nm_A(actuator);
+    if (bench.drive == Drive::kVoltage) {
+      at.current_A = (drive[i] - winding.back_emf_V_s_rad * ratio * at.speed_rad_s) /
+                     actuator::resistance_ohm(actuator, winding, at);
+    }
+    signals.motor_side_Nm[i] = torque_per_ampere_Nm_A(actuator) * at.current_A;
+  }
+}
+
+/// Below the signals' own cut-off; and, where the motion is not imposed and may stick for a moment
+/// as it reverses, in a wider band, in which such a rest is not yet smeared.
+std::vector<std::uint8_t> rests(const ChannelGrid& grid, const Bench& bench,
+                                const JointMotion& motion,
+                                const std::vector<double>& unfiltered_rad, double play_rad,
+                                double cutoff_Hz) {
+  std::vector<std::uint8_t> rest = rest_mask(motion.velocity_rad_s, play_rad, grid.step_s());
+  if (unfiltered_rad.empty() || bench.load_side != LoadSide::kModel) return rest;
+  const std::vector<double> wide =
+      velocity_below(kStickBand * cutoff_Hz, unfiltered_rad, grid.step_s());
+  const std::vector<std::uint8_t> sticks = rest_mask(wide, play_rad, grid.step_s(), kLeastStick_s);
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = rest[i] != 0 || sticks[i] != 0;
+  return rest;
+}
+
+void set_usable(ChannelGrid& grid, const Run& run, const std::vector<std::uint8_t>& rest,
+                Signals& signals) {
+  signals.masked = run.masked;
+  // A drive that is off leaves its winding open: nothing says what the motor does.
+  const std::vector<double> enabled = grid.read_if_any(Quantity::kEnabled);
+  for (std::size_t i = 0; i < enabled.size(); ++i) {
+    if (enabled[i] < kEnabled) signals.masked[i] = 1;
+  }
+  signals.usable.resize(grid.count());
+  for (std::size_t i = 0; i < grid.count(); ++i) {
+    signals.usable[i] = signals.masked[i] == 0 && (rest.empty() || rest[i] == 0);
+  }
+}
+
+void set_time(const ChannelGrid& grid, Signals& signals) {
+  signals.step_s = grid.step_s();
+  signals.sample_step_s = grid.is_map() ? 0.0 : grid.step_s();
+  signals.start_s = grid.start_s();
+  signals.time_s.resize(grid.count());
+  for (std::size_t i = 0; i < grid.count(); ++i) {
+    const auto sample = static_cast<double>(i);
+    signals.time_s[i] = grid.is_map() ? sample : grid.start_s() + sample * grid.step_s();
+  }
+}
+
+/// One stretch, still at the raw rate. The order of reads: see ChannelGrid.
+Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
+                    const PreparationOptions& options, const Run& run) {
+  const actuator::Actuator& actuator = bench.actuator();
+  std::vector<double> unfiltered_rad;
+  const JointMotion motion = read_motion(grid, actuator, &unfiltered_rad);
+  const double play_rad = position_play(bench, levels);
+  const std::vector<double> direction =
+      grid.is_map() ? std::vector<double>(grid.count(), 0.0)
+                    : directions(motion.velocity_rad_s, unfiltered_rad,
+                                 {play_rad / kPlayDeviations, options.cutoff_Hz, grid.step_s()});
+  Signals signals;
+  signals.pole_pairs = actuator.motor.pole_pairs;
+  set_time(grid, signals);
+  const std::vector<double> temperature_K = winding_temperature_K(grid, actuator);
+  const std::vector<double> motor_angle_rad = grid.read_if_any(Quantity::kMotorPosition);
+  signals.at = instants(motion, direction, motor_angle_rad, temperature_K, actuator);
+  signals.voltage_V = winding_voltage_V(grid, actuator);
+  signals.bus_V = grid.read_if_any(Quantity::kBusVoltage);
+  read_logged_speeds(grid, signals);
+  set_twist(grid, motor_angle_rad, actuator.transmission.ratio, motion, signals);
+  set_drive(grid, bench, signals);
+  std::vector<std::uint8_t> rest;
+  if (!grid.is_map())
+    rest = rests(grid, bench, motion, unfiltered_rad, play_rad, options.cutoff_Hz);
+  set_usable(grid, run, rest, signals);
+  if (!signals.bus_V.empty() && bench.drive == Drive::kCurrent) {
+    signals.bus_A = bus_current_A(grid, actuator, signals);
+  }
+  if (bench.load_side == LoadSide::kSensor) signals.load_side_Nm = grid.read(bench.load_channel);
+  return signals;
+}
+
+JointMotion own_motion(const Signals& signals) {
+  JointMotion motion;
+  for (const actuator::Instant& at : signals.at) {
+    motion.position_rad.push_back(at.output_angle_rad);
+    motion.velocity_rad_s.push_back(at.speed_rad_s);
+    motion.acceleration_rad_s2.push_back(at.acceleration_rad_s2);
+  }
+  return motion;
+}
+
+/// Of every joint of a serial arm.
+void set_arm(const Run& run, const Bench& bench, const PreparationOptions& options,
+             std::mt19937_64& random, Signals& signals) {
+  if (bench.rig->load.type != LoadType::kSerialArm) return;
+  for (std::size_t j = 0; j < bench.actuators.size(); ++j) {
+    if (j == bench.joint) {
+      signals.arm.push_back(own_motion(signals));
+      continue;
+    }
+    ChannelGrid grid(run, j, options, random);
+    signals.arm.push_back(read_motion(grid, *bench.actuators[j]));
+  }
+}
+
+/// With the load's side known, the load that gears carry: never from the measured target itself.
+void set_loads(Signals& signals, const Bench& bench) {
+  const actuator::Actuator& actuator = bench.actuator();
+  const bool is_sensor = bench.load_side == LoadSide::kSensor;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    actuator::Instant& at = signals.at[i];
+    if (is_sensor) {
+      at.load_torque_Nm = actuator::output_torque_Nm(actuator, at);
+    } else if (!signals.load_side_Nm.empty()) {
+      at.load_torque_Nm = signals.load_side_Nm[i];
+    }
+  }
+}
+
+bool is_long_enough(const Run& run) {
+  if (run.masked.size() < kLeastSamples) return false;
+  return run.time_s.empty() || run.time_s.back() - run.time_s.front() >= kShortestStretch_s;
+}
+
+/// Of samples, so that the rate does not fall below the least. The pieces of a stretch, whose steps
+/// differ by round-off, all get the same.
+std::size_t thinning_factor(double step_s, double least_rate_Hz, bool is_piece) {
+  const double factor = 1.0 / (step_s * least_rate_Hz);
+  return static_cast<std::size_t>(
+      std::max(1.0, std::floor(is_piece ? factor * (1.0 + kSameStep) : factor)));
+}
+
+/// Samples around a piece: so long that nothing of the slowest filter's settling, nor of what is
+/// masked at ends, reaches into it. A multiple of what signals and rows are usually thinned by.
+std::size_t samples_around(const RunHead& head) {
+  if (head.is_map || head.samples < 2) return 0;
+  const double step_s = (head.end_s - head.begin_s) / static_cast<double>(head.samples - 1);
+  return kThinned * static_cast<std::size_t>(std::ceil(kAround_s / step_s / kThinned));
+}
+
+/// In samples that were thinned by a factor, the first at or behind `sample`.
+std::size_t thinned(std::size_t sample, std::size_t factor) {
+  return (sample + factor - 1) / factor;
+}
+
+}  // namespace
+
+std::optional<Signals> prepare_run(const Log& log, std::size_t index, const Bench& bench,
+                                   const NoiseLevels& levels, const PreparationOptions& options,
+                                   std::mt19937_64& random) {
+  const RunHead& head = log.runs.head(index);
+  const Piece piece = with_neighbours(log.runs, index, samples_around(head));
+  const Run& run = piece.run;
+  if (!is_long_enough(run)) return std::nullopt;
+  ChannelGrid grid(run, bench.joint, options, random);
+  Signals signals = raw_signals(grid, bench, levels, options, run);
+  signals.run = index;
+  signals.run_name = head.name;
+  set_arm(run, bench, options, random, signals);
+  if (bench.load_side == LoadSide::kModel) {
+    signals.load_side_Nm = model_load_Nm(*bench.rig, bench.joint, signals);
+  }
+  const bool is_piece = head.continues || piece.end < run.masked.size();
+  std::size_t factor = 1;
+  if (!grid.is_map()) {
+    factor = thinning_factor(signals.step_s, options.least_rate_Hz, is_piece);
+    thin(signals, factor);
+  }
+  set_loads(signals, bench);
+  signals.core_begin = thinned(piece.begin, factor);
+  signals.core_end = thinned(piece.end, factor);
+  return signals;
+}
+
+std::vector<Signals> prepare(const Log& log, const Bench& bench, const NoiseLevels& levels,
+                             const PreparationOptions& options) {
+  std::vector<Signals> all;
+  std::mt19937_64 random(options.seed);
+  for (std::size_t r = 0; r < log.runs.size(); ++r) {
+    auto signals = prepare_run(log, r, bench, levels, options, random);
+    if (signals) all.push_back(*std::move(signals));
+  }
+  return all;
+}
+
+}  // namespace torquewright::identification

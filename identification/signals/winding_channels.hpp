@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/signals/channel_grid.hpp"
+#include "identification/signals/signals.hpp"
+
+namespace torquewright::identification {
+
+/// Winding voltage in V, logged or duty times bus (the nominal one where the bus was not logged);
+/// empty if neither was logged.
+std::vector<double> winding_voltage_V(ChannelGrid& grid, const actuator::Actuator& actuator);
+
+/// Amperes of the bus per ampere of the motor's convention at full duty.
+double bus_amperes_per_ampere(const actuator::Actuator& actuator);
+
+/// Winding temperature in K, or the case's, or the one that the actuator's constants hold at.
+std::vector<double> winding_temperature_K(ChannelGrid& grid, const actuator::Actuator& actuator);
+
+/// Current that the motor takes of the bus in A: duty times current where a duty was logged, else
+/// electrical power over bus voltage. Requires the signals' current, and bus_V of their length.
+std::vector<double> bus_current_A(ChannelGrid& grid, const actuator::Actuator& actuator,
+                                  const Signals& signals);
+
+}  // namespace torquewright::identification

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "identification/rig/rig.hpp"
+#include "simulation/run/simulate.hpp"
+
+namespace torquewright::identification {
+
+/// An excitation as a file states it: named runs.
+struct ExcitationRun {
+  std::string name;  ///< Empty: the file has no runs.
+  simulation::Excitation excitation;
+  simulation::JointStart start;
+};
+
+/// Reads a CSV whose columns are quantities of the contract by their names: time_s; one of
+/// motor_current_A, commanded_torque_Nm, winding_voltage_V, duty; on a dynamometer
+/// output_velocity_rad_s besides (positions follow, from the first output_position_rad or 0); `run`
+/// where there are several. Throws io::SpecError.
+std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, const Rig& rig);
+
+/// A quantity along a simulated run of one joint; empty: a simulation does not have it.
+std::vector<double> simulated_quantity(Quantity quantity, const actuator::Actuator& truth,
+                                       const simulation::Excitation& excitation,
+                                       const simulation::JointTrace& trace);
+
+struct SimulatedLogOptions {
+  std::map<Quantity, double> noise;  ///< Standard deviation of white noise, in the quantity's unit.
+  std::uint64_t seed = 1;
+  simulation::SimulationOptions simulation;
+};
+
+/// The text of a log, in the rig's columns, of an actuator taken as true. Throws io::SpecError for
+/// a rig of several joints, a column that a simulation cannot fill, and a motion that diverges.
+std::string simulated_log(const Rig& rig, const actuator::Actuator& truth,
+                          const std::vector<ExcitationRun>& runs,
+                          const SimulatedLogOptions& options);
+
+}  // namespace torquewright::identification

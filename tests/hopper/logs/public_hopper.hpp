@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hopper/robot/robot.hpp"
+
+namespace torquewright::test {
+
+/// A public robot with contact points and a direct drive in every joint, and how it hops: all
+/// joints follow `stand + s(t) * fold`, s from 1 to `crouch` to `stretch` and back to 1.
+struct PublicHopper {
+  std::string name;
+  std::string kind;  ///< Of robot, in words.
+  hopper::Robot robot;
+  std::map<std::string, double> stand;  ///< Joints that do not fold; others: 0 rad.
+  std::map<std::string, double> fold;
+  double crouch = 1.0;
+  double stretch = 0.0;
+  double spring_Nm_rad = 0.0;
+  double damper_Nm_s_rad = 0.0;
+};
+
+/// Names of the five.
+const std::vector<std::string>& public_hoppers();
+
+/// None where the data are absent: ../shared/data or $TORQUEWRIGHT_DATA.
+std::optional<PublicHopper> read_public_hopper(const std::string& name);
+
+}  // namespace torquewright::test

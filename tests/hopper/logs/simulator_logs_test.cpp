@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle: MuJoCo's own torques, forces and momentum at its fine step. The robots are public ones,
+// read from ../shared/data; skipped where they are absent.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "io/spec_error.hpp"
+#include "tests/hopper/logs/hop_log.hpp"
+
+namespace torquewright::test {
+namespace {
+
+using actuator::Verdict;
+
+/// A robot and its hop, simulated once for all tests.
+struct Hop {
+  PublicHopper hopper;
+  SimulatedHop hop;
+};
+
+const Hop* hop_of(const std::string& name) {
+  static std::map<std::string, Hop> known;
+  if (const auto at = known.find(name); at != known.end()) return &at->second;
+  auto hopper = read_public_hopper(name);
+  if (!hopper) return nullptr;
+  SimulatedHop hop = simulate_hop(*hopper);
+  return &known.emplace(name, Hop{std::move(*hopper), std::move(hop)}).first->second;
+}
+
+struct Checked {
+  hopper::HopperReport report;
+  HopErrors errors;
+  Eigen::Index reach;
+};
+
+Checked check(const Hop& it, const LogContent& content, const hopper::CheckOptions& options = {}) {
+  hopper::Motion log = log_of(it.hopper, it.hop, content);
+  hopper::HopperReport report = hopper::check_motion(it.hopper.robot, log, options);
+  const HopErrors errors = errors_of(it.hop, log, report);
+  return {std::move(report), errors, log.reach};
+}
+
+bool has(const hopper::HopperReport& report, const char* rule) {
+  const auto& findings = report.check.findings;
+  return std::any_of(findings.begin(), findings.end(),
+                     [rule](const hopper::Finding& finding) { return finding.rule == rule; });
+}
+
+void expect_goals(const HopErrors& errors) {
+  EXPECT_LE(errors.peak, kTorqueGoal);
+  EXPECT_LE(errors.rms, kTorqueGoal);
+  EXPECT_LE(errors.flight_momentum, kMomentumGoal);
+  EXPECT_LE(errors.impulse, kImpulseGoal);
+}
+
+TEST(SimulatorLogs, OfOneLegNeedPositionsAlone) {
+  const Hop* it = hop_of("hopper");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  for (const bool velocities : {false, true}) {
+    for (const bool flags : {false, true}) {
+      const Checked found = check(*it, {1000, velocities, false, false, flags, 0.0});
+      SCOPED_TRACE(velocities ? "velocities" : "positions");
+      expect_goals(found.errors);
+      EXPECT_EQ(found.reach, 1);  // no noise, no smoothing
+      EXPECT_EQ(has(found.report, "contacts-searched"), !flags);
+    }
+  }
+}
+
+TEST(SimulatorLogs, WithSensorNoiseAreSmoothedAndNoMore) {
+  const Hop* it = hop_of("hopper");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  const Checked found = check(*it, {1000, true, false, false, true, 1.0});
+  expect_goals(found.errors);
+  EXPECT_GT(found.reach, 1);
+}
+
+TEST(SimulatorLogs, WithForcesTellHowFeetShare) {
+  const Hop* it = hop_of("go1");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  expect_goals(check(*it, {1000, true, false, true, false, 0.0}).errors);
+}
+
+TEST(SimulatorLogs, WithForcesOfAnotherMotionAreWarnedOf) {
+  const Hop* it = hop_of("go1");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  for (const double factor : {1.0, 0.8}) {
+    hopper::Motion log = log_of(it->hopper, it->hop, {1000, true, false, true, false, 0.0});
+    log.forces_N *= factor;
+    const hopper::HopperReport report = hopper::check_motion(it->hopper.robot, log, {});
+    const auto& findings = report.check.findings;
+    const auto solved = std::find_if(
+        findings.begin(), findings.end(),
+        [](const hopper::Finding& finding) { return finding.rule == "contact-forces-solved"; });
+    ASSERT_NE(solved, findings.end());
+    EXPECT_EQ(solved->severity == actuator::Severity::kWarning, factor != 1.0) << solved->sentence;
+  }
+}
+
+TEST(SimulatorLogs, WithoutForcesSayThatFeetMayShareOtherwise) {
+  const Hop* it = hop_of("go1");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  const Checked found = check(*it, {1000, true, false, false, false, 0.0});
+  EXPECT_GT(found.errors.peak, kTorqueGoal);  // else this says nothing
+  EXPECT_TRUE(found.errors.is_known);
+  EXPECT_TRUE(has(found.report, "torque-doubt"));
+  EXPECT_LE(found.errors.flight_momentum, kMomentumGoal);
+  EXPECT_LE(found.errors.impulse, kImpulseGoal);
+}
+
+TEST(SimulatorLogs, AreUndecidedWhereTheLimitLiesInTheDoubt) {
+  const Hop* known = hop_of("hopper");
+  if (known == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  Hop it = *known;
+  const LogContent coarse{200, true, false, false, false, 0.0};
+  const Checked first = check(it, coarse);
+  const auto knee = static_cast<std::size_t>(it.hopper.robot.find_joint("knee").value() - 1);
+  const hopper::PeakDoubt& doubt = first.report.peak_doubts[knee];
+  ASSERT_GT(doubt.most_Nm, doubt.peak_Nm);
+  ASSERT_LT(doubt.least_Nm, doubt.peak_Nm);
+  const double limit_Nm = doubt.peak_Nm + first.report.check.drives[knee].interpretation.margin_Nm;
+  actuator::Drive& drive = it.hopper.robot.drivetrains[knee].actuators[0].drive;
+  const double current_A = drive.peak_current_A;
+  const auto verdict_with = [&](double torque_Nm) {
+    drive.peak_current_A = current_A * torque_Nm / limit_Nm;
+    return check(it, coarse).report.check.drives[knee].verdict;
+  };
+  constexpr double kBeside = 1e-3;
+  EXPECT_EQ(verdict_with(doubt.most_Nm * (1.0 + kBeside)), Verdict::kPass);
+  EXPECT_EQ(verdict_with(doubt.most_Nm * (1.0 - kBeside)), Verdict::kUndecided);
+  EXPECT_EQ(verdict_with(doubt.least_Nm * (1.0 + kBeside)), Verdict::kUndecided);
+  EXPECT_EQ(verdict_with(doubt.least_Nm * (1.0 - kBeside)), Verdict::kFail);
+}
+
+TEST(SimulatorLogs, WithThresholdsThatAreStatedAndDoNotFitAreRefusedWithHelp) {
+  const Hop* it = hop_of("hopper");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  hopper::CheckOptions usual;
+  usual.contact.height_m = 2e-3;
+  usual.contact.speed_m_s = 0.1;
+  try {
+    check(*it, {1000, true, false, false, false, 0.0}, usual);
+    FAIL() << "the landing moves faster than that";
+  } catch (const io::SpecError& refusal) {
+    const std::string text = refusal.what();
+    EXPECT_NE(text.find("--contact-speed"), std::string::npos) << text;
+    EXPECT_NE(text.find("accelerations in the log"), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::test
