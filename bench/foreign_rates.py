@@ -28,6 +28,7 @@ NAME_OF_OUTSIDE = {
     "encoder_eccentricity": "encoder_harmonics",
     "current_gain_by_sign": "current_gain_error",
 }
+NAMES_OF_STOP = {"upper_end_stop", "lower_end_stop"}
 
 
 def wilson(hits, count):
@@ -53,7 +54,8 @@ def corrected_names(report):
 def judge(truth, report):
     accept = truth.get("accept", [])
     allowed = {name for names in accept for name in names}
-    allowed.add(NAME_OF_OUTSIDE.get(truth.get("outside", {}).get("kind")))
+    outside = truth.get("outside", {}).get("kind")
+    allowed |= NAMES_OF_STOP if outside == "end_stop" else {NAME_OF_OUTSIDE.get(outside)}
     added = [each["effect"] for each in report["effects_added"]]
     groups = [g["effects"] for g in report["confounded"] if not g["exact"]]
     exact = [g["effects"] for g in report["confounded"] if g["exact"]]

@@ -53,6 +53,7 @@ struct Parameter {
   std::string_view meaning;
   bool is_scale = false;           ///< Positive, and sought by its logarithm.
   std::string_view at_least = {};  ///< Another parameter, which it is not below.
+  double steepness = 1.0;          ///< It may be so many times what the ranges' own quotient is.
 };
 
 /// What a log or a motion covers: largest magnitudes (of nearly all samples), and widths.

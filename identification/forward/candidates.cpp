@@ -81,7 +81,7 @@ FitParameter fit_parameter(const EffectKind& kind, const Ranges& ranges,
     return fit;
   }
   fit.above = index_of(kind, parameter.at_least);
-  fit.size = size_of(parameter.name, ranges);
+  fit.size = parameter.steepness * size_of(parameter.name, ranges);
   fit.highest = highest_of(parameter, fit.size);
   fit.lowest = std::max(parameter.lowest, -fit.highest);
   return fit;

@@ -15,7 +15,7 @@ namespace {
 using actuator::Effect;
 using actuator::Instant;
 
-constexpr double kBristleSteps = 10.0;  ///< Per radian of the bristles' oscillation.
+constexpr double kSpringSteps = 10.0;  ///< Per radian of the oscillation.
 
 /// x(h) of dx/dt = rate + slope (x - x0).
 double exponential_step(double state, double rate, double slope, double step_s) {
@@ -24,13 +24,22 @@ double exponential_step(double state, double rate, double slope, double step_s) 
   return state + step_s * phi * rate;
 }
 
-double bristle_rad_s(const actuator::Actuator& actuator, double inertia_kg_m2) {
+/// Of what stands between frame and output: a spring, a stop, friction's bristles.
+double stiffness_to_frame_Nm_rad(const Effect& effect) {
+  const std::string_view name = effect.kind->name;
+  if (name == "torsional_compliance") return 0.0;
+  if (name == "presliding_friction" && effect.values[0] <= 0.0) return 0.0;
+  for (std::size_t i = 0; i < effect.kind->parameters.size(); ++i) {
+    if (effect.kind->parameters[i].name != "stiffness_Nm_rad") continue;
+    return std::isfinite(effect.values[i]) ? effect.values[i] : 0.0;
+  }
+  return 0.0;
+}
+
+double spring_rad_s(const actuator::Actuator& actuator, double inertia_kg_m2) {
   double stiffness_Nm_rad = 0.0;
   for (const Effect& effect : actuator.effects) {
-    if (effect.kind->name == "presliding_friction" && effect.values[0] > 0.0 &&
-        std::isfinite(effect.values[1])) {
-      stiffness_Nm_rad += effect.values[1];
-    }
+    stiffness_Nm_rad += stiffness_to_frame_Nm_rad(effect);
   }
   return inertia_kg_m2 > 0.0 ? std::sqrt(stiffness_Nm_rad / inertia_kg_m2) : 0.0;
 }
@@ -50,10 +59,10 @@ JointModel::JointModel(const actuator::Actuator& actuator, double felt_inertia_k
     gain_[way][0] = actuator::after_mesh_Nm(actuator, 1.0, direction);
     gain_[way][1] = -actuator::after_mesh_Nm(actuator, -1.0, direction);
   }
-  const double bristles_rad_s =
-      bristle_rad_s(actuator, inertia_kg_m2_ + (is_elastic() ? 0.0 : felt_inertia_kg_m2));
-  if (bristles_rad_s > 0.0) {
-    longest_step_s_ = std::min(longest_step_s_, 1.0 / (kBristleSteps * bristles_rad_s));
+  const double springs_rad_s =
+      spring_rad_s(actuator, inertia_kg_m2_ + (is_elastic() ? 0.0 : felt_inertia_kg_m2));
+  if (springs_rad_s > 0.0) {
+    longest_step_s_ = std::min(longest_step_s_, 1.0 / (kSpringSteps * springs_rad_s));
   }
   if (is_elastic()) {
     longest_step_s_ = std::min(longest_step_s_, train_.longest_step_s(felt_inertia_kg_m2));

@@ -178,6 +178,20 @@ TEST(ParallelSpring, PullsToItsNeutralAngle) {
   }
 }
 
+// Oracle: Hooke's law beyond the stop, nothing before it.
+TEST(EndStops, PushBackBeyondTheirAngleOnly) {
+  const Effect upper = effect("upper_end_stop", {40.0, 0.25});
+  const Effect lower = effect("lower_end_stop", {40.0, -0.5});
+  const auto torques = [&](double angle_rad) {
+    Instant at;
+    at.output_angle_rad = angle_rad;
+    return std::pair(upper.kind->law(upper, at), lower.kind->law(lower, at));
+  };
+  EXPECT_EQ(torques(0.0), std::pair(0.0, 0.0));
+  EXPECT_EQ(torques(0.75), std::pair(-20.0, 0.0));
+  EXPECT_EQ(torques(-0.75), std::pair(0.0, 10.0));
+}
+
 // Oracle: Dahl's closed form for motion at constant speed from rest: F = c (1 - exp(-sigma x / c)).
 TEST(PreslidingFriction, FollowsDahlsClosedForm) {
   const Effect friction = effect("presliding_friction", {2.0, 100.0});

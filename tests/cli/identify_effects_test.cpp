@@ -122,6 +122,11 @@ TEST(IdentifyEffects, NamesAParallelSpring) {
                truth);
 }
 
+TEST(IdentifyEffects, NamesAnEndStop) {
+  const json truth = {{"stiffness_Nm_rad", 5.0}, {"angle_rad", 0.5}};
+  expect_alone(added(json::array({with_effect("upper_end_stop", truth)})), "upper_end_stop", truth);
+}
+
 // Relaxed at the end of the travel, a weak spring explains a fifth of the noise nearly as well as a
 // constant does: it has to explain more.
 TEST(IdentifyEffects, CallsAConstantAnOffsetAndNoSpring) {

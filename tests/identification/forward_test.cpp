@@ -194,6 +194,17 @@ TEST(ForwardSearch, FindsAParallelSpring) {
   EXPECT_NEAR(found["parallel_spring"]["neutral_angle_rad"], 0.5, 0.02);
 }
 
+TEST(ForwardSearch, FindsTheStopsAtBothEnds) {
+  auto found = found_in([](const Made& at) {
+    return -3.0 * std::max(0.0, at.angle_rad - 3.4) + 2.0 * std::max(0.0, -3.0 - at.angle_rad);
+  });
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found["upper_end_stop"]["stiffness_Nm_rad"], 3.0, 0.03);
+  EXPECT_NEAR(found["upper_end_stop"]["angle_rad"], 3.4, 0.01);
+  EXPECT_NEAR(found["lower_end_stop"]["stiffness_Nm_rad"], 2.0, 0.02);
+  EXPECT_NEAR(found["lower_end_stop"]["angle_rad"], -3.0, 0.01);
+}
+
 TEST(ForwardSearch, NamesNothingWhereNothingIsMissing) {
   EXPECT_TRUE(found_in([](const Made&) { return 0.0; }).empty());
 }

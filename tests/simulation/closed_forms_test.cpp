@@ -46,6 +46,21 @@ TEST(Simulation, ErrorFallsWithTheSquareOfTheStep) {
   EXPECT_NEAR(error[0] / error[1], 4.0, 0.3);  // next order: h b/J = 7 % of it
 }
 
+// Thrown at a stiff stop it leaves as fast as it came, after half a period of its oscillation,
+// which is shorter than three of the steps asked for.
+TEST(Simulation, BouncesOffAStiffStop) {
+  actuator::Actuator actuator = simple_actuator();
+  const double stiffness = 5e4;
+  const double half_period_s = std::numbers::pi * std::sqrt(0.03 / stiffness);
+  actuator.effects = {effect("upper_end_stop", {stiffness, 0.1})};
+  const double start = 2.0;
+  const auto excited = excitation(0.2, 1e-3, nothing);
+  const SimulatedRun thrown = run(Load::kFree, actuator, excited, {0.0, start, {}, {}}, 1e-3);
+  EXPECT_NEAR(thrown.joints[0].speed_rad_s.back(), -start, 1e-3 * start);
+  EXPECT_NEAR(thrown.joints[0].position_rad.back(),
+              0.1 - start * (0.2 - 0.1 / start - half_period_s), 1e-3);
+}
+
 // A pendulum of small swing: period 2 pi sqrt(J / (m g l)), longer by A^2/16.
 TEST(Simulation, SwingsWithAPendulumsPeriod) {
   const Load load = Load::kPendulum;

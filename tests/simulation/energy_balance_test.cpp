@@ -15,6 +15,8 @@ std::vector<actuator::Effect> everything() {
           effect("stribeck_friction", {0.1, 0.2, 0.3}),
           effect("eddy_current_drag", {0.1, 0.8}),
           effect("parallel_spring", {0.5, 0.2}),
+          effect("upper_end_stop", {2.0, 0.3}),
+          effect("lower_end_stop", {2.0, -0.1}),
           effect("load_dependent_friction", {0.1, 0.08}),
           harmonic_effect("cogging_torque", {{4.0, 0.05, 0.3}}),
           harmonic_effect("gear_ripple", {{3.0, 0.05, 0.1}}, true),
