@@ -40,10 +40,11 @@ struct CandidateResult {
 /// `options.torques` is kFile, or where there are no dynamics: then what the exchange changes is
 /// added to it. Where nothing says whether the file's torques hold the old rotor's, both readings
 /// are judged, undecided if they differ. Those that pass come first in each drivetrain, by margin;
-/// the others after them, by margin too. `threads` at least 1. Throws io::SpecError where the
-/// file's torques are asked for and absent.
+/// the others after them, by margin too. `report` is check_motion()'s of the same. `threads` at
+/// least 1.
 std::vector<CandidateResult> try_candidates(
-    const Robot& robot, const Motion& motion, const CheckOptions& options, const Shelf& shelf,
-    std::size_t threads, const std::function<void(double share)>& on_progress = {});
+    const Robot& robot, const Motion& motion, const CheckOptions& options,
+    const HopperReport& report, const Shelf& shelf, std::size_t threads,
+    const std::function<void(double share)>& on_progress = {});
 
 }  // namespace torquewright::hopper

@@ -58,7 +58,7 @@ const char* help_words(const CheckedMotion& checked, bool by_sharing) {
 MatrixXd torque_doubts(const CheckedMotion& checked) {
   MatrixXd doubt_Nm = checked.demand.shared_doubt_Nm;
   const Motion& motion = checked.motion;
-  if (!checked.demand.has_dynamics) return doubt_Nm;
+  if (!checked.demand.has_dynamics || doubt_Nm.rows() == 0) return doubt_Nm;
   if (motion.acceleration_origin != Origin::kDerived) {
     const Eigen::VectorXd noise_Nm = sample_noise(motion, torques_by_dynamics(checked.demand));
     return doubt_Nm.colwise() + kDeviations * noise_Nm;
