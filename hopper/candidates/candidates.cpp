@@ -25,13 +25,15 @@ struct Basis {
   CheckedMotion checked;
   DriveTorques torques;  ///< Those that count.
   CandidateTorques source = CandidateTorques::kDynamics;
+  std::optional<Demand> twice_as_far;  ///< For the doubt of the torques.
 };
 
 Basis basis_of(const CheckedMotion& checked) {
   const bool exchanges =
       checked.options.torques == TorqueSource::kFile || !checked.demand.has_dynamics;
   return {checked, drive_torques(checked),
-          exchanges ? CandidateTorques::kExchangedFile : CandidateTorques::kDynamics};
+          exchanges ? CandidateTorques::kExchangedFile : CandidateTorques::kDynamics,
+          exchanges ? std::nullopt : demand_twice_as_far(checked)};
 }
 
 /// Of all drives.
@@ -94,6 +96,7 @@ Demand with_rotors_of(const Robot& changed, std::size_t drivetrain, const Demand
   Demand exchanged;
   exchanged.has_dynamics = demand.has_dynamics;
   exchanged.drives = demand.drives;
+  exchanged.shared_doubt_Nm = demand.shared_doubt_Nm;
   const WholeBody body(changed);
   std::size_t drive = first_drive(changed, drivetrain);
   for (std::size_t i = 0; i < changed.drivetrains[drivetrain].actuators.size(); ++i, ++drive) {
@@ -105,11 +108,38 @@ Demand with_rotors_of(const Robot& changed, std::size_t drivetrain, const Demand
   return exchanged;
 }
 
-/// What each reading of the file makes of the candidate's torques; one where there is one.
-std::vector<DriveTorques> torques_of(const Basis& basis, const Demand& demand) {
+/// The demand of a candidate.
+struct Trial {
+  Demand demand;
+  std::optional<Demand> twice_as_far;
+};
+
+Trial trial_of(const Basis& basis, const Robot& changed, std::size_t drivetrain, bool same_mass) {
+  const auto& [robot, options, motion, contacts, demand] = basis.checked;
+  if (same_mass && !rotors_stay_in_tree(robot.drivetrains[drivetrain])) {
+    Trial trial{with_rotors_of(changed, drivetrain, demand), {}};
+    if (basis.twice_as_far) {
+      trial.twice_as_far = with_rotors_of(changed, drivetrain, *basis.twice_as_far);
+    }
+    return trial;
+  }
+  Trial trial{demand_of(changed, motion, contacts), {}};
+  if (basis.twice_as_far) {
+    trial.twice_as_far = demand_twice_as_far({changed, options, motion, contacts, trial.demand});
+  }
+  return trial;
+}
+
+/// What each reading of the file makes of the candidate's torques; one where there is one. Those of
+/// the dynamics come with their doubt.
+std::vector<DriveTorques> torques_of(const Basis& basis, const CheckedMotion& checked,
+                                     const std::optional<Demand>& twice_as_far) {
   DriveTorques torques;
-  torques.torque_Nm = torques_by_dynamics(demand);
-  if (basis.source == CandidateTorques::kDynamics) return {torques};
+  torques.torque_Nm = torques_by_dynamics(checked.demand);
+  if (basis.source == CandidateTorques::kDynamics) {
+    torques.doubt_Nm = torque_doubts(checked, twice_as_far);
+    return {torques};
+  }
   const Eigen::MatrixXd with_rotor_Nm = torques.torque_Nm;
   torques.from_file = true;
   torques.torque_Nm += basis.torques.torque_Nm - torques_by_dynamics(basis.checked.demand);
@@ -137,8 +167,12 @@ double copper_loss_J(const actuator::Actuator& actuator,
   return 1.5 * model.resistance_ohm * phase_A * phase_A * (report.until_s - report.from_s);
 }
 
-std::string reason(const actuator::DriveReport& report) {
+std::string reason(const actuator::DriveReport& report, bool by_dynamics) {
   const actuator::CheckedInterpretation& interpretation = report.interpretation;
+  if (by_dynamics && report.verdict == Verdict::kUndecided) {
+    return fmt::format("{}: undecided, its limits lie within what the torques leave open",
+                       report.name);
+  }
   if (interpretation.first) {
     const actuator::WorstSample& first = *interpretation.first;
     return fmt::format(
@@ -184,7 +218,7 @@ void add_drive(const Candidate& candidate, const CheckOptions& options, double s
   }
   if (report.verdict == Verdict::kPass || result.verdict == Verdict::kFail) return;
   result.verdict = report.verdict;
-  result.why = reason(report);
+  result.why = reason(report, result.torques == CandidateTorques::kDynamics);
 }
 
 void add_battery(const std::vector<SharedBus>& buses, std::size_t first, std::size_t count,
@@ -230,19 +264,16 @@ CandidateResult judge(const Basis& basis, std::size_t drivetrain, const Candidat
       !objections.empty()) {
     return refused(std::move(result), Verdict::kFail, objections.front());
   }
-  const Drivetrain& old = robot.drivetrains[drivetrain];
-  const bool same_mass = heavier_kg(old, candidate) == 0.0;
+  const bool same_mass = heavier_kg(robot.drivetrains[drivetrain], candidate) == 0.0;
   if (!same_mass && !old_demand.has_dynamics) {
     return refused(std::move(result), Verdict::kUndecided,
                    "its mass is another, and nothing says how the base moves");
   }
   const Robot changed = with(robot, drivetrain, candidate);
-  const Demand demand = same_mass && !rotors_stay_in_tree(old)
-                            ? with_rotors_of(changed, drivetrain, old_demand)
-                            : demand_of(changed, motion, contacts);
-  const CheckedMotion checked{changed, options, motion, contacts, demand};
+  const Trial trial = trial_of(basis, changed, drivetrain, same_mass);
+  const CheckedMotion checked{changed, options, motion, contacts, trial.demand};
   std::optional<CandidateResult> worst;
-  for (const DriveTorques& torques : torques_of(basis, demand)) {
+  for (const DriveTorques& torques : torques_of(basis, checked, trial.twice_as_far)) {
     CandidateResult one = judge(checked, torques, drivetrain, candidate, result);
     const bool differs = worst && worst->verdict != one.verdict;
     if (!worst || one.margin_share < worst->margin_share) worst = std::move(one);

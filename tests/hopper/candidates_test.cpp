@@ -301,5 +301,55 @@ TEST(Candidates, HaveTheChecksFiguresWhereTheyAreTheRobotsOwn) {
   EXPECT_EQ(result.speed_margin_rad_s, drive.speed_margin_rad_s);
 }
 
+/// Accelerations of a speed V cos(w t), fitted over `reach` samples of length h on either side:
+/// the parabola's slope is a share sum(2 k sin(k w h)) / (2 w h sum(k^2)) of the true one.
+double share_of_slope(int reach, double angle_rad) {
+  double slope = 0.0;
+  double squares = 0.0;
+  for (int k = 1; k <= reach; ++k) {
+    slope += 2.0 * k * std::sin(k * angle_rad);
+    squares += 2.0 * k * k;
+  }
+  return slope / (squares * angle_rad);
+}
+
+// Without weight, and accelerations derived from speeds: over windows twice as wide they differ by
+// a known share. The doubt is of the candidate's rotor too, which is three times the arm.
+TEST(Candidates, AreUndecidedWhereTheDoubtOfDerivedAccelerationsDecides) {
+  constexpr double kStep_s = 0.01, kRotor = 1e-3, kRatio = 40.0;
+  Robot robot = pendulum(false);
+  robot.tree.gravity_m_s2 = 0.0;
+  Motion motion;
+  for (int i = 0; i <= 140; ++i) motion.times_s.push_back(kStep_s * i);
+  motion.positions.resize(1, motion.samples());
+  motion.velocities.resize(1, motion.samples());
+  double greatest_rad_s2 = 0.0;
+  for (Index i = 0; i < motion.samples(); ++i) {
+    const double phase = kPulse_rad_s * motion.time_s(i);
+    motion.positions(0, i) = kSwing_rad * std::sin(phase);
+    motion.velocities(0, i) = kSwing_rad * kPulse_rad_s * std::cos(phase);
+    greatest_rad_s2 = std::max(
+        greatest_rad_s2, std::abs(kSwing_rad * kPulse_rad_s * kPulse_rad_s * std::sin(phase)));
+  }
+  motion.acceleration_origin = Origin::kDerived;
+  motion.efforts.setZero(1, motion.samples());
+  motion.has_effort = {false};
+  const double inertia = kOwn_kg_m2 + kMass_kg * kReach_m * kReach_m + kRatio * kRatio * kRotor;
+  const double narrow = share_of_slope(1, kPulse_rad_s * kStep_s);
+  const double doubt = narrow - share_of_slope(2, kPulse_rad_s * kStep_s);
+  const auto verdict_at = [&](double share) {
+    const double bears_Nm = inertia * greatest_rad_s2 * share;
+    Shop shop{"plain", 0.2, 0.001, 400, bears_Nm / 0.2 / kRatio, kRotor, 1, 1, 0, 0, 1.0};
+    Shelf one;
+    one.by_drivetrain = {{{"plain", bought(shop, kRatio)}}};
+    return tried(robot, motion, {}, one, 1).at(0).verdict;
+  };
+  constexpr double kBeside = 1e-4;  // of some 3e-3 of doubt
+  EXPECT_EQ(verdict_at(narrow - doubt - kBeside), Verdict::kFail);
+  EXPECT_EQ(verdict_at(narrow - doubt + kBeside), Verdict::kUndecided);
+  EXPECT_EQ(verdict_at(narrow + doubt - kBeside), Verdict::kUndecided);
+  EXPECT_EQ(verdict_at(narrow + doubt + kBeside), Verdict::kPass);
+}
+
 }  // namespace
 }  // namespace torquewright::hopper
