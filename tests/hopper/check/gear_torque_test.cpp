@@ -337,6 +337,16 @@ TEST_F(FlipGears, StandInTheSeries) {
   EXPECT_EQ(column("impact").sum(), 1.0);
   EXPECT_NEAR(column("angular_momentum_y_Nm_s")[600], 6.35, 5e-3);
   EXPECT_EQ(find_column(series, "hip_current_A"), nullptr);
+  double impulse_N_s = 0.0;
+  for (const ContactPoint& point : robot.robot.contacts) {
+    impulse_N_s += column(point.name + "_impulse_z_N_s").sum();
+  }
+  double jolts_N_s = 0.0;
+  for (const Jolt& jolt : report.demand.jolts) {
+    for (Index i = 2; i < jolt.impulses_N_s.size(); i += 3) jolts_N_s += jolt.impulses_N_s[i];
+  }
+  EXPECT_GT(impulse_N_s, 1.0);
+  EXPECT_NEAR(impulse_N_s, jolts_N_s, 1e-12 * jolts_N_s);
   const std::string csv = series_csv(series);
   EXPECT_EQ(static_cast<Index>(std::count(csv.begin(), csv.end(), '\n')), motion.samples() + 1);
 }
