@@ -24,9 +24,9 @@ DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
       conditions_(drive.conditions),
       basis_(*drive.actuator, drive.conditions),
       armature_kg_m2_(actuator::armature_kg_m2(*drive.actuator)),
-      interpretation_(basis_) {
+      interpretation_(basis_, !options.only_verdict) {
   const bool is_open = options.inertia == InertiaConvention::kUnstated && armature_kg_m2_ > 0.0;
-  if (is_open && options.has_torque) with_inertia_.emplace(basis_);
+  if (is_open && options.has_torque) with_inertia_.emplace(basis_, !options.only_verdict);
   report_.name = drive.name;
   report_.actuator = drive.actuator->name;
   report_.armature_kg_m2 = armature_kg_m2_;

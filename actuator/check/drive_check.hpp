@@ -24,6 +24,7 @@ struct DriveOptions {
   std::size_t runs = 1;
   double pause_s = 0.0;
   bool keep_trace = false;
+  bool only_verdict = false;  ///< Leaves out the speed margin.
 };
 
 /// Rotor, gears and reflected_inertia effects, at the joint: N^2 J + ...

@@ -6,6 +6,8 @@
 namespace torquewright::actuator {
 namespace {
 
+constexpr std::size_t kMostWaiting = 256;
+
 std::optional<HeatModel> heat_model(const Actuator& actuator) {
   if (!actuator.thermal) return std::nullopt;
   return HeatModel(actuator);
@@ -28,8 +30,8 @@ CheckBasis::CheckBasis(const Actuator& checked, const OperatingConditions& condi
       lookup(checked, conditions),
       heat(heat_model(checked)) {}
 
-InterpretationCheck::InterpretationCheck(const CheckBasis& basis)
-    : basis_(&basis), basis_of_worst_(&basis) {
+InterpretationCheck::InterpretationCheck(const CheckBasis& basis, bool wants_speed_margin)
+    : basis_(&basis), basis_of_worst_(&basis), wants_speed_margin_(wants_speed_margin) {
   if (basis.heat) heat_.emplace(*basis.heat);
 }
 
@@ -49,16 +51,32 @@ bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_N
     basis_of_worst_ = basis_;
     interpretation_.worst = {time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
   }
-  if (lookup.has_less_speed_margin(speed_rad_s, torque_Nm, speed_margin_rad_s_)) {
-    speed_margin_rad_s_ =
-        std::min(speed_margin_rad_s_, lookup.speed_margin_rad_s(speed_rad_s, torque_Nm));
-  }
+  if (wants_speed_margin_) note_speed_margin(speed_rad_s, torque_Nm);
   interpretation_.peak_torque_Nm = std::max(interpretation_.peak_torque_Nm, std::abs(torque_Nm));
   torque_square_.add(time_s, torque_Nm * torque_Nm);
   add_demand(time_s, speed_rad_s, torque_Nm, range);
   ++samples_;
   last_s_ = time_s;
   return is_outside;
+}
+
+void InterpretationCheck::note_speed_margin(double speed_rad_s, double torque_Nm) {
+  if (!basis_->lookup.has_less_speed_margin(speed_rad_s, torque_Nm, speed_margin_rad_s_)) return;
+  waiting_.push_back({basis_, speed_rad_s, torque_Nm});
+  if (waiting_.size() < kMostWaiting) return;
+  speed_margin_rad_s_ = least_speed_margin_rad_s(waiting_, speed_margin_rad_s_);
+  waiting_.clear();
+}
+
+/// From the last on: where the margin shrinks from sample to sample the others need no search.
+double InterpretationCheck::least_speed_margin_rad_s(const std::vector<Slow>& waiting,
+                                                     double least_rad_s) {
+  for (auto slow = waiting.rbegin(); slow != waiting.rend(); ++slow) {
+    const RegionLookup& lookup = slow->basis->lookup;
+    if (!lookup.has_less_speed_margin(slow->speed_rad_s, slow->torque_Nm, least_rad_s)) continue;
+    least_rad_s = lookup.speed_margin_rad_s(slow->speed_rad_s, slow->torque_Nm, least_rad_s);
+  }
+  return least_rad_s;
 }
 
 void InterpretationCheck::add_demand(double time_s, double speed_rad_s, double torque_Nm,
@@ -118,7 +136,8 @@ CheckedInterpretation InterpretationCheck::finish(std::size_t runs, double pause
     interpretation.margin_Nm =
         std::abs(*interpretation.worst.limit_Nm - interpretation.worst.torque_Nm);
   }
-  interpretation.speed_margin_rad_s = finite(speed_margin_rad_s_);
+  interpretation.speed_margin_rad_s =
+      finite(least_speed_margin_rad_s(waiting_, speed_margin_rad_s_));
   interpretation.voltage_margin_V = finite(voltage_margin_V_);
   interpretation.rms_torque_Nm = rms(torque_square_, duration_s, interpretation.peak_torque_Nm);
   interpretation.rms_current_A = rms(current_square_, duration_s, interpretation.peak_current_A);

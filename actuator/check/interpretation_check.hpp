@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "actuator/check/demand.hpp"
 #include "actuator/check/integral.hpp"
@@ -25,7 +26,8 @@ struct CheckBasis {
 /// Gathers one interpretation of an actuator's samples, in flat memory.
 class InterpretationCheck {
  public:
-  explicit InterpretationCheck(const CheckBasis& basis);
+  /// Without speed margins, which no verdict needs, it is faster.
+  explicit InterpretationCheck(const CheckBasis& basis, bool wants_speed_margin = true);
 
   /// Holds the samples that follow against this basis, of the same actuator on another bus.
   void use(const CheckBasis& basis) { basis_ = &basis; }
@@ -36,6 +38,14 @@ class InterpretationCheck {
   CheckedInterpretation finish(std::size_t runs, double pause_s) const;
 
  private:
+  /// What may have the least speed margin.
+  struct Slow {
+    const CheckBasis* basis;
+    double speed_rad_s;
+    double torque_Nm;
+  };
+  void note_speed_margin(double speed_rad_s, double torque_Nm);
+  static double least_speed_margin_rad_s(const std::vector<Slow>& waiting, double least_rad_s);
   void add_demand(double time_s, double speed_rad_s, double torque_Nm, const TorqueRange& range);
   void add_heat(double time_s, double square_A2);
   static WorstSample exactly(WorstSample sample, const CheckBasis& basis);
@@ -43,10 +53,12 @@ class InterpretationCheck {
   const CheckBasis* basis_;
   const CheckBasis* basis_of_worst_;
   const CheckBasis* basis_of_first_ = nullptr;  ///< Null: none lies outside.
+  bool wants_speed_margin_;
   CheckedInterpretation interpretation_;
   std::size_t samples_ = 0;
   double worst_excess_Nm_ = -kUnlimited;
-  double speed_margin_rad_s_ = kUnlimited;
+  double speed_margin_rad_s_ = kUnlimited;  ///< Of all but those that wait.
+  std::vector<Slow> waiting_;
   double voltage_margin_V_ = kUnlimited;
   double first_s_ = 0.0;
   double last_s_ = 0.0;

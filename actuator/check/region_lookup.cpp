@@ -89,7 +89,8 @@ bool RegionLookup::has_less_speed_margin(double speed_rad_s, double torque_Nm,
   return !holds(direction * distance_rad_s, torque_Nm);
 }
 
-double RegionLookup::speed_margin_rad_s(double speed_rad_s, double torque_Nm) const {
+double RegionLookup::speed_margin_rad_s(double speed_rad_s, double torque_Nm,
+                                        double at_most_rad_s) const {
   const double direction = direction_of(speed_rad_s, torque_Nm);
   const double greatest_rad_s = region_.greatest_speed_rad_s();
   const double start_rad_s = std::abs(speed_rad_s);
@@ -103,14 +104,20 @@ double RegionLookup::speed_margin_rad_s(double speed_rad_s, double torque_Nm) co
   const double end_rad_s = greatest_rad_s + step_rad_s;
   double near_rad_s = way > 0.0 ? start_rad_s : std::min(start_rad_s, end_rad_s);
   while (true) {
+    if (way > 0.0 && near_rad_s - start_rad_s >= at_most_rad_s) return at_most_rad_s;
     const double far_rad_s = std::max(0.0, near_rad_s + way * step_rad_s);
     if (sign(far_rad_s) != way) {
       const double inside_rad_s = way > 0.0 ? near_rad_s : far_rad_s;
       const double outside_rad_s = way > 0.0 ? far_rad_s : near_rad_s;
-      return last_nonnegative(sign, inside_rad_s, outside_rad_s, tolerance_rad_s) - start_rad_s;
+      if (inside_rad_s - start_rad_s >= at_most_rad_s) return at_most_rad_s;
+      const double last_rad_s =
+          last_nonnegative(sign, inside_rad_s, outside_rad_s, tolerance_rad_s);
+      return std::min(last_rad_s - start_rad_s, at_most_rad_s);
     }
     if (far_rad_s == 0.0) return -kUnlimited;
-    if (far_rad_s > end_rad_s) return far_rad_s - start_rad_s;  // as far as is looked at
+    if (far_rad_s > end_rad_s) {  // as far as is looked at
+      return std::min(far_rad_s - start_rad_s, at_most_rad_s);
+    }
     near_rad_s = far_rad_s;
   }
 }

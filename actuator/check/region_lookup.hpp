@@ -41,8 +41,9 @@ class RegionLookup {
 
   /// How much faster, the way it moves, a joint could go with that torque (negative: how much
   /// slower it would have to go), by the table; minus infinity where no speed of that direction has
-  /// the torque.
-  double speed_margin_rad_s(double speed_rad_s, double torque_Nm) const;
+  /// the torque. Where it is no less than `at_most_rad_s`, that: found out with less effort.
+  double speed_margin_rad_s(double speed_rad_s, double torque_Nm,
+                            double at_most_rad_s = kUnlimited) const;
 
   /// True if that margin is less than `margin_rad_s`; much cheaper than the margin itself.
   bool has_less_speed_margin(double speed_rad_s, double torque_Nm, double margin_rad_s) const;

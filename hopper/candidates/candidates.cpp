@@ -14,37 +14,33 @@
 #include "actuator/check/drive_check.hpp"
 #include "actuator/check/region_words.hpp"
 #include "actuator/region/joint_region.hpp"
-#include "hopper/check/contact_search.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 using actuator::Verdict;
 
-/// What stays the same for all candidates, and for those of unchanged mass.
+/// The robot as it is: what stays the same for all candidates.
 struct Basis {
-  Motion motion;
-  ContactSchedule contacts;
-  Motion with_forces;    ///< The same with the contact forces known.
-  Demand demand;         ///< Of the robot as it is,
-  DriveTorques torques;  ///< and its torques that count.
+  CheckedMotion checked;
+  DriveTorques torques;  ///< Those that count.
   CandidateTorques source = CandidateTorques::kDynamics;
+  std::optional<Demand> twice_as_far;  ///< For the doubt of the torques.
 };
 
-Basis basis_of(const Robot& robot, const Motion& motion, const CheckOptions& options) {
-  Basis basis{motion, {}, {}, {}, {}};
-  basis.contacts = find_contacts(robot, options.contact, basis.motion);
-  basis.demand = demand_of(robot, basis.motion, basis.contacts);
-  basis.torques = drive_torques({robot, options, basis.motion, basis.contacts, basis.demand});
-  if (options.torques == TorqueSource::kFile || !basis.demand.has_dynamics) {
-    basis.source = CandidateTorques::kExchangedFile;
-  }
-  basis.with_forces = basis.motion;
-  if (!basis.motion.has_base) return basis;
-  basis.with_forces.forces_N = basis.demand.forces_N;
-  basis.with_forces.has_forces = true;
-  basis.with_forces.forces_guide = false;
-  return basis;
+Basis basis_of(const CheckedMotion& checked) {
+  const bool exchanges =
+      checked.options.torques == TorqueSource::kFile || !checked.demand.has_dynamics;
+  return {checked, drive_torques(checked),
+          exchanges ? CandidateTorques::kExchangedFile : CandidateTorques::kDynamics,
+          exchanges ? std::nullopt : demand_twice_as_far(checked)};
+}
+
+/// Of all drives.
+std::size_t first_drive(const Robot& robot, std::size_t drivetrain) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < drivetrain; ++i) first += robot.drivetrains[i].actuators.size();
+  return first;
 }
 
 /// Moves mass at a point of a body: its centre and its inertia about it move too (Steiner).
@@ -94,14 +90,59 @@ Robot with(const Robot& robot, std::size_t drivetrain, const Candidate& candidat
   return changed;
 }
 
-/// What each reading of the file makes of the candidate's torques; one where there is one.
-std::vector<DriveTorques> torques_of(const Basis& basis, const Demand& demand) {
+/// The drives' part of a demand with the rotors of a changed robot in one drivetrain. What they
+/// bear apart from their own rotors is not that of any rotor.
+Demand with_rotors_of(const Robot& changed, std::size_t drivetrain, const Demand& demand) {
+  Demand exchanged;
+  exchanged.has_dynamics = demand.has_dynamics;
+  exchanged.drives = demand.drives;
+  exchanged.shared_doubt_Nm = demand.shared_doubt_Nm;
+  const WholeBody body(changed);
+  std::size_t drive = first_drive(changed, drivetrain);
+  for (std::size_t i = 0; i < changed.drivetrains[drivetrain].actuators.size(); ++i, ++drive) {
+    const double rotor_kg_m2 = body.rotor_inertia_kg_m2(drive);
+    for (DriveInstant& at : exchanged.drives[drive]) {
+      at.torque_Nm = at.load_torque_Nm + rotor_kg_m2 * at.acceleration_rad_s2;
+    }
+  }
+  return exchanged;
+}
+
+/// The demand of a candidate.
+struct Trial {
+  Demand demand;
+  std::optional<Demand> twice_as_far;
+};
+
+Trial trial_of(const Basis& basis, const Robot& changed, std::size_t drivetrain, bool same_mass) {
+  const auto& [robot, options, motion, contacts, demand] = basis.checked;
+  if (same_mass && !rotors_stay_in_tree(robot.drivetrains[drivetrain])) {
+    Trial trial{with_rotors_of(changed, drivetrain, demand), {}};
+    if (basis.twice_as_far) {
+      trial.twice_as_far = with_rotors_of(changed, drivetrain, *basis.twice_as_far);
+    }
+    return trial;
+  }
+  Trial trial{demand_of(changed, motion, contacts), {}};
+  if (basis.twice_as_far) {
+    trial.twice_as_far = demand_twice_as_far({changed, options, motion, contacts, trial.demand});
+  }
+  return trial;
+}
+
+/// What each reading of the file makes of the candidate's torques; one where there is one. Those of
+/// the dynamics come with their doubt.
+std::vector<DriveTorques> torques_of(const Basis& basis, const CheckedMotion& checked,
+                                     const std::optional<Demand>& twice_as_far) {
   DriveTorques torques;
-  torques.torque_Nm = torques_by_dynamics(demand);
-  if (basis.source == CandidateTorques::kDynamics) return {torques};
+  torques.torque_Nm = torques_by_dynamics(checked.demand);
+  if (basis.source == CandidateTorques::kDynamics) {
+    torques.doubt_Nm = torque_doubts(checked, twice_as_far);
+    return {torques};
+  }
   const Eigen::MatrixXd with_rotor_Nm = torques.torque_Nm;
   torques.from_file = true;
-  torques.torque_Nm += basis.torques.torque_Nm - torques_by_dynamics(basis.demand);
+  torques.torque_Nm += basis.torques.torque_Nm - torques_by_dynamics(basis.checked.demand);
   if (basis.torques.inertia != actuator::InertiaConvention::kUnstated) return {torques};
   DriveTorques without = torques;
   without.torque_Nm = basis.torques.torque_Nm + with_rotor_Nm;
@@ -126,8 +167,12 @@ double copper_loss_J(const actuator::Actuator& actuator,
   return 1.5 * model.resistance_ohm * phase_A * phase_A * (report.until_s - report.from_s);
 }
 
-std::string reason(const actuator::DriveReport& report) {
+std::string reason(const actuator::DriveReport& report, bool by_dynamics) {
   const actuator::CheckedInterpretation& interpretation = report.interpretation;
+  if (by_dynamics && report.verdict == Verdict::kUndecided) {
+    return fmt::format("{}: undecided, its limits lie within what the torques leave open",
+                       report.name);
+  }
   if (interpretation.first) {
     const actuator::WorstSample& first = *interpretation.first;
     return fmt::format(
@@ -173,7 +218,7 @@ void add_drive(const Candidate& candidate, const CheckOptions& options, double s
   }
   if (report.verdict == Verdict::kPass || result.verdict == Verdict::kFail) return;
   result.verdict = report.verdict;
-  result.why = reason(report);
+  result.why = reason(report, result.torques == CandidateTorques::kDynamics);
 }
 
 void add_battery(const std::vector<SharedBus>& buses, std::size_t first, std::size_t count,
@@ -199,11 +244,8 @@ CandidateResult judge(const CheckedMotion& checked, const DriveTorques& torques,
   for (const actuator::DriveReport& report : reports.drives) {
     add_drive(candidate, checked.options, stall_Nm, report, result);
   }
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < drivetrain; ++i) {
-    first += checked.robot.drivetrains[i].actuators.size();
-  }
-  add_battery(buses, first, checked.robot.drivetrains[drivetrain].actuators.size(), result);
+  add_battery(buses, first_drive(checked.robot, drivetrain),
+              checked.robot.drivetrains[drivetrain].actuators.size(), result);
   return result;
 }
 
@@ -214,8 +256,8 @@ CandidateResult refused(CandidateResult result, Verdict verdict, std::string why
   return result;
 }
 
-CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions& options,
-                      std::size_t drivetrain, const Candidate& candidate) {
+CandidateResult judge(const Basis& basis, std::size_t drivetrain, const Candidate& candidate) {
+  const auto& [robot, options, motion, contacts, old_demand] = basis.checked;
   CandidateResult result = described(robot, drivetrain, candidate);
   result.torques = basis.source;
   if (const auto objections = actuator::objections(candidate.actuator, options.conditions);
@@ -223,16 +265,15 @@ CandidateResult judge(const Robot& robot, const Basis& basis, const CheckOptions
     return refused(std::move(result), Verdict::kFail, objections.front());
   }
   const bool same_mass = heavier_kg(robot.drivetrains[drivetrain], candidate) == 0.0;
-  if (!same_mass && !basis.demand.has_dynamics) {
+  if (!same_mass && !old_demand.has_dynamics) {
     return refused(std::move(result), Verdict::kUndecided,
                    "its mass is another, and nothing says how the base moves");
   }
   const Robot changed = with(robot, drivetrain, candidate);
-  const Motion& motion = same_mass ? basis.with_forces : basis.motion;
-  const Demand demand = demand_of(changed, motion, basis.contacts);
-  const CheckedMotion checked{changed, options, motion, basis.contacts, demand};
+  const Trial trial = trial_of(basis, changed, drivetrain, same_mass);
+  const CheckedMotion checked{changed, options, motion, contacts, trial.demand};
   std::optional<CandidateResult> worst;
-  for (const DriveTorques& torques : torques_of(basis, demand)) {
+  for (const DriveTorques& torques : torques_of(basis, checked, trial.twice_as_far)) {
     CandidateResult one = judge(checked, torques, drivetrain, candidate, result);
     const bool differs = worst && worst->verdict != one.verdict;
     if (!worst || one.margin_share < worst->margin_share) worst = std::move(one);
@@ -280,12 +321,12 @@ void rank(std::vector<CandidateResult>& results) {
 }  // namespace
 
 std::vector<CandidateResult> try_candidates(const Robot& robot, const Motion& motion,
-                                            const CheckOptions& options, const Shelf& shelf,
-                                            std::size_t threads,
+                                            const CheckOptions& options, const HopperReport& report,
+                                            const Shelf& shelf, std::size_t threads,
                                             const std::function<void(double)>& on_progress) {
-  const Basis basis = basis_of(robot, motion, options);
   CheckOptions quiet = options;
   quiet.keep_traces = false;
+  const Basis basis = basis_of({robot, quiet, motion, report.contacts, report.demand});
   struct Task {
     std::size_t drivetrain;
     const Candidate* candidate;
@@ -300,7 +341,7 @@ std::vector<CandidateResult> try_candidates(const Robot& robot, const Motion& mo
   const auto work = [&](std::size_t thread) {
     try {
       for (std::size_t i = next++; i < tasks.size(); i = next++) {
-        results[i] = judge(robot, basis, quiet, tasks[i].drivetrain, *tasks[i].candidate);
+        results[i] = judge(basis, tasks[i].drivetrain, *tasks[i].candidate);
         if (thread == 0 && on_progress) {
           on_progress(static_cast<double>(i) / static_cast<double>(tasks.size()));
         }

@@ -38,12 +38,14 @@ struct CandidateResult {
 /// ratio, and with its mass where both masses are known and the drivetrain says where they are
 /// mounted; what a file holds of torques is that of another rotor and counts only if
 /// `options.torques` is kFile, or where there are no dynamics: then what the exchange changes is
-/// added to it. Where nothing says whether the file's torques hold the old rotor's, both readings
-/// are judged, undecided if they differ. Those that pass come first in each drivetrain, by margin;
-/// the others after them, by margin too. `threads` at least 1. Throws io::SpecError where the
-/// file's torques are asked for and absent.
+/// added to it. Torques of the dynamics have the doubt of torque_doubts(), with the candidate's
+/// rotor; where it decides, the verdict is undecided. Where nothing says whether the file's torques
+/// hold the old rotor's, both readings are judged, undecided if they differ. Those that pass come
+/// first in each drivetrain, by margin; the others after them, by margin too. `report` is
+/// check_motion()'s of the same. `threads` at least 1.
 std::vector<CandidateResult> try_candidates(
-    const Robot& robot, const Motion& motion, const CheckOptions& options, const Shelf& shelf,
-    std::size_t threads, const std::function<void(double share)>& on_progress = {});
+    const Robot& robot, const Motion& motion, const CheckOptions& options,
+    const HopperReport& report, const Shelf& shelf, std::size_t threads,
+    const std::function<void(double share)>& on_progress = {});
 
 }  // namespace torquewright::hopper

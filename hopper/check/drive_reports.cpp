@@ -20,7 +20,8 @@ constexpr double kClearlyBetter = 0.5;  // share of the other interpretation's m
 constexpr double kNotable = 0.05;       // share of a drive's rms torque
 
 MatrixXd by_dynamics(const Demand& demand, double DriveInstant::*torque) {
-  MatrixXd torques_Nm(static_cast<Index>(demand.drives.size()), demand.forces_N.cols());
+  const std::size_t samples = demand.drives.empty() ? 0 : demand.drives.front().size();
+  MatrixXd torques_Nm(static_cast<Index>(demand.drives.size()), static_cast<Index>(samples));
   for (Index drive = 0; drive < torques_Nm.rows(); ++drive) {
     for (Index sample = 0; sample < torques_Nm.cols(); ++sample) {
       torques_Nm(drive, sample) =
@@ -76,17 +77,16 @@ struct Place {
   std::size_t drive;     ///< Of all.
 };
 
-/// Holds one drive's samples against its region, on its battery's voltage. The trace is kept where
-/// one is given.
-actuator::DriveReport checked_drive(const CheckedMotion& checked, const DriveTorques& torques,
+/// Holds one drive's samples against its region, on its battery's voltage.
+actuator::DriveReport checked_drive(const CheckedMotion& checked,
+                                    const actuator::DriveOptions& options,
                                     const Eigen::VectorXd& torque_Nm,
                                     const std::vector<SharedBus>& buses, const Place& place,
                                     std::vector<actuator::TracePoint>* trace = nullptr) {
   const auto& [drivetrain, actuator, drive] = place;
-  actuator::DriveCheck check(
-      {drivetrain.actuator_names[actuator], &drivetrain.actuators[actuator],
-       checked.options.conditions},
-      {true, torques.inertia, checked.options.runs, checked.options.pause_s, trace != nullptr});
+  actuator::DriveCheck check({drivetrain.actuator_names[actuator], &drivetrain.actuators[actuator],
+                              checked.options.conditions},
+                             options);
   const SharedBus* bus = nullptr;
   for (const SharedBus& shared : buses) {
     for (const std::size_t member : shared.drives) bus = member == drive ? &shared : bus;
@@ -108,14 +108,18 @@ void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
   const Eigen::VectorXd torque_Nm = torques.torque_Nm.row(row);
   std::vector<actuator::TracePoint>* trace =
       checked.options.keep_traces ? &reports.traces.emplace_back() : nullptr;
-  reports.drives.push_back(checked_drive(checked, torques, torque_Nm, buses, place, trace));
+  actuator::DriveOptions options{true, torques.inertia, checked.options.runs,
+                                 checked.options.pause_s, trace != nullptr};
+  reports.drives.push_back(checked_drive(checked, options, torque_Nm, buses, place, trace));
   if (torques.doubt_Nm.size() == 0 || torques.doubt_Nm.row(row).maxCoeff() == 0.0) return;
   actuator::DriveReport& report = reports.drives.back();
+  options.keep_trace = false;
+  options.only_verdict = true;
   const auto verdict_at = [&](double side) {
     const Eigen::ArrayXd size_Nm =
         (torque_Nm.array().abs() + side * torques.doubt_Nm.row(row).transpose().array()).max(0.0);
     const Eigen::VectorXd moved_Nm = (torque_Nm.array() < 0.0).select(-size_Nm, size_Nm);
-    return checked_drive(checked, torques, moved_Nm, buses, place).verdict;
+    return checked_drive(checked, options, moved_Nm, buses, place).verdict;
   };
   const Verdict other = verdict_at(report.verdict == Verdict::kFail ? -1.0 : 1.0);
   if (other != report.verdict) report.verdict = Verdict::kUndecided;

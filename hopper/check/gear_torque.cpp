@@ -89,6 +89,18 @@ class GearPass {
           0.25 * checked_.motion.step_s(sample - 1) *
           (second_difference_Nm(drive, sample - 1) + second_difference_Nm(drive, sample));
     }
+    if (torques_.doubt_Nm.size() > 0) add_doubts(drive);
+  }
+
+  /// Noise of given accelerations is no part of it: it averages out over a window, and the bends
+  /// hold it.
+  void add_doubts(Index drive) {
+    const bool is_derived = checked_.motion.acceleration_origin == Origin::kDerived;
+    const MatrixXd& doubt_Nm = is_derived ? torques_.doubt_Nm : checked_.demand.shared_doubt_Nm;
+    for (Index sample = 1; sample < checked_.motion.samples(); ++sample) {
+      gears_.bend_Nm_s(drive, sample) +=
+          over_interval(sample, [&](Index i) { return doubt_Nm(drive, i); });
+    }
   }
 
   /// In size, as over steps of one length; 0 at the ends of a stretch.

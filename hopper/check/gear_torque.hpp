@@ -15,7 +15,8 @@ struct GearTorque {
   /// At the output, since the sample before: what the velocities' change asks for and the samples
   /// do not make,
   Eigen::MatrixXd doubt_Nm_s;
-  Eigen::MatrixXd bend_Nm_s;  ///< and how far a jump or bend between samples may lead off.
+  Eigen::MatrixXd bend_Nm_s;  ///< and how far a jump or bend between samples may lead off, and how
+                              ///< far the torques themselves may be off.
 };
 
 /// Of the torques that count. Requires velocities and accelerations, as demand_of() leaves them.

@@ -156,15 +156,11 @@ Verdict verdict_of(const HopperReport& whole) {
 }  // namespace
 
 HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options) {
-  const ContactSchedule contacts = find_contacts(robot, options.contact, motion);
-  require_rates_agree(robot, motion);
   HopperReport report;
-  report.contact_origin = contacts.origin;
-  report.contact_thresholds = contacts.thresholds;
-  report.contacts_searched = contacts.is_searched;
-  report.unexplained_share = contacts.unexplained_share;
-  report.demand = demand_of(robot, motion, contacts, options.on_progress);
-  const CheckedMotion checked{robot, options, motion, contacts, report.demand};
+  report.contacts = find_contacts(robot, options.contact, motion);
+  require_rates_agree(robot, motion);
+  report.demand = demand_of(robot, motion, report.contacts, options.on_progress);
+  const CheckedMotion checked{robot, options, motion, report.contacts, report.demand};
   report.base_residual = base_residual(checked);
   report.flights = flights(checked);
   require_physical(checked, report.base_residual, report.flights);

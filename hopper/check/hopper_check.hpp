@@ -19,11 +19,8 @@ struct HopperReport {
   std::vector<ContactLoad> contact_loads;  ///< Empty without dynamics.
   std::vector<SharedBus> buses;
   std::vector<Flight> flights;
-  Origin contact_origin = Origin::kDerived;
-  ContactThresholds contact_thresholds;  ///< By which contacts were found, where they were.
-  bool contacts_searched = false;        ///< Whether the thresholds were searched for.
-  double unexplained_share = 0.0;        ///< What they leave, of the weight, rms.
-  std::vector<PeakDoubt> peak_doubts;    ///< By drive, where the dynamics' torques count.
+  std::vector<PeakDoubt> peak_doubts;  ///< By drive, where the dynamics' torques count.
+  ContactSchedule contacts;
   Demand demand;
 };
 

@@ -101,11 +101,12 @@ ordered_json flight_json(const Flight& flight) {
 
 /// Infinity: at any speed.
 ordered_json contact_rule_json(const HopperReport& report) {
-  if (report.contact_origin != Origin::kDerived || !report.demand.has_dynamics) return nullptr;
-  return {{"height_m", report.contact_thresholds.height_m},
-          {"speed_m_s", number(report.contact_thresholds.speed_m_s)},
-          {"searched", report.contacts_searched},
-          {"unexplained_share", number(report.unexplained_share)}};
+  const ContactSchedule& contacts = report.contacts;
+  if (contacts.origin != Origin::kDerived || !report.demand.has_dynamics) return nullptr;
+  return {{"height_m", contacts.thresholds.height_m},
+          {"speed_m_s", number(contacts.thresholds.speed_m_s)},
+          {"searched", contacts.is_searched},
+          {"unexplained_share", number(contacts.unexplained_share)}};
 }
 
 ordered_json doubt_json(const PeakDoubt& doubt) {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "actuator/check/bus_levels.hpp"
@@ -20,6 +20,10 @@ using Eigen::VectorXd;
 
 constexpr std::array kAxes{"x", "y", "z"};
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+const char* effort_of(const dynamics::Joint& joint) {
+  return joint.kind == dynamics::JointKind::kRevolute ? "torque_Nm" : "force_N";
+}
 
 class SeriesPass {
  public:
@@ -65,9 +69,8 @@ class SeriesPass {
   void add_joints() {
     for (std::size_t body = 1; body < robot_.tree.bodies.size(); ++body) {
       const dynamics::Joint& joint = robot_.tree.bodies[body].joint;
-      const bool turns = joint.kind == dynamics::JointKind::kRevolute;
-      add_row(fmt::format("{}_joint_{}", joint.name, turns ? "torque_Nm" : "force_N"),
-              demand().joint_effort, static_cast<Index>(body) - 1);
+      add_row(fmt::format("{}_joint_{}", joint.name, effort_of(joint)), demand().joint_effort,
+              static_cast<Index>(body) - 1);
     }
   }
 
@@ -137,8 +140,21 @@ class SeriesPass {
     add_axes("center_of_mass", "m", demand().center_of_mass_m);
     add_axes("angular_momentum", "Nm_s", demand().angular_momentum_Nm_s);
     add_axes("centroidal_velocity", "rad_s", demand().angular_velocity_rad_s);
+    add_impacts();
+  }
+
+  void add_impacts() {
     VectorXd impacts = VectorXd::Zero(motion_.samples());
-    for (const Jolt& jolt : demand().jolts) impacts[jolt.sample] = 1.0;
+    Eigen::MatrixXd impulses_N_s =
+        Eigen::MatrixXd::Zero(demand().forces_N.rows(), motion_.samples());
+    for (const Jolt& jolt : demand().jolts) {
+      impacts[jolt.sample] = 1.0;
+      impulses_N_s.col(jolt.sample) = jolt.impulses_N_s;
+    }
+    for (std::size_t i = 0; i < robot_.contacts.size(); ++i) {
+      add_axes(robot_.contacts[i].name + "_impulse", "N_s", impulses_N_s,
+               3 * static_cast<Index>(i));
+    }
     add("impact", impacts);
   }
 
@@ -154,6 +170,21 @@ class SeriesPass {
       add_row(fmt::format("base_residual_moment_{}_Nm", kAxes[axis]), demand().residual,
               rows.forces + i);
     }
+    Index row = rows.forces + rows.moments;
+    for (std::size_t body = 1; body < robot_.tree.bodies.size(); ++body) {
+      if (is_driven(body)) continue;
+      const dynamics::Joint& joint = robot_.tree.bodies[body].joint;
+      add_row(fmt::format("{}_residual_{}", joint.name, effort_of(joint)), demand().residual,
+              row++);
+    }
+  }
+
+  bool is_driven(std::size_t body) const {
+    return std::any_of(robot_.drivetrains.begin(), robot_.drivetrains.end(),
+                       [body](const Drivetrain& drivetrain) {
+                         const auto& joints = drivetrain.joints;
+                         return std::find(joints.begin(), joints.end(), body) != joints.end();
+                       });
   }
 
   const Robot& robot_;
@@ -170,6 +201,18 @@ Series series_of(const Robot& robot, const Motion& motion, const CheckOptions& o
   return SeriesPass(robot, motion, options, report).run(detail);
 }
 
+namespace {
+
+/// As "%.9g" writes it.
+void append_number(double value, std::string& text) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                 std::chars_format::general, 9);
+  text.append(digits.data(), end.ptr);
+}
+
+}  // namespace
+
 std::string series_csv(const Series& series) {
   std::string text;
   for (const SeriesColumn& column : series) {
@@ -180,7 +223,7 @@ std::string series_csv(const Series& series) {
     for (std::size_t i = 0; i < series.size(); ++i) {
       if (i > 0) text += ',';
       const double value = series[i].values[sample];
-      if (std::isfinite(value)) fmt::format_to(std::back_inserter(text), "{:.9g}", value);
+      if (std::isfinite(value)) append_number(value, text);
     }
     text += '\n';
   }

@@ -31,16 +31,6 @@ MatrixXd spread(const MatrixXd& values, Index reach) {
   return largest;
 }
 
-/// The same with accelerations that look twice as far.
-MatrixXd torques_twice_as_far(const CheckedMotion& checked) {
-  Motion motion = checked.motion;
-  ContactSchedule contacts = checked.contacts;
-  derive_rates(checked.robot.tree, motion, 2 * motion.reach);
-  contacts.presses = pressing(contacts.touches, motion);
-  guide_by_forces(motion, contacts);
-  return torques_by_dynamics(demand_of(checked.robot, motion, contacts));
-}
-
 const char* help_words(const CheckedMotion& checked, bool by_sharing) {
   if (by_sharing) {
     return "other forces of the points that touch would move the base alike; contact forces or "
@@ -55,17 +45,34 @@ const char* help_words(const CheckedMotion& checked, bool by_sharing) {
 
 }  // namespace
 
+std::optional<Demand> demand_twice_as_far(const CheckedMotion& checked) {
+  const bool can_be = checked.demand.has_dynamics &&
+                      checked.motion.acceleration_origin == Origin::kDerived &&
+                      checked.motion.samples() > 4 * checked.motion.reach + 1;
+  if (!can_be) return std::nullopt;
+  Motion motion = checked.motion;
+  ContactSchedule contacts = checked.contacts;
+  derive_rates(checked.robot.tree, motion, 2 * motion.reach);
+  contacts.presses = pressing(contacts.touches, motion);
+  guide_by_forces(motion, contacts);
+  return demand_of(checked.robot, motion, contacts);
+}
+
 MatrixXd torque_doubts(const CheckedMotion& checked) {
+  return torque_doubts(checked, demand_twice_as_far(checked));
+}
+
+MatrixXd torque_doubts(const CheckedMotion& checked, const std::optional<Demand>& twice) {
   MatrixXd doubt_Nm = checked.demand.shared_doubt_Nm;
   const Motion& motion = checked.motion;
-  if (!checked.demand.has_dynamics) return doubt_Nm;
+  if (!checked.demand.has_dynamics || doubt_Nm.rows() == 0) return doubt_Nm;
   if (motion.acceleration_origin != Origin::kDerived) {
     const Eigen::VectorXd noise_Nm = sample_noise(motion, torques_by_dynamics(checked.demand));
     return doubt_Nm.colwise() + kDeviations * noise_Nm;
   }
-  if (motion.samples() <= 4 * motion.reach + 1) return doubt_Nm;
+  if (!twice) return doubt_Nm;
   const MatrixXd change_Nm =
-      (torques_twice_as_far(checked) - torques_by_dynamics(checked.demand)).cwiseAbs();
+      (torques_by_dynamics(*twice) - torques_by_dynamics(checked.demand)).cwiseAbs();
   return doubt_Nm + spread(change_Nm, motion.reach);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "actuator/check/report.hpp"
@@ -16,6 +17,13 @@ namespace torquewright::hopper {
 /// accelerations are given: four standard deviations of the torques' own noise.
 /// docs/derivations/whole_body_check.md, "Doubt".
 Eigen::MatrixXd torque_doubts(const CheckedMotion& checked);
+
+/// The demand with accelerations that look twice as far; empty where they are given, or the motion
+/// is too short for it.
+std::optional<Demand> demand_twice_as_far(const CheckedMotion& checked);
+
+/// The same doubts, given that demand.
+Eigen::MatrixXd torque_doubts(const CheckedMotion& checked, const std::optional<Demand>& twice);
 
 /// Of one drive's peak torque.
 struct PeakDoubt {

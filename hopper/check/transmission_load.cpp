@@ -68,8 +68,8 @@ std::string doubt_words(const TransmissionLoad& load) {
   const WindowLoad& window = load.judged();
   if (window.doubt <= kNotableDoubt * window.mean && load.verdict != Verdict::kUndecided) return "";
   std::string text = fmt::format(
-      "; the samples leave {:.3g} Nm of it open: they bend between each other, or their "
-      "torques and forces do not make the changes of velocity",
+      "; the samples leave {:.3g} Nm of it open: they bend between each other, their torques and "
+      "forces do not make the changes of velocity, or torques are known to a range (torque-doubt)",
       window.doubt);
   if (load.verdict == Verdict::kUndecided) {
     text += fmt::format(

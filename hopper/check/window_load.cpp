@@ -71,13 +71,16 @@ class Windows {
   std::vector<double> begins() const {
     const double last_s = signal_.times_s.back() - window_s_;
     std::vector<double> begins_s;
-    for (const double time : signal_.times_s) {
-      for (const double begin_s : {time, time - window_s_}) {
+    std::ptrdiff_t at_samples = 0;
+    for (const double before_s : {0.0, window_s_}) {
+      at_samples = static_cast<std::ptrdiff_t>(begins_s.size());
+      for (const double time : signal_.times_s) {
+        const double begin_s = time - before_s;
         if (begin_s >= signal_.times_s.front() && begin_s <= last_s) begins_s.push_back(begin_s);
       }
     }
+    std::inplace_merge(begins_s.begin(), begins_s.begin() + at_samples, begins_s.end());
     begins_s.push_back(std::max(signal_.times_s.front(), last_s));
-    std::sort(begins_s.begin(), begins_s.end());
     return begins_s;
   }
 

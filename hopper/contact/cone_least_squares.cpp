@@ -30,6 +30,7 @@ ConeLeastSquares::ConeLeastSquares(Index most_points) {
   normal_.setZero(size, size);
   system_.setZero(size, size);
   scaling_.resize(static_cast<std::size_t>(most_points));
+  unscaling_.resize(static_cast<std::size_t>(most_points));
 }
 
 ConeLeastSquares::Status ConeLeastSquares::solve(const Eigen::Ref<const Eigen::MatrixXd>& A,
@@ -95,19 +96,20 @@ double ConeLeastSquares::share_of_step() const {
 void ConeLeastSquares::take_step(double centring, bool is_prediction) {
   for (Index i = 0; i < points_; ++i) {
     const Matrix3d& W = scaling_[static_cast<std::size_t>(i)];
+    const Matrix3d& inverse = unscaling_[static_cast<std::size_t>(i)];
     const ConeVector dual = dual_.segment<3>(3 * i);
     const ConeVector middle = W * dual;
     ConeVector asked = -cone_product(middle, middle) + ConeVector(0, 0, centring);
     if (!is_prediction) {
       const ConeVector step = step_.segment<3>(3 * i);
       const ConeVector dual_step = dual_step_.segment<3>(3 * i);
-      asked -= cone_product(W.inverse() * step, W * dual_step);
+      asked -= cone_product(inverse * step, W * dual_step);
     }
-    complement_.segment<3>(3 * i) = W.inverse() * cone_quotient(asked, middle);
+    complement_.segment<3>(3 * i) = inverse * cone_quotient(asked, middle);
   }
   step_.head(size_) = factor_.solve(complement_.head(size_) - residual_.head(size_));
   for (Index i = 0; i < points_; ++i) {
-    const Matrix3d inverse = scaling_[static_cast<std::size_t>(i)].inverse();
+    const Matrix3d& inverse = unscaling_[static_cast<std::size_t>(i)];
     dual_step_.segment<3>(3 * i) =
         complement_.segment<3>(3 * i) - inverse * (inverse * step_.segment<3>(3 * i));
   }
@@ -130,7 +132,8 @@ ConeLeastSquares::Status ConeLeastSquares::solve_inside_cones() {
     for (Index k = 0; k < points_; ++k) {
       Matrix3d& W = scaling_[static_cast<std::size_t>(k)];
       W = nesterov_todd(x_.segment<3>(3 * k), dual_.segment<3>(3 * k));
-      const Matrix3d inverse = W.inverse();
+      Matrix3d& inverse = unscaling_[static_cast<std::size_t>(k)];
+      inverse = W.inverse();
       system_.block<3, 3>(3 * k, 3 * k) += inverse * inverse;
     }
     factor_.compute(system_.topLeftCorner(size_, size_));

@@ -68,7 +68,8 @@ class ConeLeastSquares {
   Eigen::VectorXd dual_step_;
   Eigen::VectorXd complement_;  ///< W^-1 of what complementarity asks for.
   Eigen::MatrixXd system_;
-  std::vector<Eigen::Matrix3d> scaling_;  ///< W, by point.
+  std::vector<Eigen::Matrix3d> scaling_;    ///< W, by point,
+  std::vector<Eigen::Matrix3d> unscaling_;  ///< and its inverse.
   Eigen::LDLT<Eigen::MatrixXd> factor_;
 };
 

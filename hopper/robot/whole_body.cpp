@@ -14,24 +14,17 @@ using dynamics::VectorIn;
 using dynamics::VectorOut;
 using Eigen::Index;
 
-/// A rotor that turns with one joint at a constant ratio is taken out of the tree; what joints
-/// state of other rotors stays in it, as stated.
-bool stays_in_tree(const Drivetrain& drivetrain) {
-  return drivetrain.rotors_in_tree &&
-         (drivetrain.joints.size() > 1 || !drivetrain.mechanism->constant_jacobian());
-}
-
 dynamics::Tree without_rotors(const Robot& robot) {
   dynamics::Tree tree = robot.tree;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
-    if (!drivetrain.rotors_in_tree || stays_in_tree(drivetrain)) continue;
+    if (!drivetrain.rotors_in_tree || rotors_stay_in_tree(drivetrain)) continue;
     for (const std::size_t body : drivetrain.joints) tree.bodies[body].joint.reflected_inertia = 0;
   }
   return tree;
 }
 
 double rotor_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator) {
-  if (stays_in_tree(drivetrain)) return 0.0;
+  if (rotors_stay_in_tree(drivetrain)) return 0.0;
   if (drivetrain.rotors_in_tree) {
     const double ratio =
         drivetrain.mechanism->constant_jacobian().value_or(SmallMatrix::Identity(1, 1))(0, 0);
@@ -43,12 +36,17 @@ double rotor_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std::size_t
 double in_front_of_gears_kg_m2(const Robot& robot, const Drivetrain& drivetrain,
                                std::size_t index) {
   const actuator::Actuator& actuator = drivetrain.actuators[index];
-  const double all_kg_m2 = stays_in_tree(drivetrain) ? actuator::armature_kg_m2(actuator)
-                                                     : rotor_kg_m2(robot, drivetrain, index);
+  const double all_kg_m2 = rotors_stay_in_tree(drivetrain) ? actuator::armature_kg_m2(actuator)
+                                                           : rotor_kg_m2(robot, drivetrain, index);
   return std::max(0.0, all_kg_m2 - actuator.transmission.inertia_kg_m2);
 }
 
 }  // namespace
+
+bool rotors_stay_in_tree(const Drivetrain& drivetrain) {
+  return drivetrain.rotors_in_tree &&
+         (drivetrain.joints.size() > 1 || !drivetrain.mechanism->constant_jacobian());
+}
 
 WholeBody::WholeBody(const Robot& robot)
     : robot_(&robot),

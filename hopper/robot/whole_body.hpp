@@ -17,6 +17,10 @@ struct DriveInstant {
   double torque_Nm = 0.0;       ///< With it.
 };
 
+/// Whether what its joints state of rotors stays in the tree: where they do not turn with one joint
+/// at a constant ratio.
+bool rotors_stay_in_tree(const Drivetrain& drivetrain);
+
 /// A robot's bodies with its rotors apart: they turn as the drivetrains say, so that their inertia
 /// couples joints and changes with the posture where mechanisms do.
 /// docs/derivations/whole_body_check.md eqs. (2)-(4). Vectors per velocity (n x 1) as in

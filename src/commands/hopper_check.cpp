@@ -27,11 +27,11 @@ hopper::HopperReport check_whole_body(const HopperCheckInputs& inputs, hopper::M
 
 std::vector<hopper::CandidateResult> try_shelf(const HopperCheckRequest& request,
                                                const HopperCheckInputs& inputs,
-                                               const hopper::Motion& motion) {
+                                               const HopperCheckFound& found) {
   if (request.candidates_folder.empty()) return {};
   report::ProgressLine progress;
   return hopper::try_candidates(
-      inputs.robot.robot, motion, inputs.check, inputs.shelf, request.threads,
+      inputs.robot.robot, found.motion, inputs.check, found.report, inputs.shelf, request.threads,
       [&progress](double share) {
         progress.show(fmt::format("trying candidates: {:.0f} %", 100.0 * share));
       });
@@ -42,7 +42,7 @@ HopperCheckFound compute(const HopperCheckRequest& request, const HopperCheckInp
   HopperCheckFound found;
   found.motion = std::move(motion);
   found.report = check_whole_body(inputs, found.motion);
-  found.candidates = try_shelf(request, inputs, found.motion);
+  found.candidates = try_shelf(request, inputs, found);
   return found;
 }
 

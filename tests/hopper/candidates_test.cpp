@@ -165,6 +165,12 @@ Shelf shelf() {
   return shelf;
 }
 
+std::vector<CandidateResult> tried(const Robot& robot, Motion motion, const CheckOptions& options,
+                                   const Shelf& shelf, std::size_t threads) {
+  const HopperReport report = check_motion(robot, motion, options);
+  return try_candidates(robot, motion, options, report, shelf, threads);
+}
+
 /// What the file says of the old motor's torque.
 enum class FileTorque { kNone, kWithRotor, kWithoutRotor };
 
@@ -215,7 +221,7 @@ void expect_oracles_ranking(const std::vector<CandidateResult>& results, bool is
 TEST(Candidates, HaveTheDemandOfTheirOwnRotorWhateverTheFileHolds) {
   for (const FileTorque file :
        {FileTorque::kNone, FileTorque::kWithRotor, FileTorque::kWithoutRotor}) {
-    const auto results = try_candidates(pendulum(false), swing_with(file), {}, shelf(), 1);
+    const auto results = tried(pendulum(false), swing_with(file), {}, shelf(), 1);
     expect_oracles_ranking(results, false);
     EXPECT_EQ(results[0].torques, CandidateTorques::kDynamics);
   }
@@ -228,18 +234,18 @@ TEST(Candidates, ExchangeTheRotorInTheFilesTorques) {
   for (const FileTorque file : {FileTorque::kWithRotor, FileTorque::kWithoutRotor}) {
     for (const bool is_mounted : {false, true}) {
       Robot robot = pendulum(is_mounted);
-      const auto results = try_candidates(robot, swing_with(file), options, shelf(), 2);
+      const auto results = tried(robot, swing_with(file), options, shelf(), 2);
       expect_oracles_ranking(results, is_mounted);
       EXPECT_EQ(results[0].torques, CandidateTorques::kExchangedFile);
     }
   }
-  EXPECT_THROW(try_candidates(pendulum(false), swing_with(FileTorque::kNone), options, shelf(), 1),
+  EXPECT_THROW(tried(pendulum(false), swing_with(FileTorque::kNone), options, shelf(), 1),
                io::SpecError);
 }
 
 TEST(Candidates, CarryTheirMassWhereItIsMounted) {
-  expect_oracles_ranking(
-      try_candidates(pendulum(true), swing_with(FileTorque::kWithRotor), {}, shelf(), 1), true);
+  expect_oracles_ranking(tried(pendulum(true), swing_with(FileTorque::kWithRotor), {}, shelf(), 1),
+                         true);
 }
 
 // What the joint states of the old rotor leaves with it.
@@ -247,7 +253,7 @@ TEST(Candidates, TakeTheOldRotorOutOfTheJoint) {
   Robot robot = pendulum(false);
   robot.drivetrains[0].rotors_in_tree = true;
   robot.tree.bodies[1].joint.reflected_inertia = kOldRotor_kg_m2 * kOldRatio * kOldRatio;
-  expect_oracles_ranking(try_candidates(robot, swing(), {}, shelf(), 1), false);
+  expect_oracles_ranking(tried(robot, swing(), {}, shelf(), 1), false);
 }
 
 // A base that floats, nobody says where: only torques are known. Held at 10 rad/s2 with 9 Nm; the
@@ -265,18 +271,84 @@ TEST(Candidates, AreUndecidedWhereWhatTheFileHoldsDecides) {
   motion.has_effort = {true};
   motion.accelerations.row(3).setConstant(10.0);
   for (Index i = 0; i < motion.samples(); ++i) {
-    motion.velocities(3, i) = 10.0 * motion.time_s(i) + 1e-3;
+    const double t = motion.time_s(i);
+    motion.positions(3, i) = 5.0 * t * t + 1e-3 * t;
+    motion.velocities(3, i) = 10.0 * t + 1e-3;
   }
   const auto verdict_at = [&](double bears_Nm) {
     Shop shop{"plain", 0.2, 0.01, 100, bears_Nm / 0.2 / 40, 1e-4, 1, 1, 0, 0, 1.0};
     Shelf one;
     one.by_drivetrain = {{{"plain40", bought(shop, 40)}}};
-    return try_candidates(robot, motion, {}, one, 1).at(0).verdict;
+    return tried(robot, motion, {}, one, 1).at(0).verdict;
   };
   EXPECT_EQ(verdict_at(8.1), Verdict::kFail);
   EXPECT_EQ(verdict_at(8.3), Verdict::kUndecided);
   EXPECT_EQ(verdict_at(10.5), Verdict::kUndecided);
   EXPECT_EQ(verdict_at(10.7), Verdict::kPass);
+}
+
+// Oracle: the check itself. On its own shelf the robot's actuator has the figures of its drive.
+TEST(Candidates, HaveTheChecksFiguresWhereTheyAreTheRobotsOwn) {
+  Robot robot = pendulum(false);
+  Motion motion = swing();
+  const HopperReport report = check_motion(robot, motion, {});
+  const actuator::CheckedInterpretation& drive = report.check.drives.at(0).interpretation;
+  Shelf own;
+  own.by_drivetrain = {{{"own", robot.drivetrains[0].actuators[0]}}};
+  const CandidateResult result = try_candidates(robot, motion, {}, report, own, 1).at(0);
+  EXPECT_EQ(result.peak_torque_Nm, drive.peak_torque_Nm);
+  EXPECT_EQ(result.energy_J, drive.energy_drawn_J - drive.energy_returned_J);
+  EXPECT_EQ(result.speed_margin_rad_s, drive.speed_margin_rad_s);
+}
+
+/// Accelerations of a speed V cos(w t), fitted over `reach` samples of length h on either side:
+/// the parabola's slope is a share sum(2 k sin(k w h)) / (2 w h sum(k^2)) of the true one.
+double share_of_slope(int reach, double angle_rad) {
+  double slope = 0.0;
+  double squares = 0.0;
+  for (int k = 1; k <= reach; ++k) {
+    slope += 2.0 * k * std::sin(k * angle_rad);
+    squares += 2.0 * k * k;
+  }
+  return slope / (squares * angle_rad);
+}
+
+// Without weight, and accelerations derived from speeds: over windows twice as wide they differ by
+// a known share. The doubt is of the candidate's rotor too, which is three times the arm.
+TEST(Candidates, AreUndecidedWhereTheDoubtOfDerivedAccelerationsDecides) {
+  constexpr double kStep_s = 0.01, kRotor = 1e-3, kRatio = 40.0;
+  Robot robot = pendulum(false);
+  robot.tree.gravity_m_s2 = 0.0;
+  Motion motion;
+  for (int i = 0; i <= 140; ++i) motion.times_s.push_back(kStep_s * i);
+  motion.positions.resize(1, motion.samples());
+  motion.velocities.resize(1, motion.samples());
+  double greatest_rad_s2 = 0.0;
+  for (Index i = 0; i < motion.samples(); ++i) {
+    const double phase = kPulse_rad_s * motion.time_s(i);
+    motion.positions(0, i) = kSwing_rad * std::sin(phase);
+    motion.velocities(0, i) = kSwing_rad * kPulse_rad_s * std::cos(phase);
+    greatest_rad_s2 = std::max(
+        greatest_rad_s2, std::abs(kSwing_rad * kPulse_rad_s * kPulse_rad_s * std::sin(phase)));
+  }
+  motion.acceleration_origin = Origin::kDerived;
+  motion.efforts.setZero(1, motion.samples());
+  motion.has_effort = {false};
+  const double inertia = kOwn_kg_m2 + kMass_kg * kReach_m * kReach_m + kRatio * kRatio * kRotor;
+  const double narrow = share_of_slope(1, kPulse_rad_s * kStep_s);
+  const double doubt = narrow - share_of_slope(2, kPulse_rad_s * kStep_s);
+  const auto verdict_at = [&](double share) {
+    const double bears_Nm = inertia * greatest_rad_s2 * share;
+    Shop shop{"plain", 0.2, 0.001, 400, bears_Nm / 0.2 / kRatio, kRotor, 1, 1, 0, 0, 1.0};
+    Shelf one;
+    one.by_drivetrain = {{{"plain", bought(shop, kRatio)}}};
+    return tried(robot, motion, {}, one, 1).at(0).verdict;
+  };
+  constexpr double kBeside = 1e-4;  // of some 3e-3 of doubt
+  EXPECT_EQ(verdict_at(narrow - doubt - kBeside), Verdict::kFail);
+  EXPECT_EQ(verdict_at(narrow - doubt + kBeside), Verdict::kUndecided);
+  EXPECT_EQ(verdict_at(narrow + doubt - kBeside), Verdict::kUndecided);
+  EXPECT_EQ(verdict_at(narrow + doubt + kBeside), Verdict::kPass);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -88,6 +89,21 @@ TEST(RegionLookup, SpeedMarginIsTheDistanceToTheVoltageLine) {
   EXPECT_EQ(lookup.speed_margin_rad_s(10.0, 31.0), -kUnlimited);
   // Braking, the back-EMF helps: -20 Nm is there up to 48 + 10 rad/s.
   EXPECT_NEAR(lookup.speed_margin_rad_s(10.0, -20.0), 58.0 - 10.0, tolerance_rad_s);
+}
+
+// Oracle: the search that is not cut short.
+TEST(RegionLookup, SpeedMarginEndsWhereItIsKnownToBeNoLess) {
+  const RegionLookup lookup(curved_actuator(), {});
+  const double greatest_rad_s = lookup.region().greatest_speed_rad_s();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(-1.5, 1.5);
+  for (int i = 0; i < 2000; ++i) {
+    const double speed_rad_s = share(random) * greatest_rad_s;
+    const double torque_Nm = share(random) * lookup.near(0.0).greatest_Nm;
+    const double at_most_rad_s = share(random) * greatest_rad_s;
+    EXPECT_EQ(lookup.speed_margin_rad_s(speed_rad_s, torque_Nm, at_most_rad_s),
+              std::min(lookup.speed_margin_rad_s(speed_rad_s, torque_Nm), at_most_rad_s));
+  }
 }
 
 TEST(RegionLookup, ComparesSpeedMarginsAsItComputesThem) {

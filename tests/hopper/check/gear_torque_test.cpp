@@ -190,6 +190,34 @@ TEST(TransmissionLoad, IsAsDoubtfulAsAJumpBetweenSamplesMakesIt) {
   }
 }
 
+// Torques that may be off by 0.7 Nm, all the time and all one way: so may each mean of 6 Nm.
+TEST(TransmissionLoad, IsAsDoubtfulAsItsTorques) {
+  struct Case {
+    double limit_Nm;
+    Verdict verdict;
+  };
+  constexpr double kDoubt_Nm = 0.7;
+  for (const auto& [limit_Nm, verdict] :
+       {Case{5.2, Verdict::kFail}, Case{5.4, Verdict::kUndecided}, Case{6.6, Verdict::kUndecided},
+        Case{6.8, Verdict::kPass}}) {
+    Robot robot = arm(0.2, 10.0, kRotor_kg_m2);
+    robot.drivetrains[0].transmission_limit = {limit_Nm, GearSide::kJoint, "stated"};
+    Motion motion = steadily(0.0, 30.0);
+    const HopperReport report = check_motion(robot, motion, {});
+    motion.acceleration_origin = Origin::kDerived;
+    const CheckOptions options;
+    const CheckedMotion checked{robot, options, motion, report.contacts, report.demand};
+    DriveTorques torques = drive_torques(checked);
+    torques.doubt_Nm.setConstant(1, motion.samples(), kDoubt_Nm);
+    const TransmissionLoad load = transmission_loads(checked, gear_torque(checked, torques)).at(0);
+    EXPECT_NEAR(load.joint.mean, 6.0, 1e-11);
+    EXPECT_NEAR(load.joint.least, 6.0 - kDoubt_Nm, 1e-11);
+    EXPECT_NEAR(load.joint.most, 6.0 + kDoubt_Nm, 1e-11);
+    EXPECT_NEAR(load.motor.most, 0.6 + kDoubt_Nm / 10.0, 1e-12);
+    EXPECT_EQ(load.verdict, verdict) << limit_Nm;
+  }
+}
+
 /// Two bodies of 3 kg that share their centre of mass, where the hinge is, in free fall.
 Robot folding(double limit_Nm) {
   Robot robot;
@@ -296,7 +324,7 @@ TEST_F(FlipGears, HoldAndTheLandingIsNotTheirWorst) {
 TEST_F(FlipGears, StandInTheSeries) {
   CheckOptions options;
   const Series series = series_of(robot.robot, motion, options, report, SeriesDetail::kDrives);
-  const auto column = [&](const char* header) -> const Eigen::VectorXd& {
+  const auto column = [&](const std::string& header) -> const Eigen::VectorXd& {
     return *find_column(series, header);
   };
   EXPECT_EQ(column("knee_gear_motor_torque_Nm"), report.gears.motor_Nm.row(0).transpose());
@@ -309,6 +337,16 @@ TEST_F(FlipGears, StandInTheSeries) {
   EXPECT_EQ(column("impact").sum(), 1.0);
   EXPECT_NEAR(column("angular_momentum_y_Nm_s")[600], 6.35, 5e-3);
   EXPECT_EQ(find_column(series, "hip_current_A"), nullptr);
+  double impulse_N_s = 0.0;
+  for (const ContactPoint& point : robot.robot.contacts) {
+    impulse_N_s += column(point.name + "_impulse_z_N_s").sum();
+  }
+  double jolts_N_s = 0.0;
+  for (const Jolt& jolt : report.demand.jolts) {
+    for (Index i = 2; i < jolt.impulses_N_s.size(); i += 3) jolts_N_s += jolt.impulses_N_s[i];
+  }
+  EXPECT_GT(impulse_N_s, 1.0);
+  EXPECT_NEAR(impulse_N_s, jolts_N_s, 1e-12 * jolts_N_s);
   const std::string csv = series_csv(series);
   EXPECT_EQ(static_cast<Index>(std::count(csv.begin(), csv.end(), '\n')), motion.samples() + 1);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hopper/check/hopper_check.hpp"
+#include "hopper/check/series.hpp"
 #include "hopper/mechanisms/constant_jacobian.hpp"
 
 namespace torquewright::hopper {
@@ -183,6 +184,18 @@ TEST(Residual, OfAJointThatNothingDrivesIsLessWhatTheFileGives) {
     const Demand demand = demand_of(robot, motion, contacts);
     ASSERT_EQ(demand.residual.rows(), 1);
     EXPECT_NEAR(demand.residual(0, 1), (is_given ? 0.25 : 1.0) * held_Nm, 1e-12);
+    HopperReport report;
+    report.demand = demand;
+    report.torques_Nm.setZero(1, 3);
+    for (Eigen::MatrixXd* table :
+         {&report.gears.joint_Nm, &report.gears.motor_Nm, &report.gears.impulse_Nm_s}) {
+      table->setZero(1, 3);
+    }
+    const Series series = series_of(robot, motion, {}, report, SeriesDetail::kMotion);
+    EXPECT_EQ(find_column(series, "driven_residual_torque_Nm"), nullptr);
+    const Eigen::VectorXd* left = find_column(series, "hanging_residual_torque_Nm");
+    ASSERT_NE(left, nullptr);
+    EXPECT_EQ((*left)[1], demand.residual(0, 1));
   }
 }
 
