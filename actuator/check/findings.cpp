@@ -219,6 +219,23 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
 
 }  // namespace
 
+std::optional<Finding> gap_finding(const LongestStep& step) {
+  if (step.usual_s == 0.0 || step.duration_s <= kGap * step.usual_s) return std::nullopt;
+  Finding result;
+  result.severity = Severity::kWarning;
+  result.rule = "time-gap";
+  result.time_s = step.from_s;
+  result.value = step.duration_s;
+  result.limit = kGap * step.usual_s;
+  result.unit = "s";
+  result.sentence = fmt::format(
+      "no samples for {:.6g} s from t = {:.6g} s on, while the other steps are {:.3g} s on "
+      "average; "
+      "what is integrated, energy, rms and heat, runs straight across",
+      step.duration_s, step.from_s, step.usual_s);
+  return result;
+}
+
 std::vector<Finding> findings_of(const std::vector<DriveReport>& drives) {
   std::vector<Finding> findings;
   std::set<std::string> named;

@@ -109,6 +109,13 @@ struct TracePoint {
   bool is_outside;
 };
 
+/// The longest time between two samples, and how long the others take on average.
+struct LongestStep {
+  double duration_s = 0.0;
+  double from_s = 0.0;
+  double usual_s = 0.0;  ///< 0: there is no other.
+};
+
 struct CheckReport {
   Verdict verdict = Verdict::kPass;
   std::vector<DriveReport> drives;

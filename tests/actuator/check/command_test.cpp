@@ -33,7 +33,8 @@ class Command : public testing::Test {
 TEST_F(Command, ExitCodesAreTheVerdicts) {
   EXPECT_EQ(run(kMotion, {"--pause", "1"}).exit_code, 0);
   EXPECT_EQ(run(kMotion, {}).exit_code, 1);  // 34 A rms, of which 20 A may last
-  EXPECT_EQ(run(kMotion, {"--pause", "1", "--column", "knee_torque_Nm=knee.torque*1.2"}).exit_code, 1);
+  EXPECT_EQ(run(kMotion, {"--pause", "1", "--column", "knee_torque_Nm=knee.torque*1.2"}).exit_code,
+            1);
   EXPECT_EQ(run(kMotion,
                 {"--pause", "1", "--column", "knee_torque_Nm=other.torque", "--column",
                  "knee_velocity_rad_s=other.velocity"},
