@@ -69,9 +69,9 @@ TEST(Need, NamesTheStrengthOfGearsThatLimit) {
   EXPECT_FALSE(answer_need(actuator, {}, {300.0, 1.0}).least_gear_Nm);
 }
 
-// Oracle: closed form of the line, R i + K w = 15 + 45 = 60 V as above (the battery's own
-// resistance is 1 mohm, so that some 20 mV more are needed). Far above 75 V the pack takes no power
-// back, so that ten times the voltage holds nothing at all at this speed.
+// Oracle: closed form of the line: 50 Nm of braking are -10 A, R i + K w = -5 + 60 = 55 V, less
+// some 10 mV that they raise over the battery's 1 mohm. Above 75 V the pack takes nothing back, so
+// that ten times the voltage does not do.
 TEST(Need, FindsAVoltageThoughTenTimesAsMuchIsTooMuch) {
   Actuator actuator = round_actuator();
   actuator.battery.emplace();
@@ -81,10 +81,12 @@ TEST(Need, FindsAVoltageThoughTenTimesAsMuchIsTooMuch) {
   actuator.battery->cell_resistance_ohm = 1e-3;
   actuator.battery->maximum_voltage_V = 75.0;
   actuator.drive.regeneration = true;
-  const NeedAnswer result = answer_need(actuator, {}, {150.0, 9.0});
+  const NeedAnswer result = answer_need(actuator, {}, {-50.0, 12.0});
   ASSERT_TRUE(result.least_bus_voltage_V);
-  EXPECT_GE(*result.least_bus_voltage_V, 60.0);
-  EXPECT_LE(*result.least_bus_voltage_V, 60.1);
+  EXPECT_NEAR(*result.least_bus_voltage_V, 55.0 - 0.01, 1e-3);
+  OperatingConditions tenfold;
+  tenfold.bus_voltage_V = 10.0 * actuator.drive.bus_voltage_V;
+  EXPECT_FALSE(answer_need(actuator, tenfold, {-50.0, 12.0}).is_reached);
 }
 
 TEST(Need, GivesTheMarginWhereItIsReached) {
