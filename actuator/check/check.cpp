@@ -40,7 +40,7 @@ class Pass {
     Row row;
     for (std::size_t count = 0; reader_.next(row); ++count) {
       to_velocity_.push(row);
-      has_rows_ = true;
+      add_step(row.time_s);
       if (request_.on_progress && count % kRowsBetweenProgress == 0) {
         request_.on_progress(reader_.share_read());
       }
@@ -56,6 +56,22 @@ class Pass {
     throw io::SpecError({{reader_.file(), "",
                           reader_.has_read_rows() ? "no rows lie between --from and --until"
                                                   : "holds a header and no rows"}});
+  }
+
+  void add_step(double time_s) {
+    if (!has_rows_) first_s_ = time_s;
+    if (has_rows_ && time_s - last_s_ > longest_.duration_s) longest_ = {time_s - last_s_, last_s_};
+    if (has_rows_) ++steps_;
+    has_rows_ = true;
+    last_s_ = time_s;
+  }
+
+  LongestStep longest_step() const {
+    LongestStep step = longest_;
+    if (steps_ > 1) {
+      step.usual_s = (last_s_ - first_s_ - step.duration_s) / static_cast<double>(steps_ - 1);
+    }
+    return step;
   }
 
   std::vector<SlopeFilter::Pair> position_slopes() const {
@@ -129,6 +145,7 @@ class Pass {
       result.drives.push_back(std::move(drive));
     }
     result.findings = findings_of(result.drives);
+    if (auto gap = gap_finding(longest_step())) result.findings.push_back(std::move(*gap));
     for (Finding& finding : shared_battery_findings(request_.drives)) {
       result.findings.push_back(std::move(finding));
     }
@@ -153,6 +170,10 @@ class Pass {
   Row joint_row_;
   Row drive_row_;
   bool has_rows_ = false;
+  double first_s_ = 0.0;
+  double last_s_ = 0.0;
+  std::size_t steps_ = 0;
+  LongestStep longest_;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ struct CheckRequest {
   std::vector<ParallelDrive> parallels;  ///< Each takes two of the drives, by their names.
   InertiaConvention inertia = InertiaConvention::kUnstated;
   std::size_t runs = 1;  ///< Of the motion, for the winding's temperature.
-  double pause_s = 0.0;  ///< Between runs.
+  double pause_s = 0.0;  ///< After each run.
   bool keep_traces = false;
   std::function<void(double share)> on_progress;  ///< May be empty.
 };

@@ -44,6 +44,21 @@ ordered_json winding_json(const WindingReport& winding) {
           {"resolution_s", winding.resolution_s}};
 }
 
+/// With a limit of null there is no verdict on it.
+ordered_json continuous_json(const CheckedInterpretation& interpretation) {
+  const ContinuousUse& current = interpretation.continuous_current;
+  ordered_json entry{{"rms_current_A", current.rms},
+                     {"limit_A", number(current.limit)},
+                     {"margin_A", number(current.margin())}};
+  const ContinuousUse& torque = interpretation.continuous_torque;
+  if (!torque.limit) return entry;
+  entry["side"] = interpretation.is_rated_at_joint ? "joint" : "motor";
+  entry["rms_torque_Nm"] = torque.rms;
+  entry["limit_Nm"] = number(torque.limit);
+  entry["margin_Nm"] = number(torque.margin());
+  return entry;
+}
+
 /// The keys of an interpretation, which are a joint's own, too.
 void add_interpretation(const CheckedInterpretation& interpretation, std::size_t samples,
                         ordered_json& entry) {
@@ -58,6 +73,7 @@ void add_interpretation(const CheckedInterpretation& interpretation, std::size_t
   entry["rms_torque_Nm"] = interpretation.rms_torque_Nm;
   entry["peak_current_A"] = interpretation.peak_current_A;
   entry["rms_current_A"] = interpretation.rms_current_A;
+  entry["continuous"] = continuous_json(interpretation);
   entry["energy_drawn_J"] = interpretation.energy_drawn_J;
   entry["energy_returned_J"] = interpretation.energy_returned_J;
   entry["winding"] =
@@ -70,9 +86,10 @@ void add_unknown_interpretation(const DriveReport& drive, ordered_json& entry) {
   entry["clipped_samples"] = is_impossible ? ordered_json(drive.impossible_speeds) : ordered_json();
   entry["clipped_share"] =
       is_impossible ? ordered_json(share(drive.impossible_speeds, drive.samples)) : ordered_json();
-  for (const char* key : {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s",
-                          "voltage_margin_V", "peak_torque_Nm", "rms_torque_Nm", "peak_current_A",
-                          "rms_current_A", "energy_drawn_J", "energy_returned_J", "winding"}) {
+  for (const char* key :
+       {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s", "voltage_margin_V",
+        "peak_torque_Nm", "rms_torque_Nm", "peak_current_A", "rms_current_A", "continuous",
+        "energy_drawn_J", "energy_returned_J", "winding"}) {
     entry[key] = nullptr;
   }
 }

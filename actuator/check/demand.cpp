@@ -31,6 +31,7 @@ std::optional<Demand> demand_at(const Actuator& actuator, const PhaseModel& mode
   const double motor_rad_s = actuator.transmission.ratio * speed_rad_s;
   const Current current = chosen_current(model, motor_Nm, motor_rad_s);
   Demand demand;
+  demand.motor_torque_Nm = motor_Nm;
   demand.phase_current_A = current.amplitude_A();
   if (!std::isfinite(demand.phase_current_A)) return std::nullopt;
   demand.current_A =

@@ -11,6 +11,7 @@ namespace torquewright::actuator {
 struct Demand {
   double current_A = 0.0;         ///< Amplitude, in the document's convention.
   double phase_current_A = 0.0;   ///< Amplitude of one phase.
+  double motor_torque_Nm = 0.0;   ///< Before the gears.
   double bus_power_W = 0.0;       ///< Negative: returned.
   double voltage_margin_V = 0.0;  ///< Still available at the bus; negative: missing; minus
                                   ///< infinity: the supply cannot deliver the power.

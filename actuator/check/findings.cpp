@@ -45,10 +45,11 @@ Finding region_violation(const DriveReport& drive, const CheckedInterpretation& 
 }
 
 std::string in_brief(const DriveReport& drive, const CheckedInterpretation& interpretation) {
-  std::string text =
-      fmt::format("{} ({} clipped, margin {:.6g} Nm)", fails(interpretation) ? "fails" : "passes",
-                  percent(interpretation.clipped_samples, drive.samples), interpretation.margin_Nm);
-  return text;
+  const std::optional<double> current_margin_A = interpretation.continuous_current.margin();
+  return fmt::format(
+      "{} ({} clipped, margin {:.6g} Nm{})", fails(interpretation) ? "fails" : "passes",
+      percent(interpretation.clipped_samples, drive.samples), interpretation.margin_Nm,
+      current_margin_A ? fmt::format(", {:.4g} A rms", *current_margin_A) : "");
 }
 
 void add_inertia(const DriveReport& drive, std::vector<Finding>& findings) {
@@ -94,6 +95,32 @@ void add_winding(const DriveReport& drive, std::vector<Finding>& findings) {
       fmt::format("{}: the winding passes its limit of {:.6g} K in run {}", drive.name,
                   winding.limit_K, winding.runs_to_limit.value_or(winding.runs));
   findings.push_back(std::move(result));
+}
+
+void add_continuous(const DriveReport& drive, const ContinuousUse& use, const char* rule,
+                    const char* what, const char* unit, std::vector<Finding>& findings) {
+  if (!use.is_passed()) return;
+  Finding result = finding(
+      drive, Severity::kViolation, rule,
+      fmt::format("{}: rms {} of {:.4g} {} over the motion and the pause after it, more than "
+                  "the {:.4g} {} that may last",
+                  drive.name, what, use.rms, unit, *use.limit, unit));
+  if (use.pause_s && *use.pause_s > 0.0) {
+    result.sentence +=
+        fmt::format("; with pauses of {:.4g} s after each run it may (--pause)", *use.pause_s);
+  }
+  result.value = use.rms;
+  result.limit = use.limit;
+  result.unit = unit;
+  findings.push_back(std::move(result));
+}
+
+void add_continuous(const DriveReport& drive, std::vector<Finding>& findings) {
+  const CheckedInterpretation& interpretation = drive.interpretation;
+  add_continuous(drive, interpretation.continuous_current, "rms-current", "current", "A", findings);
+  add_continuous(drive, interpretation.continuous_torque, "rms-torque",
+                 interpretation.is_rated_at_joint ? "torque at the joint" : "torque at the motor",
+                 "Nm", findings);
 }
 
 void add_speed(const DriveReport& drive, std::vector<Finding>& findings) {
@@ -168,6 +195,7 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
   add_agreement(drive, findings);
   if (drive.has_torque) {
     add_winding(drive, findings);
+    add_continuous(drive, findings);
     add_inertia(drive, findings);
   }
   if (drive.unwrapped > 0) {
@@ -190,6 +218,23 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
 }
 
 }  // namespace
+
+std::optional<Finding> gap_finding(const LongestStep& step) {
+  if (step.usual_s == 0.0 || step.duration_s <= kGap * step.usual_s) return std::nullopt;
+  Finding result;
+  result.severity = Severity::kWarning;
+  result.rule = "time-gap";
+  result.time_s = step.from_s;
+  result.value = step.duration_s;
+  result.limit = kGap * step.usual_s;
+  result.unit = "s";
+  result.sentence = fmt::format(
+      "no samples for {:.6g} s from t = {:.6g} s on, while the other steps are {:.3g} s on "
+      "average; "
+      "what is integrated, energy, rms and heat, runs straight across",
+      step.duration_s, step.from_s, step.usual_s);
+  return result;
+}
 
 std::vector<Finding> findings_of(const std::vector<DriveReport>& drives) {
   std::vector<Finding> findings;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "actuator/check/report.hpp"
@@ -18,5 +19,10 @@ constexpr double kAgreement = 0.8;
 
 /// Speeds beyond this many times the no-load speed are not those of this actuator.
 constexpr double kImplausibleSpeed = 3.0;
+
+/// A step of more than this many others' length is said: integrals and slopes run straight across.
+constexpr double kGap = 20.0;
+
+std::optional<Finding> gap_finding(const LongestStep& step);
 
 }  // namespace torquewright::actuator

@@ -18,6 +18,14 @@ double rms(const Integral& square, double duration_s, double peak) {
   return duration_s > 0.0 ? std::sqrt(square.sum() / duration_s) : peak;
 }
 
+/// Of `square`'s quantity over the motion and the pause after it. Eq. (8), (9).
+ContinuousUse continuous_use(const Integral& square, double duration_s, double peak, double pause_s,
+                             std::optional<double> limit) {
+  ContinuousUse use{rms(square, duration_s > 0.0 ? duration_s + pause_s : 0.0, peak), limit, {}};
+  if (limit) use.pause_s = std::max(0.0, square.sum() / (*limit * *limit) - duration_s);
+  return use;
+}
+
 std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
@@ -93,7 +101,9 @@ void InterpretationCheck::add_demand(double time_s, double speed_rad_s, double t
   }
   if (!demand) return;
   interpretation_.peak_current_A = std::max(interpretation_.peak_current_A, demand->current_A);
+  peak_motor_torque_Nm_ = std::max(peak_motor_torque_Nm_, std::abs(demand->motor_torque_Nm));
   voltage_margin_V_ = std::min(voltage_margin_V_, demand->voltage_margin_V);
+  motor_torque_square_.add(time_s, demand->motor_torque_Nm * demand->motor_torque_Nm);
   current_square_.add(time_s, demand->current_A * demand->current_A);
   drawn_.add(time_s, std::max(0.0, demand->bus_power_W));
   returned_.add(time_s, std::max(0.0, -demand->bus_power_W));
@@ -144,7 +154,22 @@ CheckedInterpretation InterpretationCheck::finish(std::size_t runs, double pause
   interpretation.energy_drawn_J = drawn_.sum();
   interpretation.energy_returned_J = returned_.sum();
   if (heat_) interpretation.winding = heat_->report(runs, pause_s);
+  add_continuous(pause_s, interpretation);
   return interpretation;
+}
+
+void InterpretationCheck::add_continuous(double pause_s, CheckedInterpretation& result) const {
+  const Actuator& actuator = *basis_->actuator;
+  const double duration_s = last_s_ - first_s_;
+  result.continuous_current = continuous_use(current_square_, duration_s, result.peak_current_A,
+                                             pause_s, actuator.drive.continuous_current_A);
+  if (!actuator.datasheet) return;
+  result.is_rated_at_joint = actuator.datasheet->joint_side;
+  const bool at_joint = result.is_rated_at_joint;
+  result.continuous_torque =
+      continuous_use(at_joint ? torque_square_ : motor_torque_square_, duration_s,
+                     at_joint ? result.peak_torque_Nm : peak_motor_torque_Nm_, pause_s,
+                     actuator.datasheet->rated_torque_Nm);
 }
 
 }  // namespace torquewright::actuator

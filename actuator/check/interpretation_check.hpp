@@ -48,6 +48,7 @@ class InterpretationCheck {
   static double least_speed_margin_rad_s(const std::vector<Slow>& waiting, double least_rad_s);
   void add_demand(double time_s, double speed_rad_s, double torque_Nm, const TorqueRange& range);
   void add_heat(double time_s, double square_A2);
+  void add_continuous(double pause_s, CheckedInterpretation& result) const;
   static WorstSample exactly(WorstSample sample, const CheckBasis& basis);
 
   const CheckBasis* basis_;
@@ -60,10 +61,11 @@ class InterpretationCheck {
   double speed_margin_rad_s_ = kUnlimited;  ///< Of all but those that wait.
   std::vector<Slow> waiting_;
   double voltage_margin_V_ = kUnlimited;
+  double peak_motor_torque_Nm_ = 0.0;
   double first_s_ = 0.0;
   double last_s_ = 0.0;
   double last_square_A2_ = 0.0;
-  Integral clipped_, torque_square_, current_square_, drawn_, returned_;
+  Integral clipped_, torque_square_, motor_torque_square_, current_square_, drawn_, returned_;
   std::optional<WindingHeat> heat_;
 };
 

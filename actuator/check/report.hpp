@@ -38,6 +38,16 @@ struct WorstSample {
   Limiter limiter = Limiter::kCurrent;
 };
 
+/// A root mean square over the motion and the pause after it, against what the document says may
+/// last.
+struct ContinuousUse {
+  double rms = 0.0;
+  std::optional<double> limit;           ///< In the unit of rms; empty: none is stated.
+  std::optional<double> pause_s;         ///< After each run that would meet the limit.
+  std::optional<double> margin() const;  ///< Negative: missing. Empty: none is stated.
+  bool is_passed() const;                ///< Beyond rounding. What is not stated is not passed.
+};
+
 /// What follows from torque and speed against the region: one interpretation of the data.
 struct CheckedInterpretation {
   std::size_t clipped_samples = 0;
@@ -55,6 +65,9 @@ struct CheckedInterpretation {
   double energy_returned_J = 0.0;
   std::size_t unreachable_samples = 0;  ///< Whose torque no current yields: counted at the bound.
   std::optional<WindingReport> winding;
+  ContinuousUse continuous_current;  ///< A, in the document's convention.
+  ContinuousUse continuous_torque;   ///< Nm, on the side that the datasheet is of.
+  bool is_rated_at_joint = true;     ///< Of the torque: which side that is.
 };
 
 /// Whether torque in the file is the motor's, which accelerates its own rotor too, or the load's.
@@ -96,6 +109,13 @@ struct TracePoint {
   bool is_outside;
 };
 
+/// The longest time between two samples, and how long the others take on average.
+struct LongestStep {
+  double duration_s = 0.0;
+  double from_s = 0.0;
+  double usual_s = 0.0;  ///< 0: there is no other.
+};
+
 struct CheckReport {
   Verdict verdict = Verdict::kPass;
   std::vector<DriveReport> drives;
@@ -104,8 +124,8 @@ struct CheckReport {
   std::string sha256;                           ///< Of the trajectory.
 };
 
-/// An interpretation fails where a sample is clipped or the winding passes its limit in the runs
-/// asked for.
+/// An interpretation fails where a sample is clipped, the winding passes its limit in the runs
+/// asked for, or current or torque pass over them what is stated as continuous.
 bool fails(const CheckedInterpretation& interpretation);
 
 }  // namespace torquewright::actuator

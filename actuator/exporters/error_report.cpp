@@ -35,14 +35,20 @@ class Comparison {
     return at.least_Nm <= at.greatest_Nm + rounding_Nm ? State::kInterval : State::kContradiction;
   }
 
-  /// What the simulator gives too much of; negative: too little. Zero where they cannot be
-  /// compared.
-  double excess_Nm(double speed_rad_s, bool is_upper) const {
+  /// What the simulator gives too much of (sign 1) or too little of (sign -1); negative: nothing.
+  /// Zero where they cannot be compared.
+  double error_Nm(double speed_rad_s, bool is_upper, double sign) const {
     const JointRange range = subject_.region.at(speed_rad_s);
     if (range.is_empty || state(speed_rad_s) != State::kInterval) return 0.0;
     const TorqueLimits at = limits(speed_rad_s);
-    return is_upper ? at.greatest_Nm - range.greatest.torque_Nm
-                    : range.least.torque_Nm - at.least_Nm;
+    const TorqueLimits region{range.least.torque_Nm, range.greatest.torque_Nm};
+    if (speed_rad_s == 0.0) {
+      return sign *
+             (is_upper ? at.greatest_Nm - region.greatest_Nm : region.least_Nm - at.least_Nm);
+    }
+    const bool is_driving = (speed_rad_s > 0.0) == is_upper;
+    return speed_rad_s > 0.0 ? forward_error_Nm(at, region, is_driving, sign)
+                             : forward_error_Nm(mirrored(at), mirrored(region), is_driving, sign);
   }
 
   /// Lengths of what the law allows, and of the part of it outside the region.
@@ -62,6 +68,22 @@ class Comparison {
   }
 
  private:
+  static TorqueLimits mirrored(const TorqueLimits& limits) {
+    return {-limits.greatest_Nm, -limits.least_Nm};
+  }
+
+  /// Driving is what lies above zero. Of braking both ends count: past the no-load speed a motor
+  /// cannot but brake, and the least of it is a bound too.
+  static double forward_error_Nm(const TorqueLimits& at, const TorqueLimits& region,
+                                 bool is_driving, double sign) {
+    if (is_driving) {
+      return sign * (std::max(0.0, at.greatest_Nm) - std::max(0.0, region.greatest_Nm));
+    }
+    const double most_Nm = region.least_Nm - at.least_Nm;
+    const double least_Nm = std::min(0.0, at.greatest_Nm) - std::min(0.0, region.greatest_Nm);
+    return std::max(sign * most_Nm, sign * least_Nm);
+  }
+
   const Subject& subject_;
   const Exporter& exporter_;
   std::span<const double> shape_;
@@ -84,7 +106,7 @@ std::vector<double> speeds_looked_at(const Subject& subject, int direction) {
 WorstError worst(const Comparison& comparison, const std::vector<double>& speeds_rad_s,
                  bool is_upper, double sign, double rounding_Nm) {
   const auto error_Nm = [&](double speed_rad_s) {
-    return sign * comparison.excess_Nm(speed_rad_s, is_upper);
+    return comparison.error_Nm(speed_rad_s, is_upper, sign);
   };
   std::size_t place = 0;
   double greatest_Nm = error_Nm(speeds_rad_s[0]);
@@ -95,8 +117,6 @@ WorstError worst(const Comparison& comparison, const std::vector<double>& speeds
       place = i;
     }
   }
-  const double at_rest_Nm = error_Nm(0.0);  // the union of both directions
-  if (at_rest_Nm > greatest_Nm + rounding_Nm) return {at_rest_Nm, 0.0};
   if (greatest_Nm <= rounding_Nm) return {};
   const double low = speeds_rad_s[place == 0 ? 0 : place - 1];
   const double high = speeds_rad_s[std::min(place + 1, speeds_rad_s.size() - 1)];
@@ -105,6 +125,11 @@ WorstError worst(const Comparison& comparison, const std::vector<double>& speeds
   const double refined_Nm = error_Nm(refined);
   if (refined_Nm > greatest_Nm + rounding_Nm) return {refined_Nm, refined};
   return {greatest_Nm, place == 0 ? 0.0 : speeds_rad_s[place]};
+}
+
+WorstError at_rest(const Comparison& comparison, bool is_upper, double sign, double rounding_Nm) {
+  const double error_Nm = comparison.error_Nm(0.0, is_upper, sign);
+  return error_Nm > rounding_Nm ? WorstError{error_Nm, 0.0} : WorstError{};
 }
 
 /// The first speed past which the law is in that state, to a billionth; negative: none is found.
@@ -180,12 +205,18 @@ double share_outside(const Subject& subject, const Comparison& comparison) {
 
 }  // namespace
 
+std::string_view mode_of(const QuadrantError& error) {
+  if (error.direction == 0) return "at rest";
+  return (error.direction > 0) == error.is_upper ? "driving" : "braking";
+}
+
 ErrorReport error_report(const Subject& subject, const Exporter& exporter,
                          std::span<const double> shape) {
   const Comparison comparison(subject, exporter, shape);
   const double rounding_Nm = kRounding * subject.table.peak_torque_Nm;
   ErrorReport report{.greatest_speed_rad_s = subject.region.greatest_speed_rad_s(),
                      .quadrants = {},
+                     .at_rest = {},
                      .share_outside = share_outside(subject, comparison),
                      .sentences = sentences_of(subject, comparison)};
   std::size_t place = 0;
@@ -196,6 +227,11 @@ ErrorReport error_report(const Subject& subject, const Exporter& exporter,
                                    worst(comparison, speeds_rad_s, is_upper, 1.0, rounding_Nm),
                                    worst(comparison, speeds_rad_s, is_upper, -1.0, rounding_Nm)};
     }
+  }
+  for (const bool is_upper : {true, false}) {
+    report.at_rest[is_upper ? 0 : 1] = {0, is_upper,
+                                        at_rest(comparison, is_upper, 1.0, rounding_Nm),
+                                        at_rest(comparison, is_upper, -1.0, rounding_Nm)};
   }
   return report;
 }
@@ -210,11 +246,15 @@ std::vector<std::string> error_lines(const ErrorReport& report) {
       fmt::format("Worst torque error of the simulator with this file, |speed| up to {:.6g} rad/s:",
                   report.greatest_speed_rad_s),
       fmt::format("{:>18} {:>28} {:>28}", "bound", "too optimistic", "too cautious")};
-  for (const QuadrantError& quadrant : report.quadrants) {
-    lines.push_back(fmt::format("{:>18} {} {}",
-                                fmt::format("speed {} 0, {}", quadrant.direction > 0 ? '>' : '<',
-                                            quadrant.is_upper ? "upper" : "lower"),
-                                cell(quadrant.optimistic), cell(quadrant.cautious)));
+  const auto add = [&](const QuadrantError& error, const std::string& where) {
+    lines.push_back(
+        fmt::format("{:>18} {} {}", where, cell(error.optimistic), cell(error.cautious)));
+  };
+  for (const QuadrantError& error : report.quadrants) {
+    add(error, fmt::format("speed {} 0, {}", error.direction > 0 ? '>' : '<', mode_of(error)));
+  }
+  for (const QuadrantError& error : report.at_rest) {
+    add(error, fmt::format("at rest, {}", error.is_upper ? "upper" : "lower"));
   }
   lines.push_back(fmt::format(
       "{:.4g} % of the torque-speed area that the simulator allows lies outside the region",

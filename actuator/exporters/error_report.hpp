@@ -15,10 +15,10 @@ struct WorstError {
   double speed_rad_s = 0.0;
 };
 
-/// One bound in one direction of motion.
+/// Driving or braking in one direction of motion, or one bound at rest.
 struct QuadrantError {
-  int direction;          ///< Sign of the speed.
-  bool is_upper;          ///< Of the greatest torque; else of the least.
+  int direction;          ///< Sign of the speed; 0: at rest, where a bound may jump.
+  bool is_upper;          ///< Torque above zero; else below.
   WorstError optimistic;  ///< The simulator gives torque that the actuator does not.
   WorstError cautious;    ///< The actuator gives torque that the simulator does not.
 };
@@ -29,10 +29,14 @@ struct QuadrantError {
 struct ErrorReport {
   double greatest_speed_rad_s = 0.0;
   std::array<QuadrantError, 4> quadrants;
+  std::array<QuadrantError, 2> at_rest;  ///< Both directions' union against the law at 0.
   /// Of the area of torque and speed that the law allows, the part that is not in the region.
   double share_outside = 0.0;
   std::vector<std::string> sentences;
 };
+
+/// "driving" where torque and motion have one sign, "braking", "at rest".
+std::string_view mode_of(const QuadrantError& error);
 
 ErrorReport error_report(const Subject& subject, const Exporter& exporter,
                          std::span<const double> shape);

@@ -64,6 +64,10 @@ struct Exporter {
   std::string_view advice;     ///< What its users have to know; a sentence or more.
   /// Empty: the shape is a table, three blocks of equal length (speeds, least, greatest).
   std::span<const ShapeParameter> parameters;
+  /// One line bounds driving and braking, which a motor does fully past the no-load speed: no
+  /// numbers serve both. The fit serves driving, braking with what that leaves open, and ends at
+  /// the speed up to which the region drives.
+  bool derates_braking = false;
   Shape (*shape)(const Subject&);
   /// What the simulator does with the shape. Plain: no state, any finite speed.
   TorqueLimits (*law)(std::span<const double> shape, double speed_rad_s);

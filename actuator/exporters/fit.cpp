@@ -6,10 +6,14 @@
 #include <limits>
 
 #include "actuator/exporters/downhill_simplex.hpp"
+#include "actuator/region/bracketed_search.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
+constexpr double kExactSpeed = 1e-12;  // of the greatest speed
+// Of a square of braking where it competes with driving: it decides only what that leaves open.
+constexpr double kBrakingWeight = 1e-3;
 constexpr double kExact = 1e-9;       // of the peak torque: rounding, not a difference of shape
 constexpr std::size_t kStride = 8;    // every which sample the squares are summed over
 constexpr double kFirstShare = 1e-6;  // of the greatest speed: bounds may jump at rest itself
@@ -44,6 +48,24 @@ std::vector<Sample> samples_of(const Subject& subject) {
   return samples;
 }
 
+/// Up to which the region drives, the lesser of both directions'; where it drives in one only or
+/// not at all, its greatest speed.
+double driving_end_rad_s(const Subject& subject) {
+  const double end_rad_s = subject.region.greatest_speed_rad_s();
+  double least_rad_s = end_rad_s;
+  for (const double direction : {1.0, -1.0}) {
+    const auto driving_Nm = [&](double speed_rad_s) {
+      const JointRange range = subject.region.at(direction * speed_rad_s, direction);
+      if (range.is_empty) return -1.0;
+      return direction > 0.0 ? range.greatest.torque_Nm : -range.least.torque_Nm;
+    };
+    if (driving_Nm(0.0) <= 0.0 || driving_Nm(end_rad_s) >= 0.0) continue;
+    least_rad_s = std::min(least_rad_s,
+                           last_nonnegative(driving_Nm, 0.0, end_rad_s, kExactSpeed * end_rad_s));
+  }
+  return least_rad_s;
+}
+
 /// How far a law lies outside a sample.
 double excess_Nm(const TorqueLimits& limits, const Sample& sample) {
   if (!sample.holds_zero) return 0.0;
@@ -56,9 +78,20 @@ class Judge {
   Judge(const Subject& subject, const Exporter& exporter)
       : exporter_(exporter),
         samples_(samples_of(subject)),
-        peak_Nm_(subject.table.peak_torque_Nm) {}
+        peak_Nm_(subject.table.peak_torque_Nm),
+        driving_end_rad_s_(exporter.derates_braking
+                               ? driving_end_rad_s(subject) * (1.0 + 2.0 * kExactSpeed)
+                               : kUnlimited) {}
 
   bool has_samples() const { return !samples_.empty(); }
+
+  /// The shape with its no-load speed drawn in to where the region stops driving.
+  Shape within_no_load(Shape shape) const {
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      if (is_no_load_speed(i)) shape[i] = std::min(shape[i], driving_end_rad_s_);
+    }
+    return shape;
+  }
 
   /// Mean square difference of both bounds, in parts of the peak torque, plus `price` times that of
   /// what lies outside.
@@ -66,14 +99,13 @@ class Judge {
     if (std::any_of(shape.begin(), shape.end(), [](double value) { return !(value > 0.0); })) {
       return std::numeric_limits<double>::infinity();
     }
+    if (within_no_load(shape) != shape) return std::numeric_limits<double>::infinity();
     double sum = 0.0;
     for (std::size_t i = 0; i < samples_.size(); i += kStride) {
       const Sample& sample = samples_[i];
       const TorqueLimits limits = exporter_.law(shape, sample.speed_rad_s);
       const double outside = excess_Nm(limits, sample) / peak_Nm_;
-      const double least = (limits.least_Nm - sample.least_Nm) / peak_Nm_;
-      const double greatest = (limits.greatest_Nm - sample.greatest_Nm) / peak_Nm_;
-      sum += least * least + greatest * greatest + price * outside * outside;
+      sum += difference(limits, sample) + price * outside * outside;
     }
     return sum * kStride / static_cast<double>(samples_.size());
   }
@@ -92,9 +124,28 @@ class Judge {
   }
 
  private:
+  bool is_no_load_speed(std::size_t i) const {
+    return exporter_.parameters[i].name == "no_load_speed_rad_s";
+  }
+
+  /// Sum of both bounds' squares.
+  double difference(const TorqueLimits& limits, const Sample& sample) const {
+    const double least = (limits.least_Nm - sample.least_Nm) / peak_Nm_;
+    const double greatest = (limits.greatest_Nm - sample.greatest_Nm) / peak_Nm_;
+    if (!exporter_.derates_braking) return least * least + greatest * greatest;
+    // Past the no-load speed the region's bound has left zero, to which such a law can come only.
+    const bool is_forward = sample.speed_rad_s > 0.0;
+    const double driving = (is_forward ? limits.greatest_Nm - std::max(0.0, sample.greatest_Nm)
+                                       : limits.least_Nm - std::min(0.0, sample.least_Nm)) /
+                           peak_Nm_;
+    const double braking = is_forward ? least : greatest;
+    return driving * driving + kBrakingWeight * braking * braking;
+  }
+
   const Exporter& exporter_;
   std::vector<Sample> samples_;
   double peak_Nm_;
+  double driving_end_rad_s_;
 };
 
 Shape least_cost(const Judge& judge, Shape shape, double price) {
@@ -127,8 +178,9 @@ Shape largest_inside(const Judge& judge, const Shape& shape) {
 
 }  // namespace
 
-Shape fitted(const Subject& subject, const Exporter& exporter, const Shape& start) {
+Shape fitted(const Subject& subject, const Exporter& exporter, const Shape& given) {
   const Judge judge(subject, exporter);
+  const Shape start = judge.within_no_load(given);
   if (!judge.has_samples() || judge.cost(start, 0.0) < kExact * kExact) return start;
   if (subject.fit == LawFit::kBest) return least_cost(judge, start, 0.0);
   Shape shape = start;

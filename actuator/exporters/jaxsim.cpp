@@ -59,6 +59,7 @@ const Exporter jaxsim = {
         "commanded torque and joint friction together. The armature goes into the joint's "
         "parameters of the model.",
     .parameters = kParameters,
+    .derates_braking = true,
     .shape = shape,
     .law = law,
     .write = write,

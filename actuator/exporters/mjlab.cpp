@@ -22,7 +22,7 @@ std::string write(const Subject& subject, std::span<const double> shape,
                                python_argument("saturation_effort", line.stall_torque_Nm),
                                python_argument("velocity_limit", line.no_load_speed_rad_s),
                                python_argument("effort_limit", line.greatest_torque_Nm),
-                               python_argument("armature", subject.armature_kg_m2()),
+                               armature_argument(subject.armature_kg_m2()),
                                {"frictionloss", "0.0"},
                                {"stiffness", "0.0", true},
                                {"damping", "0.0", true}});

@@ -25,7 +25,7 @@ std::string write(const Subject& subject, std::span<const double> shape,
   <compiler angle="radian"/>
   <worldbody>
     <body name="link">
-      <joint name="joint" type="hinge" axis="0 0 1" armature="{1}" damping="0" frictionloss="0"/>
+      <joint name="joint" type="hinge" axis="0 0 1"{1} damping="0" frictionloss="0"/>
       <geom type="sphere" size="0.05" mass="1"/>
     </body>
   </worldbody>
@@ -36,8 +36,9 @@ std::string write(const Subject& subject, std::span<const double> shape,
 </mujoco>
 )",
                                          xml_quoted(subject.actuator.name),
-                                         subject.armature_kg_m2(), gain_Nm_V, bias_Nm_s_rad, -bus_V,
-                                         bus_V, -line.greatest_torque_Nm, line.greatest_torque_Nm);
+                                         armature_attribute(subject.armature_kg_m2()), gain_Nm_V,
+                                         bias_Nm_s_rad, -bus_V, bus_V, -line.greatest_torque_Nm,
+                                         line.greatest_torque_Nm);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ std::string write(const Subject& subject, std::span<const double> shape,
   // w0 = V / K and stall torque = K V / R, both at the rotor.
   const double constant_Nm_A = bus_V / (line.no_load_speed_rad_s * std::abs(ratio));
   const double resistance_ohm = constant_Nm_A * bus_V * std::abs(ratio) / line.stall_torque_Nm;
-  return xml_comment(note) + fmt::format(R"(<mujoco model={0}>
+  return xml_comment(note) +
+         fmt::format(R"(<mujoco model={0}>
   <compiler angle="radian"/>
   <worldbody>
     <body name="link">
@@ -35,13 +36,13 @@ std::string write(const Subject& subject, std::span<const double> shape,
   </worldbody>
   <actuator>
     <dcmotor name={0} joint="joint" gear="{1}" motorconst="{2} {2}" resistance="{3}"
-      saturation="{4} 0 0" input="ff" controller="0 0 0 0 0 {5}" armature="{6}"/>
+      saturation="{4} 0 0" input="ff" controller="0 0 0 0 0 {5}"{6}/>
   </actuator>
 </mujoco>
 )",
-                                         xml_quoted(subject.actuator.name), ratio, constant_Nm_A,
-                                         resistance_ohm, line.greatest_torque_Nm / std::abs(ratio),
-                                         bus_V, subject.armature_kg_m2() / (ratio * ratio));
+                     xml_quoted(subject.actuator.name), ratio, constant_Nm_A, resistance_ohm,
+                     line.greatest_torque_Nm / std::abs(ratio), bus_V,
+                     armature_attribute(subject.armature_kg_m2() / (ratio * ratio)));
 }
 
 }  // namespace

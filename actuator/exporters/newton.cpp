@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields and law: Newton, newton/_src/actuators/clamping/clamping_dc_motor.py at commit 1f5efb33:
+// Fields and law: Newton, newton/_src/actuators/clamping/clamping_dc_motor.py as of commit
+// 80c0da73a (23 April 2026): with v first clamped to +-velocity_limit (1 + max_motor_effort /
+// saturation_effort),
 //   effort_max(v) = min(saturation_effort (1 - v / velocity_limit), max_motor_effort)
 //   effort_min(v) = max(saturation_effort (-1 - v / velocity_limit), -max_motor_effort)
-// without clamping the speed, so that past the overspeed effort_max < effort_min. The builder's
-// call is the one in Newton's own tests. N m, rad/s, kg m^2.
+// The builder's call is the one in Newton's own tests. Degrees of freedom and coordinates are
+// counted apart: a floating base has six of the one and seven of the other. N m, rad/s, kg m^2.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,9 +22,15 @@ Shape shape(const Subject& subject) { return fitted(subject, newton, line_start(
 
 TorqueLimits law(std::span<const double> shape, double speed_rad_s) {
   const Parallelogram line = parallelogram_of(shape);
-  const double share = speed_rad_s / line.no_load_speed_rad_s;
+  const double corner = 1.0 + line.greatest_torque_Nm / line.stall_torque_Nm;
+  const double share = std::clamp(speed_rad_s / line.no_load_speed_rad_s, -corner, corner);
   return {std::max(line.stall_torque_Nm * (-1.0 - share), -line.greatest_torque_Nm),
           std::min(line.stall_torque_Nm * (1.0 - share), line.greatest_torque_Nm)};
+}
+
+std::string armature_line(double armature_kg_m2) {
+  if (armature_kg_m2 == 0.0) return "";
+  return fmt::format("    builder.joint_armature[dof] = {}\n", armature_kg_m2);
 }
 
 std::string write(const Subject& subject, std::span<const double> shape,
@@ -32,11 +40,13 @@ std::string write(const Subject& subject, std::span<const double> shape,
          fmt::format(R"(from newton.actuators import ClampingDCMotor, ControllerPD
 
 
-def add_{0}(builder, dof, kp=0.0, kd=0.0):
-    """Adds the actuator to a newton.ModelBuilder, at the index of a joint's degree of freedom."""
+def add_{0}(builder, joint, kp=0.0, kd=0.0):
+    """Adds the actuator to a newton.ModelBuilder, at the index of a joint of one degree of freedom."""
+    dof = builder.joint_qd_start[joint]
     builder.add_actuator(
         ControllerPD,
         index=dof,
+        pos_index=builder.joint_q_start[joint],
         kp=kp,
         kd=kd,
         clamping=[
@@ -50,10 +60,10 @@ def add_{0}(builder, dof, kp=0.0, kd=0.0):
             )
         ],
     )
-    builder.joint_armature[dof] = {4}
-)",
+{4})",
                      identifier(subject.actuator.name), line.stall_torque_Nm,
-                     line.no_load_speed_rad_s, line.greatest_torque_Nm, subject.armature_kg_m2());
+                     line.no_load_speed_rad_s, line.greatest_torque_Nm,
+                     armature_line(subject.armature_kg_m2()));
 }
 
 }  // namespace
@@ -63,10 +73,10 @@ const Exporter newton = {
     .simulator = "Newton, ClampingDCMotor",
     .source =
         "https://github.com/newton-physics/newton "
-        "newton/_src/actuators/clamping/clamping_dc_motor.py @ 1f5efb33",
+        "newton/_src/actuators/clamping/clamping_dc_motor.py @ 80c0da73a",
     .advice =
-        "Where the limits cross, the clamp depends on the order of its comparisons: do not rely on "
-        "it past the overspeed.",
+        "Newton of before that commit (23 April 2026) does not clamp the speed: past the overspeed "
+        "its limits cross.",
     .parameters = kLineParameters,
     .shape = shape,
     .law = law,

@@ -41,6 +41,11 @@ TorqueLimits law(std::span<const double> shape, double speed_rad_s) {
   return {-limit_Nm, limit_Nm};
 }
 
+std::string armature_line(double armature_kg_m2) {
+  if (armature_kg_m2 == 0.0) return "";
+  return fmt::format("    float physxJointAxis:angular:armature = {}\n", armature_kg_m2);
+}
+
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
   return "#usda 1.0\n" + line_comment(note, "# ") +
@@ -52,14 +57,13 @@ std::string write(const Subject& subject, std::span<const double> shape,
     float physxDrivePerformanceEnvelope:angular:maxActuatorVelocity = {2}
     float physxDrivePerformanceEnvelope:angular:speedEffortGradient = {3}
     float physxDrivePerformanceEnvelope:angular:velocityDependentResistance = 0
-    float physxJointAxis:angular:armature = {4}
-    float physxJointAxis:angular:staticFrictionEffort = 0
+{4}    float physxJointAxis:angular:staticFrictionEffort = 0
     float physxJointAxis:angular:dynamicFrictionEffort = 0
     float physxJointAxis:angular:viscousFrictionCoefficient = 0
 }}
 )",
                      identifier(subject.actuator.name), shape[0], shape[1] * kDegreesPerRadian,
-                     shape[2] * kDegreesPerRadian, subject.armature_kg_m2());
+                     shape[2] * kDegreesPerRadian, armature_line(subject.armature_kg_m2()));
 }
 
 }  // namespace
@@ -77,6 +81,7 @@ const Exporter physx = {
         "maxActuatorVelocity. Lay it over the prim of your joint, which must be in an "
         "articulation.",
     .parameters = kParameters,
+    .derates_braking = true,
     .shape = shape,
     .law = law,
     .write = write,

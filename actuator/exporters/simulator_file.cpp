@@ -9,6 +9,9 @@ namespace torquewright::actuator {
 namespace {
 
 std::string armature_line(const Subject& subject) {
+  if (subject.armature_kg_m2() == 0.0) {
+    return "Armature: left out, the document states no inertia of the rotor; find and set it.";
+  }
   if (subject.region.side() == Side::kMotor) {
     return fmt::format("Armature: {:.6g} kg m^2, the rotor alone.", subject.armature_kg_m2());
   }

@@ -14,6 +14,15 @@ ordered_json worst_json(const WorstError& error) {
   return {{"torque_Nm", error.torque_Nm}, {"speed_rad_s", error.speed_rad_s}};
 }
 
+ordered_json error_json(const QuadrantError& error) {
+  const char* speed = error.direction > 0 ? "positive" : error.direction < 0 ? "negative" : "zero";
+  return {{"speed", speed},
+          {"bound", error.is_upper ? "upper" : "lower"},
+          {"mode", mode_of(error)},
+          {"optimistic", worst_json(error.optimistic)},
+          {"cautious", worst_json(error.cautious)}};
+}
+
 ordered_json shape_json(const Exporter& exporter, const Shape& shape) {
   ordered_json entry = ordered_json::object();
   for (std::size_t i = 0; i < exporter.parameters.size(); ++i) {
@@ -34,20 +43,18 @@ ordered_json simulator_file_json(const Subject& subject, const SimulatorFile& fi
   const MorHeader region{&subject.actuator, subject.conditions, subject.region.side()};
   const ordered_json header = mor_table_json(region, MorTable{});
   ordered_json errors = ordered_json::array();
-  for (const QuadrantError& quadrant : file.errors.quadrants) {
-    errors.push_back({{"speed", quadrant.direction > 0 ? "positive" : "negative"},
-                      {"bound", quadrant.is_upper ? "upper" : "lower"},
-                      {"optimistic", worst_json(quadrant.optimistic)},
-                      {"cautious", worst_json(quadrant.cautious)}});
-  }
-  ordered_json entry{{"kind", "simulator_file"},
-                     {"version", 1},
-                     {"format", file.exporter->name},
-                     {"simulator", file.exporter->simulator},
-                     {"source", file.exporter->source},
-                     {"fit", name_of(subject.fit)},
-                     {"parameters", shape_json(*file.exporter, file.shape)},
-                     {"armature_kg_m2", subject.armature_kg_m2()}};
+  for (const QuadrantError& error : file.errors.quadrants) errors.push_back(error_json(error));
+  for (const QuadrantError& error : file.errors.at_rest) errors.push_back(error_json(error));
+  ordered_json entry{
+      {"kind", "simulator_file"},
+      {"version", 1},
+      {"format", file.exporter->name},
+      {"simulator", file.exporter->simulator},
+      {"source", file.exporter->source},
+      {"fit", name_of(subject.fit)},
+      {"parameters", shape_json(*file.exporter, file.shape)},
+      {"armature_kg_m2",
+       subject.armature_kg_m2() > 0.0 ? ordered_json(subject.armature_kg_m2()) : ordered_json()}};
   for (const auto& item : header.items()) {
     const bool is_of_the_region = item.key() != "kind" && item.key() != "version" &&
                                   item.key() != "rows" && item.key() != "interpolation_error_Nm";

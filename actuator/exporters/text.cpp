@@ -81,12 +81,22 @@ PythonArgument python_argument(std::string_view name, double value) {
   return {name, fmt::format("{}", value), false};
 }
 
+PythonArgument armature_argument(double armature_kg_m2) {
+  if (armature_kg_m2 == 0.0) return {"armature", "", false};
+  return python_argument("armature", armature_kg_m2);
+}
+
+std::string armature_attribute(double armature_kg_m2) {
+  return armature_kg_m2 == 0.0 ? "" : fmt::format(" armature=\"{}\"", armature_kg_m2);
+}
+
 std::string python_configuration(const std::vector<std::string>& note, std::string_view module,
                                  std::string_view class_name, std::string_view variable,
                                  const std::vector<PythonArgument>& arguments) {
   std::string text = line_comment(note, "# ");
   text += fmt::format("from {0} import {1}\n\n{2} = {1}(\n", module, class_name, variable);
   for (const PythonArgument& argument : arguments) {
+    if (argument.value.empty()) continue;
     text += fmt::format("    {}={},{}\n", argument.name, argument.value,
                         argument.is_yours ? "  # yours" : "");
   }

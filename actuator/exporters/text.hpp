@@ -27,7 +27,13 @@ struct PythonArgument {
   std::string value;
   bool is_yours = false;  ///< What only the user knows: marked as such.
 };
+/// An empty value leaves the argument out.
 PythonArgument python_argument(std::string_view name, double value);
+
+/// The armature, left out where the document states no inertia: nobody measured a 0.
+PythonArgument armature_argument(double armature_kg_m2);
+/// The same as an attribute, with a space before it.
+std::string armature_attribute(double armature_kg_m2);
 
 /// Python that imports a configuration class from its module and calls it; `note` in front.
 std::string python_configuration(const std::vector<std::string>& note, std::string_view module,

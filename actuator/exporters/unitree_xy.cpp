@@ -49,7 +49,7 @@ std::string write(const Subject& subject, std::span<const double> shape,
                                python_argument("Y2", shape[3]),
                                {"Fs", "0.0"},
                                {"Fd", "0.0"},
-                               python_argument("armature", subject.armature_kg_m2()),
+                               armature_argument(subject.armature_kg_m2()),
                                {"stiffness", "0.0", true},
                                {"damping", "0.0", true}});
 }
@@ -65,6 +65,7 @@ const Exporter unitree_xy = {
         "names: X1 velocity_at_full_effort, X2 velocity_at_zero_effort, Y1 drive_effort_limit, Y2 "
         "brake_effort_limit, Fs static_friction, Fd dynamic_friction.",
     .parameters = kParameters,
+    .derates_braking = true,
     .shape = shape,
     .law = law,
     .write = write,

@@ -90,7 +90,7 @@ class ActuatorReader {
     drive.bus_voltage_V = keys["bus_voltage_V"];
     drive.peak_current_A = keys["peak_current_A"];
     drive.continuous_current_A = find(keys, "continuous_current_A");
-    drive.modulation = modulation(keys.value("modulation", "svpwm"));
+    if (keys.contains("modulation")) drive.modulation = modulation(keys["modulation"]);
     drive.field_weakening = keys.value("field_weakening", false);
     drive.regeneration = keys.value("regeneration", true);
     drive.regeneration_limit_W = keys.value("regeneration_limit_W", kUnlimited);

@@ -10,6 +10,7 @@ namespace torquewright::actuator {
 namespace {
 
 constexpr double kNeedTolerance = 1e-9;   // of what is sought
+constexpr int kFactorsTried = 240;        // up to kGreatestChange
 constexpr int kRatiosTried = 240;         // per factor of kGreatestChange, each way
 constexpr double kPowerTolerance = 1e-6;  // of the speed range
 
@@ -24,23 +25,52 @@ double margin_Nm(const Actuator& actuator, const OperatingConditions& conditions
   return margin_Nm(Region(actuator, conditions).at(need.speed_rad_s), need.torque_Nm);
 }
 
-/// The least of `change` from 1 to kGreatestChange at which the margin is not negative.
+/// The least of `change` from 1 to kGreatestChange at which the margin is not negative, looked for
+/// in small steps: more may be too much (a pack's greatest voltage leaves no room to brake).
+/// `likely` is tried too, so that a window that ends there is not stepped over.
 template <typename Margin>
-std::optional<double> least_factor(const Margin& margin) {
-  if (margin(kGreatestChange) < 0.0) return std::nullopt;
-  return last_nonnegative(margin, kGreatestChange, 1.0, kNeedTolerance);
+std::optional<double> least_factor(const Margin& margin, double likely = kGreatestChange) {
+  std::vector<double> factors;
+  for (int i = 1; i <= kFactorsTried; ++i) {
+    factors.push_back(std::pow(kGreatestChange, static_cast<double>(i) / kFactorsTried));
+  }
+  if (likely > 1.0 && likely < kGreatestChange) factors.push_back(likely);
+  std::sort(factors.begin(), factors.end());
+  double before = 1.0;
+  for (const double factor : factors) {
+    if (margin(factor) >= 0.0) return last_nonnegative(margin, factor, before, kNeedTolerance);
+    before = factor;
+  }
+  return std::nullopt;
 }
 
 std::optional<double> least_voltage_V(const Actuator& actuator, OperatingConditions conditions,
                                       const Need& need) {
   const double present_V = open_circuit_voltage_V(actuator, conditions);
   conditions.state_of_charge.reset();
-  const std::optional<double> factor = least_factor([&](double change) {
-    conditions.bus_voltage_V = change * present_V;
-    return margin_Nm(actuator, conditions, need);
-  });
+  const double greatest_V = actuator.battery ? actuator.battery->maximum_voltage_V : kUnlimited;
+  const std::optional<double> factor = least_factor(
+      [&](double change) {
+        conditions.bus_voltage_V = change * present_V;
+        return margin_Nm(actuator, conditions, need);
+      },
+      greatest_V / present_V);
   if (!factor) return std::nullopt;
   return *factor * present_V;
+}
+
+/// Only where the gears' strength is stated.
+std::optional<double> least_gear_Nm(const Actuator& actuator, const OperatingConditions& conditions,
+                                    const Need& need) {
+  const double present_Nm = actuator.transmission.peak_torque_Nm;
+  if (!(present_Nm < kUnlimited)) return std::nullopt;
+  Actuator changed = actuator;
+  const std::optional<double> factor = least_factor([&](double change) {
+    changed.transmission.peak_torque_Nm = change * present_Nm;
+    return margin_Nm(changed, conditions, need);
+  });
+  if (!factor) return std::nullopt;
+  return *factor * present_Nm;
 }
 
 /// Current that heat allows is not for sale: under the continuous rating only where it is stated.
@@ -133,6 +163,7 @@ NeedAnswer answer_need(const Actuator& actuator, const OperatingConditions& cond
   if (result.is_reached) return result;
   result.least_bus_voltage_V = least_voltage_V(actuator, conditions, need);
   result.least_current_A = least_current_A(actuator, conditions, need);
+  result.least_gear_Nm = least_gear_Nm(actuator, conditions, need);
   result.nearest_ratio = nearest_ratio(actuator, conditions, need);
   return result;
 }

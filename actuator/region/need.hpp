@@ -23,6 +23,7 @@ struct NeedAnswer {
   JointRange range;
   std::optional<double> least_bus_voltage_V;
   std::optional<double> least_current_A;  ///< Of the rating, in the document's convention.
+  std::optional<double> least_gear_Nm;    ///< What the gears would have to carry, at the joint.
   std::optional<double> nearest_ratio;
 };
 constexpr double kGreatestChange = 10.0;  ///< Factor on voltage, current or ratio.

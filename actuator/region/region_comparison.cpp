@@ -13,6 +13,11 @@ namespace {
 
 constexpr double kSpeedTolerance = 1e-6;
 
+bool is_empty(const Region& region, const Quadrant& quadrant, double speed_rad_s) {
+  return region.at(quadrant.speed_sign * speed_rad_s, static_cast<double>(quadrant.speed_sign))
+      .is_empty;
+}
+
 /// Magnitude of the torque in the quadrant, at a speed >= 0 of its direction.
 double torque_Nm(const Region& region, const Quadrant& quadrant, double speed_rad_s) {
   const JointRange range =
@@ -58,13 +63,20 @@ RegionFigures figures_of(const Region& region) {
 }  // namespace
 
 RegionComparison compare(const Region& from, const Region& to) {
-  RegionComparison comparison{figures_of(from), figures_of(to), {}};
+  RegionComparison comparison{figures_of(from), figures_of(to), {}, {}};
   const std::vector<double> speeds = compared_speeds(from, to);
   for (std::size_t q = 0; q < kQuadrants.size(); ++q) {
     QuadrantComparison& result = comparison.quadrants[q];
     for (const double speed_rad_s : speeds) {
       TorqueChange here;
       here.speed_rad_s = kQuadrants[q].speed_sign * speed_rad_s + 0.0;  // no -0
+      // Where one region is empty there is nothing to hold at all, neither lost nor won torque.
+      const bool is_from_empty = is_empty(from, kQuadrants[q], speed_rad_s);
+      const bool is_to_empty = is_empty(to, kQuadrants[q], speed_rad_s);
+      if (is_from_empty != is_to_empty && !comparison.one_sided_rad_s) {
+        comparison.one_sided_rad_s = here.speed_rad_s;
+      }
+      if (is_from_empty || is_to_empty) continue;
       here.from_Nm = torque_Nm(from, kQuadrants[q], speed_rad_s);
       here.to_Nm = torque_Nm(to, kQuadrants[q], speed_rad_s);
       here.change_Nm = here.to_Nm - here.from_Nm;

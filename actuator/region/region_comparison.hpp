@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "actuator/region/joint_region.hpp"
@@ -42,10 +43,11 @@ struct RegionFigures {
 struct RegionComparison {
   RegionFigures from, to;
   std::array<QuadrantComparison, 4> quadrants;  ///< In the order of kQuadrants.
+  std::optional<double> one_sided_rad_s;  ///< A speed at which one region alone is empty, if any.
 };
 
-/// Largest differences between two regions, over speeds dense enough for kComparedSpeeds per
-/// direction and all corners of both tables.
+/// Largest differences between two regions where neither is empty, over speeds dense enough for
+/// kComparedSpeeds per direction and all corners of both tables.
 RegionComparison compare(const Region& from, const Region& to);
 constexpr std::size_t kComparedSpeeds = 400;
 

@@ -118,6 +118,7 @@ ColumnMapping read_mapping(const std::string& text) {
   } else if (mapping.joint.empty()) {
     refuse_mapping(text, fmt::format("whose {0}? JOINT.{0} names it", parts.quantity));
   }
+  mapping.has_unit = !parts.unit.empty() || parts.factor != 1.0;
   if (!parts.unit.empty()) mapping.factor *= read_unit(text, parts.unit, mapping.quantity);
   return mapping;
 }
@@ -135,6 +136,19 @@ std::optional<ColumnMapping> canonical_mapping(const std::string& column) {
     }
   }
   return std::nullopt;
+}
+
+std::string_view foreign_unit(const std::string& column) {
+  struct Ending {
+    std::string_view text;
+    std::string_view unit;
+  };
+  constexpr Ending kEndings[] = {{"_deg_s", "deg/s"}, {"_deg", "deg"}, {"_rpm", "rpm"},
+                                 {"_ms", "ms"},       {"_us", "us"},   {"_mNm", "mNm"}};
+  for (const Ending& ending : kEndings) {
+    if (column.ends_with(ending.text)) return ending.unit;
+  }
+  return "";
 }
 
 }  // namespace torquewright::actuator

@@ -20,6 +20,7 @@ struct ColumnMapping {
   std::string joint;
   Quantity quantity = Quantity::kTime;
   double factor = 1.0;
+  bool has_unit = false;  ///< Or factor: somebody said what the column counts in.
 };
 
 /// A mapping of the command line, taken apart: NAME=JOINT.QUANTITY[:unit][*factor].
@@ -42,5 +43,9 @@ ColumnMapping read_mapping(const std::string& text);
 /// A header of the canonical form: time_s (also time or t), <joint>_position_rad,
 /// <joint>_velocity_rad_s, <joint>_torque_Nm. Empty for any other.
 std::optional<ColumnMapping> canonical_mapping(const std::string& column);
+
+/// The unit that a column's name ends in, if it is another than the canonical headers': deg/s of
+/// knee_velocity_deg_s. Empty: none.
+std::string_view foreign_unit(const std::string& column);
 
 }  // namespace torquewright::actuator

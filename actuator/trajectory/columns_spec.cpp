@@ -40,7 +40,8 @@ std::vector<ColumnMapping> read_columns(const io::Document& document) {
     const auto quantity = find_quantity(entry["quantity"].get<std::string>());
     if (!quantity) continue;  // of whole-body motions
     ColumnMapping mapping{entry["column"], entry.value("joint", ""), *quantity,
-                          entry.value("factor", 1.0)};
+                          entry.value("factor", 1.0),
+                          entry.contains("factor") || entry.contains("unit")};
     const bool is_time = mapping.quantity == Quantity::kTime;
     if (is_time != mapping.joint.empty()) {
       report("/joint", is_time ? "time is no joint's; leave it out" : "missing; whose quantity?");

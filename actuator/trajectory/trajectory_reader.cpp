@@ -38,6 +38,38 @@ bool same_quantity(const ColumnMapping& one, const ColumnMapping& other) {
   return one.quantity == other.quantity && one.joint == other.joint;
 }
 
+/// A name that says degrees is not read as radians, nor left aside where it is a joint's: there the
+/// quantity would be missing, and nobody would know.
+void refuse_foreign_units(const io::CsvReader& csv, const std::vector<ColumnMapping>& mappings,
+                          const std::vector<std::string>& joints) {
+  const auto refuse = [&](const std::string& column, const std::string& target) {
+    const std::string_view unit = foreign_unit(column);
+    io::refuse(csv.file(), fmt::format("the column \"{0}\" says {1}; state its unit, --column "
+                                       "{0}={2}:{1}",
+                                       column, unit, target));
+  };
+  for (const ColumnMapping& mapping : mappings) {
+    if (mapping.has_unit || foreign_unit(mapping.column).empty()) continue;
+    const std::string quantity(name_of(mapping.quantity));
+    refuse(mapping.column, mapping.joint.empty() ? quantity : mapping.joint + "." + quantity);
+  }
+  for (const std::string& column : csv.header()) {
+    const bool is_read = std::any_of(mappings.begin(), mappings.end(),
+                                     [&](const auto& mapping) { return mapping.column == column; });
+    if (is_read || foreign_unit(column).empty()) continue;
+    for (const std::string& joint : joints) {
+      for (const Quantity quantity :
+           {Quantity::kPosition, Quantity::kVelocity, Quantity::kTorque}) {
+        const bool is_its_own = column.starts_with(fmt::format("{}_{}_", joint, name_of(quantity)));
+        const bool is_known = std::any_of(mappings.begin(), mappings.end(), [&](const auto& other) {
+          return other.joint == joint && other.quantity == quantity;
+        });
+        if (is_its_own && !is_known) refuse(column, fmt::format("{}.{}", joint, name_of(quantity)));
+      }
+    }
+  }
+}
+
 /// The stated mappings, and the canonical ones for what no mapping is stated.
 std::vector<ColumnMapping> complete(const io::CsvReader& csv,
                                     const std::vector<ColumnMapping>& stated) {
@@ -74,6 +106,7 @@ TrajectoryReader::TrajectoryReader(const std::filesystem::path& file,
                                    const std::vector<std::string>& joints, const Window& window)
     : csv_(file), window_(window), joints_(joints.size()), unwraps_(joints.size()) {
   const std::vector<ColumnMapping> all = complete(csv_, mappings);
+  refuse_foreign_units(csv_, all, joints);
   assign(all, joints);
   require_complete(all, joints);
 }

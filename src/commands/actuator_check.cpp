@@ -10,6 +10,7 @@
 #include "src/commands/actuator_check_json.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/verdict_code.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/check_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/report/region_plot.hpp"
@@ -64,8 +65,9 @@ ActuatorCheckFound compute(const CheckOptions& options, const ActuatorCheckInput
 void write(const CheckOptions& options, const ActuatorCheckInputs& inputs,
            const ActuatorCheckFound& found) {
   if (!found.plot.empty()) report::draw_with_gnuplot(found.plot, options.plot_file);
-  deliver_result(options.json ? actuator_check_json(options, inputs, found.report)
-                              : report::check_text(options.trajectory_file, found.report),
+  deliver_result(options.json || names_json(options.output_file)
+                     ? actuator_check_json(options, inputs, found.report)
+                     : report::check_text(options.trajectory_file, found.report),
                  options.output_file);
 }
 

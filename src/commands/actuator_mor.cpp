@@ -42,23 +42,24 @@ const actuator::Exporter* exporter_of(const MorRequest& request) {
   return actuator::find_exporter(request.format);
 }
 
-/// Ratios and needs go before pictures, and those before files: what goes before others is
-/// answered, and the others are not looked at.
+/// Whether the region's rows are asked for besides a picture of it.
+bool wants_rows(const MorRequest& request) {
+  return request.plot.file.empty() || request.json || !request.format.empty() ||
+         !request.speeds_rad_s.empty() || !request.output_file.empty();
+}
+
 void read_question(const MorRequest& request, MorInputs& inputs) {
   if (!request.ratios.empty()) inputs.ratios = ratio_range_of(request);
   inputs.need = need_of(request);
-  if (inputs.ratios || inputs.need) return;
-  if (!request.plot.file.empty()) inputs.picture = report::plot_format(request.plot.file);
+  if (inputs.ratios || inputs.need || request.plot.file.empty()) return;
+  inputs.picture = report::plot_format(request.plot.file);
   if (inputs.compared) return;
-  if (inputs.picture) {
-    inputs.overlays = overlays_of(request.plot, inputs.read.actuator, inputs.conditions);
-  } else if (exporter_of(request) && !request.speeds_rad_s.empty()) {
-    io::refuse("--at-speed", "rows are for csv and json");
-  }
+  inputs.overlays = overlays_of(request.plot, inputs.read.actuator, inputs.conditions);
 }
 
 MorInputs read(const MorRequest& request) {
   require_accuracy(request);
+  require_formats(request);
   MorInputs inputs;
   inputs.read = actuator::read_actuator(request.actuator_file);
   inputs.conditions = conditions_of(request.operating, inputs.read);
@@ -82,16 +83,16 @@ MorAnswer sweep(const MorRequest& request, const MorInputs& inputs) {
   const auto [low, high] = *inputs.ratios;
   const auto rows = actuator::ratio_sweep(inputs.read.actuator, inputs.conditions, low, high,
                                           kRatiosInSweep, inputs.need);
-  return {request.json ? result_text(report::sweep_json(rows), inputs.read.documents)
-                       : report::sweep_text(rows)};
+  return {is_json(request) ? result_text(report::sweep_json(rows), inputs.read.documents)
+                           : report::sweep_text(rows)};
 }
 
 MorAnswer answer_need(const MorRequest& request, const MorInputs& inputs,
                       const actuator::Need& need) {
   const actuator::NeedAnswer answer =
       actuator::answer_need(inputs.read.actuator, inputs.conditions, need);
-  return {request.json ? result_text(report::need_json(need, answer), inputs.read.documents)
-                       : report::need_text(inputs.read.actuator, need, answer),
+  return {is_json(request) ? result_text(report::need_json(need, answer), inputs.read.documents)
+                           : report::need_text(inputs.read.actuator, need, answer),
           "", answer.is_reached ? ExitCode::kPasses : ExitCode::kFails};
 }
 
@@ -101,7 +102,7 @@ MorAnswer compare(const MorRequest& request, const MorInputs& inputs) {
   const actuator::Side side = side_of(request);
   std::string plot;
   if (inputs.picture) plot = comparison_plot(*inputs.picture, *inputs.compared, to, side);
-  return {comparison_result(*inputs.compared, to, side, request.json), std::move(plot)};
+  return {comparison_result(*inputs.compared, to, side, is_json(request)), std::move(plot)};
 }
 
 MorAnswer export_region(const MorRequest& request, const MorInputs& inputs,
@@ -110,7 +111,7 @@ MorAnswer export_region(const MorRequest& request, const MorInputs& inputs,
   const auto fit =
       request.fit == "best" ? actuator::LawFit::kBest : actuator::LawFit::kConservative;
   return {exported_file(inputs.read, inputs.conditions, region, request.accuracy, exporter, fit,
-                        request.json)};
+                        is_json(request))};
 }
 
 MorAnswer tabulate(const MorRequest& request, const MorInputs& inputs) {
@@ -119,21 +120,25 @@ MorAnswer tabulate(const MorRequest& request, const MorInputs& inputs) {
                                        ? actuator::mor_table(region, request.accuracy)
                                        : actuator::mor_rows(region, request.speeds_rad_s);
   const actuator::MorHeader header{&inputs.read.actuator, inputs.conditions, side_of(request)};
-  const bool as_json = request.json || request.format == "json";
-  return {as_json ? result_text(actuator::mor_table_json(header, table), inputs.read.documents)
-                  : actuator::mor_table_csv(header, table)};
+  return {is_json(request)
+              ? result_text(actuator::mor_table_json(header, table), inputs.read.documents)
+              : actuator::mor_table_csv(header, table)};
 }
 
 MorAnswer compute(const MorRequest& request, const MorInputs& inputs) {
   if (inputs.ratios) return sweep(request, inputs);
   if (inputs.need) return answer_need(request, inputs, *inputs.need);
   if (inputs.compared) return compare(request, inputs);
-  if (inputs.picture) {
-    return {std::nullopt, region_plot_of(*inputs.picture, inputs.read.actuator, inputs.overlays,
-                                         side_of(request))};
-  }
+  MorAnswer answer;
   const actuator::Exporter* exporter = exporter_of(request);
-  return exporter ? export_region(request, inputs, *exporter) : tabulate(request, inputs);
+  if (wants_rows(request)) {
+    answer = exporter ? export_region(request, inputs, *exporter) : tabulate(request, inputs);
+  }
+  if (inputs.picture) {
+    answer.plot =
+        region_plot_of(*inputs.picture, inputs.read.actuator, inputs.overlays, side_of(request));
+  }
+  return answer;
 }
 
 void write(const MorRequest& request, const MorAnswer& answer) {

@@ -15,6 +15,7 @@ void check_outputs(const OutputFiles& files, const std::string& input_file) {
     if (!file.empty()) asked_for.push_back(file);
   }
   io::check_outputs(asked_for, {input_file});
+  require_svg("--draw", files.drawing);
 }
 
 void write_outputs(const OutputFiles& files, const std::string& result,

@@ -12,6 +12,7 @@
 #include "hopper/check/series.hpp"
 #include "io/atomic_file.hpp"
 #include "src/commands/hopper_check_json.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/gnuplot.hpp"
 #include "src/report/hopper_html.hpp"
 #include "src/report/hopper_plots.hpp"
@@ -86,8 +87,9 @@ void require_outputs(const HopperCheckRequest& request) {
 
 void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
                    const HopperCheckFound& found) {
-  const std::string text =
-      request.json ? hopper_check_json(request, inputs, found) : hopper_check_text(inputs, found);
+  const std::string text = request.json || names_json(request.output_file)
+                               ? hopper_check_json(request, inputs, found)
+                               : hopper_check_text(inputs, found);
   std::vector<io::FileContent> files = pictures(
       request, {inputs.robot.robot, found.motion, inputs.check, found.report, found.candidates});
   if (!request.series_file.empty()) {

@@ -41,7 +41,7 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
       .between(1e-6, 10.0);
   command.add_option("--repeat", check.runs, "Runs of the motion, for the windings' temperature")
       .integer_between(1, 1000000000);
-  command.add_option("--pause", check.pause_s, "Between runs, in s").between(0.0, 1e9);
+  command.add_option("--pause", check.pause_s, "After each run, in s").between(0.0, 1e9);
 }
 
 void add_candidate_options(command_line::Command& command, HopperCheckRequest& request) {

@@ -8,6 +8,7 @@
 
 #include "actuator/exporters/library.hpp"
 #include "io/refusal.hpp"
+#include "src/options/output_files.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -37,8 +38,29 @@ std::vector<std::string> mor_formats() {
   return names;
 }
 
+/// Questions that no table, file or picture of the region answers: each is asked without those.
+void add_questions(command_line::Command& command, MorRequest& request) {
+  command_line::Option need =
+      command.add_option("--need", request.need,
+                         "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do");
+  command_line::Option ratio = command.add_option(
+      "--ratio", request.ratios, "LOW:HIGH: what these gear ratios would make of the motor");
+  command_line::Option compare = command.add_option(
+      "--compare", request.compare_file,
+      "An actuator from whose region this one's differs: where torque is lost and won");
+  compare.excludes("--need").excludes("--ratio");
+  for (command_line::Option* question : {&need, &ratio, &compare}) {
+    for (const char* other : {"--format", "--at-speed", "--accuracy"}) question->excludes(other);
+  }
+  for (command_line::Option* question : {&need, &ratio}) {
+    question->excludes("--plot").excludes("--side");
+  }
+}
+
 void add_mor_plot_options(command_line::Command& command, MorPlotOptions& options) {
-  command.add_option("--plot", options.file, "Draw the region to this SVG or PNG instead");
+  command.add_option("--plot", options.file,
+                     "Draw the region to this SVG or PNG; the rows too only with --format, "
+                     "--json, --at-speed or -o");
   command.add_option("--plot-voltage", options.voltages_V, "Over it, at these bus voltages, in V")
       .separated_by_commas()
       .between(0.5, 2000.0)
@@ -58,32 +80,45 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
   add_operating_options(command, request.operating);
   command.add_option("--side", request.side, "joint, or motor: at the rotor, before friction")
       .one_of({"joint", "motor"});
-  command.add_option("--format", request.format, "csv, json or a simulator's file")
+  command.add_option("--format", request.format, "csv (default), json or a simulator's file")
       .one_of(mor_formats());
   command
       .add_option("--fit", request.fit,
                   "Of a simulator's law that cannot take the region's shape: conservative (inside "
-                  "it) or best (least squares)")
-      .one_of({"conservative", "best"});
+                  "it; default) or best (least squares)")
+      .one_of({"conservative", "best"})
+      .needs("--format");
   command.add_option("--at-speed", request.speeds_rad_s, "Rows at these speeds only, in rad/s")
       .separated_by_commas()
       .between(-1e6, 1e6);
-  command.add_option(
-      "--accuracy", request.accuracy,
-      "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1");
-  command.add_option("--need", request.need,
-                     "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do");
-  command.add_option("--ratio", request.ratios,
-                     "LOW:HIGH: what these gear ratios would make of the motor");
   command
-      .add_option("--compare", request.compare_file,
-                  "An actuator from whose region this one's differs: where torque is lost and won")
-      .excludes("--need")
-      .excludes("--ratio")
+      .add_option("--accuracy", request.accuracy,
+                  "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1")
       .excludes("--at-speed");
   command.add_option("-o,--output", request.output_file, "Write to this file");
   add_mor_plot_options(command, request.plot);
+  add_questions(command, request);
   command.add_flag("--json", request.json, "The same as JSON");
+}
+
+bool is_json(const MorRequest& request) {
+  return request.json || request.format == "json" || names_json(request.output_file);
+}
+
+void require_formats(const MorRequest& request) {
+  const actuator::Exporter* exporter = actuator::find_exporter(request.format);
+  if (!request.fit.empty() && !exporter) {
+    io::refuse("--fit", fmt::format("--format {} fits no law", request.format));
+  }
+  if (exporter && !request.speeds_rad_s.empty()) {
+    io::refuse("--at-speed", "rows are for csv and json");
+  }
+  if (is_json(request) && request.output_file.ends_with(".csv")) {
+    io::refuse("--output", fmt::format("\"{}\" would be JSON", request.output_file));
+  }
+  if (request.format == "csv" && is_json(request)) {
+    io::refuse("--format", "csv, but --json or the ending of -o asks for JSON");
+  }
 }
 
 actuator::Side side_of(const MorRequest& request) {

@@ -25,8 +25,8 @@ struct MorRequest {
   std::string actuator_file;
   OperatingOptions operating;
   std::string side = "joint";
-  std::string format = "csv";
-  std::string fit = "conservative";
+  std::string format;  ///< Empty: none was named.
+  std::string fit;     ///< Empty: none was named, which is conservative.
   double accuracy = actuator::kTableAccuracy;
   std::vector<double> speeds_rad_s;
   std::string need;    ///< TORQUE@SPEED
@@ -41,6 +41,12 @@ struct MorRequest {
 void add_mor_options(command_line::Command& command, MorRequest& request);
 
 actuator::Side side_of(const MorRequest& request);
+
+/// Asked for by --json, by --format, or by the ending of -o.
+bool is_json(const MorRequest& request);
+
+/// Throws io::SpecError where what was asked for does not go together.
+void require_formats(const MorRequest& request);
 
 /// Throws io::SpecError where the table could not be so accurate.
 void require_accuracy(const MorRequest& request);

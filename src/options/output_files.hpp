@@ -13,6 +13,12 @@ struct OutputFiles {
   std::string drawing;
 };
 
+/// A file whose ending asks for JSON.
+bool names_json(const std::string& file);
+
+/// Throws io::SpecError where a drawing's ending is another picture's than what is drawn.
+void require_svg(const std::string& option, const std::string& file);
+
 /// Adds -o and --draw, which say where to.
 void add_output_options(command_line::Command& command, OutputFiles& files);
 

@@ -33,6 +33,7 @@ ordered_json need_json(const Need& need, const NeedAnswer& answer) {
           {"would_be_reached_with",
            {{"bus_voltage_V", or_null(answer.least_bus_voltage_V)},
             {"current_A", or_null(answer.least_current_A)},
+            {"gear_torque_Nm", or_null(answer.least_gear_Nm)},
             {"ratio", or_null(answer.nearest_ratio)}}}};
 }
 

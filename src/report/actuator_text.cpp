@@ -38,10 +38,14 @@ std::string need_text(const Actuator& actuator, const Need& need, const NeedAnsw
     text += fmt::format("; margin {:.6g} Nm to {}\n", answer.margin_Nm, name_of(answer.limiter));
   } else {
     if (std::isfinite(answer.margin_Nm))
-      text += fmt::format("; {:.6g} Nm are missing", -answer.margin_Nm);
+      text += fmt::format("; {:.6g} Nm are missing, limited by {}", -answer.margin_Nm,
+                          name_of(answer.limiter));
     text += "\nAlone, with everything else as it is:\n";
     text += remedy("bus voltage", answer.least_bus_voltage_V, " V");
     text += remedy("current", answer.least_current_A, " A");
+    if (answer.limiter == Limiter::kGear || answer.least_gear_Nm) {
+      text += remedy("gears that carry", answer.least_gear_Nm, " Nm");
+    }
     text += remedy("gear ratio", answer.nearest_ratio, "");
   }
   if (!actuator.assumed.empty()) {

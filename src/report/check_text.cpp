@@ -46,16 +46,37 @@ std::string winding_line(const WindingReport& winding) {
   return text + "\n";
 }
 
+std::string continuous_words(const ContinuousUse& use, const char* unit) {
+  if (!use.limit) return "not judged (none continuous is stated)";
+  return fmt::format("{:.4g} {} ({:.4g} of {:.4g} continuous)", *use.margin(), unit, use.rms,
+                     *use.limit);
+}
+
+/// What is left of everything that a verdict rests on.
+std::string margin_line(const CheckedInterpretation& interpretation) {
+  std::string text = fmt::format(
+      "  margin   peak torque {:.4g} Nm, speed {}, voltage {}, rms current {}",
+      interpretation.margin_Nm, or_none(interpretation.speed_margin_rad_s, "rad/s", "none"),
+      or_none(interpretation.voltage_margin_V, "V", "none: the supply gives out"),
+      continuous_words(interpretation.continuous_current, "A"));
+  if (interpretation.continuous_torque.limit) {
+    text += fmt::format(", rms torque at the {} {}",
+                        interpretation.is_rated_at_joint ? "joint" : "motor",
+                        continuous_words(interpretation.continuous_torque, "Nm"));
+  }
+  const std::optional<WindingReport>& winding = interpretation.winding;
+  if (!winding) return text + ", heat not judged (no thermal is stated)\n";
+  return text + fmt::format(", heat {:.4g} K\n", winding->limit_K - winding->peak_K);
+}
+
 std::string interpretation_lines(const DriveReport& drive,
                                  const CheckedInterpretation& interpretation) {
   std::string text = clipped_line(drive, interpretation);
+  text += margin_line(interpretation);
   text += fmt::format(
-      "  margin   torque {:.4g} Nm, speed {}, voltage {}\n"
       "  torque   peak {:.4g} Nm, rms {:.4g} Nm\n"
       "  current  peak {:.4g} A, rms {:.4g} A\n"
       "  energy   {:.4g} J drawn, {:.4g} J returned\n",
-      interpretation.margin_Nm, or_none(interpretation.speed_margin_rad_s, "rad/s", "none"),
-      or_none(interpretation.voltage_margin_V, "V", "none: the supply gives out"),
       interpretation.peak_torque_Nm, interpretation.rms_torque_Nm, interpretation.peak_current_A,
       interpretation.rms_current_A, interpretation.energy_drawn_J,
       interpretation.energy_returned_J);
@@ -73,9 +94,12 @@ std::string drive_text(const DriveReport& drive) {
       drive.until_s, drive.peak_speed_rad_s, drive.no_load_speed_rad_s);
   if (!drive.has_torque) return text;
   text += interpretation_lines(drive, drive.interpretation);
-  if (drive.verdict != Verdict::kUndecided || !drive.with_inertia) return text;
+  if (!drive.with_inertia) return text;
   text += " if the torque of the reflected inertia is to be added:\n";
-  return text + interpretation_lines(drive, *drive.with_inertia);
+  // Where the verdict does not turn on it, the margins alone still differ.
+  const bool is_open = drive.verdict == Verdict::kUndecided;
+  return text + (is_open ? interpretation_lines(drive, *drive.with_inertia)
+                         : margin_line(*drive.with_inertia));
 }
 
 std::string findings_text(const CheckReport& report) {

@@ -37,6 +37,8 @@ ordered_json comparison_json(const std::string& from, const std::string& to,
           {"from", {{"name", from}, {"figures", figures_json(comparison.from)}}},
           {"to", {{"name", to}, {"figures", figures_json(comparison.to)}}},
           {"quadrants", quadrants},
+          {"one_sided_speed_rad_s",
+           comparison.one_sided_rad_s ? ordered_json(*comparison.one_sided_rad_s) : ordered_json()},
           {"side", side == Side::kJoint ? "joint" : "motor"}};
 }
 

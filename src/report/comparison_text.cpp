@@ -41,6 +41,11 @@ std::string comparison_text(const std::string& from, const std::string& to,
     text += fmt::format("  {:<16}   {:<40} {}\n", kQuadrants[q].name,
                         change_text(quadrant.worst_loss), change_text(quadrant.best_gain));
   }
+  if (comparison.one_sided_rad_s) {
+    text += fmt::format(
+        "  at some speeds, such as {:.4g} rad/s, one of the regions is empty: they do not count\n",
+        *comparison.one_sided_rad_s);
+  }
   return text;
 }
 

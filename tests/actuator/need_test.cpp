@@ -55,6 +55,40 @@ TEST(Need, SaysWhereNoRatioWouldDo) {
   EXPECT_FALSE(answer_need(round_actuator(), {}, {150.0, 9.0}).nearest_ratio);
 }
 
+// Oracle: closed form. The gears carry 120 Nm of the 200 Nm that the motor makes; 150 Nm need gears
+// for 150, and no other voltage or current helps. 300 Nm are beyond the motor, too.
+TEST(Need, NamesTheStrengthOfGearsThatLimit) {
+  Actuator actuator = round_actuator();
+  actuator.transmission.peak_torque_Nm = 120.0;
+  const NeedAnswer result = answer_need(actuator, {}, {150.0, 1.0});
+  EXPECT_EQ(result.limiter, Limiter::kGear);
+  ASSERT_TRUE(result.least_gear_Nm);
+  EXPECT_NEAR(*result.least_gear_Nm, 150.0, 1e-6);
+  EXPECT_FALSE(result.least_bus_voltage_V);
+  EXPECT_FALSE(result.least_current_A);
+  EXPECT_FALSE(answer_need(actuator, {}, {300.0, 1.0}).least_gear_Nm);
+}
+
+// Oracle: closed form of the line: 50 Nm of braking are -10 A, R i + K w = -5 + 60 = 55 V, less
+// some 10 mV that they raise over the battery's 1 mohm. Above 75 V the pack takes nothing back, so
+// that ten times the voltage does not do.
+TEST(Need, FindsAVoltageThoughTenTimesAsMuchIsTooMuch) {
+  Actuator actuator = round_actuator();
+  actuator.battery.emplace();
+  actuator.battery->series_cells = 1;
+  actuator.battery->parallel_cells = 1;
+  actuator.battery->cell_open_circuit = {{1.0, actuator.drive.bus_voltage_V}};
+  actuator.battery->cell_resistance_ohm = 1e-3;
+  actuator.battery->maximum_voltage_V = 75.0;
+  actuator.drive.regeneration = true;
+  const NeedAnswer result = answer_need(actuator, {}, {-50.0, 12.0});
+  ASSERT_TRUE(result.least_bus_voltage_V);
+  EXPECT_NEAR(*result.least_bus_voltage_V, 55.0 - 0.01, 1e-3);
+  OperatingConditions tenfold;
+  tenfold.bus_voltage_V = 10.0 * actuator.drive.bus_voltage_V;
+  EXPECT_FALSE(answer_need(actuator, tenfold, {-50.0, 12.0}).is_reached);
+}
+
 TEST(Need, GivesTheMarginWhereItIsReached) {
   const NeedAnswer result = answer_need(round_actuator(), {}, {-150.0, 9.0});
   EXPECT_TRUE(result.is_reached);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::actuator {
@@ -53,6 +55,22 @@ TEST(RegionComparison, FindsWhereVoltageHelps) {
   EXPECT_LE(gain.speed_rad_s, 10.0 + 1e-3);
   EXPECT_NEAR(comparison.to.no_load_speed_rad_s, 12.0, 1e-4);
   EXPECT_EQ(comparison.quadrants[0].worst_loss.change_Nm, 0.0);
+}
+
+// Oracle: the region's own end: past its overspeed of (50 + 20) V / 0.5 the slow one is empty.
+TEST(RegionComparison, DoesNotCountSpeedsAtWhichOneRegionIsEmpty) {
+  Actuator slow = round_actuator();
+  Actuator fast = round_actuator();
+  slow.drive.bus_voltage_V = 50.0;
+  fast.drive.bus_voltage_V = 200.0;
+  const RegionComparison comparison = compared(slow, fast);
+  const double end_rad_s = Region(slow, {}).greatest_speed_rad_s();
+  ASSERT_TRUE(comparison.one_sided_rad_s);
+  EXPECT_GT(std::abs(*comparison.one_sided_rad_s), end_rad_s);
+  for (const QuadrantComparison& quadrant : comparison.quadrants) {
+    EXPECT_LE(std::abs(quadrant.best_gain.speed_rad_s), end_rad_s);
+  }
+  EXPECT_FALSE(compared(slow, slow).one_sided_rad_s);
 }
 
 }  // namespace

@@ -58,7 +58,9 @@ TEST(CheckReport, HoldsEveryFigureUnderItsKey) {
     "worst": {"time_s": 1.5, "speed_rad_s": -2.5, "torque_Nm": 31.0, "limit_Nm": 30.0,
       "excess_Nm": 1.0, "limiter": "gear"},
     "margin_Nm": -1.0, "speed_margin_rad_s": 4.5, "voltage_margin_V": 5.5, "peak_torque_Nm": 33.0,
-    "rms_torque_Nm": 12.0, "peak_current_A": 34.0, "rms_current_A": 13.0, "energy_drawn_J": 100.0,
+    "rms_torque_Nm": 12.0, "peak_current_A": 34.0, "rms_current_A": 13.0,
+    "continuous": {"rms_current_A": 0.0, "limit_A": null, "margin_A": null},
+    "energy_drawn_J": 100.0,
     "energy_returned_J": 7.0, "winding": null, "peak_speed_rad_s": 8.0,
     "no_load_speed_rad_s": 48.0, "armature_kg_m2": 0.01, "torque_includes_inertia": null,
     "velocity_differentiated": false, "left_out": ["backlash"], "assumed": ["/motor"]})"));
@@ -94,9 +96,10 @@ TEST(CheckReport, WithoutTorqueTellsOnlyOfSpeeds) {
   const nlohmann::json joint = joint_of(still);
   EXPECT_EQ(joint["clipped_samples"], 6);
   EXPECT_EQ(joint["clipped_share"], 0.5);
-  for (const char* key : {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s",
-                          "voltage_margin_V", "peak_torque_Nm", "rms_torque_Nm", "peak_current_A",
-                          "rms_current_A", "energy_drawn_J", "energy_returned_J", "winding"}) {
+  for (const char* key :
+       {"clipped_time_s", "worst", "margin_Nm", "speed_margin_rad_s", "voltage_margin_V",
+        "peak_torque_Nm", "rms_torque_Nm", "peak_current_A", "rms_current_A", "continuous",
+        "energy_drawn_J", "energy_returned_J", "winding"}) {
     ASSERT_TRUE(joint.contains(key)) << key;
     EXPECT_TRUE(joint[key].is_null()) << key;
   }
@@ -119,6 +122,16 @@ TEST(CheckReport, SaysWhoseTorqueItIs) {
   EXPECT_EQ(readings[1]["torque_includes_inertia"], false);
   EXPECT_EQ(readings[1]["verdict"], "pass");
   EXPECT_EQ(readings[1]["clipped_share"], 0.0);
+}
+
+TEST(CheckReport, HoldsWhatMayLast) {
+  DriveReport rated = drive();
+  rated.interpretation.continuous_current = {13.0, 10.0, 0.7};
+  rated.interpretation.continuous_torque = {1.5, 2.0, 0.0};
+  rated.interpretation.is_rated_at_joint = false;
+  EXPECT_EQ(joint_of(rated)["continuous"], nlohmann::json::parse(R"({"rms_current_A": 13.0,
+    "limit_A": 10.0, "margin_A": -3.0, "side": "motor", "rms_torque_Nm": 1.5, "limit_Nm": 2.0,
+    "margin_Nm": 0.5})"));
 }
 
 TEST(CheckReport, HoldsTheWindingsHeat) {

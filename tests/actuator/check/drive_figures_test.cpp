@@ -172,5 +172,21 @@ TEST(WindingReport, StartsColdAfterALongPause) {
   EXPECT_NEAR(often.steady_peak_K.value(), once.peak_K, 1e-9);
 }
 
+// Oracle: 10 steps of 0.1 s and one that is `gap` long, against their mean of 0.1 s.
+TEST(DriveFigures, AGapInTimeIsSaid) {
+  for (const double gap_s : {1.9, 2.1}) {
+    std::string text = "time_s,k_velocity_rad_s,k_torque_Nm";
+    for (int i = 0; i <= 10; ++i) text += fmt::format("\n{},5,1", 0.1 * i);
+    text += fmt::format("\n{},5,1\n", 1.0 + gap_s);
+    const Finding gap = finding_of(Checked().report(text), "time-gap");
+    EXPECT_EQ(gap.time_s.has_value(), gap_s > 2.0);
+    if (!gap.time_s) continue;
+    EXPECT_EQ(gap.severity, Severity::kWarning);
+    EXPECT_NEAR(*gap.time_s, 1.0, 1e-12);
+    EXPECT_NEAR(*gap.value, gap_s, 1e-12);
+    EXPECT_NEAR(*gap.limit, 2.0, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace torquewright::actuator

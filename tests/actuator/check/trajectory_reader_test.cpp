@@ -51,6 +51,22 @@ TEST(TrajectoryReader, PrefersMappingsAndAppliesThem) {
   EXPECT_EQ(result.rows[1].values[kTorqueAt], 10.0);
 }
 
+// A column whose name says degrees is neither read as radians nor left aside.
+TEST(TrajectoryReader, RefusesANameThatSaysAnotherUnit) {
+  const std::string text = "time_s,k_position_rad,k_velocity_deg_s,k_torque_Nm\n0,0,90,1\n";
+  const std::string why =
+      "the column \"k_velocity_deg_s\" says deg/s; state its unit, --column "
+      "k_velocity_deg_s=k.velocity:deg/s";
+  EXPECT_NE(read(text, {}, {"k"}).refusal.find(why), std::string::npos);
+  EXPECT_NE(read(text, {"k_velocity_deg_s=k.velocity"}, {"k"}).refusal.find(why),
+            std::string::npos);
+  EXPECT_EQ(read(text, {}, {"k_velocity"}).refusal.find(why), std::string::npos);
+  const Read stated = read(text, {"k_velocity_deg_s=k.velocity:deg/s"}, {"k"});
+  EXPECT_EQ(stated.refusal, "");
+  EXPECT_DOUBLE_EQ(stated.rows.at(0).values[kVelocityAt], 0.5 * 3.14159265358979323846);
+  EXPECT_EQ(read(text, {"k_velocity_deg_s=k.velocity:rad/s"}, {"k"}).refusal, "");
+}
+
 TEST(TrajectoryReader, WindowIncludesItsEnds) {
   const std::string text = "t,k_velocity_rad_s\n0,1\n0.1,2\n0.2,3\n0.3,4\n";
   const Read result = read(text, {}, {"k"}, {0.1, 0.2});

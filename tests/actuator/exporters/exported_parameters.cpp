@@ -242,7 +242,7 @@ Law law_of_file(const std::string& format, const std::string& text) {
   }
   if (format == "newton") {
     return line(literal(text, "saturation_effort"), literal(text, "velocity_limit"),
-                literal(text, "max_motor_effort"), false);
+                literal(text, "max_motor_effort"), true);
   }
   throw std::runtime_error("no reader for " + format);
 }

@@ -51,6 +51,8 @@ names = runpy.run_path(sys.argv[1])
 
 class Builder:
     joint_armature = {}
+    joint_q_start = [0, 7, 8, 9]  # behind a floating base
+    joint_qd_start = [0, 6, 7, 8]
     def add_actuator(self, controller, **named):
         clamps = [[clamp.name, values] for clamp, values in named.pop("clamping")]
         given.append([controller.name, named])
@@ -60,7 +62,7 @@ for name, value in list(names.items()):
     if name.startswith("add_"):
         builder = Builder()
         value(builder, 3)
-        given.append(["armature", {"armature": builder.joint_armature[3]}])
+        given.append(["armature", {"armature": builder.joint_armature[8]}])
 print(json.dumps(given))
 )";
 

@@ -95,7 +95,7 @@ TEST(Files, SayWhatAReaderMustKnow) {
     for (const std::string piece :
          {"Fit: best", "Side: joint", "67.2 V", "298.15 K", "coulomb_friction; viscous_friction",
           "Do not also apply friction", "0.3688 kg m^2 = N^2 J", "Assumed: /motor/resistance_ohm",
-          "too optimistic", "speed < 0, lower", "outside the region"}) {
+          "too optimistic", "speed < 0, driving", "at rest, lower", "outside the region"}) {
       EXPECT_NE(text.find(piece), std::string::npos) << piece;
     }
     EXPECT_NE(text.find(exporter->source.substr(0, 30)), std::string::npos);
@@ -131,7 +131,7 @@ TEST(Json, HoldsTheFileItsNumbersAndItsErrors) {
   EXPECT_EQ(json.at("file"), file.text);
   EXPECT_EQ(json.at("side"), "joint");
   EXPECT_NEAR(json.at("parameters").at("greatest_speed_rad_s").get<double>(), 10.5, 1e-12);
-  ASSERT_EQ(json.at("errors").size(), 4u);
+  ASSERT_EQ(json.at("errors").size(), 6u);
   EXPECT_EQ(json.at("errors")[0].at("speed"), "positive");
   EXPECT_NEAR(json.at("errors")[0].at("optimistic").at("torque_Nm").get<double>(), 320.0, 1e-6);
   EXPECT_NEAR(json.at("share_outside").get<double>(), 2.1875 / 42.0, 1e-6);

@@ -23,10 +23,12 @@
 # greatest_torque_Nm = 320
 # Worst torque error of the simulator with this file, |speed| up to 12.6875 rad/s:
 #              bound               too optimistic                 too cautious
-#   speed > 0, upper                         none                         none
-#   speed > 0, lower                         none                         none
-#   speed < 0, upper                         none                         none
-#   speed < 0, lower                         none                         none
+# speed > 0, driving                         none                         none
+# speed > 0, braking                         none                         none
+# speed < 0, braking                         none                         none
+# speed < 0, driving                         none                         none
+#     at rest, upper                         none                         none
+#     at rest, lower                         none                         none
 # 0 % of the torque-speed area that the simulator allows lies outside the region
 from isaaclab.actuators import DCMotorCfg
 

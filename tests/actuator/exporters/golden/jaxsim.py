@@ -23,10 +23,12 @@
 # no_load_speed_rad_s = 10.5
 # Worst torque error of the simulator with this file, |speed| up to 12.6875 rad/s:
 #              bound               too optimistic                 too cautious
-#   speed > 0, upper      320 Nm at 12.6875 rad/s                         none
-#   speed > 0, lower                         none         320 Nm at 10.5 rad/s
-#   speed < 0, upper                         none        320 Nm at -10.5 rad/s
-#   speed < 0, lower     320 Nm at -12.6875 rad/s                         none
+# speed > 0, driving                         none                         none
+# speed > 0, braking      320 Nm at 12.6875 rad/s         320 Nm at 10.5 rad/s
+# speed < 0, braking     320 Nm at -12.6875 rad/s        320 Nm at -10.5 rad/s
+# speed < 0, driving                         none                         none
+#     at rest, upper                         none                         none
+#     at rest, lower                         none                         none
 # 0 % of the torque-speed area that the simulator allows lies outside the region
 from jaxsim.rbda.actuation import ActuationParams
 

@@ -1,11 +1,11 @@
 # origin
 # knee D151 for Newton, ClampingDCMotor.
-# Fields as in https://github.com/newton-physics/newton newton/_src/actuators/clamping/clamping_dc_motor.py @ 1f5efb33
+# Fields as in https://github.com/newton-physics/newton newton/_src/actuators/clamping/clamping_dc_motor.py @ 80c0da73a
 # Fit: conservative (inside the region wherever that holds zero torque).
 # Side: joint. Rating: peak. Bus voltage: 67.2 V. Winding temperature: 298.15 K.
 # Friction included: gearbox efficiencies 1 driving, 1 back-driven. Do not also apply friction or an efficiency.
 # Armature: 0.3688 kg m^2 = N^2 J, N = 20, J = 0.000922 kg m^2. Do not add the rotor to a link as well.
-# Where the limits cross, the clamp depends on the order of its comparisons: do not rely on it past the overspeed.
+# Newton of before that commit (23 April 2026) does not clamp the speed: past the overspeed its limits cross.
 # Left out: battery: none stated; the bus voltage is stiff
 # Left out: thermal: none stated; the winding stays at its temperature
 # Left out: inductance: none stated; voltage is lost over the resistance alone
@@ -23,21 +23,23 @@
 # greatest_torque_Nm = 320
 # Worst torque error of the simulator with this file, |speed| up to 12.6875 rad/s:
 #              bound               too optimistic                 too cautious
-#   speed > 0, upper                         none                         none
-#   speed > 0, lower                         none                         none
-#   speed < 0, upper                         none                         none
-#   speed < 0, lower                         none                         none
+# speed > 0, driving                         none                         none
+# speed > 0, braking                         none                         none
+# speed < 0, braking                         none                         none
+# speed < 0, driving                         none                         none
+#     at rest, upper                         none                         none
+#     at rest, lower                         none                         none
 # 0 % of the torque-speed area that the simulator allows lies outside the region
-# at speeds > 12.6875 rad/s the law contradicts itself: its upper limit lies below its lower one
-# at speeds < -12.6875 rad/s the law contradicts itself: its upper limit lies below its lower one
 from newton.actuators import ClampingDCMotor, ControllerPD
 
 
-def add_knee_D151(builder, dof, kp=0.0, kd=0.0):
-    """Adds the actuator to a newton.ModelBuilder, at the index of a joint's degree of freedom."""
+def add_knee_D151(builder, joint, kp=0.0, kd=0.0):
+    """Adds the actuator to a newton.ModelBuilder, at the index of a joint of one degree of freedom."""
+    dof = builder.joint_qd_start[joint]
     builder.add_actuator(
         ControllerPD,
         index=dof,
+        pos_index=builder.joint_q_start[joint],
         kp=kp,
         kd=kd,
         clamping=[

@@ -18,25 +18,27 @@
 # Assumed: /drive/modulation
 # Assumed: /gearbox/forward_efficiency
 # Assumed: /gearbox/backward_efficiency
-# knee_speed_rad_s = 8.408162885
+# knee_speed_rad_s = 8.3125
 # no_load_speed_rad_s = 10.5
-# drive_torque_Nm = 306.0055461
-# brake_torque_Nm = 319.9999428
+# drive_torque_Nm = 320
+# brake_torque_Nm = 320
 # Worst torque error of the simulator with this file, |speed| up to 12.6875 rad/s:
 #              bound               too optimistic                 too cautious
-#   speed > 0, upper      320 Nm at 12.6875 rad/s        13.9945 Nm at 0 rad/s
-#   speed > 0, lower                         none      320 Nm at 10.5052 rad/s
-#   speed < 0, upper                         none     320 Nm at -10.5052 rad/s
-#   speed < 0, lower     320 Nm at -12.6875 rad/s        13.9945 Nm at 0 rad/s
+# speed > 0, driving                         none                         none
+# speed > 0, braking      320 Nm at 12.6875 rad/s         320 Nm at 10.5 rad/s
+# speed < 0, braking     320 Nm at -12.6875 rad/s        320 Nm at -10.5 rad/s
+# speed < 0, driving                         none                         none
+#     at rest, upper                         none                         none
+#     at rest, lower                         none                         none
 # 0 % of the torque-speed area that the simulator allows lies outside the region
 from unitree_rl_lab.assets.robots.unitree_actuators import UnitreeActuatorCfg
 
 knee_D151 = UnitreeActuatorCfg(
     joint_names_expr=["joint"],  # yours
-    X1=8.408162884947302,
-    X2=10.500000002184521,
-    Y1=306.00554611154354,
-    Y2=319.99994275154467,
+    X1=8.3125,
+    X2=10.5,
+    Y1=319.99999999999994,
+    Y2=319.99999999999994,
     Fs=0.0,
     Fd=0.0,
     armature=0.36879999999999996,

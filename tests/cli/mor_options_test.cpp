@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options of `actuator mor` that go together are done together, all others are refused; what a
+// file's name ends in is what is in it.
+#include <gtest/gtest.h>
+
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+const std::string kKnee = in_repository("specs/actuator/d151_knee.json").string();
+
+Outcome mor(const Workplace& place, std::vector<std::string> more) {
+  more.insert(more.begin(), {"actuator", "mor", kKnee});
+  return place.run(more);
+}
+
+TEST(MorOptions, OnesThatWouldBeDroppedAreRefused) {
+  const Workplace place;
+  const std::vector<std::vector<std::string>> dropped{{"--need", "200@10", "--plot", "x.svg"},
+                                                      {"--need", "200@10", "--format", "mujoco"},
+                                                      {"--need", "200@10", "--at-speed", "1"},
+                                                      {"--need", "200@10", "--side", "motor"},
+                                                      {"--need", "200@10", "--accuracy", "0.1"},
+                                                      {"--ratio", "4:40", "--plot", "x.svg"},
+                                                      {"--ratio", "4:40", "--format", "json"},
+                                                      {"--compare", kKnee, "--format", "csv"},
+                                                      {"--fit", "best"},
+                                                      {"--fit", "best", "--format", "csv"},
+                                                      {"--at-speed", "1", "--accuracy", "0.1"},
+                                                      {"--at-speed", "1", "--format", "mujoco"},
+                                                      {"--format", "csv", "--json"},
+                                                      {"--format", "csv", "-o", "x.json"},
+                                                      {"--json", "-o", "x.csv"}};
+  for (const std::vector<std::string>& options : dropped) {
+    const Outcome outcome = mor(place, options);
+    EXPECT_EQ(outcome.exit_code, 2) << options[0] << ' ' << options[2 % options.size()];
+    EXPECT_NE(outcome.err, "");
+    EXPECT_TRUE(place.files().empty());
+  }
+}
+
+TEST(MorOptions, JsonIsWhatANameThatEndsSoHolds) {
+  const Workplace place;
+  for (std::vector<std::string> options : std::vector<std::vector<std::string>>{
+           {}, {"--need", "200@10"}, {"--ratio", "4:40"}, {"--format", "mujoco"}}) {
+    const bool is_need = !options.empty() && options[0] == "--need";
+    std::vector<std::string> as_json = options;
+    as_json.push_back("--json");
+    options.insert(options.end(), {"-o", "x.json"});
+    EXPECT_EQ(mor(place, options).exit_code, is_need ? 1 : 0);
+    EXPECT_EQ(place.files().at("x.json"), mor(place, as_json).out);
+  }
+}
+
+TEST(MorOptions, APictureAndRowsAreMadeTogether) {
+  const Workplace place;
+  const Outcome alone = mor(place, {"--plot", "x.svg"});
+  if (alone.err.find("not installed") != std::string::npos) GTEST_SKIP() << "no gnuplot";
+  EXPECT_EQ(alone.out, "");
+  const Outcome both = mor(place, {"--plot", "y.svg", "--at-speed", "0,5"});
+  EXPECT_EQ(both.out, mor(place, {"--at-speed", "0,5"}).out);
+  EXPECT_EQ(place.files().at("y.svg"), place.files().at("x.svg"));
+}
+
+TEST(MorOptions, ADrawingIsAnSvgOrNothing) {
+  Workplace place;
+  place.write("knee.json", knee());
+  const Outcome outcome = place.run({"gearbox", "optimize", "knee.json", "--draw", "x.png"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "--draw: \"x.png\" must end with .svg\n");
+  EXPECT_FALSE(place.files().contains("x.png"));
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
