@@ -14,10 +14,13 @@ constexpr int kFactorsTried = 240;        // up to kGreatestChange
 constexpr int kRatiosTried = 240;         // per factor of kGreatestChange, each way
 constexpr double kPowerTolerance = 1e-6;  // of the speed range
 
-/// Distance of the torque to the nearer bound; negative outside. Minus infinity in an empty range.
+/// Distance of the torque to the nearer bound; negative outside, but not by what rounding may miss.
+/// Minus infinity in an empty range.
 double margin_Nm(const JointRange& range, double torque_Nm) {
   if (range.is_empty) return -kUnlimited;
-  return std::min(range.greatest.torque_Nm - torque_Nm, torque_Nm - range.least.torque_Nm);
+  const double margin =
+      std::min(range.greatest.torque_Nm - torque_Nm, torque_Nm - range.least.torque_Nm);
+  return std::abs(margin) <= kNeedTolerance * std::abs(torque_Nm) ? 0.0 : margin;
 }
 
 double margin_Nm(const Actuator& actuator, const OperatingConditions& conditions,

@@ -22,6 +22,21 @@ TEST(Need, NamesTheLeastVoltageThatWouldDo) {
   EXPECT_FALSE(result.least_current_A);  // no current helps against the voltage
 }
 
+// Kt N i: what is asked to the last decimal of the peak is reached, however its product is rounded.
+TEST(Need, IsReachedAtThePeakItself) {
+  Actuator actuator = round_actuator();
+  actuator.motor.torque_constant_Nm_A = 0.07;
+  for (int tenths = 31; tenths <= 99; tenths += 4) {
+    actuator.transmission.ratio = tenths / 10.0;
+    for (int current_A = 1; current_A <= 40; current_A += 3) {
+      actuator.drive.peak_current_A = current_A;
+      const double torque_Nm = 7 * tenths * current_A / 1000.0;
+      EXPECT_TRUE(answer_need(actuator, {}, {torque_Nm, 0.1}).is_reached) << torque_Nm;
+      EXPECT_FALSE(answer_need(actuator, {}, {1.00001 * torque_Nm, 0.1}).is_reached) << torque_Nm;
+    }
+  }
+}
+
 // 300 Nm at 1 rad/s: 30 Nm is 60 A at the rotor; R i + K w = 30 + 5 <= 50 V.
 TEST(Need, NamesTheLeastCurrentThatWouldDo) {
   const NeedAnswer result = answer_need(round_actuator(), {}, {300.0, 1.0});
