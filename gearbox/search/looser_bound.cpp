@@ -85,17 +85,19 @@ Found find(const Problem& problem, const std::string& key, const DesignSearchOpt
 // Neighbours have to be further apart than the limit: a limit of what there is would not do.
 bool must_be_exceeded(const std::string& key) { return key == "/min_neighbour_clearance_mm"; }
 
-// The double next to the quantity whose shortest decimal is a bound that the quantity meets.
+// The double next to the quantity whose shortest decimal is a bound that the quantity meets. Around
+// zero doubles lie so close that stepping from one to the next would not end, so the second guess
+// is the quantity's own end; its neighbour is further in than any decimal that rounds to the end.
 double safe_decimal(const PreciseInterval& quantity, bool is_minimum, bool is_strict) {
-  double value = quantity.nearest();
-  const double inwards = is_minimum ? -HUGE_VAL : HUGE_VAL;
-  const auto misses = [&] {
+  const auto misses = [&](double value) {
     const PreciseInterval spare = is_minimum ? quantity - PreciseInterval(io::exact(value))
                                              : PreciseInterval(io::exact(value)) - quantity;
     return is_strict ? !spare.is_positive() : spare.is_negative();
   };
-  while (misses()) value = std::nextafter(value, inwards);
-  return value;
+  const optimization::Interval around = quantity.outward();
+  const double end = is_minimum ? around.lower : around.upper;
+  if (!misses(quantity.nearest())) return quantity.nearest();
+  return misses(end) ? std::nextafter(end, is_minimum ? -HUGE_VAL : HUGE_VAL) : end;
 }
 
 double bound_as_it_stands(const Problem& problem, const std::string& key) {

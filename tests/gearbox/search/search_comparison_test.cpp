@@ -153,5 +153,21 @@ TEST(ProblemDocument, ReadsBackAsTheProblem) {
   }
 }
 
+// Oracle: closed form. Six planets leave each other m ((S - P)/2 - 2), 3.75:1 makes P 7/8 of S, and
+// in a bore of 60 mm 32/28 is the roomiest of 20 teeth or more: exactly 0. Without a
+// bound the search for the least change went from double to double around it and never ended.
+TEST(Search, EndsWhereTheBestNeighbourClearanceIsZero) {
+  const Problem problem = problem_in(R"({"kind": "gearbox_problem", "version": 1,
+      "topology": "planetary", "target_ratio": 3.75, "rotor_inner_diameter_mm": 60,
+      "module_mm": 0.6, "planet_count": 6, "min_teeth": {"sun": 20, "planet": 20},
+      "min_carrier_clearance_rad": 0.01, "constraints": "buildable",
+      "objective": "hollow_shaft"})");
+  const gearbox::DesignSearchResult found = gearbox::optimize(problem, {});
+  EXPECT_EQ(found.status, gearbox::DesignSearchStatus::kInfeasible);
+  for (const auto& bound : found.would_be_feasible_with) {
+    EXPECT_NE(bound.key, "/min_neighbour_clearance_mm");  // 0 would have to be exceeded
+  }
+}
+
 }  // namespace
 }  // namespace torquewright::search_test
