@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
 #include "io/document.hpp"
+#include "io/schema.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -149,6 +151,11 @@ class Reader {
 
   void check_combinations() {
     if (problem_.topology == "planetary") check_planetary();
+    if (root().contains("synthesis")) {
+      report("/synthesis",
+             "is reserved: modules, profile shifts and face widths are not searched yet; leave it "
+             "out");
+    }
     const std::string objective = root()["objective"];
     const bool needs_friction = objective.ends_with("_efficiency");
     const bool needs_masses = objective == "mass" || objective == "reflected_inertia";
@@ -186,5 +193,17 @@ class Reader {
 }  // namespace
 
 Problem read_problem(const io::Document& document) { return Reader(document).read(); }
+
+bool may_be_stated(const std::string& pointer, double value) {
+  std::string place = pointer;
+  for (std::size_t slash = 0; (slash = place.find('/', slash)) != std::string::npos;) {
+    place.replace(slash, 1, "/properties/");
+    slash += std::string_view("/properties/").size();
+  }
+  const json& property = io::schema_of("gearbox_problem").at(json::json_pointer(place));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return value >= property.value("minimum", -kInfinity) &&
+         value <= property.value("maximum", kInfinity);
+}
 
 }  // namespace torquewright::gearbox

@@ -15,4 +15,8 @@ namespace torquewright::gearbox {
 /// density).
 Problem read_problem(const io::Document& document);
 
+/// Whether the schema of problems admits that number at that place, such as "/min_teeth/sun".
+/// Requires a key that holds a number.
+bool may_be_stated(const std::string& pointer, double value);
+
 }  // namespace torquewright::gearbox

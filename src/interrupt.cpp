@@ -15,7 +15,10 @@ extern "C" void on_interrupt(int) {
 
 }  // namespace
 
-void catch_interrupt() { std::signal(SIGINT, on_interrupt); }
+void catch_interrupt() {
+  interrupted = 0;
+  std::signal(SIGINT, on_interrupt);
+}
 bool is_interrupted() { return interrupted != 0; }
 
 }  // namespace torquewright::cli

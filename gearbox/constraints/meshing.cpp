@@ -80,7 +80,7 @@ ContactPath<double> internal_path_of(std::int64_t planet, std::int64_t ring) {
   return internal_path(static_cast<double>(planet), static_cast<double>(ring));
 }
 
-ConstraintReport contact_ratio_limit(const Problem& problem, std::string_view mesh,
+ConstraintReport contact_ratio_limit(const Problem& problem, std::string_view mesh, MeshKind kind,
                                      const ContactPath<double>& path) {
   DesignCondition condition{fmt::format("contact_ratio.{}", mesh), "/min_contact_ratio", "1"};
   condition.limit = problem.min_contact_ratio;
@@ -89,7 +89,13 @@ ConstraintReport contact_ratio_limit(const Problem& problem, std::string_view me
   }
   condition.value = fraction_of(contact_ratio(path));
   condition.meaning = "pairs of teeth in contact on average";
-  condition.remedy = "needs more teeth or longer teeth";
+  const bool is_beyond_all =
+      kind == MeshKind::kExternal && problem.min_contact_ratio >= kSupremumOfExternalContactRatio;
+  condition.remedy = is_beyond_all ? fmt::format(
+                                         "no pair of external gears reaches {:.4f}, however many "
+                                         "teeth, without longer teeth or another pressure angle",
+                                         kSupremumOfExternalContactRatio)
+                                   : "needs more teeth or longer teeth";
   return judge(condition);
 }
 

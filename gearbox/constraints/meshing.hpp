@@ -5,6 +5,7 @@
 
 #include "gearbox/constraints/design_report.hpp"
 #include "gearbox/teeth/mesh.hpp"
+#include "gearbox/teeth/profile_shift.hpp"
 
 namespace torquewright::gearbox {
 
@@ -22,7 +23,7 @@ ContactPath<double> external_path_of(std::int64_t teeth_1, std::int64_t teeth_2)
 ContactPath<double> internal_path_of(std::int64_t planet, std::int64_t ring);
 
 /// epsilon >= the problem's minimum.
-ConstraintReport contact_ratio_limit(const Problem& problem, std::string_view mesh,
+ConstraintReport contact_ratio_limit(const Problem& problem, std::string_view mesh, MeshKind kind,
                                      const ContactPath<double>& path);
 
 /// A held ring or output ring that is not the one of equations (2), (3): which shift would close

@@ -89,21 +89,19 @@ std::vector<Condition> interference(const std::string& mesh, const Expression& p
            min(trochoid_interference_margin(planet, ring), ring_tip_margin(ring)), false, false}};
 }
 
-Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& ratio) {
+Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& gear_1,
+                        const Expression& gear_2) {
   const std::string name = "contact_ratio." + mesh;
-  return {name,
-          name,
-          "/min_contact_ratio",
-          ratio - Expression(problem.min_contact_ratio),
-          false,
-          /*on_boxes=*/false};
+  return {name, name, "/min_contact_ratio",
+          contact_ratio(external_path(gear_1, gear_2)) - Expression(problem.min_contact_ratio)};
 }
 
 Condition contact_ratio_in_ring(const Problem& problem, const std::string& mesh,
                                 const Expression& planet, const Expression& ring) {
-  Condition condition = contact_ratio(problem, mesh, contact_ratio(internal_path(planet, ring)));
-  condition.body = min(condition.body, ring_tip_margin(ring));
-  return condition;
+  const std::string name = "contact_ratio." + mesh;
+  const Expression spare =
+      contact_ratio(internal_path(planet, ring)) - Expression(problem.min_contact_ratio);
+  return {name, name, "/min_contact_ratio", min(spare, ring_tip_margin(ring)), false, false};
 }
 
 }  // namespace torquewright::gearbox

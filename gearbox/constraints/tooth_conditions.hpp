@@ -48,7 +48,9 @@ Rational ring_wall_mm(const Problem& problem, const Rational& module_mm);
 /// Involute and trochoid interference of a planet in a ring; judged at points.
 std::vector<Condition> interference(const std::string& mesh, const Expression& planet,
                                     const Expression& ring);
-Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& ratio);
+/// Of two external gears.
+Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& gear_1,
+                        const Expression& gear_2);
 /// There is no contact in a ring whose tip circle lies inside its base circle.
 Condition contact_ratio_in_ring(const Problem& problem, const std::string& mesh,
                                 const Expression& planet, const Expression& ring);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include "gearbox/proof/json_reading.hpp"
 #include "gearbox/proof/refutation.hpp"
 #include "gearbox/proof/verdict.hpp"
@@ -12,6 +14,14 @@ struct Account {
   Faults faults;
   Counts counts;
   Budget budget;
+  std::function<bool()> should_stop;
 };
+
+/// The checker was told to stop.
+struct Stopped {};
+
+inline void ask_whether_to_stop(const Account& account) {
+  if (account.should_stop()) throw Stopped();
+}
 
 }  // namespace torquewright::gearbox::proof

@@ -44,7 +44,7 @@ void check_claims(const Problem& problem, const std::vector<DemandedClaim>& dema
 
 void check_optimum(const Problem& problem, const Json& result, bool is_optimal, Account& account) {
   Faults& faults = account.faults;
-  const ListedDesigns listed = check_designs(problem, result, faults);
+  const ListedDesigns listed = check_designs(problem, result, account);
   if (faults.count() != 0) return;
   if (is_optimal && listed.designs.empty()) {
     faults.add("/designs", "is empty, though the result is optimal");
@@ -120,11 +120,17 @@ void check_result(const Problem& problem, const Json& result, Account& account, 
 
 }  // namespace
 
-Verdict check_certificate(const Problem& problem, const nlohmann::json& result) {
+Verdict check_certificate(const Problem& problem, const nlohmann::json& result,
+                          const std::function<bool()>& should_stop) {
   Account account;
+  account.should_stop = should_stop;
   Verdict verdict;
   try {
     check_result(problem, result, account, verdict);
+  } catch (const Stopped&) {
+    verdict.ended = true;
+    verdict.counts = account.counts;
+    return verdict;
   } catch (const std::exception& error) {
     // Nothing above should throw; if it does, the result is not proved.
     account.faults.add("", fmt::format("could not be checked: {}", error.what()));

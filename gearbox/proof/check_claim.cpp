@@ -164,7 +164,7 @@ void check_claim(const Problem& problem, const DemandedClaim& demanded, const Js
   claim.kind = demanded.kind;
   claim.hypotheses = demanded.hypotheses;
   claim.quantity = demanded.quantity;
-  claim.listed = demanded.listed;
+  claim.listed = {demanded.listed.begin(), demanded.listed.end()};
   claim.may_be_open = demanded.may_be_open;
   claim.open_bound = demanded.open_bound;
   claim.reference = check_reference(problem, demanded, json, place, faults);

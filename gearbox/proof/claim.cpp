@@ -6,15 +6,16 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
-bool can_be_judged_on_boxes(ConstraintFamily family) {
-  switch (family) {
+bool can_be_judged_on_boxes(const Constraint& constraint) {
+  switch (constraint.family) {
     case ConstraintFamily::kRatio:  // under two names of its own
     case ConstraintFamily::kEqualSpacing:
     case ConstraintFamily::kIdenticalPlanets:
     case ConstraintFamily::kInvoluteInterference:
     case ConstraintFamily::kTrochoidInterference:
-    case ConstraintFamily::kContactRatio:
       return false;
+    case ConstraintFamily::kContactRatio:
+      return constraint.place == 0;  // external: grows with the teeth of both gears
     default:
       return true;
   }
@@ -65,7 +66,7 @@ std::optional<Condition> find_condition(const Claim& claim, std::string_view nam
                      *ratio};
   }
   const Constraint* constraint = find_constraint(claim.hypotheses, name);
-  if (constraint == nullptr || !can_be_judged_on_boxes(constraint->family)) return std::nullopt;
+  if (constraint == nullptr || !can_be_judged_on_boxes(*constraint)) return std::nullopt;
   return Condition{Condition::Kind::kConstraint, *constraint};
 }
 

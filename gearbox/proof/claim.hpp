@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "gearbox/proof/constraint.hpp"
@@ -18,6 +20,11 @@ struct Candidate {
   Rational module_mm;
 
   friend bool operator==(const Candidate&, const Candidate&) = default;
+  /// Any order, for finding them.
+  friend bool operator<(const Candidate& a, const Candidate& b) {
+    return std::tie(a.planet_count, a.point, a.module_mm) <
+           std::tie(b.planet_count, b.point, b.module_mm);
+  }
 };
 
 enum class ClaimKind { kOptimum, kInfeasible, kLeastRelaxation };
@@ -32,7 +39,7 @@ struct Claim {
   std::optional<Candidate> reference;
   std::optional<Value> threshold;      ///< The reference's quantity.
   std::optional<Rational> ring_limit;  ///< Teeth; where the rotor's bore is no hypothesis.
-  std::vector<Candidate> listed;
+  std::set<Candidate> listed;
   bool may_be_open = false;            ///< Leaves may be left open.
   std::optional<Rational> open_bound;  ///< Holds in open leaves; empty: nothing is said of them.
 

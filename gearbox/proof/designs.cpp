@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 
 #include "gearbox/proof/result_parts.hpp"
 
@@ -69,10 +70,10 @@ void check_order(const Problem& problem, const ListedDesigns& listed, Faults& fa
       faults.add(fmt::format("/ties/{}", i), "is not exactly as good as the last design");
     }
   }
+  std::set<Candidate> known;
   const std::vector<Candidate> all = listed.all();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (std::find(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all[i]) !=
-        all.begin() + static_cast<std::ptrdiff_t>(i)) {
+    if (!known.insert(all[i]).second) {
       faults.add(i < listed.designs.size() ? "/designs" : "/ties", "names a design twice");
     }
   }
@@ -98,9 +99,10 @@ Value objective_of(const Problem& problem, const Candidate& candidate) {
   return value_at(objective_quantity(problem.objective), alternative, candidate.point);
 }
 
-ListedDesigns check_designs(const Problem& problem, const Json& result, Faults& faults) {
-  // As many as no list of designs for people has; the comparisons below are quadratic.
-  constexpr std::size_t kMostDesigns = 1000;
+ListedDesigns check_designs(const Problem& problem, const Json& result, Account& account) {
+  Faults& faults = account.faults;
+  // As many as `gearbox optimize --top` takes.
+  constexpr std::size_t kMostDesigns = 1'000'000;
   ListedDesigns listed;
   const Json* designs = member(result, "designs");
   if (designs == nullptr || !designs->is_array() || designs->size() > kMostDesigns) {
@@ -108,6 +110,7 @@ ListedDesigns check_designs(const Problem& problem, const Json& result, Faults& 
     return listed;
   }
   for (std::size_t i = 0; i < designs->size(); ++i) {
+    ask_whether_to_stop(account);
     const std::string place = fmt::format("/designs/{}", i);
     const Json& json = (*designs)[i];
     if (const auto candidate = read_candidate(problem, &json, place, faults)) {
@@ -121,6 +124,7 @@ ListedDesigns check_designs(const Problem& problem, const Json& result, Faults& 
     return listed;
   }
   for (std::size_t i = 0; i < elements(ties).size(); ++i) {
+    ask_whether_to_stop(account);
     const std::string place = fmt::format("/ties/{}", i);
     if (const auto candidate = read_candidate(problem, &(*ties)[i], place, faults)) {
       check_feasibility(problem, constraints_of(problem), *candidate, place, faults);

@@ -91,10 +91,11 @@ Meshes meshes_in(const Alternative& alternative, const Box& box) {
   return result;
 }
 
-/// 0 where no power passes, `value` where it does.
+/// 0 where no power passes, `value` where it does; no train gives more power than it takes.
 Interval transmitted(const Meshes& mesh, const Interval& value) {
   if (!mesh.may_pass) return 0;
-  return mesh.pass ? max(value, 0) : hull(max(value, 0), 0);
+  const Interval share = min(max(value, 0), 1);
+  return mesh.pass ? share : hull(share, 0);
 }
 
 /// 1/(1 + I1) = S / (2 (S + P1)): the carrier's speed per input, grows with S, falls with P1.

@@ -162,7 +162,7 @@ bool allows(const Claim& claim, const Alternative& alternative, const Point& poi
     if (order == 0 && claim.kind == ClaimKind::kLeastRelaxation) return true;
   }
   const Candidate candidate{point, alternative.planet_count, alternative.module_mm};
-  return std::find(claim.listed.begin(), claim.listed.end(), candidate) != claim.listed.end();
+  return claim.listed.contains(candidate);
 }
 
 }  // namespace torquewright::gearbox::proof

@@ -19,7 +19,7 @@ struct ListedDesigns {
 
   std::vector<Candidate> all() const;
 };
-ListedDesigns check_designs(const Problem& problem, const Json& result, Faults& faults);
+ListedDesigns check_designs(const Problem& problem, const Json& result, Account& account);
 
 /// The design's objective.
 Value objective_of(const Problem& problem, const Candidate& candidate);

@@ -26,6 +26,7 @@ void check_tree(const Claim& claim, const Alternative& alternative, const Json& 
   const Box root = root_box(alternative);
   if (!root.is_empty()) pending.push_back(root);
   for (std::size_t index = 0; index < nodes.size(); ++index) {
+    ask_whether_to_stop(account);
     const std::string node_place = fmt::format("{}/{}", place, index);
     if (pending.empty()) {
       account.faults.add(node_place, "is one node more than the boxes call for");

@@ -25,6 +25,7 @@ struct Verdict {
   std::vector<std::string> faults;  ///< `JSON pointer: sentence`; the first hundred.
   Counts counts;
   bool undecided = false;  ///< Status "limit": the bound is proved, the optimum is not.
+  bool ended = false;      ///< The checker was told to stop: neither accepted nor refuted.
 };
 
 }  // namespace torquewright::gearbox::proof

@@ -13,6 +13,11 @@ constexpr const char* kDomain = "positive_teeth";
 // Far more teeth than any gear has; keeps products of tooth counts exact in doubles.
 constexpr std::int64_t kMostRingTeeth = 1'000'000;
 
+bool holds(const optimization::Box& domain, std::span<const std::int64_t> point) {
+  return std::equal(domain.begin(), domain.end(), point.begin(), point.end(),
+                    [](const auto& range, std::int64_t value) { return range.contains(value); });
+}
+
 void keep_only(optimization::Problem& model,
                const std::function<bool(const std::string&, const std::string&)>& keeps) {
   std::erase_if(model.conditions, [&](const auto& condition) {
@@ -68,6 +73,16 @@ Alternatives::Alternatives(const Problem& problem,
 Design Alternatives::design(std::size_t alternative, std::span<const std::int64_t> point) const {
   const auto& [planet_count, module_mm] = choices_[alternative];
   return {topology_->complete(topology_->free_teeth(point)), planet_count, module_mm};
+}
+
+std::optional<Place> Alternatives::place_of(const Design& design) const {
+  const std::span<const std::int64_t> free_teeth(design.teeth.data(), topology_->free_gears);
+  const std::vector<std::int64_t> point = topology_->point_of(free_teeth);
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    const bool is_in_domain = holds(judges_[i].problem().domain, point);
+    if (is_in_domain && this->design(i, point) == design) return Place{i, point};
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> Alternatives::constraints() const {

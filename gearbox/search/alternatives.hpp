@@ -15,6 +15,13 @@
 
 namespace torquewright::gearbox {
 
+/// A point of one of several models.
+struct Place {
+  std::size_t alternative;
+  std::vector<std::int64_t> point;
+  bool operator==(const Place&) const = default;
+};
+
 /// A problem's planet counts and modules, each with its model: what is searched together.
 class Alternatives {
  public:
@@ -36,6 +43,8 @@ class Alternatives {
   Design design(const optimization::Solution& solution) const {
     return design(solution.alternative, solution.point);
   }
+  /// Where that design stands; absent where no model's domain holds it.
+  std::optional<Place> place_of(const Design& design) const;
   /// Names of all constraints, in order, without those that only bound the domain.
   std::vector<std::string> constraints() const;
   std::vector<AlternativeProof> proofs(std::vector<optimization::ProofTree> trees) const;

@@ -3,93 +3,106 @@
 
 #include <algorithm>
 #include <set>
-#include <span>
 
 namespace torquewright::gearbox {
 namespace {
 
-using Minima = std::vector<std::int64_t>;
+using Teeth = std::vector<std::int64_t>;
 
-// Extends `chosen` gear by gear; the last gear's minimum follows from the designs still left.
-class Finder {
+bool is_nowhere_less(const Teeth& a, const Teeth& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), [](auto x, auto y) { return x >= y; });
+}
+
+// Whatever excludes `a` excludes `b`.
+bool is_harder_to_exclude(const TeethAndClearance& a, const TeethAndClearance& b) {
+  return a.clearance_rad >= b.clearance_rad && is_nowhere_less(a.free_teeth, b.free_teeth);
+}
+
+// The least minima that exclude a growing number of designs and not the one in question.
+class LeastMinima {
  public:
-  explicit Finder(const std::vector<std::int64_t>& own) : own_(own) {}
+  explicit LeastMinima(const Teeth& own) : own_(own), least_{Teeth(own.size(), 0)} {}
 
-  std::vector<Minima> run(const std::vector<const BetterDesign*>& better) {
-    extend({}, better);
-    std::vector<Minima> least;
-    for (const Minima& minima : found_) {
-      const bool is_beaten = std::any_of(found_.begin(), found_.end(), [&](const Minima& other) {
-        return other != minima && std::equal(other.begin(), other.end(), minima.begin(),
-                                             [](auto a, auto b) { return a <= b; });
-      });
-      if (!is_beaten) least.push_back(minima);
+  // Minima that leave the design in grow in one gear to one more than its teeth.
+  void exclude(const Teeth& design) {
+    std::set<Teeth> grown;
+    for (auto minima = least_.begin(); minima != least_.end();) {
+      if (!is_nowhere_less(design, *minima)) {
+        ++minima;
+        continue;
+      }
+      for (std::size_t gear = 0; gear < own_.size(); ++gear) {
+        if (design[gear] >= own_[gear]) continue;
+        Teeth more = *minima;
+        more[gear] = design[gear] + 1;
+        grown.insert(std::move(more));
+      }
+      minima = least_.erase(minima);
     }
-    return least;
+    least_.merge(grown);
+    keep_least();
   }
+
+  std::vector<Teeth> all() const { return {least_.begin(), least_.end()}; }
 
  private:
-  void extend(const Minima& chosen, const std::vector<const BetterDesign*>& left) {
-    const std::size_t gear = chosen.size();
-    std::set<std::int64_t> candidates{0};
-    for (const BetterDesign* design : left) {
-      const std::int64_t excluding = design->free_teeth[gear] + 1;
-      if (excluding <= own_[gear]) candidates.insert(excluding);
-    }
-    if (gear + 1 == own_.size()) {
-      // The greatest candidate excludes all that this gear can exclude; none may remain.
-      const std::int64_t needed = left.empty() ? 0 : *candidates.rbegin();
-      if (without(left, gear, needed).empty()) found_.insert(with(chosen, needed));
-      return;
-    }
-    for (const std::int64_t minimum : candidates) {
-      extend(with(chosen, minimum), without(left, gear, minimum));
-    }
+  void keep_least() {
+    std::erase_if(least_, [&](const Teeth& minima) {
+      return std::any_of(least_.begin(), least_.end(), [&](const Teeth& other) {
+        return &other != &minima && is_nowhere_less(minima, other);
+      });
+    });
   }
 
-  static Minima with(Minima chosen, std::int64_t minimum) {
-    chosen.push_back(minimum);
-    return chosen;
-  }
-
-  static std::vector<const BetterDesign*> without(const std::vector<const BetterDesign*>& designs,
-                                                  std::size_t gear, std::int64_t minimum) {
-    std::vector<const BetterDesign*> left;
-    std::copy_if(designs.begin(), designs.end(), std::back_inserter(left),
-                 [&](const BetterDesign* design) { return design->free_teeth[gear] >= minimum; });
-    return left;
-  }
-
-  const std::vector<std::int64_t>& own_;
-  std::set<Minima> found_;
+  const Teeth& own_;
+  std::set<Teeth> least_;
 };
 
 }  // namespace
 
-std::vector<OptimalWhen> optimal_when(const std::vector<std::int64_t>& free_teeth,
-                                      double clearance_rad, std::vector<BetterDesign> better) {
-  if (clearance_rad < 0.0) return {};
-  std::sort(better.begin(), better.end(), [](const BetterDesign& a, const BetterDesign& b) {
-    return a.clearance_rad < b.clearance_rad;
-  });
-  std::vector<OptimalWhen> ranges;
-  double above = 0.0;
-  for (std::size_t excluded = 0; ranges.empty() || above < clearance_rad; ++excluded) {
-    // alpha_min just above the clearance of the first `excluded` designs leaves the others.
-    const bool is_last = excluded == better.size();
-    const double up_to =
-        is_last ? clearance_rad : std::min(better[excluded].clearance_rad, clearance_rad);
-    if (!is_last && up_to <= above && !(ranges.empty() && up_to == 0.0)) continue;
-    std::vector<const BetterDesign*> left;
-    for (std::size_t i = excluded; i < better.size(); ++i) left.push_back(&better[i]);
-    auto minima = Finder(free_teeth).run(left);
-    if (!ranges.empty() && ranges.back().least_minima == minima) {
-      ranges.back().clearance_up_to_rad = up_to;
-    } else {
-      ranges.push_back({above, up_to, ranges.empty(), std::move(minima)});
-    }
-    above = up_to;
+void BetterDesigns::add(TeethAndClearance better) {
+  if (better.clearance_rad < 0.0) return;  // any alpha_min excludes it
+  // No minimum exceeds the design's own teeth, and no alpha_min its clearance.
+  better.clearance_rad = std::min(better.clearance_rad, own_.clearance_rad);
+  for (std::size_t gear = 0; gear < own_.free_teeth.size(); ++gear) {
+    better.free_teeth[gear] = std::min(better.free_teeth[gear], own_.free_teeth[gear]);
   }
+  const auto settles = [&](const TeethAndClearance& known) {
+    return is_harder_to_exclude(known, better);
+  };
+  if (std::any_of(hardest_.begin(), hardest_.end(), settles)) return;
+  std::erase_if(hardest_, [&](const TeethAndClearance& known) {
+    return is_harder_to_exclude(better, known);
+  });
+  hardest_.push_back(std::move(better));
+}
+
+// From the design's own clearance downwards: the less alpha_min is, the more designs are left that
+// minima have to exclude.
+std::vector<OptimalWhen> BetterDesigns::optimal_when() const {
+  if (own_.clearance_rad < 0.0) return {};
+  std::vector<TeethAndClearance> left = hardest_;
+  std::sort(left.begin(), left.end(),
+            [](const auto& a, const auto& b) { return a.clearance_rad > b.clearance_rad; });
+  std::vector<OptimalWhen> ranges;
+  LeastMinima minima(own_.free_teeth);
+  double up_to = own_.clearance_rad;
+  for (auto next = left.begin();;) {
+    for (; next != left.end() && next->clearance_rad >= up_to; ++next) {
+      minima.exclude(next->free_teeth);
+    }
+    const bool is_last = next == left.end();
+    const double above = is_last ? 0.0 : next->clearance_rad;
+    if (!ranges.empty() && ranges.back().least_minima == minima.all()) {
+      ranges.back().clearance_above_rad = above;
+      ranges.back().from_zero = is_last;
+    } else {
+      ranges.push_back({above, up_to, is_last, minima.all()});
+    }
+    if (is_last) break;
+    up_to = above;
+  }
+  std::reverse(ranges.begin(), ranges.end());
   return ranges;
 }
 

@@ -16,16 +16,28 @@ struct OptimalWhen {
   std::vector<std::vector<std::int64_t>> least_minima;
 };
 
-/// A design that beats the one in question unless minima or clearance exclude it.
-struct BetterDesign {
+/// What minima and alpha_min are compared with.
+struct TeethAndClearance {
   std::vector<std::int64_t> free_teeth;
   double clearance_rad;
 };
 
-/// For which alpha_min and minima a design is the optimum: every better design must have fewer
-/// teeth than a minimum in one gear, or less clearance than alpha_min. Ranges of alpha_min with the
-/// same answer are one range.
-std::vector<OptimalWhen> optimal_when(const std::vector<std::int64_t>& free_teeth,
-                                      double clearance_rad, std::vector<BetterDesign> better);
+/// The designs that beat one design. Only those are kept that are hardest to exclude: minima and an
+/// alpha_min that exclude them exclude all others.
+class BetterDesigns {
+ public:
+  explicit BetterDesigns(TeethAndClearance own) : own_(std::move(own)) {}
+
+  void add(TeethAndClearance better);
+
+  /// For which alpha_min and minima the design is the optimum: every better one must have fewer
+  /// teeth than a minimum in one gear, or less clearance than alpha_min. Ranges of alpha_min with
+  /// the same answer are one range, in the order of alpha_min.
+  std::vector<OptimalWhen> optimal_when() const;
+
+ private:
+  TeethAndClearance own_;
+  std::vector<TeethAndClearance> hardest_;
+};
 
 }  // namespace torquewright::gearbox

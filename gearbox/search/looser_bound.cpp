@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gearbox/problem_spec.hpp"
 #include "gearbox/search/alternatives.hpp"
 
 namespace torquewright::gearbox {
@@ -175,7 +176,7 @@ std::optional<ProvedBound> least_change(const Problem& problem, const std::strin
   const PreciseInterval quantity = goal.maximise ? -best.cost : best.cost;
   ProvedBound proved;
   const double needed = safe_decimal(quantity, goal.maximise, must_be_exceeded(key));
-  if (needed < 0.0) return std::nullopt;  // Gears that overlap: no document may ask for that.
+  if (!may_be_stated(key, needed)) return std::nullopt;  // the reader would refuse such a remedy
   proved.bound = looser_bound(problem, key, needed, found.alternatives.design(best));
   proved.claim = {"least_relaxation",
                   found.alternatives.constraints(),

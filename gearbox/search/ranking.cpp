@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/search/ranking.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,44 +12,18 @@ namespace {
 using optimization::Judge;
 using optimization::VisitStatus;
 
-constexpr std::size_t kMostDesigns = 2'000'000;
-
-struct Rival {
-  std::size_t alternative;
-  std::vector<std::int64_t> point;
-};
-
 bool is_minimum_or_clearance(const std::string& constraint) {
   return constraint == "carrier_clearance" || constraint.starts_with("min_teeth.");
 }
 
-// All designs that satisfy everything but minima and carrier clearance.
-struct Field {
-  Alternatives alternatives;
-  std::vector<Rival> rivals;
-  bool is_complete = false;
-};
-
-Field gather(const Problem& problem, const std::function<bool()>& should_stop) {
-  Field field{
-      Alternatives(
-          problem,
-          [](const std::string& constraint, const std::string&) {
-            return !is_minimum_or_clearance(constraint);
-          },
-          [&](const Rational& module_mm) { return ring_limit_of_bore(problem, module_mm); }, ""),
-      {},
-      false};
-  optimization::VisitOptions options;
-  options.should_stop = should_stop;
-  const VisitStatus status = optimization::for_each_feasible(
-      field.alternatives.judges(), options,
-      [&](std::size_t alternative, std::span<const std::int64_t> point) {
-        field.rivals.push_back({alternative, {point.begin(), point.end()}});
-        return field.rivals.size() < kMostDesigns;
-      });
-  field.is_complete = status == VisitStatus::kAll;
-  return field;
+// The problem without minima and carrier clearance.
+Alternatives without_minima_and_clearance(const Problem& problem) {
+  return Alternatives(
+      problem,
+      [](const std::string& constraint, const std::string&) {
+        return !is_minimum_or_clearance(constraint);
+      },
+      [&](const Rational& module_mm) { return ring_limit_of_bore(problem, module_mm); }, "");
 }
 
 // pi/n - asin(P1/(S + P1)), for comparisons between designs; exact where it is zero.
@@ -62,92 +35,124 @@ double clearance_rad(const Design& design) {
          std::asin(planet / (sun + planet));
 }
 
+TeethAndClearance what_limits_see(const Problem& problem, const Design& design) {
+  std::vector<std::int64_t> free_teeth = design.teeth;
+  free_teeth.resize(find_topology(problem.topology)->free_gears);
+  return {std::move(free_teeth), clearance_rad(design)};
+}
+
+optimization::VisitOptions visit_options(const StandingOptions& options, const char* sought,
+                                         const std::int64_t& found) {
+  optimization::VisitOptions result;
+  result.max_boxes = options.max_boxes;
+  result.should_stop = options.should_stop;
+  result.report = [&options, sought, &found](std::int64_t boxes) {
+    options.report(sought, boxes, found);
+  };
+  return result;
+}
+
+void find_best(const Alternatives& whole, const StandingOptions& options, Standing& standing) {
+  optimization::SearchOptions search;
+  search.relaxation = optimization::RelaxationUse::kNever;  // a solve costs as much as a cheap rank
+  search.max_nodes = options.max_boxes;
+  search.should_stop = options.should_stop;
+  search.report = [&](const optimization::Progress& progress) {
+    options.report("the best design", progress.nodes, static_cast<std::int64_t>(progress.found));
+  };
+  const optimization::SearchResult found = optimization::minimise(whole.judges(), search);
+  const bool is_settled = found.status == optimization::SearchStatus::kComplete;
+  if (!is_settled || found.solutions.empty()) return;
+  const double cost = found.solutions.front().cost.nearest();
+  standing.best_objective = whole.goal().maximise ? -cost : cost;
+}
+
 // How rivals compare with a design by the problem's objective.
 class Comparison {
  public:
-  Comparison(const Judge& judge, std::span<const std::int64_t> point)
-      : cost_(judge.cost_at(point)), nearest_(cost_.nearest()) {}
+  Comparison(const Judge& judge, const optimization::PreciseInterval& cost)
+      : judge_(judge), cost_(cost), clearly_better_(judge.floor(cost)) {}
 
-  /// -1, 0, 1: the rival is better, as good, worse.
-  int order_of(const Judge& judge, const Rival& rival) const {
-    const double least = judge.least_cost_at(rival.point);
-    if (least > nearest_ + kFar * std::abs(nearest_)) return 1;
-    return judge.compare(judge.cost_at(rival.point), cost_);
+  // -1, 0, 1: the rival is better, as good, worse. Absent: it has no such value.
+  std::optional<int> order_of(const Judge& judge, std::span<const std::int64_t> rival) const {
+    if (judge.cost_around(rival).upper < clearly_better_) return -1;
+    const optimization::PreciseInterval cost = judge.cost_at(rival);
+    return cost.is_nowhere() ? std::nullopt : std::optional(judge_.compare(cost, cost_));
   }
 
  private:
-  static constexpr double kFar = 1e-9;  // doubles settle what is further apart
+  const Judge& judge_;
   optimization::PreciseInterval cost_;
-  double nearest_;
+  double clearly_better_;
 };
 
-bool satisfies_problem(const Alternatives& whole, const Rival& rival) {
-  const Judge& judge = whole.judges()[rival.alternative];
+bool satisfies_problem(const Alternatives& whole, const Place& place) {
+  const Judge& judge = whole.judges()[place.alternative];
   for (std::size_t i = 0; i < judge.condition_count(); ++i) {
-    if (is_minimum_or_clearance(judge.condition(i).constraint) && !judge.holds(i, rival.point)) {
+    if (is_minimum_or_clearance(judge.condition(i).constraint) && !judge.holds(i, place.point)) {
       return false;
     }
   }
   return true;
 }
 
-void find_best(const Judge& judge, const Rival& rival, Standing& standing) {
-  const double cost = judge.cost_at(rival.point).nearest();
-  const bool maximise = judge.problem().goal.maximise;
-  const double objective = maximise ? -cost : cost;
-  if (!standing.best_objective ||
-      (maximise ? objective > *standing.best_objective : objective < *standing.best_objective)) {
-    standing.best_objective = objective;
+// Sees every design that is at least as good, whatever its minima and its carrier clearance.
+void find_rank(const Problem& problem, const Design& design, const Alternatives& whole,
+               const StandingOptions& options, Standing& standing) {
+  const Alternatives field = without_minima_and_clearance(problem);
+  const std::optional<Place> own = field.place_of(design);
+  standing.is_settled = true;
+  if (!own || !field.judges()[own->alternative].is_feasible(own->point)) return;
+  const Judge& judge = field.judges()[own->alternative];
+  const optimization::PreciseInterval cost = judge.cost_at(own->point);
+  if (cost.is_nowhere()) return;
+
+  const bool is_feasible = satisfies_problem(whole, *own);
+  std::int64_t better = 0;
+  const Comparison comparison(judge, cost);
+  BetterDesigns better_designs(what_limits_see(problem, design));
+  optimization::VisitOptions visit = visit_options(options, "designs that are better", better);
+  visit.ceiling = judge.ceiling(cost);
+  const VisitStatus status = optimization::for_each_feasible(
+      field.judges(), visit, [&](std::size_t alternative, std::span<const std::int64_t> point) {
+        const Place rival{alternative, {point.begin(), point.end()}};
+        const auto order = comparison.order_of(field.judges()[alternative], point);
+        if (rival == *own || !order) return true;
+        const Design beating = field.design(alternative, point);
+        if (order < 0) better_designs.add(what_limits_see(problem, beating));
+        if (order > 0 || !is_feasible || !satisfies_problem(whole, rival)) return true;
+        if (order < 0) ++better;
+        if (order == 0) standing.ties.push_back(beating);
+        return true;
+      });
+  standing.is_settled = status == VisitStatus::kAll;
+  if (!standing.is_settled) {
+    standing.ties.clear();
+    return;
   }
+  if (is_feasible) standing.rank = better + 1;
+  standing.optimal_when = better_designs.optimal_when();
+}
+
+void count_feasible(const Alternatives& whole, const StandingOptions& options, Standing& standing) {
+  std::int64_t count = 0;
+  const VisitStatus status =
+      optimization::for_each_feasible(whole.judges(), visit_options(options, "all designs", count),
+                                      [&](std::size_t, std::span<const std::int64_t>) {
+                                        ++count;
+                                        return true;
+                                      });
+  if (status == VisitStatus::kAll) standing.feasible_count = count;
 }
 
 }  // namespace
 
-Standing standing_of(const Problem& problem, const Design& design,
-                     const std::function<bool()>& should_stop) {
-  const Field field = gather(problem, should_stop);
-  const Alternatives whole(problem);
-  const std::size_t free_gears = find_topology(problem.topology)->free_gears;
-  const auto own = std::find_if(field.rivals.begin(), field.rivals.end(), [&](const Rival& rival) {
-    return field.alternatives.design(rival.alternative, rival.point) == design;
-  });
+Standing standing_of(const Problem& problem, const Design& design, const StandingOptions& options) {
   Standing standing;
-  standing.is_complete = field.is_complete;
-  std::optional<Comparison> comparison;
-  if (own != field.rivals.end()) {
-    comparison.emplace(field.alternatives.judges()[own->alternative], own->point);
-  }
-  std::int64_t better = 0;
-  std::vector<BetterDesign> all_better;
-  for (const Rival& rival : field.rivals) {
-    const Judge& judge = field.alternatives.judges()[rival.alternative];
-    const bool is_feasible = satisfies_problem(whole, rival);
-    if (is_feasible) {
-      ++standing.feasible_count;
-      find_best(judge, rival, standing);
-    }
-    if (!comparison || &rival == &*own) continue;
-    const int order = comparison->order_of(judge, rival);
-    if (order > 0) continue;
-    Design beating = field.alternatives.design(rival.alternative, rival.point);
-    if (order == 0) {
-      if (is_feasible) standing.ties.push_back(std::move(beating));
-      continue;
-    }
-    better += is_feasible ? 1 : 0;
-    const double clearance = clearance_rad(beating);
-    beating.teeth.resize(free_gears);
-    all_better.push_back({std::move(beating.teeth), clearance});
-  }
-  if (!comparison || !standing.is_complete) return standing;
-  if (satisfies_problem(whole, *own)) {
-    standing.rank = better + 1;
-  } else {
-    standing.ties.clear();
-  }
-  std::vector<std::int64_t> free_teeth = design.teeth;
-  free_teeth.resize(free_gears);
-  standing.optimal_when = optimal_when(free_teeth, clearance_rad(design), std::move(all_better));
+  const Alternatives whole(problem);
+  find_best(whole, options, standing);
+  find_rank(problem, design, whole, options, standing);
+  count_feasible(whole, options, standing);
   return standing;
 }
 

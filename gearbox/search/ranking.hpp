@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,20 +12,29 @@
 
 namespace torquewright::gearbox {
 
+/// How much work a standing may take.
+struct StandingOptions {
+  /// Of each of its three searches.
+  std::int64_t max_boxes = std::numeric_limits<std::int64_t>::max();
+  std::function<bool()> should_stop = [] { return false; };
+  /// What is being sought, boxes looked at, and designs found that count.
+  std::function<void(const char* sought, std::int64_t boxes, std::int64_t found)> report =
+      [](const char*, std::int64_t, std::int64_t) {};
+};
+
 /// Where a design stands among all others.
 struct Standing {
-  bool is_complete = false;         ///< All designs were seen; else there were too many.
-  std::int64_t feasible_count = 0;  ///< Designs that satisfy the whole problem.
+  bool is_settled = false;  ///< Rank, ties and optimal_when are final; else the options ended them.
   std::optional<std::int64_t>
       rank;                  ///< 1 + feasible designs that are better; absent: it is not one.
   std::vector<Design> ties;  ///< Feasible designs that are just as good.
-  std::optional<double> best_objective;
   std::vector<OptimalWhen> optimal_when;  ///< Empty where it breaks more than minima and clearance.
+  std::optional<double> best_objective;   ///< Of any feasible design; absent: none, or not settled.
+  std::optional<std::int64_t> feasible_count;  ///< Absent: not settled.
 };
 
 /// Ranks a design among all feasible ones, and finds for which minima and carrier clearance it
-/// would be the optimum: it sees every design that satisfies all other constraints.
-Standing standing_of(const Problem& problem, const Design& design,
-                     const std::function<bool()>& should_stop);
+/// would be the optimum. Boxes in which nothing is as good are never opened.
+Standing standing_of(const Problem& problem, const Design& design, const StandingOptions& options);
 
 }  // namespace torquewright::gearbox

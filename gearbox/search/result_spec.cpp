@@ -189,7 +189,7 @@ ordered_json evaluation_json(const Problem& problem, const DesignReport& report,
   result["ties"] = ordered_json::array();
   for (const Design& tie : standing.ties) result["ties"].push_back(design_json(topology, tie));
   result["feasible_count"] =
-      standing.is_complete ? ordered_json(standing.feasible_count) : ordered_json();
+      standing.feasible_count ? ordered_json(*standing.feasible_count) : ordered_json();
   result["optimal_when"] = ordered_json::array();
   for (const OptimalWhen& when : standing.optimal_when) {
     result["optimal_when"].push_back(standing_json(topology, when));

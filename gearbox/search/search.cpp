@@ -14,13 +14,18 @@ using optimization::Solution;
 
 double as_read(double cost, const optimization::Goal& goal) { return goal.maximise ? -cost : cost; }
 
-optimization::SearchOptions search_options(const DesignSearchOptions& options) {
+optimization::SearchOptions search_options(const DesignSearchOptions& options,
+                                           const optimization::Goal& goal) {
   optimization::SearchOptions result;
   result.wanted = options.top;
   result.relaxation = options.relaxation;
   result.max_nodes = options.max_nodes;
   result.should_stop = options.should_stop;
-  result.report = options.report;
+  result.report = [&](optimization::Progress progress) {
+    progress.best_cost = as_read(progress.best_cost, goal);
+    progress.bound = as_read(progress.bound, goal);
+    options.report(progress);
+  };
   result.on_close = options.on_close;
   return result;
 }
@@ -51,7 +56,7 @@ std::optional<double> bound_as_read(const optimization::SearchResult& found,
 DesignSearchResult optimize(const Problem& problem, const DesignSearchOptions& options) {
   const Alternatives alternatives(problem);
   optimization::SearchResult found =
-      optimization::minimise(alternatives.judges(), search_options(options));
+      optimization::minimise(alternatives.judges(), search_options(options, alternatives.goal()));
   DesignSearchResult result;
   list_solutions(found.solutions, options.top, alternatives, result);
   result.bound = bound_as_read(found, result, alternatives.goal());

@@ -15,6 +15,7 @@ struct DesignSearchOptions {
   optimization::RelaxationUse relaxation = optimization::RelaxationUse::kAuto;
   std::int64_t max_nodes = std::numeric_limits<std::int64_t>::max();
   std::function<bool()> should_stop = [] { return false; };
+  /// Cost and bound are the objective as the user reads it.
   std::function<void(const optimization::Progress&)> report = [](const optimization::Progress&) {};
   /// For tests: see optimization::SearchOptions.
   std::function<void(std::size_t, const optimization::Box&, double)> on_close =

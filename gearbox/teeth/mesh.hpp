@@ -22,26 +22,49 @@ T contact_ratio(const ContactPath<T>& path) {
   return path.approach + path.recess;
 }
 
-/// An end of a path without profile shift, from the difference of its tangents times teeth. It lies
-/// in [0, 2) whatever the teeth (docs/derivations/efficiency.md, "Limits"); this cuts off nothing,
-/// but keeps an enclosure over a wide range of teeth, where the difference is poor, finite.
+/// The end of a path at an external gear's tip, without profile shift: the difference of tangents
+/// in eq. (1) of docs/derivations/efficiency.md, written so that it grows with every term in which
+/// the teeth stand ("Limits" there). An enclosure over a range of teeth is then exact.
 template <class T>
-T path_end(const T& tangents_times_teeth) {
-  return max(min(tangents_times_teeth / (2.0 * std::numbers::pi), 2.0), 0.0);
+T external_path_end(const T& teeth) {
+  using std::sqrt;
+  const T cosecant = 1.0 / reference_sine<T>();
+  const T cotangent_squared = square(cosecant) - 1.0;
+  const T y = reference_sine<T>() / 2.0 * teeth + cosecant;
+  const T missing = cotangent_squared / (y + sqrt(square(y) - cotangent_squared));
+  return (cosecant - missing) / (circle_constant<T>() * reference_cosine<T>());
 }
+
+/// The same at a ring's tip, which falls with the teeth. Where the tip circle lies inside the base
+/// circle the involute ends at the base circle, and what is left grows with the teeth.
+template <class T>
+T ring_path_end(const T& teeth) {
+  using std::sqrt;
+  const T cosecant = 1.0 / reference_sine<T>();
+  const T cotangent_squared = square(cosecant) - 1.0;
+  const T cotangent = sqrt(cotangent_squared);
+  const T y = reference_sine<T>() / 2.0 * teeth - cosecant;
+  const T outside = cotangent + max(y - cotangent, 0.0);
+  const T more =
+      cotangent_squared / (outside + sqrt(max(square(outside) - cotangent_squared, 0.0)));
+  const T cut_off = max(cotangent - y, 0.0);
+  return (cosecant + more - cut_off) / (circle_constant<T>() * reference_cosine<T>());
+}
+
+/// No pair of external gears without profile shift reaches this contact ratio.
+inline constexpr double kSupremumOfExternalContactRatio =
+    2.0 / (std::numbers::pi * kReferenceSine * kReferenceCosine);
 
 /// Two external gears without profile shift. docs/derivations/efficiency.md eq. (1).
 template <class T>
 ContactPath<T> external_path(const T& teeth_1, const T& teeth_2) {
-  return {path_end<T>(external_tip_tangent_times_teeth(teeth_2) - kReferenceTangent * teeth_2),
-          path_end<T>(external_tip_tangent_times_teeth(teeth_1) - kReferenceTangent * teeth_1)};
+  return {external_path_end(teeth_2), external_path_end(teeth_1)};
 }
 
 /// A planet in a ring without profile shift. docs/derivations/efficiency.md eq. (2).
 template <class T>
 ContactPath<T> internal_path(const T& planet, const T& ring) {
-  return {path_end<T>(kReferenceTangent * ring - ring_tip_tangent_times_teeth(ring)),
-          path_end<T>(external_tip_tangent_times_teeth(planet) - kReferenceTangent * planet)};
+  return {ring_path_end(ring), external_path_end(planet)};
 }
 
 /// Lambda, the mean of |path coordinate| over the pairs that share the load, for contact ratios in

@@ -16,6 +16,21 @@ inline constexpr double kReferenceTangent = 0.36397023426620236135;
 inline constexpr double kReferenceInvolute = kReferenceTangent - kReferenceAngle_rad;
 inline constexpr double kDedendum = 1.25;  ///< In modules.
 
+/// The same and pi as numbers of a scalar T: a double and what it lacks, so that where T has more
+/// digits than a double the search and its checker, which has them all, agree on the last digit.
+template <class T>
+T reference_sine() {
+  return T(kReferenceSine) + 2.0136016534644645e-17;
+}
+template <class T>
+T reference_cosine() {
+  return T(kReferenceCosine) - 4.3850932840020416e-17;
+}
+template <class T>
+T circle_constant() {
+  return T(std::numbers::pi) + 1.2246467991473532e-16;
+}
+
 /// Teeth below which a rack undercuts: 2/sin^2 alpha = 17.097.
 inline constexpr double kUndercutLimit_teeth = 2.0 / (kReferenceSine * kReferenceSine);
 

@@ -112,10 +112,10 @@ std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational&
   list.push_back(ring_tip(stage.module_mm, "ring", teeth.ring));
   list.push_back(involute_interference("planet_ring", teeth.planet, teeth.ring));
   list.push_back(trochoid_interference("planet_ring", teeth.planet, teeth.ring));
-  list.push_back(
-      contact_ratio_limit(problem, "sun_planet", external_path_of(teeth.sun, teeth.planet)));
-  list.push_back(
-      contact_ratio_limit(problem, "planet_ring", internal_path_of(teeth.planet, teeth.ring)));
+  list.push_back(contact_ratio_limit(problem, "sun_planet", MeshKind::kExternal,
+                                     external_path_of(teeth.sun, teeth.planet)));
+  list.push_back(contact_ratio_limit(problem, "planet_ring", MeshKind::kInternal,
+                                     internal_path_of(teeth.planet, teeth.ring)));
   if (teeth.ring != teeth.sun + 2 * teeth.planet) {
     list.push_back(coaxiality("ring", teeth.planet, teeth.ring, teeth.sun + teeth.planet));
   }

@@ -47,7 +47,7 @@ std::vector<Condition> conditions(const Problem& problem, std::int64_t planet_co
   add(ring_wall(problem, "ring", module_mm, teeth.ring));
   add({ring_tip("ring", module_mm, teeth.ring)});
   add(interference("planet_ring", teeth.planet, teeth.ring));
-  add({contact_ratio(problem, "sun_planet", contact_ratio(external_path(teeth.sun, teeth.planet))),
+  add({contact_ratio(problem, "sun_planet", teeth.sun, teeth.planet),
        contact_ratio_in_ring(problem, "planet_ring", teeth.planet, teeth.ring)});
   return result;
 }
@@ -56,8 +56,9 @@ Goal efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
   const auto mesh = mesh_efficiencies(teeth, io::nearest(*problem.friction_coefficient));
   const Expression ratio = teeth.ring / teeth.sun;
   return {forward ? "forward_efficiency" : "backward_efficiency", "",
-          forward ? planetary_forward_efficiency(ratio, mesh)
-                  : planetary_backward_efficiency(ratio, mesh),
+          min(forward ? planetary_forward_efficiency(ratio, mesh)
+                      : planetary_backward_efficiency(ratio, mesh),
+              1.0),
           /*maximise=*/true};
 }
 
@@ -118,6 +119,10 @@ optimization::Problem model(const Problem& problem, std::int64_t planet_count,
 
 std::vector<std::int64_t> free_teeth(std::span<const std::int64_t> point) {
   return {point.begin(), point.end()};
+}
+
+std::vector<std::int64_t> point_of(std::span<const std::int64_t> free_teeth) {
+  return {free_teeth.begin(), free_teeth.end()};
 }
 
 }  // namespace torquewright::gearbox::planetary

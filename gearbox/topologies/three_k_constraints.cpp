@@ -32,11 +32,11 @@ void append_mesh_constraints(const ThreeKDesign& design, std::vector<ConstraintR
   list.push_back(involute_interference(kOutputMesh, teeth.planet_2, teeth.output_ring));
   list.push_back(trochoid_interference(kFixedMesh, teeth.planet_1, teeth.fixed_ring));
   list.push_back(trochoid_interference(kOutputMesh, teeth.planet_2, teeth.output_ring));
-  list.push_back(
-      contact_ratio_limit(problem, "sun_planet_1", external_path_of(teeth.sun, teeth.planet_1)));
-  list.push_back(
-      contact_ratio_limit(problem, kFixedMesh, internal_path_of(teeth.planet_1, teeth.fixed_ring)));
-  list.push_back(contact_ratio_limit(problem, kOutputMesh,
+  list.push_back(contact_ratio_limit(problem, "sun_planet_1", MeshKind::kExternal,
+                                     external_path_of(teeth.sun, teeth.planet_1)));
+  list.push_back(contact_ratio_limit(problem, kFixedMesh, MeshKind::kInternal,
+                                     internal_path_of(teeth.planet_1, teeth.fixed_ring)));
+  list.push_back(contact_ratio_limit(problem, kOutputMesh, MeshKind::kInternal,
                                      internal_path_of(teeth.planet_2, teeth.output_ring)));
 }
 

@@ -94,8 +94,7 @@ void add_buildable_conditions(const Problem& problem, std::int64_t planet_count,
        ring_tip("output_ring", module_mm, teeth.output_ring)});
   add(interference("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
   add(interference("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
-  add({contact_ratio(problem, "sun_planet_1",
-                     contact_ratio(external_path(teeth.sun, teeth.planet_1))),
+  add({contact_ratio(problem, "sun_planet_1", teeth.sun, teeth.planet_1),
        contact_ratio_in_ring(problem, "planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring),
        contact_ratio_in_ring(problem, "planet_2_output_ring", teeth.planet_2, teeth.output_ring)});
 }
@@ -174,7 +173,8 @@ Goal efficiency(const Problem& problem, const Variables& x, bool forward) {
             transmitted(teeth, forward ? three_k_forward_efficiency(i1, i2, mesh)
                                        : three_k_backward_efficiency(i1, i2, mesh)),
             /*maximise=*/true};
-  goal.enclosure = transmitted(teeth_with_planet_2(x), enclosed_efficiency(problem, x, forward));
+  goal.enclosure =
+      min(transmitted(teeth_with_planet_2(x), enclosed_efficiency(problem, x, forward)), 1.0);
   return goal;
 }
 
@@ -260,6 +260,10 @@ optimization::Problem model(const Problem& problem, std::int64_t planet_count,
 
 std::vector<std::int64_t> free_teeth(std::span<const std::int64_t> point) {
   return {point[0], point[1], point[1] - point[2]};
+}
+
+std::vector<std::int64_t> point_of(std::span<const std::int64_t> free_teeth) {
+  return {free_teeth[0], free_teeth[1], free_teeth[1] - free_teeth[2]};
 }
 
 }  // namespace torquewright::gearbox::three_k

@@ -19,6 +19,7 @@ std::span<const Topology> topologies() {
                three_k::complete,
                three_k::model,
                three_k::free_teeth,
+               three_k::point_of,
                three_k::evaluate},
       Topology{"planetary",
                {"sun", "planet", "ring"},
@@ -26,6 +27,7 @@ std::span<const Topology> topologies() {
                planetary::complete,
                planetary::model,
                planetary::free_teeth,
+               planetary::point_of,
                planetary::evaluate},
   };
   return all;

@@ -26,8 +26,9 @@ struct Topology {
   optimization::Problem (*model)(const Problem& problem, std::int64_t planet_count,
                                  const Rational& module_mm, std::int64_t ring_limit);
 
-  /// The free teeth at a point of the model.
+  /// The free teeth at a point of the model, and the point of free teeth.
   std::vector<std::int64_t> (*free_teeth)(std::span<const std::int64_t> point);
+  std::vector<std::int64_t> (*point_of)(std::span<const std::int64_t> free_teeth);
 
   /// Everything about one design, every constraint included. Any positive teeth are accepted.
   DesignReport (*evaluate)(const Problem& problem, const Design& design);

@@ -58,6 +58,11 @@ void check_max_nodes(const Json& result, const Json& options, const proof::Count
   }
 }
 
+void check_time_limit(const Json& options, proof::Faults& faults) {
+  const Json limit = options.value("time_limit_s", Json(1.0));
+  if (!limit.is_number() || limit <= 0.0) faults.add("/options/time_limit_s", "is no time");
+}
+
 }  // namespace
 
 void check_search_record(const Json& result, const proof::Counts& counts, proof::Faults& faults) {
@@ -67,7 +72,7 @@ void check_search_record(const Json& result, const proof::Counts& counts, proof:
     return;
   }
   for (const auto& [key, value] : options.items()) {
-    if (key != "top" && key != "relaxation" && key != "max_nodes") {
+    if (key != "top" && key != "relaxation" && key != "max_nodes" && key != "time_limit_s") {
       faults.add("/options/" + key, "is no option");
     }
   }
@@ -79,6 +84,7 @@ void check_search_record(const Json& result, const proof::Counts& counts, proof:
   check_seconds(result["search"], faults);
   check_top(result, options, faults);
   check_max_nodes(result, options, counts, faults);
+  check_time_limit(options, faults);
 }
 
 }  // namespace torquewright::gearbox

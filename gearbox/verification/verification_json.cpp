@@ -45,11 +45,13 @@ void compare_versions(const Json& result, Verification& verification) {
 
 }  // namespace
 
-Verification verify(const Problem& problem, const Json& result) {
-  proof::Verdict verdict = proof::check_certificate(problem, result);
+Verification verify(const Problem& problem, const Json& result,
+                    const std::function<bool()>& should_stop) {
+  proof::Verdict verdict = proof::check_certificate(problem, result, should_stop);
   Verification verification;
   verification.is_undecided = verdict.undecided;
   verification.is_proved = verdict.accepted;
+  verification.is_ended = verdict.ended;
   verification.counts = verdict.counts;
   verification.faults = std::move(verdict.faults);
   if (!verification.is_proved) return verification;

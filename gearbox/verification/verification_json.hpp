@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct Verification {
   bool is_accepted = false;   ///< Proved, and all that is said beside the proof is so.
   bool is_undecided = false;  ///< Status "limit": a bound is proved, the optimum is not.
   bool is_proved = false;     ///< The certificate alone.
+  bool is_ended = false;      ///< Told to stop: nothing of the above is known.
   std::string claim;          ///< What is proved, in words; empty unless accepted.
   proof::Counts counts;
   std::vector<std::string> checked;    ///< Sentences, beside the proof.
@@ -25,7 +27,9 @@ struct Verification {
 /// Checks the certificate, without the search; then compares everything else in the result with a
 /// fresh evaluation of the proved designs, the counts with the proof, and the problem with the file
 /// it was read from, if that is there. Requires a document of the shape of a `gearbox_result`, and
-/// its problem.
-[[nodiscard]] Verification verify(const Problem& problem, const nlohmann::json& result);
+/// its problem. For `should_stop` see proof::check_certificate.
+[[nodiscard]] Verification verify(
+    const Problem& problem, const nlohmann::json& result,
+    const std::function<bool()>& should_stop = [] { return false; });
 
 }  // namespace torquewright::gearbox

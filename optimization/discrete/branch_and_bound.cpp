@@ -168,7 +168,7 @@ class Search {
 
   void offer(std::size_t alternative, std::span<const std::int64_t> point) {
     const Judge& judge = alternatives_[alternative];
-    if (judge.least_cost_at(point) > incumbents_.ceiling() || !judge.is_feasible(point)) return;
+    if (judge.cost_around(point).lower > incumbents_.ceiling() || !judge.is_feasible(point)) return;
     const PreciseInterval cost = judge.cost_at(point);
     if (cost.is_nowhere()) return;
     incumbents_.offer({alternative, {point.begin(), point.end()}, cost});

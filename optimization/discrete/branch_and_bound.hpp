@@ -70,10 +70,14 @@ enum class VisitStatus {
 struct VisitOptions {
   std::int64_t max_boxes = std::numeric_limits<std::int64_t>::max();
   std::function<bool()> should_stop = [] { return false; };
+  /// Points that certainly cost more (Judge::ceiling) are left out; where it is infinite the goal
+  /// plays no part.
+  double ceiling = std::numeric_limits<double>::infinity();
+  std::function<void(std::int64_t boxes)> report = [](std::int64_t) {};
 };
 
 /// Calls `visit` for every feasible point, in the order of alternatives and of boxes, until it
-/// returns false. The goal plays no part.
+/// returns false.
 VisitStatus for_each_feasible(
     std::span<const Judge> alternatives, const VisitOptions& options,
     const std::function<bool(std::size_t alternative, std::span<const std::int64_t> point)>& visit);

@@ -82,9 +82,9 @@ Interval Judge::cost_over(const Box& box) const {
   return signed_cost(value, problem_.goal.maximise);
 }
 
-double Judge::least_cost_at(std::span<const std::int64_t> point) const {
+Interval Judge::cost_around(std::span<const std::int64_t> point) const {
   const Interval cost = signed_cost(value_.at(point), problem_.goal.maximise);
-  return std::isnan(cost.lower) ? -std::numeric_limits<double>::infinity() : cost.lower;
+  return std::isnan(cost.lower) ? Interval{-kInfinity, kInfinity} : cost;
 }
 
 PreciseInterval Judge::cost_at(std::span<const std::int64_t> point) const {
@@ -104,6 +104,11 @@ int Judge::compare(const PreciseInterval& a, const PreciseInterval& b) const {
 double Judge::ceiling(const PreciseInterval& cost) const {
   const double upper = cost.outward().upper;
   return has_exact_cost() ? upper : upper + 2.0 * kTieRelative * std::abs(upper);
+}
+
+double Judge::floor(const PreciseInterval& cost) const {
+  const double lower = cost.outward().lower;
+  return has_exact_cost() ? lower : lower - 2.0 * kTieRelative * std::abs(lower);
 }
 
 }  // namespace torquewright::optimization

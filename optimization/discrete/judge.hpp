@@ -38,8 +38,8 @@ class Judge {
   /// Encloses the cost of every point of the box that satisfies all conditions. -infinity below
   /// where nothing is known.
   Interval cost_over(const Box& box) const;
-  /// A lower bound of the cost at one point.
-  double least_cost_at(std::span<const std::int64_t> point) const;
+  /// Of one point, enclosed in doubles and in 256 bits. -infinity below where it does not exist.
+  Interval cost_around(std::span<const std::int64_t> point) const;
   PreciseInterval cost_at(std::span<const std::int64_t> point) const;
   bool has_exact_cost() const { return problem_.goal.exact; }
 
@@ -47,6 +47,8 @@ class Judge {
   int compare(const PreciseInterval& a, const PreciseInterval& b) const;
   /// The least double that every cost as good as this one stays below or at.
   double ceiling(const PreciseInterval& cost) const;
+  /// The greatest double below which every cost is better.
+  double floor(const PreciseInterval& cost) const;
 
  private:
   struct Ready {

@@ -60,6 +60,7 @@ Relaxation relax_box(const Judge& judge, const Box& box) {
   for (std::size_t i = 0; i < judge.condition_count(); ++i) {
     if (!judge.on_boxes(i)) continue;
     ConcaveForm form = concave_above(judge.condition(i).body, box);
+    if (is_constant(form)) continue;  // says no more than the interval that left the box open
     const Interval range = over(form, box);
     const double scale = std::max(std::abs(range.lower), std::abs(range.upper));
     if (std::isfinite(scale) && scale > 0.0) {

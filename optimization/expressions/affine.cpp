@@ -2,6 +2,19 @@
 #include "optimization/expressions/affine.hpp"
 
 namespace torquewright::optimization {
+namespace {
+
+// A variable that does not stand in a form: rounding outward would bring it in.
+bool is_absent(Interval coefficient) {
+  return coefficient.lower == 0.0 && coefficient.upper == 0.0;
+}
+
+Interval coefficient_of_sum(Interval a, Interval b) {
+  if (is_absent(a)) return b;
+  return is_absent(b) ? a : a + b;
+}
+
+}  // namespace
 
 Interval Affine::over(const Box& box) const {
   Interval total = constant;
@@ -22,7 +35,9 @@ Interval Affine::at(std::span<const double> point) const {
 Affine scaled(const Affine& form, Interval factor) {
   Affine result = form;
   result.constant = form.constant * factor;
-  for (Interval& coefficient : result.coefficients) coefficient = coefficient * factor;
+  for (Interval& coefficient : result.coefficients) {
+    if (!is_absent(coefficient)) coefficient = coefficient * factor;
+  }
   return result;
 }
 
@@ -30,7 +45,7 @@ Affine sum(const Affine& a, const Affine& b) {
   Affine result = a;
   result.constant = a.constant + b.constant;
   for (std::size_t i = 0; i < result.coefficients.size(); ++i) {
-    result.coefficients[i] = a.coefficients[i] + b.coefficients[i];
+    result.coefficients[i] = coefficient_of_sum(a.coefficients[i], b.coefficients[i]);
   }
   return result;
 }

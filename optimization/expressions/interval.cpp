@@ -41,6 +41,9 @@ Interval operator+(Interval a, Interval b) {
 Interval operator-(Interval a, Interval b) { return a + (-b); }
 
 Interval operator*(Interval a, Interval b) {
+  if (a.lower >= 0.0 && b.lower >= 0.0) {
+    return {down(product(a.lower, b.lower)), up(product(a.upper, b.upper))};
+  }
   if (std::isnan(a.lower) || std::isnan(b.lower)) return kNowhere;
   const double p = product(a.lower, b.lower), q = product(a.lower, b.upper);
   const double r = product(a.upper, b.lower), s = product(a.upper, b.upper);

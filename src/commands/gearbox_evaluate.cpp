@@ -18,6 +18,7 @@
 #include "src/commands/gearbox_result_json.hpp"
 #include "src/interrupt.hpp"
 #include "src/report/gearbox_text.hpp"
+#include "src/report/progress_line.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -32,8 +33,12 @@ struct EvaluateOptions {
   std::int64_t planet_count = 0;
   double module_mm = 0.0;
   OutputFiles outputs;
+  bool rank = false;
   bool json = false;
 };
+
+/// Of each search for the standing, where nobody asked for it: a tenth of a second at most.
+constexpr std::int64_t kCheapBoxes = 300;
 
 // The design that was asked for; what is left open is the problem's own where it has one choice.
 gearbox::Design design_of(const EvaluateOptions& options, const gearbox::Problem& problem) {
@@ -85,12 +90,26 @@ struct Evaluation {
   std::optional<std::string> drawing;  ///< Where one was asked for.
 };
 
+gearbox::StandingOptions standing_options(const EvaluateOptions& options,
+                                          report::ProgressLine& line) {
+  gearbox::StandingOptions result;
+  if (!options.rank) result.max_boxes = kCheapBoxes;
+  result.should_stop = is_interrupted;
+  result.report = [&line](const char* sought, std::int64_t boxes, std::int64_t found) {
+    line.show(fmt::format("seeking {}: {} boxes done, {} found", sought, boxes, found));
+  };
+  return result;
+}
+
 Evaluation compute(const EvaluateOptions& options, const EvaluateInputs& inputs) {
   const gearbox::Problem& problem = inputs.read.problem;
   Evaluation found;
   found.report = gearbox::find_topology(problem.topology)->evaluate(problem, inputs.design);
   catch_interrupt();
-  found.standing = gearbox::standing_of(problem, inputs.design, is_interrupted);
+  {
+    report::ProgressLine line;
+    found.standing = gearbox::standing_of(problem, inputs.design, standing_options(options, line));
+  }
   if (!options.outputs.drawing.empty()) found.drawing = drawing_of(problem, inputs.design);
   return found;
 }
@@ -128,6 +147,9 @@ void add_evaluate_command(command_line::Command& gearbox) {
   command.add_option("--module", options->module_mm, "In mm, where the problem lists several")
       .between(0.05, 25.0);
   add_output_options(command, options->outputs);
+  command.add_flag(
+      "--rank", options->rank,
+      "Rank it among all designs however long that takes (else only where it is cheap)");
   command.add_flag("--json", options->json, "Print the evaluation as JSON");
   command.example("torquewright gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32");
   command.works([options] { return run_evaluate(*options); });

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -31,13 +32,23 @@ const std::map<std::string, RelaxationUse> kRelaxationUses{{"auto", RelaxationUs
                                                            {"always", RelaxationUse::kAlways},
                                                            {"never", RelaxationUse::kNever}};
 
+// True once the user or the clock ends the search.
+std::function<bool()> end_of_search(const OptimizeRequest& request) {
+  if (request.time_limit_s == 0.0) return is_interrupted;
+  using Clock = std::chrono::steady_clock;
+  const auto limit = std::chrono::duration<double>(request.time_limit_s);
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+  return [end] { return is_interrupted() || Clock::now() >= end; };
+}
+
 gearbox::DesignSearchOptions search_options(const OptimizeRequest& request,
+                                            const std::function<bool()>& is_over,
                                             report::ProgressLine& line) {
   gearbox::DesignSearchOptions result;
   result.top = request.top;
   result.relaxation = kRelaxationUses.at(request.relaxation);
   if (request.max_nodes > 0) result.max_nodes = request.max_nodes;
-  result.should_stop = is_interrupted;
+  result.should_stop = is_over;
   result.report = [&line](const optimization::Progress& progress) {
     line.show(fmt::format("{} boxes done, {} open, {} designs kept, best {:.8g}, bound {:.8g}",
                           progress.nodes, progress.open, progress.found, progress.best_cost,
@@ -68,14 +79,16 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
   const auto start = std::chrono::steady_clock::now();
   {
     report::ProgressLine line;
-    answer.found = gearbox::optimize(inputs.problem, search_options(request, line));
+    answer.found =
+        gearbox::optimize(inputs.problem, search_options(request, end_of_search(request), line));
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   answer.json = optimization_json(request, inputs, answer.found, seconds.count());
   answer.text = report::optimization_text(inputs.problem, answer.found);
   if (request.timing) answer.text += fmt::format("Search time: {:.4f} s\n", seconds.count());
   if (request.verify) {
-    answer.check = gearbox::verify(inputs.problem, as_read(answer.json));
+    catch_interrupt();  // what ended the search does not end the check
+    answer.check = gearbox::verify(inputs.problem, as_read(answer.json), is_interrupted);
     answer.text += report::proof_text(*answer.check);
   }
   if (!request.outputs.drawing.empty() && !answer.found.designs.empty()) {
@@ -86,10 +99,13 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
 
 void write(const OptimizeRequest& request, const OptimizeAnswer& answer) {
   write_outputs(request.outputs, answer.json, answer.drawing);
-  print_result(request.json ? answer.json : answer.text);
+  print_result(!request.json  ? answer.text
+               : answer.check ? with_verdict(answer.json, *answer.check)
+                              : answer.json);
 }
 
 ExitCode exit_code_of(const OptimizeAnswer& answer) {
+  if (answer.check && answer.check->is_ended) return ExitCode::kUndecided;
   if (answer.check && !answer.check->is_accepted) return ExitCode::kFails;
   switch (answer.found.status) {
     case gearbox::DesignSearchStatus::kOptimal:

@@ -8,6 +8,7 @@
 #include "io/file_bytes.hpp"
 #include "io/json_reader.hpp"
 #include "src/commands/result_json.hpp"
+#include "src/report/proof_json.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -17,6 +18,7 @@ nlohmann::ordered_json non_default_options(const OptimizeRequest& request) {
   if (request.top != 1) changed["top"] = request.top;
   if (request.relaxation != "auto") changed["relaxation"] = request.relaxation;
   if (request.max_nodes != 0) changed["max_nodes"] = request.max_nodes;
+  if (request.time_limit_s != 0.0) changed["time_limit_s"] = request.time_limit_s;
   return changed;
 }
 
@@ -44,6 +46,12 @@ std::string evaluation_json(const ReadProblem& read, const gearbox::DesignReport
   nlohmann::ordered_json result = gearbox::evaluation_json(read.problem, report, standing);
   result["problem"] = read.document.root;
   return result_text(std::move(result), {&read.document, 1});
+}
+
+std::string with_verdict(const std::string& result, const gearbox::Verification& check) {
+  nlohmann::ordered_json printed = nlohmann::ordered_json::parse(result);
+  printed["verification"] = report::proof_json(check);
+  return io::json_text(printed);
 }
 
 io::Document read_result(const std::string& file) {

@@ -7,6 +7,7 @@
 #include "gearbox/problem.hpp"
 #include "gearbox/search/ranking.hpp"
 #include "gearbox/search/search.hpp"
+#include "gearbox/verification/verification_json.hpp"
 #include "io/document.hpp"
 #include "src/options/optimize_request.hpp"
 
@@ -25,6 +26,9 @@ std::string optimization_json(const OptimizeRequest& request, const ReadProblem&
 /// What is so of one design, as a document of the same kind.
 std::string evaluation_json(const ReadProblem& read, const gearbox::DesignReport& report,
                             const gearbox::Standing& standing);
+
+/// A result as it is printed after a check: a file does not vouch for itself, what is printed does.
+std::string with_verdict(const std::string& result, const gearbox::Verification& check);
 
 /// Reads a result of `gearbox optimize`. Throws io::SpecError, for one of `gearbox evaluate` too:
 /// it claims nothing that could be proved.

@@ -6,9 +6,10 @@
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/verification/verification_json.hpp"
 #include "io/document.hpp"
-#include "io/json_text.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/gearbox_result_json.hpp"
+#include "src/commands/result_json.hpp"
+#include "src/interrupt.hpp"
 #include "src/report/proof_json.hpp"
 #include "src/report/proof_text.hpp"
 #include "src/standard_output.hpp"
@@ -34,14 +35,19 @@ VerifyInputs read(const VerifyOptions& options) {
   return {std::move(result), gearbox::read_problem(document)};
 }
 
-void write(const VerifyOptions& options, const gearbox::Verification& found) {
-  print_result(options.json ? io::json_text(report::proof_json(found)) : report::proof_text(found));
+void write(const VerifyOptions& options, const VerifyInputs& inputs,
+           const gearbox::Verification& found) {
+  print_result(options.json ? result_text(report::proof_json(found), {&inputs.result, 1})
+                            : report::proof_text(found));
 }
 
 ExitCode run_verify(const VerifyOptions& options) {
   const VerifyInputs inputs = read(options);
-  const gearbox::Verification found = gearbox::verify(inputs.problem, inputs.result.root);
-  write(options, found);
+  catch_interrupt();
+  const gearbox::Verification found =
+      gearbox::verify(inputs.problem, inputs.result.root, is_interrupted);
+  write(options, inputs, found);
+  if (found.is_ended) return ExitCode::kUndecided;
   if (!found.is_accepted) return ExitCode::kFails;
   return found.is_undecided ? ExitCode::kUndecided : ExitCode::kPasses;
 }

@@ -13,6 +13,8 @@ void add_optimize_options(command_line::Command& command, OptimizeRequest& reque
       .one_of({"auto", "always", "never"});
   command.add_option("--max-nodes", request.max_nodes, "End the search after so many boxes")
       .integer_between(1, std::int64_t{1} << 60);
+  command.add_option("--time-limit", request.time_limit_s, "End the search after so many seconds")
+      .between(0.001, 1e7);
   command.add_flag("--verify", request.verify, "Check the proof with the independent checker");
   command.add_flag("--json", request.json, "Print the result as JSON");
   command.add_flag("--timing", request.timing, "State the seconds (runs then differ in bytes)");

@@ -15,6 +15,7 @@ struct OptimizeRequest {
   std::size_t top = 1;
   std::string relaxation = "auto";
   std::int64_t max_nodes = 0;  ///< 0: as many as it takes.
+  double time_limit_s = 0.0;   ///< 0: as long as it takes.
   bool verify = false;
   bool json = false;
   bool timing = false;

@@ -31,8 +31,13 @@ std::string infeasible_text(const DesignSearchResult& result) {
   for (const ConflictMember& member : result.conflict) {
     text += fmt::format("  {}: {}\n", member.constraint, member.sentence);
   }
+  if (const auto ring_limit = result.claims.front().ring_limit) {
+    text +=
+        fmt::format("Proved for rings of up to {} teeth, as the rotor's bore has no part in it.\n",
+                    *ring_limit);
+  }
   if (result.would_be_feasible_with.empty()) {
-    return text + "No single bound, however loose, makes the problem feasible.\n";
+    return text + "No single bound, as loose as a document may ask, makes the problem feasible.\n";
   }
   text += "It would be feasible with any one of these:\n";
   for (const LooserBound& bound : result.would_be_feasible_with) {
@@ -89,22 +94,31 @@ std::string never_optimal_text(const DesignReport& report) {
                      names.empty() ? "" : ": it violates ", fmt::join(names, ", "));
 }
 
-std::string count_text(std::int64_t count) {
-  return count == 1 ? "1 design is" : fmt::format("{} designs are", count);
+// "Rank 2 of 5 feasible designs by mass", as far as it is known.
+std::string ranked_text(const Problem& problem, const Standing& standing) {
+  std::string text = fmt::format("Rank {}", *standing.rank);
+  if (standing.feasible_count) {
+    text += fmt::format(" of {} feasible designs", *standing.feasible_count);
+  }
+  text += fmt::format(" by {}", objective_name(problem.objective));
+  if (!standing.ties.empty()) text += fmt::format(", shared with {} more", standing.ties.size());
+  return text;
+}
+
+std::string unranked_text(const Standing& standing) {
+  const std::string text = "It has no rank, being infeasible";
+  if (!standing.feasible_count) return text;
+  return text + (standing.feasible_count == 1
+                     ? "; 1 design is feasible"
+                     : fmt::format("; {} designs are feasible", *standing.feasible_count));
 }
 
 std::string rank_text(const Problem& problem, const DesignReport& report,
                       const Standing& standing) {
-  if (!standing.is_complete) return "Rank unknown: there are too many designs to see them all.\n";
-  std::string text;
-  if (standing.rank) {
-    text = fmt::format("Rank {} of {} feasible designs by {}", *standing.rank,
-                       standing.feasible_count, objective_name(problem.objective));
-    if (!standing.ties.empty()) text += fmt::format(", shared with {} more", standing.ties.size());
-  } else {
-    text = fmt::format("It has no rank, being infeasible; {} feasible",
-                       count_text(standing.feasible_count));
+  if (!standing.is_settled) {
+    return "Rank not settled: there are many designs; --rank seeks it however long that takes.\n";
   }
+  std::string text = standing.rank ? ranked_text(problem, standing) : unranked_text(standing);
   if (standing.best_objective && standing.rank != 1) {
     text += fmt::format(", the best with {}",
                         with_unit(*standing.best_objective, report.objective_unit));
@@ -144,7 +158,7 @@ std::string evaluation_text(const Problem& problem, const DesignReport& report,
   text += design_text(problem, report) + rank_text(problem, report, standing);
   if (!standing.optimal_when.empty()) {
     text += optimal_when_text(topology, standing);
-  } else if (standing.is_complete) {
+  } else if (standing.is_settled) {
     text += never_optimal_text(report);
   }
   return text + assumed_text(problem);

@@ -18,6 +18,10 @@ std::string counts_text(const gearbox::proof::Counts& counts) {
 }
 
 std::string verdict_words(const Verification& found) {
+  if (found.is_ended) {
+    return fmt::format("ended before the proof was checked to its end: {} boxes were.\n",
+                       found.counts.nodes);
+  }
   if (found.is_accepted) {
     return fmt::format(
         "accepted{}: {}\nChecked with exact fractions and intervals, without the "

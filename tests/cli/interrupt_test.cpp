@@ -19,14 +19,18 @@ std::string long_search() {
               "paper_cost", "forward_efficiency");
 }
 
-Outcome interrupted(Workplace& place, const std::vector<std::string>& more) {
-  place.write("long.json", long_search());
-  place.here.interrupt_after = milliseconds(1000);
-  std::vector<std::string> command = {"gearbox", "optimize", "long.json"};
-  command.insert(command.end(), more.begin(), more.end());
+Outcome interrupted(Workplace& place, const std::vector<std::string>& command, milliseconds after) {
+  place.here.interrupt_after = after;
   const Outcome outcome = place.run(command);
   place.here.interrupt_after.reset();
   return outcome;
+}
+
+Outcome interrupted(Workplace& place, const std::vector<std::string>& more) {
+  place.write("long.json", long_search());
+  std::vector<std::string> command = {"gearbox", "optimize", "long.json"};
+  command.insert(command.end(), more.begin(), more.end());
+  return interrupted(place, command, milliseconds(1000));
 }
 
 TEST(Interrupt, EndsASearchWithTheBestSoFarAndItsBound) {
@@ -53,6 +57,49 @@ TEST(Interrupt, IsSaidInTheText) {
   EXPECT_TRUE(outcome.out.starts_with("limit: the search was ended;")) << outcome.out;
   EXPECT_NE(outcome.out.find("\nBound that nothing beats: "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("accepted"), std::string::npos) << outcome.out;
+}
+
+TEST(Interrupt, EndsARankingThatIsNotSettled) {
+  Workplace place;
+  place.write("long.json", long_search());
+  const Outcome outcome =
+      interrupted(place, {"gearbox", "evaluate", "long.json", "--teeth", "44,44,32", "--rank"},
+                  milliseconds(500));
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nRank not settled: "), std::string::npos) << outcome.out;
+}
+
+TEST(Interrupt, EndsACheckOfAProof) {
+  Workplace place;
+  EXPECT_EQ(interrupted(place, {"-o", "result.json"}).exit_code, 3);
+  const Outcome outcome =
+      interrupted(place, {"gearbox", "verify", "result.json"}, milliseconds(50));
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("ended before the proof was checked")) << outcome.out;
+}
+
+TEST(TimeLimit, EndsASearchLikeCtrlC) {
+  Workplace place;
+  place.write("long.json", long_search());
+  const Outcome outcome = place.run(
+      {"gearbox", "optimize", "long.json", "--time-limit", "0.3", "-o", "result.json", "--json"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  const json result = json::parse(place.text("result.json"));
+  EXPECT_EQ(result["status"], "limit");
+  EXPECT_EQ(result["options"]["time_limit_s"], 0.3);
+  EXPECT_LE(result["bound"], 1.0);  // no efficiency exceeds 1
+  EXPECT_EQ(place.run({"gearbox", "verify", "result.json"}).exit_code, 3);
+}
+
+// One design's numbers do not wait for a rank among many.
+TEST(Rank, IsLeftOutWhereManyDesignsWouldHaveToBeSeen) {
+  Workplace place;
+  place.write("long.json", long_search());
+  const Outcome outcome =
+      place.run({"gearbox", "evaluate", "long.json", "--teeth", "44,44,32", "-o", "one.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nRank not settled: "), std::string::npos) << outcome.out;
+  EXPECT_TRUE(json::parse(place.text("one.json"))["rank"].is_null());
 }
 
 }  // namespace

@@ -129,7 +129,8 @@ TEST(Solve, IsTrueOnRandomProblems) {
 // A dual point holds for parts of its box as well, and parts may relax more conditions: here the
 // second one says nothing where x may be zero.
 TEST(Solve, GivesAMultiplierForEveryConditionOfTheProblem) {
-  const Judge judge(problem_of(kX, {kX + kY - 4.0, 2.0 - 1.0 / kX}, {{0, 10}, {0, 10}}));
+  const Judge judge(
+      problem_of(kX, {kX + kY - 4.0, 20.0 - square_over(kY, kX)}, {{0, 10}, {0, 10}}));
   const Relaxation whole = relax_box(judge, {{0, 10}, {0, 10}});
   const Relaxation part = relax_box(judge, {{1, 10}, {0, 10}});
   ASSERT_EQ(whole.conditions.size(), 1u);

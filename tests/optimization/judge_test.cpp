@@ -32,7 +32,7 @@ TEST(Judge, FeasiblePointsAreThoseOfFractions) {
       const Rational cost = toy.cost(point);
       const Rational value = judge.has_exact_cost() ? cost : sgn(cost) * true_sqrt(::abs(cost));
       ASSERT_TRUE(agrees(judge.cost_at(point), value));
-      ASSERT_LE(Rational(judge.least_cost_at(point)), value);
+      ASSERT_LE(Rational(judge.cost_around(point).lower), value);
     }
   }
   EXPECT_GT(feasible, 1000);
@@ -163,7 +163,7 @@ TEST(Judge, CostsNothingKnownWhereTheGoalHasNoValue) {
   Problem problem = problem_of(kX, false);
   problem.goal.value = sqrt(kX - 100.0);
   EXPECT_EQ(Judge(problem).cost_over({{0, 9}, {0, 0}}).lower, -HUGE_VAL);
-  EXPECT_EQ(Judge(problem).least_cost_at(Point{0, 0}), -HUGE_VAL);
+  EXPECT_EQ(Judge(problem).cost_around(Point{0, 0}).lower, -HUGE_VAL);
 }
 
 TEST(Judge, NeedsOneRangeForEachVariable) {

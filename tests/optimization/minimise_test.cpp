@@ -97,7 +97,7 @@ TEST_P(Toys, NoBoxOfTheBestIsClosedTooEarly) {
     options.on_close = [&](std::size_t, const Box& box, double ceiling) {
       for (const Point& point : best) {
         if (!lies_in(point, box)) continue;
-        EXPECT_LE(judges[0].least_cost_at(point), ceiling);
+        EXPECT_LE(judges[0].cost_around(point).lower, ceiling);
       }
     };
     minimise(judges, options);

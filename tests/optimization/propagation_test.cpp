@@ -21,7 +21,7 @@ void expect_valid(const Cut& cut, const Toy& toy, const Judge& judge, double cei
       cut.is_lower ? cut.value - 1 : cut.value + 1;
   for (const Point& point : all_points(slab)) {
     if (cut.condition == kQuantity) {
-      ASSERT_FALSE(toy.is_feasible(point) && judge.least_cost_at(point) <= ceiling);
+      ASSERT_FALSE(toy.is_feasible(point) && judge.cost_around(point).lower <= ceiling);
     } else {
       ASSERT_FALSE(judge.holds(cut.condition, point));
     }
@@ -40,7 +40,7 @@ void expect_keeps_all(const Toy& toy, double ceiling, int& cuts_made, int& refut
   }
   EXPECT_EQ(replayed, box);
   for (const Point& point : brute_force(toy)) {
-    if (judge.least_cost_at(point) > ceiling) continue;
+    if (judge.cost_around(point).lower > ceiling) continue;
     ASSERT_FALSE(refuting);
     ASSERT_TRUE(lies_in(point, box));
   }

@@ -28,7 +28,7 @@ using gearbox::Standing;
 constexpr long double kTie = 1e-12L;
 
 Standing standing(const Problem& problem, const Design& design) {
-  return gearbox::standing_of(problem, design, [] { return false; });
+  return gearbox::standing_of(problem, design, {});
 }
 
 bool is_maximised(Objective objective) {
@@ -68,7 +68,7 @@ TEST(Rank, IsTheNumberOfBetterDesignsPlusOne) {
         equal += ties(problem, other, found) ? 1 : 0;
       }
       const Standing result = standing(problem, to_design(problem, found));
-      ASSERT_TRUE(result.is_complete);
+      ASSERT_TRUE(result.is_settled);
       ASSERT_EQ(result.feasible_count, static_cast<std::int64_t>(all.feasible.size()))
           << problem.name;
       ASSERT_EQ(result.rank, better + 1) << problem.name;

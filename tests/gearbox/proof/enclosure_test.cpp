@@ -119,7 +119,8 @@ TEST(Enclosure, HoldsEveryPlanetaryDesignOfABox) {
 // Oracle: a box is refuted only if no design in it satisfies the condition; constraints are linear
 // or monotone, so that on a box of designs the reverse holds too.
 TEST(Refutation, AgreesWithJudgingEveryPoint) {
-  const Problem problem = widened(buildable_inertia());
+  Problem problem = widened(buildable_inertia());
+  problem.min_contact_ratio = Rational(8, 5);  // small gears miss it
   std::mt19937 random(3);
   proof::Claim claim;
   claim.hypotheses = proof::constraints_of(problem);
@@ -170,7 +171,8 @@ TEST(ConcaveForm, NeverRefutesWhatSatisfiesIt) {
   PlainClaim plain{&problem, "optimum", {}, "", PlainDesign{{44, 44, 32}, 4, 0.6}, {}, "", 0};
   std::vector<std::string> conditions{"ratio_max", "ratio_min", "positive_teeth", "quantity"};
   for (const std::string& name : constraint_names(problem)) {
-    if (proof::find_condition(claim, name)) conditions.push_back(name);
+    const bool has_form = !name.starts_with("contact_ratio.");
+    if (has_form && proof::find_condition(claim, name)) conditions.push_back(name);
   }
   std::map<std::string, int> judged;
   for (int trial = 0; trial < 4000; ++trial) {

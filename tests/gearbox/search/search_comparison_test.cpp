@@ -9,7 +9,9 @@
 #include <cmath>
 
 #include "gearbox/problem_spec.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "io/document.hpp"
+#include "tests/oracles/gearbox_enumeration.hpp"
 #include "tests/oracles/involute_meshes.hpp"
 #include "tests/oracles/named_problems.hpp"
 #include "tests/oracles/problem_document.hpp"
@@ -34,7 +36,7 @@ void expect_agreement(const Problem& problem, RelaxationUse use, std::size_t top
       fmt::join(comparison.disagreements, "; "), oracles::problem_document(problem).dump());
 }
 
-Problem problem_in(const char* document) {
+Problem problem_in(const std::string& document) {
   return gearbox::read_problem(
       io::check_document(nlohmann::json::parse(document), "gearbox_problem", "problem.json", ""));
 }
@@ -167,6 +169,63 @@ TEST(Search, EndsWhereTheBestNeighbourClearanceIsZero) {
   for (const auto& bound : found.would_be_feasible_with) {
     EXPECT_NE(bound.key, "/min_neighbour_clearance_mm");  // 0 would have to be exceeded
   }
+}
+
+// Oracle: closed form. No two external gears of 20 degrees without shift reach a contact ratio of
+// 4/(pi sin 40 deg) = 1.9808, so that one constraint conflicts with itself, rings of any size.
+Problem with_contact_ratio(const char* ratio) {
+  return problem_in(fmt::format(
+      R"({{"kind": "gearbox_problem", "version": 1, "topology": "planetary", "target_ratio": 4,
+      "ratio_tolerance": 0.01, "rotor_inner_diameter_mm": 80, "module_mm": 0.5, "planet_count": 3,
+      "min_teeth": {{"sun": 20, "planet": 20}}, "min_carrier_clearance_rad": 0.01,
+      "min_contact_ratio": {}, "constraints": "buildable", "objective": "hollow_shaft"}})",
+      ratio));
+}
+
+TEST(Search, KnowsWhatNoPairOfGearsReaches) {
+  const auto beyond = gearbox::optimize(with_contact_ratio("1.981"), {});
+  EXPECT_EQ(beyond.status, gearbox::DesignSearchStatus::kInfeasible);
+  ASSERT_EQ(beyond.conflict.size(), 1u);
+  EXPECT_EQ(beyond.conflict[0].constraint, "contact_ratio.sun_planet");
+  EXPECT_TRUE(beyond.conflict[0].without_it);
+  const auto below = gearbox::optimize(with_contact_ratio("1.9799"), {});
+  EXPECT_EQ(below.status, gearbox::DesignSearchStatus::kInfeasible);
+  EXPECT_GT(below.conflict.size(), 1u);  // only the bore, or the minima, stand in its way
+}
+
+// Remedies are legal: within 50 % of 300:1 no gearbox of this bore comes, and no document may ask
+// for a wider tolerance.
+TEST(Search, NamesOnlyRemediesThatADocumentMayState) {
+  const Problem problem = problem_in(R"({"kind": "gearbox_problem", "version": 1,
+      "topology": "3k", "target_ratio": 300, "rotor_inner_diameter_mm": 79.4, "module_mm": 0.6,
+      "planet_count": 4, "min_teeth": {"sun": 40, "planet_1": 30, "planet_2": 30},
+      "min_carrier_clearance_rad": 0.05, "constraints": "paper", "objective": "paper_cost"})");
+  const gearbox::DesignSearchResult found = gearbox::optimize(problem, {});
+  ASSERT_EQ(found.status, gearbox::DesignSearchStatus::kInfeasible);
+  ASSERT_FALSE(found.would_be_feasible_with.empty());
+  for (const auto& bound : found.would_be_feasible_with) EXPECT_NE(bound.key, "/ratio_tolerance");
+}
+
+// A design named with a conflict misses one constraint and no other, wherever there is one. Oracle:
+// the enumeration of the problem without that constraint.
+TEST(Search, NamesDesignsThatMissNothingElse) {
+  int named = 0;
+  for (const Problem& problem : oracles::random_problems(kSeed + 7, 120)) {
+    const gearbox::DesignSearchResult found = gearbox::optimize(problem, {});
+    for (const auto& member : found.conflict) {
+      if (member.constraint != "carrier_clearance" || !member.without_it) continue;
+      Problem loosened = problem;
+      loosened.min_carrier_clearance_rad = 0;
+      if (oracles::enumerate(loosened).feasible.empty()) continue;
+      for (const auto& each : gearbox::find_topology(problem.topology)
+                                  ->evaluate(problem, *member.without_it)
+                                  .constraints) {
+        EXPECT_EQ(each.satisfied, each.name != "carrier_clearance") << problem.name << each.name;
+      }
+      ++named;
+    }
+  }
+  EXPECT_GT(named, 5);
 }
 
 }  // namespace

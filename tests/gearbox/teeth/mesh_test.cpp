@@ -93,6 +93,30 @@ TEST(ZeroShiftMesh, EqualsTheGeneralOneAtZeroShift) {
   }
 }
 
+// Oracle: the limit of eq. (1) for many teeth, 1/(pi sin alpha cos alpha) for both ends.
+TEST(ZeroShiftMesh, PathsTendToTheSameLimitFromBothSides) {
+  const double limit = 2.0 / (std::numbers::pi * std::sin(2.0 * kReferenceAngle_rad));
+  EXPECT_NEAR(2.0 * limit, kSupremumOfExternalContactRatio, 1e-15);
+  double external = 0.0, ring = HUGE_VAL;
+  for (double teeth = 34; teeth < 1e6; teeth *= 2) {
+    EXPECT_GT(external_path_end(teeth), external);
+    EXPECT_LT(ring_path_end(teeth), ring);
+    external = external_path_end(teeth);
+    ring = ring_path_end(teeth);
+    EXPECT_LT(external, limit);
+    EXPECT_GT(ring, limit);
+  }
+  EXPECT_NEAR(external, limit, 1e-4);
+  EXPECT_NEAR(ring, limit, 1e-4);
+}
+
+// Oracle: the involute that is left ends at the base circle, z tan(alpha)/(2 pi) from the pitch.
+TEST(ZeroShiftMesh, PathInARingOfFewTeethEndsAtTheBaseCircle) {
+  for (double teeth = 1; teeth <= 33; ++teeth) {
+    EXPECT_NEAR(ring_path_end(teeth), teeth * kReferenceTangent / (2.0 * std::numbers::pi), 1e-14);
+  }
+}
+
 TEST(Interference, SmallestRingsAreThoseOfTheClosedForm) {
   // Reference section 5: smallest zero-shift ring free of involute interference. The closed form
   // z2 >= (z1^2 sin^2 - 4)/(2 z1 sin^2 - 4) is the oracle, its published values the check of it.

@@ -41,6 +41,8 @@ const std::vector<Exception>& exceptions() {
       {"`/options/relaxation`",
        "how the search was steered: a proof stands without it; `never` with solves is refused",
        std::regex("/options/relaxation"), any},
+      {"`/options/time_limit_s`", "likewise; any time above zero is taken",
+       std::regex("/options/time_limit_s"), any},
       {"`/options/max_nodes`", "likewise; fewer than the boxes of the proof are refused",
        std::regex("/options/max_nodes"), any},
       {"`/options/top` where there are fewer designs, or none",

@@ -60,7 +60,11 @@ std::vector<Case> cases() {
        13},
       {"efficiency", small_with({{"objective", "forward_efficiency"}}), {{"top", 2}}, 5, 53},
       {"infeasible", knee_with({{"min_carrier_clearance_rad", 0.3}}), {{"top", 2}}, 5, 101},
-      {"limit", small_with({{"objective", "backward_efficiency"}}), {{"max_nodes", 20}}, 5, 53},
+      {"limit",
+       small_with({{"objective", "backward_efficiency"}}),
+       {{"max_nodes", 20}, {"time_limit_s", 1000}},
+       5,
+       53},
       {"limit without a design", small_with(Json::object()), {{"max_nodes", 1}}, 5, 3},
   };
 }
