@@ -210,7 +210,7 @@ TEST(Search, NamesOnlyRemediesThatADocumentMayState) {
 // the enumeration of the problem without that constraint.
 TEST(Search, NamesDesignsThatMissNothingElse) {
   int named = 0;
-  for (const Problem& problem : oracles::random_problems(kSeed + 7, 120)) {
+  for (const Problem& problem : oracles::random_problems(kSeed + 7, 240)) {
     const gearbox::DesignSearchResult found = gearbox::optimize(problem, {});
     for (const auto& member : found.conflict) {
       if (member.constraint != "carrier_clearance" || !member.without_it) continue;
