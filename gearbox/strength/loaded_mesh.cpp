@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearbox/constraints/existence.hpp"
 #include "gearbox/train/loads.hpp"
 
 namespace torquewright::gearbox {
@@ -161,6 +162,14 @@ LoadedTrain loaded_train(const GearTrain& train) {
                          fmt::join(train.teeth, ","))}};
   }
   return train.topology == "3k" ? loaded_three_k(train, builder) : loaded_planetary(train, builder);
+}
+
+std::vector<std::string> objections(const GearTrain& train) {
+  std::vector<std::string> list = loaded_train(train).objections;
+  for (const ConstraintReport& violated : what_cannot_exist(train)) {
+    list.push_back(violated.sentence);
+  }
+  return list;
 }
 
 }  // namespace torquewright::gearbox

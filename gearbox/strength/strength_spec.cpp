@@ -116,10 +116,10 @@ ReadStrength strength_of(io::Document document) {
   if (root.contains("rotor_inner_diameter_mm")) {
     read.ring_space_mm = root["rotor_inner_diameter_mm"].get<double>();
   }
-  const LoadedTrain train = loaded_train(strength.train);
-  if (!train.objections.empty()) {
+  const std::vector<std::string> found = objections(strength.train);
+  if (!found.empty()) {
     refuse_strength(read.documents.back(), read.documents.size() == 1 ? "/gearbox" : "",
-                    train.objections.front());
+                    found.front());
   }
   return read;
 }

@@ -88,6 +88,21 @@ TEST(ReadStrength, RefusesWhatDoesNotFit) {
             "teeth and more");
 }
 
+// Oracles, by hand: 168 teeth are shared by 8 planets, of which 2 a sin(pi/8) - d_a =
+// .6 (84 sin(22.5 deg) - 65) = -19.7128 mm is left, and not by 5. A sun of 12 teeth with x = 1.2
+// and a planet with -0.6 work at 26.15 degrees, the sun's tip circle is 16.3101 modules wide, and
+// s_a = d_a ((pi/2 + 2 x tan(alpha))/z + inv(alpha) - inv(alpha_a)) = -0.3101 modules there.
+TEST(ReadStrength, RefusesWhatCannotExist) {
+  EXPECT_EQ(refusal({{"gearbox", {{"planet_count", 8}}}}).substr(0, 52),
+            "#/gearbox: neighbour_clearance.layer_1: -19.71 mm be");
+  EXPECT_EQ(refusal({{"gearbox", {{"planet_count", 5}}}}).substr(0, 46),
+            "#/gearbox: equal_spacing: 3 teeth left over wh");
+  const json pointed = {{"teeth", {{"sun", 12}, {"planet", 36}, {"ring", 84}}},
+                        {"profile_shift", {{"sun", 1.2}, {"planet", -.6}}}};
+  EXPECT_EQ(refusal({{"gearbox", pointed}}).substr(0, 48),
+            "#/gearbox: tip_thickness.sun: -0.1861 mm of toot");
+}
+
 TEST(ReadStrength, RefusesA3kTrainThatStandsStill) {
   const json teeth = {
       {"sun", 20}, {"planet_1", 30}, {"planet_2", 30}, {"fixed_ring", 80}, {"output_ring", 80}};
