@@ -15,6 +15,7 @@
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
 #include "gearbox/teeth/shifted_mesh.hpp"
+#include "gearbox/teeth/tooth_form.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 
 namespace torquewright::gearbox {
@@ -115,6 +116,24 @@ ConstraintReport tip_thickness(const MadeTrain& train, const MadeGear& gear, boo
   return judge(condition);
 }
 
+/// A hob leaves the planet's involute down to where the ring's tip touches it. Where the ring's tip
+/// touches none at all, interference.involute says so.
+std::optional<ConstraintReport> root_form(const MadeTrain& train, const MadeLayer& layer,
+                                          const Cutters& cutters) {
+  const auto largest =
+      largest_hob_tip_radius({layer.planet.count(), layer.planet.shift, layer.ring.count(),
+                              layer.ring.tip_diameter / 2.0, train.centre});
+  if (!largest) return std::nullopt;
+  DesignCondition condition{fmt::format("root_form.{}", layer.ring_mesh), "", "mm"};
+  condition.value = train.module_mm * fraction_of(*largest);
+  condition.limit = train.module_mm * io::exact(cutters.hob_tip_radius.value_or(0.0));
+  condition.meaning =
+      "of rounding at most on the tip of the hob that leaves the planet's flank "
+      "down to where the ring's tip touches it";
+  condition.remedy = "needs a sharper hob, or more teeth between planet and ring";
+  return judge(condition);
+}
+
 /// The tips of planet and ring leave each other without touching.
 ConstraintReport trochoid(const MadeTrain& train, const MadeLayer& layer) {
   if (!train.is_shifted) {
@@ -150,6 +169,7 @@ std::vector<ConstraintReport> existence_conditions(const GearTrain& train) {
     list.push_back(tip_thickness(*parts, layer.planet, false));
     list.push_back(tip_thickness(*parts, layer.ring, true));
     list.push_back(trochoid(*parts, layer));
+    if (auto form = root_form(*parts, layer, train.cutters)) list.push_back(std::move(*form));
   }
   return list;
 }

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 
+#include "gearbox/constraints/existence.hpp"
 #include "gearbox/strength/strength_table.hpp"
 
 namespace torquewright::gearbox {
@@ -101,6 +103,21 @@ TEST(ReadStrength, RefusesWhatCannotExist) {
                         {"profile_shift", {{"sun", 1.2}, {"planet", -.6}}}};
   EXPECT_EQ(refusal({{"gearbox", pointed}}).substr(0, 48),
             "#/gearbox: tip_thickness.sun: -0.1861 mm of toot");
+}
+
+// Oracle: eq. (8) in another language: .6 x 0.29129 mm for 63 in 147 teeth, -0.006 modules for 22
+// in 49.
+TEST(ReadStrength, RefusesAHobThatLeavesTooLittleInvolute) {
+  EXPECT_EQ(refusal({{"cutter", {{"hob_tip_radius", .291}, {"shaper_tip_radius", .2}}}}), "");
+  EXPECT_EQ(refusal({{"cutter", {{"hob_tip_radius", .292}}}}).substr(0, 48),
+            "#/gearbox: root_form.planet_ring: 0.1748 mm of r");
+  const std::vector<ConstraintReport> narrow =
+      what_cannot_exist({"planetary", {5, 22, 49}, {0, 0, 0}, 2, .6, {}});
+  const auto form = std::find_if(narrow.begin(), narrow.end(), [](const ConstraintReport& each) {
+    return each.name == "root_form.planet_ring";
+  });
+  ASSERT_NE(form, narrow.end());
+  EXPECT_NEAR(form->value, -.6 * .0058, .6 * .0006);
 }
 
 TEST(ReadStrength, RefusesA3kTrainThatStandsStill) {
