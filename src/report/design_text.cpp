@@ -60,8 +60,15 @@ std::string efficiency_text(const Problem& problem, const DesignReport& report) 
 std::string hollow_shaft_text(const Problem& problem, const DesignReport& report) {
   const std::string size = fmt::format("{:.4g} mm", report.hollow_shaft_diameter_mm);
   if (report.hollow_shaft_diameter_mm <= 0.0) return "none fits through the sun";
-  return problem.hollow_shaft_wall_mm == 0 ? size + ", the sun's root circle (no wall is given)"
-                                           : size;
+  if (problem.hollow_shaft_wall_mm) {
+    return fmt::format("{}, {} mm inside the sun's root circle as stated", size,
+                       io::nearest(*problem.hollow_shaft_wall_mm));
+  }
+  const double module_mm = io::nearest(report.design.module_mm);
+  const double rim_mm =
+      problem.ring_wall_mm ? io::nearest(*problem.ring_wall_mm) : 2.25 * module_mm;
+  return fmt::format("{}, a rim of {:.4g} mm inside the sun's root circle is assumed", size,
+                     rim_mm);
 }
 
 std::string inertia_text(const DesignReport& report) {
