@@ -68,7 +68,8 @@ struct Problem {
 
   std::optional<Rational> friction_coefficient;  ///< Of the teeth; dimensionless.
   std::optional<Rational> load_output_torque_Nm;
-  Rational hollow_shaft_wall_mm = 0;              ///< Sun rim, rotor tube, gap, per side.
+  /// Sun rim, rotor tube, gap, per side. Default: the rim that the mass counts, a ring's wall.
+  std::optional<Rational> hollow_shaft_wall_mm;
   std::map<std::string, Rational> face_width_mm;  ///< layer_1, layer_2 (planetary: layer_1).
   std::optional<Rational> density_kg_m3;
   Rational rotor_inertia_kg_m2 = 0;  ///< Of the motor, about its own axis.

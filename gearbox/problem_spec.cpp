@@ -143,7 +143,7 @@ class Reader {
   void read_values() {
     problem_.friction_coefficient = find("/friction_coefficient");
     problem_.load_output_torque_Nm = find("/load/output_torque_Nm");
-    problem_.hollow_shaft_wall_mm = find("/hollow_shaft_wall_mm").value_or(0);
+    problem_.hollow_shaft_wall_mm = find("/hollow_shaft_wall_mm");
     problem_.density_kg_m3 = find("/materials/density_kg_m3");
     problem_.rotor_inertia_kg_m2 = find("/rotor_inertia_kg_m2").value_or(0);
     problem_.assumed = root().value("assumed", problem_.assumed);

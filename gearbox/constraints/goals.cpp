@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/constraints/goals.hpp"
 
+#include "gearbox/constraints/teeth.hpp"
 #include "gearbox/constraints/tooth_conditions.hpp"
 
 namespace torquewright::gearbox {
@@ -20,7 +21,7 @@ Blank blank(const Problem& problem, const Rational& module_mm) {
 }
 
 Goal hollow_shaft(const Problem& problem, const Rational& module_mm, const Expression& sun) {
-  const Rational walls_mm = 2 * problem.hollow_shaft_wall_mm;
+  const Rational walls_mm = 2 * hollow_shaft_wall_mm(problem, module_mm);
   return {"hollow_shaft", "mm", Expression(module_mm) * (sun - 2.5) - Expression(walls_mm),
           /*maximise=*/true, /*exact=*/true};
 }

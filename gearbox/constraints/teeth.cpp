@@ -119,6 +119,11 @@ Rational ring_wall_mm(const Problem& problem, const Rational& module_mm) {
   return problem.ring_wall_mm ? *problem.ring_wall_mm : Rational(Rational(9, 4) * module_mm);
 }
 
+Rational hollow_shaft_wall_mm(const Problem& problem, const Rational& module_mm) {
+  return problem.hollow_shaft_wall_mm ? *problem.hollow_shaft_wall_mm
+                                      : ring_wall_mm(problem, module_mm);
+}
+
 ConstraintReport ring_wall(const Problem& problem, const Rational& module_mm, std::string_view gear,
                            std::int64_t teeth) {
   const Rational root_mm = module_mm * (Rational(teeth) + Rational(5, 2));

@@ -39,4 +39,8 @@ ConstraintReport ring_tip(const Rational& module_mm, std::string_view gear, std:
 /// The wall behind a ring's root that the problem asks for [mm]; one tooth height by default.
 Rational ring_wall_mm(const Problem& problem, const Rational& module_mm);
 
+/// What is left between the sun's root circle and the hollow shaft [mm]; by default a rim as thick
+/// as a ring's wall, which is what the mass counts.
+Rational hollow_shaft_wall_mm(const Problem& problem, const Rational& module_mm);
+
 }  // namespace torquewright::gearbox

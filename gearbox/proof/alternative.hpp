@@ -25,7 +25,8 @@ struct Alternative {
   Rational least_ratio, greatest_ratio;  ///< G(1-t), G(1+t), in ascending order.
   Rational largest_ring;                 ///< D/m, or the claim's ring limit; teeth.
   Rational ring_wall_mm;
-  Interval sine;  ///< sin(pi/n)
+  Rational hollow_shaft_wall_mm;  ///< Stated, or a rim as thick as a ring's wall.
+  Interval sine;                  ///< sin(pi/n)
 };
 
 bool is_planetary(const Problem& problem);

@@ -24,7 +24,7 @@ Rational bore_teeth(const Alternative& alternative) {
 
 Rational hollow_shaft_mm(const Alternative& alternative, std::int64_t sun) {
   return alternative.module_mm * (whole(sun) - Rational(5, 2)) -
-         2 * alternative.problem->hollow_shaft_wall_mm;
+         2 * alternative.hollow_shaft_wall_mm;
 }
 
 Rational ring_pitch_mm(const Alternative& alternative, const Teeth& teeth) {

@@ -46,7 +46,7 @@ std::optional<Linearization> linearize_quantity(const Claim& claim, const Altern
     case Measure::kHollowShaft:
       return affine(point,
                     -value - module * Interval(Rational(5, 2)) -
-                        2 * Interval(alternative.problem->hollow_shaft_wall_mm),
+                        2 * Interval(alternative.hollow_shaft_wall_mm),
                     {module, 0, 0});
     case Measure::kTeeth:
       return teeth_form(1, -value, claim.quantity->gear, point);

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "gearbox/constraints/existence.hpp"
+#include "gearbox/teeth/tooth_form.hpp"
 #include "gearbox/train/loads.hpp"
 
 namespace torquewright::gearbox {
@@ -43,7 +46,8 @@ class MeshBuilder {
 
   void add_sun_mesh(std::string_view name, std::string_view planet, double force_N) {
     const auto& x = train_.shifts;
-    LoadedMesh mesh{name, {"sun", planet}, {false, true}, {}, 0, train_.face_width_mm[0], force_N};
+    LoadedMesh mesh{name, {"sun", planet},         {false, true}, {}, 0,
+                    {},   train_.face_width_mm[0], force_N};
     mesh.cut = {external_pair(), sun_angle_rad_,
                 tip_diameter_keeping_clearance(z_[0], x[1], increment_),
                 tip_diameter_planet_1(z_[1], x[1], x[0], increment_)};
@@ -66,6 +70,7 @@ class MeshBuilder {
                     {is_first, false},
                     {},
                     0,
+                    {},
                     train_.face_width_mm[is_first ? 0 : 1],
                     force_N};
     const double tip = is_first ? tip_diameter_planet_1(z_[1], x[1], x[0], increment_)
@@ -79,9 +84,31 @@ class MeshBuilder {
   }
   double centre_m() const { return train_.module_mm * 1e-3 * centre_; }
 
-  LoadedTrain finish() { return std::move(train_built_); }
+  LoadedTrain finish() {
+    for (LoadedMesh& mesh : train_built_.meshes) {
+      const bool has_ring = mesh.cut.pair.kind == MeshKind::kInternal;
+      mesh.cutter_tip_radius = {hob_tip_radius(mesh.gears[0]),
+                                has_ring
+                                    ? train_.cutters.shaper_tip_radius.value_or(kRingFilletRadius)
+                                    : hob_tip_radius(mesh.gears[1])};
+    }
+    return std::move(train_built_);
+  }
 
  private:
+  /// Of the hob that cut a gear for all of its meshes; what no hob can cut is not judged here.
+  double hob_tip_radius(std::string_view gear) const {
+    double radius = train_.cutters.hob_tip_radius.value_or(kHobTipRadius);
+    for (const LoadedMesh& mesh : train_built_.meshes) {
+      const ShiftedPair& pair = mesh.cut.pair;
+      if (pair.kind != MeshKind::kInternal || mesh.gears[0] != gear) continue;
+      const auto largest = largest_hob_tip_radius(
+          {pair.teeth_1, pair.shift_1, pair.teeth_2, mesh.cut.tip_diameter_2 / 2.0, centre_});
+      if (largest) radius = std::clamp(*largest, 0.0, radius);
+    }
+    return radius;
+  }
+
   ShiftedPair external_pair() const {
     return {MeshKind::kExternal, z_[0], z_[1], train_.shifts[0], train_.shifts[1]};
   }
@@ -161,6 +188,14 @@ LoadedTrain loaded_train(const GearTrain& train) {
                          fmt::join(train.teeth, ","))}};
   }
   return train.topology == "3k" ? loaded_three_k(train, builder) : loaded_planetary(train, builder);
+}
+
+std::vector<std::string> objections(const GearTrain& train) {
+  std::vector<std::string> list = loaded_train(train).objections;
+  for (const ConstraintReport& violated : what_cannot_exist(train)) {
+    list.push_back(violated.sentence);
+  }
+  return list;
 }
 
 }  // namespace torquewright::gearbox

@@ -2,25 +2,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gearbox/teeth/shifted_mesh.hpp"
+#include "gearbox/train/gear_train.hpp"
 
 namespace torquewright::gearbox {
-
-/// A train as it was made.
-struct GearTrain {
-  std::string topology;             ///< "3k" or "planetary".
-  std::vector<std::int64_t> teeth;  ///< In the topology's order.
-  std::vector<double> shifts;       ///< Profile shifts in modules, likewise.
-  std::int64_t planet_count = 0;
-  double module_mm = 0.0;
-  std::vector<double> face_width_mm;  ///< By layer: one, or two of a 3K train.
-};
 
 /// Sun speed over output speed, signed. Requires a train that moves.
 double reduction(const GearTrain& train);
@@ -35,6 +24,7 @@ struct LoadedMesh {
   std::array<bool, 2> bends_both_ways{};  ///< Loaded on the other flank in another mesh.
   CutPair cut;
   double contact_ratio = 0.0;
+  std::array<double, 2> cutter_tip_radius{};  ///< Of the tool that cut each gear's root, modules.
   double face_width_mm = 0.0;
   /// Tangential, on the working pitch circles, all planets sharing alike, without losses.
   double force_per_sun_torque_N_Nm = 0.0;
@@ -46,5 +36,9 @@ struct LoadedTrain {
   std::vector<std::string> objections;  ///< Sentences; any: the gears do not mesh.
 };
 LoadedTrain loaded_train(const GearTrain& train);
+
+/// Why no stress of this train means anything: gears that do not mesh, and what cannot exist
+/// (constraints/existence.hpp). Sentences.
+std::vector<std::string> objections(const GearTrain& train);
 
 }  // namespace torquewright::gearbox

@@ -8,8 +8,8 @@ namespace torquewright::gearbox {
 
 /// Basic rack that cuts a gear, in modules.
 struct RackTool {
-  double dedendum = 1.25;      ///< h_fP
-  double root_radius = 0.375;  ///< rho_fP
+  double dedendum = 0.0;     ///< h_fP
+  double root_radius = 0.0;  ///< rho_fP
 };
 
 /// Factors of DIN 3990 part 3 for an external spur gear. Dimensionless.

@@ -88,6 +88,17 @@ GearMaterial read_material(const io::Document& document) {
   return material;
 }
 
+Cutters read_cutters(const json& root) {
+  Cutters cutters;
+  const json keys = root.value("cutter", json::object());
+  if (keys.contains("hob_tip_radius"))
+    cutters.hob_tip_radius = keys["hob_tip_radius"].get<double>();
+  if (keys.contains("shaper_tip_radius")) {
+    cutters.shaper_tip_radius = keys["shaper_tip_radius"].get<double>();
+  }
+  return cutters;
+}
+
 LoadFactors read_factors(const json& keys) {
   return {keys["application"],    keys["dynamic"],         keys["load_sharing"],
           keys["face_load_root"], keys["face_load_flank"], keys["alternating_bending"]};
@@ -108,6 +119,7 @@ ReadStrength strength_of(io::Document document) {
   StrengthCase& strength = read.strength;
   strength.train = read_train(read);
   read_face_widths(read.documents.front(), strength.train);
+  strength.train.cutters = read_cutters(root);
   strength.material = read_material(read.documents.front());
   strength.factors = read_factors(root["factors"]);
   strength.cycles = root["cycles"];
@@ -116,10 +128,10 @@ ReadStrength strength_of(io::Document document) {
   if (root.contains("rotor_inner_diameter_mm")) {
     read.ring_space_mm = root["rotor_inner_diameter_mm"].get<double>();
   }
-  const LoadedTrain train = loaded_train(strength.train);
-  if (!train.objections.empty()) {
+  const std::vector<std::string> found = objections(strength.train);
+  if (!found.empty()) {
     refuse_strength(read.documents.back(), read.documents.size() == 1 ? "/gearbox" : "",
-                    train.objections.front());
+                    found.front());
   }
   return read;
 }

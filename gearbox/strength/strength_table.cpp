@@ -4,17 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace torquewright::gearbox {
 namespace {
-
-/// Planets in one plane whose tips do not touch: 2 a sin(pi/n) above the tip diameter.
-bool has_room_for_planets(std::int64_t sun, std::int64_t planet, std::int64_t count) {
-  const double chord =
-      static_cast<double>(sun + planet) * std::sin(std::numbers::pi / static_cast<double>(count));
-  return chord > static_cast<double>(planet + 2);
-}
 
 std::vector<StrengthCase> over_widths(const StrengthCase& strength,
                                       const std::vector<double>& widths_mm) {
@@ -41,10 +33,9 @@ std::vector<std::int64_t> stage_with_most_teeth(const GearTrain& stage, double m
     if (sun * own_ring % own_sun != 0) continue;
     const std::int64_t ring = sun * own_ring / own_sun;
     const std::int64_t planet = (ring - sun) / 2;
-    if ((ring - sun) % 2 != 0 || (sun + ring) % stage.planet_count != 0) continue;
-    if (!has_room_for_planets(sun, planet, stage.planet_count)) continue;
+    if ((ring - sun) % 2 != 0) continue;
     tried.teeth = {sun, planet, ring};
-    if (loaded_train(tried).objections.empty()) return tried.teeth;
+    if (objections(tried).empty()) return tried.teeth;
   }
   return {};
 }

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "gearbox/strength/strength.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
 
 namespace torquewright::gearbox {
 namespace {
 
-constexpr RackTool kTool;
 constexpr double kFullToothHeight = 2.25;  // in modules; shift moves tip and root of a ring alike
 
 /// Root factors with the load at the tip, and Y_S with it at the outer point of single contact,
@@ -19,17 +19,19 @@ struct RootShape {
   double working_concentration = 0.0;
 };
 
-RootShape root_shape(const CutPair& cut, std::size_t which, double contact_ratio) {
+RootShape root_shape(const LoadedMesh& mesh, std::size_t which) {
+  const CutPair& cut = mesh.cut;
+  const RackTool tool{kDedendum, mesh.cutter_tip_radius[which]};
   if (which == 1 && cut.pair.kind == MeshKind::kInternal) {
-    const RootFactors ring = din3990_ring_root_factors(kFullToothHeight, kTool);
+    const RootFactors ring = din3990_ring_root_factors(kFullToothHeight, tool);
     return {ring, ring.concentration};
   }
   const double teeth = which == 0 ? cut.pair.teeth_1 : cut.pair.teeth_2;
   const double shift = which == 0 ? cut.pair.shift_1 : cut.pair.shift_2;
   const double tip = which == 0 ? cut.tip_diameter_1 : cut.tip_diameter_2;
-  return {
-      din3990_root_factors(teeth, shift, tip, 1.0, kTool),
-      din3990_root_factors(teeth, shift, tip, std::min(contact_ratio, 2.0), kTool).concentration};
+  const double overlap = std::min(mesh.contact_ratio, 2.0);
+  return {din3990_root_factors(teeth, shift, tip, 1.0, tool),
+          din3990_root_factors(teeth, shift, tip, overlap, tool).concentration};
 }
 
 ToothStress against(const LifeCurve& life, double cycles, double stress_MPa) {
@@ -40,7 +42,7 @@ ToothStress against(const LifeCurve& life, double cycles, double stress_MPa) {
 ToothStress root_stress(const StrengthCase& strength, const LoadedMesh& mesh, std::size_t which,
                         double force_N) {
   const LoadFactors& factors = strength.factors;
-  const RootShape shape = root_shape(mesh.cut, which, mesh.contact_ratio);
+  const RootShape shape = root_shape(mesh, which);
   const double nominal_MPa =
       din3990_root_stress_MPa(force_N, mesh.face_width_mm, strength.train.module_mm, shape.tip) *
       contact_ratio_factor(mesh.contact_ratio);
@@ -94,7 +96,7 @@ std::vector<ToothLoad> tooth_loads(const StrengthCase& strength, double torque_N
   for (const LoadedMesh& mesh : loaded_train(strength.train).meshes) {
     const double force_N = mesh.force_per_sun_torque_N_Nm * torque_Nm;
     for (std::size_t which : {0u, 1u}) {
-      loads.push_back({mesh.gears[which], mesh.name, force_N,
+      loads.push_back({mesh.gears[which], mesh.name, mesh.cutter_tip_radius[which], force_N,
                        root_stress(strength, mesh, which, force_N),
                        flank_stress(strength, mesh, which, force_N)});
     }

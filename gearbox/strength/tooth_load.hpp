@@ -52,6 +52,7 @@ struct ToothStress {
 struct ToothLoad {
   std::string_view gear;
   std::string_view mesh;
+  double cutter_tip_radius = 0.0;   ///< Of the tool that cut the root, in modules.
   double tangential_force_N = 0.0;  ///< On the mean planet: the factors stand in the stresses.
   ToothStress root;                 ///< Bending.
   ToothStress flank;                ///< Hertzian pressure.

@@ -12,8 +12,6 @@ namespace torquewright::gearbox {
 namespace {
 
 constexpr double kAddendum = 1.0;
-constexpr double kHobTipRadius = 0.38;     // ISO 53 profile A.
-constexpr double kRingFilletRadius = 0.3;  // Stays clear of a standard planet's tip, eq. (9).
 
 void require_drawable(std::int64_t teeth, double profile_shift) {
   if (teeth < kMinDrawnTeeth) throw std::invalid_argument("tooth form: fewer than 7 teeth");
@@ -67,23 +65,33 @@ ToothForm internal_gear(std::int64_t teeth, double profile_shift) {
   return form;
 }
 
+std::optional<double> largest_hob_tip_radius(const PlanetInRing& mesh) {
+  const double cosine = std::cos(kPressureAngle_rad);
+  const double sine = std::sin(kPressureAngle_rad);
+  const double ring_base = 0.5 * mesh.ring_teeth * cosine;
+  const double planet_base = 0.5 * mesh.teeth * cosine;
+  if (mesh.ring_tip_radius <= ring_base || mesh.center_distance <= 0.0) return std::nullopt;
+  const double working_cosine = (ring_base - planet_base) / mesh.center_distance;
+  if (working_cosine <= 0.0 || working_cosine > 1.0) return std::nullopt;
+  const double tangent_distance =
+      mesh.center_distance * std::sqrt(1.0 - working_cosine * working_cosine);
+  // From the planet's base tangent point to where the ring's tip touches it.
+  const double lowest_contact =
+      std::sqrt(mesh.ring_tip_radius * mesh.ring_tip_radius - ring_base * ring_base) -
+      tangent_distance;
+  if (lowest_contact <= 0.0) return std::nullopt;
+  const double straight_depth =
+      mesh.profile_shift + sine * (0.5 * mesh.teeth * sine - lowest_contact);
+  return (kDedendum - straight_depth) / (1.0 - sine);
+}
+
 ToothForm external_gear_in_ring(std::int64_t teeth, double profile_shift, const ToothForm& ring,
                                 double center_distance) {
   ToothForm form = external_gear(teeth, profile_shift);
-  const double ring_base = base_radius(ring);
-  if (ring.tip_radius <= ring_base || center_distance <= 0.0) return form;
-  // Eq. (8): distance from the planet's base tangent point to where the ring's tip touches it.
-  const double working_cosine = (ring_base - base_radius(form)) / center_distance;
-  if (working_cosine <= 0.0 || working_cosine > 1.0) return form;
-  const double tangent_distance =
-      center_distance * std::sqrt(1.0 - working_cosine * working_cosine);
-  const double lowest_contact =
-      std::sqrt(ring.tip_radius * ring.tip_radius - ring_base * ring_base) - tangent_distance;
-  if (lowest_contact <= 0.0) return form;
-  const double sine = std::sin(kPressureAngle_rad);
-  const double hob_depth =
-      profile_shift + sine * (0.5 * static_cast<double>(teeth) * sine - lowest_contact);
-  form.fillet_radius = std::clamp((kDedendum - hob_depth) / (1.0 - sine), 0.0, kHobTipRadius);
+  const auto largest =
+      largest_hob_tip_radius({static_cast<double>(teeth), profile_shift,
+                              static_cast<double>(ring.teeth), ring.tip_radius, center_distance});
+  if (largest) form.fillet_radius = std::clamp(*largest, 0.0, kHobTipRadius);
   return form;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace torquewright::gearbox {
 
@@ -19,6 +20,13 @@ struct ToothForm {
   double fillet_radius = 0.0;  ///< External: tip radius of the hob. Internal: root fillet.
 };
 
+/// Tip radius of the hob of ISO 53 profile A, in modules: assumed where no cutter is stated.
+inline constexpr double kHobTipRadius = 0.38;
+
+/// Root fillet of a ring, in modules: assumed where no shaper is stated. It stays clear of a
+/// standard planet's tip (docs/derivations/tooth_outline.md).
+inline constexpr double kRingFilletRadius = 0.3;
+
 /// A gear with addendum 1 and dedendum 1.25, cut by the hob of ISO 53 profile A. Requires at least
 /// kMinDrawnTeeth teeth; throws std::invalid_argument otherwise and where the tip is pointed.
 ToothForm external_gear(std::int64_t teeth, double profile_shift = 0.0);
@@ -26,6 +34,20 @@ ToothForm external_gear(std::int64_t teeth, double profile_shift = 0.0);
 /// A ring with addendum 1 and dedendum 1.25. Requires at least kMinDrawnTeeth teeth; throws
 /// std::invalid_argument otherwise and where the flanks of a space cross before its root.
 ToothForm internal_gear(std::int64_t teeth, double profile_shift = 0.0);
+
+/// A planet in a ring; lengths in modules.
+struct PlanetInRing {
+  double teeth = 0.0;
+  double profile_shift = 0.0;
+  double ring_teeth = 0.0;
+  double ring_tip_radius = 0.0;
+  double center_distance = 0.0;
+};
+
+/// Eq. (8): the largest tip radius of a hob of dedendum 1.25 that leaves the planet's involute down
+/// to where the ring's tip touches it. Negative: no hob does. Nothing where the ring's tip touches
+/// no involute at all.
+std::optional<double> largest_hob_tip_radius(const PlanetInRing& mesh);
 
 /// An external gear that runs in `ring` at `center_distance` [modules]: its hob is rounded only as
 /// much as lets the involute reach down to the ring's tip (eq. (8)). Where that is below the base

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
+#include "gearbox/constraints/existence.hpp"
 #include "gearbox/constraints/meshing.hpp"
 #include "gearbox/teeth/shifted_mesh.hpp"
 #include "gearbox/topologies/report_parts.hpp"
@@ -25,6 +27,25 @@ const char* phasing_text(Phasing value) {
   return "";
 }
 
+/// What the problem's constraints leave open and no gearbox can do without.
+std::vector<Remark> existence_remarks(const Problem& problem, const DesignReport& report) {
+  const Design& design = report.design;
+  const GearTrain train{problem.topology,
+                        design.teeth,
+                        std::vector(design.teeth.size(), 0.0),
+                        design.planet_count,
+                        io::nearest(design.module_mm),
+                        {}};
+  std::vector<Remark> list;
+  for (const ConstraintReport& violated : what_cannot_exist(train)) {
+    const bool is_constraint =
+        std::any_of(report.constraints.begin(), report.constraints.end(),
+                    [&](const ConstraintReport& each) { return each.name == violated.name; });
+    if (!is_constraint) list.push_back({"cannot_exist", "cannot_exist: " + violated.sentence});
+  }
+  return list;
+}
+
 }  // namespace
 
 Remark phasing_remark(const std::string& ring_name, std::int64_t ring, std::int64_t planet_count) {
@@ -35,7 +56,7 @@ Remark phasing_remark(const std::string& ring_name, std::int64_t ring, std::int6
 
 std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& report,
                                    std::int64_t sun, std::int64_t held_ring) {
-  std::vector<Remark> list;
+  std::vector<Remark> list = existence_remarks(problem, report);
   list.push_back(
       {"ring_blank", fmt::format("ring_blank: the largest ring needs a blank of {:.4g} mm{}.",
                                  report.ring_blank_diameter_mm,

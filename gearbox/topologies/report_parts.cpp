@@ -127,7 +127,7 @@ double share_backlash(const std::vector<double>& coefficients, std::vector<MeshR
 
 double hollow_shaft_mm(const Problem& problem, const Rational& module_mm, std::int64_t sun) {
   const Rational diameter_mm =
-      module_mm * (Rational(sun) - Rational(5, 2)) - 2 * problem.hollow_shaft_wall_mm;
+      module_mm * (Rational(sun) - Rational(5, 2)) - 2 * hollow_shaft_wall_mm(problem, module_mm);
   return io::nearest(diameter_mm);
 }
 

@@ -60,8 +60,24 @@ std::string efficiency_text(const Problem& problem, const DesignReport& report) 
 std::string hollow_shaft_text(const Problem& problem, const DesignReport& report) {
   const std::string size = fmt::format("{:.4g} mm", report.hollow_shaft_diameter_mm);
   if (report.hollow_shaft_diameter_mm <= 0.0) return "none fits through the sun";
-  return problem.hollow_shaft_wall_mm == 0 ? size + ", the sun's root circle (no wall is given)"
-                                           : size;
+  if (problem.hollow_shaft_wall_mm) {
+    return fmt::format("{}, {} mm inside the sun's root circle as stated", size,
+                       io::nearest(*problem.hollow_shaft_wall_mm));
+  }
+  const double module_mm = io::nearest(report.design.module_mm);
+  const double rim_mm =
+      problem.ring_wall_mm ? io::nearest(*problem.ring_wall_mm) : 2.25 * module_mm;
+  return fmt::format("{}, a rim of {:.4g} mm inside the sun's root circle is assumed", size,
+                     rim_mm);
+}
+
+/// The rotor's bore bounds the held ring's pitch circle only (decision 0004); whether the blank
+/// goes in too is said here.
+std::string ring_blank_text(const Problem& problem, const DesignReport& report) {
+  const double bore_mm = io::nearest(problem.rotor_inner_diameter_mm);
+  const bool is_inside = report.ring_blank_diameter_mm <= bore_mm;
+  return fmt::format("{:.4g} mm, {} the rotor's bore of {:.4g} mm", report.ring_blank_diameter_mm,
+                     is_inside ? "fits into" : "DOES NOT FIT into", bore_mm);
 }
 
 std::string inertia_text(const DesignReport& report) {
@@ -176,12 +192,12 @@ std::string with_unit(double value, const std::string& unit) {
 
 std::string design_summary(const Problem& problem, const DesignReport& report) {
   std::string text = teeth_text(problem, report.design);
+  text += line("ring blank", ring_blank_text(problem, report));
   text += line("objective", fmt::format("{} {}", objective_name(problem.objective),
                                         with_unit(report.objective, report.objective_unit)));
   text += line("ratio", ratio_text(report)) + line("assembly", assembly_text(report));
   text += line("efficiency", efficiency_text(problem, report));
   text += line("hollow shaft", hollow_shaft_text(problem, report));
-  text += line("ring blank", fmt::format("{:.4g} mm", report.ring_blank_diameter_mm));
   if (report.mass_kg) text += line("mass", fmt::format("{:.4g} kg", *report.mass_kg));
   text += line("reflected inertia", inertia_text(report));
   if (report.input_torque_Nm) text += torque_text(problem, report);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
@@ -95,6 +96,10 @@ std::string title_block(const DrawingLayout& layout) {
   lines.push_back(fmt::format("ring wall behind the root {} mm", decimal(layout.ring_wall_mm, 6)));
   y_mm += 12.0;
   for (const std::string& line : lines) svg += svg_text("note", {x_mm, y_mm += 6.0}, line);
+  if (!layout.drawing.cannot_exist.empty()) {
+    const std::string names = fmt::format("{}", fmt::join(layout.drawing.cannot_exist, ", "));
+    svg += svg_text("strong", {x_mm, y_mm += 6.0}, "CANNOT EXIST: " + short_name(names));
+  }
   const double right_mm = kBlockX_mm + kBlockWidth_mm - 66.0;
   svg += svg_text("strong", {right_mm, kTableTop_mm + 19.0},
                   fmt::format("scale {} (A3), lengths in mm", layout.scale_text));

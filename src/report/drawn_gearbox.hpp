@@ -15,9 +15,10 @@ struct DrawnGearbox {
   std::vector<std::int64_t> teeth;  ///< In the topology's order: S, P1, P2, F, O or S, P, R.
   std::int64_t planet_count = 0;
   double module_mm = 0.0;
-  std::string ratio;                      ///< As text: "20" or "1067/52".
-  double hollow_shaft_diameter_mm = 0.0;  ///< Not drawn unless positive.
-  std::optional<double> ring_wall_mm;     ///< Behind the ring's root; default 2.25 module.
+  std::string ratio;                           ///< As text: "20" or "1067/52".
+  double hollow_shaft_diameter_mm = 0.0;       ///< Not drawn unless positive.
+  std::optional<double> ring_wall_mm;          ///< Behind the ring's root; default 2.25 module.
+  std::vector<std::string> cannot_exist = {};  ///< Names of conditions that no gearbox can miss.
 };
 
 }  // namespace torquewright::report

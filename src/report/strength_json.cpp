@@ -29,6 +29,7 @@ ordered_json loading_json(const StrengthCase& strength, double sun_Nm) {
   for (const gearbox::ToothLoad& load : loads) {
     loading["gears"].push_back({{"gear", load.gear},
                                 {"mesh", load.mesh},
+                                {"cutter_tip_radius", load.cutter_tip_radius},
                                 {"tangential_force_N", load.tangential_force_N},
                                 {"root", stress_json(load.root)},
                                 {"flank", stress_json(load.flank)}});

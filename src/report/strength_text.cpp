@@ -29,6 +29,20 @@ std::string train_line(const StrengthReport& report) {
                      fmt::join(train.face_width_mm, " and "));
 }
 
+/// The tools that the roots' stresses are of, and which of them nobody has stated.
+std::string cutter_line(const StrengthCase& strength) {
+  std::string tools;
+  for (const ToothLoad& load : gearbox::tooth_loads(strength, 1.0)) {
+    const std::string tool = fmt::format("{} {:.3g}", load.gear, load.cutter_tip_radius);
+    if (tools.find(tool) == std::string::npos) tools += (tools.empty() ? "" : ", ") + tool;
+  }
+  const gearbox::Cutters& cutters = strength.train.cutters;
+  std::string assumed = cutters.hob_tip_radius ? "" : "hob";
+  if (!cutters.shaper_tip_radius) assumed += assumed.empty() ? "shaper" : " and shaper";
+  if (!assumed.empty()) assumed = fmt::format("; the {} are assumed", assumed);
+  return fmt::format("Tip radii of the cutters in modules: {}{}.\n", tools, assumed);
+}
+
 std::string tooth_row(const ToothLoad& load) {
   const ToothStress& root = load.root;
   const ToothStress& flank = load.flank;
@@ -134,6 +148,7 @@ std::string strength_text(const StrengthReport& report) {
       "Forces are the mean planet's; S_F and S_H are safeties of root and flank "
       "against 1 load and N = {:.6g}.\n",
       strength.cycles);
+  text += cutter_line(strength);
   for (const double torque_Nm : report.torques_Nm) text += torque_text(report, torque_Nm);
   return text + limits_text(strength) + variants_text(report);
 }

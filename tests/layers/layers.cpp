@@ -42,7 +42,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"train", {"teeth"}},
       {"constraints", {"teeth", "train"}},
       {"topologies", {"teeth", "train", "constraints"}},
-      {"strength", {"teeth", "train", "topologies"}},
+      {"strength", {"teeth", "train", "constraints", "topologies"}},
       {"search", {"topologies"}},
       {"proof", {}},
       {"verification", {"topologies", "search", "proof"}}}},

@@ -12,8 +12,10 @@ namespace torquewright::oracles {
 namespace {
 
 Rational hollow_shaft_mm(const Setting& setting, const Teeth& teeth) {
+  const gearbox::Problem& problem = setting.problem;
+  const Rational rim = problem.ring_wall_mm.value_or(Rational(9, 4) * setting.module_mm);
   return setting.module_mm * (teeth.sun - Rational(5, 2)) -
-         2 * setting.problem.hollow_shaft_wall_mm;
+         2 * problem.hollow_shaft_wall_mm.value_or(rim);
 }
 
 long double paper_cost_rounded(const Setting& setting, const Teeth& teeth) {

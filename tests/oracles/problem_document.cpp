@@ -56,7 +56,6 @@ json problem_document(const gearbox::Problem& problem) {
                 {"min_contact_ratio", nearest(problem.min_contact_ratio)},
                 {"min_neighbour_clearance_mm", nearest(problem.min_neighbour_clearance_mm)},
                 {"sun_under_second_layer", problem.sun_under_second_layer},
-                {"hollow_shaft_wall_mm", nearest(problem.hollow_shaft_wall_mm)},
                 {"rotor_inertia_kg_m2", nearest(problem.rotor_inertia_kg_m2)}};
   for (const io::Rational& module : problem.module_mm) {
     document["module_mm"].push_back(nearest(module));
@@ -66,6 +65,7 @@ json problem_document(const gearbox::Problem& problem) {
   }
   put(document, "/ring_outer_diameter_mm", problem.ring_outer_diameter_mm);
   put(document, "/ring_wall_mm", problem.ring_wall_mm);
+  put(document, "/hollow_shaft_wall_mm", problem.hollow_shaft_wall_mm);
   put(document, "/friction_coefficient", problem.friction_coefficient);
   put(document, "/materials/density_kg_m3", problem.density_kg_m3);
   put(document, "/load/output_torque_Nm", problem.load_output_torque_Nm);

@@ -132,7 +132,8 @@ void draw_materials(Dice& dice, Problem& problem) {
   problem.density_kg_m3 = dice.one_of<std::int64_t>({1140, 2700, 7850});
   problem.face_width_mm["layer_1"] = tenths(dice.between(40, 150));
   if (problem.topology == "3k") problem.face_width_mm["layer_2"] = tenths(dice.between(40, 150));
-  problem.hollow_shaft_wall_mm = tenths(dice.between(0, 70));
+  const std::int64_t wall = dice.between(0, 70);  // In tenths of a mm; some problems state none.
+  if (wall % 5 != 0) problem.hollow_shaft_wall_mm = tenths(wall);
   problem.rotor_inertia_kg_m2 = Rational(dice.between(0, 2000)) / 1000000;
 }
 

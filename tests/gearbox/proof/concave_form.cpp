@@ -44,7 +44,10 @@ double quantity_form(const PlainClaim& claim, const Choice& c, const PlainBox& b
            square(x[0] + 2 * x[1] - x[2]);
   }
   if (claim.quantity == "hollow_shaft") {
-    return c.module_mm * (x[0] - 2.5) - 2 * number(c.problem->hollow_shaft_wall_mm) - threshold;
+    const auto& stated = c.problem->hollow_shaft_wall_mm;
+    const auto& ring = c.problem->ring_wall_mm;
+    const double wall = stated ? number(*stated) : ring ? number(*ring) : 2.25 * c.module_mm;
+    return c.module_mm * (x[0] - 2.5) - 2 * wall - threshold;
   }
   if (claim.quantity.rfind("teeth.", 0) == 0) return teeth(claim.quantity.substr(6), x) - threshold;
   if (claim.quantity == "ring_pitch_diameter_mm") {

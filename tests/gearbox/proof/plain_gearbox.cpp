@@ -48,6 +48,11 @@ double wall_mm(const Choice& c) {
   return c.problem->ring_wall_mm ? number(*c.problem->ring_wall_mm) : 2.25 * c.module_mm;
 }
 
+double sun_wall_mm(const Choice& c) {
+  const auto& stated = c.problem->hollow_shaft_wall_mm;
+  return stated ? number(*stated) : wall_mm(c);
+}
+
 double neighbour_mm(const Choice& c, const Gears& g, long planet) {
   return c.module_mm *
          (real(g.sun + g.first) * std::sin(kPi / real(c.planet_count)) - real(planet + 2));
@@ -272,7 +277,7 @@ double quantity(const std::string& name, const Choice& c, const Gears& g) {
   const bool planetary = is_planetary(p);
   if (name == "paper_cost") return paper_cost(c, g);
   if (name == "hollow_shaft") {
-    return c.module_mm * (real(g.sun) - 2.5) - 2 * number(p.hollow_shaft_wall_mm);
+    return c.module_mm * (real(g.sun) - 2.5) - 2 * sun_wall_mm(c);
   }
   if (name == "mass") {
     const Bodies b = bodies(c, g);

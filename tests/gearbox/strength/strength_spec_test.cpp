@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 
+#include "gearbox/constraints/existence.hpp"
 #include "gearbox/strength/strength_table.hpp"
 
 namespace torquewright::gearbox {
@@ -86,6 +88,36 @@ TEST(ReadStrength, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refusal({{"gearbox", {{"teeth", {{"sun", 6}, {"planet", 18}, {"ring", 42}}}}}}),
             "#/gearbox: sun_planet do not mesh for teeth 6,18,42: stresses are computed for eight "
             "teeth and more");
+}
+
+// Oracles, by hand: 168 teeth are shared by 8 planets, of which 2 a sin(pi/8) - d_a =
+// .6 (84 sin(22.5 deg) - 65) = -19.7128 mm is left, and not by 5. A sun of 12 teeth with x = 1.2
+// and a planet with -0.6 work at 26.15 degrees, the sun's tip circle is 16.3101 modules wide, and
+// s_a = d_a ((pi/2 + 2 x tan(alpha))/z + inv(alpha) - inv(alpha_a)) = -0.3101 modules there.
+TEST(ReadStrength, RefusesWhatCannotExist) {
+  EXPECT_EQ(refusal({{"gearbox", {{"planet_count", 8}}}}).substr(0, 52),
+            "#/gearbox: neighbour_clearance.layer_1: -19.71 mm be");
+  EXPECT_EQ(refusal({{"gearbox", {{"planet_count", 5}}}}).substr(0, 46),
+            "#/gearbox: equal_spacing: 3 teeth left over wh");
+  const json pointed = {{"teeth", {{"sun", 12}, {"planet", 36}, {"ring", 84}}},
+                        {"profile_shift", {{"sun", 1.2}, {"planet", -.6}}}};
+  EXPECT_EQ(refusal({{"gearbox", pointed}}).substr(0, 48),
+            "#/gearbox: tip_thickness.sun: -0.1861 mm of toot");
+}
+
+// Oracle: eq. (8) in another language: .6 x 0.29129 mm for 63 in 147 teeth, -0.006 modules for 22
+// in 49.
+TEST(ReadStrength, RefusesAHobThatLeavesTooLittleInvolute) {
+  EXPECT_EQ(refusal({{"cutter", {{"hob_tip_radius", .291}, {"shaper_tip_radius", .2}}}}), "");
+  EXPECT_EQ(refusal({{"cutter", {{"hob_tip_radius", .292}}}}).substr(0, 48),
+            "#/gearbox: root_form.planet_ring: 0.1748 mm of r");
+  const std::vector<ConstraintReport> narrow =
+      what_cannot_exist({"planetary", {5, 22, 49}, {0, 0, 0}, 2, .6, {}});
+  const auto form = std::find_if(narrow.begin(), narrow.end(), [](const ConstraintReport& each) {
+    return each.name == "root_form.planet_ring";
+  });
+  ASSERT_NE(form, narrow.end());
+  EXPECT_NEAR(form->value, -.6 * .0058, .6 * .0006);
 }
 
 TEST(ReadStrength, RefusesA3kTrainThatStandsStill) {

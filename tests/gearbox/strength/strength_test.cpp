@@ -17,6 +17,7 @@ namespace {
 // 0.375 is the one value with which all of Y_F, Y_S of C14 and S30 agree to the last digit.
 constexpr double kModule_mm = 4.5;
 constexpr double kFaceWidth_mm = 14.0;
+constexpr RackTool kGearpieTool{1.25, .375};
 const ShiftedPair kC14{MeshKind::kExternal, 16, 24, .1817, .1715};
 
 CutPair cut_c14() {
@@ -43,9 +44,9 @@ TEST(C14, GeometryAndLossFactor) {
 
 TEST(C14, RootFactorsAndStress) {
   const RootFactors first =
-      din3990_root_factors(16, .1817, cut_c14().tip_diameter_1, ratio_c14(), {});
+      din3990_root_factors(16, .1817, cut_c14().tip_diameter_1, ratio_c14(), kGearpieTool);
   const RootFactors second =
-      din3990_root_factors(24, .1715, cut_c14().tip_diameter_2, ratio_c14(), {});
+      din3990_root_factors(24, .1715, cut_c14().tip_diameter_2, ratio_c14(), kGearpieTool);
   EXPECT_NEAR(first.form, 1.689, 5e-4);
   EXPECT_NEAR(second.form, 1.583, 5e-4);
   EXPECT_NEAR(first.concentration, 1.851, 5e-4);
@@ -65,7 +66,7 @@ TEST(C14, ContactStress) {
 }
 
 TEST(S30, TipFactorsAndLossFactor) {
-  const RootFactors tip = din3990_root_factors(30, 0.0, 32.0, 1.0, {});
+  const RootFactors tip = din3990_root_factors(30, 0.0, 32.0, 1.0, kGearpieTool);
   EXPECT_NEAR(tip.form, 2.532, 5e-4);
   EXPECT_NEAR(tip.concentration, 1.625, 5e-4);
   EXPECT_NEAR(external_loss_per_friction(30.0, 30.0), .1494, 5e-5);
@@ -94,7 +95,7 @@ TEST(SingleContactFactor, IsTheRatioOfHertzianPressures) {
 TEST(RingRootFactors, AreTheReferences) {
   EXPECT_NEAR(din3990_ring_root_factors(2.25, {1.25, .25}).form, 2.057511451251929, 1e-12);
   EXPECT_NEAR(din3990_ring_root_factors(2.25, {1.25, .38}).form, 2.0632053659302545, 1e-12);
-  EXPECT_NEAR(din3990_ring_root_factors(2.25, {}).concentration, 2.47397602759265, 1e-12);
+  EXPECT_NEAR(din3990_ring_root_factors(2.25, kGearpieTool).concentration, 2.47397602759265, 1e-12);
 }
 
 }  // namespace

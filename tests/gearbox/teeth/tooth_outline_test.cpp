@@ -67,6 +67,51 @@ TEST(ToothOutline, IsWhatTheHobLeaves) {
   }
 }
 
+// Where the ring's tip circle crosses the line of action, seen from the planet's axis: by
+// coordinates, planet at the origin, ring's axis at -a, pitch point beyond the planet.
+double lowest_contact_radius(std::int64_t planet, std::int64_t ring, double ring_shift, double a) {
+  const double planet_base = 0.5 * static_cast<double>(planet) * std::cos(kPi / 9.0);
+  const double pitch_x = a * static_cast<double>(planet) / static_cast<double>(ring - planet);
+  const double working_rad = std::acos(planet_base / pitch_x);
+  const Point tangent{planet_base * std::cos(working_rad), planet_base * std::sin(working_rad)};
+  const double tip = 0.5 * static_cast<double>(ring) - 1.0 + ring_shift;
+  double inside = 0.0,
+         outside = 1.0;  // Shares of the way from the tangent point to the pitch point.
+  const auto at = [&](double share) {
+    return Point{tangent.x + share * (pitch_x - tangent.x), tangent.y * (1.0 - share)};
+  };
+  for (int step = 0; step < 60; ++step) {
+    const double middle = 0.5 * (inside + outside);
+    const Point point = at(middle);
+    (std::hypot(point.x + a, point.y) < tip ? inside : outside) = middle;
+  }
+  return std::hypot(at(inside).x, at(inside).y);
+}
+
+// Oracle of eq. (8): the rolled hob. It touches the planet's involute where the ring's tip does,
+// and a hob rounded by 0.05 more stays away from that point by more than ten times the tolerance.
+TEST(ToothOutline, HobOfEquationEightReachesTheRingsTip) {
+  struct Case {
+    std::int64_t planet, ring;
+    double planet_shift, ring_shift;
+  };
+  for (const Case& each :
+       {Case{44, 132, 0.0, 0.0}, Case{32, 120, 0.0, 0.0}, Case{63, 147, 0.0, 0.0},
+        Case{40, 64, 0.3, 0.3}, Case{39, 90, -0.1, -0.1}}) {
+    const double a = 0.5 * static_cast<double>(each.ring - each.planet);
+    ToothForm form = external_gear_in_ring(each.planet, each.planet_shift,
+                                           internal_gear(each.ring, each.ring_shift), a);
+    ASSERT_GT(form.fillet_radius, 0.0);
+    ASSERT_LT(form.fillet_radius, kHobTipRadius) << each.planet << "/" << each.ring;
+    const double radius = lowest_contact_radius(each.planet, each.ring, each.ring_shift, a);
+    const double angle_rad = half_angle_rad(form, radius);
+    const Point point{radius * std::cos(angle_rad), -radius * std::sin(angle_rad)};
+    EXPECT_NEAR(deepest_cut(form, point), 0.0, 2e-6) << each.planet << "/" << each.ring;
+    form.fillet_radius += 0.05;
+    EXPECT_LT(deepest_cut(form, point), -2e-5) << each.planet << "/" << each.ring;
+  }
+}
+
 // Oracle: half a pitch on the pitch circle, for every gear without profile shift.
 TEST(ToothOutline, IsHalfAPitchThickOnThePitchCircle) {
   for (std::int64_t teeth = 7; teeth < 200; ++teeth) {

@@ -28,8 +28,9 @@ TEST(ThreeKEvaluate, PublishedKneeIsFeasibleAsPrinted) {
   EXPECT_NEAR(*report.planet_tilting_force_N, 2222, .5);
   EXPECT_NEAR(report.meshes[0].tangential_force_N, 303, .5);
   EXPECT_NEAR(report.meshes[1].tangential_force_N, 1919, .5);
-  EXPECT_NEAR(report.hollow_shaft_diameter_mm, 24.9, 1e-12);  // root circle, reference section 10
-  EXPECT_NEAR(report.gears[1].speed_per_input, -.5, 1e-15);   // reference section 9
+  EXPECT_NEAR(report.hollow_shaft_diameter_mm, 22.2,
+              1e-12);  // 24.9, reference section 10, less a rim
+  EXPECT_NEAR(report.gears[1].speed_per_input, -.5, 1e-15);  // reference section 9
   EXPECT_NEAR(report.carrier_speed_per_input, .25, 1e-15);
   EXPECT_NEAR(report.gears[4].speed_per_input, .05, 1e-15);
   EXPECT_FALSE(report.mass_kg);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace torquewright::gearbox {
+
+/// What cuts the roots; tip radii in modules, dedendum 1.25.
+struct Cutters {
+  /// Of sun and planets. Absent: ISO 53 profile A (0.38) is assumed, and a planet's hob is rounded
+  /// less where its ring reaches deeper (docs/derivations/tooth_outline.md eq. (8)).
+  std::optional<double> hob_tip_radius;
+  std::optional<double> shaper_tip_radius;  ///< Of rings. Absent: 0.3 is assumed.
+};
+
+/// A train as it was made.
+struct GearTrain {
+  std::string topology;             ///< "3k" or "planetary".
+  std::vector<std::int64_t> teeth;  ///< In the topology's order.
+  std::vector<double> shifts;       ///< Profile shifts in modules, likewise.
+  std::int64_t planet_count = 0;
+  double module_mm = 0.0;
+  std::vector<double> face_width_mm;  ///< By layer: one, or two of a 3K train.
+  Cutters cutters = {};
+};
+
+}  // namespace torquewright::gearbox
