@@ -61,10 +61,11 @@ struct Problem {
   Objective objective = Objective::kPaperCost;
 
   Rational min_contact_ratio = Rational(6, 5);
-  Rational min_neighbour_clearance_mm = 0;         ///< Tip to tip; must be exceeded.
-  std::optional<Rational> ring_outer_diameter_mm;  ///< Of both rings' blanks; enforced if given.
-  std::optional<Rational> ring_wall_mm;            ///< Behind the ring's root; default 2.25 module.
-  bool sun_under_second_layer = true;              ///< The sun reaches under planet 2.
+  Rational min_neighbour_clearance_mm = 0;  ///< Tip to tip; must be exceeded.
+  /// What the rings' blanks have to fit into, under `buildable`. Default: the rotor's bore.
+  std::optional<Rational> ring_outer_diameter_mm;
+  std::optional<Rational> ring_wall_mm;  ///< Behind the ring's root; default 2.25 module.
+  bool sun_under_second_layer = true;    ///< The sun reaches under planet 2.
 
   std::optional<Rational> friction_coefficient;  ///< Of the teeth; dimensionless.
   std::optional<Rational> load_output_torque_Nm;

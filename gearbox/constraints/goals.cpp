@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/constraints/goals.hpp"
 
-#include "gearbox/constraints/teeth.hpp"
 #include "gearbox/constraints/tooth_conditions.hpp"
+#include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
 
@@ -61,7 +61,7 @@ Loosening most_contact(const Expression& contact_ratio) {
 
 Loosening least_blank(const Problem& problem, const Rational& module_mm, const Expression& ring) {
   const Rational walls_mm = 2 * ring_wall_mm(problem, module_mm);
-  return {"/ring_outer_diameter_mm",
+  return {ring_space_key(problem),
           {"ring_blank_diameter_mm", "mm",
            Expression(module_mm) * (ring + 2.5) + Expression(walls_mm), false, true}};
 }

@@ -5,6 +5,7 @@
 
 #include "gearbox/constraints/condition.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
+#include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
 
@@ -115,20 +116,11 @@ ConstraintReport sun_under_layer_2(const Rational& module_mm, std::int64_t plane
   return judge(condition);
 }
 
-Rational ring_wall_mm(const Problem& problem, const Rational& module_mm) {
-  return problem.ring_wall_mm ? *problem.ring_wall_mm : Rational(Rational(9, 4) * module_mm);
-}
-
-Rational hollow_shaft_wall_mm(const Problem& problem, const Rational& module_mm) {
-  return problem.hollow_shaft_wall_mm ? *problem.hollow_shaft_wall_mm
-                                      : ring_wall_mm(problem, module_mm);
-}
-
 ConstraintReport ring_wall(const Problem& problem, const Rational& module_mm, std::string_view gear,
                            std::int64_t teeth) {
   const Rational root_mm = module_mm * (Rational(teeth) + Rational(5, 2));
-  DesignCondition condition{fmt::format("ring_wall.{}", gear), "/ring_outer_diameter_mm", "mm"};
-  condition.value = (*problem.ring_outer_diameter_mm - root_mm) / 2;
+  DesignCondition condition{fmt::format("ring_wall.{}", gear), ring_space_key(problem), "mm"};
+  condition.value = (ring_space_mm(problem) - root_mm) / 2;
   condition.limit = ring_wall_mm(problem, module_mm);
   condition.meaning = "of wall behind the ring's root";
   condition.remedy = fmt::format("needs a blank of {} or fewer teeth",

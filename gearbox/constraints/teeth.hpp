@@ -29,18 +29,11 @@ ConstraintReport undercut(std::string_view gear, std::int64_t teeth);
 ConstraintReport sun_under_layer_2(const Rational& module_mm, std::int64_t planet_1,
                                    std::int64_t planet_2);
 
-/// Wall left behind the ring's root in the given blank. Requires ring_outer_diameter_mm.
+/// Wall left behind the ring's root in the largest blank there is room for.
 ConstraintReport ring_wall(const Problem& problem, const Rational& module_mm, std::string_view gear,
                            std::int64_t teeth);
 
 /// The ring's tip circle lies outside its base circle.
 ConstraintReport ring_tip(const Rational& module_mm, std::string_view gear, std::int64_t teeth);
-
-/// The wall behind a ring's root that the problem asks for [mm]; one tooth height by default.
-Rational ring_wall_mm(const Problem& problem, const Rational& module_mm);
-
-/// What is left between the sun's root circle and the hollow shaft [mm]; by default a rim as thick
-/// as a ring's wall, which is what the mass counts.
-Rational hollow_shaft_wall_mm(const Problem& problem, const Rational& module_mm);
 
 }  // namespace torquewright::gearbox

@@ -2,6 +2,7 @@
 #include "gearbox/constraints/tooth_conditions.hpp"
 
 #include "gearbox/teeth/mesh.hpp"
+#include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -70,14 +71,13 @@ Condition ring_tip(const std::string& ring, const Rational& module_mm, const Exp
   return {name, name, "", Expression(module_mm) / 2.0 * inside, /*strict=*/true};
 }
 
-std::vector<Condition> ring_wall(const Problem& problem, const std::string& ring,
-                                 const Rational& module_mm, const Expression& teeth) {
-  if (!problem.ring_outer_diameter_mm) return {};
+Condition ring_wall(const Problem& problem, const std::string& ring, const Rational& module_mm,
+                    const Expression& teeth) {
   const std::string name = "ring_wall." + ring;
   const Expression root_mm = Expression(module_mm) * (teeth + 2.5);
   const Rational wall_mm = ring_wall_mm(problem, module_mm);
-  return {{name, name, "/ring_outer_diameter_mm",
-           (Expression(*problem.ring_outer_diameter_mm) - root_mm) / 2.0 - Expression(wall_mm)}};
+  return {name, name, ring_space_key(problem),
+          (Expression(ring_space_mm(problem)) - root_mm) / 2.0 - Expression(wall_mm)};
 }
 
 std::vector<Condition> interference(const std::string& mesh, const Expression& planet,

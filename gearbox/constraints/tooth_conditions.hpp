@@ -40,10 +40,8 @@ Expression neighbour_clearance_mm(std::int64_t planet_count, const Rational& mod
 Condition undercut(const std::string& gear, const Expression& teeth);
 Condition ring_tip(const std::string& ring, const Rational& module_mm, const Expression& teeth);
 
-/// Empty unless the problem limits the rings' blanks.
-std::vector<Condition> ring_wall(const Problem& problem, const std::string& ring,
-                                 const Rational& module_mm, const Expression& teeth);
-Rational ring_wall_mm(const Problem& problem, const Rational& module_mm);
+Condition ring_wall(const Problem& problem, const std::string& ring, const Rational& module_mm,
+                    const Expression& teeth);
 
 /// Involute and trochoid interference of a planet in a ring; judged at points.
 std::vector<Condition> interference(const std::string& mesh, const Expression& planet,

@@ -13,6 +13,8 @@ Alternative::Alternative(const Problem& the_problem, std::int64_t count, const R
       least_ratio(the_problem.target_ratio * (1 - the_problem.ratio_tolerance)),
       greatest_ratio(the_problem.target_ratio * (1 + the_problem.ratio_tolerance)),
       largest_ring(the_problem.rotor_inner_diameter_mm / module),
+      ring_space_mm(
+          the_problem.ring_outer_diameter_mm.value_or(the_problem.rotor_inner_diameter_mm)),
       ring_wall_mm(the_problem.ring_wall_mm.value_or(Rational(module * Rational(9, 4)))),
       hollow_shaft_wall_mm(the_problem.hollow_shaft_wall_mm.value_or(ring_wall_mm)),
       sine(sin(pi() / Interval(static_cast<long>(count)))) {

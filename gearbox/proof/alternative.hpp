@@ -24,6 +24,7 @@ struct Alternative {
   Rational module_mm;
   Rational least_ratio, greatest_ratio;  ///< G(1-t), G(1+t), in ascending order.
   Rational largest_ring;                 ///< D/m, or the claim's ring limit; teeth.
+  Rational ring_space_mm;  ///< What blanks have to fit into: stated, or the rotor's bore.
   Rational ring_wall_mm;
   Rational hollow_shaft_wall_mm;  ///< Stated, or a rim as thick as a ring's wall.
   Interval sine;                  ///< sin(pi/n)

@@ -33,9 +33,7 @@ Alternative alternative_of(const Problem& problem, const Claim& claim, std::int6
   Alternative alternative(problem, planet_count, module_mm);
   if (claim.ring_limit) alternative.largest_ring = *claim.ring_limit;
   if (claim.kind == ClaimKind::kLeastRelaxation && !claim.holds(ConstraintFamily::kRotorBore)) {
-    const Candidate& reference = *claim.reference;
-    alternative.largest_ring =
-        reference.module_mm * static_cast<long>(ring(teeth_at(reference.point), 1)) / module_mm;
+    alternative.largest_ring = *claim.threshold->exact / module_mm;
   }
   return alternative;
 }

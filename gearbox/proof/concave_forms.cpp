@@ -83,7 +83,7 @@ Linearization sun_under_layer_2_form(const Alternative& alternative, const RealP
 
 Linearization ring_wall_form(const Alternative& alternative, int layer, const RealPoint& point) {
   const Rational room_mm =
-      (*alternative.problem->ring_outer_diameter_mm - alternative.module_mm * Rational(5, 2)) / 2 -
+      (alternative.ring_space_mm - alternative.module_mm * Rational(5, 2)) / 2 -
       alternative.ring_wall_mm;
   return ring_form(-Interval(alternative.module_mm) / 2, Interval(room_mm), layer, point);
 }

@@ -69,10 +69,9 @@ Constraints constraints_of(const Problem& problem) {
   add_paper(problem, all);
   if (problem.constraints == ConstraintSet::kPaper) return all;
   add_clearances(problem, all);
-  if (problem.ring_outer_diameter_mm) {
-    add_for_rings(problem, "ring_wall.", ConstraintFamily::kRingWall, "/ring_outer_diameter_mm",
-                  all);
-  }
+  add_for_rings(
+      problem, "ring_wall.", ConstraintFamily::kRingWall,
+      problem.ring_outer_diameter_mm ? "/ring_outer_diameter_mm" : "/rotor_inner_diameter_mm", all);
   add_for_rings(problem, "ring_tip.", ConstraintFamily::kRingTip, "", all);
   add_for_meshes(problem, "interference.involute.", ConstraintFamily::kInvoluteInterference, "",
                  all);

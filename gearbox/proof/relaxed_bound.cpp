@@ -21,6 +21,16 @@ std::optional<RelaxedBound> teeth_bound(const Problem& problem, const std::strin
                       Rational(static_cast<long>(minimum->second))};
 }
 
+Rational ring_space_mm(const Problem& problem) {
+  return problem.ring_outer_diameter_mm.value_or(problem.rotor_inner_diameter_mm);
+}
+
+bool bounds_blank(const std::vector<Constraint>& constraints, std::string_view key) {
+  return std::any_of(constraints.begin(), constraints.end(), [&](const Constraint& each) {
+    return each.family == ConstraintFamily::kRingWall && each.key == key;
+  });
+}
+
 }  // namespace
 
 std::optional<RelaxedBound> find_relaxed_bound(const Problem& problem, std::string_view key) {
@@ -31,6 +41,11 @@ std::optional<RelaxedBound> find_relaxed_bound(const Problem& problem, std::stri
   if (key.substr(0, kMinTeeth.size()) == kMinTeeth) {
     return teeth_bound(problem, std::string(key.substr(kMinTeeth.size())));
   }
+  const RelaxedBound blank{std::string(key),
+                           "ring_blank_diameter_mm",
+                           {Measure::kRingBlankDiameter},
+                           ring_space_mm(problem)};
+  if (bounds_blank(constraints, key)) return blank;
   const RelaxedBound bounds[] = {
       {"/min_carrier_clearance_rad",
        "carrier_clearance",
@@ -46,10 +61,6 @@ std::optional<RelaxedBound> find_relaxed_bound(const Problem& problem, std::stri
        "neighbour_clearance_mm",
        {Measure::kNeighbourClearance},
        problem.min_neighbour_clearance_mm},
-      {"/ring_outer_diameter_mm",
-       "ring_blank_diameter_mm",
-       {Measure::kRingBlankDiameter},
-       problem.ring_outer_diameter_mm.value_or(Rational(0))},
   };
   for (const RelaxedBound& bound : bounds) {
     if (bound.key == key) return bound;
@@ -82,9 +93,11 @@ std::optional<Problem> with_bound(const Problem& problem, const RelaxedBound& bo
     case Measure::kNeighbourClearance:
       relaxed.min_neighbour_clearance_mm = value;
       break;
-    default:
-      relaxed.ring_outer_diameter_mm = value;
+    default: {
+      const bool is_stated = problem.ring_outer_diameter_mm.has_value();
+      (is_stated ? *relaxed.ring_outer_diameter_mm : relaxed.rotor_inner_diameter_mm) = value;
       break;
+    }
   }
   return relaxed;
 }

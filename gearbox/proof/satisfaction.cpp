@@ -54,7 +54,7 @@ bool has_ring_wall(const Alternative& alternative, std::int64_t teeth) {
   const Rational blank_mm =
       alternative.module_mm * (Rational(static_cast<long>(teeth)) + Rational(5, 2)) +
       2 * alternative.ring_wall_mm;
-  return blank_mm <= *alternative.problem->ring_outer_diameter_mm;
+  return blank_mm <= alternative.ring_space_mm;
 }
 
 bool is_not_undercut(std::int64_t teeth) {

@@ -9,6 +9,7 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/alternatives.hpp"
+#include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -42,22 +43,28 @@ struct Found {
   Design best() const { return alternatives.design(result.solutions.front()); }
 };
 
-Rational ring_mm(const Design& design) {
-  return design.module_mm * Rational(*std::max_element(design.teeth.begin(), design.teeth.end()));
+// The bore that a design needs: its held ring's pitch circle, or the blank where that has to fit.
+Rational needed_bore_mm(const Problem& problem, const Design& design) {
+  const Rational ring{*std::max_element(design.teeth.begin(), design.teeth.end())};
+  const bool holds_blank =
+      problem.constraints == ConstraintSet::kBuildable && ring_space_key(problem) == kBoreKey;
+  return holds_blank ? ring_blank_mm(problem, design.module_mm, ring) : design.module_mm * ring;
 }
 
 // The domain limits sun and planets, not their ring: a design whose ring is the smallest in it may
-// be beaten by one with larger planets. Searching up to the ring just found either confirms it or
+// be beaten by one with larger planets. Searching up to the bore just found either confirms it or
 // finds a smaller one, and its domain is the one the proof has to be made for.
 Found with_smallest_ring(const Problem& problem, Found found, const DesignSearchOptions& options) {
   for (;;) {
-    const Rational known_mm = ring_mm(found.best());
+    const Rational known_mm = needed_bore_mm(problem, found.best());
     Alternatives alternatives = loosened(problem, kBoreKey, [&](const Rational& module_mm) {
       return floor_of(known_mm / module_mm);
     });
     SearchResult result = search(alternatives, options);
     found = {std::move(alternatives), std::move(result)};
-    if (found.result.solutions.empty() || ring_mm(found.best()) == known_mm) return found;
+    if (found.result.solutions.empty() || needed_bore_mm(problem, found.best()) == known_mm) {
+      return found;
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include "gearbox/teeth/shifted_mesh.hpp"
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/train/assembly.hpp"
+#include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
 
@@ -58,12 +59,12 @@ std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& r
                                    std::int64_t sun, std::int64_t held_ring) {
   std::vector<Remark> list = existence_remarks(problem, report);
   list.push_back(
-      {"ring_blank", fmt::format("ring_blank: the largest ring needs a blank of {:.4g} mm{}.",
-                                 report.ring_blank_diameter_mm,
-                                 problem.ring_outer_diameter_mm
-                                     ? fmt::format(", {:.4g} mm are given",
-                                                   io::nearest(*problem.ring_outer_diameter_mm))
-                                     : ", the limit is not given and so not enforced")});
+      {"ring_blank",
+       fmt::format("ring_blank: the largest ring needs a blank of {:.4g} mm, {}.",
+                   report.ring_blank_diameter_mm,
+                   problem.constraints == ConstraintSet::kPaper
+                       ? "which the paper's constraints do not ask for"
+                       : fmt::format("{:.4g} mm are there", io::nearest(ring_space_mm(problem))))});
   if (report.hollow_shaft_diameter_mm <= 0.0) {
     list.push_back({"hollow_shaft", "hollow_shaft: no hollow shaft fits through this sun."});
   }

@@ -9,6 +9,7 @@
 #include "gearbox/train/inertia.hpp"
 #include "gearbox/train/loads.hpp"
 #include "gearbox/train/power_flow.hpp"
+#include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox::planetary {
 
@@ -81,7 +82,8 @@ void describe_loads(const Stage& stage, DesignReport& report) {
 void describe_bodies(const Stage& stage, DesignReport& report) {
   const Problem& problem = stage.problem;
   report.hollow_shaft_diameter_mm = hollow_shaft_mm(problem, stage.module_mm, stage.teeth.sun);
-  report.ring_blank_diameter_mm = ring_blank_mm(problem, stage.module_mm, stage.teeth.ring);
+  report.ring_blank_diameter_mm =
+      io::nearest(ring_blank_mm(problem, stage.module_mm, stage.teeth.ring));
   const auto blank = blank_of(problem, stage.module_mm, {"layer_1"});
   if (!blank) return;
   const PlanetaryTeeth<double> teeth = stage.real_teeth();
@@ -106,9 +108,7 @@ std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational&
       neighbour_clearance(circle, "layer_1", teeth.planet, problem.min_neighbour_clearance_mm),
       undercut("sun", teeth.sun),
       undercut("planet", teeth.planet)};
-  if (problem.ring_outer_diameter_mm) {
-    list.push_back(ring_wall(problem, stage.module_mm, "ring", teeth.ring));
-  }
+  list.push_back(ring_wall(problem, stage.module_mm, "ring", teeth.ring));
   list.push_back(ring_tip(stage.module_mm, "ring", teeth.ring));
   list.push_back(involute_interference("planet_ring", teeth.planet, teeth.ring));
   list.push_back(trochoid_interference("planet_ring", teeth.planet, teeth.ring));

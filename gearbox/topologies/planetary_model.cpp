@@ -44,8 +44,7 @@ std::vector<Condition> conditions(const Problem& problem, std::int64_t planet_co
        neighbour_clearance(problem, "layer_1", planet_count, module_mm, teeth.sun + teeth.planet,
                            teeth.planet),
        undercut("sun", teeth.sun), undercut("planet", teeth.planet)});
-  add(ring_wall(problem, "ring", module_mm, teeth.ring));
-  add({ring_tip("ring", module_mm, teeth.ring)});
+  add({ring_wall(problem, "ring", module_mm, teeth.ring), ring_tip("ring", module_mm, teeth.ring)});
   add(interference("planet_ring", teeth.planet, teeth.ring));
   add({contact_ratio(problem, "sun_planet", teeth.sun, teeth.planet),
        contact_ratio_in_ring(problem, "planet_ring", teeth.planet, teeth.ring)});
@@ -91,15 +90,13 @@ std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_co
       most_teeth("sun", teeth.sun),
       most_teeth("planet", teeth.planet),
       most_carrier_clearance(planet_count, teeth.sun, teeth.planet),
-      least_ring(module_mm, teeth.ring),
+      least_blank(problem, module_mm, teeth.ring),
       least_ratio_error(problem, 2.0 * (teeth.sun + teeth.planet) / teeth.sun),
       most_neighbour_clearance(
           neighbour_clearance_mm(planet_count, module_mm, teeth.sun + teeth.planet, teeth.planet)),
       most_contact(min(contact_ratio(external_path(teeth.sun, teeth.planet)),
                        contact_ratio(internal_path(teeth.planet, teeth.ring))))};
-  if (problem.ring_outer_diameter_mm) {
-    result.push_back(least_blank(problem, module_mm, teeth.ring));
-  }
+  if (problem.ring_outer_diameter_mm) result.push_back(least_ring(module_mm, teeth.ring));
   return result;
 }
 

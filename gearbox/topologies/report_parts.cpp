@@ -12,6 +12,7 @@
 #include "gearbox/constraints/condition.hpp"
 #include "gearbox/constraints/teeth.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
+#include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
 
@@ -128,12 +129,6 @@ double share_backlash(const std::vector<double>& coefficients, std::vector<MeshR
 double hollow_shaft_mm(const Problem& problem, const Rational& module_mm, std::int64_t sun) {
   const Rational diameter_mm =
       module_mm * (Rational(sun) - Rational(5, 2)) - 2 * hollow_shaft_wall_mm(problem, module_mm);
-  return io::nearest(diameter_mm);
-}
-
-double ring_blank_mm(const Problem& problem, const Rational& module_mm, std::int64_t ring) {
-  const Rational diameter_mm =
-      module_mm * (Rational(ring) + Rational(5, 2)) + 2 * ring_wall_mm(problem, module_mm);
   return io::nearest(diameter_mm);
 }
 

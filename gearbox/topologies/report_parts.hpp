@@ -50,9 +50,6 @@ double share_backlash(const std::vector<double>& coefficients, std::vector<MeshR
 /// The hollow shaft's diameter m (S - 2.5) - 2 wall [mm]; negative where none fits.
 double hollow_shaft_mm(const Problem& problem, const Rational& module_mm, std::int64_t sun);
 
-/// The ring's root circle plus two walls [mm].
-double ring_blank_mm(const Problem& problem, const Rational& module_mm, std::int64_t ring);
-
 /// Face widths and density as the mass formulas need them; nothing where the problem lacks one.
 std::optional<Blank> blank_of(const Problem& problem, const Rational& module_mm,
                               const std::vector<std::string>& layers);

@@ -10,6 +10,7 @@
 #include "gearbox/train/backlash.hpp"
 #include "gearbox/train/inertia.hpp"
 #include "gearbox/train/power_flow.hpp"
+#include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox::three_k {
 
@@ -99,7 +100,7 @@ void describe_bodies(const ThreeKDesign& design, DesignReport& report) {
   const Problem& problem = design.problem;
   const std::int64_t largest = std::max(design.teeth.fixed_ring, design.teeth.output_ring);
   report.hollow_shaft_diameter_mm = hollow_shaft_mm(problem, design.module_mm, design.teeth.sun);
-  report.ring_blank_diameter_mm = ring_blank_mm(problem, design.module_mm, largest);
+  report.ring_blank_diameter_mm = io::nearest(ring_blank_mm(problem, design.module_mm, largest));
   const auto blank = blank_of(problem, design.module_mm, {"layer_1", "layer_2"});
   if (!blank) return;
   const ThreeKTeeth<double> teeth = design.real_teeth();

@@ -17,10 +17,8 @@ PlanetCircle circle_of(const ThreeKDesign& design) {
 
 void append_ring_constraints(const ThreeKDesign& design, std::vector<ConstraintReport>& list) {
   const ThreeKTeeth<std::int64_t>& teeth = design.teeth;
-  if (design.problem.ring_outer_diameter_mm) {
-    list.push_back(ring_wall(design.problem, design.module_mm, "fixed_ring", teeth.fixed_ring));
-    list.push_back(ring_wall(design.problem, design.module_mm, "output_ring", teeth.output_ring));
-  }
+  list.push_back(ring_wall(design.problem, design.module_mm, "fixed_ring", teeth.fixed_ring));
+  list.push_back(ring_wall(design.problem, design.module_mm, "output_ring", teeth.output_ring));
   list.push_back(ring_tip(design.module_mm, "fixed_ring", teeth.fixed_ring));
   list.push_back(ring_tip(design.module_mm, "output_ring", teeth.output_ring));
 }

@@ -88,9 +88,9 @@ void add_buildable_conditions(const Problem& problem, std::int64_t planet_count,
     add({{"sun_under_layer_2", "sun_under_layer_2", "",
           Expression(module_mm) * (x.difference / 2.0 - 2.0), /*strict=*/true}});
   }
-  add(ring_wall(problem, "fixed_ring", module_mm, teeth.fixed_ring));
-  add(ring_wall(problem, "output_ring", module_mm, teeth.output_ring));
-  add({ring_tip("fixed_ring", module_mm, teeth.fixed_ring),
+  add({ring_wall(problem, "fixed_ring", module_mm, teeth.fixed_ring),
+       ring_wall(problem, "output_ring", module_mm, teeth.output_ring),
+       ring_tip("fixed_ring", module_mm, teeth.fixed_ring),
        ring_tip("output_ring", module_mm, teeth.output_ring)});
   add(interference("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
   add(interference("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
@@ -222,9 +222,12 @@ std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_co
                                 most_teeth("planet_1", teeth.planet_1),
                                 most_teeth("planet_2", teeth.planet_2),
                                 most_carrier_clearance(planet_count, teeth.sun, teeth.planet_1),
-                                least_ring(module_mm, teeth.fixed_ring),
                                 least_ratio_error(problem, ratio)};
-  if (problem.constraints == ConstraintSet::kPaper) return result;
+  const bool is_walled = problem.constraints == ConstraintSet::kBuildable;
+  if (!is_walled || problem.ring_outer_diameter_mm) {
+    result.push_back(least_ring(module_mm, teeth.fixed_ring));
+  }
+  if (!is_walled) return result;
   const auto clearance = [&](const Expression& planet) {
     return neighbour_clearance_mm(planet_count, module_mm, teeth.sun + teeth.planet_1, planet);
   };
@@ -234,9 +237,7 @@ std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_co
       most_contact(min(contact_ratio(external_path(teeth.sun, teeth.planet_1)),
                        min(contact_ratio(internal_path(teeth.planet_1, teeth.fixed_ring)),
                            contact_ratio(internal_path(teeth.planet_2, teeth.output_ring))))));
-  if (problem.ring_outer_diameter_mm) {
-    result.push_back(least_blank(problem, module_mm, teeth.fixed_ring));
-  }
+  result.push_back(least_blank(problem, module_mm, teeth.fixed_ring));
   return result;
 }
 

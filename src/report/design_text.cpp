@@ -71,13 +71,15 @@ std::string hollow_shaft_text(const Problem& problem, const DesignReport& report
                      rim_mm);
 }
 
-/// The rotor's bore bounds the held ring's pitch circle only (decision 0004); whether the blank
-/// goes in too is said here.
+/// Only under `buildable`, and where no other room is stated, must the blank fit the rotor's bore
+/// (decision 0004); whether it does is said of every design.
 std::string ring_blank_text(const Problem& problem, const DesignReport& report) {
   const double bore_mm = io::nearest(problem.rotor_inner_diameter_mm);
   const bool is_inside = report.ring_blank_diameter_mm <= bore_mm;
-  return fmt::format("{:.4g} mm, {} the rotor's bore of {:.4g} mm", report.ring_blank_diameter_mm,
-                     is_inside ? "fits into" : "DOES NOT FIT into", bore_mm);
+  const auto& stated = problem.ring_outer_diameter_mm;
+  return fmt::format("{:.4g} mm, {} the rotor's bore of {:.4g} mm{}", report.ring_blank_diameter_mm,
+                     is_inside ? "fits into" : "DOES NOT FIT into", bore_mm,
+                     stated ? fmt::format("; {:.4g} mm are stated", io::nearest(*stated)) : "");
 }
 
 std::string inertia_text(const DesignReport& report) {

@@ -56,12 +56,14 @@ Rule identical_planets(std::int64_t planets) {
           }};
 }
 
-// (D_out - m (z + 2.5))/2 >= wall solved for z.
+// (D_out - m (z + 2.5))/2 >= wall solved for z; the rotor's bore stands for a D_out not stated.
 std::int64_t largest_walled_ring(const Setting& setting) {
   const gearbox::Problem& problem = setting.problem;
   const Rational& module = setting.module_mm;
   const Rational wall = problem.ring_wall_mm.value_or(Rational(9, 4) * module);
-  return floor_of((*problem.ring_outer_diameter_mm - 2 * wall) / module - Rational(5, 2));
+  const auto& stated = problem.ring_outer_diameter_mm;
+  const Rational space = stated ? *stated : problem.rotor_inner_diameter_mm;
+  return floor_of((space - 2 * wall) / module - Rational(5, 2));
 }
 
 void add_size_rules(const Setting& setting, std::vector<Rule>& list) {
@@ -80,10 +82,9 @@ void add_size_rules(const Setting& setting, std::vector<Rule>& list) {
 
 void add_buildable_rules(const Setting& setting, std::vector<Rule>& list) {
   const gearbox::Problem& problem = setting.problem;
-  const bool walled = problem.ring_outer_diameter_mm.has_value();
-  const std::int64_t most = walled ? largest_walled_ring(setting) : 0;
+  const std::int64_t most = largest_walled_ring(setting);
   if (!is_3k(problem)) {
-    if (walled) list.push_back(at_most("ring_wall.ring", &Teeth::fixed_ring, most));
+    list.push_back(at_most("ring_wall.ring", &Teeth::fixed_ring, most));
     return;
   }
   list.push_back(identical_planets(setting.planet_count));
@@ -92,10 +93,8 @@ void add_buildable_rules(const Setting& setting, std::vector<Rule>& list) {
                       return exactly(teeth.planet_1 - teeth.planet_2 > 4);
                     }});
   }
-  if (walled) {
-    list.push_back(at_most("ring_wall.fixed_ring", &Teeth::fixed_ring, most));
-    list.push_back(at_most("ring_wall.output_ring", &Teeth::output_ring, most));
-  }
+  list.push_back(at_most("ring_wall.fixed_ring", &Teeth::fixed_ring, most));
+  list.push_back(at_most("ring_wall.output_ring", &Teeth::output_ring, most));
 }
 
 }  // namespace

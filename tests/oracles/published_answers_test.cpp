@@ -75,8 +75,8 @@ const std::vector<Row> kTable{
 };
 
 // What the table does not enforce.
-const Switches kTableOff{"undercut", "interference", "contact_ratio", "ring_tip",
-                         "sun_under_layer_2"};
+const Switches kTableOff{"undercut", "interference",      "contact_ratio",
+                         "ring_tip", "sun_under_layer_2", "ring_wall"};
 
 Problem table_problem(const Row& row, Objective objective) {
   Problem problem = paper_problem({row.least_teeth, row.least_teeth, row.least_teeth}, 0);

@@ -91,7 +91,10 @@ double concave_form(const std::string& name, const PlainClaim& claim, const Choi
   }
   if (family == "ring_wall") {
     const double wall = p.ring_wall_mm ? number(*p.ring_wall_mm) : 2.25 * c.module_mm;
-    return (number(*p.ring_outer_diameter_mm) - c.module_mm * (teeth(part, x) + 2.5)) / 2 - wall;
+    return (number(p.ring_outer_diameter_mm.value_or(p.rotor_inner_diameter_mm)) -
+            c.module_mm * (teeth(part, x) + 2.5)) /
+               2 -
+           wall;
   }
   throw std::invalid_argument(name);
 }

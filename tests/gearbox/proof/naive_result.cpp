@@ -10,6 +10,11 @@ namespace {
 
 constexpr long kRingLimit = 200;
 
+/// The bound that the rings' blanks have to fit into.
+std::string space_key(const Problem& problem) {
+  return problem.ring_outer_diameter_mm ? "/ring_outer_diameter_mm" : "/rotor_inner_diameter_mm";
+}
+
 /// Which of the problem's constraints a bound sets.
 std::vector<std::string> set_by(const Problem& problem, const std::string& key) {
   const std::vector<std::pair<std::string, std::string>> table = {
@@ -19,9 +24,9 @@ std::vector<std::string> set_by(const Problem& problem, const std::string& key) 
       {"/min_teeth/planet_2", "min_teeth.planet_2"},
       {"/min_carrier_clearance_rad", "carrier_clearance"},
       {"/rotor_inner_diameter_mm", "rotor_bore"},
+      {space_key(problem), "ring_wall."},
       {"/min_contact_ratio", "contact_ratio."},
-      {"/min_neighbour_clearance_mm", "neighbour_clearance."},
-      {"/ring_outer_diameter_mm", "ring_wall."}};
+      {"/min_neighbour_clearance_mm", "neighbour_clearance."}};
   std::vector<std::string> names;
   for (const auto& [bound, prefix] : table) {
     if (bound != key) continue;
@@ -45,14 +50,15 @@ bool is_among(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string relaxed_quantity(const std::string& key) {
+std::string relaxed_quantity(const Problem& problem, const std::string& key) {
   if (key.rfind("/min_teeth/", 0) == 0) return "teeth." + key.substr(11);
   if (key == "/min_carrier_clearance_rad") return "carrier_clearance";
-  if (key == "/rotor_inner_diameter_mm") return "ring_pitch_diameter_mm";
+  const bool is_walled = problem.constraints == ConstraintSet::kBuildable;
+  if (is_walled && key == space_key(problem)) return "ring_blank_diameter_mm";
   if (key == "/ratio_tolerance") return "ratio_error";
   if (key == "/min_contact_ratio") return "contact_ratio";
   if (key == "/min_neighbour_clearance_mm") return "neighbour_clearance_mm";
-  return "ring_blank_diameter_mm";
+  return "ring_pitch_diameter_mm";
 }
 
 Json limit_of(const Problem& problem, const std::string& key) {
@@ -160,7 +166,7 @@ PlainClaim plain_relaxation(const Problem& problem, const Json& entry) {
   return {&problem,
           "least_relaxation",
           without(constraint_names(problem), set_by(problem, key)),
-          relaxed_quantity(key),
+          relaxed_quantity(problem, key),
           plain_design(entry["design"]),
           {},
           key,
@@ -233,12 +239,13 @@ Json naive_infeasible(const Problem& problem, const std::vector<std::string>& ke
   for (const std::string& key : keys) {
     const auto names = without(constraint_names(problem), set_by(problem, key));
     auto found = find_all(problem, names, is_among("rotor_bore", names) ? 0 : kRingLimit);
-    sort_by(relaxed_quantity(key), problem, found);
+    sort_by(relaxed_quantity(problem, key), problem, found);
     const PlainDesign& design = found.at(0);
-    const double value = quantity(relaxed_quantity(key), choice_of(design, problem), design.gears);
+    const double value =
+        quantity(relaxed_quantity(problem, key), choice_of(design, problem), design.gears);
     Json entry{{"key", key},
                {"limit", limit_of(problem, key)},
-               {"needed", whole_or_real(key, safe(relaxed_quantity(key), value))},
+               {"needed", whole_or_real(key, safe(relaxed_quantity(problem, key), value))},
                {"unit", "..."},
                {"design", design_json(design, problem)},
                {"sentence", "..."}};

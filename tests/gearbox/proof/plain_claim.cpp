@@ -40,9 +40,8 @@ PlainBox root_box(const PlainClaim& claim, const Choice& choice) {
   double largest = number(claim.problem->rotor_inner_diameter_mm) / choice.module_mm;
   if (claim.ring_limit > 0) largest = static_cast<double>(claim.ring_limit);
   if (claim.key == "/rotor_inner_diameter_mm") {
-    const Gears& g = claim.reference->gears;
-    largest =
-        claim.reference->module_mm * static_cast<double>(g.sun + 2 * g.first) / choice.module_mm;
+    const Choice own = choice_of(*claim.reference, *claim.problem);
+    largest = quantity(claim.quantity, own, claim.reference->gears) / choice.module_mm;
   }
   const long most = static_cast<long>(std::floor(largest + 1e-9));
   if (is_planetary(*claim.problem)) return {{1, 1, 0}, {most, most / 2, 0}};

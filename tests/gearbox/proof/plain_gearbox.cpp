@@ -207,7 +207,9 @@ bool holds(const std::string& name, const Choice& c, const Gears& g) {
   if (starts_with(name, "undercut.")) return gear(part, g) >= 18;
   if (name == "sun_under_layer_2") return g.first - g.second > 4;
   if (starts_with(name, "ring_wall.")) {
-    return (number(*p.ring_outer_diameter_mm) - c.module_mm * (real(gear(part, g)) + 2.5)) / 2 >=
+    return (number(p.ring_outer_diameter_mm.value_or(p.rotor_inner_diameter_mm)) -
+            c.module_mm * (real(gear(part, g)) + 2.5)) /
+               2 >=
            wall_mm(c) - kSlack;
   }
   if (starts_with(name, "ring_tip.")) return gear(part, g) >= 34;
@@ -237,15 +239,14 @@ std::vector<std::string> constraint_names(const Problem& problem) {
   if (!planetary) add({"tooth_difference"});
   if (problem.constraints == ConstraintSet::kPaper) return names;
   add({"neighbour_clearance.layer_1", "undercut.sun"});
-  const bool wall = problem.ring_outer_diameter_mm.has_value();
   if (planetary) {
-    if (wall) add({"ring_wall.ring"});
+    add({"ring_wall.ring"});
     add({"undercut.planet", "ring_tip.ring", "interference.involute.planet_ring",
          "interference.trochoid.planet_ring", "contact_ratio.sun_planet",
          "contact_ratio.planet_ring"});
     return names;
   }
-  if (wall) add({"ring_wall.fixed_ring", "ring_wall.output_ring"});
+  add({"ring_wall.fixed_ring", "ring_wall.output_ring"});
   if (problem.sun_under_second_layer) add({"sun_under_layer_2"});
   add({"identical_planets", "neighbour_clearance.layer_2", "undercut.planet_1", "undercut.planet_2",
        "ring_tip.fixed_ring", "ring_tip.output_ring", "interference.involute.planet_1_fixed_ring",

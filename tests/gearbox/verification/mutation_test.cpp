@@ -54,7 +54,7 @@ std::vector<Case> cases() {
       {"paper, relaxations", small_with(relaxed), {{"relaxation", "always"}, {"top", 2}}, 7, 37},
       {"buildable", small_with(shaft), {{"relaxation", "never"}}, 5, 37},
       {"planetary, ties",
-       problem_with("d110a_ankle", {{"ratio_tolerance", 0.05}}),
+       problem_with("d110a_ankle", {{"ratio_tolerance", 0.05}, {"ring_outer_diameter_mm", 95}}),
        {{"top", 4}},
        13,
        13},
