@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/search/search.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gearbox/search/alternatives.hpp"
 #include "gearbox/search/conflict.hpp"
+#include "optimization/discrete/relaxation.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -73,6 +75,12 @@ DesignSearchResult optimize(const Problem& problem, const DesignSearchOptions& o
                            is_full ? std::optional(result.designs.back()) : std::nullopt, "",
                            std::nullopt, alternatives.proofs(std::move(found.proofs))});
   return result;
+}
+
+bool can_be_relaxed(const Problem& problem) {
+  const Alternatives alternatives(problem);
+  return std::any_of(alternatives.judges().begin(), alternatives.judges().end(),
+                     optimization::has_shape);
 }
 
 }  // namespace torquewright::gearbox

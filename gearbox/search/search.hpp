@@ -11,4 +11,8 @@ namespace torquewright::gearbox {
 /// problem that read_problem accepts.
 DesignSearchResult optimize(const Problem& problem, const DesignSearchOptions& options);
 
+/// Whether the relaxations know a shape of the objective: else they close no box that intervals
+/// leave open, and are not worth a solve.
+bool can_be_relaxed(const Problem& problem);
+
 }  // namespace torquewright::gearbox

@@ -14,8 +14,10 @@
 namespace torquewright::optimization {
 namespace {
 
-// One Ipopt solve costs as much as some thousands of nodes of propagation.
-constexpr double kRelaxFromPoints = 5000.0;
+// One Ipopt solve takes as long as propagation takes for so many boxes (bench/relaxation_modes.py).
+constexpr std::int64_t kBoxesPerSolve = 200;
+// Solves may take one part in so many of the time of a search: they have never saved more.
+constexpr std::int64_t kPartsOfTime = 10;
 // An ancestor's dual point still bounds a smaller box; a new one is worth a solve when the box has
 // shrunk by this much. At 2, solves take most of the time; at 1000, the tree grows again.
 constexpr double kShrinkage = 64.0;
@@ -44,7 +46,10 @@ class Search {
         options_(options),
         incumbents_(alternatives.front(), options.wanted) {
     result_.proofs.resize(alternatives.size());
-    for (std::size_t i = 0; i < alternatives.size(); ++i) add_root(i);
+    for (std::size_t i = 0; i < alternatives.size(); ++i) {
+      has_shape_.push_back(has_shape(alternatives[i]));
+      add_root(i);
+    }
   }
 
   SearchResult run() {
@@ -115,18 +120,15 @@ class Search {
   bool pays_to_relax(const Node& node) const {
     if (is_small(node.box) || options_.relaxation == RelaxationUse::kNever) return false;
     if (options_.relaxation == RelaxationUse::kAlways) return true;
-    const double points = point_count(node.box);
-    return points > kRelaxFromPoints && points * kShrinkage < node.dual_points &&
-           10 * relaxations_that_paid_ + 10 >= result_.relaxations;
+    if (!has_shape_[node.alternative]) return false;
+    return point_count(node.box) * kShrinkage < node.dual_points &&
+           (result_.relaxations + 1) * kBoxesPerSolve * kPartsOfTime <= made_;
   }
 
   // Raises the bound, or closes the box. Returns true if closed.
   bool apply_dual(Node& node, const Relaxation& relaxation) {
     const DualBound known = dual_bound(relaxation, *node.dual);
     const bool is_refuted = known.is_infeasible || known.least_cost > incumbents_.ceiling();
-    if (is_refuted || known.least_cost > judge(node).cost_over(node.box).lower) {
-      ++relaxations_that_paid_;
-    }
     node.bound = std::max(node.bound, known.least_cost);
     if (!is_refuted) return false;
     ++result_.refuted_by_relaxation;
@@ -234,9 +236,9 @@ class Search {
   std::span<const Judge> alternatives_;
   const SearchOptions& options_;
   Incumbents incumbents_;
+  std::vector<bool> has_shape_;  ///< By alternative.
   std::priority_queue<Node, std::vector<Node>, WorseBound> open_;
   std::int64_t made_ = 0;
-  std::int64_t relaxations_that_paid_ = 0;
   SearchResult result_;
 };
 

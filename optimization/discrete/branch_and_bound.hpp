@@ -15,7 +15,7 @@ namespace torquewright::optimization {
 
 /// When Ipopt is asked about a box that propagation has left open.
 enum class RelaxationUse {
-  kAuto,    ///< Boxes of more than 5000 points, as long as one call in ten closes its box.
+  kAuto,    ///< Where a shape of the cost is known, for at most a tenth of the time.
   kAlways,  ///< Every box that is not enumerated.
   kNever,
 };

@@ -55,6 +55,10 @@ void add(ValueAndSlope& sum, const ValueAndSlope& part, double factor) {
 
 }  // namespace
 
+bool has_shape(const Judge& judge) {
+  return !is_constant(relaxed_gain(judge, judge.problem().domain));
+}
+
 Relaxation relax_box(const Judge& judge, const Box& box) {
   Relaxation result{box, {}, relaxed_gain(judge, box), 1.0, judge.condition_count()};
   for (std::size_t i = 0; i < judge.condition_count(); ++i) {

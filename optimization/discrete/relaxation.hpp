@@ -28,6 +28,10 @@ struct Relaxation {
 
 Relaxation relax_box(const Judge& judge, const Box& box);
 
+/// Whether relaxations of this problem know a shape of its cost. Where they do not, intervals bound
+/// the cost as well, and a solve can but bring conditions together.
+bool has_shape(const Judge& judge);
+
 /// A sum of relaxed conditions, linearised at a point: what a dual bound is made of.
 struct DualPoint {
   std::vector<double> point;        ///< Inside the box.

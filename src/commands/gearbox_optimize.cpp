@@ -12,6 +12,7 @@
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/search.hpp"
 #include "gearbox/verification/verification_json.hpp"
+#include "io/refusal.hpp"
 #include "src/commands/design_drawing.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/gearbox_outputs.hpp"
@@ -61,6 +62,12 @@ ReadProblem read(const OptimizeRequest& request) {
   io::Document document = io::read_document(request.problem_file, "gearbox_problem");
   gearbox::Problem problem = gearbox::read_problem(document);
   check_outputs(request.outputs, request.problem_file);
+  if (request.relaxation == "always" && !gearbox::can_be_relaxed(problem)) {
+    io::refuse("--relaxation",
+               fmt::format("\"always\" cannot help with the objective {}, of which no convex bound "
+                           "is known; \"auto\" and \"never\" search by intervals",
+                           gearbox::objective_name(problem.objective)));
+  }
   return {std::move(document), std::move(problem)};
 }
 

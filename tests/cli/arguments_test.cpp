@@ -37,6 +37,9 @@ std::vector<BadArguments> bad_arguments() {
        "command line: The following argument was not expected: --nonsense"},
       {optimize({"--relaxation", "often"}),
        "command line: --relaxation: often not in {auto,always,never}"},
+      {after({"gearbox", "optimize", "efficient.json"}, {"--relaxation", "always"}),
+       "--relaxation: \"always\" cannot help with the objective forward_efficiency, of which no "
+       "convex bound is known; \"auto\" and \"never\" search by intervals"},
       {optimize({"--top", "0"}), "command line: --top: Value 0 not in range 1 to 1000000"},
       {optimize({"--top", "-1"}), "command line: --top: Value -1 not in range 1 to 1000000"},
       {optimize({"--top", "1000000000"}),
@@ -78,6 +81,7 @@ class Arguments : public testing::TestWithParam<BadArguments> {};
 TEST_P(Arguments, AreRefusedInOneLine) {
   const Workplace place;
   place.write("knee.json", knee());
+  place.write("efficient.json", knee_with("paper_cost", "forward_efficiency"));
   const Outcome outcome = place.run(GetParam().arguments);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
