@@ -1,49 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/file_bytes.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 
+#include "io/file_session.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::io {
 namespace {
 
-/// An open file; closes itself.
-class OpenFile {
- public:
-  explicit OpenFile(const std::filesystem::path& file)
-      : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (descriptor_ < 0) refuse_unreadable(file.string(), errno);
-  }
-  ~OpenFile() { ::close(descriptor_); }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
-void check_status(const std::filesystem::path& file, const OpenFile& open) {
-  struct stat status {};
-  if (::fstat(open.descriptor(), &status) != 0) refuse_unreadable(file.string(), errno);
-  if (S_ISDIR(status.st_mode)) refuse(file.string(), "is a folder, must be a file");
-  if (status.st_size > static_cast<off_t>(kMaxFileBytes)) {
-    refuse(file.string(),
-           fmt::format("holds {} bytes, more than the allowed 64 MiB", status.st_size));
-  }
+void check_size(const std::filesystem::path& file, const InputFile& open) {
+  if (open.status().st_size <= static_cast<off_t>(kMaxFileBytes)) return;
+  refuse(file.string(),
+         fmt::format("holds {} bytes, more than the allowed 64 MiB", open.status().st_size));
 }
 
 }  // namespace
 
 std::string read_file_bytes(const std::filesystem::path& file) {
-  const OpenFile open(file);
-  check_status(file, open);
+  const InputFile open(file);
+  check_size(file, open);
   std::string bytes;
   std::string chunk(std::size_t{1} << 16, '\0');
   while (true) {

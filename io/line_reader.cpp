@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/line_reader.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,19 +18,10 @@ constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
 }  // namespace
 
 LineReader::LineReader(const std::filesystem::path& file)
-    : file_(file.string()),
-      descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)),
-      buffer_(kBufferBytes) {
-  if (descriptor_ < 0) refuse_unreadable(file_, errno);
-  struct stat status {};
-  if (::fstat(descriptor_, &status) != 0 || S_ISDIR(status.st_mode)) {
-    ::close(descriptor_);
-    refuse(file_, "is a folder, must be a file");
-  }
+    : file_(file.string()), input_(file), buffer_(kBufferBytes) {
+  const struct stat& status = input_.status();
   if (S_ISREG(status.st_mode)) size_bytes_ = static_cast<double>(status.st_size);
 }
-
-LineReader::~LineReader() { ::close(descriptor_); }
 
 double LineReader::share_read() const {
   return size_bytes_ > 0.0 ? std::min(1.0, bytes_read_ / size_bytes_) : 0.0;
@@ -49,7 +38,7 @@ bool LineReader::fill() {
   }
   if (buffer_.size() - end_ < kBufferBytes) buffer_.resize(end_ + kBufferBytes);
   while (true) {
-    const ssize_t count = ::read(descriptor_, buffer_.data() + end_, kBufferBytes);
+    const ssize_t count = ::read(input_.descriptor(), buffer_.data() + end_, kBufferBytes);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse_unreadable(file_, errno);
     hash_.add({buffer_.data() + end_, static_cast<std::size_t>(count)});

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/file_session.hpp"
 #include "io/sha256.hpp"
 
 namespace torquewright::io {
@@ -17,7 +18,6 @@ class LineReader {
  public:
   /// Throws SpecError if the file is missing, a folder or unreadable.
   explicit LineReader(const std::filesystem::path& file);
-  ~LineReader();
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
 
@@ -36,7 +36,7 @@ class LineReader {
   std::string_view cleaned(std::string_view line) const;
 
   std::string file_;
-  int descriptor_;
+  InputFile input_;
   double size_bytes_ = 0.0;
   double bytes_read_ = 0.0;
   Sha256 hash_;

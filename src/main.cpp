@@ -2,6 +2,7 @@
 #include <string>
 
 #include "io/atomic_file.hpp"
+#include "io/file_session.hpp"
 #include "io/provenance.hpp"
 #include "src/command_line/command_line.hpp"
 #include "src/command_line/exit_status.hpp"
@@ -77,6 +78,7 @@ ExitCode run(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   torquewright::io::ignore_file_size_signal();
+  const torquewright::io::FileSession session;
   return torquewright::command_line::exit_status(
       [&] { return torquewright::cli::run(argc, argv); });
 }

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <system_error>
 
-#include "io/atomic_file.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::cli {
@@ -17,12 +16,11 @@ void print_result(const std::string& text) {
   throw io::SpecError({{"standard output", "", "cannot be written: " + reason}});
 }
 
-void deliver_result(const std::string& text, const std::string& file) {
-  if (file.empty()) {
-    print_result(text);
-  } else {
-    io::write_whole_file(file, text);
-  }
+void deliver_result(const std::string& text, const std::string& file,
+                    std::vector<io::FileContent> beside) {
+  if (!file.empty()) beside.push_back({file, text});
+  io::write_whole_files(beside);
+  if (file.empty()) print_result(text);
 }
 
 }  // namespace torquewright::cli

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "io/atomic_file.hpp"
 
 namespace torquewright::cli {
 
 /// Writes a command's result to stdout. Throws SpecError if not all of it gets there.
 void print_result(const std::string& text);
 
-/// The same to the file of -o, whole or not at all, where one was named.
-void deliver_result(const std::string& text, const std::string& file);
+/// The same to the file of -o, where one was named; together with the files beside it, all or none.
+void deliver_result(const std::string& text, const std::string& file,
+                    std::vector<io::FileContent> beside = {});
 
 }  // namespace torquewright::cli

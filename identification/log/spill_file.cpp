@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/log/spill_file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -40,6 +41,9 @@ void transfer(std::size_t count, const Call& call) {
 }  // namespace
 
 SpillFile::SpillFile() {
+  file_ = ::open(folder().c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0600);
+  if (file_ >= 0) return;
+  // Not every file system holds a file without a name.
   std::string name = (folder() / "torquewright-log-XXXXXX").string();
   file_ = mkstemp(name.data());
   if (file_ < 0) refuse_disk(std::strerror(errno));

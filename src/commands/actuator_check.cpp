@@ -6,6 +6,7 @@
 #include <string>
 
 #include "actuator/region/mor_table.hpp"
+#include "io/atomic_file.hpp"
 #include "src/commands/actuator_check_inputs.hpp"
 #include "src/commands/actuator_check_json.hpp"
 #include "src/commands/actuator_commands.hpp"
@@ -52,7 +53,9 @@ std::string plot_of(const CheckOptions& options, const ActuatorCheckInputs& inpu
 
 ActuatorCheckInputs read(const CheckOptions& options) {
   if (!options.plot_file.empty()) report::plot_format(options.plot_file);  // refuse early
-  return read_inputs(options);
+  ActuatorCheckInputs inputs = read_inputs(options);
+  io::check_outputs(named({options.output_file, options.plot_file}), {options.trajectory_file});
+  return inputs;
 }
 
 ActuatorCheckFound compute(const CheckOptions& options, const ActuatorCheckInputs& inputs) {
@@ -64,11 +67,14 @@ ActuatorCheckFound compute(const CheckOptions& options, const ActuatorCheckInput
 
 void write(const CheckOptions& options, const ActuatorCheckInputs& inputs,
            const ActuatorCheckFound& found) {
-  if (!found.plot.empty()) report::draw_with_gnuplot(found.plot, options.plot_file);
+  std::vector<io::FileContent> files;
+  if (!found.plot.empty()) {
+    files.push_back({options.plot_file, report::picture_by_gnuplot(found.plot)});
+  }
   deliver_result(options.json || names_json(options.output_file)
                      ? actuator_check_json(options, inputs, found.report)
                      : report::check_text(options.trajectory_file, found.report),
-                 options.output_file);
+                 options.output_file, std::move(files));
 }
 
 ExitCode run_check(const CheckOptions& options) {

@@ -11,6 +11,7 @@
 #include "actuator/motor/actuator_spec.hpp"
 #include "actuator/region/mor_table_spec.hpp"
 #include "actuator/region/need.hpp"
+#include "io/atomic_file.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/actuator_export.hpp"
@@ -18,6 +19,7 @@
 #include "src/commands/mor_plot.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/options/mor_request.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/actuator_json.hpp"
 #include "src/report/actuator_text.hpp"
 #include "src/standard_output.hpp"
@@ -69,6 +71,7 @@ MorInputs read(const MorRequest& request) {
     inputs.compared = {request.compare_file, std::move(other), conditions};
   }
   read_question(request, inputs);
+  io::check_outputs(named({request.output_file, request.plot.file}), {});
   return inputs;
 }
 
@@ -142,8 +145,12 @@ MorAnswer compute(const MorRequest& request, const MorInputs& inputs) {
 }
 
 void write(const MorRequest& request, const MorAnswer& answer) {
-  if (!answer.plot.empty()) report::draw_with_gnuplot(answer.plot, request.plot.file);
-  if (answer.text) deliver_result(*answer.text, request.output_file);
+  std::vector<io::FileContent> files;
+  if (!answer.plot.empty()) {
+    files.push_back({request.plot.file, report::picture_by_gnuplot(answer.plot)});
+  }
+  if (!answer.text) return io::write_whole_files(files);
+  deliver_result(*answer.text, request.output_file, std::move(files));
 }
 
 ExitCode run_mor(const MorRequest& request) {

@@ -2,7 +2,6 @@
 #include "src/commands/gearbox_outputs.hpp"
 
 #include <cstdio>
-#include <filesystem>
 #include <vector>
 
 #include "io/atomic_file.hpp"
@@ -10,11 +9,7 @@
 namespace torquewright::cli {
 
 void check_outputs(const OutputFiles& files, const std::string& input_file) {
-  std::vector<std::filesystem::path> asked_for;
-  for (const std::string& file : {files.result, files.drawing}) {
-    if (!file.empty()) asked_for.push_back(file);
-  }
-  io::check_outputs(asked_for, {input_file});
+  io::check_outputs(named({files.result, files.drawing}), {input_file});
   require_svg("--draw", files.drawing);
 }
 

@@ -49,6 +49,7 @@ HopperCheckFound compute(const HopperCheckRequest& request, const HopperCheckInp
 ExitCode run_hopper_check(const HopperCheckRequest& request) {
   require_outputs(request);
   auto [inputs, motion] = read_inputs(request);
+  check_output_files(request);  // now that the robot's and the candidates' files are known
   const HopperCheckFound found = compute(request, inputs, std::move(motion));
   write_outputs(request, inputs, found);
   return verdict_code(found.report.check.verdict);

@@ -74,15 +74,13 @@ void require_outputs(const HopperCheckRequest& request) {
   }
   if (!request.plot_file.empty()) report::require_gnuplot("--plot");
   if (!request.loads_file.empty()) report::require_gnuplot("--plot-loads");
-  std::vector<std::filesystem::path> outputs;
-  for (const std::string* file :
-       {&request.plot_file, &request.loads_file, &request.figures_file, &request.report_file,
-        &request.series_file, &request.output_file}) {
-    if (!file->empty()) outputs.emplace_back(*file);
-  }
-  std::vector<std::filesystem::path> inputs{request.robot_file, request.trajectory_file};
-  inputs.insert(inputs.end(), request.columns_files.begin(), request.columns_files.end());
-  io::check_outputs(outputs, inputs);
+  check_output_files(request);
+}
+
+void check_output_files(const HopperCheckRequest& request) {
+  io::check_outputs(named({request.plot_file, request.loads_file, request.figures_file,
+                           request.report_file, request.series_file, request.output_file}),
+                    {request.robot_file, request.trajectory_file});
 }
 
 void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& inputs,

@@ -168,8 +168,10 @@ void add_identify_command(command_line::Command& program) {
   command
       .add_option("-o,--output", request->outputs,
                   "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
+      .names_a_file()
       .one_value_each();
-  command.add_option("--report", request->report_file, "Write the report with pictures, as HTML");
+  command.add_option("--report", request->report_file, "Write the report with pictures, as HTML")
+      .names_a_file();
   command.add_flag("--empirical", request->empirical,
                    "Where no effect fits, a table over the coordinate along which most is left");
   command

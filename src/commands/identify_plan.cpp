@@ -103,7 +103,7 @@ void add_identify_plan(command_line::Command& identify) {
   command.add_option("--noise", request->noise,
                      "QUANTITY=SIGMA: white noise of a column, repeatable; else typical ones");
   command.add_option("--seed", request->options.seed, "Of the search");
-  command.add_option("-o,--output", request->excitation, "The excitation as CSV");
+  command.add_option("-o,--output", request->excitation, "The excitation as CSV").names_a_file();
   command.add_flag("--json", request->json, "The plan as JSON");
   command.example(
       "torquewright identify plan specs/log/bench_actuator.json "

@@ -6,9 +6,11 @@
 #include "actuator/motor/actuator_spec.hpp"
 #include "identification/rig/rig.hpp"
 #include "identification/simulated/simulated_log.hpp"
+#include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/options/noise_option.hpp"
+#include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -34,6 +36,7 @@ SimulateInputs read(const SimulateOptions& options) {
   inputs.rig = identification::read_rig(io::read_document(options.rig, "rig"));
   inputs.truth = actuator::read_actuator(options.actuator);
   inputs.runs = identification::read_excitation(options.excitation, inputs.rig);
+  io::check_outputs(named({options.log}), {});
   return inputs;
 }
 
@@ -62,7 +65,7 @@ void add_identify_simulate(command_line::Command& identify) {
   command.add_option("--noise", options->noise,
                      "QUANTITY=SIGMA: white noise on a column, repeatable");
   command.add_option("--seed", options->seed, "Of the noise");
-  command.add_option("-o,--output", options->log, "The log; else stdout");
+  command.add_option("-o,--output", options->log, "The log; else stdout").names_a_file();
   command.example(
       "torquewright identify simulate specs/actuator/d151_knee.json "
       "--rig specs/rig/knee_sweep.json --excitation specs/excitation/knee_sweep.csv "

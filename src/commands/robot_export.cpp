@@ -8,6 +8,7 @@
 #include "io/atomic_file.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/robot_commands.hpp"
+#include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -26,8 +27,9 @@ hopper::Robot read(const ExportOptions& options) {
       (parts.actuators || parts.ground || parts.collisions || parts.closed_loops)) {
     io::refuse("--format", "--actuators, --ground, --collisions and --closed-loops are for mjcf");
   }
-  if (!options.output_file.empty()) io::check_outputs({options.output_file}, {options.robot_file});
-  return hopper::read_robot(options.robot_file).robot;
+  hopper::Robot robot = hopper::read_robot(options.robot_file).robot;
+  io::check_outputs(named({options.output_file}), {});
+  return robot;
 }
 
 hopper::Exported compute(const ExportOptions& options, const hopper::Robot& robot) {
@@ -65,7 +67,7 @@ void add_export_command(command_line::Command& robot) {
                    "MJCF: shapes at contact points and collision spheres");
   command.add_flag("--closed-loops", options->parts.closed_loops,
                    "MJCF: cranks and rods of linkages as bodies, their loops closed by <connect>");
-  command.add_option("-o,--output", options->output_file, "Write to this file");
+  command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
   command.example("torquewright robot export specs/robot/hopper.json --format mjcf");
   command.works([options] { return run_export(*options); });
 }

@@ -14,6 +14,7 @@
 #include "io/json_text.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/commands/robot_commands.hpp"
+#include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -27,12 +28,13 @@ struct ImportOptions {
 };
 
 hopper::Imported read(const ImportOptions& options) {
-  if (!options.output_file.empty()) io::check_outputs({options.output_file}, {options.file});
   const bool is_urdf = options.format.empty()
                            ? std::filesystem::path(options.file).extension() == ".urdf"
                            : options.format == "urdf";
-  return is_urdf ? hopper::read_urdf(options.file, options.reading)
-                 : hopper::read_mjcf(options.file, options.reading);
+  hopper::Imported imported = is_urdf ? hopper::read_urdf(options.file, options.reading)
+                                      : hopper::read_mjcf(options.file, options.reading);
+  io::check_outputs(named({options.output_file}), {});
+  return imported;
 }
 
 /// The robot's document. What a file says may still be no robot (inertias that no body has): such a
@@ -78,7 +80,8 @@ void add_import_command(command_line::Command& robot) {
   command.add_flag("--mend-inertias", options->reading.mends_inertias,
                    "Inertias that no body has, but for the rounding of their numbers: the nearest "
                    "that one has");
-  command.add_option("-o,--output", options->output_file, "Write the document to this file");
+  command.add_option("-o,--output", options->output_file, "Write the document to this file")
+      .names_a_file();
   command.example("torquewright robot import specs/robot/rabbit.urdf -o rabbit.json");
   command.works([options] { return run_import(*options); });
 }

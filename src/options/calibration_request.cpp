@@ -26,9 +26,12 @@ void add_calibration_options(command_line::Command& command, CalibrationRequest&
                   "Within which a CAV counts as met, relative; 0.01 covers the rounding of 6.0 and "
                   "7.4")
       .between(1e-6, 0.5);
-  command.add_option("-o,--output", request.output_file,
-                     "Write the robot with the fitted values to this file");
-  command.add_option("--plot", request.plot_file, "Draw the valley to this SVG or PNG");
+  command
+      .add_option("-o,--output", request.output_file,
+                  "Write the robot with the fitted values to this file")
+      .names_a_file();
+  command.add_option("--plot", request.plot_file, "Draw the valley to this SVG or PNG")
+      .names_a_file();
   command.add_flag("--json", request.json, "Print the report as JSON");
 }
 

@@ -42,8 +42,9 @@ void add_check_options(command_line::Command& command, CheckOptions& options) {
   command.add_option("--repeat", options.runs, "Runs of the motion, for the winding's temperature")
       .integer_between(1, 1000000000);
   command.add_option("--pause", options.pause_s, "After each run, in s").between(0.0, 1e9);
-  command.add_option("--plot", options.plot_file, "Draw regions and motion to this SVG or PNG");
-  command.add_option("-o,--output", options.output_file, "Write to this file");
+  command.add_option("--plot", options.plot_file, "Draw regions and motion to this SVG or PNG")
+      .names_a_file();
+  command.add_option("-o,--output", options.output_file, "Write to this file").names_a_file();
   command.add_flag("--json", options.json, "The report as JSON");
 }
 

@@ -53,17 +53,27 @@ void add_candidate_options(command_line::Command& command, HopperCheckRequest& r
 }
 
 void add_file_options(command_line::Command& command, HopperCheckRequest& request) {
-  command.add_option("--plot", request.plot_file,
-                     "Draw each region and in it the motion to this SVG or PNG");
-  command.add_option("--plot-loads", request.loads_file,
-                     "Draw torques, ground forces and gear loads over time to this SVG or PNG");
-  command.add_option("--figures", request.figures_file,
-                     "Draw the robot at moments of the motion to this SVG");
-  command.add_option("--report", request.report_file,
-                     "Write a page with everything, pictures included, to this HTML");
-  command.add_option("--series", request.series_file,
-                     "Write everything that was computed, by time, to this CSV");
-  command.add_option("-o,--output", request.output_file, "Write to this file");
+  command
+      .add_option("--plot", request.plot_file,
+                  "Draw each region and in it the motion to this SVG or PNG")
+      .names_a_file();
+  command
+      .add_option("--plot-loads", request.loads_file,
+                  "Draw torques, ground forces and gear loads over time to this SVG or PNG")
+      .names_a_file();
+  command
+      .add_option("--figures", request.figures_file,
+                  "Draw the robot at moments of the motion to this SVG")
+      .names_a_file();
+  command
+      .add_option("--report", request.report_file,
+                  "Write a page with everything, pictures included, to this HTML")
+      .names_a_file();
+  command
+      .add_option("--series", request.series_file,
+                  "Write everything that was computed, by time, to this CSV")
+      .names_a_file();
+  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
   command.add_flag("--json", request.json, "The report as JSON");
 }
 

@@ -58,9 +58,11 @@ void add_questions(command_line::Command& command, MorRequest& request) {
 }
 
 void add_mor_plot_options(command_line::Command& command, MorPlotOptions& options) {
-  command.add_option("--plot", options.file,
-                     "Draw the region to this SVG or PNG; the rows too only with --format, "
-                     "--json, --at-speed or -o");
+  command
+      .add_option("--plot", options.file,
+                  "Draw the region to this SVG or PNG; the rows too only with --format, "
+                  "--json, --at-speed or -o")
+      .names_a_file();
   command.add_option("--plot-voltage", options.voltages_V, "Over it, at these bus voltages, in V")
       .separated_by_commas()
       .between(0.5, 2000.0)
@@ -95,7 +97,7 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
       .add_option("--accuracy", request.accuracy,
                   "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1")
       .excludes("--at-speed");
-  command.add_option("-o,--output", request.output_file, "Write to this file");
+  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
   add_mor_plot_options(command, request.plot);
   add_questions(command, request);
   command.add_flag("--json", request.json, "The same as JSON");

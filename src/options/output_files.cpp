@@ -3,11 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "io/refusal.hpp"
 
 namespace torquewright::cli {
+
+std::vector<std::filesystem::path> named(std::initializer_list<std::string> files) {
+  std::vector<std::filesystem::path> all;
+  for (const std::string& file : files) {
+    if (!file.empty()) all.emplace_back(file);
+  }
+  return all;
+}
 
 bool names_json(const std::string& file) {
   return std::filesystem::path(file).extension() == ".json";

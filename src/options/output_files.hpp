@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "src/command_line/command_line.hpp"
 
@@ -12,6 +15,9 @@ struct OutputFiles {
   std::string result;
   std::string drawing;
 };
+
+/// Those of the names that are not empty.
+std::vector<std::filesystem::path> named(std::initializer_list<std::string> files);
 
 /// A file whose ending asks for JSON.
 bool names_json(const std::string& file);

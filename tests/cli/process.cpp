@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 
 namespace torquewright::cli_test {
 namespace {
@@ -138,6 +139,20 @@ Outcome run(const std::vector<std::string>& arguments, const Circumstances& circ
   }
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
   return outcome;
+}
+
+void run_and_kill(const std::vector<std::string>& arguments, const Circumstances& circumstances,
+                  int signal, std::chrono::microseconds after) {
+  const Pipe out, err;
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error("no process");
+  if (child == 0) become_program(arguments, circumstances, out, err);
+  for (const Pipe* pipe : {&out, &err}) ::close(pipe->ends[1]);
+  std::this_thread::sleep_for(after);
+  ::kill(child, signal);
+  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  for (const Pipe* pipe : {&out, &err}) ::close(pipe->ends[0]);
 }
 
 }  // namespace torquewright::cli_test

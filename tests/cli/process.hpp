@@ -35,4 +35,8 @@ constexpr int kNotStarted = 126;
 /// Runs build/.../torquewright with these arguments, without a shell.
 Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
 
+/// Starts it and sends it that signal after a while. Requires that it prints little.
+void run_and_kill(const std::vector<std::string>& arguments, const Circumstances& circumstances,
+                  int signal, std::chrono::microseconds after);
+
 }  // namespace torquewright::cli_test

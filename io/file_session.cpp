@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/file_session.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "io/refusal.hpp"
+
+namespace torquewright::io {
+namespace {
+
+/// What a file is, whatever it is called.
+using Identity = std::pair<dev_t, ino_t>;
+
+struct Inputs {
+  std::mutex mutex;
+  bool is_open = false;  ///< A session lasts.
+  std::set<Identity> files;
+};
+
+Inputs& inputs() {
+  static Inputs all;
+  return all;
+}
+
+void remember(const struct stat& status) {
+  if (!S_ISREG(status.st_mode)) return;  // a device gives and takes whatever comes
+  const std::lock_guard lock(inputs().mutex);
+  if (inputs().is_open) inputs().files.emplace(status.st_dev, status.st_ino);
+}
+
+/// A pipe that the shell or the system made has a writer already.
+bool is_waited_for(const std::filesystem::path& file, const struct stat& status) {
+  const std::string name = file.string();
+  return S_ISFIFO(status.st_mode) && !name.starts_with("/dev/") && !name.starts_with("/proc/");
+}
+
+/// Whether a byte, or the writer's end, comes in time.
+bool has_writer(int descriptor) {
+  struct pollfd wait {
+    descriptor, POLLIN, 0
+  };
+  return ::poll(&wait, 1, 1000 * kWriterPatience_s) > 0;
+}
+
+}  // namespace
+
+FileSession::FileSession() {
+  const std::lock_guard lock(inputs().mutex);
+  inputs().is_open = true;
+}
+
+FileSession::~FileSession() {
+  const std::lock_guard lock(inputs().mutex);
+  inputs().is_open = false;
+  inputs().files.clear();
+}
+
+// Not blocking: opening a named pipe would wait for its writer.
+InputFile::InputFile(const std::filesystem::path& file)
+    : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+  if (descriptor_ < 0) refuse_unreadable(file.string(), errno);
+  try {
+    if (::fstat(descriptor_, &status_) != 0) refuse_unreadable(file.string(), errno);
+    if (S_ISDIR(status_.st_mode)) refuse(file.string(), "is a folder, must be a file");
+    if (is_waited_for(file, status_) && !has_writer(descriptor_)) {
+      refuse(file.string(), fmt::format("is a named pipe, and nobody wrote into it within {} s",
+                                        kWriterPatience_s));
+    }
+    ::fcntl(descriptor_, F_SETFL, ::fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
+    remember(status_);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+InputFile::~InputFile() { ::close(descriptor_); }
+
+bool is_input(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return false;
+  const std::lock_guard lock(inputs().mutex);
+  return inputs().files.contains({status.st_dev, status.st_ino});
+}
+
+}  // namespace torquewright::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/stat.h>
+
+#include <filesystem>
+
+namespace torquewright::io {
+
+/// One run of a program: while it lasts, every file that is opened for reading is remembered, and
+/// none of them is replaced by an output, under whatever name (docs/decisions/0016). At most one at
+/// a time; without one, as in a library's hands, files are read and written as they come.
+class FileSession {
+ public:
+  FileSession();
+  ~FileSession();
+  FileSession(const FileSession&) = delete;
+  FileSession& operator=(const FileSession&) = delete;
+};
+
+/// A file open for reading; closes itself. Throws SpecError: it is missing, unreadable, a folder,
+/// or a named pipe into which nobody writes for kWriterPatience_s.
+class InputFile {
+ public:
+  explicit InputFile(const std::filesystem::path& file);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  const struct stat& status() const { return status_; }
+
+ private:
+  int descriptor_;
+  struct stat status_ {};
+};
+
+/// How long a named pipe is waited for. The shell's own (`<(...)`) have no such limit.
+inline constexpr int kWriterPatience_s = 5;
+
+/// Whether the file at that path was read in this session.
+bool is_input(const std::filesystem::path& file);
+
+}  // namespace torquewright::io

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace torquewright::io {
+
+/// Throws SpecError: that output cannot be written, and why.
+[[noreturn]] void refuse_output(const std::filesystem::path& file, const std::string& why);
+
+/// Where an output goes to: the path with links followed. Throws SpecError for what no content can
+/// replace: a folder, a link to nothing, an input of this session.
+struct Target {
+  explicit Target(const std::filesystem::path& the_file);
+
+  std::filesystem::path file;  ///< As the user named it.
+  std::filesystem::path path;
+  bool exists = false;
+  bool is_direct = false;  ///< A pipe or a device, which is written into.
+};
+
+/// Throws SpecError where the target could not be replaced, as far as that shows without trying.
+void require_writable(const Target& target);
+
+/// Content under way to its file. It has no name yet, where the file system can hold it so: if the
+/// program is killed, nothing is left of it. Each step throws SpecError where it fails.
+class StagedFile {
+ public:
+  StagedFile(const std::filesystem::path& file, std::string_view content);
+  StagedFile(StagedFile&& other) noexcept;
+  ~StagedFile();
+
+  /// Writes the content, under no name or a temporary one. Pipes and devices wait for publish().
+  void stage();
+  /// Gives it the file's name, mode and owner.
+  void publish();
+  /// As before publish(), where the file system knows a way back.
+  void withdraw();
+
+ private:
+  enum class Published { kNot, kNew, kExchanged, kForGood };
+
+  void open();
+  void give_name();
+  void keep_owner_and_mode() const;
+  void write_directly() const;
+
+  Target target_;
+  std::string_view content_;
+  std::filesystem::path temporary_ = {};  ///< Empty: there is none.
+  int descriptor_ = -1;
+  Published published_ = Published::kNot;
+};
+
+}  // namespace torquewright::io

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// No command replaces a file that it has read, under whatever name and however it came to read it.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The examples, with which to work on copies.
+struct Examples : Workplace {
+  Examples() { fs::copy(in_repository("specs"), path("specs"), fs::copy_options::recursive); }
+
+  /// Every file below it by name, with its text.
+  std::map<std::string, std::string> all() const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(path())) {
+      if (entry.is_regular_file()) files[entry.path().string()] = text_of(entry.path());
+    }
+    return files;
+  }
+};
+
+const std::string kKnee = "specs/actuator/d151_knee.json";
+const std::string kAnkle = "specs/actuator/d110a_ankle.json";
+const std::string kMotion = "specs/trajectory/knee_extension.csv";
+const std::string kFlip = "specs/trajectory/hopper_flip.csv";
+const std::string kHopper = "specs/robot/hopper.json";
+const std::string kRig = "specs/rig/knee_sweep.json";
+const std::string kExcitation = "specs/excitation/knee_sweep.csv";
+
+struct Overwrite {
+  Words command;
+  std::string output;  ///< As it is refused.
+};
+
+std::vector<Overwrite> overwrites() {
+  const Words check{"actuator", "check", kMotion, "--joint", "knee=" + kKnee, "-o"};
+  const Words simulate{"identify", "simulate",     kKnee,       "--rig",
+                       kRig,       "--excitation", kExcitation, "-o"};
+  const Words flip{"hopper", "check", kHopper, kFlip};
+  const auto with = [](Words command, const Words& more) {
+    command.insert(command.end(), more.begin(), more.end());
+    return command;
+  };
+  return {
+      {{"actuator", "mor", kKnee, "-o", kKnee}, kKnee},
+      {{"actuator", "mor", kKnee, "--compare", kAnkle, "-o", kAnkle}, kAnkle},
+      {with(check, {kKnee}), kKnee},
+      {with(check, {kMotion}), kMotion},
+      {with(simulate, {kExcitation}), kExcitation},
+      {with(simulate, {kKnee}), kKnee},
+      {with(simulate, {"specs/../" + kRig}), "specs/../" + kRig},
+      {with(flip, {"-o", kKnee}), kKnee},
+      {with(flip, {"--report", "specs/gearbox/d151_strength.json"}),
+       "specs/gearbox/d151_strength.json"},
+      {with(flip, {"--candidates", "specs/actuator", "-o", kAnkle}), kAnkle},
+      {{"robot", "export", kHopper, "--format", "mjcf", "-o", kKnee}, kKnee},
+      {{"identify", "plan", "specs/log/bench_actuator.json", "--rig", "specs/log/bench_rig.json",
+        "-o", "specs/log/bench_rig.json"},
+       "specs/log/bench_rig.json"},
+  };
+}
+
+TEST(FileSession, KeepsWhatItHasRead) {
+  const Examples place;
+  const auto before = place.all();
+  for (const Overwrite& each : overwrites()) {
+    const Outcome outcome = place.run(each.command);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err,
+              each.output + ": cannot be written: it is an input, which would be lost\n");
+    EXPECT_EQ(place.all(), before) << each.output;
+  }
+}
+
+TEST(FileSession, KnowsAnInputByAnyName) {
+  const Examples place;
+  fs::create_hard_link(place.path(kKnee), place.path("twin.json"));
+  fs::create_symlink(place.path(kKnee), place.path("link.json"));
+  const auto before = place.all();
+  for (const char* name : {"twin.json", "link.json"}) {
+    EXPECT_EQ(place.run({"actuator", "mor", kKnee, "-o", name}).exit_code, 2);
+  }
+  EXPECT_EQ(place.all(), before);
+}
+
+TEST(FileSession, DoesNotWaitForAPipeThatNobodyFills) {
+  const Examples place;
+  fs::remove(place.path(kAnkle));
+  ASSERT_EQ(::mkfifo(place.path(kAnkle).c_str(), 0600), 0);
+  const Outcome outcome = place.run({"hopper", "check", kHopper, kFlip});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("is a named pipe, and nobody wrote into it within 5 s"),
+            std::string::npos)
+      << outcome.err;
+}
+
+TEST(Outputs, KeepTheModeOfAFileThatStoodThere) {
+  const Examples place;
+  const fs::path secret = place.write("secret.csv", "old");
+  fs::permissions(secret, fs::perms(0600));
+  EXPECT_EQ(place.run({"actuator", "mor", kKnee, "-o", "secret.csv"}).exit_code, 0);
+  EXPECT_TRUE(place.text("secret.csv").size() > 100);
+  EXPECT_EQ(fs::status(secret).permissions(), fs::perms(0600));
+}
+
+TEST(Outputs, FollowALinkAndRefuseOneToNothing) {
+  const Examples place;
+  place.write("real.csv", "old");
+  fs::create_symlink("real.csv", place.path("link.csv"));
+  EXPECT_EQ(place.run({"actuator", "mor", kKnee, "-o", "link.csv"}).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(place.path("link.csv")));
+  EXPECT_TRUE(place.text("real.csv").size() > 100);
+
+  fs::create_symlink("absent.csv", place.path("nowhere.csv"));
+  const Outcome outcome = place.run({"actuator", "mor", kKnee, "-o", "nowhere.csv"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "nowhere.csv: cannot be written: it is a link to a file that does not exist\n");
+}
+
+// Fifteen moments from the start to past the end, four signals. Each file is whole, and those that
+// belong together are of one run unless nothing could hold the signal back (KILL).
+TEST(Outputs, AreOldOrNewAfterAnySignal) {
+  const Examples place;
+  const Words command{"actuator", "mor",   kKnee,    "--at-speed", "0,1",
+                      "-o",       "x.csv", "--plot", "y.svg"};
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(place.run(command).exit_code, 0);
+  const auto whole_run = std::chrono::duration_cast<std::chrono::microseconds>(
+      std::chrono::steady_clock::now() - start);
+  const std::string rows = place.text("x.csv"), picture = place.text("y.svg");
+  constexpr int kMoments = 15;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
+    for (int i = 0; i < kMoments; ++i) {
+      place.write("x.csv", "old");
+      place.write("y.svg", "old");
+      run_and_kill(command, place.here, signal, whole_run * i / (kMoments - 2));
+      const std::string x = place.text("x.csv"), y = place.text("y.svg");
+      EXPECT_TRUE(x == "old" || x == rows);
+      EXPECT_TRUE(y == "old" || y == picture);
+      EXPECT_TRUE(signal == SIGKILL || (x == "old") == (y == "old"));
+      EXPECT_EQ(place.files().size(), 3u) << "a temporary file is left";
+    }
+  }
+}
+
+TEST(Outputs, AreRefusedUnderNoName) {
+  const Examples place;
+  EXPECT_EQ(place.run({"actuator", "mor", kKnee, "-o", ""}).exit_code, 2);
+  EXPECT_EQ(
+      place.run({"actuator", "check", kMotion, "--joint", "knee=" + kKnee, "--plot", ""}).exit_code,
+      2);
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test

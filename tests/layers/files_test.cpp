@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files are opened, replaced and removed by io/ alone (docs/decisions/0016). Oracle: the sources.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "tests/gates/excuses.hpp"
+#include "tests/gates/source_tree.hpp"
+
+namespace torquewright::layers {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kWays = {"fstream>",   "fopen(",    "::open(",    "::creat(",
+                              "mkstemp(",   "::rename(", "fs::rename", "unlink(",
+                              "fs::remove", "freopen(",  "fs::copy"};
+
+/// They may only become fewer.
+const std::vector<gates::Excuse> kLeftAlone = {
+    {"identification/log/spill_file.cpp", "holds a log in a file that has no name"},
+};
+
+bool touches_files(const fs::path& file) {
+  const std::string text = gates::text_of(file);
+  return std::any_of(kWays.begin(), kWays.end(),
+                     [&](const char* way) { return text.find(way) != std::string::npos; });
+}
+
+TEST(Files, AreTouchedByIoAlone) {
+  gates::Names broken;
+  for (const char* folder : {"optimization", "gearbox", "actuator", "dynamics", "simulation",
+                             "identification", "hopper", "src"}) {
+    for (const char* extension : {".cpp", ".hpp"}) {
+      for (const fs::path& file : gates::files_in(folder, extension)) {
+        if (touches_files(file)) broken.insert(file.generic_string());
+      }
+    }
+  }
+  gates::expect_excused(broken, kLeftAlone, "only io/ opens, replaces and removes files");
+}
+
+}  // namespace
+}  // namespace torquewright::layers
