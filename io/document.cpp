@@ -57,24 +57,29 @@ bool is_foreign(const json& root, const json& properties) {
   return false;
 }
 
-void keep_kind_and_version(const std::string& path, std::vector<Fault>& faults) {
-  std::erase_if(faults, [&](const Fault& fault) {
-    return fault.path != path + "/kind" && fault.path != path + "/version";
-  });
+/// What is wrong with these two alone.
+std::vector<Fault> kind_and_version_faults(const Document& document, const json& schema) {
+  std::vector<Fault> faults;
+  for (const char* key : {"kind", "version"}) {
+    if (!document.root.contains(key)) continue;
+    const std::vector<Fault> found = diagnose(document.root[key], schema["properties"][key],
+                                              document.file, child_path(document.path, key));
+    faults.insert(faults.end(), found.begin(), found.end());
+  }
+  return faults;
 }
 
-/// Everything that is wrong with the document's shape.
+/// Everything that is wrong with the document's shape. Never empty where it does not conform.
 std::vector<Fault> find_faults(const Document& document, std::string_view kind) {
   std::vector<Fault> faults;
   if (!conforms(document.root, kind)) {
     const json& schema = schema_of(kind);
+    if (document.root.is_object() && is_foreign(document.root, schema["properties"])) {
+      return kind_and_version_faults(document, schema);
+    }
     faults = diagnose(document.root, schema, document.file, document.path);
     if (faults.empty()) {  // a keyword of the schema that diagnose() does not know
       faults = {{document.file, document.path, "is not as specs/schema demands"}};
-    }
-    if (document.root.is_object() && is_foreign(document.root, schema["properties"])) {
-      keep_kind_and_version(document.path, faults);
-      return faults;
     }
   }
   if (document.root.is_object() && document.root.value("assumed", json()).is_array()) {

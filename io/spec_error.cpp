@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
 namespace torquewright::io {
 namespace {
+
+constexpr std::size_t kMostSentences = 1000;
+constexpr std::size_t kLongestSentence = 4000;  // bytes
 
 /// The text with control characters written as \u00XX.
 std::string on_one_line(std::string_view text) {
@@ -28,12 +32,24 @@ std::string sentence(const Fault& fault) {
   return on_one_line(where + ": " + fault.message);
 }
 
+/// A line that a terminal and its reader can bear, cut between characters.
+std::string of_bearable_length(std::string line) {
+  if (line.size() <= kLongestSentence) return line;
+  std::size_t end = kLongestSentence;
+  while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
+  return line.substr(0, end) + " ...";
+}
+
 std::string sentences(const std::vector<Fault>& faults) {
   if (faults.empty()) throw std::invalid_argument("a SpecError needs at least one fault");
   std::string lines;
-  for (const Fault& fault : faults) {
+  const std::size_t shown = std::min(faults.size(), kMostSentences);
+  for (std::size_t i = 0; i < shown; ++i) {
     if (!lines.empty()) lines += '\n';
-    lines += sentence(fault);
+    lines += of_bearable_length(sentence(faults[i]));
+  }
+  if (shown < faults.size()) {
+    lines += fmt::format("\n{}: and {} faults more", faults[shown].file, faults.size() - shown);
   }
   return lines;
 }

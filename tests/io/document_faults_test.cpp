@@ -2,7 +2,9 @@
 // The exact sentences for every kind of mistake in a document.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <ostream>
+#include <string>
 
 #include "io/diagnosis.hpp"
 #include "io/document.hpp"
@@ -172,6 +174,35 @@ TEST(WholeText, StaysOnOneLinePerFault) {
             "\"ring_wall_mm\", \"rotor_inertia_kg_m2\", \"rotor_inner_diameter_mm\", "
             "\"sun_under_second_layer\", \"synthesis\", \"target_ratio\", \"topology\", "
             "\"version\"");
+}
+
+/// Keys that no document has, so many that not all their faults are listed.
+std::string unknown_keys() {
+  std::string keys;
+  for (std::size_t i = 0; i < 2 * kMaxListedFaults; ++i)
+    keys += "\"a" + std::to_string(i) + "\":1,";
+  return keys;
+}
+
+// Nothing may hide behind other faults: what is of another kind, or version, is refused for that.
+TEST(DocumentFaults, DoNotHideTheKind) {
+  const auto of_kind = [](const std::string& kind, const std::string& version) {
+    return faults_of("{" + unknown_keys() + "\"kind\":" + kind + ",\"version\":" + version + "}");
+  };
+  EXPECT_EQ(of_kind("\"actuator\"", "1"), "#/kind: \"actuator\" is not \"gearbox_problem\"");
+  EXPECT_EQ(of_kind("\"gearbox_problem\"", "2"), "#/version: 2 is not 1");
+  EXPECT_NE(of_kind("\"gearbox_problem\"", "1"), "");
+}
+
+TEST(DocumentFaults, AreListedWithAnEnd) {
+  std::string keys;
+  for (int i = 0; i < 5000; ++i) keys += "\"a\":1,";
+  const std::string lines = faults_of("{" + keys + "\"a\":1}");
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1000);
+  EXPECT_TRUE(lines.ends_with(" faults more")) << lines.substr(lines.size() - 100);
+
+  const std::string long_key(100000, 'k');
+  EXPECT_LT(faults_of("{\"" + long_key + "\":1}").size(), 5000u * 20u);
 }
 
 TEST(WholeText, ListsNoMoreThanSoManyFaults) {

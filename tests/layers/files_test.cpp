@@ -13,9 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kWays = {"fstream>",   "fopen(",    "::open(",    "::creat(",
-                              "mkstemp(",   "::rename(", "fs::rename", "unlink(",
-                              "fs::remove", "freopen(",  "fs::copy"};
+constexpr std::array kWays = {"fstream>", "fopen(",     "::open(",    "::creat(",
+                              "mkstemp(", " ::rename(", "(::rename(", "fs::rename",
+                              "unlink(",  "fs::remove", "freopen(",   "fs::copy"};
 
 /// They may only become fewer.
 const std::vector<gates::Excuse> kLeftAlone = {
