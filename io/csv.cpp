@@ -47,6 +47,20 @@ bool has_decimal_comma(std::string_view text) {
   return number_of(pointed).has_value();
 }
 
+/// Whether every byte beyond ASCII is part of a character as UTF-8 writes it.
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    if (lead < 0x80) continue;
+    const std::size_t more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
+    if (lead < 0xC2 || lead > 0xF4 || text.size() - i <= more) return false;
+    for (std::size_t part = 0; part < more; ++part) {
+      if ((static_cast<unsigned char>(text[++i]) & 0xC0U) != 0x80U) return false;
+    }
+  }
+  return true;
+}
+
 std::string in_quotes(std::string_view text) {
   if (text.size() <= kLongestCell) return fmt::format("\"{}\"", text);
   return fmt::format("\"{}...\"", text.substr(0, kLongestCell));
@@ -63,6 +77,7 @@ CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end)
     }
   } while (line.starts_with('#') || trimmed(line).empty());
   line_ = lines_.line_number();
+  check_encoding(line);
   split(line);
   header_.assign(cells_.begin(), cells_.end());
   check_header();
@@ -72,6 +87,22 @@ std::optional<std::size_t> CsvReader::find(std::string_view name) const {
   const auto found = std::find(header_.begin(), header_.end(), name);
   if (found == header_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - header_.begin());
+}
+
+/// What spreadsheets write that is no table of numbers yet, and what to do about it.
+void CsvReader::check_encoding(std::string_view first_line) const {
+  if (first_line.find('\r') != std::string_view::npos) {
+    refuse_row("its lines end with carriage returns alone; convert it: tr '\\r' '\\n'");
+  }
+  if (trimmed(first_line).substr(0, 4) == "sep=") {
+    refuse_row(
+        fmt::format("{} is a spreadsheet's line about separators; delete it, columns are "
+                    "separated by commas",
+                    in_quotes(trimmed(first_line))));
+  }
+  if (!is_utf8(first_line)) {
+    refuse_row("the header is no UTF-8; convert it: iconv -f latin1 -t utf-8");
+  }
 }
 
 void CsvReader::check_header() const {

@@ -53,6 +53,7 @@ class CsvReader {
 
  private:
   void split(std::string_view line);
+  void check_encoding(std::string_view first_line) const;
   void check_header() const;
   void check_row() const;
   bool drops_cut_end();

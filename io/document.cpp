@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/document.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,6 +32,42 @@ void find_infinite_numbers(const Document& document, const json& value, const st
   if (!value.is_structured()) return;
   for (const auto& [key, child] : value.items()) {
     find_infinite_numbers(document, child, child_path(path, key), faults);
+  }
+}
+
+/// The first character of a text that no line, and no XML, can hold: a control character, U+FFFE or
+/// U+FFFF.
+std::optional<std::string> unprintable_in(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto code = static_cast<unsigned char>(text[i]);
+    if (code < 0x20 || code == 0x7f) return fmt::format("U+{:04X}", code);
+    const std::string_view three = text.substr(i, 3);
+    if (three == "\xEF\xBF\xBE") return "U+FFFE";
+    if (three == "\xEF\xBF\xBF") return "U+FFFF";
+  }
+  return std::nullopt;
+}
+
+void find_unprintable_texts(const Document& document, const json& value, const std::string& path,
+                            std::vector<Fault>& faults) {
+  if (faults.size() >= kMaxListedFaults) return;
+  if (value.is_string()) {
+    if (const auto character = unprintable_in(value.get_ref<const std::string&>())) {
+      faults.push_back(
+          {document.file, path,
+           fmt::format("holds the character {}; must be one line of text", *character)});
+    }
+    return;
+  }
+  if (!value.is_structured()) return;
+  for (const auto& [key, child] : value.items()) {
+    const std::string place = child_path(path, key);
+    if (const auto character = unprintable_in(key)) {
+      faults.push_back(
+          {document.file, place,
+           fmt::format("a key with the character {}; must be one line of text", *character)});
+    }
+    find_unprintable_texts(document, child, place, faults);
   }
 }
 
@@ -82,6 +123,7 @@ std::vector<Fault> find_faults(const Document& document, std::string_view kind) 
       faults = {{document.file, document.path, "is not as specs/schema demands"}};
     }
   }
+  if (faults.empty()) find_unprintable_texts(document, document.root, document.path, faults);
   if (document.root.is_object() && document.root.value("assumed", json()).is_array()) {
     find_lost_assumptions(document, faults);
   }

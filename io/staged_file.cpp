@@ -127,7 +127,11 @@ void StagedFile::open() {
 
 void StagedFile::publish() {
   if (target_.is_direct) return write_directly();
-  if (temporary_.empty()) give_name();
+  if (temporary_.empty() && !target_.exists && takes_name(target_.path)) {
+    published_ = Published::kNew;
+    return;
+  }
+  if (temporary_.empty()) give_temporary_name();
   // The former file takes the temporary name, so that there is a way back.
   if (target_.exists && ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.path.c_str(),
                                     RENAME_EXCHANGE) == 0) {
@@ -147,13 +151,15 @@ void StagedFile::withdraw() {
   ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.path.c_str(), RENAME_EXCHANGE);
 }
 
-void StagedFile::give_name() {
+bool StagedFile::takes_name(const fs::path& name) const {
   const std::string unnamed = fmt::format("/proc/self/fd/{}", descriptor_);
+  return ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+void StagedFile::give_temporary_name() {
   do {
     temporary_ = temporary_in(folder_of(target_.path));
-    if (::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) == 0) {
-      return;
-    }
+    if (takes_name(temporary_)) return;
   } while (errno == EEXIST);
   temporary_.clear();
   refuse_output(target_.file, reason(errno));

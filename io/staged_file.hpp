@@ -43,7 +43,8 @@ class StagedFile {
   enum class Published { kNot, kNew, kExchanged, kForGood };
 
   void open();
-  void give_name();
+  bool takes_name(const std::filesystem::path& name) const;
+  void give_temporary_name();
   void keep_owner_and_mode() const;
   void write_directly() const;
 

@@ -145,6 +145,13 @@ class Pass {
       result.drives.push_back(std::move(drive));
     }
     result.findings = findings_of(result.drives);
+    if (const std::string shifted = reader_.clock().sentence(); !shifted.empty()) {
+      Finding finding;
+      finding.rule = "clock";
+      finding.severity = Severity::kNote;
+      finding.sentence = shifted;
+      result.findings.push_back(std::move(finding));
+    }
     if (auto gap = gap_finding(longest_step())) result.findings.push_back(std::move(*gap));
     for (Finding& finding : shared_battery_findings(request_.drives)) {
       result.findings.push_back(std::move(finding));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -25,7 +26,7 @@ std::vector<std::string> effects_and_sources(const Actuator& actuator) {
 /// Fourteen digits: what is beyond is the rounding of conversions between conventions, and would
 /// show 320 as 319.99999999999994.
 double rounded(double value) {
-  const double result = std::stod(fmt::format("{:.14g}", value));
+  const double result = std::strtod(fmt::format("{:.14g}", value).c_str(), nullptr);
   return result == 0.0 ? 0.0 : result;  // not -0
 }
 

@@ -8,6 +8,10 @@
 
 namespace torquewright::actuator {
 
+/// Of any angle, speed, torque or force of a motion, in SI units: beyond, squares and sums
+/// overflow.
+inline constexpr double kGreatestValue = 1e9;
+
 /// What a column of a trajectory holds.
 enum class Quantity { kTime, kPosition, kVelocity, kTorque };
 std::string_view name_of(Quantity quantity);

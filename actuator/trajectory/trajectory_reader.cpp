@@ -148,10 +148,20 @@ void TrajectoryReader::require_complete(const std::vector<ColumnMapping>& found,
 
 double TrajectoryReader::read_time_s() {
   const double time_s = csv_.number(time_->column) * time_->factor;
+  if (!(std::abs(time_s) <= Clock::kLatest_s)) {
+    csv_.refuse(time_->column, "too large in SI units");
+  }
   if (previous_s_ && time_s <= *previous_s_) {
     csv_.refuse(time_->column, fmt::format("time {}: {} s follows {} s of line {}",
                                            time_s == *previous_s_ ? "repeats" : "runs backwards",
                                            time_s, *previous_s_, previous_line_));
+  }
+  if (previous_s_ && time_s - *previous_s_ < Clock::kShortestStep_s) {
+    csv_.refuse(time_->column,
+                fmt::format("{} s follow {} s of line {}: closer than the {} s that a log's rows "
+                            "can be apart; state the unit, --column {}=time:ms",
+                            time_s, *previous_s_, previous_line_, Clock::kShortestStep_s,
+                            csv_.header()[time_->column]));
   }
   previous_s_ = time_s;
   previous_line_ = csv_.line();
@@ -161,12 +171,14 @@ double TrajectoryReader::read_time_s() {
 bool TrajectoryReader::next(Row& row) {
   row.values.assign(kPlaces * joints_.size(), 0.0);
   while (csv_.next()) {
-    row.time_s = read_time_s();
+    const double stamp_s = read_time_s();
+    row.time_s = clock_.since_origin_s(stamp_s);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const auto read = [&](const std::optional<JointColumns::Source>& source, Place place) {
         if (!source) return;
         const double value = csv_.number(source->column) * source->factor;
-        if (!std::isfinite(value)) csv_.refuse(source->column, "too large in SI units");
+        if (!(std::abs(value) <= kGreatestValue))
+          csv_.refuse(source->column, "too large in SI units");
         row.values[kPlaces * i + place] = value;
       };
       read(joints_[i].position, kPositionAt);
@@ -177,7 +189,7 @@ bool TrajectoryReader::next(Row& row) {
       read(joints_[i].velocity, kVelocityAt);
       read(joints_[i].torque, kTorqueAt);
     }
-    if (row.time_s >= window_.from_s && row.time_s <= window_.until_s) return true;
+    if (stamp_s >= window_.from_s && stamp_s <= window_.until_s) return true;
   }
   return false;
 }

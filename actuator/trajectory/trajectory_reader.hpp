@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "actuator/trajectory/angle_unwrap.hpp"
+#include "actuator/trajectory/clock.hpp"
 #include "actuator/trajectory/columns.hpp"
 #include "actuator/trajectory/slope_filter.hpp"
 #include "io/csv.hpp"
@@ -49,6 +50,8 @@ class TrajectoryReader {
   /// How its position was made to run on, if the file keeps it within a turn.
   const AngleUnwrap& unwrap(std::size_t joint) const { return unwraps_[joint]; }
 
+  const Clock& clock() const { return clock_; }
+
   /// The next row inside the window; false at the end. Throws for what CsvReader throws for, and
   /// where time repeats or runs backwards.
   bool next(Row& row);
@@ -69,6 +72,7 @@ class TrajectoryReader {
   std::optional<JointColumns::Source> time_;
   std::vector<JointColumns> joints_;
   std::vector<AngleUnwrap> unwraps_;
+  Clock clock_;
   std::optional<double> previous_s_;
   std::size_t previous_line_ = 0;
 };

@@ -15,7 +15,7 @@ struct StrengthVariants {
 };
 
 /// The single stage of the same ratio and planet count with the most teeth that the module leaves
-/// room for: ring pitch circle within `ring_space_mm`, planets clear of each other, equally spaced.
+/// room for: the ring's blank within `ring_space_mm`, planets clear of each other, equally spaced.
 /// Empty where there is none.
 std::vector<std::int64_t> stage_with_most_teeth(const GearTrain& stage, double module_mm,
                                                 double ring_space_mm);

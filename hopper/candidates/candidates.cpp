@@ -9,6 +9,7 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "actuator/check/drive_check.hpp"
@@ -353,7 +354,11 @@ std::vector<CandidateResult> try_candidates(const Robot& robot, const Motion& mo
   };
   {
     std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work, i);
+    try {
+      for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work, i);
+    } catch (const std::system_error&) {
+      // The system gives no more of them: those that there are do all of it.
+    }
     work(0);
   }
   for (const std::exception_ptr& failure : failures) {

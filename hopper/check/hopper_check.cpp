@@ -62,6 +62,9 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
                      angle.column, angle.count, angle.first_s));
     findings.back().time_s = angle.first_s;
   }
+  if (const std::string shifted = motion.clock.sentence(); !shifted.empty()) {
+    note("clock", Severity::kNote, shifted);
+  }
   if (checked.robot.drivetrains.empty()) {
     note("no-drives", Severity::kWarning,
          "the robot states no mechanisms: there is no actuator to hold the motion against");

@@ -203,11 +203,10 @@ Series series_of(const Robot& robot, const Motion& motion, const CheckOptions& o
 
 namespace {
 
-/// As "%.9g" writes it.
+/// The shortest that reads back the same.
 void append_number(double value, std::string& text) {
   std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                 std::chars_format::general, 9);
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   text.append(digits.data(), end.ptr);
 }
 

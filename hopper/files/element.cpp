@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
+#include <algorithm>
+
 #include "io/file_bytes.hpp"
 #include "io/spec_error.hpp"
 
@@ -22,6 +24,41 @@ void refuse_declarations(const tinyxml2::XMLNode& node, const std::string& file)
     refuse(file, fmt::format("line {}: a DOCTYPE or another declaration is not read, nor are "
                              "entities; expand them first",
                              next->GetLineNum()));
+  }
+}
+
+/// Far more than any element has. The parser compares each attribute with all before it.
+constexpr std::size_t kMostAttributes = 1000;
+
+/// Past the next `end`, or at the end of the text.
+std::size_t past(std::string_view text, std::string_view end, std::size_t from) {
+  const std::size_t found = text.find(end, from);
+  return found == std::string_view::npos ? text.size() : found + end.size();
+}
+
+/// Refuses an element of very many attributes before it is parsed.
+void check_attribute_counts(std::string_view text, const std::string& file) {
+  std::size_t at = 0;
+  while ((at = text.find('<', at)) != std::string_view::npos) {
+    if (text.substr(at, 4) == "<!--") {
+      at = past(text, "-->", at);
+      continue;
+    }
+    if (text.substr(at, 9) == "<![CDATA[") {
+      at = past(text, "]]>", at);
+      continue;
+    }
+    const std::size_t start = at++;
+    std::size_t count = 0;
+    while (at < text.size() && text[at] != '>') {
+      const char character = text[at++];
+      if (character == '=') ++count;
+      if (character == '"' || character == '\'') at = past(text, {&character, 1}, at);
+    }
+    if (count <= kMostAttributes) continue;
+    const auto line = std::count(text.begin(), text.begin() + static_cast<long>(start), '\n') + 1;
+    refuse(file, fmt::format("line {}: an element with {} attributes; at most {} are read", line,
+                             count, kMostAttributes));
   }
 }
 
@@ -70,6 +107,7 @@ const Element* child(const Element& element, std::string_view name) {
 Element read_element(const std::filesystem::path& file) {
   const auto name = std::make_shared<const std::string>(file.string());
   const std::string bytes = io::read_file_bytes(file);
+  check_attribute_counts(bytes, *name);
   tinyxml2::XMLDocument document;
   if (document.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS) {
     refuse(*name, fmt::format("line {}: is no XML that can be read ({})", document.ErrorLineNum(),

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "actuator/trajectory/clock.hpp"
 #include "hopper/robot/robot.hpp"
 
 namespace torquewright::hopper {
@@ -50,6 +51,7 @@ struct Motion {
   /// Samples whose velocity does not continue that of the sample before: an impact lies between.
   std::vector<Eigen::Index> breaks;
   std::vector<UnwrappedAngle> unwrapped;
+  actuator::Clock clock;  ///< Of the file; `times_s` count from its origin.
   std::string file;
   std::string sha256;
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "actuator/trajectory/angle_unwrap.hpp"
+#include "actuator/trajectory/columns.hpp"
 #include "hopper/motion/mapping_spec.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "io/nearest.hpp"
@@ -206,9 +207,11 @@ class MotionReader {
 
   void read_row() {
     has_rows_ = true;
-    const double time_s = number(*source_of(0));
-    require_order(time_s);
-    if (time_s < source_.window.from_s || time_s > source_.window.until_s) return;
+    const double stamp_s = number(*source_of(0));
+    require_order(stamp_s);
+    const double time_s = clock_.since_origin_s(stamp_s);
+    motion_.clock = clock_;
+    if (stamp_s < source_.window.from_s || stamp_s > source_.window.until_s) return;
     motion_.times_s.push_back(time_s);
     for (std::size_t kind = 1; kind < rows_.size(); ++kind) {
       tables_[kind].resize(tables_[kind].size() + static_cast<std::size_t>(rows_[kind]), 0.0);
@@ -229,7 +232,10 @@ class MotionReader {
 
   double number(const Source& source) const {
     const double value = csv_.number(source.column) * source.factor;
-    if (!std::isfinite(value)) csv_.refuse(source.column, "too large in SI units");
+    const bool is_time = &source == source_of(0);
+    if (!(std::abs(value) <= (is_time ? actuator::Clock::kLatest_s : actuator::kGreatestValue))) {
+      csv_.refuse(source.column, "too large in SI units");
+    }
     return value;
   }
 
@@ -240,6 +246,13 @@ class MotionReader {
     if (previous_s_ && time_s < *previous_s_) {
       csv_.refuse(source_of(0)->column,
                   fmt::format("time runs backwards: {} s follows {} s", time_s, *previous_s_));
+    }
+    if (previous_s_ && !is_repeated_ && time_s - *previous_s_ < actuator::Clock::kShortestStep_s) {
+      csv_.refuse(source_of(0)->column,
+                  fmt::format("{} s follow {} s: closer than the {} s that a log's rows can be "
+                              "apart; state the unit, --column {}=time:ms",
+                              time_s, *previous_s_, actuator::Clock::kShortestStep_s,
+                              csv_.header()[source_of(0)->column]));
     }
     previous_s_ = time_s;
   }
@@ -318,6 +331,7 @@ class MotionReader {
   std::array<Index, 7> rows_{};                 ///< By kind of channel.
   std::array<std::vector<double>, 7> tables_;
   Motion motion_;
+  actuator::Clock clock_;
   std::optional<double> previous_s_;
   bool is_repeated_ = false;
   bool was_repeated_ = false;

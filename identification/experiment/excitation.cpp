@@ -188,7 +188,7 @@ std::string excitation_csv(const std::vector<ExcitationRun>& runs) {
     const simulation::JointDrive& joint = run.excitation.joints[0];
     for (std::size_t i = 0; i < joint.value.size(); ++i) {
       if (has_runs) text += run.name + ",";
-      text += fmt::format("{:.6g},{:.6g}", run.excitation.time_s[i], joint.value[i]);
+      text += fmt::format("{},{:.6g}", run.excitation.time_s[i], joint.value[i]);
       if (is_imposed) text += fmt::format(",{:.6g}", joint.speed_rad_s[i]);
       text += '\n';
     }

@@ -110,7 +110,7 @@ void append_run(std::string& text, const Rig& rig, const actuator::Actuator& tru
   for (std::size_t i = 0; i < run.excitation.time_s.size(); ++i) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (c > 0) text += ',';
-      text += columns[c].empty() ? run.name : fmt::format("{:.9g}", columns[c][i]);
+      text += columns[c].empty() ? run.name : fmt::format("{}", columns[c][i]);
     }
     text += '\n';
   }

@@ -13,6 +13,9 @@
 namespace torquewright::cli {
 namespace {
 
+constexpr double kMostTorque_Nm = 1e9;
+constexpr double kMostSpeed_rad_s = 1e6;
+
 /// Two finite numbers with a mark between them: 100@5, 4:40.
 std::pair<double, double> number_pair(const std::string& option, const std::string& text,
                                       char mark) {
@@ -92,7 +95,7 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
       .needs("--format");
   command.add_option("--at-speed", request.speeds_rad_s, "Rows at these speeds only, in rad/s")
       .separated_by_commas()
-      .between(-1e6, 1e6);
+      .between(-kMostSpeed_rad_s, kMostSpeed_rad_s);
   command
       .add_option("--accuracy", request.accuracy,
                   "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1")
@@ -136,6 +139,10 @@ void require_accuracy(const MorRequest& request) {
 std::optional<actuator::Need> need_of(const MorRequest& request) {
   if (request.need.empty()) return std::nullopt;
   const auto [torque_Nm, speed_rad_s] = number_pair("--need", request.need, '@');
+  if (std::abs(torque_Nm) > kMostTorque_Nm || std::abs(speed_rad_s) > kMostSpeed_rad_s) {
+    io::refuse("--need", fmt::format("\"{}\" must lie within {} Nm and {} rad/s", request.need,
+                                     kMostTorque_Nm, kMostSpeed_rad_s));
+  }
   return actuator::Need{torque_Nm, speed_rad_s};
 }
 

@@ -129,8 +129,15 @@ TEST(Outputs, FollowALinkAndRefuseOneToNothing) {
             "nowhere.csv: cannot be written: it is a link to a file that does not exist\n");
 }
 
+void remove_temporary_files(const Workplace& place) {
+  for (const auto& [name, text] : place.files()) {
+    if (name.ends_with(".tmp")) fs::remove(place.path(name));
+  }
+}
+
 // Fifteen moments from the start to past the end, four signals. Each file is whole, and those that
-// belong together are of one run unless nothing could hold the signal back (KILL).
+// belong together are of one run, and nothing else is left, unless nothing could hold the signal
+// back (KILL).
 TEST(Outputs, AreOldOrNewAfterAnySignal) {
   const Examples place;
   const Words command{"actuator", "mor",   kKnee,    "--at-speed", "0,1",
@@ -150,7 +157,9 @@ TEST(Outputs, AreOldOrNewAfterAnySignal) {
       EXPECT_TRUE(x == "old" || x == rows);
       EXPECT_TRUE(y == "old" || y == picture);
       EXPECT_TRUE(signal == SIGKILL || (x == "old") == (y == "old"));
-      EXPECT_EQ(place.files().size(), 3u) << "a temporary file is left";
+      const bool has_left_nothing = place.files().size() == 3;
+      EXPECT_TRUE(signal == SIGKILL || has_left_nothing) << "a temporary file is left";
+      if (!has_left_nothing) remove_temporary_files(place);
     }
   }
 }

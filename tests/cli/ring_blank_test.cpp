@@ -23,5 +23,26 @@ TEST(RingBlank, IsHeldAgainstTheRotorsBoreInTheFirstLine) {
             "  ring blank        76.2 mm, fits into the rotor's bore of 79.4 mm");
 }
 
+std::size_t count(const std::string& text, const std::string& word) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+// Eleven planets of 46 modules over the tips where (44 + 44) sin(pi/11) = 24.8 modules are between
+// their axes: the paper's constraints let it pass.
+TEST(CannotExist, IsSaidOnceAndDrawn) {
+  const Workplace place;
+  place.write("knee.json", knee());
+  const Outcome outcome = place.run({"gearbox", "evaluate", "knee.json", "--teeth", "44,44,32",
+                                     "--planet-count", "11", "--draw", "x.svg"});
+  EXPECT_EQ(count(outcome.out, "neighbour_clearance.layer_1: "), 1u) << outcome.out;
+  EXPECT_EQ(count(outcome.out, "cannot_exist: neighbour_clearance.layer_1: "), 1u);
+  EXPECT_NE(place.text("x.svg").find("CANNOT EXIST: neighbour_clearance.layer_1"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test

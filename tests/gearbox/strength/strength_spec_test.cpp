@@ -20,7 +20,9 @@ namespace fs = std::filesystem;
 const fs::path kSpecs = fs::path(TORQUEWRIGHT_SOURCE_DIR) / "specs" / "gearbox";
 
 json ankle_document() {
-  return io::read_document(kSpecs / "d110a_strength.json", "gear_strength").root;
+  json root = io::read_document(kSpecs / "d110a_strength.json", "gear_strength").root;
+  root["gearbox"]["teeth"] = {{"sun", 21}, {"planet", 63}, {"ring", 147}};
+  return root;
 }
 
 /// What the ankle's document is refused with once it is changed by a JSON merge patch.
@@ -41,7 +43,7 @@ TEST(ReadStrength, KeepsEveryNumber) {
   const ReadStrength read = read_strength(kSpecs / "d110a_strength.json");
   const StrengthCase& strength = read.strength;
   EXPECT_EQ(read.name, "D110A ankle");
-  EXPECT_EQ(strength.train.teeth, (std::vector<std::int64_t>{21, 63, 147}));
+  EXPECT_EQ(strength.train.teeth, (std::vector<std::int64_t>{18, 54, 126}));
   EXPECT_EQ(strength.train.planet_count, 3);
   EXPECT_EQ(strength.train.module_mm, .6);
   EXPECT_EQ(strength.train.face_width_mm, std::vector<double>{10});
@@ -149,7 +151,7 @@ TEST(StageWithMostTeeth, IsThatOfTheEnumeration) {
   for (const double module_mm : {.3, .5, .6, .7, .8}) {
     const auto teeth = stage_with_most_teeth(stage, module_mm, 90);
     ASSERT_EQ(teeth.size(), 3u) << module_mm;
-    const auto limit = static_cast<std::int64_t>(std::floor(90 / module_mm + 1e-9));
+    const auto limit = static_cast<std::int64_t>(std::floor(90 / module_mm - 7.0 + 1e-9));
     EXPECT_EQ(teeth[0], most_sun_teeth(limit, 3)) << module_mm;
     EXPECT_EQ(teeth[2], 7 * teeth[0]);
   }
@@ -167,7 +169,7 @@ TEST(StrengthVariants, AreModulesTimesWidths) {
   EXPECT_EQ(variants.left_out.size(), 1u);
   EXPECT_EQ(variants.cases[4].train.face_width_mm.front(), 8);
   EXPECT_EQ(variants.cases[4].train.module_mm, .6);
-  EXPECT_EQ(variants.cases[4].train.teeth, (std::vector<std::int64_t>{21, 63, 147}));
+  EXPECT_EQ(variants.cases[4].train.teeth, (std::vector<std::int64_t>{18, 54, 126}));
 }
 
 }  // namespace
