@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/topologies/three_k_design.hpp"
 #include "gearbox/train/assembly.hpp"
@@ -43,6 +45,13 @@ std::optional<Remark> efficiency_remark(const ThreeKDesign& design, const Design
   return std::nullopt;
 }
 
+/// Does a remark say already that no gearbox can miss this?
+bool is_noted(const std::vector<Remark>& list, const std::string& constraint) {
+  return std::any_of(list.begin(), list.end(), [&](const Remark& remark) {
+    return remark.sentence.starts_with("cannot_exist: " + constraint + ":");
+  });
+}
+
 /// What the paper's own conditions let pass although it cannot be cut or assembled.
 void append_unbuildable(const ThreeKDesign& design, std::vector<Remark>& list) {
   if (design.problem.constraints != ConstraintSet::kPaper) return;
@@ -51,7 +60,7 @@ void append_unbuildable(const ThreeKDesign& design, std::vector<Remark>& list) {
   for (const ConstraintReport& constraint : further) {
     if (constraint.satisfied) {
       ++met;
-    } else {
+    } else if (!is_noted(list, constraint.name)) {
       list.push_back({constraint.name, "not asked for: " + constraint.sentence});
     }
   }
