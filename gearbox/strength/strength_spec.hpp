@@ -17,6 +17,7 @@ struct ReadStrength {
   StrengthCase strength;
   std::optional<double> ring_space_mm;  ///< `rotor_inner_diameter_mm`.
   std::vector<std::string> assumed;
+  std::vector<std::string> statements;  ///< Sentences: what was taken from where.
   std::vector<io::Document> documents;
 };
 

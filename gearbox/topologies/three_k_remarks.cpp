@@ -45,11 +45,11 @@ std::optional<Remark> efficiency_remark(const ThreeKDesign& design, const Design
   return std::nullopt;
 }
 
-/// Whether it is said already that no gearbox can miss that condition.
-bool is_said(const std::vector<Remark>& list, const ConstraintReport& constraint) {
-  const std::string start = "cannot_exist: " + constraint.name + ":";
-  return std::any_of(list.begin(), list.end(),
-                     [&](const Remark& remark) { return remark.sentence.starts_with(start); });
+/// Does a remark say already that no gearbox can miss this?
+bool is_noted(const std::vector<Remark>& list, const std::string& constraint) {
+  return std::any_of(list.begin(), list.end(), [&](const Remark& remark) {
+    return remark.sentence.starts_with("cannot_exist: " + constraint + ":");
+  });
 }
 
 /// What the paper's own conditions let pass although it cannot be cut or assembled.
@@ -60,7 +60,7 @@ void append_unbuildable(const ThreeKDesign& design, std::vector<Remark>& list) {
   for (const ConstraintReport& constraint : further) {
     if (constraint.satisfied) {
       ++met;
-    } else if (!is_said(list, constraint)) {
+    } else if (!is_noted(list, constraint.name)) {
       list.push_back({constraint.name, "not asked for: " + constraint.sentence});
     }
   }

@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "gearbox/strength/result_strength_spec.hpp"
+#include "gearbox/strength/steels.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/result_json.hpp"
@@ -22,6 +25,10 @@ struct StrengthOptions {
   std::vector<double> face_widths_mm;
   std::vector<double> modules_mm;
   double cycles = 0.0;  // 0: the document's
+  // Of a gearbox_result, which says none of it.
+  std::string steel;
+  std::vector<double> face_width_mm;
+  std::int64_t design = 0;  // 0: the first
   bool json = false;
 };
 
@@ -38,7 +45,6 @@ void check_options(const StrengthOptions& options, const gearbox::ReadStrength& 
   check_numbers(options.torques_Nm, "--torque", 1e-6, 1e6);
   check_numbers(options.face_widths_mm, "--face-widths", 0.05, 1000.0);
   check_numbers(options.modules_mm, "--modules", 0.05, 25.0);
-  if (options.cycles != 0.0) check_numbers({options.cycles}, "--cycles", 1.0, 1e12);
   const bool is_stage = read.strength.train.topology == "planetary";
   if (!options.modules_mm.empty() && is_stage && !read.ring_space_mm) {
     throw io::SpecError({{options.file, "/rotor_inner_diameter_mm",
@@ -46,8 +52,32 @@ void check_options(const StrengthOptions& options, const gearbox::ReadStrength& 
   }
 }
 
+/// A gear_strength document says all of it itself.
+void refuse_options_of_results(const StrengthOptions& options) {
+  const char* option = !options.steel.empty()           ? "--steel"
+                       : !options.face_width_mm.empty() ? "--face-width"
+                       : options.design != 0            ? "--design"
+                                                        : nullptr;
+  if (option == nullptr) return;
+  io::refuse(option, "goes with a gearbox_result; a gear_strength document says it itself");
+}
+
+gearbox::ReadStrength read_file(const StrengthOptions& options) {
+  io::Document document = io::read_document(options.file, {"gear_strength", "gearbox_result"});
+  if (document.root["kind"] == "gear_strength") {
+    refuse_options_of_results(options);
+    return gearbox::strength_of(std::move(document));
+  }
+  check_numbers(options.face_width_mm, "--face-width", 0.05, 1000.0);
+  gearbox::ResultStrengthOptions wanted{1, options.steel, options.face_width_mm, {}};
+  if (options.design != 0) wanted.design = static_cast<std::size_t>(options.design);
+  if (options.cycles != 0.0) wanted.cycles = options.cycles;
+  return gearbox::strength_of_result(std::move(document), wanted);
+}
+
 gearbox::ReadStrength read(const StrengthOptions& options) {
-  gearbox::ReadStrength read = gearbox::read_strength(options.file);
+  if (options.cycles != 0.0) check_numbers({options.cycles}, "--cycles", 1.0, 1e12);
+  gearbox::ReadStrength read = read_file(options);
   check_options(options, read);
   if (options.cycles != 0.0) read.strength.cycles = options.cycles;
   return read;
@@ -71,6 +101,15 @@ void write(const StrengthOptions& options, const report::StrengthReport& report)
                             : report::strength_text(report));
 }
 
+/// For the help: the names and their sources.
+std::string steel_names() {
+  std::string names;
+  for (const gearbox::Steel& steel : gearbox::steels()) {
+    names += (names.empty() ? "" : ", ") + std::string(steel.name);
+  }
+  return names;
+}
+
 ExitCode run_strength(const StrengthOptions& options) {
   const report::StrengthReport report = compute(options, read(options));
   write(options, report);
@@ -82,7 +121,8 @@ ExitCode run_strength(const StrengthOptions& options) {
 void add_strength_command(command_line::Command& gearbox) {
   auto options = std::make_shared<StrengthOptions>();
   command_line::Command command = gearbox.add_command("strength", "What torques do to the teeth");
-  command.add_option("strength", options->file, "Document of kind gear_strength").required();
+  command.add_option("strength", options->file, "Document of kind gear_strength or gearbox_result")
+      .required();
   command.add_option("--torque", options->torques_Nm, "In Nm; several: 21,17")
       .required()
       .separated_by_commas();
@@ -95,6 +135,15 @@ void add_strength_command(command_line::Command& gearbox) {
                   "Also with these, in mm; a single stage gets the most teeth that fit")
       .separated_by_commas();
   command.add_option("--cycles", options->cycles, "Loads, instead of the document's");
+  command.add_option("--steel", options->steel,
+                     "Of the gears of a gearbox_result: " + steel_names());
+  command
+      .add_option("--face-width", options->face_width_mm,
+                  "Of the gears of a gearbox_result, in mm, by layer: 10,8 (else its problem's)")
+      .separated_by_commas();
+  command
+      .add_option("--design", options->design, "Which design of a gearbox_result (else the first)")
+      .integer_between(1, 1'000'000);
   command.add_flag("--json", options->json, "Print the report as JSON");
   command.example(
       "torquewright gearbox strength specs/gearbox/d110a_strength.json --torque 21,17 "

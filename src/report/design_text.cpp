@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "gearbox/topologies/short_loss_form.hpp"
 #include "gearbox/topologies/topology.hpp"
 
 namespace torquewright::report {
@@ -156,6 +157,16 @@ std::string mesh_line(const Problem& problem, const DesignReport& report, const 
                                         : fmt::format("{:>10}\n", "-"));
 }
 
+/// Tables made with the other form differ, most where the efficiency is low.
+std::string loss_form_line(const Problem& problem, const DesignReport& report) {
+  if (report.forward_efficiency == 0.0) return "";
+  const TrainEfficiency other = short_form_efficiency(problem.topology, report);
+  return fmt::format(
+      "  loss integral: general form, pairs in contact share the load alike; the short form (e_A^2 "
+      "+ e_R^2 - e_A - e_R + 1) would give forward {:.4f}, backward {}\n",
+      other.forward, other.backward > 0.0 ? fmt::format("{:.4f}", other.backward) : "none");
+}
+
 std::string meshes_text(const Problem& problem, const DesignReport& report) {
   std::string text =
       "  mesh                   efficiency  lost forward  lost backw.  contact ratio"
@@ -168,8 +179,9 @@ std::string meshes_text(const Problem& problem, const DesignReport& report) {
     backward += mesh.backward_loss;
   }
   if (!problem.friction_coefficient) return text;
-  return text + fmt::format("  {:<33}{:>11.4f} %{:>11.4f} %\n", "sum, of the power put in",
-                            100.0 * forward, 100.0 * backward);
+  text += fmt::format("  {:<33}{:>11.4f} %{:>11.4f} %\n", "sum, of the power put in",
+                      100.0 * forward, 100.0 * backward);
+  return text + loss_form_line(problem, report);
 }
 
 std::string constraints_text(const DesignReport& report) {

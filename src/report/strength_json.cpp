@@ -78,6 +78,7 @@ ordered_json strength_json(const StrengthReport& report) {
   document["demanded_safety"] = {{"root", strength.demanded_root_safety},
                                  {"flank", strength.demanded_flank_safety}};
   document["assumed"] = report.read.assumed;
+  if (!report.read.statements.empty()) document["statements"] = report.read.statements;
   document["gearbox"] = gears_json(report, strength);
   document["other_sizes"] = ordered_json::array();
   for (const StrengthCase& variant : report.variants.cases) {

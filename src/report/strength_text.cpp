@@ -140,6 +140,7 @@ bool StrengthReport::passes() const {
 std::string strength_text(const StrengthReport& report) {
   const StrengthCase& strength = report.read.strength;
   std::string text = train_line(report);
+  for (const std::string& sentence : report.read.statements) text += sentence + "\n";
   if (!report.read.assumed.empty()) {
     text += fmt::format("Assumed, neither published nor measured: {}\n",
                         fmt::join(report.read.assumed, ", "));

@@ -91,5 +91,84 @@ TEST(Strength, AsksForRoomWhereModulesAreTried) {
             "it\n");
 }
 
+const std::string kResult = in_repository("specs/gearbox/d151_knee_result.json").string();
+
+Outcome strength_of_result(std::vector<std::string> options) {
+  options.insert(options.begin(), {"gearbox", "strength", kResult, "--torque", "16"});
+  return run(options);
+}
+
+// Oracle: the document of the same gearbox, steel aside, which states what is assumed here; the
+// bending limits of the two steels are 430 and 425 MPa.
+TEST(StrengthOfAResult, IsThatOfTheDocumentThatNamesIt) {
+  const Outcome outcome =
+      strength_of_result({"--steel", "case_hardened", "--face-width", "10", "--json"});
+  EXPECT_EQ(outcome.err, "");
+  const json report = json::parse(outcome.out);
+  EXPECT_TRUE(io::conforms(report, "strength_report"));
+  const std::string knee = in_repository("specs/gearbox/d151_strength.json").string();
+  const json document =
+      json::parse(run({"gearbox", "strength", knee, "--torque", "16", "--json"}).out);
+  const json& gears = report["gearbox"]["loadings"][0]["gears"];
+  const json& same = document["gearbox"]["loadings"][0]["gears"];
+  ASSERT_EQ(gears.size(), 6U);
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    EXPECT_EQ(gears[i]["flank"], same[i]["flank"]);
+    EXPECT_EQ(gears[i]["root"]["stress_MPa"], same[i]["root"]["stress_MPa"]);
+    EXPECT_NEAR(gears[i]["root"]["life_limit_MPa"].get<double>() * 425.0,
+                same[i]["root"]["life_limit_MPa"].get<double>() * 430.0, 1e-9 * 430.0 * 1000.0);
+  }
+  EXPECT_EQ(report["assumed"], json({"/factors", "/safety_factor", "/cycles"}));
+  EXPECT_EQ(report["statements"].size(), 3U);
+}
+
+TEST(StrengthOfAResult, SaysWhatItTookFromWhere) {
+  const Outcome outcome =
+      strength_of_result({"--steel", "case_hardened", "--face-width", "10,8", "--cycles", "500"});
+  EXPECT_NE(outcome.out.find("\nDesign 1 of 1 in "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nSteel case_hardened: bending endurance 430 MPa"),
+            std::string::npos);
+  EXPECT_NE(outcome.out.find("K_gamma 1.25 (of 4 planets)"), std::string::npos);
+  EXPECT_NE(outcome.out.find("face width 10 and 8 mm"), std::string::npos);
+  EXPECT_EQ(outcome.out.find("(--cycles)"), std::string::npos);
+}
+
+TEST(StrengthOfAResult, RefusesWhatHoldsNoGearbox) {
+  const auto refused = [](const Outcome& outcome, const std::string& words) {
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  };
+  refused(strength_of_result({"--face-width", "10"}), "says no steel; say --steel (case_hardened)");
+  refused(strength_of_result({"--steel", "cheese", "--face-width", "10"}), "is not known; one of:");
+  refused(strength_of_result({"--steel", "case_hardened"}), "missing; say --face-width MM");
+  refused(strength_of_result({"--steel", "case_hardened", "--face-width", "1,2,3"}), "two layers");
+  refused(strength_of_result({"--steel", "case_hardened", "--face-width", "10", "--design", "2"}),
+          "--design 2 is not there; it holds 1");
+  refused(strength({"--torque", "21", "--steel", "case_hardened"}), "goes with a gearbox_result");
+}
+
+TEST(StrengthOfAResult, RefusesAResultThatIsInfeasible) {
+  Workplace place;
+  place.write("tight.json", tight_knee());
+  place.write("knee.json", knee());
+  ASSERT_EQ(place.run({"gearbox", "optimize", "tight.json", "-o", "none.json"}).exit_code, 1);
+  ASSERT_EQ(
+      place.run({"gearbox", "evaluate", "tight.json", "--teeth", "44,44,32", "-o", "bad.json"})
+          .exit_code,
+      1);
+  const auto refusal = [&](const char* file) {
+    const Outcome outcome = place.run({"gearbox", "strength", file, "--torque", "16", "--steel",
+                                       "case_hardened", "--face-width", "10"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    return outcome.err;
+  };
+  EXPECT_EQ(refusal("none.json"),
+            "none.json#/designs: holds no design: the problem is infeasible\n");
+  EXPECT_EQ(refusal("bad.json"),
+            "bad.json#/status: infeasible: its design violates the problem's constraints\n");
+  EXPECT_NE(refusal("knee.json").find("gear_strength"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test

@@ -134,6 +134,14 @@ void expect_planets_mesh_in(const std::string& svg, double paper_mm_per_module,
   }
 }
 
+TEST(GearboxDrawing, SaysWhatCannotExist) {
+  DrawnGearbox drawing = d151();
+  EXPECT_EQ(gearbox_drawing(drawing).find("CANNOT EXIST"), std::string::npos);
+  drawing.cannot_exist = {"neighbour_clearance.layer_1"};
+  EXPECT_NE(gearbox_drawing(drawing).find("CANNOT EXIST: neighbour_clearance.layer_1<"),
+            std::string::npos);
+}
+
 TEST(GearboxDrawing, GearsMeshInTheDocument) {
   const std::string svg = gearbox_drawing(d151());
   ASSERT_NE(svg.find("scale 2:1"), std::string::npos);

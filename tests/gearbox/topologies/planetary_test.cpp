@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gearbox/topologies/short_loss_form.hpp"
 #include "tests/gearbox/example_problem.hpp"
 
 namespace torquewright::gearbox {
@@ -31,6 +32,14 @@ std::vector<std::string> names_of(const std::vector<ConstraintReport>& constrain
   std::vector<std::string> names;
   for (const ConstraintReport& constraint : constraints) names.push_back(constraint.name);
   return names;
+}
+
+// Oracle: reference section 12, COMPAct's stage at mu = 0.3 by the short form.
+TEST(ShortLossForm, IsThatOfAPublishedStage) {
+  Problem problem = stage();
+  problem.friction_coefficient = Rational(3, 10);
+  const DesignReport report = planetary::evaluate(problem, {{25, 65}, 3, Rational(3, 5)});
+  EXPECT_NEAR(short_form_efficiency("planetary", report).forward, .9595, 5e-5);
 }
 
 // Oracle: the list of docs/gearbox_constraints.md; no ring's wall, since no outer diameter is

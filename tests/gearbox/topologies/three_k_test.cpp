@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "gearbox/topologies/short_loss_form.hpp"
 #include "tests/gearbox/example_problem.hpp"
 
 namespace torquewright::gearbox {
@@ -12,6 +13,13 @@ namespace {
 
 DesignReport evaluate_knee(const Problem& problem) {
   return three_k::evaluate(problem, {{44, 44, 32}, 4, Rational(3, 5)});
+}
+
+// Oracle: reference section 12, a table made with the short form: D151 at mu = 0.08.
+TEST(ShortLossForm, IsThatOfPublishedTables) {
+  const TrainEfficiency other = short_form_efficiency("3k", evaluate_knee(test::knee()));
+  EXPECT_NEAR(other.forward, .95662, 5.001e-6);
+  EXPECT_NEAR(other.backward, .95505, 5.001e-6);
 }
 
 TEST(ThreeKEvaluate, PublishedKneeIsFeasibleAsPrinted) {

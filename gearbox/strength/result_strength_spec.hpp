@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearbox/strength/strength_spec.hpp"
+
+namespace torquewright::gearbox {
+
+/// What a gearbox_result does not hold and a strength needs. What is absent is assumed, and said.
+struct ResultStrengthOptions {
+  std::size_t design = 1;             ///< By its place in the result, from 1.
+  std::string steel;                  ///< A name of `steels()`. Required.
+  std::vector<double> face_width_mm;  ///< By layer; empty: the problem's own.
+  std::optional<double> cycles;
+};
+
+/// The strength of a design of a result of `gearbox optimize` or `evaluate`. Throws io::SpecError
+/// for a result without such a design, of an infeasible design, or where steel or face widths are
+/// missing.
+ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions& options);
+
+}  // namespace torquewright::gearbox
