@@ -30,12 +30,12 @@ struct Examples : Workplace {
   }
 };
 
-const std::string kKnee = "specs/actuator/d151_knee.json";
-const std::string kAnkle = "specs/actuator/d110a_ankle.json";
-const std::string kMotion = "specs/trajectory/knee_extension.csv";
-const std::string kFlip = "specs/trajectory/hopper_flip.csv";
-const std::string kHopper = "specs/robot/hopper.json";
-const std::string kRig = "specs/rig/knee_sweep.json";
+const std::string kKneeFile = "specs/actuator/d151_knee.json";
+const std::string kAnkleFile = "specs/actuator/d110a_ankle.json";
+const std::string kMotionFile = "specs/trajectory/knee_extension.csv";
+const std::string kFlipFile = "specs/trajectory/hopper_flip.csv";
+const std::string kHopperFile = "specs/robot/hopper.json";
+const std::string kRigFile = "specs/rig/knee_sweep.json";
 const std::string kExcitation = "specs/excitation/knee_sweep.csv";
 
 struct Overwrite {
@@ -44,27 +44,27 @@ struct Overwrite {
 };
 
 std::vector<Overwrite> overwrites() {
-  const Words check{"actuator", "check", kMotion, "--joint", "knee=" + kKnee, "-o"};
-  const Words simulate{"identify", "simulate",     kKnee,       "--rig",
-                       kRig,       "--excitation", kExcitation, "-o"};
-  const Words flip{"hopper", "check", kHopper, kFlip};
+  const Words check{"actuator", "check", kMotionFile, "--joint", "knee=" + kKneeFile, "-o"};
+  const Words simulate{"identify", "simulate",     kKneeFile,   "--rig",
+                       kRigFile,   "--excitation", kExcitation, "-o"};
+  const Words flip{"hopper", "check", kHopperFile, kFlipFile};
   const auto with = [](Words command, const Words& more) {
     command.insert(command.end(), more.begin(), more.end());
     return command;
   };
   return {
-      {{"actuator", "mor", kKnee, "-o", kKnee}, kKnee},
-      {{"actuator", "mor", kKnee, "--compare", kAnkle, "-o", kAnkle}, kAnkle},
-      {with(check, {kKnee}), kKnee},
-      {with(check, {kMotion}), kMotion},
+      {{"actuator", "mor", kKneeFile, "-o", kKneeFile}, kKneeFile},
+      {{"actuator", "mor", kKneeFile, "--compare", kAnkleFile, "-o", kAnkleFile}, kAnkleFile},
+      {with(check, {kKneeFile}), kKneeFile},
+      {with(check, {kMotionFile}), kMotionFile},
       {with(simulate, {kExcitation}), kExcitation},
-      {with(simulate, {kKnee}), kKnee},
-      {with(simulate, {"specs/../" + kRig}), "specs/../" + kRig},
-      {with(flip, {"-o", kKnee}), kKnee},
+      {with(simulate, {kKneeFile}), kKneeFile},
+      {with(simulate, {"specs/../" + kRigFile}), "specs/../" + kRigFile},
+      {with(flip, {"-o", kKneeFile}), kKneeFile},
       {with(flip, {"--report", "specs/gearbox/d151_strength.json"}),
        "specs/gearbox/d151_strength.json"},
-      {with(flip, {"--candidates", "specs/actuator", "-o", kAnkle}), kAnkle},
-      {{"robot", "export", kHopper, "--format", "mjcf", "-o", kKnee}, kKnee},
+      {with(flip, {"--candidates", "specs/actuator", "-o", kAnkleFile}), kAnkleFile},
+      {{"robot", "export", kHopperFile, "--format", "mjcf", "-o", kKneeFile}, kKneeFile},
       {{"identify", "plan", "specs/log/bench_actuator.json", "--rig", "specs/log/bench_rig.json",
         "-o", "specs/log/bench_rig.json"},
        "specs/log/bench_rig.json"},
@@ -85,20 +85,20 @@ TEST(FileSession, KeepsWhatItHasRead) {
 
 TEST(FileSession, KnowsAnInputByAnyName) {
   const Examples place;
-  fs::create_hard_link(place.path(kKnee), place.path("twin.json"));
-  fs::create_symlink(place.path(kKnee), place.path("link.json"));
+  fs::create_hard_link(place.path(kKneeFile), place.path("twin.json"));
+  fs::create_symlink(place.path(kKneeFile), place.path("link.json"));
   const auto before = place.all();
   for (const char* name : {"twin.json", "link.json"}) {
-    EXPECT_EQ(place.run({"actuator", "mor", kKnee, "-o", name}).exit_code, 2);
+    EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", name}).exit_code, 2);
   }
   EXPECT_EQ(place.all(), before);
 }
 
 TEST(FileSession, DoesNotWaitForAPipeThatNobodyFills) {
   const Examples place;
-  fs::remove(place.path(kAnkle));
-  ASSERT_EQ(::mkfifo(place.path(kAnkle).c_str(), 0600), 0);
-  const Outcome outcome = place.run({"hopper", "check", kHopper, kFlip});
+  fs::remove(place.path(kAnkleFile));
+  ASSERT_EQ(::mkfifo(place.path(kAnkleFile).c_str(), 0600), 0);
+  const Outcome outcome = place.run({"hopper", "check", kHopperFile, kFlipFile});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("is a named pipe, and nobody wrote into it within 5 s"),
             std::string::npos)
@@ -109,7 +109,7 @@ TEST(Outputs, KeepTheModeOfAFileThatStoodThere) {
   const Examples place;
   const fs::path secret = place.write("secret.csv", "old");
   fs::permissions(secret, fs::perms(0600));
-  EXPECT_EQ(place.run({"actuator", "mor", kKnee, "-o", "secret.csv"}).exit_code, 0);
+  EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", "secret.csv"}).exit_code, 0);
   EXPECT_TRUE(place.text("secret.csv").size() > 100);
   EXPECT_EQ(fs::status(secret).permissions(), fs::perms(0600));
 }
@@ -118,12 +118,12 @@ TEST(Outputs, FollowALinkAndRefuseOneToNothing) {
   const Examples place;
   place.write("real.csv", "old");
   fs::create_symlink("real.csv", place.path("link.csv"));
-  EXPECT_EQ(place.run({"actuator", "mor", kKnee, "-o", "link.csv"}).exit_code, 0);
+  EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", "link.csv"}).exit_code, 0);
   EXPECT_TRUE(fs::is_symlink(place.path("link.csv")));
   EXPECT_TRUE(place.text("real.csv").size() > 100);
 
   fs::create_symlink("absent.csv", place.path("nowhere.csv"));
-  const Outcome outcome = place.run({"actuator", "mor", kKnee, "-o", "nowhere.csv"});
+  const Outcome outcome = place.run({"actuator", "mor", kKneeFile, "-o", "nowhere.csv"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err,
             "nowhere.csv: cannot be written: it is a link to a file that does not exist\n");
@@ -140,8 +140,8 @@ void remove_temporary_files(const Workplace& place) {
 // back (KILL).
 TEST(Outputs, AreOldOrNewAfterAnySignal) {
   const Examples place;
-  const Words command{"actuator", "mor",   kKnee,    "--at-speed", "0,1",
-                      "-o",       "x.csv", "--plot", "y.svg"};
+  const Words command{"actuator", "mor",   kKneeFile, "--at-speed", "0,1",
+                      "-o",       "x.csv", "--plot",  "y.svg"};
   const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(place.run(command).exit_code, 0);
   const auto whole_run = std::chrono::duration_cast<std::chrono::microseconds>(
@@ -166,9 +166,10 @@ TEST(Outputs, AreOldOrNewAfterAnySignal) {
 
 TEST(Outputs, AreRefusedUnderNoName) {
   const Examples place;
-  EXPECT_EQ(place.run({"actuator", "mor", kKnee, "-o", ""}).exit_code, 2);
+  EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", ""}).exit_code, 2);
   EXPECT_EQ(
-      place.run({"actuator", "check", kMotion, "--joint", "knee=" + kKnee, "--plot", ""}).exit_code,
+      place.run({"actuator", "check", kMotionFile, "--joint", "knee=" + kKneeFile, "--plot", ""})
+          .exit_code,
       2);
 }
 
