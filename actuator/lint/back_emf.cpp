@@ -45,6 +45,7 @@ const Check back_emf_constant = {
     .stated = back_emf_stated,
     .expected = back_emf_expected,
     .interpreters = {emf_interpretations},
+    .tolerance = catalogue,
 };
 
 const Check velocity_constant = {
@@ -60,6 +61,7 @@ const Check velocity_constant = {
         },
     .expected = velocity_constant_expected,
     .interpreters = {emf_interpretations, side_interpretations},
+    .tolerance = catalogue,
 };
 
 }  // namespace torquewright::actuator::lint

@@ -8,6 +8,7 @@
 
 #include "actuator/lint/interpretation.hpp"
 #include "actuator/lint/rounded_interval.hpp"
+#include "actuator/lint/tolerance.hpp"
 
 namespace torquewright::actuator::lint {
 
@@ -50,6 +51,8 @@ struct Check {
   /// Explanations that are no interpretation of the document.
   std::vector<Explanation> (*further)(const Actuator& document, const RoundedInterval& stated,
                                       const RoundedInterval& expected) = nullptr;
+  /// How far apart both may be without alarm; nullptr: not beyond their rounding.
+  Tolerance (*tolerance)(const Actuator& document) = nullptr;
 };
 
 /// Every check there is.

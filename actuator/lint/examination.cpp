@@ -63,6 +63,31 @@ Finding finding_of(const Check& check, const Actuator& document, const RoundedIn
   return finding;
 }
 
+/// Whether both are apart by no more than catalogues are, though by more than their rounding.
+bool is_tolerated(const Check& check, const Actuator& document, const RoundedInterval& stated,
+                  const RoundedInterval& expected) {
+  if (check.tolerance == nullptr) return is_met(check.demand, stated, expected);
+  const Tolerance tolerance = check.tolerance(document);
+  RoundedInterval admitted = expected;
+  admitted.low *= tolerance.least;
+  admitted.high *= tolerance.greatest;
+  return is_met(check.demand, stated, admitted);
+}
+
+/// What a sheet may well state, with the number.
+Finding tolerated(const Check& check, const Actuator& document, const RoundedInterval& stated,
+                  const RoundedInterval& expected) {
+  const Tolerance tolerance = check.tolerance(document);
+  Finding finding = finding_of(check, document, stated, expected);
+  finding.severity = Severity::kNote;
+  // Other readings are of interest where the one that is taken was assumed.
+  if (finding.assumed.empty()) finding.explanations.clear();
+  finding.sentence = fmt::format("{}: within what catalogues leave open, {:.0f} to {:.0f} % of it.",
+                                 sentence_of(check, stated, expected), 100.0 * tolerance.least,
+                                 100.0 * tolerance.greatest);
+  return finding;
+}
+
 Finding contradiction_of(const Check& check, const Actuator& document,
                          const RoundedInterval& stated, const RoundedInterval& expected) {
   Finding finding = finding_of(check, document, stated, expected);
@@ -113,8 +138,10 @@ void apply(const Check& check, const Actuator& document, Examination& examinatio
   const bool agrees = is_met(check.demand, *stated, *expected);
   examination.comparisons.push_back({std::string(check.rule), std::string(check.unit),
                                      std::string(check.equation), check.demand, *stated, *expected,
-                                     agrees});
-  if (!agrees) {
+                                     agrees, is_tolerated(check, document, *stated, *expected)});
+  if (!agrees && is_tolerated(check, document, *stated, *expected)) {
+    examination.findings.push_back(tolerated(check, document, *stated, *expected));
+  } else if (!agrees) {
     examination.findings.push_back(contradiction_of(check, document, *stated, *expected));
   } else if (const auto note = rivals_of(check, document, *stated, *expected)) {
     examination.findings.push_back(*note);

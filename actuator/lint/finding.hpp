@@ -19,6 +19,7 @@ struct Comparison {
   RoundedInterval stated;
   RoundedInterval expected;
   bool agrees = true;
+  bool is_tolerated = true;  ///< Apart by no more than catalogues are.
 };
 
 struct Finding {

@@ -63,6 +63,7 @@ const Check reflected_inertia = {
     .expected = expected,
     .interpreters = {inertia_interpretations},
     .further = further,
+    .tolerance = catalogue,
 };
 
 }  // namespace torquewright::actuator::lint

@@ -51,19 +51,6 @@ std::optional<RoundedInterval> expected(const Interpretation& interpretation) {
   return speed;
 }
 
-/// The share by which the field would have to be weakened; with field weakening stated, what it can
-/// do is in `reached` already.
-std::vector<Explanation> further(const Actuator& document, const RoundedInterval& printed,
-                                 const RoundedInterval& reached) {
-  if (document.drive.field_weakening || reached.low <= 0.0) return {};
-  if (!lies_above(printed, reached)) return {};
-  const RoundedInterval share =
-      derive([](double is, double was) { return 100.0 * (is / was - 1.0); }, printed, reached);
-  return {{fmt::format("field weakening by {:.1f} % ({:.1f} to {:.1f} %)", share.value, share.low,
-                       share.high),
-           std::nullopt, Agreement::kFits}};
-}
-
 }  // namespace
 
 const Check no_load_speed = {
@@ -76,7 +63,7 @@ const Check no_load_speed = {
     .expected = expected,
     .interpreters = {speed_interpretations, side_interpretations},
     .below_is_load = true,
-    .further = further,
+    .tolerance = catalogue,
 };
 
 }  // namespace torquewright::actuator::lint

@@ -46,6 +46,7 @@ const Check peak_power = {
     .expected = expected,
     .interpreters = {electrical_interpretations, loss_interpretations, ohm_interpretations,
                      speed_interpretations, ampere_interpretations},
+    .tolerance = peak_torques,
 };
 
 }  // namespace torquewright::actuator::lint

@@ -46,6 +46,7 @@ const Check stall_current = {
         },
     .interpreters = {ohm_interpretations, speed_interpretations, ampere_interpretations,
                      limited_interpretations},
+    .tolerance = catalogue,
 };
 
 const Check stall_torque = {
@@ -62,6 +63,7 @@ const Check stall_torque = {
     .interpreters = {loss_interpretations, side_interpretations, ohm_interpretations,
                      ampere_interpretations, limited_interpretations},
     .further = losses,
+    .tolerance = peak_torques,
 };
 
 }  // namespace torquewright::actuator::lint

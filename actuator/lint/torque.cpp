@@ -30,7 +30,15 @@ std::optional<RoundedInterval> stated_rated(const Actuator& document) {
 std::optional<RoundedInterval> rated_expected(const Interpretation& interpretation) {
   const std::optional<double>& current_A = interpretation.document.drive.continuous_current_A;
   if (!current_A) return std::nullopt;
-  return sheet_torque(interpretation, exact(*current_A, "/drive/continuous_current_A"));
+  RoundedInterval amperes = exact(*current_A, "/drive/continuous_current_A");
+  // Makers take off what the drag needs, or do not.
+  const std::optional<RoundedInterval> drag_A =
+      sheet_number(interpretation.document, &Datasheet::no_load_current_A, "no_load_current_A");
+  if (drag_A) {
+    amperes.low = std::max(0.0, amperes.low - drag_A->high);
+    amperes.pointers = united(amperes.pointers, drag_A->pointers);
+  }
+  return sheet_torque(interpretation, amperes);
 }
 
 std::optional<RoundedInterval> stated_braking(const Actuator& document) {
@@ -81,6 +89,7 @@ const Check peak_torque = {
     .expected = peak_expected,
     .interpreters = {loss_interpretations, side_interpretations, ampere_interpretations},
     .further = losses,
+    .tolerance = peak_torques,
 };
 
 const Check peak_torque_current = {
@@ -108,6 +117,7 @@ const Check rated_torque = {
     .expected = rated_expected,
     .interpreters = {loss_interpretations, side_interpretations, ampere_interpretations},
     .further = losses,
+    .tolerance = rated_torques,
 };
 
 const Check peak_braking_torque = {

@@ -74,6 +74,7 @@ const Check electrical_time_constant = {
         },
     .expected = electrical_expected,
     .interpreters = {ohm_interpretations},
+    .tolerance = catalogue,
 };
 
 const Check mechanical_time_constant = {
@@ -89,6 +90,7 @@ const Check mechanical_time_constant = {
         },
     .expected = mechanical_expected,
     .interpreters = {ohm_interpretations, speed_interpretations},
+    .tolerance = catalogue,
 };
 
 const Check winding_inductance = {

@@ -43,7 +43,10 @@ std::string_view sign(actuator::lint::Demand demand) {
 std::string comparison_row(const Comparison& row) {
   return fmt::format("  {:<26}{:>34} {:<2} {:<42} {}\n", row.rule,
                      with_interval(row.stated, row.unit), sign(row.demand),
-                     with_interval(row.expected, row.unit), row.agrees ? "agrees" : "DISAGREES");
+                     with_interval(row.expected, row.unit),
+                     row.agrees         ? "agrees"
+                     : row.is_tolerated ? "tolerated"
+                                        : "DISAGREES");
 }
 
 std::string examination_text(const Examination& examination) {

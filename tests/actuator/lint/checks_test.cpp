@@ -21,6 +21,9 @@ struct Row {
   void (*state)(Actuator& document, double number);  ///< And whatever else the check needs.
   double outside_low, inside_low, inside_high, outside_high;
   Severity severity = Severity::kWarning;  ///< At least; a note: exactly.
+  /// What part of it a sheet may state with a note: constants 10 % either way, a peak torque 80 %
+  /// of that for saturation. The efficiency is known.
+  double least = 1.0, greatest = 1.0;
 };
 
 template <std::optional<double> Datasheet::*key>
@@ -135,39 +138,46 @@ void with_no_load_current(Actuator& document, double number) {
 
 const Row kRows[] = {
     // 24 / (Kt 10): 19.1235...19.2771
-    {"no-load-speed", on_sheet<&Datasheet::no_load_speed_rad_s>, 19.11, 19.12, 19.28, 19.29},
+    {"no-load-speed", on_sheet<&Datasheet::no_load_speed_rad_s>, 19.11, 19.12, 19.28, 19.29,
+     Severity::kWarning, 0.9, 1.1},
     // (24 - R 3.5...4.5) / (Kt 10): 18.2092...18.5884
-    {"no-load-speed", with_no_load_current, 18.19, 18.21, 18.59, 18.61},
+    {"no-load-speed", with_no_load_current, 18.19, 18.21, 18.59, 18.61, Severity::kWarning, 0.9,
+     1.1},
     // Ke falls by p L_d i to a fifth: 19.1235 up to 99.58
-    {"no-load-speed", weakened_speed, 19.11, 19.12, 99, 101},
+    {"no-load-speed", weakened_speed, 19.11, 19.12, 99, 101, Severity::kWarning, 0.9, 1.1},
     // 0.5 / (10 Kt): 0.39841...0.40161
     {"no-load-current", with_drag, 0.397, 0.398, 0.402, 0.403},
     // Kt
-    {"back-emf-constant", back_emf, 0.1244, 0.1246, 0.1255, 0.1256},
+    {"back-emf-constant", back_emf, 0.1244, 0.1246, 0.1255, 0.1256, Severity::kWarning, 0.9, 1.1},
     // 9.5493 / (10 Kt): 7.6090...7.6702
-    {"velocity-constant", on_sheet<&Datasheet::velocity_constant_rpm_V>, 7.59, 7.61, 7.67, 7.68},
+    {"velocity-constant", on_sheet<&Datasheet::velocity_constant_rpm_V>, 7.59, 7.61, 7.67, 7.68,
+     Severity::kWarning, 0.9, 1.1},
     // 24 / R: 94.118...97.959
-    {"stall-current", on_sheet<&Datasheet::stall_current_A>, 93, 94, 98, 99},
+    {"stall-current", on_sheet<&Datasheet::stall_current_A>, 93, 94, 98, 99, Severity::kWarning,
+     0.9, 1.1},
     // eta 10 Kt 24 / R: 110.73...117.41
-    {"stall-torque", on_sheet<&Datasheet::stall_torque_Nm>, 110, 111, 117, 118},
+    {"stall-torque", on_sheet<&Datasheet::stall_torque_Nm>, 110, 111, 117, 118, Severity::kWarning,
+     0.72, 1.1},
     // eta 10 Kt 95.5...96.5: 112.36...115.66
-    {"stall-torque", with_stall_current, 111, 112, 116, 117},
+    {"stall-torque", with_stall_current, 111, 112, 116, 117, Severity::kWarning, 0.72, 1.1},
     // eta 10 Kt 40: 47.061...47.941
-    {"peak-torque", on_sheet<&Datasheet::peak_torque_Nm>, 46.9, 47.1, 47.9, 48.1},
+    {"peak-torque", on_sheet<&Datasheet::peak_torque_Nm>, 46.9, 47.1, 47.9, 48.1,
+     Severity::kWarning, 0.72, 1.1},
     // the drive's 40 A, exact as a condition
     {"peak-torque-current", on_sheet<&Datasheet::peak_torque_current_A>, kNone, 10, 40, 40.1,
      Severity::kNote},
     // eta 10 Kt 15: 17.648...17.978
-    {"rated-torque", with_continuous_current, 17.5, 17.6, 17.9, 18.1},
+    {"rated-torque", with_continuous_current, 17.5, 17.6, 17.9, 18.1, Severity::kWarning, 0.9, 1.1},
     // 47.45...47.55 over eta and 0.935...0.945: 52.578...53.815
     {"peak-braking-torque", with_peak_torque, 52.5, 52.6, 53.8, 53.9},
     // eta 40 (24 - R 40): 521.64...542.44
-    {"peak-power", on_sheet<&Datasheet::peak_power_W>, 521, 522, 542, 543},
+    {"peak-power", on_sheet<&Datasheet::peak_power_W>, 521, 522, 542, 543, Severity::kWarning, 0.72,
+     1.1},
     // eta 24^2 / 4R: 533.65...561.31
-    {"peak-power", beyond_half_stall, 533, 534, 561, 562},
+    {"peak-power", beyond_half_stall, 533, 534, 561, 562, Severity::kWarning, 0.72, 1.1},
     // 100 J: 0.0445...0.0455
     {"reflected-inertia", on_sheet<&Datasheet::reflected_inertia_kg_m2>, 0.0444, 0.0445, 0.0455,
-     0.0456},
+     0.0456, Severity::kWarning, 0.9, 1.1},
     // root of 95.005 / (3.39 * 0.245 * 1.3705): 9.1359
     {"continuous-current", hot_current, kNone, 5, 9.14, 9.15},
     // 9.55 * 0.1255 * 9.1359: 10.950
@@ -182,10 +192,11 @@ const Row kRows[] = {
     // forward 0.85...0.95: 1 - 1.5 (1 - 0.82353) = 0.73529 to 0.95
     {"backward-efficiency", efficiencies, 0.73, 0.74, 0.95, 0.96, Severity::kNote},
     // L 0.0001245...0.0001255 over half of R: 0.97647...1.02449 ms
-    {"electrical-time-constant", with_inductance, 0.00097, 0.00098, 0.00102, 0.00103},
+    {"electrical-time-constant", with_inductance, 0.00097, 0.00098, 0.00102, 0.00103,
+     Severity::kWarning, 0.9, 1.1},
     // J R / Kt^2: 6.9222...7.4854 ms
     {"mechanical-time-constant", on_sheet<&Datasheet::mechanical_time_constant_s>, 0.0068, 0.0069,
-     0.0075, 0.0076},
+     0.0075, 0.0076, Severity::kWarning, 0.9, 1.1},
     // half of R times 20 us to 20 ms: 2.45e-6...2.55e-3
     {"winding-inductance", inductance, 0.0000023, 0.0000025, 0.0025, 0.0027, Severity::kNote},
     // 0.05 * 0.125 / (10 * 0.000125) * 0.1245 / 0.125 * 0.125 / 0.1255 / 2, dc amperes: 2.4801
@@ -216,9 +227,20 @@ TEST_P(EachCheck, ObjectsJustOutsideOfIt) {
     ASSERT_TRUE(finding) << row.rule << " at " << number;
     EXPECT_EQ(finding->stated.value, number);
     const bool is_note = finding->severity == Severity::kNote;
-    EXPECT_EQ(is_note, row.severity == Severity::kNote) << finding->sentence;
+    EXPECT_EQ(is_note, row.severity == Severity::kNote || row.least < 1.0) << finding->sentence;
     EXPECT_FALSE(finding->expected.pointers.empty());
   }
+}
+
+// One percent inside and outside of the tolerance.
+TEST_P(EachCheck, AlarmsBeyondItsTolerance) {
+  const Row& row = GetParam();
+  if (row.least == 1.0) return;  // rounding alone
+  const auto severity = [&](double number) { return found(row, number).value().severity; };
+  EXPECT_EQ(severity(row.inside_low * row.least * 1.01), Severity::kNote);
+  EXPECT_EQ(severity(row.inside_high * row.greatest * 0.99), Severity::kNote);
+  EXPECT_GT(severity(row.outside_low * row.least * 0.99), Severity::kNote);
+  EXPECT_GT(severity(row.outside_high * row.greatest * 1.01), Severity::kNote);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lint, EachCheck, testing::ValuesIn(kRows), [](const auto& row) {

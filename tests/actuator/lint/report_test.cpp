@@ -21,7 +21,7 @@ TEST(LintReport, IsOfItsSchema) {
   EXPECT_EQ(document["verdict"], "fail");
   EXPECT_EQ(document["findings"].size(), 3u);
   const json& ankle = document["findings"][1];
-  EXPECT_EQ(ankle["severity"], "warning");
+  EXPECT_EQ(ankle["severity"], "note");
   EXPECT_EQ(ankle["rule"], "no-load-speed");
   EXPECT_EQ(ankle["value"], 20);
   EXPECT_EQ(ankle["unit"], "rad/s");

@@ -57,10 +57,11 @@ TEST_F(TableII, AgreesForTheKneeAndNamesTheRivalConvention) {
   EXPECT_EQ(note->assumed, std::vector<std::string>{"/motor/torque_constant_convention"});
 }
 
-TEST_F(TableII, ContradictsItselfForTheAnkle) {
+// By 1 % beyond rounding: catalogues are as far apart, but the convention is assumed.
+TEST_F(TableII, IsTolerableForTheAnkle) {
   const auto speed = finding(ankle_, "no-load-speed");
   ASSERT_TRUE(speed);
-  EXPECT_EQ(speed->severity, Severity::kWarning);
+  EXPECT_EQ(speed->severity, Severity::kNote);
   EXPECT_EQ(speed->stated.value, 20);
   EXPECT_NEAR(speed->expected.value, 19.09, kPrinted);
   EXPECT_NEAR(limit(*speed), 67.2 / (0.435 * 8), 1e-12 * 20);
@@ -74,7 +75,6 @@ TEST_F(TableII, ContradictsItselfForTheAnkle) {
   EXPECT_EQ(svpwm.fit, Agreement::kAdmits);
   const auto peak = explanation(*speed, "torque constant per peak ampere, svpwm modulation");
   EXPECT_EQ(peak.fit, Agreement::kExcludes);
-  EXPECT_EQ(explanation(*speed, "field weakening by 4.8 % (1.0 to 8.6 %)").fit, Agreement::kFits);
   EXPECT_EQ(explanation(*speed, "a round number: 20 printed for 15 to 25").fit, Agreement::kFits);
 }
 
