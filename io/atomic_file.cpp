@@ -45,8 +45,9 @@ bool contains(const std::vector<fs::path>& files, const fs::path& file) {
                      [&](const fs::path& each) { return is_same_file(each, file); });
 }
 
-void write_all_or_none(std::vector<StagedFile>& files) {
+void write_all_or_none(std::vector<StagedFile> all) {
   const SignalsHeld held;
+  std::vector<StagedFile> files = std::move(all);  // gone before the signals come
   for (StagedFile& file : files) file.stage();
   try {
     for (StagedFile& file : files) file.publish();
@@ -61,13 +62,13 @@ void write_all_or_none(std::vector<StagedFile>& files) {
 void write_whole_file(const fs::path& file, std::string_view content) {
   std::vector<StagedFile> staged;
   staged.emplace_back(file, content);
-  write_all_or_none(staged);
+  write_all_or_none(std::move(staged));
 }
 
 void write_whole_files(const std::vector<FileContent>& files) {
   std::vector<StagedFile> staged;
   for (const auto& [file, content] : files) staged.emplace_back(file, content);
-  write_all_or_none(staged);
+  write_all_or_none(std::move(staged));
 }
 
 void check_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {

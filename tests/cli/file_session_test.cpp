@@ -158,7 +158,8 @@ TEST(Outputs, AreOldOrNewAfterAnySignal) {
       EXPECT_TRUE(y == "old" || y == picture);
       EXPECT_TRUE(signal == SIGKILL || (x == "old") == (y == "old"));
       const bool has_left_nothing = place.files().size() == 3;
-      EXPECT_TRUE(signal == SIGKILL || has_left_nothing) << "a temporary file is left";
+      EXPECT_TRUE(signal == SIGKILL || has_left_nothing)
+          << "a temporary file is left by " << signal;
       if (!has_left_nothing) remove_temporary_files(place);
     }
   }
