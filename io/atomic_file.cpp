@@ -5,6 +5,8 @@
 #include <csignal>
 #include <utility>
 
+#include "io/direct_output.hpp"
+#include "io/refusal.hpp"
 #include "io/spec_error.hpp"
 #include "io/staged_file.hpp"
 
@@ -45,7 +47,7 @@ bool contains(const std::vector<fs::path>& files, const fs::path& file) {
                      [&](const fs::path& each) { return is_same_file(each, file); });
 }
 
-void write_all_or_none(std::vector<StagedFile> all) {
+void replace_all_or_none(std::vector<StagedFile> all) {
   const SignalsHeld held;
   std::vector<StagedFile> files = std::move(all);  // gone before the signals come
   for (StagedFile& file : files) file.stage();
@@ -57,18 +59,34 @@ void write_all_or_none(std::vector<StagedFile> all) {
   }
 }
 
+struct Output {
+  Target target;
+  std::string_view content;
+};
+
+/// Pipes come first, while a signal still ends the program: they may wait for their reader without
+/// end, and what they have taken cannot be taken back.
+void write_all_or_none(const std::vector<Output>& outputs) {
+  for (const auto& [target, content] : outputs) {
+    if (target.is_direct) write_into(target.file, content);
+  }
+  std::vector<StagedFile> staged;
+  for (const auto& [target, content] : outputs) {
+    if (!target.is_direct) staged.emplace_back(target, content);
+  }
+  replace_all_or_none(std::move(staged));
+}
+
 }  // namespace
 
 void write_whole_file(const fs::path& file, std::string_view content) {
-  std::vector<StagedFile> staged;
-  staged.emplace_back(file, content);
-  write_all_or_none(std::move(staged));
+  write_all_or_none({{Target(file), content}});
 }
 
 void write_whole_files(const std::vector<FileContent>& files) {
-  std::vector<StagedFile> staged;
-  for (const auto& [file, content] : files) staged.emplace_back(file, content);
-  write_all_or_none(std::move(staged));
+  std::vector<Output> outputs;
+  for (const auto& [file, content] : files) outputs.push_back({Target(file), content});
+  write_all_or_none(outputs);
 }
 
 void check_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {

@@ -9,9 +9,10 @@
 namespace torquewright::io {
 
 /// Writes the file whole or not at all: into a temporary file in the same folder, which then takes
-/// the file's name. A link is followed; a pipe or a device is written to directly. Throws SpecError
-/// with one fault if that is not possible (missing or read-only folder, the path is a folder, no
-/// room); what stood there before then still stands there, and no temporary file is left.
+/// the file's name. A link is followed; a pipe, a device or one of the process's own descriptors
+/// (/dev/stdout) is written into. Throws SpecError with one fault if that is not possible (missing
+/// or read-only folder, the path is a folder, no room); what stood there before then still stands
+/// there, and no temporary file is left.
 void write_whole_file(const std::filesystem::path& file, std::string_view content);
 
 /// A file to be written, and what into it.

@@ -17,4 +17,8 @@ void refuse_unreadable(const std::string& file, int error) {
   refuse(file, "cannot be read: " + std::generic_category().message(error));
 }
 
+void refuse_output(const std::filesystem::path& file, const std::string& why) {
+  refuse(file.string(), "cannot be written: " + why);
+}
+
 }  // namespace torquewright::io

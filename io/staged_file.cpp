@@ -13,8 +13,9 @@
 #include <system_error>
 #include <utility>
 
+#include "io/direct_output.hpp"
 #include "io/file_session.hpp"
-#include "io/spec_error.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::io {
 namespace {
@@ -33,14 +34,10 @@ std::string reason(int error) { return std::generic_category().message(error); }
 }
 
 /// 0, or the errno of what failed.
-int write_all(int descriptor, std::string_view content, bool is_disk_file) {
-  while (!content.empty()) {
-    const ssize_t count = ::write(descriptor, content.data(), content.size());
-    if (count < 0 && errno != EINTR) return errno;
-    if (count > 0) content.remove_prefix(static_cast<std::size_t>(count));
-  }
+int write_to_disk(int descriptor, std::string_view content) {
+  const int error = write_all(descriptor, content);
   // Some file systems report a full disk as late as here.
-  return is_disk_file && ::fsync(descriptor) != 0 ? errno : 0;
+  return error == 0 && ::fsync(descriptor) != 0 ? errno : error;
 }
 
 /// A name in that folder that nobody else has.
@@ -56,18 +53,14 @@ fs::path folder_of(const fs::path& file) {
 
 }  // namespace
 
-void refuse_output(const fs::path& file, const std::string& why) {
-  throw SpecError({{file.string(), "", "cannot be written: " + why}});
-}
-
 Target::Target(const fs::path& the_file) : file(the_file), path(the_file) {
   if (!file.has_filename()) refuse_output(file, "a file's name is missing");
   std::error_code unknown;
   const fs::file_status status = fs::status(file, unknown);
   if (fs::is_directory(status)) refuse_output(file, "it is a folder");
-  is_direct = fs::is_other(status);
+  is_direct = fs::is_other(status) || named_descriptor(file);
   exists = fs::exists(status);
-  if (fs::is_symlink(fs::symlink_status(file, unknown))) {
+  if (!is_direct && fs::is_symlink(fs::symlink_status(file, unknown))) {
     if (!exists) refuse_output(file, "it is a link to a file that does not exist");
     path = fs::canonical(file);
   }
@@ -75,7 +68,7 @@ Target::Target(const fs::path& the_file) : file(the_file), path(the_file) {
 }
 
 void require_writable(const Target& target) {
-  if (target.is_direct) return;
+  if (target.is_direct) return require_open(target.file);
   const fs::path folder = folder_of(target.path);
   struct stat status {};
   if (::stat(folder.c_str(), &status) != 0) refuse_folder(target.file, errno);
@@ -91,8 +84,8 @@ void require_writable(const Target& target) {
   }
 }
 
-StagedFile::StagedFile(const fs::path& file, std::string_view content)
-    : target_(file), content_(content) {}
+StagedFile::StagedFile(Target target, std::string_view content)
+    : target_(std::move(target)), content_(content) {}
 
 StagedFile::StagedFile(StagedFile&& other) noexcept
     : target_(std::move(other.target_)),
@@ -107,10 +100,9 @@ StagedFile::~StagedFile() {
 }
 
 void StagedFile::stage() {
-  if (target_.is_direct) return;
   open();
   keep_owner_and_mode();
-  const int error = write_all(descriptor_, content_, true);
+  const int error = write_to_disk(descriptor_, content_);
   if (error != 0) refuse_output(target_.file, reason(error));
 }
 
@@ -126,7 +118,6 @@ void StagedFile::open() {
 }
 
 void StagedFile::publish() {
-  if (target_.is_direct) return write_directly();
   if (temporary_.empty() && !target_.exists && takes_name(target_.path)) {
     published_ = Published::kNew;
     return;
@@ -171,14 +162,6 @@ void StagedFile::keep_owner_and_mode() const {
   // Only root gives files away; for others the file becomes theirs, as with any editor.
   if (::fchown(descriptor_, former.st_uid, former.st_gid) != 0) errno = 0;
   ::fchmod(descriptor_, former.st_mode & 07777);
-}
-
-void StagedFile::write_directly() const {
-  const int descriptor = ::open(target_.file.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) refuse_output(target_.file, reason(errno));
-  const int error = write_all(descriptor, content_, false);
-  ::close(descriptor);
-  if (error != 0) refuse_output(target_.file, reason(error));
 }
 
 }  // namespace torquewright::io

@@ -2,13 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace torquewright::io {
-
-/// Throws SpecError: that output cannot be written, and why.
-[[noreturn]] void refuse_output(const std::filesystem::path& file, const std::string& why);
 
 /// Where an output goes to: the path with links followed. Throws SpecError for what no content can
 /// replace: a folder, a link to nothing, an input of this session.
@@ -18,7 +14,7 @@ struct Target {
   std::filesystem::path file;  ///< As the user named it.
   std::filesystem::path path;
   bool exists = false;
-  bool is_direct = false;  ///< A pipe or a device, which is written into.
+  bool is_direct = false;  ///< A pipe, a device, a descriptor: written into, not replaced.
 };
 
 /// Throws SpecError where the target could not be replaced, as far as that shows without trying.
@@ -28,11 +24,12 @@ void require_writable(const Target& target);
 /// program is killed, nothing is left of it. Each step throws SpecError where it fails.
 class StagedFile {
  public:
-  StagedFile(const std::filesystem::path& file, std::string_view content);
+  /// Requires a target that is not direct.
+  StagedFile(Target target, std::string_view content);
   StagedFile(StagedFile&& other) noexcept;
   ~StagedFile();
 
-  /// Writes the content, under no name or a temporary one. Pipes and devices wait for publish().
+  /// Writes the content, under no name or a temporary one.
   void stage();
   /// Gives it the file's name, mode and owner.
   void publish();
@@ -46,7 +43,6 @@ class StagedFile {
   bool takes_name(const std::filesystem::path& name) const;
   void give_temporary_name();
   void keep_owner_and_mode() const;
-  void write_directly() const;
 
   Target target_;
   std::string_view content_;

@@ -165,6 +165,49 @@ TEST(Outputs, AreOldOrNewAfterAnySignal) {
   }
 }
 
+const Words kMor{"actuator", "mor", kKneeFile, "--at-speed", "0,1"};
+
+Words mor_to(const std::string& output) {
+  Words command = kMor;
+  command.insert(command.end(), {"-o", output});
+  return command;
+}
+
+// Oracle: what the file of a plain `-o` holds.
+TEST(Outputs, GoIntoAPipe) {
+  const Examples place;
+  ASSERT_EQ(place.run(mor_to("x.csv")).exit_code, 0);
+  for (const char* name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    const Outcome outcome = place.run(mor_to(name));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(place.text("x.csv")), std::string::npos) << name;
+  }
+}
+
+TEST(Outputs, AreAppendedWhereTheShellAppends) {
+  Examples place;
+  place.here.stdout_file = place.write("log", "earlier\n");
+  ASSERT_EQ(place.run(mor_to("x.csv")).exit_code, 0);
+  place.write("log", "earlier\n");
+  EXPECT_EQ(place.run(mor_to("/dev/stdout")).exit_code, 0);
+  EXPECT_TRUE(place.text("log").starts_with("earlier\n"));
+  EXPECT_NE(place.text("log").find(place.text("x.csv")), std::string::npos);
+}
+
+TEST(Outputs, AreRefusedIntoADescriptorThatIsNotOpen) {
+  const Outcome outcome = Examples().run(mor_to("/dev/fd/777"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "/dev/fd/777: cannot be written: no such descriptor is open\n");
+}
+
+TEST(Outputs, DoNotWaitForAReaderAgainstASignal) {
+  const Examples place;
+  ASSERT_EQ(::mkfifo(place.path("pipe").c_str(), 0600), 0);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    EXPECT_TRUE(run_and_kill(mor_to("pipe"), place.here, signal, std::chrono::seconds(1)));
+  }
+}
+
 TEST(Outputs, AreRefusedUnderNoName) {
   const Examples place;
   EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", ""}).exit_code, 2);

@@ -22,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr std::chrono::seconds kPatience{120};
+constexpr std::chrono::seconds kSignalPatience{20};
 constexpr milliseconds kLookAgain{20};
 constexpr uid_t kNobody = 65534;
 
@@ -58,7 +59,7 @@ bool become_nobody() {
   words.push_back(nullptr);
   int to = out.ends[1];
   if (!circumstances.stdout_file.empty()) {
-    to = ::open(circumstances.stdout_file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    to = ::open(circumstances.stdout_file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   }
   const bool is_ready = ::chdir(circumstances.folder.c_str()) == 0 &&
                         ::dup2(to, STDOUT_FILENO) >= 0 && ::dup2(err.ends[1], STDERR_FILENO) >= 0 &&
@@ -120,6 +121,15 @@ bool collect(int out, int err, Interrupter interrupter, Outcome& outcome) {
   return true;
 }
 
+bool ends_within(pid_t child, std::chrono::seconds patience) {
+  const auto deadline = Clock::now() + patience;
+  while (::waitpid(child, nullptr, WNOHANG) == 0) {
+    if (Clock::now() > deadline) return false;
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  return true;
+}
+
 }  // namespace
 
 Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances) {
@@ -141,7 +151,7 @@ Outcome run(const std::vector<std::string>& arguments, const Circumstances& circ
   return outcome;
 }
 
-void run_and_kill(const std::vector<std::string>& arguments, const Circumstances& circumstances,
+bool run_and_kill(const std::vector<std::string>& arguments, const Circumstances& circumstances,
                   int signal, std::chrono::microseconds after) {
   const Pipe out, err;
   const pid_t child = ::fork();
@@ -150,9 +160,11 @@ void run_and_kill(const std::vector<std::string>& arguments, const Circumstances
   for (const Pipe* pipe : {&out, &err}) ::close(pipe->ends[1]);
   std::this_thread::sleep_for(after);
   ::kill(child, signal);
-  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  const bool has_ended = ends_within(child, kSignalPatience);
+  if (!has_ended) ::kill(child, SIGKILL);
+  if (!has_ended) ::waitpid(child, nullptr, 0);
   for (const Pipe* pipe : {&out, &err}) ::close(pipe->ends[0]);
+  return has_ended;
 }
 
 }  // namespace torquewright::cli_test

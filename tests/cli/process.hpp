@@ -19,7 +19,7 @@ struct Circumstances {
   /// Ctrl-C so long after it has begun to listen for it.
   std::optional<std::chrono::milliseconds> interrupt_after{};
   bool as_nobody = false;               ///< Without root's rights. Requires root.
-  std::filesystem::path stdout_file{};  ///< Instead of a pipe; then `out` stays empty.
+  std::filesystem::path stdout_file{};  ///< Instead of a pipe, as by `>>`; `out` stays empty.
 };
 
 /// What came of it.
@@ -35,8 +35,9 @@ constexpr int kNotStarted = 126;
 /// Runs build/.../torquewright with these arguments, without a shell.
 Outcome run(const std::vector<std::string>& arguments, const Circumstances& circumstances = {});
 
-/// Starts it and sends it that signal after a while. Requires that it prints little.
-void run_and_kill(const std::vector<std::string>& arguments, const Circumstances& circumstances,
+/// Starts it and sends it that signal after a while. False: it went on for twenty seconds more.
+/// Requires that it prints little.
+bool run_and_kill(const std::vector<std::string>& arguments, const Circumstances& circumstances,
                   int signal, std::chrono::microseconds after);
 
 }  // namespace torquewright::cli_test

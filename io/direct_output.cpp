@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/direct_output.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <string>
+#include <system_error>
+
+#include "io/refusal.hpp"
+
+namespace torquewright::io {
+namespace {
+
+std::optional<int> number_after(std::string_view path, std::string_view folder) {
+  if (!path.starts_with(folder)) return std::nullopt;
+  path.remove_prefix(folder.size());
+  int number = 0;
+  const auto [end, error] = std::from_chars(path.data(), path.data() + path.size(), number);
+  const bool is_number = error == std::errc() && end == path.data() + path.size() && number >= 0;
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+/// To be closed: a second one of the same open file, or a new one.
+int opened(const std::filesystem::path& file) {
+  const std::optional<int> named = named_descriptor(file);
+  return named ? ::fcntl(*named, F_DUPFD_CLOEXEC, 0) : ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+}
+
+}  // namespace
+
+std::optional<int> named_descriptor(const std::filesystem::path& file) {
+  const std::string path = file.lexically_normal().string();
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  const std::optional<int> short_form = number_after(path, "/dev/fd/");
+  return short_form ? short_form : number_after(path, "/proc/self/fd/");
+}
+
+void require_open(const std::filesystem::path& file) {
+  const std::optional<int> named = named_descriptor(file);
+  if (!named) return;
+  const int flags = ::fcntl(*named, F_GETFL);
+  if (flags < 0) refuse_output(file, "no such descriptor is open");
+  if ((flags & O_ACCMODE) == O_RDONLY) refuse_output(file, "it is open for reading only");
+}
+
+void write_into(const std::filesystem::path& file, std::string_view content) {
+  const int descriptor = opened(file);
+  const int error = descriptor < 0 ? errno : write_all(descriptor, content);
+  if (descriptor >= 0) ::close(descriptor);
+  if (error != 0) refuse_output(file, std::generic_category().message(error));
+}
+
+int write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t count = ::write(descriptor, content.data(), content.size());
+    if (count < 0 && errno != EINTR) return errno;
+    if (count > 0) content.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+}  // namespace torquewright::io
