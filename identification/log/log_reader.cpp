@@ -71,6 +71,7 @@ bool LogReader::next_stretch(Stretch& stretch) {
 void LogReader::open_file() {
   csv_ = std::make_unique<io::CsvReader>(files_[file_], io::CsvReader::CutEnd::kDropped);
   columns_ = find_columns(*csv_, rig_);
+  clock_ = {};
   names_in_file_.clear();
 }
 
@@ -84,6 +85,9 @@ void LogReader::close_file() {
         {Weight::kNote, fmt::format("{}: the last line, {}, ends within the row: it "
                                     "is left out",
                                     csv_->file(), csv_->cut_line())});
+  }
+  if (!clock_.sentence().empty()) {
+    findings_.push_back({Weight::kNote, fmt::format("{}: {}", csv_->file(), clock_.sentence())});
   }
   files_read_.push_back({csv_->file(), csv_->sha256()});
   csv_.reset();
@@ -99,14 +103,15 @@ void LogReader::read_row() {
   }
   if (!columns_.time) return append(0.0);
   const Source& time = *columns_.time;
-  const double time_s = csv_->number(time.column) * time.scale + time.offset;
-  if (!std::isfinite(time_s)) csv_->refuse(time.column, "too large in SI units");
+  const double stated_s = csv_->number(time.column) * time.scale + time.offset;
+  if (!std::isfinite(stated_s)) csv_->refuse(time.column, "too large in SI units");
+  const double time_s = clock_.since_origin_s(stated_s);
   const bool has_previous = at_once_ > 0;
   if (has_previous && time_s == stamp_s_) {
     if (repeats_row()) return repeated_.add(run_.name, 1);
     if (++at_once_ > kMostAtOnce) {
       csv_->refuse(time.column, fmt::format("time stands still: more than {} rows have {} s",
-                                            kMostAtOnce, time_s));
+                                            kMostAtOnce, stated_s));
     }
   } else {
     check_time(time_s);
@@ -162,12 +167,13 @@ void LogReader::begin_run(std::string_view name) {
 void LogReader::check_time(double time_s) {
   if (at_once_ > 0) {
     if (time_s < stamp_s_) {
-      csv_->refuse(columns_.time->column,
-                   fmt::format("time runs backwards: {} s follows {} s of line {}{}", time_s,
-                               stamp_s_, previous_line_,
-                               columns_.run ? ""
-                                            : "; if another run begins here, add a column that "
-                                              "names the runs (\"run\")"));
+      csv_->refuse(
+          columns_.time->column,
+          fmt::format("time runs backwards: {} s follows {} s of line {}{}",
+                      time_s + clock_.origin_s(), stamp_s_ + clock_.origin_s(), previous_line_,
+                      columns_.run ? ""
+                                   : "; if another run begins here, add a column that "
+                                     "names the runs (\"run\")"));
     }
     spread(time_s);
     if (!median_s_ && run_.time_s.size() > kStepsForMedian) learn_step();

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "actuator/trajectory/clock.hpp"
 #include "identification/log/columns.hpp"
 #include "identification/log/log.hpp"
 #include "identification/log/printed_digits.hpp"
@@ -70,6 +71,7 @@ class LogReader {
   std::size_t file_ = 0;
   std::unique_ptr<io::CsvReader> csv_;
   Columns columns_;
+  actuator::Clock clock_;  ///< Of the present file.
   std::set<std::string, std::less<>> names_in_file_;
   Run run_;  ///< Of the present run, what was not handed over yet.
   bool is_in_run_ = false;

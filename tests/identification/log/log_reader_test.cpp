@@ -52,6 +52,27 @@ TEST(ReadLog, ScalesAndSorts) {
   EXPECT_EQ(result.log.holdout_runs, std::vector<std::string>{"b"});
 }
 
+// Oracle: the rows' own steps; a double near 1.7e9 is a multiple of 2^-22 s.
+TEST(ReadLog, CountsAClockSinceAnEpochFromTheFirstRow) {
+  const std::string text = "t,q\n1700000000.25,0\n1700000000.26,1\n1700000000.27,4\n";
+  const ReadLog result = read({{"bag.csv", text}}, kPlain);
+  ASSERT_EQ(result.refusal, "");
+  const auto& time_s = result.log.runs.front().time_s;
+  ASSERT_GE(time_s.size(), 2u);
+  EXPECT_EQ(time_s.front(), 0.0);
+  EXPECT_NEAR(time_s[1], 0.01, 0x1p-22);
+  EXPECT_NE(result.finding("bag.csv: times are counted from the first row, 1700000000.25 s of the")
+                .sentence,
+            "");
+}
+
+TEST(ReadLog, RefusesARunBackwardsByTheFilesOwnClock) {
+  const ReadLog result = read({{"bag.csv", "t,q\n1700000000.5,0\n1700000000.25,1\n"}}, kPlain);
+  EXPECT_NE(result.refusal.find("time runs backwards: 1700000000.25 s follows 1700000000.5 s"),
+            std::string::npos)
+      << result.refusal;
+}
+
 TEST(ReadLog, NamesFilesWithTheirHash) {
   const std::string text = "t,q\n0,1\n1,2\n2,4\n";
   const ReadLog result = read({{"a.csv", text}}, kPlain);
