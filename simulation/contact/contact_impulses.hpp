@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+namespace torquewright::simulation {
+
+/// All points that touch the ground at one instant: velocities (3 k x 1; tangent, tangent, normal
+/// of each) answer to impulses (3 k x 1) as u = free + response * impulse.
+struct ContactProblem {
+  Eigen::MatrixXd response_1_kg;  ///< (3 k x 3 k), symmetric, positive semidefinite.
+  Eigen::VectorXd free_m_s;
+  Eigen::VectorXd friction_coefficients;  ///< (k x 1)
+};
+
+/// Impulses with which each point obeys the law of coulomb_impulse_N_s() while all others act, by
+/// sweeps over the points (nonsmooth Gauss-Seidel: Jean, "The non-smooth contact dynamics method",
+/// 1999). `impulse_N_s` is where to begin from, and the result; where points share a load that more
+/// than one distribution carries, it decides which is found. False: kMostSweeps did not do; the
+/// result is the last sweep's. Requires normal responses above zero.
+[[nodiscard]] bool solve_contacts(const ContactProblem& problem, Eigen::VectorXd& impulse_N_s);
+
+/// No velocity is off by more than this share of the fastest, or than a point creeps by a tenth of
+/// a nanometre in a second.
+inline constexpr double kContactTolerance = 1e-11;
+inline constexpr double kNoCreep_m_s = 1e-10;
+inline constexpr int kMostSweeps = 2000;
+
+}  // namespace torquewright::simulation

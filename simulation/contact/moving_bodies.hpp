@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/inverse_dynamics.hpp"
+#include "dynamics/mass_matrix.hpp"
+#include "dynamics/tree_state.hpp"
+
+namespace torquewright::simulation {
+
+/// What a time stepping moves: a tree of bodies, and what turns with it (rotors behind mechanisms).
+/// One object serves one thread. Vectors as in dynamics::TreeState.
+class MovingBodies {
+ public:
+  virtual ~MovingBodies() = default;
+
+  /// False where a mechanism does not reach the posture; then nothing else may be asked.
+  [[nodiscard]] virtual bool set(const dynamics::VectorIn& position,
+                                 const dynamics::VectorIn& velocity) = 0;
+  /// Of what was set.
+  virtual dynamics::TreeState& state() = 0;
+  /// (n x n)
+  virtual void mass_matrix(dynamics::MatrixOut out) = 0;
+  /// Forces (n x 1) that hold accelerations at zero.
+  virtual void bias(dynamics::VectorOut out) = 0;
+};
+
+/// A tree alone.
+class BareTree final : public MovingBodies {
+ public:
+  explicit BareTree(dynamics::Tree tree) : state_(std::move(tree)) {}
+
+  bool set(const dynamics::VectorIn& position, const dynamics::VectorIn& velocity) override {
+    state_.set(position, velocity);
+    return true;
+  }
+  dynamics::TreeState& state() override { return state_; }
+  void mass_matrix(dynamics::MatrixOut out) override { dynamics::mass_matrix(state_, out); }
+  void bias(dynamics::VectorOut out) override { dynamics::bias(state_, out); }
+
+ private:
+  dynamics::TreeState state_;
+};
+
+}  // namespace torquewright::simulation
