@@ -83,7 +83,10 @@ class Campaign {
   int run() {
     const std::vector<DeclaredCommand> vocabulary = read_vocabulary(plan_.program);
     require_examples(vocabulary);
-    for (const Words& words : example_commands()) judge({words, {}}, "an example");
+    for (const Words& words : example_commands()) {
+      judge({words, {}}, "an example");
+      if (by_code_.contains(2)) throw std::runtime_error("is refused: " + quoted(words));
+    }
     run_kept();
     const auto start = Clock::now();
     auto told = start;

@@ -5,12 +5,18 @@
 #include "tests/fuzz/program/argument_mutation.hpp"
 #include "tests/fuzz/program/chance.hpp"
 #include "tests/fuzz/program/command_files.hpp"
+#include "tests/fuzz/program/document_mutation.hpp"
 #include "tests/fuzz/program/example_commands.hpp"
 #include "tests/fuzz/program/output_mutation.hpp"
 #include "tests/fuzz/program/table_mutation.hpp"
 
 namespace torquewright::fuzz {
 namespace {
+
+std::string changed_text(const std::string& file, const std::string& text, Random& random) {
+  if (fs::path(file).extension() == ".csv") return changed_table(text, random);
+  return once_in(2, random) ? with_other_numbers(text, random) : mutated({text}, random);
+}
 
 /// One file that the command reads, itself or by way of another, with changes.
 void change_input(Case& one, const Scene& scene, Random& random) {
@@ -27,9 +33,7 @@ void change_input(Case& one, const Scene& scene, Random& random) {
   const std::string text =
       is_there ? one.things[file].content : io::read_file_bytes(scene.path(file));
   if (text.empty()) return;
-  const bool is_table = fs::path(file).extension() == ".csv";
-  one.things[file] = {Thing::Kind::kFile,
-                      is_table ? changed_table(text, random) : mutated({text}, random)};
+  one.things[file] = {Thing::Kind::kFile, changed_text(file, text, random)};
 }
 
 /// Something that is no plain file in an input's place.
