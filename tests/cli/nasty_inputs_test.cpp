@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <functional>
 #include <optional>
@@ -14,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/cli/no_number.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {
@@ -21,35 +21,13 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Whether "nan" or "inf" stands in a text as a word of its own.
-bool says_no_number(const std::string& text) {
-  const auto is_letter = [&](std::size_t at) {
-    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 ||
-                                text[at] == '_' || text[at] == '-');
-  };
-  for (const std::string word : {"nan", "inf"}) {
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-      const bool is_negative = at > 0 && text[at - 1] == '-' && (at < 2 || !is_letter(at - 2));
-      const bool starts = at == 0 || is_negative || !is_letter(at - 1);
-      if (starts && !is_letter(at + word.size())) return true;
-    }
-  }
-  return false;
-}
-
-TEST(NastyInputs, AreRecognised) {
-  EXPECT_TRUE(says_no_number("torque -nan Nm"));
-  EXPECT_TRUE(says_no_number("inf"));
-  EXPECT_FALSE(says_no_number("information, inf_x, financial"));
-}
-
 void expect_civil(const Workplace& place, const Words& command, const std::string& what,
                   std::size_t files) {
   const Outcome outcome = place.run(command);
   EXPECT_TRUE(outcome.exit_code >= 0 && outcome.exit_code <= 3)
       << what << ": " << outcome.exit_code << " " << outcome.err;
   EXPECT_EQ(outcome.exit_code == 2, !outcome.err.empty()) << what << ": " << outcome.err;
-  EXPECT_FALSE(says_no_number(outcome.out)) << what << ": " << outcome.out;
+  EXPECT_FALSE(test::says_no_number(outcome.out)) << what << ": " << outcome.out;
   EXPECT_LE(outcome.err.size(), 5'000'000u) << what;
   EXPECT_EQ(place.files().size(), files) << what << " leaves a file behind";
 }

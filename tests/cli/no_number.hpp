@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace torquewright::test {
+
+/// Whether "nan" or "inf" stands in a text as a word of its own.
+bool says_no_number(const std::string& text);
+
+}  // namespace torquewright::test

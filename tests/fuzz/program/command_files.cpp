@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/fuzz/program/command_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "io/file_bytes.hpp"
+
+namespace torquewright::fuzz {
+namespace {
+
+constexpr std::array<std::string_view, 8> kOutputOptions{
+    "-o", "--output", "--draw", "--plot", "--plot-loads", "--figures", "--report", "--series"};
+
+constexpr std::size_t kLongestName = 200;
+
+bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
+
+/// The word, and what stands behind a "=" in it.
+std::vector<std::string> readings(const std::string& word) {
+  std::vector<std::string> all{word};
+  const std::size_t equals = word.find('=');
+  if (equals != std::string::npos) all.push_back(word.substr(equals + 1));
+  return all;
+}
+
+/// For a word such as --report=x.html or -ox.json: the file.
+std::string attached_output(const std::string& word) {
+  for (const std::string_view option : kOutputOptions) {
+    const std::string start = std::string(option) + (option.starts_with("--") ? "=" : "");
+    if (word.size() > start.size() && word.starts_with(start)) return word.substr(start.size());
+  }
+  return "";
+}
+
+void add_files_at(const fs::path& path, std::vector<fs::path>& files) {
+  std::error_code failed;
+  if (fs::is_regular_file(path, failed)) files.push_back(path);
+  if (!fs::is_directory(path, failed)) return;
+  for (const auto& entry : fs::directory_iterator(path, failed)) {
+    if (entry.is_regular_file(failed)) files.push_back(entry.path());
+  }
+}
+
+/// Files that a document names, as what it is taken to be and as what stands in quotes.
+void add_named_in(const fs::path& document, const fs::path& folder, std::vector<fs::path>& files) {
+  const std::string text = io::read_file_bytes(document);
+  for (std::size_t at = text.find('"'); at != std::string::npos;) {
+    const std::size_t end = text.find('"', at + 1);
+    if (end == std::string::npos) return;
+    const std::string word = text.substr(at + 1, end - at - 1);
+    if (word.size() < kLongestName && word.find('.') != std::string::npos) {
+      add_files_at(document.parent_path() / word, files);
+      add_files_at(folder / word, files);
+    }
+    at = end;
+  }
+}
+
+}  // namespace
+
+bool names_output(const std::string& word) {
+  return std::find(kOutputOptions.begin(), kOutputOptions.end(), word) != kOutputOptions.end();
+}
+
+std::set<std::string> outputs_of(const Words& arguments) {
+  std::set<std::string> outputs;
+  bool follows = false, follows_at_once = false;
+  for (const std::string& word : arguments) {
+    const std::string attached = attached_output(word);
+    if (!attached.empty()) outputs.insert(attached);
+    // Some take several; the first may look like an option.
+    if (follows_at_once || (follows && !is_option(word))) {
+      for (const std::string& reading : readings(word)) outputs.insert(reading);
+    }
+    if (is_option(word) && !follows_at_once) follows = names_output(word);
+    follows_at_once = !follows_at_once && names_output(word);
+  }
+  return outputs;
+}
+
+std::set<std::string> inputs_of(const Words& arguments, const Scene& scene) {
+  std::vector<fs::path> files;
+  std::string before;
+  for (const std::string& word : arguments) {
+    if (!names_output(before) && attached_output(word).empty()) {
+      for (const std::string& reading : readings(word)) {
+        if (!reading.empty() && reading.size() < kLongestName) {
+          add_files_at(scene.path(reading), files);
+        }
+      }
+    }
+    before = word;
+  }
+  std::set<std::string> inputs;
+  while (!files.empty()) {
+    const fs::path file = files.back();
+    files.pop_back();
+    std::error_code failed;
+    const fs::path true_file = fs::canonical(file, failed);
+    const std::string name = true_file.lexically_relative(fs::canonical(scene.folder())).string();
+    if (failed || name.starts_with("..") || !inputs.insert(name).second) continue;
+    if (true_file.extension() != ".csv") add_named_in(true_file, scene.folder(), files);
+  }
+  return inputs;
+}
+
+}  // namespace torquewright::fuzz

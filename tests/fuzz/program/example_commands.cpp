@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/fuzz/program/example_commands.hpp"
+
+#include <sstream>
+
+namespace torquewright::fuzz {
+namespace {
+
+const char* const kLines = R"(
+gearbox optimize specs/gearbox/d151_knee.json --verify --draw knee.svg -o result.json
+gearbox optimize specs/gearbox/d110a_ankle.json --top 3 --json
+gearbox optimize specs/gearbox/finger_joint.json --relaxation never --max-nodes 200
+gearbox optimize specs/gearbox/knee_choices.json --time-limit 2 --top 2 -o result.json
+gearbox optimize specs/gearbox/slewing_drive.json --time-limit 1 --max-nodes 100 --relaxation always
+gearbox evaluate specs/gearbox/d151_knee.json --teeth 24,48,28 -o result.json --draw knee.svg
+gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32,132,120 --rank --json
+gearbox evaluate specs/gearbox/d110a_ankle.json --teeth 18,54 --planet-count 3 -o result.json
+gearbox evaluate specs/gearbox/knee_choices.json --teeth 44,44,32 --planet-count 4 --module 0.6
+gearbox verify specs/gearbox/d151_knee_result.json
+gearbox verify tests/fuzz/corpus/result_conflict.json --json
+gearbox verify tests/fuzz/corpus/result_two_designs.json
+gearbox verify tests/fuzz/corpus/result_planetary.json --json
+gearbox strength specs/gearbox/d110a_strength.json --torque 21 --side motor
+gearbox strength specs/gearbox/d151_strength.json --torque 21,17 --face-widths 6,8 --modules 0.5,0.6 --json
+gearbox strength specs/gearbox/d151_knee_result.json --steel case_hardened --face-width 10 --torque 16 --cycles 1e6 --design 1
+actuator mor specs/actuator/d151_knee.json --at-speed 0,8,9.5,11
+actuator mor specs/actuator/d151_knee.json --need 200@10 --ratio 4:40 --json
+actuator mor specs/actuator/d151_knee.json --need 100@5
+actuator mor specs/actuator/d110a_ankle.json --ratio 4:40
+actuator mor specs/actuator/d151_knee.json --compare specs/actuator/d110a_ankle.json --json
+actuator mor specs/actuator/d151_knee.json --format mujoco -o knee.xml
+actuator mor specs/actuator/ak80_9.json --format isaac-lab --fit best
+actuator mor specs/actuator/ak80_9.json --format physx --bus-voltage 40 -o out.usda
+actuator mor specs/actuator/mini_cheetah_knee.json --format urdf --json
+actuator mor specs/actuator/d151_knee.json --format drake --rating continuous
+actuator mor specs/actuator/cassie_knee.json --side motor --winding-temperature 350 --accuracy 0.01
+actuator mor specs/actuator/d151_knee.json -o table.csv --plot region.svg --plot-voltage 60,48 --plot-temperature 350
+actuator mor specs/log/bench_refined.json -o table.json
+actuator lint specs/actuator/d151_knee.json specs/actuator/d110a_ankle.json
+actuator lint specs/actuator/ak80_9.json --json
+actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d151_knee.json -o report.txt --plot motion.svg
+actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d151_knee.json --repeat 10 --pause 2 --bus-voltage 50 --json
+actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --torque-includes-inertia --from 0.1 --until 0.8
+actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --column knee_torque_Nm=knee.torque:Nm*1.1 --torque-excludes-inertia
+hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv
+hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --json --load-window 0.02 --repeat 3 --pause 1 --ground-height 0 --contact-height 0.002
+hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --series flip.csv -o report.json --report flip.html
+hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --candidates specs/actuator --threads 2 --ratios 8:9 --figures flip.svg
+hopper check specs/robot/rabbit.json tests/fuzz/corpus/rabbit_leap.csv --residual-limit 0.1 --contact-speed 0.1
+hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --plot a.svg --plot-loads b.svg --torques dynamics
+hopper calibrate specs/robot/hopper.json --target cam=6.0 --target cav=7.4:10.6 --free /bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45 --free /postures/takeoff/knee --free /postures/tuck/knee -o fitted.json --plot valley.svg
+hopper calibrate specs/robot/hopper.json --target cam=6 --target cav@stretched=6 --posture stretched=knee:0.1,ankle_pitch:0.3 --free /bodies/0/inertia_kg_m2/yy=0.05:0.45 --tolerance 0.005 --json
+identify specs/log/bench_as_built.csv --rig specs/log/bench_rig.json --actuator specs/log/bench_actuator.json -o refined.json --report report.html
+identify tests/fuzz/corpus/measured.csv --rig tests/fuzz/corpus/measured_rig.json --actuator specs/actuator/d151_knee.json --json
+identify tests/fuzz/corpus/measured.csv --rig tests/fuzz/corpus/measured_rig.json --actuator specs/actuator/d151_knee.json -o refined.json --only coulomb_friction,viscous_friction --tolerance 0.1 --empirical
+identify residual tests/fuzz/corpus/measured.csv --rig tests/fuzz/corpus/measured_rig.json --actuator specs/actuator/d151_knee.json --json
+identify residual specs/log/bench_as_built.csv --rig specs/log/bench_rig.json --actuator specs/log/bench_actuator.json
+identify plan specs/log/bench_actuator.json --rig specs/log/bench_rig.json --separate coulomb_friction,viscous_friction --duration 8 -o excitation.csv
+identify plan specs/actuator/d151_knee.json --rig specs/rig/dynamometer_knee.json --separate coulomb_friction,load_dependent_friction --speed-limit 5 --noise output_torque_Nm=0.2 --seed 3 --json
+identify simulate specs/actuator/d151_knee.json --rig specs/rig/knee_sweep.json --excitation specs/excitation/knee_sweep.csv --noise output_torque_Nm=0.2 --seed 7 -o log.csv
+identify import moteus specs/log/wheel_moteus.csv -o imported
+robot import specs/robot/rabbit.urdf -o rabbit.json
+robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
+robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
+robot export specs/robot/cassie.json --format urdf
+robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
+)";
+
+std::vector<Words> read_lines() {
+  std::vector<Words> commands;
+  std::istringstream lines(kLines);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream stream(line);
+    Words words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    if (!words.empty()) commands.push_back(words);
+  }
+  return commands;
+}
+
+}  // namespace
+
+const std::vector<Words>& example_commands() {
+  static const std::vector<Words> commands = read_lines();
+  return commands;
+}
+
+}  // namespace torquewright::fuzz

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fuzzer sees what it is to see. Oracle: runs made by hand, each of which breaks one rule.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "tests/cli/no_number.hpp"
+#include "tests/fuzz/program/case_json.hpp"
+#include "tests/fuzz/program/command_files.hpp"
+#include "tests/fuzz/program/draw.hpp"
+#include "tests/fuzz/program/minimise.hpp"
+#include "tests/fuzz/program/rules.hpp"
+#include "tests/fuzz/program/table_mutation.hpp"
+
+namespace torquewright::fuzz {
+namespace {
+
+using Ran = Run;  // within a test, Run is one of GoogleTest's own
+
+const std::string kKnee = "specs/actuator/d151_knee.json";
+
+Ran good_run() {
+  Ran run;
+  run.one.arguments = {"actuator", "mor", kKnee, "-o", "x.json", "--json"};
+  run.inputs = {kKnee};
+  run.outputs = {"x.json"};
+  run.outcome.exit_code = 0;
+  run.outcome.out = "{\"torque_Nm\": 1}";
+  run.changed = {"work/x.json"};
+  run.written = {{"work/x.json", "{}"}};
+  return run;
+}
+
+TEST(ProgramRules, LetAGoodRunPass) { EXPECT_EQ(breach_in(good_run(), {}).rule, ""); }
+
+TEST(ProgramRules, SeeEveryKindOfBreach) {
+  struct Bad {
+    const char* rule;
+    std::function<void(Ran&)> spoil;
+  };
+  const auto on_stderr = [](const char* text) {
+    return [text](Ran& run) { run.outcome.err = text; };
+  };
+  const auto changes = [](const char* path) {
+    return [path](Ran& run) { run.changed.emplace_back(path); };
+  };
+  for (const Bad& bad :
+       std::vector<Bad>{{"sound", on_stderr("x.cpp:1: runtime error: signed integer overflow")},
+                        {"sound", on_stderr("==1==ERROR: AddressSanitizer: heap-use-after-free")},
+                        {"end", [](Ran& run) { run.outcome.has_ended = false; }},
+                        {"exit_code", [](Ran& run) { run.outcome.exit_code = 70; }},
+                        {"exit_code", [](Ran& run) { run.outcome.signal = 11; }},
+                        {"sentence", [](Ran& run) { run.outcome.exit_code = 2; }},
+                        {"sentence", [](Ran& run) { run.outcome.err.assign(6'000'000, 'x'); }},
+                        {"numbers", [](Ran& run) { run.outcome.out = "from -nan to 1"; }},
+                        {"numbers", [](Ran& run) { run.written[0].second = "[inf]"; }},
+                        {"json", [](Ran& run) { run.outcome.out = "{\"a\": "; }},
+                        {"json", [](Ran& run) { run.written[0].second = "{\"a\": "; }},
+                        {"files", changes("work/.torquewright-0.tmp")},
+                        {"files", changes("tmp/left")},
+                        {"files", changes("work/specs/actuator/d151_knee.json")},
+                        {"files",
+                         [](Ran& run) {
+                           run.outcome.exit_code = 2;
+                           run.outcome.err = "no";
+                         }},
+                        {"small", [](Ran& run) { run.outcome.processor_s = 11.0; }},
+                        {"small", [](Ran& run) { run.outcome.resident_MB = 3000.0; }}}) {
+    Ran run = good_run();
+    bad.spoil(run);
+    EXPECT_EQ(breach_in(run, {}).rule, bad.rule);
+  }
+}
+
+TEST(ProgramRules, KnowWhatIsNoNumber) {
+  for (const char* text : {"torque -nan Nm", "inf", "[inf,1]", "to inf.", "nan,nan"}) {
+    EXPECT_TRUE(test::says_no_number(text)) << text;
+  }
+  for (const char* text : {"information, inf_x, financial", "inf.json is not here"}) {
+    EXPECT_FALSE(test::says_no_number(text)) << text;
+  }
+}
+
+TEST(CommandFiles, AreFoundByWayOfOthers) {
+  const Scene scene;
+  const Words check{"hopper",
+                    "check",
+                    "specs/robot/hopper.json",
+                    "specs/trajectory/hopper_flip.csv",
+                    "--report",
+                    "a.html",
+                    "-o",
+                    "b.json"};
+  const auto inputs = inputs_of(check, scene);
+  EXPECT_TRUE(inputs.contains(kKnee));  // which the robot names
+  EXPECT_TRUE(inputs.contains("specs/trajectory/hopper_flip.csv"));
+  EXPECT_EQ(outputs_of(check), (std::set<std::string>{"a.html", "b.json"}));
+}
+
+TEST(Scene, IsMendedWhateverACaseDidToIt) {
+  Scene scene;
+  Case one;
+  one.things[kKnee] = {Thing::Kind::kFile, "{"};
+  one.things["specs/robot/hopper.json"] = {Thing::Kind::kPipe, ""};
+  one.things["loop"] = {Thing::Kind::kLink, "loop"};
+  one.things["../outside"] = {Thing::Kind::kFile, ""};
+  scene.lay_out(one);
+  EXPECT_EQ(fs::file_size(scene.path(kKnee)), 1u);
+  EXPECT_TRUE(fs::is_fifo(scene.path("specs/robot/hopper.json")));
+  EXPECT_FALSE(fs::exists(scene.path("../outside")));
+  scene.mend();
+  EXPECT_EQ(scene.look().size(), scene.examples().size());
+  EXPECT_GT(fs::file_size(scene.path(kKnee)), 100u);
+  EXPECT_TRUE(fs::is_regular_file(scene.path("specs/robot/hopper.json")));
+}
+
+TEST(Case, KeepsEveryByte) {
+  std::string bytes;
+  for (int i = 1; i < 256; ++i) bytes += static_cast<char>(i);
+  Case one{{"actuator", bytes}, {}};
+  one.things["na\xFFme"] = {Thing::Kind::kLink, bytes};
+  const Case again = case_of(text_of(one));
+  EXPECT_EQ(again.arguments, one.arguments);
+  EXPECT_EQ(again.things.at("na\xFFme").content, bytes);
+  EXPECT_EQ(again.things.at("na\xFFme").kind, Thing::Kind::kLink);
+}
+
+TEST(Case, OfANumberIsAlwaysTheSame) {
+  const Scene scene;
+  const std::vector<DeclaredCommand> vocabulary{{{"actuator", "mor"}, {{"--json", false, {}}}}};
+  std::set<std::string> texts;
+  for (std::uint64_t number = 0; number < 50; ++number) {
+    const std::string text = text_of(draw_case(7, number, vocabulary, scene));
+    EXPECT_EQ(text_of(draw_case(7, number, vocabulary, scene)), text);
+    texts.insert(text);
+  }
+  EXPECT_GT(texts.size(), 45u);
+}
+
+// The breach needs one word and one character of one file.
+TEST(Minimiser, LeavesWhatTheBreachNeeds) {
+  Case one{{"a", "b", "--bad", "c"}, {}};
+  one.things["x.csv"] = {Thing::Kind::kFile, std::string(500, 'x') + "!" + std::string(300, 'y')};
+  one.things["y.csv"] = {Thing::Kind::kFile, "z"};
+  const auto breaks = [](const Case& smaller) {
+    const auto file = smaller.things.find("x.csv");
+    const Words& words = smaller.arguments;
+    return file != smaller.things.end() && file->second.content.find('!') != std::string::npos &&
+           std::find(words.begin(), words.end(), "--bad") != words.end();
+  };
+  const Case small = minimised(one, breaks, 300);
+  EXPECT_EQ(small.arguments, Words{"--bad"});
+  EXPECT_EQ(small.things.size(), 1u);
+  EXPECT_EQ(small.things.at("x.csv").content, "!");
+}
+
+}  // namespace
+}  // namespace torquewright::fuzz

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/fuzz/program/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/no_number.hpp"
+
+namespace torquewright::fuzz {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostComplaint = 5'000'000;
+constexpr int kGreatestExitCode = 3;
+constexpr int kBadInput = 2;
+/// Who has used no more, and has not ended, waits for something.
+constexpr double kAsleep_s = 1.0;
+
+std::string ending(const std::string& name) { return fs::path(name).extension().string(); }
+
+std::string comes_to_an_end(const Run& run, const Limits& limits) {
+  if (run.outcome.has_ended) return "";
+  const double used_s = run.outcome.processor_s;
+  // Between the two it was the machine that had no time for it.
+  if (used_s > kAsleep_s && used_s < limits.processor_s) return "";
+  return fmt::format("is still at it after {} s, {:.1f} of them of processors", limits.clock_s,
+                     used_s);
+}
+
+std::string is_sound(const Run& run, const Limits&) {
+  for (const char* word : {"Sanitizer", "runtime error: ", "Assertion"}) {
+    if (run.outcome.err.find(word) != std::string::npos) return run.outcome.err.substr(0, 2000);
+  }
+  return "";
+}
+
+std::string ends_with_a_code(const Run& run, const Limits&) {
+  const Outcome& outcome = run.outcome;
+  if (!outcome.has_ended) return "";  // killed for that
+  if (outcome.signal != 0) return fmt::format("signal {}", outcome.signal);
+  if (outcome.exit_code >= 0 && outcome.exit_code <= kGreatestExitCode) return "";
+  return fmt::format("exit code {}: {}", outcome.exit_code, outcome.err.substr(0, 500));
+}
+
+std::string says_why(const Run& run, const Limits&) {
+  if (run.outcome.exit_code == kBadInput && run.outcome.err.empty()) return "2 without a sentence";
+  if (run.outcome.err.size() > kMostComplaint) return "stderr without end";
+  return "";
+}
+
+std::string has_numbers(const Run& run, const Limits&) {
+  if (test::says_no_number(run.outcome.out)) return "nan or inf on stdout";
+  for (const auto& [name, bytes] : run.written) {
+    if (ending(name) != ".png" && test::says_no_number(bytes)) return "nan or inf in " + name;
+  }
+  return "";
+}
+
+bool asks_for_json(const Words& words) {
+  return std::find(words.begin(), words.end(), "--json") != words.end();
+}
+
+std::string is_json(const Run& run, const Limits&) {
+  const std::string& out = run.outcome.out;
+  const bool prints_it = asks_for_json(run.one.arguments) && !out.empty() && out.front() == '{';
+  if (prints_it && !json::accept(out)) return "stdout is no JSON";
+  for (const auto& [name, bytes] : run.written) {
+    const bool is_meant_so = ending(name) == ".json" && bytes.starts_with('{');
+    if (is_meant_so && !json::accept(bytes)) return name + " is no JSON";
+  }
+  return "";
+}
+
+/// Whether a changed file was asked for. It may lie in a folder that was named.
+bool is_output(const Run& run, const std::string& name) {
+  return std::any_of(run.outputs.begin(), run.outputs.end(), [&](const std::string& output) {
+    return name == output || name.starts_with(output + "/");
+  });
+}
+
+std::string keeps_files(const Run& run, const Limits&) {
+  for (const std::string& path : run.changed) {
+    if (!path.starts_with("work/")) return path + " is left behind";
+    const std::string name = path.substr(5);
+    if (run.inputs.contains(name)) return name + " is an input and has changed";
+    if (!is_output(run, name)) return name + " is no output and has changed";
+  }
+  if (run.outcome.exit_code == kBadInput && !run.changed.empty()) {
+    return run.changed.front() + " has changed, although the exit code is 2";
+  }
+  return "";
+}
+
+std::string is_small(const Run& run, const Limits& limits) {
+  const Outcome& outcome = run.outcome;
+  if (run.input_bytes > limits.input_bytes || !outcome.has_ended) return "";
+  if (outcome.processor_s > limits.processor_s) {
+    return fmt::format("{:.1f} s of processors", outcome.processor_s);
+  }
+  if (outcome.resident_MB > limits.resident_MB)
+    return fmt::format("{:.0f} MB", outcome.resident_MB);
+  return "";
+}
+
+}  // namespace
+
+Limits Limits::times(double factor) const {
+  return {processor_s * factor, clock_s * factor, resident_MB * factor, input_bytes};
+}
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> all{
+      {"sound", is_sound},    {"end", comes_to_an_end}, {"exit_code", ends_with_a_code},
+      {"sentence", says_why}, {"numbers", has_numbers}, {"json", is_json},
+      {"files", keeps_files}, {"small", is_small},
+  };
+  return all;
+}
+
+Breach breach_in(const Run& run, const Limits& limits) {
+  for (const Rule& rule : rules()) {
+    const std::string sentence = rule.breach(run, limits);
+    if (!sentence.empty()) return {rule.name, sentence};
+  }
+  return {};
+}
+
+}  // namespace torquewright::fuzz
