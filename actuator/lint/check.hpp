@@ -52,7 +52,7 @@ struct Check {
   std::vector<Explanation> (*further)(const Actuator& document, const RoundedInterval& stated,
                                       const RoundedInterval& expected) = nullptr;
   /// How far apart both may be without alarm; nullptr: not beyond their rounding.
-  Tolerance (*tolerance)(const Actuator& document) = nullptr;
+  Tolerance (*tolerance)(const Compared& compared) = nullptr;
 };
 
 /// Every check there is.

@@ -27,15 +27,16 @@ RoundedInterval sheet_voltage(const Actuator& document) {
 RoundedInterval plain_speed(const Actuator& document) {
   return derive([](double volts, double constant_Nm_A,
                    double turns) { return volts / (constant_Nm_A * turns); },
-                sheet_voltage(document), torque_constant(document), sheet_ratio(document));
+                sheet_voltage(document), torque_constant(document),
+                sheet_ratio(document, "no_load_speed_rad_s"));
 }
 
 /// c = w Kt N / V: each number once, so that the corners are the extremes.
 RoundedInterval required_factor(const Actuator& document) {
   return derive([](double speed_rad_s, double constant_Nm_A, double turns,
                    double volts) { return speed_rad_s * constant_Nm_A * turns / volts; },
-                *stated_speed(document), torque_constant(document), sheet_ratio(document),
-                sheet_voltage(document));
+                *stated_speed(document), torque_constant(document),
+                sheet_ratio(document, "no_load_speed_rad_s"), sheet_voltage(document));
 }
 
 /// c of a convention: phase volts per bus volt over phase back-EMF per torque constant.

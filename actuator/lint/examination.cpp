@@ -67,7 +67,7 @@ Finding finding_of(const Check& check, const Actuator& document, const RoundedIn
 bool is_tolerated(const Check& check, const Actuator& document, const RoundedInterval& stated,
                   const RoundedInterval& expected) {
   if (check.tolerance == nullptr) return is_met(check.demand, stated, expected);
-  const Tolerance tolerance = check.tolerance(document);
+  const Tolerance tolerance = check.tolerance({document, stated, expected});
   RoundedInterval admitted = expected;
   admitted.low *= tolerance.least;
   admitted.high *= tolerance.greatest;
@@ -77,7 +77,7 @@ bool is_tolerated(const Check& check, const Actuator& document, const RoundedInt
 /// What a sheet may well state, with the number.
 Finding tolerated(const Check& check, const Actuator& document, const RoundedInterval& stated,
                   const RoundedInterval& expected) {
-  const Tolerance tolerance = check.tolerance(document);
+  const Tolerance tolerance = check.tolerance({document, stated, expected});
   Finding finding = finding_of(check, document, stated, expected);
   finding.severity = Severity::kNote;
   // Other readings are of interest where the one that is taken was assumed.

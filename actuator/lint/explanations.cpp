@@ -19,8 +19,13 @@ Agreement fit_of(const Check& check, const RoundedInterval& stated,
   return may_be_loaded ? Agreement::kAdmits : Agreement::kExcludes;
 }
 
+/// To round-off.
 bool is_same(const RoundedInterval& one, const RoundedInterval& other) {
-  return one.low == other.low && one.high == other.high;
+  constexpr double kRoundOff = 1e-12;
+  const auto is_near = [](double a, double b) {
+    return a == b || std::abs(a - b) <= kRoundOff * std::abs(a);
+  };
+  return is_near(one.low, other.low) && is_near(one.high, other.high);
 }
 
 /// The interpretation that is the document's own may still be a load: a speed that is not the
