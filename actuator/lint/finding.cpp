@@ -18,6 +18,15 @@ std::string with_interval(const RoundedInterval& interval, std::string_view unit
   return unit.empty() ? text : fmt::format("{} {}", text, unit);
 }
 
+std::string either(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
 Severity contradiction(const std::vector<Explanation>& explanations) {
   const bool is_reconciled =
       std::any_of(explanations.begin(), explanations.end(),

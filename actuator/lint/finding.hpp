@@ -20,6 +20,7 @@ struct Comparison {
   RoundedInterval expected;
   bool agrees = true;
   bool is_tolerated = true;  ///< Apart by no more than catalogues are.
+  Weight weight = Weight::kContradiction;
 };
 
 struct Finding {
@@ -32,6 +33,9 @@ struct Finding {
   RoundedInterval expected;          ///< Its pointers: what that follows from.
   std::vector<std::string> assumed;  ///< Those of the pointers that the document assumes.
   std::vector<Explanation> explanations;
+  /// Of a contradiction: the fewest readings that together explain the whole sheet; empty: none do.
+  std::vector<std::string> explained_by;
+  std::vector<std::string> culprits;  ///< Pointers of numerals, one of which spoils the sheet.
 };
 
 /// The bound of what is expected that is nearest to what is stated.
@@ -39,6 +43,9 @@ double limit(const Finding& finding);
 
 /// A number with its interval and unit: 20 (19.5 to 20.5) rad/s.
 std::string with_interval(const RoundedInterval& interval, std::string_view unit);
+
+/// "A", "A or B", "A, B or C".
+std::string either(const std::vector<std::string>& words);
 
 /// Warning if an explanation fits or admits, violation if none does.
 Severity contradiction(const std::vector<Explanation>& explanations);

@@ -153,6 +153,7 @@ TEST(StatementsInLint, KnowAStallCurrentThatIsTheDrivesLimit) {
   EXPECT_FALSE(has_contradiction(examine_all(std::vector{document})));
   document.datasheet->stall_current_A.reset();  // then the drive's own 40 A
   EXPECT_TRUE(comparison(document, "stall-torque")->agrees);
+  document.datasheet->stall_torque_Nm.reset();
   document.datasheet->stall_current_A = 120;
   EXPECT_GT(finding(document, "stall-current")->severity, Severity::kNote);
   document.datasheet->stall_current_A = 40;
