@@ -18,11 +18,11 @@ std::string with_interval(const RoundedInterval& interval, std::string_view unit
   return unit.empty() ? text : fmt::format("{} {}", text, unit);
 }
 
-std::string either(const std::vector<std::string>& words) {
+std::string either(const std::vector<Numerals>& sets) {
   std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-    text += words[i];
+  for (const Numerals& set : sets) {
+    text += text.empty() ? "" : " or ";
+    for (std::size_t i = 0; i < set.size(); ++i) text += (i == 0 ? "" : " and ") + set[i];
   }
   return text;
 }

@@ -23,6 +23,8 @@ struct Comparison {
   Weight weight = Weight::kContradiction;
 };
 
+using Numerals = std::vector<std::string>;  ///< By their pointers.
+
 struct Finding {
   Severity severity = Severity::kNote;
   std::string rule;
@@ -35,7 +37,7 @@ struct Finding {
   std::vector<Explanation> explanations;
   /// Of a contradiction: the fewest readings that together explain the whole sheet; empty: none do.
   std::vector<std::string> explained_by;
-  std::vector<std::string> culprits;  ///< Pointers of numerals, one of which spoils the sheet.
+  std::vector<Numerals> culprits;  ///< Any of these sets alone would spoil the sheet.
 };
 
 /// The bound of what is expected that is nearest to what is stated.
@@ -44,8 +46,8 @@ double limit(const Finding& finding);
 /// A number with its interval and unit: 20 (19.5 to 20.5) rad/s.
 std::string with_interval(const RoundedInterval& interval, std::string_view unit);
 
-/// "A", "A or B", "A, B or C".
-std::string either(const std::vector<std::string>& words);
+/// "A", "A or B and C", ...
+std::string either(const std::vector<Numerals>& sets);
 
 /// Warning if an explanation fits or admits, violation if none does.
 Severity contradiction(const std::vector<Explanation>& explanations);

@@ -12,6 +12,7 @@ namespace {
 
 /// More than two readings at once explain nearly any sheet.
 constexpr std::size_t kMostReadings = 2;
+constexpr std::size_t kMostCulprits = 3;
 constexpr double kSameNumber = 1e-12;
 
 /// A document in some readings, and what these leave to be explained.
@@ -127,27 +128,69 @@ bool contains(const std::vector<std::string>& list, const std::string& entry) {
   return std::find(list.begin(), list.end(), entry) != list.end();
 }
 
-std::vector<std::string> culprits_of(std::span<const Comparison> comparisons) {
-  std::vector<std::string> suspects;
-  bool is_first = true;
+/// Which numerals stand in contradictions, and how often what agrees confirms each.
+struct Suspicions {
+  std::vector<std::vector<std::string>> contradictions;
   std::map<std::string, int> confirmed;
+};
+
+Suspicions suspicions_of(std::span<const Comparison> comparisons) {
+  Suspicions all;
   for (const Comparison& comparison : comparisons) {
     const std::vector<std::string> numerals = numerals_of(comparison);
     if (!comparison.is_tolerated && comparison.weight == Weight::kContradiction) {
-      if (is_first) suspects = numerals;
-      std::erase_if(suspects, [&](const std::string& one) { return !contains(numerals, one); });
-      is_first = false;
+      all.contradictions.push_back(numerals);
     } else if (comparison.demand == Demand::kEqual) {
-      for (const std::string& numeral : numerals) ++confirmed[numeral];
+      for (const std::string& numeral : numerals) ++all.confirmed[numeral];
     }
   }
-  int least = 0;
-  for (bool is_one = true; const std::string& suspect : suspects) {
-    least = is_one ? confirmed[suspect] : std::min(least, confirmed[suspect]);
-    is_one = false;
+  return all;
+}
+
+bool spoil_everything(const Numerals& numerals, const Suspicions& all) {
+  return std::all_of(all.contradictions.begin(), all.contradictions.end(), [&](const auto& one) {
+    return std::any_of(numerals.begin(), numerals.end(),
+                       [&](const std::string& numeral) { return contains(one, numeral); });
+  });
+}
+
+/// A numeral that agrees elsewhere too would have to be wrong as often by chance.
+int improbability(const Numerals& numerals, const Suspicions& all) {
+  int sum = 0;
+  for (const std::string& numeral : numerals) {
+    const auto place = all.confirmed.find(numeral);
+    sum += 1 + (place == all.confirmed.end() ? 0 : place->second);
   }
-  std::erase_if(suspects, [&](const std::string& one) { return confirmed[one] > least; });
-  return suspects;
+  return sum;
+}
+
+std::vector<Numerals> culprits_of(std::span<const Comparison> comparisons) {
+  const Suspicions all = suspicions_of(comparisons);
+  Numerals suspects;
+  for (const Numerals& one : all.contradictions) suspects = united(suspects, one);
+  std::vector<Numerals> sets{{}}, culprits;
+  int least = 0;
+  for (std::size_t size = 1; size <= kMostCulprits; ++size) {
+    std::vector<Numerals> larger;
+    for (const Numerals& set : sets) {
+      const auto after = set.empty()
+                             ? suspects.begin()
+                             : std::next(std::find(suspects.begin(), suspects.end(), set.back()));
+      for (auto suspect = after; suspect != suspects.end(); ++suspect) {
+        Numerals& more = larger.emplace_back(set);
+        more.push_back(*suspect);
+        if (!spoil_everything(more, all)) continue;
+        const int cost = improbability(more, all);
+        if (culprits.empty() || cost < least) {
+          culprits.clear();
+          least = cost;
+        }
+        if (cost == least) culprits.push_back(more);
+      }
+    }
+    sets = std::move(larger);
+  }
+  return culprits;
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace torquewright::actuator::lint {
 struct JointExplanation {
   /// The fewest that together leave no contradiction; empty: no two and no one does.
   std::vector<std::string> readings;
-  /// Numerals each of which stands in every contradiction and is confirmed least by what agrees:
-  /// without one of them the rest agrees.
-  std::vector<std::string> culprits;
+  /// Sets of numerals without which the rest agrees: those that are the fewest, where each
+  /// comparison that agrees with a numeral counts as one more.
+  std::vector<Numerals> culprits;
 };
 
 /// Both numbers of a check in one reading; nothing where one of them is not stated.

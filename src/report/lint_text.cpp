@@ -84,7 +84,7 @@ std::string finding_text(const actuator::lint::Finding& finding) {
         fmt::format("  the whole sheet agrees with: {}\n", fmt::join(finding.explained_by, "; "));
   }
   if (!finding.culprits.empty()) {
-    text += fmt::format("  or else one numeral spoils it: {}\n", either(finding.culprits));
+    text += fmt::format("  or else it is spoilt by: {}\n", either(finding.culprits));
   }
   return text;
 }

@@ -90,7 +90,7 @@ TEST(JointExplanation, NamesTheNumeralThatSpoilsTheSheet) {
     *(*document.datasheet.*spoiled.key) *= 3.0;
     const Finding finding = the_contradiction(document);
     EXPECT_EQ(finding.severity, Severity::kViolation) << spoiled.pointer;
-    EXPECT_EQ(finding.culprits, Words{spoiled.pointer});
+    EXPECT_EQ(finding.culprits, std::vector<Words>{{spoiled.pointer}});
     EXPECT_NE(finding.sentence.find(spoiled.pointer), std::string::npos) << finding.sentence;
   }
 }
@@ -100,7 +100,18 @@ TEST(JointExplanation, NamesBothWhereNothingElseTells) {
   Actuator document = invented();
   *document.datasheet->mechanical_time_constant_s *= 3.0;
   EXPECT_EQ(the_contradiction(document).culprits,
-            (Words{"/datasheet/mechanical_time_constant_s", "/motor/rotor_inertia_kg_m2"}));
+            (std::vector<Words>{{"/datasheet/mechanical_time_constant_s"},
+                                {"/motor/rotor_inertia_kg_m2"}}));
+}
+
+// Two numerals that nothing confirms rather than the constant that they share, which much does.
+TEST(JointExplanation, NamesTwoNumeralsBeforeOneThatAgreesElsewhere) {
+  Actuator document = invented();
+  *document.datasheet->stall_torque_Nm *= 3.0;
+  *document.datasheet->velocity_constant_rpm_V *= 3.0;
+  EXPECT_EQ(
+      the_contradiction(document).culprits,
+      (std::vector<Words>{{"/datasheet/velocity_constant_rpm_V", "/datasheet/stall_torque_Nm"}}));
 }
 
 // The torque constant three times too large spoils four comparisons; the back-EMF constant, which
@@ -111,7 +122,7 @@ TEST(JointExplanation, NamesAConstantThatSpoilsSeveralComparisons) {
   const Finding finding = the_contradiction(document);
   EXPECT_EQ(finding.rule, "whole-sheet");
   EXPECT_EQ(finding.severity, Severity::kViolation);
-  EXPECT_EQ(finding.culprits, Words{"/motor/torque_constant_Nm_A"});
+  EXPECT_EQ(finding.culprits, std::vector<Words>{{"/motor/torque_constant_Nm_A"}});
 }
 
 // A reading that fits one pair and breaks another explains no sheet: with Kt per rms ampere the
