@@ -164,7 +164,7 @@ void InterpretationCheck::add_continuous(double pause_s, CheckedInterpretation& 
   result.continuous_current = continuous_use(current_square_, duration_s, result.peak_current_A,
                                              pause_s, actuator.drive.continuous_current_A);
   if (!actuator.datasheet) return;
-  result.is_rated_at_joint = actuator.datasheet->joint_side;
+  result.is_rated_at_joint = is_at_joint(actuator, "/datasheet/rated_torque_Nm");
   const bool at_joint = result.is_rated_at_joint;
   result.continuous_torque =
       continuous_use(at_joint ? torque_square_ : motor_torque_square_, duration_s,

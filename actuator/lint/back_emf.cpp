@@ -14,12 +14,6 @@ RoundedInterval phase_back_emf_of_torque_constant(const Actuator& document) {
   return derive(product, phase_torque_constant(document), exact(2.0 / 3.0));
 }
 
-std::optional<RoundedInterval> back_emf_stated(const Actuator& document) {
-  const std::optional<double>& constant = document.motor.back_emf_constant_V_s_rad;
-  if (!constant) return std::nullopt;
-  return rounded(*constant, "/motor/back_emf_constant_V_s_rad");
-}
-
 std::optional<RoundedInterval> back_emf_expected(const Interpretation& interpretation) {
   return derive(product, phase_back_emf_of_torque_constant(interpretation.document),
                 exact(volts_per_phase_volt(interpretation.emf_measure)));
@@ -31,7 +25,7 @@ std::optional<RoundedInterval> velocity_constant_expected(const Interpretation& 
                    double turns) { return kRpmPerRad_s / (back_emf * volts_per_volt * turns); },
                 phase_back_emf_of_torque_constant(interpretation.document),
                 exact(volts_per_phase_volt(interpretation.speed_constant_measure)),
-                sheet_ratio(interpretation.document));
+                sheet_ratio(interpretation.document, "velocity_constant_rpm_V"));
 }
 
 }  // namespace
@@ -42,7 +36,7 @@ const Check back_emf_constant = {
     .equation = "Kt in its convention",
     .demand = Demand::kEqual,
     .weight = Weight::kContradiction,
-    .stated = back_emf_stated,
+    .stated = stated_back_emf,
     .expected = back_emf_expected,
     .interpreters = {emf_interpretations},
     .tolerance = catalogue,

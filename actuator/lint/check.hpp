@@ -33,6 +33,7 @@ struct Explanation {
   std::string sentence;
   std::optional<RoundedInterval> expected;  ///< What the others would then say.
   Agreement fit = Agreement::kExcludes;
+  std::string breaks = {};  ///< A rule that holds as stated and would not then; empty: none.
 };
 
 /// One thing that is stated twice: a number, and the others that it follows from. One of these per
@@ -52,7 +53,7 @@ struct Check {
   std::vector<Explanation> (*further)(const Actuator& document, const RoundedInterval& stated,
                                       const RoundedInterval& expected) = nullptr;
   /// How far apart both may be without alarm; nullptr: not beyond their rounding.
-  Tolerance (*tolerance)(const Actuator& document) = nullptr;
+  Tolerance (*tolerance)(const Compared& compared) = nullptr;
 };
 
 /// Every check there is.
@@ -64,5 +65,10 @@ bool is_met(Demand demand, const RoundedInterval& stated, const RoundedInterval&
 /// The candidate table of a check for one document: each interpretation that changes what is
 /// expected.
 std::vector<Explanation> explanations(const Check& check, const Actuator& document);
+
+/// Those of them that are no interpretation: a load, losses, a round number.
+std::vector<Explanation> own_explanations(const Check& check, const Actuator& document,
+                                          const RoundedInterval& stated,
+                                          const RoundedInterval& expected);
 
 }  // namespace torquewright::actuator::lint

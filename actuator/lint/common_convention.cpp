@@ -27,15 +27,16 @@ RoundedInterval sheet_voltage(const Actuator& document) {
 RoundedInterval plain_speed(const Actuator& document) {
   return derive([](double volts, double constant_Nm_A,
                    double turns) { return volts / (constant_Nm_A * turns); },
-                sheet_voltage(document), torque_constant(document), sheet_ratio(document));
+                sheet_voltage(document), torque_constant(document),
+                sheet_ratio(document, "no_load_speed_rad_s"));
 }
 
 /// c = w Kt N / V: each number once, so that the corners are the extremes.
 RoundedInterval required_factor(const Actuator& document) {
   return derive([](double speed_rad_s, double constant_Nm_A, double turns,
                    double volts) { return speed_rad_s * constant_Nm_A * turns / volts; },
-                *stated_speed(document), torque_constant(document), sheet_ratio(document),
-                sheet_voltage(document));
+                *stated_speed(document), torque_constant(document),
+                sheet_ratio(document, "no_load_speed_rad_s"), sheet_voltage(document));
 }
 
 /// c of a convention: phase volts per bus volt over phase back-EMF per torque constant.
@@ -111,12 +112,27 @@ std::string consequence(const FactorCandidate& candidate, const CommonFactor& co
                      stated_A * phase_amperes_per_ampere(candidate.convention));
 }
 
-/// Kt = Ke for all, with field weakening on those that need more than that.
+/// Ke / (Ke - p L_d i), i the greatest d current; 1 where the document weakens no field.
+double greatest_weakening(const Actuator& document) {
+  if (!document.drive.field_weakening) return 1.0;
+  Interpretation reading = as_stated(document);
+  reading.document.motor.torque_constant_convention = CurrentConvention::kDc;
+  reading.document.motor.back_emf_constant_V_s_rad.reset();
+  const double limit_A =
+      std::min(peak_current(reading).value, demagnetisation_current(reading).value);
+  const double back_emf = phase_back_emf(reading).value;
+  const double left = back_emf - document.motor.pole_pairs * document.motor.inductance_d_H *
+                                     phase_current(reading, exact(limit_A)).value;
+  return left > 0.0 ? back_emf / left : kUnlimited;
+}
+
+/// Kt = Ke for all, with field weakening on those that need more than that, as far as it goes.
 std::optional<Explanation> weakened_by(const CommonFactor& common) {
   std::string names;
   for (const RequiredFactor& one : common.required) {
     if (one.factor.high < 1.0) return std::nullopt;
     if (one.factor.low <= 1.0) continue;
+    if (one.factor.low > one.greatest_weakening) return std::nullopt;
     names += fmt::format("{}{} by {:.1f} %", names.empty() ? "" : " and ", one.actuator,
                          100.0 * (one.factor.value - 1.0));
   }
@@ -134,7 +150,7 @@ std::optional<CommonFactor> common_factor(std::span<const Actuator> documents) {
   for (const Actuator& document : documents) {
     if (!stated_speed(document)) continue;
     common.required.push_back({document.name, required_factor(document), *stated_speed(document),
-                               document.drive.peak_current_A});
+                               document.drive.peak_current_A, greatest_weakening(document)});
     common.low = std::max(common.low, common.required.back().factor.low);
     common.high = std::min(common.high, common.required.back().factor.high);
     for (FactorCandidate& candidate : common.candidates) {

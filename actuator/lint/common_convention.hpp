@@ -18,6 +18,8 @@ struct RequiredFactor {
   RoundedInterval factor;
   RoundedInterval speed_rad_s;  ///< As stated.
   double peak_current_A = 0.0;  ///< The drive's.
+  /// What field weakening makes of a speed at most, if Kt = Ke: 1 where the document has none.
+  double greatest_weakening = 1.0;
 };
 
 /// What one convention and modulation make of c, and of each actuator's speed.

@@ -7,6 +7,7 @@ namespace torquewright::actuator::lint {
 
 /// Each is defined in the file of its name, or of its subject.
 extern const Check no_load_speed;
+extern const Check maximum_speed;
 extern const Check no_load_current;
 extern const Check back_emf_constant;
 extern const Check velocity_constant;

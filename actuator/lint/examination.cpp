@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "actuator/lint/joint_explanation.hpp"
+
 namespace torquewright::actuator::lint {
 namespace {
 
@@ -63,21 +65,10 @@ Finding finding_of(const Check& check, const Actuator& document, const RoundedIn
   return finding;
 }
 
-/// Whether both are apart by no more than catalogues are, though by more than their rounding.
-bool is_tolerated(const Check& check, const Actuator& document, const RoundedInterval& stated,
-                  const RoundedInterval& expected) {
-  if (check.tolerance == nullptr) return is_met(check.demand, stated, expected);
-  const Tolerance tolerance = check.tolerance(document);
-  RoundedInterval admitted = expected;
-  admitted.low *= tolerance.least;
-  admitted.high *= tolerance.greatest;
-  return is_met(check.demand, stated, admitted);
-}
-
 /// What a sheet may well state, with the number.
 Finding tolerated(const Check& check, const Actuator& document, const RoundedInterval& stated,
                   const RoundedInterval& expected) {
-  const Tolerance tolerance = check.tolerance(document);
+  const Tolerance tolerance = check.tolerance({document, stated, expected});
   Finding finding = finding_of(check, document, stated, expected);
   finding.severity = Severity::kNote;
   // Other readings are of interest where the one that is taken was assumed.
@@ -88,20 +79,57 @@ Finding tolerated(const Check& check, const Actuator& document, const RoundedInt
   return finding;
 }
 
-Finding contradiction_of(const Check& check, const Actuator& document,
-                         const RoundedInterval& stated, const RoundedInterval& expected) {
+/// Possible, but worth a look.
+Finding plausibility_of(const Check& check, const Actuator& document, const RoundedInterval& stated,
+                        const RoundedInterval& expected) {
   Finding finding = finding_of(check, document, stated, expected);
-  finding.sentence = sentence_of(check, stated, expected);
-  if (check.weight == Weight::kPlausibility) {
-    finding.severity = Severity::kNote;
-    finding.sentence += ": possible, but check it.";
-    return finding;
-  }
-  finding.severity = contradiction(finding.explanations);
+  finding.severity = Severity::kNote;
+  finding.sentence = sentence_of(check, stated, expected) + ": possible, but check it.";
+  return finding;
+}
+
+/// The whole sheet's explanation decides: a pair's own may break others.
+void explain_jointly(const Actuator& document, const std::vector<Comparison>& comparisons,
+                     Finding& finding) {
+  JointExplanation joint = explain(document, comparisons);
+  finding.severity = joint.readings.empty() ? Severity::kViolation : Severity::kWarning;
+  finding.explained_by = std::move(joint.readings);
+  finding.culprits = std::move(joint.culprits);
+}
+
+/// The only contradiction of a document.
+Finding contradiction_of(const Check& check, const Actuator& document, const Pair& pair,
+                         const std::vector<Comparison>& comparisons) {
+  Finding finding = finding_of(check, document, pair.stated, pair.expected);
+  explain_jointly(document, comparisons, finding);
+  finding.sentence = sentence_of(check, pair.stated, pair.expected);
   finding.sentence += finding.severity == Severity::kWarning
                           ? ": settle which of the readings below is meant, and state it."
-                          : fmt::format(": no known reading reconciles them; correct {} or {}.",
-                                        stated.pointers.front(), expected.pointers.front());
+                          : fmt::format(": no known reading reconciles them; correct {}.",
+                                        either(finding.culprits));
+  return finding;
+}
+
+/// Several contradictions of a document are one finding: what explains them all, or spoils them.
+Finding contradictions_of(const std::vector<const Check*>& checks, const Actuator& document,
+                          const std::vector<Comparison>& comparisons) {
+  const Interpretation own = as_stated(document);
+  const Pair first = pair_of(*checks.front(), own).value();
+  Finding finding = finding_of(*checks.front(), document, first.stated, first.expected);
+  finding.explanations.clear();
+  finding.rule = "whole-sheet";
+  explain_jointly(document, comparisons, finding);
+  std::vector<std::string> pointers;
+  finding.sentence = fmt::format("{} numbers contradict the others: ", checks.size());
+  for (const Check* check : checks) {
+    const Pair pair = pair_of(*check, own).value();
+    pointers = united(united(pointers, pair.stated.pointers), pair.expected.pointers);
+    finding.sentence += sentence_of(*check, pair.stated, pair.expected) + "; ";
+  }
+  finding.assumed = assumed_among(document, pointers);
+  finding.sentence += finding.severity == Severity::kWarning
+                          ? "settle whether the reading below is meant, and state it."
+                          : "no two readings reconcile them.";
   return finding;
 }
 
@@ -117,7 +145,9 @@ std::optional<Finding> rivals_of(const Check& check, const Actuator& document,
   }
   Finding finding = finding_of(check, document, stated, expected);
   std::erase_if(finding.explanations, [](const Explanation& one) { return !one.expected; });
-  const auto fits = [](const Explanation& one) { return one.fit == Agreement::kFits; };
+  const auto fits = [](const Explanation& one) {
+    return one.fit == Agreement::kFits && one.breaks.empty();
+  };
   if (std::none_of(finding.explanations.begin(), finding.explanations.end(), fits)) {
     return std::nullopt;
   }
@@ -130,22 +160,24 @@ std::optional<Finding> rivals_of(const Check& check, const Actuator& document,
   return finding;
 }
 
-void apply(const Check& check, const Actuator& document, Examination& examination) {
-  const std::optional<RoundedInterval> stated = check.stated(document);
-  if (!stated) return;
-  const std::optional<RoundedInterval> expected = check.expected(as_stated(document));
-  if (!expected) return;
-  const bool agrees = is_met(check.demand, *stated, *expected);
-  examination.comparisons.push_back({std::string(check.rule), std::string(check.unit),
-                                     std::string(check.equation), check.demand, *stated, *expected,
-                                     agrees, is_tolerated(check, document, *stated, *expected)});
-  if (!agrees && is_tolerated(check, document, *stated, *expected)) {
-    examination.findings.push_back(tolerated(check, document, *stated, *expected));
-  } else if (!agrees) {
-    examination.findings.push_back(contradiction_of(check, document, *stated, *expected));
-  } else if (const auto note = rivals_of(check, document, *stated, *expected)) {
-    examination.findings.push_back(*note);
+/// What one check has to say, but for contradictions, which are explained together.
+std::optional<Finding> note_of(const Check& check, const Actuator& document, const Pair& pair) {
+  if (is_met(check.demand, pair.stated, pair.expected)) {
+    return rivals_of(check, document, pair.stated, pair.expected);
   }
+  if (is_tolerated(check, document, pair)) {
+    return tolerated(check, document, pair.stated, pair.expected);
+  }
+  return plausibility_of(check, document, pair.stated, pair.expected);
+}
+
+void compare(const Check& check, const Actuator& document, Examination& examination) {
+  const std::optional<Pair> pair = pair_of(check, as_stated(document));
+  if (!pair) return;
+  examination.comparisons.push_back(
+      {std::string(check.rule), std::string(check.unit), std::string(check.equation), check.demand,
+       pair->stated, pair->expected, is_met(check.demand, pair->stated, pair->expected),
+       is_tolerated(check, document, *pair), check.weight});
 }
 
 }  // namespace
@@ -153,7 +185,23 @@ void apply(const Check& check, const Actuator& document, Examination& examinatio
 Examination examine(const Actuator& document) {
   Examination examination;
   examination.actuator = document.name;
-  for (const Check* check : library()) apply(*check, document, examination);
+  for (const Check* check : library()) compare(*check, document, examination);
+  const Interpretation own = as_stated(document);
+  const std::vector<const Check*> contradicting = contradicted(own);
+  if (contradicting.size() > 1) {
+    examination.findings.push_back(
+        contradictions_of(contradicting, document, examination.comparisons));
+  }
+  for (const Check* check : library()) {
+    const std::optional<Pair> pair = pair_of(*check, own);
+    if (!pair) continue;
+    if (std::find(contradicting.begin(), contradicting.end(), check) == contradicting.end()) {
+      if (auto note = note_of(*check, document, *pair)) examination.findings.push_back(*note);
+    } else if (contradicting.size() == 1) {
+      examination.findings.push_back(
+          contradiction_of(*check, document, *pair, examination.comparisons));
+    }
+  }
   return examination;
 }
 

@@ -18,6 +18,15 @@ std::string with_interval(const RoundedInterval& interval, std::string_view unit
   return unit.empty() ? text : fmt::format("{} {}", text, unit);
 }
 
+std::string either(const std::vector<Numerals>& sets) {
+  std::string text;
+  for (const Numerals& set : sets) {
+    text += text.empty() ? "" : " or ";
+    for (std::size_t i = 0; i < set.size(); ++i) text += (i == 0 ? "" : " and ") + set[i];
+  }
+  return text;
+}
+
 Severity contradiction(const std::vector<Explanation>& explanations) {
   const bool is_reconciled =
       std::any_of(explanations.begin(), explanations.end(),

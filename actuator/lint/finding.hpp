@@ -20,7 +20,10 @@ struct Comparison {
   RoundedInterval expected;
   bool agrees = true;
   bool is_tolerated = true;  ///< Apart by no more than catalogues are.
+  Weight weight = Weight::kContradiction;
 };
+
+using Numerals = std::vector<std::string>;  ///< By their pointers.
 
 struct Finding {
   Severity severity = Severity::kNote;
@@ -32,6 +35,9 @@ struct Finding {
   RoundedInterval expected;          ///< Its pointers: what that follows from.
   std::vector<std::string> assumed;  ///< Those of the pointers that the document assumes.
   std::vector<Explanation> explanations;
+  /// Of a contradiction: the fewest readings that together explain the whole sheet; empty: none do.
+  std::vector<std::string> explained_by;
+  std::vector<Numerals> culprits;  ///< Any of these sets alone would spoil the sheet.
 };
 
 /// The bound of what is expected that is nearest to what is stated.
@@ -39,6 +45,9 @@ double limit(const Finding& finding);
 
 /// A number with its interval and unit: 20 (19.5 to 20.5) rad/s.
 std::string with_interval(const RoundedInterval& interval, std::string_view unit);
+
+/// "A", "A or B and C", ...
+std::string either(const std::vector<Numerals>& sets);
 
 /// Warning if an explanation fits or admits, violation if none does.
 Severity contradiction(const std::vector<Explanation>& explanations);

@@ -14,14 +14,15 @@ std::optional<RoundedInterval> gear_peak(const Interpretation& interpretation) {
   return derive([](double torque_Nm, double turns,
                    double sheet_turns) { return torque_Nm * sheet_turns / turns; },
                 rounded(document.transmission.peak_torque_Nm, "/gearbox/peak_torque_Nm"),
-                ratio(document), sheet_ratio(document));
+                ratio(document), sheet_ratio(document, "peak_torque_Nm"));
 }
 
 /// N Kt I at the joint.
-std::optional<RoundedInterval> motor_peak(const Actuator& document) {
+std::optional<RoundedInterval> motor_peak(const Interpretation& interpretation) {
+  const Actuator& document = interpretation.document;
   return derive([](double turns, double constant_Nm_A,
                    double amperes) { return turns * constant_Nm_A * amperes; },
-                ratio(document), torque_constant(document), peak_current(document));
+                ratio(document), torque_constant(document), peak_current(interpretation));
 }
 
 /// With the same friction F at the same output torque T both ways, eta_f = T / (T + F) and
@@ -69,8 +70,7 @@ const Check motor_against_gear = {
       if (document.transmission.peak_torque_Nm == kUnlimited) return std::nullopt;
       return rounded(document.transmission.peak_torque_Nm, "/gearbox/peak_torque_Nm");
     },
-    .expected =
-        [](const Interpretation& interpretation) { return motor_peak(interpretation.document); },
+    .expected = motor_peak,
     .interpreters = {},
 };
 

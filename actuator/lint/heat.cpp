@@ -9,6 +9,8 @@
 namespace torquewright::actuator::lint {
 namespace {
 
+constexpr const char* kContinuous = "/drive/continuous_current_A";
+
 /// Thermal resistance to the ambient. A case held at ambient has none of its own.
 RoundedInterval to_ambient(const Thermal& thermal) {
   return derive([](double inner, double outer) { return inner + outer; },
@@ -55,9 +57,13 @@ const Check continuous_current = {
     .weight = Weight::kContradiction,
     .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
       if (!document.drive.continuous_current_A) return std::nullopt;
-      return rounded(*document.drive.continuous_current_A, "/drive/continuous_current_A");
+      return printed(document, *document.drive.continuous_current_A, kContinuous);
     },
-    .expected = steady_current,
+    .expected = [](const Interpretation& interpretation) -> std::optional<RoundedInterval> {
+      const std::optional<RoundedInterval> steady_A = steady_current(interpretation);
+      if (!steady_A) return std::nullopt;
+      return printed_amperes(interpretation, *steady_A, kContinuous);
+    },
     .interpreters = {cooled_interpretations, ampere_interpretations, ohm_interpretations},
 };
 
@@ -74,7 +80,7 @@ const Check rated_torque_heat = {
     .expected = [](const Interpretation& interpretation) -> std::optional<RoundedInterval> {
       const std::optional<RoundedInterval> current_A = steady_current(interpretation);
       if (!current_A) return std::nullopt;
-      return sheet_torque(interpretation, *current_A);
+      return sheet_torque(interpretation, *current_A, "rated_torque_Nm");
     },
     .interpreters = {cooled_interpretations, ohm_interpretations, side_interpretations,
                      loss_interpretations},

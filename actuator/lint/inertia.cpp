@@ -21,7 +21,7 @@ std::optional<RoundedInterval> expected(const Interpretation& interpretation) {
   return derive([power](double turns, double rotor,
                         double gears) { return std::pow(turns, power) * rotor + gears; },
                 ratio(document),
-                rounded(document.motor.rotor_inertia_kg_m2, "/motor/rotor_inertia_kg_m2"),
+                printed(document, document.motor.rotor_inertia_kg_m2, "/motor/rotor_inertia_kg_m2"),
                 gear_inertia(document.transmission));
 }
 

@@ -26,41 +26,6 @@ std::string_view ampere_of(CurrentConvention convention) {
   return "dc ampere";
 }
 
-std::vector<Interpretation> convention_interpretations(const Interpretation& stated) {
-  const Motor& motor = stated.document.motor;
-  std::vector<Interpretation> interpretations;
-  for (const CurrentConvention convention : kConventions) {
-    for (const Modulation modulation : kModulations) {
-      const bool is_dc = convention == CurrentConvention::kDc;
-      if (is_dc && modulation != Modulation::kSvpwm) continue;  // modulation plays no part in dc
-      if (convention == motor.torque_constant_convention &&
-          (is_dc || modulation == stated.document.drive.modulation)) {
-        continue;
-      }
-      Interpretation interpretation = stated;
-      interpretation.sentence = fmt::format("torque constant per {}", ampere_of(convention));
-      interpretation.sentence +=
-          is_dc ? std::string(" (Kt = Ke)") : fmt::format(", {} modulation", name_of(modulation));
-      interpretation.document.motor.torque_constant_convention = convention;
-      interpretation.document.drive.modulation = modulation;
-      interpretations.push_back(interpretation);
-    }
-  }
-  return interpretations;
-}
-
-std::vector<Interpretation> measure_interpretations(const Interpretation& stated) {
-  std::vector<Interpretation> interpretations;
-  for (const EmfMeasure measure : kMeasures) {
-    if (measure == stated.emf_measure) continue;
-    Interpretation interpretation = stated;
-    interpretation.sentence = fmt::format("back-EMF constant as {}", name_of(measure));
-    interpretation.emf_measure = measure;
-    interpretations.push_back(interpretation);
-  }
-  return interpretations;
-}
-
 }  // namespace
 
 std::string_view name_of(EmfMeasure measure) {
@@ -97,6 +62,56 @@ Interpretation as_stated(const Actuator& document) {
   const bool is_dc = document.motor.torque_constant_convention == CurrentConvention::kDc;
   interpretation.emf_measure = is_dc ? EmfMeasure::kLinePeak : EmfMeasure::kPhasePeak;
   return interpretation;
+}
+
+std::vector<Interpretation> convention_interpretations(const Interpretation& stated) {
+  const Motor& motor = stated.document.motor;
+  std::vector<Interpretation> interpretations;
+  for (const CurrentConvention convention : kConventions) {
+    for (const Modulation modulation : kModulations) {
+      const bool is_dc = convention == CurrentConvention::kDc;
+      if (is_dc && modulation != Modulation::kSvpwm) continue;  // modulation plays no part in dc
+      if (convention == motor.torque_constant_convention &&
+          (is_dc || modulation == stated.document.drive.modulation)) {
+        continue;
+      }
+      Interpretation interpretation = stated;
+      interpretation.sentence = fmt::format("torque constant per {}", ampere_of(convention));
+      interpretation.sentence +=
+          is_dc ? std::string(" (Kt = Ke)") : fmt::format(", {} modulation", name_of(modulation));
+      interpretation.document.motor.torque_constant_convention = convention;
+      interpretation.document.drive.modulation = modulation;
+      interpretations.push_back(interpretation);
+    }
+  }
+  return interpretations;
+}
+
+std::vector<Interpretation> measure_interpretations(const Interpretation& stated) {
+  if (!stated.document.motor.back_emf_constant_V_s_rad) return {};
+  std::vector<Interpretation> interpretations;
+  for (const EmfMeasure measure : kMeasures) {
+    if (measure == stated.emf_measure) continue;
+    Interpretation interpretation = stated;
+    interpretation.sentence = fmt::format("back-EMF constant as {}", name_of(measure));
+    interpretation.emf_measure = measure;
+    interpretations.push_back(interpretation);
+  }
+  return interpretations;
+}
+
+std::vector<Interpretation> speed_measure_interpretations(const Interpretation& stated) {
+  const std::optional<Datasheet>& sheet = stated.document.datasheet;
+  if (!sheet || !sheet->velocity_constant_rpm_V) return {};
+  std::vector<Interpretation> interpretations;
+  for (const EmfMeasure measure : kMeasures) {
+    if (measure == stated.speed_constant_measure) continue;
+    Interpretation interpretation = stated;
+    interpretation.sentence = fmt::format("velocity constant per volt {}", name_of(measure));
+    interpretation.speed_constant_measure = measure;
+    interpretations.push_back(interpretation);
+  }
+  return interpretations;
 }
 
 std::vector<Interpretation> speed_interpretations(const Interpretation& stated) {

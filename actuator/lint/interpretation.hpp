@@ -42,6 +42,11 @@ using Interpreter = std::vector<Interpretation> (*)(const Interpretation& stated
 std::vector<Interpretation> speed_interpretations(const Interpretation& stated);
 /// Torque constant per dc, peak or rms ampere, with each measure of the back-EMF.
 std::vector<Interpretation> emf_interpretations(const Interpretation& stated);
+/// The parts of these, each alone: another convention (with each modulation), another measure of a
+/// stated back-EMF constant, another of a stated velocity constant.
+std::vector<Interpretation> convention_interpretations(const Interpretation& stated);
+std::vector<Interpretation> measure_interpretations(const Interpretation& stated);
+std::vector<Interpretation> speed_measure_interpretations(const Interpretation& stated);
 /// Currents counted in another ampere than the torque constant's.
 std::vector<Interpretation> ampere_interpretations(const Interpretation& stated);
 /// Resistance between other terminals.

@@ -6,6 +6,7 @@ namespace torquewright::actuator::lint {
 std::span<const Check* const> library() {
   static constexpr const Check* kChecks[] = {
       &no_load_speed,
+      &maximum_speed,
       &no_load_current,
       &back_emf_constant,
       &velocity_constant,

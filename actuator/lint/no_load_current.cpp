@@ -16,7 +16,7 @@ std::optional<double> drag_Nm(const Interpretation& interpretation) {
       sheet_number(document, &Datasheet::no_load_speed_rad_s, "no_load_speed_rad_s");
   const double gear = ratio(document).value;
   const double speed_rad_s =
-      stated_speed ? stated_speed->value * sheet_ratio(document).value / gear
+      stated_speed ? stated_speed->value * sheet_ratio(document, "no_load_speed_rad_s").value / gear
                    : phase_voltage(document).value / (phase_back_emf(interpretation).value * gear);
   const Span torque =
       motor_side_torque_Nm(document, speed_rad_s, 1.0, document.motor.winding_temperature_K);
@@ -28,10 +28,12 @@ std::optional<double> drag_Nm(const Interpretation& interpretation) {
 std::optional<RoundedInterval> expected(const Interpretation& interpretation) {
   const std::optional<double> drag = drag_Nm(interpretation);
   if (!drag) return std::nullopt;
-  return derive([](double torque_Nm, double turns, double constant_Nm_A,
-                   double factor) { return torque_Nm / (turns * constant_Nm_A * factor); },
-                exact(*drag, "/effects"), ratio(interpretation.document),
-                torque_constant(interpretation.document), exact(interpretation.current_factor));
+  const RoundedInterval current_A =
+      derive([](double torque_Nm, double turns, double constant_Nm_A,
+                double factor) { return torque_Nm / (turns * constant_Nm_A * factor); },
+             exact(*drag, "/effects"), ratio(interpretation.document),
+             torque_constant(interpretation.document), exact(interpretation.current_factor));
+  return printed_amperes(interpretation, current_A, "/datasheet/no_load_current_A");
 }
 
 }  // namespace

@@ -15,13 +15,13 @@ double greatest_power_W(double volts, double ohms, double limit_A, bool is_elect
 std::optional<RoundedInterval> expected(const Interpretation& interpretation) {
   const bool is_electrical = interpretation.power_is_electrical;
   const RoundedInterval gears =
-      is_electrical ? exact(1.0) : sheet_efficiency(interpretation.document);
+      is_electrical ? exact(1.0) : sheet_efficiency(interpretation.document, "peak_power_W");
   return derive(
       [is_electrical](double volts, double ohms, double limit_A, double efficiency) {
         return efficiency * greatest_power_W(volts, ohms, limit_A, is_electrical);
       },
       phase_voltage(interpretation.document), phase_resistance(interpretation.document),
-      phase_current(interpretation, peak_current(interpretation.document)), gears);
+      phase_current(interpretation, peak_current(interpretation)), gears);
 }
 
 std::vector<Interpretation> electrical_interpretations(const Interpretation& stated) {

@@ -1,33 +1,109 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/lint/quantities.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace torquewright::actuator::lint {
 namespace {
 
+constexpr double kOfEachStage = 0.9;    // least efficiency of one stage of gears
+constexpr double kRatioOfStage = 10.0;  // greatest of one planetary stage
+constexpr const char* kTorqueConstant = "/motor/torque_constant_Nm_A";
 constexpr const char* kConvention = "/motor/torque_constant_convention";
 
 CurrentConvention convention(const Actuator& document) {
   return document.motor.torque_constant_convention;
 }
 
+/// Where a data sheet of the motor, or none, is read: 1.
+bool is_of_joint(const Actuator& document, const char* name) {
+  return document.datasheet && is_at_joint(document, std::string("/datasheet/") + name);
+}
+
+/// Amperes of the torque constant, over `current_factor`, per printed ampere.
+double amperes_per_printed(const Interpretation& interpretation, const char* pointer) {
+  const Statement* statement = find_statement(interpretation.document, pointer);
+  if (statement == nullptr || !statement->ampere) return 1.0;
+  return phase_amperes_per_ampere(*statement->ampere) /
+         (phase_amperes_per_ampere(convention(interpretation.document)) *
+          interpretation.current_factor);
+}
+
+/// An efficiency of exactly 1, or one that is marked as assumed, is not known.
+bool is_efficiency_known(const Actuator& document) {
+  const bool is_assumed =
+      std::any_of(document.assumed.begin(), document.assumed.end(), [](const auto& pointer) {
+        return pointer == "/gearbox" || pointer == "/gearbox/forward_efficiency";
+      });
+  return !is_assumed && document.transmission.forward_efficiency != 1.0;
+}
+
+RoundedInterval gear_efficiency(const Actuator& document) {
+  const Transmission& gear = document.transmission;
+  if (!gear.source.empty()) return exact(gear.forward_efficiency, "/gearbox/file");
+  return efficiency(gear.forward_efficiency, "/gearbox/forward_efficiency");
+}
+
+bool is_stated_at_joint(const Actuator& document, const char* pointer) {
+  const Statement* statement = find_statement(document, pointer);
+  return statement != nullptr && statement->at_joint.value_or(false);
+}
+
+RoundedInterval printed_torque_constant(const Actuator& document) {
+  return printed(document, document.motor.torque_constant_Nm_A, kTorqueConstant);
+}
+
+/// From one that is stated at the joint: the gears' losses are in it, or are not, or are unknown.
+RoundedInterval torque_constant_at_motor(const Actuator& document, const RoundedInterval& joint) {
+  RoundedInterval gears = gear_efficiency(document);
+  gears.low *= least_share_of_gears(document);
+  return derive([](double constant_Nm_A, double turns,
+                   double efficiency) { return constant_Nm_A / (turns * efficiency); },
+                joint, ratio(document), gears);
+}
+
 }  // namespace
+
+double least_share_of_gears(const Actuator& document) {
+  const double ratio = std::abs(document.transmission.ratio);
+  if (ratio == 1.0 || is_efficiency_known(document)) return 1.0;
+  const double stages = std::ceil(std::log(std::max(ratio, 1.0 / ratio)) / std::log(kRatioOfStage));
+  return std::min(1.0, std::pow(kOfEachStage, stages) /
+                           std::min(1.0, document.transmission.forward_efficiency));
+}
+
+RoundedInterval printed(const Actuator& document, double value, const char* pointer) {
+  const Statement* statement = find_statement(document, pointer);
+  if (statement == nullptr) return rounded(value, pointer);
+  if (!statement->tolerance) return rounded(statement->printed, pointer);
+  RoundedInterval interval = exact(statement->printed, pointer);
+  interval.low *= 1.0 - *statement->tolerance;
+  interval.high *= 1.0 + *statement->tolerance;
+  return interval;
+}
 
 double product(double one, double other) { return one * other; }
 
 std::optional<RoundedInterval> sheet_number(const Actuator& document, SheetKey key,
                                             const char* name) {
   if (!document.datasheet || !(*document.datasheet.*key)) return std::nullopt;
-  return rounded(*(*document.datasheet.*key), std::string("/datasheet/") + name);
+  const std::string pointer = std::string("/datasheet/") + name;
+  return printed(document, *(*document.datasheet.*key), pointer.c_str());
 }
 
 std::optional<RoundedInterval> sheet_condition(const Actuator& document, SheetKey key,
                                                const char* name) {
-  const std::optional<RoundedInterval> number = sheet_number(document, key, name);
-  if (!number) return std::nullopt;
-  return exact(number->value, number->pointers.front());
+  if (!document.datasheet || !(*document.datasheet.*key)) return std::nullopt;
+  const std::string pointer = std::string("/datasheet/") + name;
+  return condition(document, *(*document.datasheet.*key), pointer.c_str());
+}
+
+RoundedInterval condition(const Actuator& document, double value, const char* pointer) {
+  const Statement* statement = find_statement(document, pointer);
+  if (statement != nullptr && statement->tolerance) return printed(document, value, pointer);
+  return exact(statement != nullptr ? statement->printed : value, pointer);
 }
 
 RoundedInterval ratio(const Actuator& document) {
@@ -38,8 +114,8 @@ RoundedInterval ratio(const Actuator& document) {
                                             : rounded(magnitude, "/gearbox/ratio");
 }
 
-RoundedInterval sheet_ratio(const Actuator& document) {
-  return document.datasheet && document.datasheet->joint_side ? ratio(document) : exact(1.0);
+RoundedInterval sheet_ratio(const Actuator& document, const char* name) {
+  return is_of_joint(document, name) ? ratio(document) : exact(1.0);
 }
 
 RoundedInterval efficiency(double value, const char* pointer) {
@@ -49,15 +125,25 @@ RoundedInterval efficiency(double value, const char* pointer) {
   return interval;
 }
 
-RoundedInterval sheet_efficiency(const Actuator& document) {
-  if (!document.datasheet || !document.datasheet->joint_side) return exact(1.0);
-  const Transmission& gear = document.transmission;
-  if (!gear.source.empty()) return exact(gear.forward_efficiency, "/gearbox/file");
-  return efficiency(gear.forward_efficiency, "/gearbox/forward_efficiency");
+RoundedInterval sheet_efficiency(const Actuator& document, const char* name) {
+  return is_of_joint(document, name) ? gear_efficiency(document) : exact(1.0);
 }
 
 RoundedInterval torque_constant(const Actuator& document) {
-  return rounded(document.motor.torque_constant_Nm_A, "/motor/torque_constant_Nm_A");
+  const RoundedInterval constant = printed_torque_constant(document);
+  return is_stated_at_joint(document, kTorqueConstant)
+             ? torque_constant_at_motor(document, constant)
+             : constant;
+}
+
+RoundedInterval sheet_torque_constant(const Actuator& document, const char* name) {
+  if (is_stated_at_joint(document, kTorqueConstant) && is_of_joint(document, name)) {
+    return printed_torque_constant(document);
+  }
+  return derive([](double efficiency, double turns,
+                   double constant_Nm_A) { return efficiency * turns * constant_Nm_A; },
+                sheet_efficiency(document, name), sheet_ratio(document, name),
+                torque_constant(document));
 }
 
 RoundedInterval phase_torque_constant(const Actuator& document) {
@@ -65,10 +151,19 @@ RoundedInterval phase_torque_constant(const Actuator& document) {
   return derive(product, torque_constant(document), exact(1.0 / per_ampere, kConvention));
 }
 
+std::optional<RoundedInterval> stated_back_emf(const Actuator& document) {
+  constexpr const char* kPointer = "/motor/back_emf_constant_V_s_rad";
+  const std::optional<double>& constant = document.motor.back_emf_constant_V_s_rad;
+  if (!constant) return std::nullopt;
+  const RoundedInterval stated = printed(document, *constant, kPointer);
+  if (!is_stated_at_joint(document, kPointer)) return stated;
+  return derive([](double volts, double turns) { return volts / turns; }, stated, ratio(document));
+}
+
 RoundedInterval phase_back_emf(const Interpretation& interpretation) {
-  const std::optional<double>& stated = interpretation.document.motor.back_emf_constant_V_s_rad;
+  const std::optional<RoundedInterval> stated = stated_back_emf(interpretation.document);
   if (stated) {
-    return derive(product, rounded(*stated, "/motor/back_emf_constant_V_s_rad"),
+    return derive(product, *stated,
                   exact(1.0 / volts_per_phase_volt(interpretation.emf_measure), kConvention));
   }
   // Without losses, electrical power 1.5 Ke w i is mechanical power Kt i w.
@@ -77,7 +172,7 @@ RoundedInterval phase_back_emf(const Interpretation& interpretation) {
 
 RoundedInterval phase_resistance(const Actuator& document) {
   const double factor = phase_ohms_per_ohm(document.motor.resistance_convention);
-  return derive(product, rounded(document.motor.resistance_ohm, "/motor/resistance_ohm"),
+  return derive(product, printed(document, document.motor.resistance_ohm, "/motor/resistance_ohm"),
                 exact(factor, "/motor/resistance_convention"));
 }
 
@@ -94,6 +189,18 @@ RoundedInterval phase_voltage(const Actuator& document) {
   return derive(product, bus_V, factor);
 }
 
+RoundedInterval torque_constant_amperes(const Interpretation& interpretation,
+                                        const RoundedInterval& current_A, const char* pointer) {
+  const double factor = amperes_per_printed(interpretation, pointer);
+  return factor == 1.0 ? current_A : derive(product, current_A, exact(factor, kConvention));
+}
+
+RoundedInterval printed_amperes(const Interpretation& interpretation,
+                                const RoundedInterval& current_A, const char* pointer) {
+  const double factor = 1.0 / amperes_per_printed(interpretation, pointer);
+  return factor == 1.0 ? current_A : derive(product, current_A, exact(factor, kConvention));
+}
+
 RoundedInterval phase_current(const Interpretation& interpretation,
                               const RoundedInterval& current_A) {
   const double factor =
@@ -101,8 +208,28 @@ RoundedInterval phase_current(const Interpretation& interpretation,
   return derive(product, current_A, exact(factor, kConvention));
 }
 
-RoundedInterval peak_current(const Actuator& document) {
-  return exact(document.drive.peak_current_A, "/drive/peak_current_A");
+RoundedInterval peak_current(const Interpretation& interpretation) {
+  constexpr const char* kPointer = "/drive/peak_current_A";
+  const Actuator& document = interpretation.document;
+  return torque_constant_amperes(
+      interpretation, condition(document, document.drive.peak_current_A, kPointer), kPointer);
+}
+
+RoundedInterval demagnetisation_current(const Interpretation& interpretation) {
+  constexpr const char* kPointer = "/motor/demagnetisation_current_A";
+  const Actuator& document = interpretation.document;
+  if (document.motor.demagnetisation_current_A == kUnlimited) return exact(kUnlimited, kPointer);
+  return torque_constant_amperes(
+      interpretation, condition(document, document.motor.demagnetisation_current_A, kPointer),
+      kPointer);
+}
+
+RoundedInterval inductance_d(const Actuator& document) {
+  return printed(document, document.motor.inductance_d_H, "/motor/inductance_d_H");
+}
+
+RoundedInterval inductance_q(const Actuator& document) {
+  return printed(document, document.motor.inductance_q_H, "/motor/inductance_q_H");
 }
 
 }  // namespace torquewright::actuator::lint

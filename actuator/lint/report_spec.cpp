@@ -54,6 +54,7 @@ ordered_json list_json(const std::vector<Entry>& list, ordered_json (*entry_json
 ordered_json explanation_json(const Explanation& explanation) {
   ordered_json json{{"sentence", explanation.sentence}, {"fit", name_of(explanation.fit)}};
   json["expected"] = explanation.expected ? term_json(*explanation.expected) : ordered_json();
+  if (!explanation.breaks.empty()) json["breaks"] = explanation.breaks;
   return json;
 }
 
@@ -83,7 +84,9 @@ ordered_json finding_json(const Finding& finding) {
           {"stated", term_json(finding.stated)},
           {"expected", term_json(finding.expected)},
           {"assumed", finding.assumed},
-          {"explanations", list_json(finding.explanations, explanation_json)}};
+          {"explanations", list_json(finding.explanations, explanation_json)},
+          {"explained_by", finding.explained_by},
+          {"culprits", finding.culprits}};
 }
 
 ordered_json required_json(const RequiredFactor& required) {

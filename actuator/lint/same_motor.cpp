@@ -18,7 +18,7 @@ std::optional<RoundedInterval> scaled(const Actuator& document, SheetKey key, co
                                       double (*scale)(double number, double turns)) {
   const std::optional<RoundedInterval> number = sheet_number(document, key, name);
   if (!number) return std::nullopt;
-  return derive(scale, *number, sheet_ratio(document));
+  return derive(scale, *number, sheet_ratio(document, name));
 }
 
 const AtRotor kNumbers[] = {
@@ -35,7 +35,7 @@ const AtRotor kNumbers[] = {
        if (!torque) return torque;
        return std::optional(
            derive([](double after, double efficiency) { return after / efficiency; }, *torque,
-                  sheet_efficiency(document)));
+                  sheet_efficiency(document, "peak_torque_Nm")));
      }},
     {"same-motor-inertia", "kg m^2",
      [](const Actuator& document) -> std::optional<RoundedInterval> {

@@ -10,15 +10,40 @@ std::optional<RoundedInterval> stated_current(const Actuator& document) {
   return sheet_number(document, &Datasheet::stall_current_A, "stall_current_A");
 }
 
+constexpr const char* kStallCurrent = "/datasheet/stall_current_A";
+
+std::optional<StallLimit> limit_of(const Actuator& document) {
+  return document.datasheet ? document.datasheet->stall_limit : std::nullopt;
+}
+
 /// I = V / R, in the amperes of the torque constant over those of the sheet.
 RoundedInterval current_of_resistance(const Interpretation& interpretation) {
-  if (interpretation.stalls_at_peak_current) return peak_current(interpretation.document);
   return derive([](double volts, double ohms, double amperes) { return volts / (ohms * amperes); },
                 phase_voltage(interpretation.document), phase_resistance(interpretation.document),
                 phase_current(interpretation, exact(1.0)));
 }
 
+/// What flows at stall, as far as the stall current is not stated.
+RoundedInterval current_at_stall(const Interpretation& interpretation) {
+  const bool is_limited = interpretation.stalls_at_peak_current ||
+                          limit_of(interpretation.document) == StallLimit::kDrive;
+  return is_limited ? peak_current(interpretation) : current_of_resistance(interpretation);
+}
+
+/// The drive's limit may be anything up to what the resistance lets through.
+std::optional<RoundedInterval> current_expected(const Interpretation& interpretation) {
+  if (interpretation.stalls_at_peak_current) {
+    return printed_amperes(interpretation, peak_current(interpretation), kStallCurrent);
+  }
+  RoundedInterval expected =
+      printed_amperes(interpretation, current_of_resistance(interpretation), kStallCurrent);
+  if (limit_of(interpretation.document) == StallLimit::kDrive) expected.low = 0.0;
+  return expected;
+}
+
+/// Unless the document says what limits it.
 std::vector<Interpretation> limited_interpretations(const Interpretation& stated) {
+  if (limit_of(stated.document)) return {};
   Interpretation interpretation = stated;
   interpretation.stalls_at_peak_current = true;
   interpretation.sentence = "stall at the drive's peak current";
@@ -28,7 +53,10 @@ std::vector<Interpretation> limited_interpretations(const Interpretation& stated
 std::optional<RoundedInterval> torque_expected(const Interpretation& interpretation) {
   const std::optional<RoundedInterval> stated = stated_current(interpretation.document);
   const bool is_stated = stated && !interpretation.stalls_at_peak_current;
-  return sheet_torque(interpretation, is_stated ? *stated : current_of_resistance(interpretation));
+  return sheet_torque(interpretation,
+                      is_stated ? torque_constant_amperes(interpretation, *stated, kStallCurrent)
+                                : current_at_stall(interpretation),
+                      "stall_torque_Nm");
 }
 
 }  // namespace
@@ -40,10 +68,7 @@ const Check stall_current = {
     .demand = Demand::kEqual,
     .weight = Weight::kContradiction,
     .stated = stated_current,
-    .expected =
-        [](const Interpretation& interpretation) {
-          return std::optional(current_of_resistance(interpretation));
-        },
+    .expected = current_expected,
     .interpreters = {ohm_interpretations, speed_interpretations, ampere_interpretations,
                      limited_interpretations},
     .tolerance = catalogue,

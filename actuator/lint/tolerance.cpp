@@ -2,46 +2,65 @@
 #include "actuator/lint/tolerance.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <string_view>
+
+#include "actuator/lint/quantities.hpp"
 
 namespace torquewright::actuator::lint {
 namespace {
 
-constexpr double kConstant = 0.1;       // of a catalogue's constants, either way
-constexpr double kOfEachStage = 0.9;    // least efficiency of one stage of gears
-constexpr double kRatioOfStage = 10.0;  // greatest of one planetary stage
-constexpr double kUnsaturated = 0.8;    // least part of a peak torque that saturation leaves
+constexpr double kConstant = 0.1;     // of a catalogue's constants, either way
+constexpr double kUnsaturated = 0.8;  // least part of a peak torque that saturation leaves
 
-/// An efficiency of exactly 1, or one that is marked as assumed, is not known.
-bool is_efficiency_known(const Actuator& document) {
-  const bool is_assumed =
-      std::any_of(document.assumed.begin(), document.assumed.end(), [](const auto& pointer) {
-        return pointer == "/gearbox" || pointer == "/gearbox/forward_efficiency";
-      });
-  return !is_assumed && document.transmission.forward_efficiency != 1.0;
+/// What differs from one motor to the next.
+constexpr std::string_view kConstants[] = {
+    "/motor/torque_constant_Nm_A", "/motor/back_emf_constant_V_s_rad",
+    "/motor/resistance_ohm",       "/motor/inductance_d_H",
+    "/motor/inductance_q_H",       "/motor/rotor_inertia_kg_m2"};
+
+bool has_tolerance(const Actuator& document, std::string_view pointer) {
+  const Statement* statement = find_statement(document, pointer);
+  return statement != nullptr && statement->tolerance;
+}
+
+bool is_constant(std::string_view pointer) {
+  return std::find(std::begin(kConstants), std::end(kConstants), pointer) != std::end(kConstants);
+}
+
+/// What is stated says its tolerance, or every constant that it follows from does.
+bool says_tolerances(const Compared& compared) {
+  if (has_tolerance(compared.document, compared.stated.pointers.front())) return true;
+  std::size_t constants = 0, with_tolerance = 0;
+  for (const std::string& pointer : compared.expected.pointers) {
+    if (!is_constant(pointer)) continue;
+    ++constants;
+    if (has_tolerance(compared.document, pointer)) ++with_tolerance;
+  }
+  return constants > 0 && constants == with_tolerance;
 }
 
 /// What gears of unknown efficiency leave at least of a torque at the joint.
-double least_after_gears(const Actuator& document) {
-  const bool is_behind_gears = document.datasheet && document.datasheet->joint_side;
-  const double ratio = std::abs(document.transmission.ratio);
-  if (!is_behind_gears || ratio == 1.0 || is_efficiency_known(document)) return 1.0;
-  const double stages = std::ceil(std::log(std::max(ratio, 1.0 / ratio)) / std::log(kRatioOfStage));
-  return std::pow(kOfEachStage, stages) / std::min(1.0, document.transmission.forward_efficiency);
+double least_after_gears(const Compared& compared) {
+  const bool is_behind_gears = compared.document.datasheet &&
+                               is_at_joint(compared.document, compared.stated.pointers.front());
+  return is_behind_gears ? least_share_of_gears(compared.document) : 1.0;
 }
 
 }  // namespace
 
-Tolerance catalogue(const Actuator& /*document*/) { return {1.0 - kConstant, 1.0 + kConstant}; }
+Tolerance catalogue(const Compared& compared) {
+  if (says_tolerances(compared)) return {};
+  return {1.0 - kConstant, 1.0 + kConstant};
+}
 
-Tolerance rated_torques(const Actuator& document) {
-  Tolerance tolerance = catalogue(document);
-  tolerance.least *= std::min(1.0, least_after_gears(document));
+Tolerance rated_torques(const Compared& compared) {
+  Tolerance tolerance = catalogue(compared);
+  tolerance.least *= least_after_gears(compared);
   return tolerance;
 }
 
-Tolerance peak_torques(const Actuator& document) {
-  Tolerance tolerance = rated_torques(document);
+Tolerance peak_torques(const Compared& compared) {
+  Tolerance tolerance = rated_torques(compared);
   tolerance.least *= kUnsaturated;
   return tolerance;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "actuator/lint/rounded_interval.hpp"
 #include "actuator/motor/actuator.hpp"
 
 namespace torquewright::actuator::lint {
@@ -12,13 +13,21 @@ struct Tolerance {
   double greatest = 1.0;
 };
 
-/// Constants of a catalogue: of windings, magnets, rotors, each within 10 % of the one in hand.
-Tolerance catalogue(const Actuator& document);
+/// The two numbers that are compared: their pointers say what each rests on.
+struct Compared {
+  const Actuator& document;
+  const RoundedInterval& stated;
+  const RoundedInterval& expected;
+};
+
+/// Constants of a catalogue: of windings, magnets, rotors, each within 10 % of the one in hand;
+/// nothing more where the source states tolerances of its own, which the intervals then hold.
+Tolerance catalogue(const Compared& compared);
 
 /// Torques at the sheet's side up to the rated one: constants, and gears of unknown efficiency.
-Tolerance rated_torques(const Actuator& document);
+Tolerance rated_torques(const Compared& compared);
 
 /// Torques beyond the rated one: saturation takes its share of these as well.
-Tolerance peak_torques(const Actuator& document);
+Tolerance peak_torques(const Compared& compared);
 
 }  // namespace torquewright::actuator::lint

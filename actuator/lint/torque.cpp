@@ -9,6 +9,10 @@
 namespace torquewright::actuator::lint {
 namespace {
 
+constexpr const char* kPeakCurrent = "/datasheet/peak_torque_current_A";
+constexpr const char* kContinuousCurrent = "/drive/continuous_current_A";
+constexpr const char* kNoLoadCurrent = "/datasheet/no_load_current_A";
+
 std::optional<RoundedInterval> stated_peak(const Actuator& document) {
   return sheet_number(document, &Datasheet::peak_torque_Nm, "peak_torque_Nm");
 }
@@ -18,9 +22,11 @@ std::optional<RoundedInterval> stated_peak_current(const Actuator& document) {
 }
 
 std::optional<RoundedInterval> peak_expected(const Interpretation& interpretation) {
-  return sheet_torque(
-      interpretation,
-      stated_peak_current(interpretation.document).value_or(peak_current(interpretation.document)));
+  const std::optional<RoundedInterval> stated_A = stated_peak_current(interpretation.document);
+  return sheet_torque(interpretation,
+                      stated_A ? torque_constant_amperes(interpretation, *stated_A, kPeakCurrent)
+                               : peak_current(interpretation),
+                      "peak_torque_Nm");
 }
 
 std::optional<RoundedInterval> stated_rated(const Actuator& document) {
@@ -30,15 +36,19 @@ std::optional<RoundedInterval> stated_rated(const Actuator& document) {
 std::optional<RoundedInterval> rated_expected(const Interpretation& interpretation) {
   const std::optional<double>& current_A = interpretation.document.drive.continuous_current_A;
   if (!current_A) return std::nullopt;
-  RoundedInterval amperes = exact(*current_A, "/drive/continuous_current_A");
+  RoundedInterval amperes = torque_constant_amperes(
+      interpretation, condition(interpretation.document, *current_A, kContinuousCurrent),
+      kContinuousCurrent);
   // Makers take off what the drag needs, or do not.
   const std::optional<RoundedInterval> drag_A =
       sheet_number(interpretation.document, &Datasheet::no_load_current_A, "no_load_current_A");
   if (drag_A) {
-    amperes.low = std::max(0.0, amperes.low - drag_A->high);
+    const RoundedInterval taken_A =
+        torque_constant_amperes(interpretation, *drag_A, kNoLoadCurrent);
+    amperes.low = std::max(0.0, amperes.low - taken_A.high);
     amperes.pointers = united(amperes.pointers, drag_A->pointers);
   }
-  return sheet_torque(interpretation, amperes);
+  return sheet_torque(interpretation, amperes, "rated_torque_Nm");
 }
 
 std::optional<RoundedInterval> stated_braking(const Actuator& document) {
@@ -58,12 +68,11 @@ std::optional<RoundedInterval> braking_expected(const Interpretation& interpreta
 
 }  // namespace
 
-RoundedInterval sheet_torque(const Interpretation& interpretation,
-                             const RoundedInterval& current_A) {
-  return derive([](double efficiency, double turns, double constant_Nm_A, double amperes,
-                   double factor) { return efficiency * turns * constant_Nm_A * amperes * factor; },
-                sheet_efficiency(interpretation.document), sheet_ratio(interpretation.document),
-                torque_constant(interpretation.document), current_A,
+RoundedInterval sheet_torque(const Interpretation& interpretation, const RoundedInterval& current_A,
+                             const char* name) {
+  return derive([](double constant_Nm_A, double amperes,
+                   double factor) { return constant_Nm_A * amperes * factor; },
+                sheet_torque_constant(interpretation.document, name), current_A,
                 exact(interpretation.current_factor));
 }
 
@@ -101,8 +110,9 @@ const Check peak_torque_current = {
     .stated = stated_peak_current,
     .expected =
         [](const Interpretation& interpretation) {
-          return std::optional(derive(product, peak_current(interpretation.document),
-                                      exact(1.0 / interpretation.current_factor)));
+          const RoundedInterval limit_A = derive(product, peak_current(interpretation),
+                                                 exact(1.0 / interpretation.current_factor));
+          return std::optional(printed_amperes(interpretation, limit_A, kPeakCurrent));
         },
     .interpreters = {ampere_interpretations},
 };

@@ -5,9 +5,10 @@
 
 namespace torquewright::actuator::lint {
 
-/// eta N Kt I at the data sheet's side, I as stated there.
-RoundedInterval sheet_torque(const Interpretation& interpretation,
-                             const RoundedInterval& current_A);
+/// eta N Kt I at the side of a number of the data sheet, I in amperes of the torque constant over
+/// `current_factor`.
+RoundedInterval sheet_torque(const Interpretation& interpretation, const RoundedInterval& current_A,
+                             const char* name);
 
 /// The share that losses or saturation would have to take, where less is stated than follows.
 std::vector<Explanation> losses(const Actuator& document, const RoundedInterval& stated,

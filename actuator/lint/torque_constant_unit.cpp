@@ -49,7 +49,7 @@ const Check torque_constant_unit = {
     .demand = Demand::kAtMost,
     .weight = Weight::kContradiction,
     .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
-      return rounded(document.motor.torque_constant_Nm_A, "/motor/torque_constant_Nm_A");
+      return torque_constant(document);
     },
     .expected = greatest_plausible,
     .interpreters = {},

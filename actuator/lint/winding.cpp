@@ -10,15 +10,16 @@ constexpr double kShortest_s = 2e-5;
 constexpr double kLongest_s = 2e-2;
 /// Less than this part of the characteristic current weakens the field by less than 5 %.
 constexpr double kUsefulShare = 0.05;
+constexpr const char* kDemagnetisation = "/motor/demagnetisation_current_A";
 
 /// L / R of one phase, the longer of both axes.
 std::optional<RoundedInterval> electrical_expected(const Interpretation& interpretation) {
   const Motor& motor = interpretation.document.motor;
   const bool is_q = motor.inductance_q_H >= motor.inductance_d_H;
-  const double inductance_H = is_q ? motor.inductance_q_H : motor.inductance_d_H;
-  if (inductance_H == 0.0) return std::nullopt;
-  return derive([](double henry, double ohms) { return henry / ohms; },
-                rounded(inductance_H, is_q ? "/motor/inductance_q_H" : "/motor/inductance_d_H"),
+  const RoundedInterval inductance_H =
+      is_q ? inductance_q(interpretation.document) : inductance_d(interpretation.document);
+  if (inductance_H.value == 0.0) return std::nullopt;
+  return derive([](double henry, double ohms) { return henry / ohms; }, inductance_H,
                 phase_resistance(interpretation.document));
 }
 
@@ -28,7 +29,7 @@ std::optional<RoundedInterval> mechanical_expected(const Interpretation& interpr
   if (inertia_kg_m2 == 0.0) return std::nullopt;
   return derive([](double inertia, double ohms, double torque_constant,
                    double back_emf) { return inertia * ohms / (torque_constant * back_emf); },
-                rounded(inertia_kg_m2, "/motor/rotor_inertia_kg_m2"),
+                printed(interpretation.document, inertia_kg_m2, "/motor/rotor_inertia_kg_m2"),
                 phase_resistance(interpretation.document),
                 phase_torque_constant(interpretation.document), phase_back_emf(interpretation));
 }
@@ -55,8 +56,13 @@ std::optional<RoundedInterval> least_useful_current(const Interpretation& interp
         return kUsefulShare * back_emf / (pole_pairs * henry * amperes);
       },
       phase_back_emf(interpretation), exact(motor.pole_pairs, "/motor/pole_pairs"),
-      rounded(motor.inductance_d_H, "/motor/inductance_d_H"),
-      phase_current(interpretation, exact(1.0)));
+      inductance_d(interpretation.document),
+      phase_current(interpretation,
+                    torque_constant_amperes(interpretation, exact(1.0), "/drive/peak_current_A")));
+}
+
+RoundedInterval printed_peak_current(const Actuator& document) {
+  return condition(document, document.drive.peak_current_A, "/drive/peak_current_A");
 }
 
 }  // namespace
@@ -101,7 +107,7 @@ const Check winding_inductance = {
     .weight = Weight::kPlausibility,
     .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
       if (document.motor.inductance_q_H == 0.0) return std::nullopt;
-      return rounded(document.motor.inductance_q_H, "/motor/inductance_q_H");
+      return inductance_q(document);
     },
     .expected = plausible_inductance,
     .interpreters = {ohm_interpretations},
@@ -113,7 +119,8 @@ const Check characteristic_current = {
     .equation = "5 % of the characteristic current Ke / (p L_d): less hardly weakens the field",
     .demand = Demand::kAtLeast,
     .weight = Weight::kPlausibility,
-    .stated = [](const Actuator& document) { return std::optional(peak_current(document)); },
+    .stated =
+        [](const Actuator& document) { return std::optional(printed_peak_current(document)); },
     .expected = least_useful_current,
     .interpreters = {},
 };
@@ -126,11 +133,11 @@ const Check magnet_limit = {
     .weight = Weight::kPlausibility,
     .stated = [](const Actuator& document) -> std::optional<RoundedInterval> {
       if (document.motor.demagnetisation_current_A == kUnlimited) return std::nullopt;
-      return rounded(document.motor.demagnetisation_current_A, "/motor/demagnetisation_current_A");
+      return printed(document, document.motor.demagnetisation_current_A, kDemagnetisation);
     },
     .expected = [](const Interpretation& interpretation) -> std::optional<RoundedInterval> {
       if (!weakens(interpretation.document)) return std::nullopt;
-      return peak_current(interpretation.document);
+      return printed_amperes(interpretation, peak_current(interpretation), kDemagnetisation);
     },
     .interpreters = {},
 };

@@ -7,6 +7,7 @@
 
 #include "actuator/effects/effect.hpp"
 #include "actuator/motor/convention.hpp"
+#include "actuator/motor/statement.hpp"
 #include "actuator/unlimited.hpp"
 
 namespace torquewright::actuator {
@@ -80,14 +81,19 @@ struct Transmission {
   std::string source;  ///< The document it was computed from; empty: stated inline.
 };
 
-/// Numbers of the datasheet that follow from others: for the lint only, no region uses them.
+/// What limits the current at stall.
+enum class StallLimit { kWinding, kDrive };
+
+/// Numbers of the datasheet that follow from others, as printed: no region uses them.
 struct Datasheet {
   bool joint_side = false;
   std::optional<double> voltage_V;  ///< At which the speeds hold; absent: the bus voltage.
   std::optional<double> no_load_speed_rad_s;
+  std::optional<double> maximum_speed_rad_s;  ///< Of bearings, teeth or drive.
   std::optional<double> no_load_current_A;
   std::optional<double> stall_torque_Nm;
   std::optional<double> stall_current_A;
+  std::optional<StallLimit> stall_limit;  ///< Of that current; absent: the winding, it seems.
   std::optional<double> peak_torque_Nm;
   std::optional<double> peak_torque_current_A;
   std::optional<double> peak_braking_torque_Nm;  ///< The joint driven back at the peak current.
@@ -111,6 +117,9 @@ struct Actuator {
   std::optional<double> mass_kg;  ///< Of all of it.
   std::optional<Datasheet> datasheet;
   std::vector<std::string> assumed;  ///< JSON pointers of assumed values.
+  /// Of numbers that say more than their value. The values above are carried to the motor and to
+  /// the torque constant's ampere already (carry_to_motor).
+  std::vector<Statement> statements;
 };
 
 }  // namespace torquewright::actuator

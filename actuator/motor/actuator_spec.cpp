@@ -9,6 +9,8 @@
 
 #include "actuator/effects/effect_spec.hpp"
 #include "actuator/motor/gearbox_source_spec.hpp"
+#include "actuator/motor/statement_spec.hpp"
+#include "io/schema.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -52,6 +54,7 @@ class ActuatorReader {
     read_effects();
     actuator_.assumed = root().value("assumed", actuator_.assumed);
     read_gearbox();
+    carry();
     if (!faults_.empty()) throw io::SpecError(std::move(faults_));
     return {std::move(actuator_), std::move(documents_)};
   }
@@ -64,20 +67,59 @@ class ActuatorReader {
     faults_.push_back({document().file, path, std::move(message)});
   }
 
+  /// A number that may say its side, ampere and tolerance.
+  double stated(const char* block, const char* key) {
+    return read_stated(root()[block][key], fmt::format("/{}/{}", block, key), actuator_.statements);
+  }
+
+  std::optional<double> find_stated(const char* block, const char* key) {
+    if (!root()[block].contains(key)) return std::nullopt;
+    return stated(block, key);
+  }
+
+  /// Once all is read: what was stated elsewhere comes to the motor.
+  void carry() {
+    carry_to_motor(actuator_);
+    const Drive& drive = actuator_.drive;
+    if (drive.continuous_current_A > drive.peak_current_A) {
+      report("/drive/continuous_current_A",
+             fmt::format("{} is above /drive/peak_current_A, {}", *drive.continuous_current_A,
+                         drive.peak_current_A));
+    }
+    if (!faults_.empty()) return;  // no ratio to carry over, perhaps
+    check_at_motor("torque_constant_Nm_A", actuator_.motor.torque_constant_Nm_A);
+    if (actuator_.motor.back_emf_constant_V_s_rad) {
+      check_at_motor("back_emf_constant_V_s_rad", *actuator_.motor.back_emf_constant_V_s_rad);
+    }
+  }
+
+  /// The range of the schema is that of the motor.
+  void check_at_motor(const std::string& key, double value) {
+    const json& range =
+        io::schema_of("actuator")["properties"]["motor"]["properties"][key]["anyOf"][0];
+    const auto least = range["minimum"].get<double>(), greatest = range["maximum"].get<double>();
+    if (value >= least && value <= greatest) return;
+    const std::string unit = range["unit"];
+    report("/motor/" + key + "/value",
+           fmt::format("is {:.6g} {} at the motor, outside [{:g}, {:g}] {}", value, unit, least,
+                       greatest, unit));
+  }
+
   void read_motor() {
     const json& keys = root()["motor"];
     Motor& motor = actuator_.motor;
-    motor.torque_constant_Nm_A = keys["torque_constant_Nm_A"];
+    motor.torque_constant_Nm_A = stated("motor", "torque_constant_Nm_A");
     motor.torque_constant_convention = current_convention(keys["torque_constant_convention"]);
-    motor.back_emf_constant_V_s_rad = find(keys, "back_emf_constant_V_s_rad");
-    motor.resistance_ohm = keys["resistance_ohm"];
+    motor.back_emf_constant_V_s_rad = find_stated("motor", "back_emf_constant_V_s_rad");
+    motor.resistance_ohm = stated("motor", "resistance_ohm");
     motor.resistance_convention = resistance_convention(keys["resistance_convention"]);
-    motor.inductance_d_H = keys.value("inductance_d_H", 0.0);
-    motor.inductance_q_H = keys.value("inductance_q_H", 0.0);
+    motor.inductance_d_H = find_stated("motor", "inductance_d_H").value_or(0.0);
+    motor.inductance_q_H = find_stated("motor", "inductance_q_H").value_or(0.0);
     motor.pole_pairs = keys.value("pole_pairs", 1.0);
-    motor.rotor_inertia_kg_m2 = keys.value("rotor_inertia_kg_m2", 0.0);
+    motor.rotor_inertia_kg_m2 = find_stated("motor", "rotor_inertia_kg_m2").value_or(0.0);
     motor.winding_temperature_K = keys.value("winding_temperature_K", kDefaultTemperature_K);
-    motor.demagnetisation_current_A = keys.value("demagnetisation_current_A", kUnlimited);
+    motor.demagnetisation_current_A =
+        find_stated("motor", "demagnetisation_current_A").value_or(kUnlimited);
     const bool has_inductance = motor.inductance_d_H > 0.0 || motor.inductance_q_H > 0.0;
     if (has_inductance && !keys.contains("pole_pairs")) {
       report("/motor/pole_pairs", "missing; the voltage over an inductance needs it");
@@ -88,8 +130,8 @@ class ActuatorReader {
     const json& keys = root()["drive"];
     Drive& drive = actuator_.drive;
     drive.bus_voltage_V = keys["bus_voltage_V"];
-    drive.peak_current_A = keys["peak_current_A"];
-    drive.continuous_current_A = find(keys, "continuous_current_A");
+    drive.peak_current_A = stated("drive", "peak_current_A");
+    drive.continuous_current_A = find_stated("drive", "continuous_current_A");
     if (keys.contains("modulation")) drive.modulation = modulation(keys["modulation"]);
     drive.field_weakening = keys.value("field_weakening", false);
     drive.regeneration = keys.value("regeneration", true);
@@ -98,11 +140,6 @@ class ActuatorReader {
     if (!is_dc && !keys.contains("modulation")) {
       report("/drive/modulation",
              "missing; outside the dc convention it sets the voltage: sine, svpwm or six_step");
-    }
-    if (drive.continuous_current_A > drive.peak_current_A) {
-      report("/drive/continuous_current_A",
-             fmt::format("{} is above /drive/peak_current_A, {}", *drive.continuous_current_A,
-                         drive.peak_current_A));
     }
     if (drive.field_weakening && actuator_.motor.inductance_d_H == 0.0) {
       report("/drive/field_weakening",
@@ -161,19 +198,24 @@ class ActuatorReader {
     Datasheet sheet;
     sheet.joint_side = keys.value("side", "motor") == "joint";
     sheet.voltage_V = find(keys, "voltage_V");
-    sheet.no_load_speed_rad_s = find(keys, "no_load_speed_rad_s");
-    sheet.no_load_current_A = find(keys, "no_load_current_A");
-    sheet.stall_torque_Nm = find(keys, "stall_torque_Nm");
-    sheet.stall_current_A = find(keys, "stall_current_A");
-    sheet.peak_torque_Nm = find(keys, "peak_torque_Nm");
-    sheet.peak_torque_current_A = find(keys, "peak_torque_current_A");
-    sheet.peak_braking_torque_Nm = find(keys, "peak_braking_torque_Nm");
-    sheet.rated_torque_Nm = find(keys, "rated_torque_Nm");
-    sheet.peak_power_W = find(keys, "peak_power_W");
-    sheet.velocity_constant_rpm_V = find(keys, "velocity_constant_rpm_V");
-    sheet.reflected_inertia_kg_m2 = find(keys, "reflected_inertia_kg_m2");
-    sheet.electrical_time_constant_s = find(keys, "electrical_time_constant_s");
-    sheet.mechanical_time_constant_s = find(keys, "mechanical_time_constant_s");
+    sheet.no_load_speed_rad_s = find_stated("datasheet", "no_load_speed_rad_s");
+    sheet.maximum_speed_rad_s = find_stated("datasheet", "maximum_speed_rad_s");
+    sheet.no_load_current_A = find_stated("datasheet", "no_load_current_A");
+    sheet.stall_torque_Nm = find_stated("datasheet", "stall_torque_Nm");
+    sheet.stall_current_A = find_stated("datasheet", "stall_current_A");
+    sheet.peak_torque_Nm = find_stated("datasheet", "peak_torque_Nm");
+    sheet.peak_torque_current_A = find_stated("datasheet", "peak_torque_current_A");
+    sheet.peak_braking_torque_Nm = find_stated("datasheet", "peak_braking_torque_Nm");
+    sheet.rated_torque_Nm = find_stated("datasheet", "rated_torque_Nm");
+    sheet.peak_power_W = find_stated("datasheet", "peak_power_W");
+    sheet.velocity_constant_rpm_V = find_stated("datasheet", "velocity_constant_rpm_V");
+    sheet.reflected_inertia_kg_m2 = find_stated("datasheet", "reflected_inertia_kg_m2");
+    sheet.electrical_time_constant_s = find_stated("datasheet", "electrical_time_constant_s");
+    sheet.mechanical_time_constant_s = find_stated("datasheet", "mechanical_time_constant_s");
+    if (keys.contains("stall_limit")) {
+      sheet.stall_limit =
+          keys["stall_limit"] == "drive" ? StallLimit::kDrive : StallLimit::kWinding;
+    }
     actuator_.datasheet = sheet;
   }
 

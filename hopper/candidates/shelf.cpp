@@ -35,6 +35,18 @@ bool is_gearbox(const io::Document& document) {
   return kind == "gearbox" || kind == "gearbox_result";
 }
 
+/// A constant that was measured behind one gearbox says nothing of the motor behind another: the
+/// gears' losses are in it.
+void refuse_constants_of_joint(const io::Document& document, const fs::path& gearbox) {
+  for (const auto& [key, value] : document.root["motor"].items()) {
+    if (!value.is_object() || value.value("side", "") != "joint") continue;
+    io::refuse(gearbox.string(),
+               fmt::format("not put behind the motor of {}, whose /motor/{} is stated at the joint "
+                           "of its own gearbox; state it at the motor",
+                           document.file, key));
+  }
+}
+
 /// The drivetrain's own actuator behind another gearbox.
 actuator::ReadActuator behind(const ReadRobot& robot, const Drivetrain& drivetrain,
                               const fs::path& gearbox) {
@@ -42,6 +54,7 @@ actuator::ReadActuator behind(const ReadRobot& robot, const Drivetrain& drivetra
   for (const io::Document& document : robot.documents) {
     if (document.root.value("kind", "") != "actuator") continue;
     if (fs::path(document.file).filename().string() != wanted) continue;
+    refuse_constants_of_joint(document, gearbox);
     io::Document changed = document;
     changed.root["gearbox"] = {{"file", fs::absolute(gearbox).string()}};
     return actuator::read_actuator(std::move(changed));

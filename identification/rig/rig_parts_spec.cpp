@@ -15,11 +15,17 @@ namespace {
 
 using nlohmann::json;
 
+/// A number, or one that may say more of itself.
+bool is_number(const json& property) {
+  if (property.contains("anyOf")) return is_number(property["anyOf"][0]);
+  return property.value("type", "") == "number";
+}
+
 /// The numbers among an object's properties as a schema lists them.
 std::vector<std::string> numbers_of(const json& schema) {
   std::vector<std::string> names;
   for (const auto& [key, property] : schema["properties"].items()) {
-    if (property.value("type", "") == "number") names.push_back(key);
+    if (is_number(property)) names.push_back(key);
   }
   return names;
 }

@@ -63,7 +63,10 @@ std::string examination_text(const Examination& examination) {
 std::string explanation_row(const Explanation& explanation, const std::string& unit) {
   const std::string value =
       explanation.expected ? with_interval(*explanation.expected, unit) : std::string();
-  return fmt::format("    {:<62} {:<32} {}\n", explanation.sentence, value, mark(explanation.fit));
+  const std::string but =
+      explanation.breaks.empty() ? "" : fmt::format(", but breaks {}", explanation.breaks);
+  return fmt::format("    {:<62} {:<32} {}{}\n", explanation.sentence, value, mark(explanation.fit),
+                     but);
 }
 
 std::string finding_text(const actuator::lint::Finding& finding) {
@@ -76,6 +79,13 @@ std::string finding_text(const actuator::lint::Finding& finding) {
   }
   if (!finding.explanations.empty()) text += "  would it agree with:\n";
   for (const Explanation& one : finding.explanations) text += explanation_row(one, finding.unit);
+  if (!finding.explained_by.empty()) {
+    text +=
+        fmt::format("  the whole sheet agrees with: {}\n", fmt::join(finding.explained_by, "; "));
+  }
+  if (!finding.culprits.empty()) {
+    text += fmt::format("  or else it is spoilt by: {}\n", either(finding.culprits));
+  }
   return text;
 }
 

@@ -145,6 +145,9 @@ const Row kRows[] = {
      1.1},
     // Ke falls by p L_d i to a fifth: 19.1235 up to 99.58
     {"no-load-speed", weakened_speed, 19.11, 19.12, 99, 101, Severity::kWarning, 0.9, 1.1},
+    // the no-load speed, 19.1235...19.2771
+    {"maximum-speed", on_sheet<&Datasheet::maximum_speed_rad_s>, kNone, 10, 19.28, 19.29,
+     Severity::kNote},
     // 0.5 / (10 Kt): 0.39841...0.40161
     {"no-load-current", with_drag, 0.397, 0.398, 0.402, 0.403},
     // Kt

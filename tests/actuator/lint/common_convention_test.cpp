@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/actuator/lint/sample.hpp"
@@ -49,10 +50,32 @@ TEST(CommonFactor, IsAViolationWhereNothingIsFastEnough) {
   EXPECT_NE(finding->sentence.find("nor with rounding"), std::string::npos);
 }
 
+Actuator weakened(Actuator document, double inductance_d_H) {
+  document.drive.field_weakening = true;
+  document.motor.inductance_d_H = inductance_d_H;
+  return document;
+}
+
+// By hand: the second needs c = 1.1 (1.095 at least). Ke / (Ke - p L_d i) in amplitudes, 0.125 /
+// sqrt(3) and 80 / sqrt(3) A: 5 for 125 uH, 1.068 for 10 uH. Without field weakening: 1.
+TEST(CommonFactor, OffersFieldWeakeningAsFarAsItGoes) {
+  const auto offers = [](const Actuator& ankle) {
+    const auto common = common_factor(std::vector{with_speed(10, 19.2), ankle});
+    const std::vector<Explanation> all = finding_of(common.value()).value().explanations;
+    return std::any_of(all.begin(), all.end(), [](const Explanation& one) {
+      return one.sentence.find("weakening") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(offers(with_speed(20, 10.56)));
+  EXPECT_FALSE(offers(weakened(with_speed(20, 10.56), 0.00001)));
+  EXPECT_TRUE(offers(weakened(with_speed(20, 10.56), 0.000125)));
+}
+
 // By hand: the second needs c = 1.1, field weakening by 10 %. Per rms ampere and svpwm, c = 1.22,
 // nothing is too fast, but the drive would give 40 sqrt(2) = 56.6 A of amplitude.
 TEST(CommonFactor, TellsWhatEachWayOutAsksFor) {
-  const auto common = common_factor(std::vector{with_speed(10, 19.2), with_speed(20, 10.56)});
+  const auto common =
+      common_factor(std::vector{with_speed(10, 19.2), weakened(with_speed(20, 10.56), 0.000125)});
   const Finding finding = finding_of(common.value()).value();
   EXPECT_EQ(finding.rule, "common-convention");
   EXPECT_EQ(finding.actuator, "sample, sample");

@@ -16,6 +16,7 @@ Actuator bare_motor(const char* name, double volts) {
   Actuator document;
   document.name = name;
   document.drive.bus_voltage_V = volts;
+  document.motor.resistance_ohm = 0.1;  // none is printed: any that motors have
   document.datasheet = Datasheet{};
   return document;
 }

@@ -66,6 +66,8 @@ TEST(LintReport, HoldsEveryFigureUnderItsKey) {
   finding.explanations = {{"one", RoundedInterval{7, 6.5, 7.5, {}}, Agreement::kFits},
                           {"two", std::nullopt, Agreement::kAdmits},
                           {"three", std::nullopt, Agreement::kExcludes}};
+  finding.explained_by = {"four", "five"};
+  finding.culprits = {{"/c", "/d"}};
   report.findings.push_back(finding);
   CommonFactor& common = report.common_factor.emplace();
   common.required = {{"knee", {1, 0.5, 1.5, {}}, {20, 19.5, 20.5, {}}, 40}};
@@ -87,7 +89,8 @@ TEST(LintReport, HoldsEveryFigureUnderItsKey) {
         {"sentence": "one", "fit": "fits",
          "expected": {"value": 7.0, "low": 6.5, "high": 7.5, "pointers": []}},
         {"sentence": "two", "fit": "admits", "expected": null},
-        {"sentence": "three", "fit": "excludes", "expected": null}]}],
+        {"sentence": "three", "fit": "excludes", "expected": null}],
+      "explained_by": ["four", "five"], "culprits": [["/c", "/d"]]}],
     "common_factor": {
       "actuators": [{"name": "knee",
         "factor": {"value": 1.0, "low": 0.5, "high": 1.5, "pointers": []},

@@ -126,10 +126,9 @@ TEST_F(TableII, HasNoSingleFactorForBoth) {
   EXPECT_NE(both.sentence.find("no single factor fits both as printed"), std::string::npos);
   EXPECT_EQ(explanation(both, "Nm per rms ampere, sine: then 50 A are 70.7 A of amplitude").fit,
             Agreement::kAdmits);
-  EXPECT_EQ(
-      explanation(both, "Kt = Ke (dc ampere), and field weakening only on ankle D110A by 4.8 %")
-          .fit,
-      Agreement::kFits);
+  for (const Explanation& one : both.explanations) {  // both documents exclude it
+    EXPECT_EQ(one.sentence.find("weakening"), std::string::npos) << one.sentence;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/motor/statement_spec.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace torquewright::actuator {
+namespace {
+
+CurrentConvention convention_of_ampere(const std::string& word) {
+  if (word == "peak") return CurrentConvention::kPeakPhase;
+  return word == "rms" ? CurrentConvention::kRmsPhase : CurrentConvention::kDc;
+}
+
+}  // namespace
+
+double read_stated(const nlohmann::json& value, std::string pointer,
+                   std::vector<Statement>& statements) {
+  if (value.is_number()) return value;
+  Statement statement;
+  statement.pointer = std::move(pointer);
+  statement.printed = value["value"];
+  if (value.contains("side")) statement.at_joint = value["side"] == "joint";
+  if (value.contains("ampere")) statement.ampere = convention_of_ampere(value["ampere"]);
+  if (value.contains("tolerance")) statement.tolerance = value["tolerance"].get<double>();
+  statements.push_back(std::move(statement));
+  return statements.back().printed;
+}
+
+}  // namespace torquewright::actuator
