@@ -45,14 +45,14 @@ Robot driven_arm(double bus_V) {
 }
 
 /// The weights of an acceleration's own row, the next and the one after in a step of the velocity.
-using Rule = std::array<double, 3>;
-constexpr Rule kFirstOrder{1.0, 0.0, 0.0};
-constexpr Rule kSecondOrder{0.5, 0.5, 0.0};
-constexpr Rule kFirstOrderLate{0.0, 1.0, 0.0};
-constexpr Rule kSecondOrderLate{0.0, 0.5, 0.5};
-constexpr Rule kBetween{0.25, 0.75, 0.0};  // as far from either
+using StepRule = std::array<double, 3>;
+constexpr StepRule kFirstOrder{1.0, 0.0, 0.0};
+constexpr StepRule kSecondOrder{0.5, 0.5, 0.0};
+constexpr StepRule kFirstOrderLate{0.0, 1.0, 0.0};
+constexpr StepRule kSecondOrderLate{0.0, 0.5, 0.5};
+constexpr StepRule kBetween{0.25, 0.75, 0.0};  // as far from either
 
-Motion swing(const Rule& rule, Index samples = 200) {
+Motion swing(const StepRule& rule, Index samples = 200) {
   Motion motion;
   const auto rate_rad_s2 = [](Index i) {
     return 4000.0 * std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / kPeriod);
@@ -86,7 +86,7 @@ RowReading reading_of(Motion& motion, LateRows rows = LateRows::kFind) {
 }
 
 TEST(LateColumns, OfAccelerationsAreToldByTheVelocities) {
-  for (const Rule& rule : {kFirstOrder, kSecondOrder, kFirstOrderLate, kSecondOrderLate}) {
+  for (const StepRule& rule : {kFirstOrder, kSecondOrder, kFirstOrderLate, kSecondOrderLate}) {
     SCOPED_TRACE(testing::PrintToString(rule));
     const bool is_late = rule[0] == 0.0;
     const Motion file = swing(rule);
@@ -126,7 +126,7 @@ TEST(LateColumns, AreReadAsStated) {
   EXPECT_EQ(moved.samples(), 199);
 }
 
-Verdict verdict_of(double bus_V, const Rule& rule, LateRows rows, bool* is_said = nullptr) {
+Verdict verdict_of(double bus_V, const StepRule& rule, LateRows rows, bool* is_said = nullptr) {
   CheckOptions options;
   options.late_columns = rows;
   Motion motion = swing(rule);
