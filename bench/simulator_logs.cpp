@@ -27,6 +27,9 @@ std::vector<LogContent> contents() {
       all.push_back({rate_Hz, true, false, true, false, noise});
       all.push_back({rate_Hz, true, true, false, false, noise});
       all.push_back({rate_Hz, true, true, true, false, noise});
+      all.push_back({rate_Hz, true, false, true, false, noise, true});
+      all.push_back({rate_Hz, true, true, false, true, noise, true});
+      all.push_back({rate_Hz, true, true, true, false, noise, true});
     }
   }
   return all;

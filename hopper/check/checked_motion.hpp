@@ -16,6 +16,13 @@ enum class TorqueSource {
   kDynamics,
 };
 
+/// Columns that may belong to the row before (hopper/check/late_columns.hpp).
+enum class LateRows {
+  kFind,
+  kKeep,   ///< All are as they stand.
+  kShift,  ///< All but positions and velocities belong to the row before.
+};
+
 struct CheckOptions {
   ContactRule contact;
   double residual_share = 0.1;      ///< Of the weight (and weight times size): more is no motion.
@@ -23,6 +30,7 @@ struct CheckOptions {
   double shortest_flight_s = 0.01;  ///< A shorter loss of contact is chatter.
   double load_window_s = 0.01;      ///< Over which a transmission's load is.
   TorqueSource torques = TorqueSource::kBest;
+  LateRows late_columns = LateRows::kFind;
   actuator::OperatingConditions conditions;
   std::size_t runs = 1;
   double pause_s = 0.0;

@@ -131,6 +131,10 @@ MatrixXd torques_by_dynamics(const Demand& demand) {
   return by_dynamics(demand, &DriveInstant::torque_Nm);
 }
 
+MatrixXd load_torques_by_dynamics(const Demand& demand) {
+  return by_dynamics(demand, &DriveInstant::load_torque_Nm);
+}
+
 DriveTorques drive_torques(const CheckedMotion& checked) {
   const Demand& demand = checked.demand;
   const bool has_file = demand.file_torque_Nm.size() > 0;

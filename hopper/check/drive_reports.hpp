@@ -18,6 +18,8 @@ struct DriveTorques {
 /// Of the dynamics, rotors included: by drive and sample. Without dynamics those of the rotors
 /// alone.
 Eigen::MatrixXd torques_by_dynamics(const Demand& demand);
+/// The same without the rotors'.
+Eigen::MatrixXd load_torques_by_dynamics(const Demand& demand);
 
 /// Of the file or of the dynamics, as asked. Where both are there they are compared, and the
 /// comparison tells whether the file's hold those of the rotors. Throws io::SpecError where the

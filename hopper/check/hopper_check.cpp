@@ -9,9 +9,11 @@
 
 #include "actuator/check/findings.hpp"
 #include "hopper/check/contact_search.hpp"
+#include "hopper/check/late_columns.hpp"
 #include "hopper/check/physical.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/motion/rate_agreement.hpp"
+#include "io/spec_error.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::hopper {
@@ -156,13 +158,21 @@ Verdict verdict_of(const HopperReport& whole) {
   return is_undecided ? Verdict::kUndecided : Verdict::kPass;
 }
 
-}  // namespace
-
-HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options) {
-  HopperReport report;
+void find_demand(const Robot& robot, const CheckOptions& options, Motion& motion,
+                 HopperReport& report) {
   report.contacts = find_contacts(robot, options.contact, motion);
   require_rates_agree(robot, motion);
   report.demand = demand_of(robot, motion, report.contacts, options.on_progress);
+}
+
+/// `rows`, if any, may move the torques.
+HopperReport check_as_read(const Robot& robot, const CheckOptions& options, RowReading* rows,
+                           Motion& motion) {
+  HopperReport report;
+  find_demand(robot, options, motion, report);
+  if (rows != nullptr && rows->settle_torques(report.demand, motion)) {
+    find_demand(robot, options, motion, report);
+  }
   const CheckedMotion checked{robot, options, motion, report.contacts, report.demand};
   report.base_residual = base_residual(checked);
   report.flights = flights(checked);
@@ -195,11 +205,111 @@ HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions
   append(torques.findings, findings);
   append(origin_notes(checked), findings);
   append(assumed_notes(robot), findings);
+  report.check.verdict = verdict_of(report);
+  report.check.sha256 = motion.sha256;
+  return report;
+}
+
+bool is_in(const Finding& one, const std::vector<Finding>& findings) {
+  return std::any_of(findings.begin(), findings.end(), [&](const Finding& other) {
+    return other.rule == one.rule && other.joint == one.joint && other.severity == one.severity;
+  });
+}
+
+/// A violation that one of two readings of the rows has alone is none yet. Whether there is any
+/// such, or any verdict that differs.
+bool leave_open_what_differs(const HopperReport& other, HopperReport& report) {
+  bool turns = false;
+  for (std::size_t i = 0; i < report.check.drives.size(); ++i) {
+    actuator::DriveReport& drive = report.check.drives[i];
+    if (drive.verdict == other.check.drives[i].verdict) continue;
+    drive.verdict = Verdict::kUndecided;
+    turns = true;
+  }
+  for (std::size_t i = 0; i < report.transmission_loads.size(); ++i) {
+    Verdict& verdict = report.transmission_loads[i].verdict;
+    if (verdict == other.transmission_loads[i].verdict) continue;
+    verdict = Verdict::kUndecided;
+    turns = true;
+  }
+  std::vector<Finding> alone;
+  for (const Finding& finding : other.check.findings) {
+    const bool is_new =
+        finding.severity == Severity::kViolation && !is_in(finding, report.check.findings);
+    if (is_new) alone.push_back(finding);
+  }
+  for (Finding& finding : report.check.findings) {
+    if (finding.severity != Severity::kViolation || is_in(finding, other.check.findings)) continue;
+    finding.severity = Severity::kWarning;
+    turns = true;
+  }
+  for (Finding& finding : alone) {
+    finding.severity = Severity::kWarning;
+    report.check.findings.push_back(std::move(finding));
+    turns = true;
+  }
+  return turns;
+}
+
+/// Checks what nothing decides the other way too.
+void weigh_other_reading(const Robot& robot, const CheckOptions& options, const RowReading& rows,
+                         Motion other, HopperReport& report) {
+  CheckOptions quiet = options;
+  quiet.on_progress = nullptr;
+  try {
+    const HopperReport found = check_as_read(robot, quiet, nullptr, other);
+    if (!leave_open_what_differs(found, report)) return;
+  } catch (const io::SpecError&) {
+    return;  // that way it is no motion
+  }
+  report.check.verdict = verdict_of(report);
+  if (report.check.verdict == Verdict::kPass) report.check.verdict = Verdict::kUndecided;
+  Finding finding;
+  finding.rule = "late-columns";
+  finding.severity = Severity::kWarning;
+  finding.sentence = fmt::format(
+      "{}: nothing in the file decides whether they belong to their own row or, as some simulators "
+      "store them, to the row before, and findings differ; --late-columns keep or shift states it",
+      words_of(rows.open()));
+  report.check.findings.push_back(std::move(finding));
+}
+
+/// What is refused as it is read may be a motion as it may be read too.
+HopperReport check_either_way(const Robot& robot, const CheckOptions& options, RowReading& rows,
+                              Motion& motion) {
+  try {
+    return check_as_read(robot, options, &rows, motion);
+  } catch (const io::SpecError& refusal) {
+    std::optional<Motion> other = rows.other();
+    if (!other) throw;
+    const io::SpecError first = refusal;
+    try {
+      HopperReport report = check_as_read(robot, options, nullptr, *other);
+      motion = std::move(*other);
+      rows.take_other();
+      return report;
+    } catch (const io::SpecError&) {
+      throw first;
+    }
+  }
+}
+
+void sort_by_severity(std::vector<Finding>& findings) {
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& one, const Finding& other) {
     return one.severity > other.severity;
   });
-  report.check.verdict = verdict_of(report);
-  report.check.sha256 = motion.sha256;
+}
+
+}  // namespace
+
+HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options) {
+  RowReading rows(robot, options, motion);
+  HopperReport report = check_either_way(robot, options, rows, motion);
+  append(rows.findings(), report.check.findings);
+  if (std::optional<Motion> other = rows.other()) {
+    weigh_other_reading(robot, options, rows, std::move(*other), report);
+  }
+  sort_by_severity(report.check.findings);
   return report;
 }
 

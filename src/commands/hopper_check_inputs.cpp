@@ -30,6 +30,11 @@ hopper::TorqueSource torque_source(const std::string& name) {
   return name == "dynamics" ? hopper::TorqueSource::kDynamics : hopper::TorqueSource::kBest;
 }
 
+hopper::LateRows late_rows(const std::string& name) {
+  if (name == "keep") return hopper::LateRows::kKeep;
+  return name == "shift" ? hopper::LateRows::kShift : hopper::LateRows::kFind;
+}
+
 hopper::CheckOptions check_options(const HopperCheckRequest& request,
                                    const hopper::ReadRobot& read) {
   hopper::CheckOptions check = request.check;
@@ -40,6 +45,7 @@ hopper::CheckOptions check_options(const HopperCheckRequest& request,
     }
   }
   check.torques = torque_source(request.torques);
+  check.late_columns = late_rows(request.late_columns);
   check.keep_traces = !request.plot_file.empty() || !request.report_file.empty();
   return check;
 }

@@ -22,6 +22,7 @@ nlohmann::ordered_json request_json(const HopperCheckRequest& request) {
     if (value != usual) json[key] = value;
   };
   add("torques", request.torques, std::string("best"));
+  add("late_columns", request.late_columns, std::string("find"));
   add("ground_height_m", request.check.contact.ground_height_m, defaults.contact.ground_height_m);
   if (contact.height_m) json["contact_height_m"] = *contact.height_m;
   if (contact.speed_m_s) json["contact_speed_m_s"] = *contact.speed_m_s;

@@ -18,6 +18,11 @@ void add_motion_options(command_line::Command& command, HopperCheckRequest& requ
       .add_option("--torques", request.torques,
                   "Which torques count: best (the file's where it has all), file, dynamics")
       .one_of({"best", "file", "dynamics"});
+  command
+      .add_option("--late-columns", request.late_columns,
+                  "Accelerations, forces, flags, torques that belong to the row before, as "
+                  "simulators store them: find them, keep all as they stand, or shift all")
+      .one_of({"find", "keep", "shift"});
 }
 
 void add_physics_options(command_line::Command& command, hopper::CheckOptions& check) {

@@ -21,6 +21,7 @@ struct HopperCheckRequest {
   OperatingOptions operating;
   hopper::CheckOptions check;  ///< The numbers that have an option of their own.
   std::string torques = "best";
+  std::string late_columns = "find";
   std::string candidates_folder;
   std::string ratios;  ///< FROM:TO[:STEP]
   std::size_t threads = 1;

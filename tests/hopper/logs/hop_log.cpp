@@ -89,12 +89,13 @@ void compare_torques(const SimulatedHop& hop, const hopper::HopperReport& report
     const double rms = truth.row(joint).norm() / std::sqrt(static_cast<double>(truth.cols()));
     const auto& found = report.check.drives[static_cast<std::size_t>(joint)].interpretation;
     errors.peak = std::max(errors.peak, std::abs(found.peak_torque_Nm - peak) / peak);
+    errors.rms = std::max(errors.rms, std::abs(found.rms_torque_Nm - rms) / rms);
+    if (report.peak_doubts.empty()) continue;  // the file's torques count
     const hopper::PeakDoubt& doubt = report.peak_doubts[static_cast<std::size_t>(joint)];
     const bool is_within =
         peak <= (1.0 + kTorqueGoal) * doubt.most_Nm && peak >= (1.0 - kTorqueGoal) * doubt.least_Nm;
     errors.is_known = errors.is_known && is_within;
     errors.doubt = std::max(errors.doubt, (doubt.most_Nm - doubt.least_Nm) / peak);
-    errors.rms = std::max(errors.rms, std::abs(found.rms_torque_Nm - rms) / rms);
   }
 }
 
@@ -105,8 +106,26 @@ std::string words_of(const LogContent& content) {
   if (content.accelerations) text += ", a";
   if (content.forces) text += ", forces";
   if (content.flags) text += ", flags";
+  if (content.torques) text += ", torques";
+  if (content.late) text += "; a row late";
   return text;
 }
+
+namespace {
+
+/// As a simulator stores it: what it computed at a row's beginning beside the next one's state.
+void make_late(Motion& log) {
+  const Index rows = log.samples() - 1;
+  log.times_s.erase(log.times_s.begin());
+  for (MatrixXd* table : {&log.positions, &log.velocities}) {
+    *table = MatrixXd(table->rightCols(rows));
+  }
+  for (MatrixXd* table : {&log.accelerations, &log.efforts, &log.forces_N, &log.touching}) {
+    *table = MatrixXd(table->leftCols(rows));
+  }
+}
+
+}  // namespace
 
 Motion log_of(const PublicHopper& hopper, const SimulatedHop& hop, const LogContent& content) {
   const Motion& all = hop.motion;
@@ -125,8 +144,8 @@ Motion log_of(const PublicHopper& hopper, const SimulatedHop& hop, const LogCont
   log.acceleration_origin = content.accelerations ? Origin::kGiven : Origin::kAbsent;
   log.accelerations = every(all.accelerations, stride);
   noise.add(content.noise * sigma.acceleration, log.accelerations);
-  log.efforts = MatrixXd::Zero(all.efforts.rows(), log.samples());
-  log.has_effort.assign(static_cast<std::size_t>(all.efforts.rows()), false);
+  log.efforts = every(all.efforts, stride);
+  log.has_effort.assign(static_cast<std::size_t>(all.efforts.rows()), content.torques);
   log.has_forces = content.forces;
   log.has_touching = content.flags;
   log.touching = every(all.touching, stride);
@@ -134,6 +153,7 @@ Motion log_of(const PublicHopper& hopper, const SimulatedHop& hop, const LogCont
   MatrixXd off = MatrixXd::Zero(log.forces_N.rows(), log.samples());
   noise.add(content.noise * sigma.force_share * log.forces_N.cwiseAbs().maxCoeff(), off);
   log.forces_N.array() += (log.forces_N.array() != 0.0).select(off.array(), 0.0);
+  if (content.late) make_late(log);
   return log;
 }
 
@@ -141,8 +161,9 @@ HopErrors errors_of(const SimulatedHop& hop, const Motion& log,
                     const hopper::HopperReport& report) {
   HopErrors errors;
   compare_torques(hop, report, errors);
-  const auto stride = static_cast<Index>(std::lround(log.step_s(0) / hop.step_s));
-  const MatrixXd momentum = every(hop.angular_momentum_Nm_s, stride);
+  std::vector<Index> fine;
+  for (const double time_s : log.times_s) fine.push_back(std::lround(time_s / hop.step_s));
+  const MatrixXd momentum = hop.angular_momentum_Nm_s(Eigen::all, fine);
   const double greatest = hop.angular_momentum_Nm_s.colwise().norm().maxCoeff();
   errors.momentum =
       (report.demand.angular_momentum_Nm_s - momentum).colwise().norm().maxCoeff() / greatest;

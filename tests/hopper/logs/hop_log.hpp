@@ -16,6 +16,8 @@ struct LogContent {
   bool forces = false;
   bool flags = false;
   double noise = 0.0;  ///< 1: sensor_noise(); in proportion.
+  bool late = false;   ///< Accelerations, forces, flags and torques are of the row before.
+  bool torques = false;
 };
 
 /// Standard deviations of one unit of noise.
@@ -28,7 +30,7 @@ struct SensorNoise {
 
 std::string words_of(const LogContent& content);
 
-/// Every so many of the hop's samples, without torques; the same content has the same noise.
+/// Every so many of the hop's samples; the same content has the same noise.
 hopper::Motion log_of(const PublicHopper& hopper, const SimulatedHop& hop,
                       const LogContent& content);
 

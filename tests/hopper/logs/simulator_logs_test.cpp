@@ -134,6 +134,79 @@ TEST(SimulatorLogs, AreUndecidedWhereTheLimitLiesInTheDoubt) {
   EXPECT_EQ(verdict_with(doubt.least_Nm * (1.0 - kBeside)), Verdict::kFail);
 }
 
+bool is_moved(const hopper::HopperReport& report, const char* what) {
+  const auto& findings = report.check.findings;
+  return std::any_of(findings.begin(), findings.end(), [what](const hopper::Finding& finding) {
+    return finding.rule == "late-columns" && finding.severity == actuator::Severity::kNote &&
+           finding.sentence.find(what) < finding.sentence.find(" belong to the row before");
+  });
+}
+
+// Oracle: what the simulator computed a row before is what it computed: moved back, nothing is
+// lost but the last row.
+TEST(SimulatorLogs, WithWhatWasComputedARowBeforeAreReadSo) {
+  const Hop* it = hop_of("go1");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  for (const int rate_Hz : {200, 1000}) {
+    for (const bool late : {false, true}) {
+      SCOPED_TRACE(late ? "late" : "in time");
+      LogContent content{rate_Hz, true, true, true, false, 0.0, late, true};
+      const Checked found = check(*it, content);
+      for (const char* what : {"accelerations", "contact forces", "torques"}) {
+        EXPECT_EQ(is_moved(found.report, what), late) << what;
+      }
+      EXPECT_LE(found.errors.peak, kTorqueGoal);
+      EXPECT_LE(found.errors.flight_momentum, kMomentumGoal);
+      content.torques = false;  // those of the dynamics count, then
+      expect_goals(check(*it, content).errors);
+      hopper::CheckOptions keep;
+      keep.late_columns = hopper::LateRows::kKeep;
+      EXPECT_FALSE(has(check(*it, content, keep).report, "late-columns"));
+    }
+  }
+}
+
+// Each by its own physics: forces may be late where accelerations are not, and the other way round.
+TEST(SimulatorLogs, MayHaveOneColumnARowLate) {
+  const Hop* it = hop_of("go1");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  using Table = Eigen::MatrixXd hopper::Motion::*;
+  const std::pair<Table, const char*> tables[] = {{&hopper::Motion::accelerations, "accelerations"},
+                                                  {&hopper::Motion::forces_N, "contact forces"},
+                                                  {&hopper::Motion::efforts, "torques"}};
+  for (const auto& [moved, name] : tables) {
+    SCOPED_TRACE(name);
+    hopper::Motion log =
+        log_of(it->hopper, it->hop, {500, true, true, true, false, 0.0, false, true});
+    Eigen::MatrixXd& table = log.*moved;
+    const Eigen::Index rows = table.cols() - 1;
+    table.rightCols(rows) = Eigen::MatrixXd(table.leftCols(rows));
+    const hopper::HopperReport report = hopper::check_motion(it->hopper.robot, log, {});
+    for (const auto& [other, what] : tables) EXPECT_EQ(is_moved(report, what), other == moved);
+  }
+}
+
+TEST(SimulatorLogs, WithNoiseStillShowTheirRow) {
+  const Hop* it = hop_of("op3");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  for (const bool late : {false, true}) {
+    const Checked found = check(*it, {500, true, true, true, false, 1.0, late});
+    EXPECT_EQ(is_moved(found.report, "accelerations"), late);
+    EXPECT_EQ(is_moved(found.report, "contact forces"), late);
+  }
+}
+
+// Flags have the base's rows alone to tell: the hopper's forces are determined by them.
+TEST(SimulatorLogs, WithFlagsARowLateAreReadSo) {
+  const Hop* it = hop_of("hopper");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  for (const bool late : {false, true}) {
+    const Checked found = check(*it, {1000, true, true, false, true, 0.0, late});
+    EXPECT_EQ(is_moved(found.report, "contact flags"), late);
+    expect_goals(found.errors);
+  }
+}
+
 TEST(SimulatorLogs, WithThresholdsThatAreStatedAndDoNotFitAreRefusedWithHelp) {
   const Hop* it = hop_of("hopper");
   if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace torquewright::hopper {
+
+/// Rows of a file, counted from the one that is looked at, whose mean a reading takes.
+struct RowSpan {
+  int first = 0;
+  int last = 0;
+};
+
+/// What tells the row that a column belongs to.
+struct RowEvidence {
+  bool differs = false;     ///< The readings do, anywhere.
+  double log_odds = 0.0;    ///< Natural, of the row before over its own.
+  double times_less = 1.0;  ///< The row before leaves so many times less than its own, rms.
+
+  /// By odds beyond 1000 to 1: a wrong reading costs alike both ways, and one in a thousand is put
+  /// up with.
+  bool is_own() const;
+  bool is_before() const;
+  /// Nothing says so, though it makes a difference.
+  bool is_open() const { return differs && !is_own() && !is_before(); }
+};
+
+/// Two readings of a column, that it belongs to its own row and to the row before, by what physics
+/// leaves of each. Gaussian errors of unknown size by coordinate, as many as there are rows in
+/// which the readings differ. docs/derivations/whole_body_check.md, eqs. (23)-(25).
+class RowComparison {
+ public:
+  static constexpr int kFirst = -1;  ///< Of the rows that a span may name,
+  static constexpr int kLast = 2;    ///< and the last of them.
+  using Left = std::array<Eigen::VectorXd, kLast - kFirst + 1>;
+
+  /// Spans of either reading; the best of each counts.
+  RowComparison(std::vector<RowSpan> own, std::vector<RowSpan> before)
+      : own_(std::move(own)), before_(std::move(before)) {}
+
+  /// What one sample leaves, by coordinate, if the column is taken from `kFirst + index` rows on.
+  /// What no span names may be empty, but for rows 0 and 1.
+  void add(const Left& left);
+
+  RowEvidence evidence() const;
+
+ private:
+  static const Eigen::VectorXd& at(const Left& left, int row);
+  void allocate(Eigen::Index size);
+
+  std::vector<RowSpan> own_;
+  std::vector<RowSpan> before_;
+  std::vector<Eigen::VectorXd> squares_;  ///< By span, own ones first; by coordinate.
+  Eigen::VectorXd second_;                ///< Moments of what the readings differ by.
+  Eigen::VectorXd fourth_;
+};
+
+}  // namespace torquewright::hopper
