@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "actuator/effects/library.hpp"
 #include "actuator/region/mor_table_spec.hpp"
 
 namespace {
@@ -52,6 +53,15 @@ Actuator salient_knee() {
   return actuator;
 }
 
+Actuator knee_with_everything() {
+  Actuator actuator = salient_knee();
+  actuator.battery = knee_on_battery().battery;
+  actuator.effects.push_back(
+      {find_effect("torque_constant_saturation"), {60.0, 2.0}, {}, false, "assumed"});
+  actuator.effects.push_back({find_effect("inverter_dead_time"), {0.8}, {}, false, "assumed"});
+  return actuator;
+}
+
 void table(benchmark::State& state, const Actuator& actuator) {
   std::size_t rows = 0;
   for (auto _ : state) {
@@ -84,6 +94,7 @@ BENCHMARK_CAPTURE(table, knee_on_battery, knee_on_battery());
 BENCHMARK_CAPTURE(table, knee_with_field_weakening, knee_with_field_weakening());
 BENCHMARK_CAPTURE(table, knee_with_field_weakening_on_battery, knee_with_all());
 BENCHMARK_CAPTURE(table, salient_knee_with_field_weakening, salient_knee());
+BENCHMARK_CAPTURE(table, knee_with_everything, knee_with_everything());
 BENCHMARK(closed_form);
 BENCHMARK(csv);
 

@@ -14,7 +14,7 @@ find_package(Eigen3 REQUIRED)
 pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(TINYXML2 REQUIRED IMPORTED_TARGET tinyxml2)
-pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
+pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
 
 # GMP (exact fractions) and MPFI (outward-rounded intervals of any precision) ship no CMake files.
 add_library(exact_arithmetic INTERFACE)

@@ -2,8 +2,10 @@
 #include "io/schema.hpp"
 
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -44,22 +46,18 @@ json load(std::string_view kind) {
   throw std::invalid_argument("no schema for documents of kind " + std::string(kind));
 }
 
+/// Each is read and compiled when it is first asked for: most commands need one or two of them.
 const Kind& find_kind(std::string_view name) {
-  static const std::map<std::string, Kind, std::less<>> kKinds = [] {
-    std::map<std::string, Kind, std::less<>> kinds;
-    for (const std::string& each : document_kinds()) {
-      Kind& kind = kinds[each];
-      kind.text = load(each);
-      valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
-      parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(kind.text), kind.compiled);
-    }
-    return kinds;
-  }();
-  const auto found = kKinds.find(name);
-  if (found == kKinds.end()) {
-    throw std::invalid_argument("no schema for documents of kind " + std::string(name));
-  }
-  return found->second;
+  static std::mutex mutex;
+  static std::map<std::string, Kind, std::less<>> kinds;  // whose entries stay where they are
+  const std::lock_guard lock(mutex);
+  if (const auto known = kinds.find(name); known != kinds.end()) return known->second;
+  json text = load(name);
+  Kind& kind = kinds[std::string(name)];
+  kind.text = std::move(text);
+  valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
+  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(kind.text), kind.compiled);
+  return kind;
 }
 
 }  // namespace

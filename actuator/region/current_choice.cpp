@@ -43,27 +43,18 @@ Current with_d(const PhaseModel& model, double torque_Nm, double d_A) {
 
 }  // namespace
 
-double greatest_torque_Nm(const PhaseModel& model) {
+Current greatest_torque_current(const PhaseModel& model) {
   const double limit_A = model.current_limit_A;
-  if (!is_salient(model)) return torque_Nm(model, {0.0, limit_A});
-  const auto torque_at = [&](double d_A) {
-    return torque_Nm(model, {d_A, std::sqrt(std::max(0.0, limit_A * limit_A - d_A * d_A))});
+  if (!is_salient(model)) return {0.0, limit_A};
+  const auto at_limit = [&](double d_A) {
+    return Current{d_A, std::sqrt(std::max(0.0, limit_A * limit_A - d_A * d_A))};
   };
-  if (model.saturation_current_A == 0.0) return torque_at(greatest_torque_d_A(model));
-  return torque_at(greatest_point(torque_at, least_d_A(model), limit_A, tolerance_A(model)));
+  return at_limit(greatest_torque_d_A(model, least_d_A(model)));
 }
 
 Current least_current(const PhaseModel& model, double torque_Nm) {
   if (!is_salient(model)) return with_d(model, torque_Nm, 0.0);
-  if (has_smooth_choice(model)) {
-    const double d_A = least_current_d_A(model, torque_Nm, least_d_A(model), model.current_limit_A);
-    return with_d(model, torque_Nm, d_A);
-  }
-  const auto saved_A = [&](double d_A) {
-    return -std::hypot(d_A, q_current_A(model, torque_Nm, d_A));
-  };
-  const double limit_A = model.current_limit_A;
-  const double d_A = greatest_point(saved_A, least_d_A(model), limit_A, tolerance_A(model));
+  const double d_A = least_current_d_A(model, torque_Nm, least_d_A(model), model.current_limit_A);
   return with_d(model, torque_Nm, d_A);
 }
 
@@ -94,6 +85,9 @@ Current chosen_current(const PhaseModel& model, double torque_Nm, double speed_r
   if (const auto disc = voltage_disc(model, speed_rad_s, 0.0)) {
     const double floor_A = weakest_d_A(model, torque_Nm, least.d_A);
     return {nearest_d_A(*disc, least.q_A, floor_A), least.q_A};
+  }
+  if (const auto d_A = first_room_d_A(model, torque_Nm, speed_rad_s, least.d_A)) {
+    if (*d_A >= weakest_d_A(model, torque_Nm, least.d_A)) return with_d(model, torque_Nm, *d_A);
   }
   const Current gentlest = gentlest_current(model, torque_Nm, speed_rad_s);
   if (margin_V(gentlest.d_A) < 0.0) return gentlest;

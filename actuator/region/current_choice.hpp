@@ -7,11 +7,11 @@ namespace torquewright::actuator {
 
 /// How the drive places its current for a torque. docs/derivations/motor_region.md section 3.
 
-/// Greatest torque of the model within its current limit, standing still (at MTPA).
-double greatest_torque_Nm(const PhaseModel& model);
+/// The current of the greatest torque within the current limit, standing still (at MTPA).
+Current greatest_torque_current(const PhaseModel& model);
 
 /// Least current amplitude for the torque (maximum torque per ampere); its d part is zero where
-/// L_d = L_q. Requires |torque| <= greatest_torque_Nm.
+/// L_d = L_q. Requires |torque| <= that of greatest_torque_current.
 Current least_current(const PhaseModel& model, double torque_Nm);
 
 /// The current for the torque at a speed that leaves the greatest voltage margin: least_current

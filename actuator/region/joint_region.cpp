@@ -67,6 +67,53 @@ void unite(JointRange& range, const JointRange& other) {
   if (other.greatest.torque_Nm > range.greatest.torque_Nm) range.greatest = other.greatest;
 }
 
+JointRange range_at_joint(const Actuator& actuator, const PhaseModel& model, double temperature_K,
+                          double speed_rad_s, double direction) {
+  const double ratio = actuator.transmission.ratio;
+  const double motor_rad_s = ratio * speed_rad_s;
+  MotorRange motor = motor_range(model, motor_rad_s);
+  JointRange range{motor.is_empty, motor.why_empty, {}, {}, {}};
+  const Path path(actuator, speed_rad_s, direction, temperature_K);
+  if (motor.plugging) {
+    const double one_Nm = path.greatest_Nm(motor.plugging->least_Nm);
+    const double other_Nm = path.greatest_Nm(motor.plugging->greatest_Nm);
+    range.plugging = {std::min(one_Nm, other_Nm), std::max(one_Nm, other_Nm)};
+  }
+  if (motor.is_empty) return range;
+  // A negative ratio turns the rotor the other way: its greatest torque is the joint's least.
+  if (ratio < 0.0) std::swap(motor.least, motor.greatest);
+  range.least = at_rotor(actuator, motor.least);
+  range.greatest = at_rotor(actuator, motor.greatest);
+  range.least.torque_Nm = path.least_Nm(motor.least.torque_Nm);
+  range.greatest.torque_Nm = path.greatest_Nm(motor.greatest.torque_Nm);
+
+  const double gear_Nm = actuator.transmission.peak_torque_Nm;
+  const auto limit_by_gear = [&](JointBound& bound, double limit_Nm, bool of_greatest) {
+    const double motor_Nm = std::clamp(path.motor_Nm(limit_Nm, of_greatest),
+                                       std::min(motor.least.torque_Nm, motor.greatest.torque_Nm),
+                                       std::max(motor.least.torque_Nm, motor.greatest.torque_Nm));
+    bound = at_rotor(actuator, motor_point(model, motor_Nm, motor_rad_s, Limiter::kGear));
+    bound.torque_Nm = limit_Nm;
+  };
+  if (range.greatest.torque_Nm > gear_Nm) limit_by_gear(range.greatest, gear_Nm, true);
+  if (range.least.torque_Nm < -gear_Nm) limit_by_gear(range.least, -gear_Nm, false);
+  if (range.least.torque_Nm > range.greatest.torque_Nm) {
+    range.is_empty = true;
+    const bool by_gear = range.least.torque_Nm > gear_Nm || range.greatest.torque_Nm < -gear_Nm;
+    range.why_empty = by_gear ? Limiter::kGear : range.greatest.limiter;
+  }
+  return range;
+}
+
+/// At rest the union of both directions.
+template <typename RangeTowards>
+JointRange at_any_speed(const RangeTowards& range_towards, double speed_rad_s) {
+  if (speed_rad_s != 0.0) return range_towards(std::copysign(1.0, speed_rad_s));
+  JointRange range = range_towards(-1.0);
+  unite(range, range_towards(1.0));
+  return range;
+}
+
 }  // namespace
 
 Region::Region(const Actuator& actuator, const OperatingConditions& conditions, Side side)
@@ -82,14 +129,13 @@ Region::Region(const Actuator& actuator, const OperatingConditions& conditions, 
 }
 
 JointRange Region::at(double speed_rad_s, double direction) const {
-  return side_ == Side::kMotor ? at_motor(speed_rad_s) : at_joint(speed_rad_s, direction);
+  return side_ == Side::kMotor
+             ? at_motor(speed_rad_s)
+             : range_at_joint(actuator_, model_, temperature_K_, speed_rad_s, direction);
 }
 
 JointRange Region::at(double speed_rad_s) const {
-  if (speed_rad_s != 0.0) return at(speed_rad_s, std::copysign(1.0, speed_rad_s));
-  JointRange range = at(0.0, -1.0);
-  unite(range, at(0.0, 1.0));
-  return range;
+  return at_any_speed([&](double direction) { return at(speed_rad_s, direction); }, speed_rad_s);
 }
 
 JointRange Region::at_motor(double speed_rad_s) const {
@@ -101,41 +147,15 @@ JointRange Region::at_motor(double speed_rad_s) const {
   return range;
 }
 
-JointRange Region::at_joint(double speed_rad_s, double direction) const {
-  const double ratio = actuator_.transmission.ratio;
-  const double motor_rad_s = ratio * speed_rad_s;
-  MotorRange motor = motor_range(model_, motor_rad_s);
-  JointRange range{motor.is_empty, motor.why_empty, {}, {}, {}};
-  const Path path(actuator_, speed_rad_s, direction, temperature_K_);
-  if (motor.plugging) {
-    const double one_Nm = path.greatest_Nm(motor.plugging->least_Nm);
-    const double other_Nm = path.greatest_Nm(motor.plugging->greatest_Nm);
-    range.plugging = {std::min(one_Nm, other_Nm), std::max(one_Nm, other_Nm)};
-  }
-  if (motor.is_empty) return range;
-  // A negative ratio turns the rotor the other way: its greatest torque is the joint's least.
-  if (ratio < 0.0) std::swap(motor.least, motor.greatest);
-  range.least = at_rotor(actuator_, motor.least);
-  range.greatest = at_rotor(actuator_, motor.greatest);
-  range.least.torque_Nm = path.least_Nm(motor.least.torque_Nm);
-  range.greatest.torque_Nm = path.greatest_Nm(motor.greatest.torque_Nm);
-
-  const double gear_Nm = actuator_.transmission.peak_torque_Nm;
-  const auto limit_by_gear = [&](JointBound& bound, double limit_Nm, bool of_greatest) {
-    const double motor_Nm = std::clamp(path.motor_Nm(limit_Nm, of_greatest),
-                                       std::min(motor.least.torque_Nm, motor.greatest.torque_Nm),
-                                       std::max(motor.least.torque_Nm, motor.greatest.torque_Nm));
-    bound = at_rotor(actuator_, motor_point(model_, motor_Nm, motor_rad_s, Limiter::kGear));
-    bound.torque_Nm = limit_Nm;
-  };
-  if (range.greatest.torque_Nm > gear_Nm) limit_by_gear(range.greatest, gear_Nm, true);
-  if (range.least.torque_Nm < -gear_Nm) limit_by_gear(range.least, -gear_Nm, false);
-  if (range.least.torque_Nm > range.greatest.torque_Nm) {
-    range.is_empty = true;
-    const bool by_gear = range.least.torque_Nm > gear_Nm || range.greatest.torque_Nm < -gear_Nm;
-    range.why_empty = by_gear ? Limiter::kGear : range.greatest.limiter;
-  }
-  return range;
+JointRange range_at(const Actuator& actuator, const OperatingConditions& conditions,
+                    double speed_rad_s) {
+  const PhaseModel model = phase_model_at(actuator, conditions);
+  const double temperature_K = winding_temperature_K(actuator, conditions);
+  return at_any_speed(
+      [&](double direction) {
+        return range_at_joint(actuator, model, temperature_K, speed_rad_s, direction);
+      },
+      speed_rad_s);
 }
 
 std::vector<std::string> left_out(const Actuator& actuator) {

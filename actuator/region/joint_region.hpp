@@ -54,7 +54,6 @@ class Region {
 
  private:
   JointRange at_motor(double speed_rad_s) const;
-  JointRange at_joint(double speed_rad_s, double direction) const;
 
   Actuator actuator_;
   double temperature_K_;
@@ -62,6 +61,11 @@ class Region {
   Side side_;
   double greatest_speed_rad_s_ = 0.0;
 };
+
+/// Region::at of that speed, at the joint, where one is asked and not where the region ends, which
+/// takes as long as dozens of speeds.
+JointRange range_at(const Actuator& actuator, const OperatingConditions& conditions,
+                    double speed_rad_s);
 
 /// Effects that no static region can hold (lag, presliding, backlash, compliance, inertia), and
 /// what the document leaves open: a sentence each.

@@ -25,14 +25,17 @@ double margin_Nm(const JointRange& range, double torque_Nm) {
 
 double margin_Nm(const Actuator& actuator, const OperatingConditions& conditions,
                  const Need& need) {
-  return margin_Nm(Region(actuator, conditions).at(need.speed_rad_s), need.torque_Nm);
+  return margin_Nm(range_at(actuator, conditions, need.speed_rad_s), need.torque_Nm);
 }
+
+using ShouldStop = std::function<bool()>;
 
 /// The least of `change` from 1 to kGreatestChange at which the margin is not negative, looked for
 /// in small steps: more may be too much (a pack's greatest voltage leaves no room to brake).
 /// `likely` is tried too, so that a window that ends there is not stepped over.
 template <typename Margin>
-std::optional<double> least_factor(const Margin& margin, double likely = kGreatestChange) {
+std::optional<double> least_factor(const Margin& margin, const ShouldStop& should_stop,
+                                   double likely = kGreatestChange) {
   std::vector<double> factors;
   for (int i = 1; i <= kFactorsTried; ++i) {
     factors.push_back(std::pow(kGreatestChange, static_cast<double>(i) / kFactorsTried));
@@ -41,6 +44,7 @@ std::optional<double> least_factor(const Margin& margin, double likely = kGreate
   std::sort(factors.begin(), factors.end());
   double before = 1.0;
   for (const double factor : factors) {
+    if (should_stop()) return std::nullopt;
     if (margin(factor) >= 0.0) return last_nonnegative(margin, factor, before, kNeedTolerance);
     before = factor;
   }
@@ -48,7 +52,7 @@ std::optional<double> least_factor(const Margin& margin, double likely = kGreate
 }
 
 std::optional<double> least_voltage_V(const Actuator& actuator, OperatingConditions conditions,
-                                      const Need& need) {
+                                      const Need& need, const ShouldStop& should_stop) {
   const double present_V = open_circuit_voltage_V(actuator, conditions);
   conditions.state_of_charge.reset();
   const double greatest_V = actuator.battery ? actuator.battery->maximum_voltage_V : kUnlimited;
@@ -57,38 +61,43 @@ std::optional<double> least_voltage_V(const Actuator& actuator, OperatingConditi
         conditions.bus_voltage_V = change * present_V;
         return margin_Nm(actuator, conditions, need);
       },
-      greatest_V / present_V);
+      should_stop, greatest_V / present_V);
   if (!factor) return std::nullopt;
   return *factor * present_V;
 }
 
 /// Only where the gears' strength is stated.
 std::optional<double> least_gear_Nm(const Actuator& actuator, const OperatingConditions& conditions,
-                                    const Need& need) {
+                                    const Need& need, const ShouldStop& should_stop) {
   const double present_Nm = actuator.transmission.peak_torque_Nm;
   if (!(present_Nm < kUnlimited)) return std::nullopt;
   Actuator changed = actuator;
-  const std::optional<double> factor = least_factor([&](double change) {
-    changed.transmission.peak_torque_Nm = change * present_Nm;
-    return margin_Nm(changed, conditions, need);
-  });
+  const std::optional<double> factor = least_factor(
+      [&](double change) {
+        changed.transmission.peak_torque_Nm = change * present_Nm;
+        return margin_Nm(changed, conditions, need);
+      },
+      should_stop);
   if (!factor) return std::nullopt;
   return *factor * present_Nm;
 }
 
 /// Current that heat allows is not for sale: under the continuous rating only where it is stated.
 std::optional<double> least_current_A(const Actuator& actuator,
-                                      const OperatingConditions& conditions, const Need& need) {
+                                      const OperatingConditions& conditions, const Need& need,
+                                      const ShouldStop& should_stop) {
   Actuator changed = actuator;
   const bool is_peak = conditions.rating == Rating::kPeak;
   const double present_A =
       is_peak ? actuator.drive.peak_current_A : actuator.drive.continuous_current_A.value_or(0.0);
   if (present_A == 0.0) return std::nullopt;
-  const std::optional<double> factor = least_factor([&](double change) {
-    changed.drive.peak_current_A = std::max(actuator.drive.peak_current_A, change * present_A);
-    if (!is_peak) changed.drive.continuous_current_A = change * present_A;
-    return margin_Nm(changed, conditions, need);
-  });
+  const std::optional<double> factor = least_factor(
+      [&](double change) {
+        changed.drive.peak_current_A = std::max(actuator.drive.peak_current_A, change * present_A);
+        if (!is_peak) changed.drive.continuous_current_A = change * present_A;
+        return margin_Nm(changed, conditions, need);
+      },
+      should_stop);
   if (!factor) return std::nullopt;
   return *factor * present_A;
 }
@@ -96,7 +105,7 @@ std::optional<double> least_current_A(const Actuator& actuator,
 /// The nearest ratio (as a factor of the present one) either way: too low a ratio lacks torque, too
 /// high a one lacks speed, and in between there may be none.
 std::optional<double> nearest_ratio(const Actuator& actuator, const OperatingConditions& conditions,
-                                    const Need& need) {
+                                    const Need& need, const ShouldStop& should_stop) {
   Actuator changed = actuator;
   const double present = actuator.transmission.ratio;
   const auto margin = [&](double logarithm) {
@@ -104,7 +113,7 @@ std::optional<double> nearest_ratio(const Actuator& actuator, const OperatingCon
     return margin_Nm(changed, conditions, need);
   };
   const double step = std::log(kGreatestChange) / kRatiosTried;
-  for (int i = 1; i <= kRatiosTried; ++i) {
+  for (int i = 1; i <= kRatiosTried && !should_stop(); ++i) {
     for (const double sign : {1.0, -1.0}) {
       const double there = sign * i * step;
       if (margin(there) < 0.0) continue;
@@ -153,9 +162,9 @@ RatioRow ratio_row(const Actuator& actuator, const OperatingConditions& conditio
 }  // namespace
 
 NeedAnswer answer_need(const Actuator& actuator, const OperatingConditions& conditions,
-                       const Need& need) {
+                       const Need& need, const ShouldStop& should_stop) {
   NeedAnswer result;
-  result.range = Region(actuator, conditions).at(need.speed_rad_s);
+  result.range = range_at(actuator, conditions, need.speed_rad_s);
   result.margin_Nm = margin_Nm(result.range, need.torque_Nm);
   result.is_reached = result.margin_Nm >= 0.0;
   const bool is_upper =
@@ -164,10 +173,11 @@ NeedAnswer answer_need(const Actuator& actuator, const OperatingConditions& cond
                    : is_upper            ? result.range.greatest.limiter
                                          : result.range.least.limiter;
   if (result.is_reached) return result;
-  result.least_bus_voltage_V = least_voltage_V(actuator, conditions, need);
-  result.least_current_A = least_current_A(actuator, conditions, need);
-  result.least_gear_Nm = least_gear_Nm(actuator, conditions, need);
-  result.nearest_ratio = nearest_ratio(actuator, conditions, need);
+  result.least_bus_voltage_V = least_voltage_V(actuator, conditions, need, should_stop);
+  result.least_current_A = least_current_A(actuator, conditions, need, should_stop);
+  result.least_gear_Nm = least_gear_Nm(actuator, conditions, need, should_stop);
+  result.nearest_ratio = nearest_ratio(actuator, conditions, need, should_stop);
+  result.is_ended = should_stop();
   return result;
 }
 

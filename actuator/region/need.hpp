@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,12 +26,14 @@ struct NeedAnswer {
   std::optional<double> least_current_A;  ///< Of the rating, in the document's convention.
   std::optional<double> least_gear_Nm;    ///< What the gears would have to carry, at the joint.
   std::optional<double> nearest_ratio;
+  bool is_ended = false;  ///< By should_stop: what is empty above may not have been looked for.
 };
 constexpr double kGreatestChange = 10.0;  ///< Factor on voltage, current or ratio.
 
 /// Requires that there are no objections to the conditions.
-NeedAnswer answer_need(const Actuator& actuator, const OperatingConditions& conditions,
-                       const Need& need);
+NeedAnswer answer_need(
+    const Actuator& actuator, const OperatingConditions& conditions, const Need& need,
+    const std::function<bool()>& should_stop = [] { return false; });
 
 /// What one ratio would make of the same motor, drive and losses.
 struct RatioRow {

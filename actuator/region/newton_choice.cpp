@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "actuator/region/current_plane.hpp"
+
 namespace torquewright::actuator {
 namespace {
 
@@ -38,7 +40,8 @@ double top_between(const Function& slope, double low, double high) {
   return point;
 }
 
-/// The q current of a torque and its first two derivatives by i_d: T/(K + r i_d).
+/// The q current of a torque and its first two derivatives by i_d, on f(i_q) (K + r i_d) = T with
+/// the saturation in f.
 struct QCurrent {
   double A, first, second;
 };
@@ -46,9 +49,11 @@ struct QCurrent {
 QCurrent q_of(const PhaseModel& model, double torque_Nm, double d_A) {
   const double q_A = q_current_A(model, torque_Nm, d_A);
   const double r = model.reluctance_Nm_A2();
-  if (r == 0.0) return {q_A, 0.0, 0.0};
+  if (r == 0.0 || q_A == 0.0 || !std::isfinite(q_A)) return {q_A, 0.0, 0.0};
   const double share = r / (model.torque_constant_Nm_A + r * d_A);
-  return {q_A, -share * q_A, 2.0 * share * share * q_A};
+  const SaturatedCurrent f = saturated_current(model, q_A);
+  const double first = -share * f.A / f.slope;
+  return {q_A, first, -(2.0 * share + f.bend_1_A / f.slope * first) * first};
 }
 
 /// d/di_d of the phase voltage's amplitude, eq. (2) and (3).
@@ -90,10 +95,7 @@ Slope bus_slope(const PhaseModel& model, const QCurrent& q, double d_A, double t
 
 }  // namespace
 
-bool has_smooth_choice(const PhaseModel& model) {
-  return model.dead_time_V == 0.0 &&
-         (model.saturation_current_A == 0.0 || model.reluctance_Nm_A2() == 0.0);
-}
+bool has_smooth_choice(const PhaseModel& model) { return model.dead_time_V == 0.0; }
 
 double least_current_d_A(const PhaseModel& model, double torque_Nm, double low_A, double high_A) {
   const double r = model.reluctance_Nm_A2();
@@ -122,14 +124,46 @@ double greatest_margin_d_A(const PhaseModel& model, double torque_Nm, double spe
   return top_between(slope, low_A, high_A);
 }
 
-double greatest_torque_d_A(const PhaseModel& model) {
+std::optional<double> first_room_d_A(const PhaseModel& model, double torque_Nm, double speed_rad_s,
+                                     double from_A) {
+  const double shortest_A = kShortStep * model.current_limit_A;
+  double d_A = from_A;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto plane =
+        current_plane_at(model, {d_A, q_current_A(model, torque_Nm, d_A)}, speed_rad_s);
+    if (!plane) return std::nullopt;
+    const Bent& room = plane->room_V2;
+    const double slope = room.d - room.q * plane->torque_Nm.d / plane->torque_Nm.q;
+    const double step_A = -room.value / slope;
+    if (!(slope < 0.0 && step_A <= shortest_A)) return std::nullopt;
+    d_A += step_A;
+    if (d_A < -model.current_limit_A) return std::nullopt;
+    if (-step_A <= shortest_A) return d_A;
+  }
+  return std::nullopt;
+}
+
+double greatest_torque_d_A(const PhaseModel& model, double low_A) {
   const double r = model.reluctance_Nm_A2();
   const double K = model.torque_constant_Nm_A;
   const double I = model.current_limit_A;
   if (r == 0.0) return 0.0;
   // d/di_d of (K + r i_d) sqrt(I^2 - i_d^2): 2 r i_d^2 + K i_d - r I^2 = 0.
   const double d_A = 2.0 * r * I * I / (K + std::sqrt(K * K + 8.0 * r * r * I * I));
-  return std::max(d_A, -std::min(model.demagnetisation_current_A, I));
+  if (model.saturation_current_A == 0.0) return std::max(d_A, low_A);
+  // d/di_d of f(i_q) (K + r i_d), over f', with i_q on the limit.
+  const auto slope = [&](double at_A) -> Slope {
+    const double q_A = std::sqrt(std::max(0.0, I * I - at_A * at_A));
+    if (q_A == 0.0) return {at_A < 0.0 ? kInfinity : -kInfinity, -1.0};
+    const SaturatedCurrent f = saturated_current(model, q_A);
+    const double per_ampere = K + r * at_A;
+    const double q_first = -at_A / q_A;
+    const double q_second = -(1.0 + q_first * q_first) / q_A;
+    return {f.A * r / f.slope + q_first * per_ampere,
+            r * q_first * (2.0 - f.A * f.bend_1_A / (f.slope * f.slope)) + q_second * per_ampere};
+  };
+  // Saturation takes from i_q what it adds: never nearer to zero than without it.
+  return d_A < 0.0 ? top_between(slope, low_A, std::max(low_A, d_A)) : top_between(slope, d_A, I);
 }
 
 }  // namespace torquewright::actuator

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "actuator/motor/phase_model.hpp"
 
 namespace torquewright::actuator {
 
 /// The d currents that are best for a torque, by Newton's method with a bisection for what it might
-/// overshoot; for machines whose q current is torque over a straight line in i_d.
+/// overshoot.
 /// docs/derivations/motor_region.md section 3.
 
-/// Whether the functions below hold for the model: no dead time, and saturation only with equal
-/// inductances.
+/// Whether the voltage margin has one top along a line of constant torque: without dead time, whose
+/// voltage turns with the current.
 bool has_smooth_choice(const PhaseModel& model);
 
-/// Where |i| is least for the torque. Requires has_smooth_choice.
+/// Where |i| is least for the torque.
 double least_current_d_A(const PhaseModel& model, double torque_Nm, double low_A, double high_A);
 
 /// Where the voltage margin is greatest for the torque. Requires has_smooth_choice, and that |i|
@@ -21,7 +23,13 @@ double least_current_d_A(const PhaseModel& model, double torque_Nm, double low_A
 double greatest_margin_d_A(const PhaseModel& model, double torque_Nm, double speed_rad_s,
                            double low_A, double high_A);
 
-/// d current of the greatest torque at the current limit, standing still. Requires no saturation.
-double greatest_torque_d_A(const PhaseModel& model);
+/// The first d current below from_A, where the voltage does not suffice for the torque, at which it
+/// does: the room is concave, so that Newton's method comes near it from above. Empty where it
+/// finds none.
+std::optional<double> first_room_d_A(const PhaseModel& model, double torque_Nm, double speed_rad_s,
+                                     double from_A);
+
+/// d current of the greatest torque at the current limit, standing still; at least low_A.
+double greatest_torque_d_A(const PhaseModel& model, double low_A);
 
 }  // namespace torquewright::actuator

@@ -18,6 +18,7 @@
 #include "src/commands/mor_compare.hpp"
 #include "src/commands/mor_plot.hpp"
 #include "src/commands/result_json.hpp"
+#include "src/interrupt.hpp"
 #include "src/options/mor_request.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/actuator_json.hpp"
@@ -90,13 +91,19 @@ MorAnswer sweep(const MorRequest& request, const MorInputs& inputs) {
                            : report::sweep_text(rows)};
 }
 
+ExitCode code_of(const actuator::NeedAnswer& answer) {
+  if (answer.is_ended) return ExitCode::kUndecided;
+  return answer.is_reached ? ExitCode::kPasses : ExitCode::kFails;
+}
+
 MorAnswer answer_need(const MorRequest& request, const MorInputs& inputs,
                       const actuator::Need& need) {
+  catch_interrupt();
   const actuator::NeedAnswer answer =
-      actuator::answer_need(inputs.read.actuator, inputs.conditions, need);
+      actuator::answer_need(inputs.read.actuator, inputs.conditions, need, is_interrupted);
   return {is_json(request) ? result_text(report::need_json(need, answer), inputs.read.documents)
                            : report::need_text(inputs.read.actuator, need, answer),
-          "", answer.is_reached ? ExitCode::kPasses : ExitCode::kFails};
+          "", code_of(answer)};
 }
 
 /// Both regions as a table, and drawn where a picture was asked for.

@@ -27,6 +27,7 @@ ordered_json need_json(const Need& need, const NeedAnswer& answer) {
           {"torque_Nm", need.torque_Nm},
           {"speed_rad_s", need.speed_rad_s},
           {"reached", answer.is_reached},
+          {"ended", answer.is_ended},
           {"margin_Nm", or_null(answer.margin_Nm)},
           {"limiter", name_of(answer.limiter)},
           {"region", range},

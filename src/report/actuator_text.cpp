@@ -20,7 +20,9 @@ std::string range_sentence(const JointRange& range) {
                      name_of(range.greatest.limiter));
 }
 
-std::string remedy(const char* what, const std::optional<double>& value, const char* unit) {
+std::string remedy(const char* what, const std::optional<double>& value, const char* unit,
+                   bool is_ended) {
+  if (!value && is_ended) return fmt::format("  {}: not settled, the search was ended\n", what);
   if (!value) {
     return fmt::format("  {}: none up to {:g} times the present one would do\n", what,
                        kGreatestChange);
@@ -41,12 +43,12 @@ std::string need_text(const Actuator& actuator, const Need& need, const NeedAnsw
       text += fmt::format("; {:.6g} Nm are missing, limited by {}", -answer.margin_Nm,
                           name_of(answer.limiter));
     text += "\nAlone, with everything else as it is:\n";
-    text += remedy("bus voltage", answer.least_bus_voltage_V, " V");
-    text += remedy("current", answer.least_current_A, " A");
+    text += remedy("bus voltage", answer.least_bus_voltage_V, " V", answer.is_ended);
+    text += remedy("current", answer.least_current_A, " A", answer.is_ended);
     if (answer.limiter == Limiter::kGear || answer.least_gear_Nm) {
-      text += remedy("gears that carry", answer.least_gear_Nm, " Nm");
+      text += remedy("gears that carry", answer.least_gear_Nm, " Nm", answer.is_ended);
     }
-    text += remedy("gear ratio", answer.nearest_ratio, "");
+    text += remedy("gear ratio", answer.nearest_ratio, "", answer.is_ended);
   }
   if (!actuator.assumed.empty()) {
     text += fmt::format("Assumed, neither published nor measured: {}.\n",

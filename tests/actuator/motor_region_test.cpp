@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "actuator/region/operating_conditions.hpp"
+#include "actuator/region/range_by_search.hpp"
+#include "actuator/region/voltage_disc.hpp"
 #include "tests/actuator/dq_oracle.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
@@ -173,12 +176,75 @@ TEST(MotorRange, IsTheSameByCirclesByNewtonAndByBrackets) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << " at " << share);
       const double w = share * no_load_speed_rad_s(circles);
       const MotorRange range = motor_range(circles, w);
-      expect_same(range, motor_range(newton, w), 1e-7 * cap_Nm);
-      expect_same(range, motor_range(brackets, w), 1e-7 * cap_Nm);
+      for (const PhaseModel& model : {newton, brackets}) {
+        expect_same(range, motor_range(model, w), 1e-7 * cap_Nm);
+        expect_same(range, motor_range_by_search(model, w), 1e-7 * cap_Nm);
+      }
       compared += range.is_empty ? 0 : 1;
     }
   }
   EXPECT_GT(compared, 600);
+}
+
+/// A model of any kind: with or without unequal inductances, saturation, dead time, a battery and
+/// its limits, demagnetisation, field weakening.
+PhaseModel model_of_any_kind(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  const auto may = [&] { return std::bernoulli_distribution(0.5)(random); };
+  RandomActuatorOptions options;
+  options.with_effects = false;
+  options.regeneration_limits = false;
+  options.field_weakening = true;
+  PhaseModel model = phase_model_at(random_actuator(seed, options), {});
+  const double open_V = model.supply.open_circuit_V;
+  const double limit_A = model.current_limit_A;
+  model.supply.greatest_power_W = kUnlimited;
+  model.field_weakening = seed % 4 != 0;
+  if (may()) model.inductance_q_H *= between(0.4, 4.0);
+  if (may()) model.saturation_current_A = between(0.5, 3.0) * limit_A;
+  if (may()) model.dead_time_V = between(0.001, 0.02) * open_V;
+  if (may()) model.demagnetisation_current_A = between(0.1, 1.1) * limit_A;
+  if (seed % 3 == 0) model.supply.greatest_power_W = between(0.1, 1.0) * open_V * limit_A;
+  if (seed % 5 == 0) model.supply.least_power_W = -between(0.0, 0.3) * open_V * limit_A;
+  return model;
+}
+
+// Oracle: the search by brackets, which knows no derivative and no condition of an optimum. Its own
+// error, 1e-8 of the current where it seeks a top, is the greatest here.
+TEST(MotorRange, IsWhatASearchWithoutDerivativesFinds) {
+  int compared = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    const PhaseModel model = model_of_any_kind(seed);
+    const double cap_Nm = model.torque_constant_Nm_A * model.current_limit_A;
+    for (const double share : {0.0, 0.3, 0.7, 0.95, 1.1, 1.5, 2.5}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << " at " << share);
+      const double w = share * no_load_speed_rad_s(model);
+      if (voltage_disc(model, w, 0.0)) continue;  // circles have a test of their own
+      const MotorRange range = motor_range(model, w);
+      expect_same(range, motor_range_by_search(model, w), 1e-7 * cap_Nm);
+      compared += range.is_empty ? 0 : 1;
+    }
+  }
+  EXPECT_GT(compared, 1500);
+}
+
+// Oracle: the search, asked on both sides of the end.
+TEST(MotorRange, EndsAtTheSpeedAtWhichTheSearchFindsNothingMore) {
+  int compared = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const PhaseModel model = model_of_any_kind(seed);
+    const double most_rad_s = 4.0 * no_load_speed_rad_s(model);
+    const double end_rad_s = greatest_speed_rad_s(model, most_rad_s);
+    EXPECT_FALSE(motor_range(model, end_rad_s).is_empty) << seed;
+    if (end_rad_s == most_rad_s) continue;
+    EXPECT_FALSE(motor_range_by_search(model, (1.0 - 1e-7) * end_rad_s).is_empty) << seed;
+    EXPECT_TRUE(motor_range_by_search(model, (1.0 + 1e-7) * end_rad_s).is_empty) << seed;
+    ++compared;
+  }
+  EXPECT_GT(compared, 30);
 }
 
 TEST(MotorRange, NamesDemagnetisationWhereItLimits) {

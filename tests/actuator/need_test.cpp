@@ -104,6 +104,31 @@ TEST(Need, FindsAVoltageThoughTenTimesAsMuchIsTooMuch) {
   EXPECT_FALSE(answer_need(actuator, tenfold, {-50.0, 12.0}).is_reached);
 }
 
+// What was not looked for is not "none": the answer says that it was told to stop.
+TEST(Need, EndsWhenItIsTold) {
+  int asked = 0;
+  const auto soon = [&asked] { return ++asked > 3; };
+  const NeedAnswer result = answer_need(round_actuator(), {}, {150.0, 9.0}, soon);
+  EXPECT_TRUE(result.is_ended);
+  EXPECT_FALSE(result.least_bus_voltage_V);
+  EXPECT_LT(asked, 20);
+  EXPECT_FALSE(answer_need(round_actuator(), {}, {150.0, 9.0}).is_ended);
+}
+
+// Oracle: the region, which also knows where it ends.
+TEST(Need, AsksForTheRangeThatTheRegionHas) {
+  Actuator actuator = round_actuator();
+  actuator.effects.push_back(effect("coulomb_friction", {5.0}));
+  const Region region(actuator, {});
+  for (const double speed_rad_s : {-9.0, 0.0, 3.0, 20.0}) {
+    const JointRange one = region.at(speed_rad_s);
+    const JointRange other = range_at(actuator, {}, speed_rad_s);
+    ASSERT_EQ(one.is_empty, other.is_empty);
+    EXPECT_EQ(one.least.torque_Nm, other.least.torque_Nm);
+    EXPECT_EQ(one.greatest.torque_Nm, other.greatest.torque_Nm);
+  }
+}
+
 TEST(Need, GivesTheMarginWhereItIsReached) {
   const NeedAnswer result = answer_need(round_actuator(), {}, {-150.0, 9.0});
   EXPECT_TRUE(result.is_reached);
