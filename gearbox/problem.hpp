@@ -82,6 +82,13 @@ struct Design {
   std::vector<std::int64_t> teeth;
   std::int64_t planet_count = 0;
   Rational module_mm;
+  /// Profile shift of each gear in its modules, in the same order; empty: none is shifted.
+  std::vector<double> profile_shift = {};
+  /// Of planet 2 and the output ring, where it is another than that of the sun's layer.
+  std::optional<Rational> layer_2_module_mm = {};
+
+  /// The search and its proofs know only designs that are not.
+  bool is_shifted() const { return !profile_shift.empty() || layer_2_module_mm.has_value(); }
 
   friend bool operator==(const Design&, const Design&) = default;
 };

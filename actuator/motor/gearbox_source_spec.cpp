@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "gearbox/problem_spec.hpp"
+#include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "io/document.hpp"
 #include "io/rational.hpp"
@@ -44,8 +46,20 @@ std::vector<std::int64_t> teeth_of(const json& teeth, const gearbox::Topology& t
 
 gearbox::Design design_of(const json& root, const gearbox::Topology& topology,
                           const io::Document& document, const std::string& path) {
-  return {teeth_of(root["teeth"], topology, document, path + "/teeth"), root["planet_count"],
-          io::exact(root["module_mm"].get<double>())};
+  gearbox::Design design{teeth_of(root["teeth"], topology, document, path + "/teeth"),
+                         root["planet_count"], io::exact(root["module_mm"].get<double>())};
+  const json shifts = root.value("profile_shift", json::object());
+  for (const std::string_view gear : topology.gears) {
+    design.profile_shift.push_back(shifts.value(std::string(gear), 0.0));
+  }
+  if (std::all_of(design.profile_shift.begin(), design.profile_shift.end(),
+                  [](double shift) { return shift == 0.0; })) {
+    design.profile_shift.clear();
+  }
+  if (root.contains("layer_2_module_mm") && topology.name == "3k") {
+    design.layer_2_module_mm = io::exact(root["layer_2_module_mm"].get<double>());
+  }
+  return design;
 }
 
 Gearbox from_result(const io::Document& document) {
@@ -62,13 +76,6 @@ Gearbox from_result(const io::Document& document) {
 
 Gearbox from_gearbox(const io::Document& document) {
   const json& root = document.root;
-  const json shifts = root.value("profile_shift", json::object());
-  for (const auto& shift : shifts.items()) {
-    if (shift.value().get<double>() == 0.0) continue;
-    refuse(document, "/profile_shift/" + shift.key(),
-           "efficiencies are computed for gears without profile shift only; state ratio and "
-           "efficiencies in the actuator instead");
-  }
   Gearbox gearbox;
   gearbox.problem.topology = root["topology"];
   gearbox.problem.name = root.value("name", "");
@@ -119,10 +126,18 @@ Transmission transmission_from_file(const json& reference, const io::Document& a
   }
   gearbox.problem.rotor_inertia_kg_m2 = 0;  // the actuator's own motor stands in its document
   const gearbox::Topology& topology = *gearbox::find_topology(gearbox.problem.topology);
+  const std::string objection = gearbox::shift_objection(gearbox.problem, gearbox.design);
+  if (!objection.empty()) refuse(document, "", objection);
   const gearbox::DesignReport report = topology.evaluate(gearbox.problem, gearbox.design);
   for (const gearbox::MeshReport& mesh : report.meshes) {
     if (mesh.efficiency > 0.0) continue;
     refuse(document, "", fmt::format("the mesh {} does not exist for these teeth", mesh.name));
+  }
+  for (const gearbox::ConstraintReport& constraint : report.constraints) {
+    if (!gearbox.design.is_shifted() || constraint.satisfied) continue;
+    if (constraint.name.starts_with("coaxial.")) {
+      refuse(document, "/profile_shift", constraint.sentence);
+    }
   }
   Transmission transmission;
   transmission.ratio = report.ratio.get_d();

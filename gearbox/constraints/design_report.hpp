@@ -33,6 +33,8 @@ struct GearReport {
   std::int64_t teeth = 0;
   std::string layer;  ///< layer_1 or layer_2
   bool internal = false;
+  double module_mm = 0.0;
+  double profile_shift = 0.0;  ///< In modules; of a ring positive outwards.
   double pitch_diameter_mm = 0.0;
   double tip_diameter_mm = 0.0;
   double root_diameter_mm = 0.0;
@@ -46,6 +48,7 @@ struct MeshReport {
   double contact_ratio = 0.0;
   double approach_ratio = 0.0;      ///< epsilon_A: path beyond the pitch point at the mate's tip.
   double recess_ratio = 0.0;        ///< epsilon_R
+  double working_angle_rad = 0.0;   ///< Of a shifted design; 0 where the gears do not mesh.
   double forward_loss = 0.0;        ///< Share of the input power, sun driving; sum 1 - efficiency.
   double backward_loss = 0.0;       ///< The same, output driving; all 0 if self-locking.
   double loss_share = 0.0;          ///< Of the forward loss; without friction of its limit. Sum 1.
@@ -61,7 +64,8 @@ struct DesignReport {
   std::int64_t planet_types = 1;  ///< Different planets needed; 1: all alike.
   Rational ratio;                 ///< Sun over output, signed.
   double carrier_speed_per_input = 0.0;
-  double objective = 0.0;  ///< In the problem's objective, as the user reads it.
+  double centre_distance_mm = 0.0;  ///< Of sun and planet 1, of a shifted design.
+  double objective = 0.0;           ///< In the problem's objective, as the user reads it.
   std::string objective_unit;
   double forward_efficiency = 1.0;   ///< 1 where no friction coefficient is given.
   double backward_efficiency = 1.0;  ///< 0 if self-locking.

@@ -107,10 +107,24 @@ ordered_json standing_json(const Topology& topology, const OptimalWhen& when) {
           {"least_minima", minima}};
 }
 
+/// What only designs with profile shift or a second module have.
+void add_shifts(const Topology& topology, const DesignReport& report, ordered_json& result) {
+  for (std::size_t i = 0; i < topology.gears.size(); ++i) {
+    result["profile_shift"][std::string(topology.gears[i])] = report.gears[i].profile_shift;
+  }
+  const auto& second_mm = report.design.layer_2_module_mm;
+  if (second_mm) result["layer_2_module_mm"] = io::nearest(*second_mm);
+  result["centre_distance_mm"] = report.centre_distance_mm;
+  for (const MeshReport& mesh : report.meshes) {
+    result["working_angles_rad"][mesh.name] = mesh.working_angle_rad;
+  }
+}
+
 }  // namespace
 
 ordered_json report_json(const Topology& topology, const DesignReport& report) {
   ordered_json result = design_json(topology, report.design);
+  if (report.design.is_shifted()) add_shifts(topology, report, result);
   result["planet_types"] = report.planet_types;
   result["ratio"] = {{"numerator", whole_number(report.ratio.get_num())},
                      {"denominator", whole_number(report.ratio.get_den())},

@@ -25,6 +25,7 @@ struct LoadedMesh {
   CutPair cut;
   double contact_ratio = 0.0;
   std::array<double, 2> cutter_tip_radius{};  ///< Of the tool that cut each gear's root, modules.
+  double module_mm = 0.0;
   double face_width_mm = 0.0;
   /// Tangential, on the working pitch circles, all planets sharing alike, without losses.
   double force_per_sun_torque_N_Nm = 0.0;

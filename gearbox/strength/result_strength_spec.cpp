@@ -2,12 +2,18 @@
 #include "gearbox/strength/result_strength_spec.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "gearbox/strength/steels.hpp"
+#include "gearbox/topologies/topology.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -38,16 +44,76 @@ const json& chosen_design(const io::Document& result, std::size_t place) {
   return designs[place - 1];
 }
 
-const Steel& chosen_steel(const io::Document& result, const std::string& name) {
-  if (const Steel* steel = find_steel(name)) return *steel;
+std::string known_steels() {
   std::string names;
-  for (const Steel& steel : steels())
+  for (const Steel& steel : steels()) {
     names += (names.empty() ? "" : ", ") + std::string(steel.name);
-  refuse(result, "",
-         name.empty() ? fmt::format("a gearbox_result says no steel; say --steel ({}), or write a "
-                                    "gear_strength document that names this file",
-                                    names)
-                      : fmt::format("--steel \"{}\" is not known; one of: {}", name, names));
+  }
+  return names;
+}
+
+const Steel& named_steel(const std::string& name) {
+  if (const Steel* steel = find_steel(name)) return *steel;
+  io::refuse("--steel", fmt::format("\"{}\" is not known; one of: {}", name, known_steels()));
+}
+
+/// "sun=..." in its two parts.
+std::pair<std::string, std::string> parts_of(const std::string& option, const std::string& item,
+                                             const Topology& topology) {
+  const std::size_t sign = item.find('=');
+  const std::string gear = item.substr(0, sign);
+  if (sign == std::string::npos ||
+      std::find(topology.gears.begin(), topology.gears.end(), gear) == topology.gears.end()) {
+    io::refuse(option,
+               fmt::format("\"{}\" names no gear; {} has {}, as in {}=...", item, topology.name,
+                           fmt::join(topology.gears, ", "), topology.gears.front()));
+  }
+  return {gear, item.substr(sign + 1)};
+}
+
+/// One for every gear, in the topology's order.
+std::vector<const Steel*> chosen_steels(const io::Document& result, const Topology& topology,
+                                        const std::vector<std::string>& stated) {
+  const Steel* common = nullptr;
+  std::map<std::string, const Steel*, std::less<>> own;
+  for (const std::string& item : stated) {
+    if (item.find('=') == std::string::npos) {
+      if (common != nullptr) io::refuse("--steel", "names two steels for all gears");
+      common = &named_steel(item);
+    } else {
+      const auto [gear, name] = parts_of("--steel", item, topology);
+      if (!own.emplace(gear, &named_steel(name)).second) {
+        io::refuse("--steel", fmt::format("names two steels for {}", gear));
+      }
+    }
+  }
+  std::vector<const Steel*> list;
+  for (const std::string_view gear : topology.gears) {
+    const auto found = own.find(gear);
+    list.push_back(found == own.end() ? common : found->second);
+    if (list.back() != nullptr) continue;
+    refuse(result, "",
+           stated.empty()
+               ? fmt::format("a gearbox_result says no steel; say --steel ({}), or write a "
+                             "gear_strength document that names this file",
+                             known_steels())
+               : fmt::format("--steel says none for {}", gear));
+  }
+  return list;
+}
+
+json stated_rims(const Topology& topology, const std::vector<std::string>& stated) {
+  json rims = json::object();
+  for (const std::string& item : stated) {
+    const auto [gear, number] = parts_of("--rim", item, topology);
+    char* end = nullptr;
+    const double thickness_mm = std::strtod(number.c_str(), &end);
+    if (number.empty() || *end != '\0' || !(thickness_mm > 0.0 && thickness_mm <= 1000.0)) {
+      io::refuse("--rim", fmt::format("\"{}\": needs a length from 0 to 1000 mm", item));
+    }
+    rims[gear] = thickness_mm;
+  }
+  return rims;
 }
 
 json material_json(const GearMaterial& material) {
@@ -99,34 +165,66 @@ json assumed_factors(int planets) {
           {"alternating_bending", 0.7}};
 }
 
-std::string assumed_sentence(const ReadStrength& read, bool assumes_cycles) {
+/// Every steel once, with the gears that are of it where they are not all.
+std::string steel_sentences(const Topology& topology, const std::vector<const Steel*>& chosen) {
+  std::string text;
+  for (const Steel& steel : steels()) {
+    std::vector<std::string_view> gears;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (chosen[i] == &steel) gears.push_back(topology.gears[i]);
+    }
+    if (gears.empty()) continue;
+    text += fmt::format(
+        "{}Steel {}{}: bending endurance {} MPa, contact endurance {} MPa. {}",
+        text.empty() ? "" : "\n", steel.name,
+        gears.size() == chosen.size() ? "" : fmt::format(" of {}", fmt::join(gears, ", ")),
+        steel.material.bending_endurance_MPa, steel.material.contact_endurance_MPa, steel.source);
+  }
+  return text;
+}
+
+std::string assumed_sentence(const ReadStrength& read, const ResultStrengthOptions& options) {
   const StrengthCase& strength = read.strength;
   const LoadFactors& factors = strength.factors;
   return fmt::format(
-      "Assumed: K_A {}, K_v {}, K_gamma {} (of {} planets), K_Fbeta {}, K_Hbeta {}, {} of the "
-      "endurance limit for teeth bent both ways, safeties {} of root and {} of flank{}.",
-      factors.application, factors.dynamic, factors.load_sharing, strength.train.planet_count,
+      "Assumed: K_A {}, K_v {}, {}K_Fbeta {}, K_Hbeta {}, {} of the "
+      "endurance limit for teeth bent both ways, safeties {} of root and {} of flank{}{}.",
+      factors.application, factors.dynamic,
+      options.load_sharing ? ""
+                           : fmt::format("K_gamma {} (of {} planets), ", factors.load_sharing,
+                                         strength.train.planet_count),
       factors.face_load_root, factors.face_load_flank, factors.alternating_bending,
       strength.demanded_root_safety, strength.demanded_flank_safety,
-      assumes_cycles ? fmt::format(", {:.6g} loads (--cycles)", strength.cycles) : "");
+      options.cycles ? "" : fmt::format(", {:.6g} loads (--cycles)", strength.cycles),
+      options.rim.empty() ? ", rims too thick to matter (--rim)" : "");
 }
 
 }  // namespace
 
 ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions& options) {
   const json design = chosen_design(result, options.design);
-  const Steel& steel = chosen_steel(result, options.steel);
   const json& problem = result.root["problem"];
   const std::string topology = problem["topology"];
+  const Topology& gears = *find_topology(topology);
+  const std::vector<const Steel*> chosen = chosen_steels(result, gears, options.steel);
   json keys{{"kind", "gear_strength"}, {"version", 1}};
   keys["name"] = problem.value("name", std::filesystem::path(result.file).stem().string());
   keys["gearbox"] = {{"topology", topology},
                      {"teeth", design["teeth"]},
                      {"planet_count", design["planet_count"]},
                      {"module_mm", design["module_mm"]}};
+  for (const char* own : {"profile_shift", "layer_2_module_mm"}) {
+    if (design.contains(own)) keys["gearbox"][own] = design[own];
+  }
   keys["face_width_mm"] = face_widths(result, options.face_width_mm, layer_count(topology) == 2);
-  keys["material"] = material_json(steel.material);
+  keys["material"] = material_json(chosen.front()->material);
+  for (std::size_t i = 1; i < chosen.size(); ++i) {
+    if (chosen[i] == chosen.front()) continue;
+    keys["own_material"][std::string(gears.gears[i])] = material_json(chosen[i]->material);
+  }
+  if (!options.rim.empty()) keys["rim_mm"] = stated_rims(gears, options.rim);
   keys["factors"] = assumed_factors(design["planet_count"]);
+  if (options.load_sharing) keys["factors"]["load_sharing"] = *options.load_sharing;
   keys["cycles"] = kAssumedCycles;
   keys["safety_factor"] = {{"root", 1.4}, {"flank", 1.0}};
   keys["rotor_inner_diameter_mm"] = problem["rotor_inner_diameter_mm"];
@@ -137,10 +235,7 @@ ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions
   read.statements = {fmt::format("Design {} of {} in {} (status: {}).", options.design,
                                  result.root["designs"].size(), result.file,
                                  result.root["status"].get<std::string>()),
-                     fmt::format("Steel {}: bending endurance {} MPa, contact endurance {} MPa. {}",
-                                 steel.name, steel.material.bending_endurance_MPa,
-                                 steel.material.contact_endurance_MPa, steel.source),
-                     assumed_sentence(read, !options.cycles)};
+                     steel_sentences(gears, chosen), assumed_sentence(read, options)};
   read.documents = {std::move(result)};
   return read;
 }

@@ -12,10 +12,13 @@ namespace torquewright::gearbox {
 
 /// What a gearbox_result does not hold and a strength needs. What is absent is assumed, and said.
 struct ResultStrengthOptions {
-  std::size_t design = 1;             ///< By its place in the result, from 1.
-  std::string steel;                  ///< A name of `steels()`. Required.
+  std::size_t design = 1;  ///< By its place in the result, from 1.
+  /// Names of `steels()`: NAME for all gears, GEAR=NAME for one. Every gear must have one.
+  std::vector<std::string> steel;
   std::vector<double> face_width_mm;  ///< By layer; empty: the problem's own.
   std::optional<double> cycles;
+  std::vector<std::string> rim;        ///< GEAR=MM; absent: too thick to matter.
+  std::optional<double> load_sharing;  ///< K_gamma.
 };
 
 /// The strength of a design of a result of `gearbox optimize` or `evaluate`. Throws io::SpecError

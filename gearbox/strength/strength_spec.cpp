@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gearbox/topologies/topology.hpp"
@@ -25,6 +26,13 @@ GearTrain train_of(const json& keys, const std::string& topology_name, const io:
   train.planet_count = keys["planet_count"];
   train.module_mm = keys["module_mm"];
   const Topology& topology = *find_topology(topology_name);
+  if (keys.contains("layer_2_module_mm")) {
+    if (topology_name != "3k") {
+      refuse_strength(document, path + "/layer_2_module_mm",
+                      fmt::format("is for 3k trains; \"{}\" has one layer", topology_name));
+    }
+    train.layer_2_module_mm = keys["layer_2_module_mm"].get<double>();
+  }
   const json shifts = keys.value("profile_shift", json::object());
   for (const std::string_view gear : topology.gears) {
     const std::string name(gear);
@@ -43,6 +51,10 @@ GearTrain train_from_file(const io::Document& gearbox) {
   if (root["kind"] == "gearbox") return train_of(root, root["topology"], gearbox, "");
   if (root["designs"].empty()) {
     refuse_strength(gearbox, "/designs", "holds no design: there is no gearbox to take");
+  }
+  if (root["status"] == "infeasible") {
+    refuse_strength(gearbox, "/status",
+                    "infeasible: its design violates the problem's constraints");
   }
   return train_of(root["designs"][0], root["problem"]["topology"], gearbox, "/designs/0");
 }
@@ -69,8 +81,8 @@ void read_face_widths(const io::Document& document, GearTrain& train) {
   if (has_second) train.face_width_mm.push_back(widths["layer_2"]);
 }
 
-GearMaterial read_material(const io::Document& document) {
-  const json& keys = document.root["material"];
+GearMaterial read_material(const io::Document& document, const std::string& path,
+                           const json& keys) {
   GearMaterial material;
   const std::string treatment = keys["treatment"];
   material.treatment = treatment == "case_hardened"      ? Treatment::kCaseHardened
@@ -82,10 +94,48 @@ GearMaterial read_material(const io::Document& document) {
   material.contact_endurance_MPa = keys["contact_endurance_MPa"];
   if (keys.contains("yield_MPa")) material.yield_MPa = keys["yield_MPa"].get<double>();
   if (material.treatment == Treatment::kThroughHardened && !material.yield_MPa) {
-    refuse_strength(document, "/material/yield_MPa",
+    refuse_strength(document, path + "/yield_MPa",
                     "missing; the static strength of through-hardened teeth depends on it");
   }
   return material;
+}
+
+/// The gears of a topology only: the schema knows those of all.
+void check_gears(const io::Document& document, const std::string& path, const json& by_gear,
+                 const std::string& topology) {
+  const auto& gears = find_topology(topology)->gears;
+  for (const auto& entry : by_gear.items()) {
+    if (std::find(gears.begin(), gears.end(), entry.key()) != gears.end()) continue;
+    refuse_strength(document, path + "/" + entry.key(),
+                    fmt::format("the topology \"{}\" has no such gear", topology));
+  }
+}
+
+void read_own_materials(const io::Document& document, StrengthCase& strength) {
+  const json keys = document.root.value("own_material", json::object());
+  check_gears(document, "/own_material", keys, strength.train.topology);
+  for (const auto& own : keys.items()) {
+    strength.own_material[own.key()] =
+        read_material(document, "/own_material/" + own.key(), own.value());
+  }
+}
+
+void read_rims(const io::Document& document, StrengthCase& strength) {
+  const json keys = document.root.value("rim_mm", json::object());
+  check_gears(document, "/rim_mm", keys, strength.train.topology);
+  for (const auto& rim : keys.items()) strength.rim_mm[rim.key()] = rim.value().get<double>();
+}
+
+/// Of a train without objections.
+void check_rims(const io::Document& document, const StrengthCase& strength) {
+  for (const LoadedMesh& mesh : loaded_train(strength.train).meshes) {
+    for (const std::size_t which : {0U, 1U}) {
+      if (rim_factor_of(strength, mesh, which)) continue;
+      refuse_strength(document, fmt::format("/rim_mm/{}", mesh.gears[which]),
+                      "too thin: there is a factor for more than half a tooth's height (rings: "
+                      "1.75 modules) behind the root");
+    }
+  }
 }
 
 Cutters read_cutters(const json& root) {
@@ -120,7 +170,9 @@ ReadStrength strength_of(io::Document document) {
   strength.train = read_train(read);
   read_face_widths(read.documents.front(), strength.train);
   strength.train.cutters = read_cutters(root);
-  strength.material = read_material(read.documents.front());
+  strength.material = read_material(read.documents.front(), "/material", root["material"]);
+  read_own_materials(read.documents.front(), strength);
+  read_rims(read.documents.front(), strength);
   strength.factors = read_factors(root["factors"]);
   strength.cycles = root["cycles"];
   strength.demanded_root_safety = root["safety_factor"]["root"];
@@ -133,6 +185,7 @@ ReadStrength strength_of(io::Document document) {
     refuse_strength(read.documents.back(), read.documents.size() == 1 ? "/gearbox" : "",
                     found.front());
   }
+  check_rims(read.documents.front(), strength);
   return read;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearbox/strength/rim_factor.hpp"
 #include "gearbox/strength/strength.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 
@@ -34,23 +35,42 @@ RootShape root_shape(const LoadedMesh& mesh, std::size_t which) {
           din3990_root_factors(teeth, shift, tip, overlap, tool).concentration};
 }
 
+/// DIN 3990 takes the tangential force at the reference circle: the same normal force, F_t = F
+/// cos(alpha)/cos(alpha_w) of the one at the working circle.
+double reference_force_N(const LoadedMesh& mesh, double force_N) {
+  return force_N * (kReferenceCosine / std::cos(mesh.cut.working_angle_rad));
+}
+
 ToothStress against(const LifeCurve& life, double cycles, double stress_MPa) {
   return {stress_MPa, life.static_MPa, life.at_MPa(cycles)};
 }
 
+/// An external tooth as it is cut; of a ring's the factor asks for the module alone.
+Rim rim_of(const LoadedMesh& mesh, std::size_t which, double rim_mm) {
+  const CutPair& cut = mesh.cut;
+  const bool internal = which == 1 && cut.pair.kind == MeshKind::kInternal;
+  const double teeth = which == 0 ? cut.pair.teeth_1 : cut.pair.teeth_2;
+  const double shift = which == 0 ? cut.pair.shift_1 : cut.pair.shift_2;
+  const double tip = which == 0 ? cut.tip_diameter_1 : cut.tip_diameter_2;
+  const double height = internal ? kFullToothHeight : tip / 2.0 - (teeth / 2.0 + shift - kDedendum);
+  return {internal, rim_mm, mesh.module_mm, height * mesh.module_mm};
+}
+
 /// docs/derivations/strength.md eq. (4), (5).
 ToothStress root_stress(const StrengthCase& strength, const LoadedMesh& mesh, std::size_t which,
-                        double force_N) {
+                        double force_N, double rim_factor) {
   const LoadFactors& factors = strength.factors;
   const RootShape shape = root_shape(mesh, which);
   const double nominal_MPa =
-      din3990_root_stress_MPa(force_N, mesh.face_width_mm, strength.train.module_mm, shape.tip) *
+      din3990_root_stress_MPa(reference_force_N(mesh, force_N), mesh.face_width_mm, mesh.module_mm,
+                              shape.tip) *
       contact_ratio_factor(mesh.contact_ratio);
   const double stress_MPa = nominal_MPa * factors.application * factors.dynamic *
-                            factors.load_sharing * factors.face_load_root;
+                            factors.load_sharing * factors.face_load_root * rim_factor;
   const double share = mesh.bends_both_ways[which] ? factors.alternating_bending : 1.0;
-  return against(root_life(strength.material, shape.working_concentration, share), strength.cycles,
-                 stress_MPa);
+  return against(
+      root_life(strength.material_of(mesh.gears[which]), shape.working_concentration, share),
+      strength.cycles, stress_MPa);
 }
 
 /// The same pair of flanks seen from its other gear; the ring's point is the planet's.
@@ -66,25 +86,38 @@ double flank_factor(const LoadedMesh& mesh, ContactPair pair, std::size_t which)
 ToothStress flank_stress(const StrengthCase& strength, const LoadedMesh& mesh, std::size_t which,
                          double force_N) {
   const LoadFactors& factors = strength.factors;
-  const GearMaterial& steel = strength.material;
+  const GearMaterial& first = strength.material_of(mesh.gears[0]);
+  const GearMaterial& second = strength.material_of(mesh.gears[1]);
   const ShiftedPair& teeth = mesh.cut.pair;
   const ContactPair pair{teeth.kind == MeshKind::kInternal,
                          teeth.teeth_1,
                          teeth.teeth_2,
-                         teeth.teeth_1 * strength.train.module_mm,
+                         teeth.teeth_1 * mesh.module_mm,
                          mesh.face_width_mm,
                          mesh.cut.working_angle_rad,
                          mesh.contact_ratio};
   const double elasticity =
-      elasticity_factor(steel.young_MPa, steel.poisson, steel.young_MPa, steel.poisson);
-  const double stress_MPa = contact_stress_MPa(pair, force_N, elasticity) *
+      elasticity_factor(first.young_MPa, first.poisson, second.young_MPa, second.poisson);
+  const double stress_MPa = contact_stress_MPa(pair, reference_force_N(mesh, force_N), elasticity) *
                             flank_factor(mesh, pair, which) *
                             std::sqrt(factors.application * factors.dynamic * factors.load_sharing *
                                       factors.face_load_flank);
-  return against(flank_life(steel), strength.cycles, stress_MPa);
+  return against(flank_life(which == 0 ? first : second), strength.cycles, stress_MPa);
 }
 
 }  // namespace
+
+const GearMaterial& StrengthCase::material_of(std::string_view gear) const {
+  const auto own = own_material.find(gear);
+  return own == own_material.end() ? material : own->second;
+}
+
+std::optional<double> rim_factor_of(const StrengthCase& strength, const LoadedMesh& mesh,
+                                    std::size_t which) {
+  const auto stated = strength.rim_mm.find(mesh.gears[which]);
+  if (stated == strength.rim_mm.end()) return 1.0;
+  return rim_factor(rim_of(mesh, which, stated->second));
+}
 
 double sun_torque_Nm(const GearTrain& train, double torque_Nm, TorqueSide side) {
   const double magnitude_Nm = std::abs(torque_Nm);
@@ -96,8 +129,9 @@ std::vector<ToothLoad> tooth_loads(const StrengthCase& strength, double torque_N
   for (const LoadedMesh& mesh : loaded_train(strength.train).meshes) {
     const double force_N = mesh.force_per_sun_torque_N_Nm * torque_Nm;
     for (std::size_t which : {0u, 1u}) {
-      loads.push_back({mesh.gears[which], mesh.name, mesh.cutter_tip_radius[which], force_N,
-                       root_stress(strength, mesh, which, force_N),
+      const double rim = rim_factor_of(strength, mesh, which).value_or(1.0);
+      loads.push_back({mesh.gears[which], mesh.name, mesh.cutter_tip_radius[which], rim, force_N,
+                       root_stress(strength, mesh, which, force_N, rim),
                        flank_stress(strength, mesh, which, force_N)});
     }
   }

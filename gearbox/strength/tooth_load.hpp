@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +37,12 @@ struct StrengthCase {
   double cycles = 1.0;  ///< Loads that the most loaded tooth takes.
   double demanded_root_safety = 1.0;
   double demanded_flank_safety = 1.0;
+  /// Of gears that are of another steel than `material`, by name.
+  std::map<std::string, GearMaterial, std::less<>> own_material = {};
+  /// Behind the roots, by name [mm]; absent: too thick to matter.
+  std::map<std::string, double, std::less<>> rim_mm = {};
+
+  const GearMaterial& material_of(std::string_view gear) const;
 };
 
 /// A stress and what is borne once and for the number of cycles.
@@ -53,6 +63,7 @@ struct ToothLoad {
   std::string_view gear;
   std::string_view mesh;
   double cutter_tip_radius = 0.0;   ///< Of the tool that cut the root, in modules.
+  double rim_factor = 1.0;          ///< Y_B
   double tangential_force_N = 0.0;  ///< On the mean planet: the factors stand in the stresses.
   ToothStress root;                 ///< Bending.
   ToothStress flank;                ///< Hertzian pressure.
@@ -61,8 +72,12 @@ struct ToothLoad {
 /// The torque at the sun for a torque on a side, as a magnitude.
 double sun_torque_Nm(const GearTrain& train, double torque_Nm, TorqueSide side);
 
-/// Every gear in every mesh. docs/derivations/strength.md. Requires a train without objections and
-/// a positive torque.
+/// Y_B of a gear in a mesh; nothing where its rim is too thin for the standard.
+std::optional<double> rim_factor_of(const StrengthCase& strength, const LoadedMesh& mesh,
+                                    std::size_t which);
+
+/// Every gear in every mesh. docs/derivations/strength.md. Requires a train without objections,
+/// rims that have a factor and a positive torque.
 std::vector<ToothLoad> tooth_loads(const StrengthCase& strength, double sun_torque_Nm);
 
 /// Do all gears have the demanded safeties, against one load and for the cycles?

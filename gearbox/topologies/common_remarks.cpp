@@ -30,15 +30,8 @@ const char* phasing_text(Phasing value) {
 
 /// What the problem's constraints leave open and no gearbox can do without.
 std::vector<Remark> existence_remarks(const Problem& problem, const DesignReport& report) {
-  const Design& design = report.design;
-  const GearTrain train{problem.topology,
-                        design.teeth,
-                        std::vector(design.teeth.size(), 0.0),
-                        design.planet_count,
-                        io::nearest(design.module_mm),
-                        {}};
   std::vector<Remark> list;
-  for (const ConstraintReport& violated : what_cannot_exist(train)) {
+  for (const ConstraintReport& violated : what_cannot_exist(gear_train(problem, report.design))) {
     const bool is_constraint =
         std::any_of(report.constraints.begin(), report.constraints.end(),
                     [&](const ConstraintReport& each) { return each.name == violated.name; });
@@ -87,7 +80,11 @@ Remark trimming_remark(const std::string& mesh, std::int64_t planet, std::int64_
                     kReferenceAngle_rad,
                     static_cast<double>(planet) + 2.0,
                     static_cast<double>(ring) - 2.0};
-  const std::optional<double> margin = ring > planet ? trimming_margin(cut) : std::nullopt;
+  return trimming_remark(mesh, ring > planet ? std::optional(cut) : std::nullopt);
+}
+
+Remark trimming_remark(const std::string& mesh, const std::optional<CutPair>& cut) {
+  const std::optional<double> margin = cut ? trimming_margin(*cut) : std::nullopt;
   const std::string name = "trimming." + mesh;
   if (!margin || *margin < 0.0) {
     return {name, name + ": this planet goes into its ring along the axis only."};

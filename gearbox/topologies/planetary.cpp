@@ -5,6 +5,7 @@
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
 #include "gearbox/topologies/report_parts.hpp"
+#include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/train/backlash.hpp"
 #include "gearbox/train/inertia.hpp"
 #include "gearbox/train/loads.hpp"
@@ -20,6 +21,7 @@ struct Stage {
   PlanetaryTeeth<std::int64_t> teeth;
   std::int64_t planet_count;
   Rational module_mm;
+  std::optional<CutTrain> cut = {};  ///< Of gears with profile shift only.
 
   PlanetaryTeeth<double> real_teeth() const {
     return {static_cast<double>(teeth.sun), static_cast<double>(teeth.planet),
@@ -32,21 +34,31 @@ void describe_gears(const Stage& stage, DesignReport& report) {
   const Rational& module = stage.module_mm;
   const double planet = planet_speed_per_sun(teeth.sun, teeth.planet, teeth.ring);
   report.carrier_speed_per_input = carrier_speed_per_sun(teeth.sun, teeth.ring);
+  if (stage.cut) {
+    report.gears = gearbox::describe_gears(*stage.cut, {1.0, planet, 0.0});
+    return;
+  }
   report.gears = {describe_gear("sun", stage.teeth.sun, "layer_1", false, module, 1.0),
                   describe_gear("planet", stage.teeth.planet, "layer_1", false, module, planet),
                   describe_gear("ring", stage.teeth.ring, "layer_1", true, module, 0.0)};
 }
 
+/// By mesh: sun, ring.
+std::vector<ContactPath<double>> paths_of(const Stage& stage) {
+  if (stage.cut) return contact_paths(*stage.cut);
+  return {external_path_of(stage.teeth.sun, stage.teeth.planet),
+          internal_path_of(stage.teeth.planet, stage.teeth.ring)};
+}
+
 void describe_meshes(const Stage& stage, DesignReport& report) {
   const PlanetaryTeeth<double> teeth = stage.real_teeth();
-  const auto sun_path = external_path_of(stage.teeth.sun, stage.teeth.planet);
-  const auto ring_path = internal_path_of(stage.teeth.planet, stage.teeth.ring);
+  const std::vector<ContactPath<double>> paths = paths_of(stage);
   const std::vector<double> losses{
-      loss_per_friction(sun_path, 1.0 / teeth.sun + 1.0 / teeth.planet),
-      loss_per_friction(ring_path, 1.0 / teeth.planet - 1.0 / teeth.ring)};
+      loss_per_friction(paths[0], 1.0 / teeth.sun + 1.0 / teeth.planet),
+      loss_per_friction(paths[1], 1.0 / teeth.planet - 1.0 / teeth.ring)};
   const auto& friction = stage.problem.friction_coefficient;
-  report.meshes = {describe_mesh("sun_planet", sun_path, losses[0], friction),
-                   describe_mesh("planet_ring", ring_path, losses[1], friction)};
+  report.meshes = {describe_mesh("sun_planet", paths[0], losses[0], friction),
+                   describe_mesh("planet_ring", paths[1], losses[1], friction)};
   share_losses({1.0, 1.0}, losses, report.meshes);
   const double base_mm = io::nearest(stage.module_mm) / 2.0 * kReferenceCosine;
   const double backlash = planetary_backlash(base_mm * teeth.sun, base_mm * teeth.ring);
@@ -69,8 +81,10 @@ void describe_efficiency(const Stage& stage, DesignReport& report) {
 
 void describe_loads(const Stage& stage, DesignReport& report) {
   if (!stage.problem.load_output_torque_Nm) return;
-  const double sun_radius_m =
-      io::nearest(stage.module_mm) * static_cast<double>(stage.teeth.sun) / 2.0 * 1e-3;
+  const auto sun = static_cast<double>(stage.teeth.sun);
+  const double sun_radius_m = stage.cut ? stage.cut->centre_mm * 1e-3 * sun /
+                                              (sun + static_cast<double>(stage.teeth.planet))
+                                        : io::nearest(stage.module_mm) * sun / 2.0 * 1e-3;
   const PlanetaryLoads loads =
       planetary_loads(io::nearest(*stage.problem.load_output_torque_Nm), io::nearest(report.ratio),
                       stage.planet_count, sun_radius_m);
@@ -81,6 +95,7 @@ void describe_loads(const Stage& stage, DesignReport& report) {
 
 void describe_bodies(const Stage& stage, DesignReport& report) {
   const Problem& problem = stage.problem;
+  if (stage.cut) return describe_shifted_bodies(problem, *stage.cut, report);
   report.hollow_shaft_diameter_mm = hollow_shaft_mm(problem, stage.module_mm, stage.teeth.sun);
   report.ring_blank_diameter_mm =
       io::nearest(ring_blank_mm(problem, stage.module_mm, stage.teeth.ring));
@@ -94,32 +109,50 @@ void describe_bodies(const Stage& stage, DesignReport& report) {
                                      stage.planet_count, teeth));
 }
 
-std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational& reduction) {
+/// What a train without shift is asked for beyond its paper's equations.
+std::vector<ConstraintReport> further_constraints(const Stage& stage) {
   const Problem& problem = stage.problem;
   const PlanetaryTeeth<std::int64_t>& teeth = stage.teeth;
   const PlanetCircle circle{teeth.sun, teeth.planet, stage.planet_count, stage.module_mm};
   std::vector<ConstraintReport> list{
-      ratio_window(problem, reduction, true),
-      minimum_teeth(problem, "sun", teeth.sun),
-      minimum_teeth(problem, "planet", teeth.planet),
-      carrier_clearance(circle, problem.min_carrier_clearance_rad),
-      rotor_bore(problem, stage.module_mm, teeth.ring),
-      equal_spacing(teeth.sun, teeth.ring, stage.planet_count),
       neighbour_clearance(circle, "layer_1", teeth.planet, problem.min_neighbour_clearance_mm),
       undercut("sun", teeth.sun),
-      undercut("planet", teeth.planet)};
-  list.push_back(ring_wall(problem, stage.module_mm, "ring", teeth.ring));
-  list.push_back(ring_tip(stage.module_mm, "ring", teeth.ring));
-  list.push_back(involute_interference("planet_ring", teeth.planet, teeth.ring));
-  list.push_back(trochoid_interference("planet_ring", teeth.planet, teeth.ring));
-  list.push_back(contact_ratio_limit(problem, "sun_planet", MeshKind::kExternal,
-                                     external_path_of(teeth.sun, teeth.planet)));
-  list.push_back(contact_ratio_limit(problem, "planet_ring", MeshKind::kInternal,
-                                     internal_path_of(teeth.planet, teeth.ring)));
+      undercut("planet", teeth.planet),
+      ring_wall(problem, stage.module_mm, "ring", teeth.ring),
+      ring_tip(stage.module_mm, "ring", teeth.ring),
+      involute_interference("planet_ring", teeth.planet, teeth.ring),
+      trochoid_interference("planet_ring", teeth.planet, teeth.ring),
+      contact_ratio_limit(problem, "sun_planet", MeshKind::kExternal,
+                          external_path_of(teeth.sun, teeth.planet)),
+      contact_ratio_limit(problem, "planet_ring", MeshKind::kInternal,
+                          internal_path_of(teeth.planet, teeth.ring))};
   if (teeth.ring != teeth.sun + 2 * teeth.planet) {
     list.push_back(coaxiality("ring", teeth.planet, teeth.ring, teeth.sun + teeth.planet));
   }
-  const Design chosen{{}, stage.planet_count, stage.module_mm};
+  return list;
+}
+
+std::vector<ConstraintReport> shifted_constraints(const Problem& problem, const CutTrain& cut) {
+  std::vector<ConstraintReport> list = shifted_conditions(problem, cut);
+  for (ConstraintReport& report : shifted_coaxiality(cut)) list.push_back(std::move(report));
+  return list;
+}
+
+std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational& reduction,
+                                             const Design& chosen) {
+  const Problem& problem = stage.problem;
+  const PlanetaryTeeth<std::int64_t>& teeth = stage.teeth;
+  const PlanetCircle circle{teeth.sun, teeth.planet, stage.planet_count, stage.module_mm};
+  std::vector<ConstraintReport> list{ratio_window(problem, reduction, true),
+                                     minimum_teeth(problem, "sun", teeth.sun),
+                                     minimum_teeth(problem, "planet", teeth.planet),
+                                     carrier_clearance(circle, problem.min_carrier_clearance_rad),
+                                     rotor_bore(problem, stage.module_mm, teeth.ring),
+                                     equal_spacing(teeth.sun, teeth.ring, stage.planet_count)};
+  for (ConstraintReport& report :
+       stage.cut ? shifted_constraints(problem, *stage.cut) : further_constraints(stage)) {
+    list.push_back(std::move(report));
+  }
   for (ConstraintReport& report : choices(problem, chosen)) list.push_back(std::move(report));
   return list;
 }
@@ -133,7 +166,8 @@ std::vector<Remark> remarks(const Stage& stage, const DesignReport& report) {
     list.push_back(
         {"efficiency", "efficiency: no friction coefficient is given, so losses are left out."});
   }
-  list.push_back(trimming_remark("planet_ring", teeth.planet, teeth.ring));
+  list.push_back(stage.cut ? trimming_remark("planet_ring", stage.cut->meshes[1].cut)
+                           : trimming_remark("planet_ring", teeth.planet, teeth.ring));
   if (auto remark = hunting_remark("sun_planet", teeth.sun, teeth.planet)) list.push_back(*remark);
   if (auto remark = hunting_remark("planet_ring", teeth.planet, teeth.ring))
     list.push_back(*remark);
@@ -151,17 +185,22 @@ DesignReport evaluate(const Problem& problem, const Design& design) {
   report.design = design;
   if (report.design.teeth.size() == 2) report.design.teeth = complete(design.teeth);
   const std::vector<std::int64_t>& z = report.design.teeth;
-  const Stage stage{problem, {z[0], z[1], z[2]}, design.planet_count, design.module_mm};
+  const Stage stage{problem,
+                    {z[0], z[1], z[2]},
+                    design.planet_count,
+                    design.module_mm,
+                    cut_of(problem, report.design)};
   report.ratio = planetary_reduction<Rational>({z[0], z[1], z[2]});
   describe_gears(stage, report);
   describe_meshes(stage, report);
+  if (stage.cut) state_working_angles(*stage.cut, report);
   describe_efficiency(stage, report);
   describe_loads(stage, report);
   state_input_torques(problem, report);
   state_rotor(problem, report);
   describe_bodies(stage, report);
   state_objective(problem, 0.0, report);
-  report.constraints = constraints_of(stage, report.ratio);
+  report.constraints = constraints_of(stage, report.ratio, design);
   report.remarks = remarks(stage, report);
   return report;
 }

@@ -32,6 +32,7 @@ GearReport describe_gear(const std::string& name, std::int64_t teeth, const std:
   gear.teeth = teeth;
   gear.layer = layer;
   gear.internal = internal;
+  gear.module_mm = module;
   gear.pitch_diameter_mm = module * count;
   gear.tip_diameter_mm = module * (count + sign * 2.0);
   gear.root_diameter_mm = module * (count - sign * 2.0 * kDedendum);
@@ -88,6 +89,27 @@ void state_rotor(const Problem& problem, DesignReport& report) {
       io::nearest(report.ratio * report.ratio * problem.rotor_inertia_kg_m2);
 }
 
+namespace {
+
+/// A module that the problem does not offer.
+ConstraintReport foreign_module(const Problem& problem, const std::string& name,
+                                const Rational& module_mm) {
+  DesignCondition condition{name, "/module_mm", "mm"};
+  condition.limit = problem.module_mm.front();
+  std::string offered;
+  for (const Rational& each_mm : problem.module_mm) {
+    offered += (offered.empty() ? "" : ", ") + with_unit(each_mm, "mm");
+  }
+  ConstraintReport report = violated_without_value(
+      condition, fmt::format("{}; the problem offers {}; needs one of these.",
+                             with_unit(module_mm, "mm"), offered));
+  report.value = io::nearest(module_mm);
+  report.margin = -std::abs(report.value - report.limit);
+  return report;
+}
+
+}  // namespace
+
 std::vector<ConstraintReport> choices(const Problem& problem, const Design& design) {
   std::vector<ConstraintReport> list;
   const auto offers = [](const auto& offered, const auto& chosen) {
@@ -103,17 +125,10 @@ std::vector<ConstraintReport> choices(const Problem& problem, const Design& desi
     list.back().margin = -std::abs(list.back().value - list.back().limit);
   }
   if (!offers(problem.module_mm, design.module_mm)) {
-    DesignCondition condition{"module", "/module_mm", "mm"};
-    condition.limit = problem.module_mm.front();
-    std::string offered;
-    for (const Rational& module_mm : problem.module_mm) {
-      offered += (offered.empty() ? "" : ", ") + with_unit(module_mm, "mm");
-    }
-    list.push_back(violated_without_value(
-        condition, fmt::format("{}; the problem offers {}; needs one of these.",
-                               with_unit(design.module_mm, "mm"), offered)));
-    list.back().value = io::nearest(design.module_mm);
-    list.back().margin = -std::abs(list.back().value - list.back().limit);
+    list.push_back(foreign_module(problem, "module", design.module_mm));
+  }
+  if (design.layer_2_module_mm && !offers(problem.module_mm, *design.layer_2_module_mm)) {
+    list.push_back(foreign_module(problem, "module.layer_2", *design.layer_2_module_mm));
   }
   return list;
 }

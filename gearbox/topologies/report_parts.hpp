@@ -7,11 +7,12 @@
 
 #include "gearbox/constraints/design_report.hpp"
 #include "gearbox/teeth/mesh.hpp"
+#include "gearbox/teeth/shifted_mesh.hpp"
 #include "gearbox/train/mass.hpp"
 
 namespace torquewright::gearbox {
 
-// Parts of a report that all topologies share. No profile shift.
+// Parts of a report that all topologies share; profile shift is shifted_train.hpp's matter.
 
 /// Diameters of a gear.
 GearReport describe_gear(const std::string& name, std::int64_t teeth, const std::string& layer,
@@ -67,6 +68,8 @@ Remark phasing_remark(const std::string& ring_name, std::int64_t ring, std::int6
 
 /// A remark whether the planet could be pushed into its ring radially.
 Remark trimming_remark(const std::string& mesh, std::int64_t planet, std::int64_t ring);
+/// The same of gears as they are cut; nothing: they do not mesh.
+Remark trimming_remark(const std::string& mesh, const std::optional<CutPair>& cut);
 
 /// A remark on two gears in mesh whose counts have a common divisor; nothing if they have none.
 std::optional<Remark> hunting_remark(const std::string& mesh, std::int64_t teeth_1,

@@ -5,6 +5,7 @@
 
 #include "gearbox/constraints/meshing.hpp"
 #include "gearbox/topologies/report_parts.hpp"
+#include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/three_k_design.hpp"
 #include "gearbox/train/assembly.hpp"
 #include "gearbox/train/backlash.hpp"
@@ -29,6 +30,10 @@ void describe_gears(const ThreeKDesign& design, DesignReport& report) {
   const double output = report.ratio == 0 ? 0.0 : io::nearest(Rational(1 / report.ratio));
   const std::vector<std::int64_t>& counts = report.design.teeth;
   report.carrier_speed_per_input = carrier_speed_per_sun(teeth.sun, teeth.fixed_ring);
+  if (design.cut) {
+    report.gears = gearbox::describe_gears(*design.cut, {1.0, planet, planet, 0.0, output});
+    return;
+  }
   report.gears = {describe_gear("sun", counts[0], "layer_1", false, module, 1.0),
                   describe_gear("planet_1", counts[1], "layer_1", false, module, planet),
                   describe_gear("planet_2", counts[2], "layer_2", false, module, planet),
@@ -36,28 +41,41 @@ void describe_gears(const ThreeKDesign& design, DesignReport& report) {
                   describe_gear("output_ring", counts[4], "layer_2", true, module, output)};
 }
 
+/// By mesh: sun, fixed ring, output ring.
+std::vector<ContactPath<double>> paths_of(const ThreeKDesign& design) {
+  if (design.cut) return contact_paths(*design.cut);
+  const auto& counts = design.teeth;
+  return {external_path_of(counts.sun, counts.planet_1),
+          internal_path_of(counts.planet_1, counts.fixed_ring),
+          internal_path_of(counts.planet_2, counts.output_ring)};
+}
+
+ThreeKRadii base_radii_mm(const ThreeKDesign& design) {
+  if (!design.cut) {
+    return radii_mm(design.real_teeth(), io::nearest(design.module_mm) / 2.0 * kReferenceCosine);
+  }
+  const std::vector<CutGear>& gears = design.cut->gears;
+  return {base_radius_mm(gears[0]), base_radius_mm(gears[3]), base_radius_mm(gears[4])};
+}
+
 void describe_meshes(const ThreeKDesign& design, DesignReport& report) {
   const ThreeKTeeth<double> teeth = design.real_teeth();
-  const auto& counts = design.teeth;
-  const auto sun_path = external_path_of(counts.sun, counts.planet_1);
-  const auto fixed_path = internal_path_of(counts.planet_1, counts.fixed_ring);
-  const auto output_path = internal_path_of(counts.planet_2, counts.output_ring);
+  const std::vector<ContactPath<double>> paths = paths_of(design);
   const std::vector<double> losses{
-      loss_per_friction(sun_path, 1.0 / teeth.sun + 1.0 / teeth.planet_1),
-      loss_per_friction(fixed_path, 1.0 / teeth.planet_1 - 1.0 / teeth.fixed_ring),
-      loss_per_friction(output_path, 1.0 / teeth.planet_2 - 1.0 / teeth.output_ring)};
+      loss_per_friction(paths[0], 1.0 / teeth.sun + 1.0 / teeth.planet_1),
+      loss_per_friction(paths[1], 1.0 / teeth.planet_1 - 1.0 / teeth.fixed_ring),
+      loss_per_friction(paths[2], 1.0 / teeth.planet_2 - 1.0 / teeth.output_ring)};
   const auto& friction = design.problem.friction_coefficient;
-  report.meshes = {describe_mesh("sun_planet_1", sun_path, losses[0], friction),
-                   describe_mesh("planet_1_fixed_ring", fixed_path, losses[1], friction),
-                   describe_mesh("planet_2_output_ring", output_path, losses[2], friction)};
+  report.meshes = {describe_mesh("sun_planet_1", paths[0], losses[0], friction),
+                   describe_mesh("planet_1_fixed_ring", paths[1], losses[1], friction),
+                   describe_mesh("planet_2_output_ring", paths[2], losses[2], friction)};
 
   const double ratio_1 = basic_ratio_1(teeth);
   const double ratio_2 = basic_ratio_2(teeth);
   const LossWeights weights = three_k_loss_weights(ratio_1, ratio_2);
   share_losses({weights.sun_planet_1, weights.planet_1_fixed_ring, weights.planet_2_output_ring},
                losses, report.meshes);
-  const ThreeKBacklash backlash = three_k_backlash(
-      ratio_1, ratio_2, radii_mm(teeth, io::nearest(design.module_mm) / 2.0 * kReferenceCosine));
+  const ThreeKBacklash backlash = three_k_backlash(ratio_1, ratio_2, base_radii_mm(design));
   report.output_backlash_rad_per_mm = share_backlash(
       {backlash.sun_planet_1, backlash.planet_1_fixed_ring, backlash.planet_2_output_ring},
       report.meshes);
@@ -81,11 +99,15 @@ void describe_efficiency(const ThreeKDesign& design, DesignReport& report) {
                listed(three_k_backward_losses(ratio_1, ratio_2, mesh, efficiency)), report.meshes);
 }
 
+ThreeKRadii working_radii_m(const ThreeKDesign& design) {
+  if (design.cut) return working_radii(design.real_teeth(), design.cut->centre_mm * 1e-3);
+  const ThreeKRadii pitch_mm = radii_mm(design.real_teeth(), io::nearest(design.module_mm) / 2.0);
+  return {pitch_mm.sun_m * 1e-3, pitch_mm.fixed_ring_m * 1e-3, pitch_mm.output_ring_m * 1e-3};
+}
+
 void describe_loads(const ThreeKDesign& design, DesignReport& report) {
   if (!design.problem.load_output_torque_Nm || design.stands_still()) return;
-  const ThreeKRadii pitch_mm = radii_mm(design.real_teeth(), io::nearest(design.module_mm) / 2.0);
-  const ThreeKRadii pitch_m{pitch_mm.sun_m * 1e-3, pitch_mm.fixed_ring_m * 1e-3,
-                            pitch_mm.output_ring_m * 1e-3};
+  const ThreeKRadii pitch_m = working_radii_m(design);
   const ThreeKLoads loads = three_k_loads(io::nearest(*design.problem.load_output_torque_Nm),
                                           io::nearest(report.ratio), design.planet_count, pitch_m);
   report.input_torque_Nm = loads.sun_torque_Nm;
@@ -98,6 +120,7 @@ void describe_loads(const ThreeKDesign& design, DesignReport& report) {
 
 void describe_bodies(const ThreeKDesign& design, DesignReport& report) {
   const Problem& problem = design.problem;
+  if (design.cut) return describe_shifted_bodies(problem, *design.cut, report);
   const std::int64_t largest = std::max(design.teeth.fixed_ring, design.teeth.output_ring);
   report.hollow_shaft_diameter_mm = hollow_shaft_mm(problem, design.module_mm, design.teeth.sun);
   report.ring_blank_diameter_mm = io::nearest(ring_blank_mm(problem, design.module_mm, largest));
@@ -122,13 +145,12 @@ double paper_cost(const ThreeKDesign& design) {
   return io::nearest(cost);
 }
 
-std::vector<ConstraintReport> constraints_of(const ThreeKDesign& design) {
+std::vector<ConstraintReport> constraints_of(const ThreeKDesign& design, const Design& chosen) {
   std::vector<ConstraintReport> list = paper_constraints(design);
   if (design.problem.constraints == ConstraintSet::kBuildable) {
     for (ConstraintReport& report : further_constraints(design)) list.push_back(std::move(report));
   }
   for (ConstraintReport& report : coaxiality_constraints(design)) list.push_back(std::move(report));
-  const Design chosen{{}, design.planet_count, design.module_mm};
   for (ConstraintReport& report : choices(design.problem, chosen))
     list.push_back(std::move(report));
   return list;
@@ -159,21 +181,25 @@ DesignReport evaluate(const Problem& problem, const Design& design) {
   report.design = design;
   if (report.design.teeth.size() == 3) report.design.teeth = complete(design.teeth);
   const std::vector<std::int64_t>& z = report.design.teeth;
-  const ThreeKDesign train{
-      problem, {z[0], z[1], z[2], z[3], z[4]}, design.planet_count, design.module_mm};
+  const ThreeKDesign train{problem,
+                           {z[0], z[1], z[2], z[3], z[4]},
+                           design.planet_count,
+                           design.module_mm,
+                           cut_of(problem, report.design)};
   report.planet_types = planet_type_count(train.teeth, design.planet_count);
   if (!train.stands_still()) {
     report.ratio = three_k_reduction<Rational>({z[0], z[1], z[2], z[3], z[4]});
   }
   describe_gears(train, report);
   describe_meshes(train, report);
+  if (train.cut) state_working_angles(*train.cut, report);
   describe_efficiency(train, report);
   describe_loads(train, report);
   state_input_torques(problem, report);
   state_rotor(problem, report);
   describe_bodies(train, report);
   state_objective(problem, paper_cost(train), report);
-  report.constraints = constraints_of(train);
+  report.constraints = constraints_of(train, design);
   report.remarks = remarks(train, report);
   return report;
 }

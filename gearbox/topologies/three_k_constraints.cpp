@@ -2,6 +2,7 @@
 #include "gearbox/constraints/meshing.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
+#include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/three_k_design.hpp"
 
 namespace torquewright::gearbox::three_k {
@@ -61,6 +62,13 @@ std::vector<ConstraintReport> paper_constraints(const ThreeKDesign& design) {
 std::vector<ConstraintReport> further_constraints(const ThreeKDesign& design) {
   const ThreeKTeeth<std::int64_t>& teeth = design.teeth;
   const Rational& minimum_mm = design.problem.min_neighbour_clearance_mm;
+  if (design.cut) {
+    std::vector<ConstraintReport> list{identical_planets(teeth, design.planet_count)};
+    for (ConstraintReport& report : shifted_conditions(design.problem, *design.cut)) {
+      list.push_back(std::move(report));
+    }
+    return list;
+  }
   std::vector<ConstraintReport> list{
       identical_planets(teeth, design.planet_count),
       neighbour_clearance(circle_of(design), "layer_1", teeth.planet_1, minimum_mm),
@@ -77,6 +85,7 @@ std::vector<ConstraintReport> further_constraints(const ThreeKDesign& design) {
 }
 
 std::vector<ConstraintReport> coaxiality_constraints(const ThreeKDesign& design) {
+  if (design.cut) return shifted_coaxiality(*design.cut);
   const ThreeKTeeth<std::int64_t>& teeth = design.teeth;
   const std::int64_t centres = teeth.sun + teeth.planet_1;
   if (teeth.fixed_ring == centres + teeth.planet_1 &&

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearbox/constraints/design_report.hpp"
+#include "gearbox/train/cut_train.hpp"
 #include "gearbox/train/kinematics.hpp"
 
 namespace torquewright::gearbox::three_k {
@@ -14,6 +16,7 @@ struct ThreeKDesign {
   ThreeKTeeth<std::int64_t> teeth;
   std::int64_t planet_count = 0;
   Rational module_mm;
+  std::optional<CutTrain> cut = {};  ///< Of gears with profile shift or a second module only.
 
   ThreeKTeeth<double> real_teeth() const;
   /// O P1 = F P2: the output ring does not move.

@@ -87,8 +87,13 @@ std::vector<Remark> remarks(const ThreeKDesign& design, const DesignReport& repo
                      "position by position [rad]: {}.",
                      report.planet_types, clocking_list(design))});
   }
-  list.push_back(trimming_remark("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
-  list.push_back(trimming_remark("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
+  if (design.cut) {
+    list.push_back(trimming_remark("planet_1_fixed_ring", design.cut->meshes[1].cut));
+    list.push_back(trimming_remark("planet_2_output_ring", design.cut->meshes[2].cut));
+  } else {
+    list.push_back(trimming_remark("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
+    list.push_back(trimming_remark("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
+  }
   append_if(hunting_remark("sun_planet_1", teeth.sun, teeth.planet_1), list);
   append_if(hunting_remark("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring), list);
   append_if(hunting_remark("planet_2_output_ring", teeth.planet_2, teeth.output_ring), list);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "gearbox/problem.hpp"
 
 namespace torquewright::gearbox {
 
@@ -25,6 +28,16 @@ struct GearTrain {
   double module_mm = 0.0;
   std::vector<double> face_width_mm;  ///< By layer: one, or two of a 3K train.
   Cutters cutters = {};
+  /// Of planet 2 and the output ring, where it is another than the sun's.
+  std::optional<double> layer_2_module_mm = {};
+
+  /// Of the layer of the sun, 0, or of the output ring, 1.
+  double module_of_layer_mm(std::size_t layer) const {
+    return layer == 0 ? module_mm : layer_2_module_mm.value_or(module_mm);
+  }
 };
+
+/// A design of a problem as it is made; no face widths.
+GearTrain gear_train(const Problem& problem, const Design& design);
 
 }  // namespace torquewright::gearbox

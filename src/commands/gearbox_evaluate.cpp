@@ -10,6 +10,7 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/ranking.hpp"
+#include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/design_drawing.hpp"
@@ -32,6 +33,8 @@ struct EvaluateOptions {
   std::vector<std::int64_t> teeth;
   std::int64_t planet_count = 0;
   double module_mm = 0.0;
+  std::vector<double> profile_shift;  // Empty: none.
+  double layer_2_module_mm = 0.0;     // 0: the same.
   OutputFiles outputs;
   bool rank = false;
   bool json = false;
@@ -39,6 +42,49 @@ struct EvaluateOptions {
 
 /// Of each search for the standing, where nobody asked for it: a tenth of a second at most.
 constexpr std::int64_t kCheapBoxes = 300;
+
+/// All shifts; where the rings' are left open they close the centre distance.
+std::vector<double> all_shifts(const EvaluateOptions& options, const gearbox::Problem& problem,
+                               const gearbox::Topology& topology, const gearbox::Design& design) {
+  const std::size_t given = options.profile_shift.size();
+  if (given == topology.gears.size()) return options.profile_shift;
+  if (given != 0 && given != topology.free_gears) {
+    io::refuse("--profile-shift",
+               fmt::format("has {} numbers; {} takes {} (the rings' close the centre distance) or "
+                           "{}: {}",
+                           given, topology.name, topology.free_gears, topology.gears.size(),
+                           fmt::join(topology.gears, ",")));
+  }
+  gearbox::Design open = design;
+  open.profile_shift = options.profile_shift;
+  open.profile_shift.resize(topology.gears.size(), 0.0);
+  const std::string objection = gearbox::shift_objection(problem, open);
+  if (!objection.empty()) io::refuse("--profile-shift", objection);
+  const auto closed = gearbox::coaxial_shifts(gearbox::gear_train(problem, open));
+  return closed.value_or(open.profile_shift);  // What cannot close, coaxial.RING says.
+}
+
+/// Shifts and second module, where they are others than those of the search.
+void set_shifts(const EvaluateOptions& options, const gearbox::Problem& problem,
+                const gearbox::Topology& topology, gearbox::Design& design) {
+  if (options.layer_2_module_mm != 0.0) {
+    if (topology.name != "3k") {
+      io::refuse("--layer-2-module", fmt::format("{} has one layer", topology.name));
+    }
+    const io::Rational module_mm = io::exact(options.layer_2_module_mm);
+    if (module_mm != design.module_mm) design.layer_2_module_mm = module_mm;
+  }
+  if (options.profile_shift.empty() && !design.layer_2_module_mm) return;
+  design.profile_shift = all_shifts(options, problem, topology, design);
+  const bool is_any = std::any_of(design.profile_shift.begin(), design.profile_shift.end(),
+                                  [](double shift) { return shift != 0.0; });
+  if (!is_any && !design.layer_2_module_mm) design.profile_shift.clear();
+  const std::string objection = gearbox::shift_objection(problem, design);
+  if (!objection.empty()) io::refuse("--profile-shift", objection);
+  if (options.rank && design.is_shifted()) {
+    io::refuse("--rank", "the search knows gears without profile shift and of one module only");
+  }
+}
 
 // The design that was asked for; what is left open is the problem's own where it has one choice.
 gearbox::Design design_of(const EvaluateOptions& options, const gearbox::Problem& problem) {
@@ -67,6 +113,7 @@ gearbox::Design design_of(const EvaluateOptions& options, const gearbox::Problem
   }
   if (options.planet_count != 0) design.planet_count = options.planet_count;
   if (options.module_mm != 0.0) design.module_mm = io::exact(options.module_mm);
+  set_shifts(options, problem, topology, design);
   return design;
 }
 
@@ -106,7 +153,7 @@ Evaluation compute(const EvaluateOptions& options, const EvaluateInputs& inputs)
   Evaluation found;
   found.report = gearbox::find_topology(problem.topology)->evaluate(problem, inputs.design);
   catch_interrupt();
-  {
+  if (!inputs.design.is_shifted()) {
     report::ProgressLine line;
     found.standing = gearbox::standing_of(problem, inputs.design, standing_options(options, line));
   }
@@ -147,6 +194,17 @@ void add_evaluate_command(command_line::Command& gearbox) {
   command.add_option("--module", options->module_mm, "In mm, where the problem lists several")
       .between(0.05, 25.0);
   add_output_options(command, options->outputs);
+  command
+      .add_option("--profile-shift", options->profile_shift,
+                  "Of each gear, in modules: 0.48,0.76,0.54; the rings' close the centre distance "
+                  "where they are left out")
+      .separated_by_commas()
+      .one_value_each()
+      .between(-2.0, 5.0);
+  command
+      .add_option("--layer-2-module", options->layer_2_module_mm,
+                  "Of planet 2 and the output ring, in mm, where it is another")
+      .between(0.05, 25.0);
   command.add_flag(
       "--rank", options->rank,
       "Rank it among all designs however long that takes (else only where it is cheap)");

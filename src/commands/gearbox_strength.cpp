@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,9 +27,11 @@ struct StrengthOptions {
   std::vector<double> modules_mm;
   double cycles = 0.0;  // 0: the document's
   // Of a gearbox_result, which says none of it.
-  std::string steel;
+  std::vector<std::string> steel;
   std::vector<double> face_width_mm;
-  std::int64_t design = 0;  // 0: the first
+  std::vector<std::string> rim;
+  std::int64_t design = 0;    // 0: the first
+  double load_sharing = 0.0;  // K_gamma; 0: the document's, or assumed
   bool json = false;
 };
 
@@ -45,7 +48,21 @@ void check_options(const StrengthOptions& options, const gearbox::ReadStrength& 
   check_numbers(options.torques_Nm, "--torque", 1e-6, 1e6);
   check_numbers(options.face_widths_mm, "--face-widths", 0.05, 1000.0);
   check_numbers(options.modules_mm, "--modules", 0.05, 25.0);
-  const bool is_stage = read.strength.train.topology == "planetary";
+  const gearbox::GearTrain& train = read.strength.train;
+  const bool is_stage = train.topology == "planetary";
+  if (!options.modules_mm.empty()) {
+    const bool is_shifted = std::any_of(train.shifts.begin(), train.shifts.end(),
+                                        [](double shift) { return shift != 0.0; });
+    if (is_stage && is_shifted) {
+      io::refuse("--modules", "chooses teeth without profile shift; this gearbox has it");
+    }
+    if (train.layer_2_module_mm) {
+      io::refuse("--modules", "is for gearboxes of one module; this one has two");
+    }
+    if (!read.strength.rim_mm.empty()) {
+      io::refuse("--modules", "does not know the rims of other sizes; state no rims with it");
+    }
+  }
   if (!options.modules_mm.empty() && is_stage && !read.ring_space_mm) {
     throw io::SpecError({{options.file, "/rotor_inner_diameter_mm",
                           "missing; --modules chooses teeth that fit into it"}});
@@ -57,6 +74,7 @@ void refuse_options_of_results(const StrengthOptions& options) {
   const char* option = !options.steel.empty()           ? "--steel"
                        : !options.face_width_mm.empty() ? "--face-width"
                        : options.design != 0            ? "--design"
+                       : !options.rim.empty()           ? "--rim"
                                                         : nullptr;
   if (option == nullptr) return;
   io::refuse(option, "goes with a gearbox_result; a gear_strength document says it itself");
@@ -69,7 +87,11 @@ gearbox::ReadStrength read_file(const StrengthOptions& options) {
     return gearbox::strength_of(std::move(document));
   }
   check_numbers(options.face_width_mm, "--face-width", 0.05, 1000.0);
-  gearbox::ResultStrengthOptions wanted{1, options.steel, options.face_width_mm, {}};
+  gearbox::ResultStrengthOptions wanted;
+  wanted.steel = options.steel;
+  wanted.face_width_mm = options.face_width_mm;
+  wanted.rim = options.rim;
+  if (options.load_sharing != 0.0) wanted.load_sharing = options.load_sharing;
   if (options.design != 0) wanted.design = static_cast<std::size_t>(options.design);
   if (options.cycles != 0.0) wanted.cycles = options.cycles;
   return gearbox::strength_of_result(std::move(document), wanted);
@@ -77,9 +99,13 @@ gearbox::ReadStrength read_file(const StrengthOptions& options) {
 
 gearbox::ReadStrength read(const StrengthOptions& options) {
   if (options.cycles != 0.0) check_numbers({options.cycles}, "--cycles", 1.0, 1e12);
+  if (options.load_sharing != 0.0) {
+    check_numbers({options.load_sharing}, "--load-sharing", 1.0, 10.0);
+  }
   gearbox::ReadStrength read = read_file(options);
   check_options(options, read);
   if (options.cycles != 0.0) read.strength.cycles = options.cycles;
+  if (options.load_sharing != 0.0) read.strength.factors.load_sharing = options.load_sharing;
   return read;
 }
 
@@ -135,8 +161,19 @@ void add_strength_command(command_line::Command& gearbox) {
                   "Also with these, in mm; a single stage gets the most teeth that fit")
       .separated_by_commas();
   command.add_option("--cycles", options->cycles, "Loads, instead of the document's");
-  command.add_option("--steel", options->steel,
-                     "Of the gears of a gearbox_result: " + steel_names());
+  command
+      .add_option("--steel", options->steel,
+                  "Of the gears of a gearbox_result, NAME or GEAR=NAME: " + steel_names())
+      .separated_by_commas()
+      .one_value_each();
+  command
+      .add_option(
+          "--rim", options->rim,
+          "Behind the roots of a gearbox_result's gears, in mm: sun=1.2,ring=2 (else thick)")
+      .separated_by_commas()
+      .one_value_each();
+  command.add_option("--load-sharing", options->load_sharing,
+                     "K_gamma, the most loaded planet over the mean (else the document's)");
   command
       .add_option("--face-width", options->face_width_mm,
                   "Of the gears of a gearbox_result, in mm, by layer: 10,8 (else its problem's)")

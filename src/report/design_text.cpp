@@ -19,14 +19,35 @@ std::string line(const std::string& title, const std::string& text) {
   return fmt::format("  {:<18}{}\n", title, text);
 }
 
+std::string module_text(const Design& design) {
+  const std::string first = fmt::format("{:g} mm", io::nearest(design.module_mm));
+  if (!design.layer_2_module_mm) return first;
+  return fmt::format("{}, of layer 2 {:g} mm", first, io::nearest(*design.layer_2_module_mm));
+}
+
 std::string teeth_text(const Problem& problem, const Design& design) {
   const Topology& topology = *find_topology(problem.topology);
   std::string teeth;
   for (std::size_t i = 0; i < topology.gears.size(); ++i) {
     teeth += fmt::format("{}{} {}", i == 0 ? "" : ", ", topology.gears[i], design.teeth[i]);
   }
-  return fmt::format("{}; {} planets, module {:g} mm\n", teeth, design.planet_count,
-                     io::nearest(design.module_mm));
+  return fmt::format("{}; {} planets, module {}\n", teeth, design.planet_count,
+                     module_text(design));
+}
+
+std::string shift_text(const DesignReport& report) {
+  std::string shifts;
+  for (const GearReport& gear : report.gears) {
+    shifts += fmt::format("{}{} {:.6g}", shifts.empty() ? "" : ", ", gear.name, gear.profile_shift);
+  }
+  std::string angles;
+  for (const MeshReport& mesh : report.meshes) {
+    angles += fmt::format("{}{} {:.4f}", angles.empty() ? "" : ", ", mesh.name,
+                          mesh.working_angle_rad * kDegreesPerRadian);
+  }
+  return line("profile shift", shifts + " modules") +
+         line("centre distance", fmt::format("{:.7g} mm; working pressure angles in degrees: {}",
+                                             report.centre_distance_mm, angles));
 }
 
 std::string ratio_text(const DesignReport& report) {
@@ -206,6 +227,7 @@ std::string with_unit(double value, const std::string& unit) {
 
 std::string design_summary(const Problem& problem, const DesignReport& report) {
   std::string text = teeth_text(problem, report.design);
+  if (report.design.is_shifted()) text += shift_text(report);
   text += line("ring blank", ring_blank_text(problem, report));
   text += line("objective", fmt::format("{} {}", objective_name(problem.objective),
                                         with_unit(report.objective, report.objective_unit)));

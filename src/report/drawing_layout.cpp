@@ -5,8 +5,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "gearbox/constraints/shifted_gears.hpp"
+#include "gearbox/train/cut_train.hpp"
 #include "src/report/svg.hpp"
 
 namespace torquewright::report {
@@ -34,52 +38,90 @@ void require_drawing(const DrawnGearbox& drawing) {
           "drawing: planets outside [1, 1000]");
   require(drawing.module_mm >= 1e-6 && drawing.module_mm <= 1e6,
           "drawing: module outside [1e-6, 1e6] mm");
+  const double second_mm = drawing.layer_2_module_mm.value_or(drawing.module_mm);
+  require(second_mm >= 1e-6 && second_mm <= 1e6, "drawing: module outside [1e-6, 1e6] mm");
+  require(drawing.profile_shift.empty() || drawing.profile_shift.size() == drawing.teeth.size(),
+          "drawing: wrong number of profile shifts");
+  require(std::all_of(drawing.profile_shift.begin(), drawing.profile_shift.end(),
+                      [](double shift) { return std::abs(shift) <= 100.0; }),
+          "drawing: profile shift outside [-100, 100]");
   require(std::abs(drawing.hollow_shaft_diameter_mm) <= kMaxLength_mm,
           "drawing: hollow shaft outside [-1e9, 1e9] mm");
   const double wall_mm = drawing.ring_wall_mm.value_or(0.0);
   require(wall_mm >= 0.0 && wall_mm <= kMaxLength_mm, "drawing: ring wall outside [0, 1e9] mm");
 }
 
-DrawnGear make_gear(std::string id, std::string symbol, std::string label, std::string layer,
-                    std::int64_t teeth, bool internal) {
-  const double pitch_radius = 0.5 * static_cast<double>(teeth);
-  DrawnGear gear{.id = std::move(id),
-                 .symbol = std::move(symbol),
-                 .label = std::move(label),
-                 .layer = std::move(layer),
-                 .teeth = teeth,
-                 .internal = internal,
-                 .form = std::nullopt,
-                 .tip_radius = std::max(0.0, pitch_radius + (internal ? -1.0 : 1.0)),
-                 .root_radius = std::max(0.0, pitch_radius + (internal ? 1.25 : -1.25))};
-  if (teeth < gearbox::kMinDrawnTeeth || teeth > kMaxDrawnTeeth) return gear;
-  gear.form = internal ? gearbox::internal_gear(teeth) : gearbox::external_gear(teeth);
-  return gear;
+/// What is true of a gear before its teeth are known.
+struct NamedGear {
+  std::string id;
+  std::string symbol;
+  std::string label;
+};
+
+/// Absent where there are too few or too many teeth to draw, or flanks that cross before the tip.
+std::optional<gearbox::ToothForm> form_of(const gearbox::CutGear& gear) {
+  if (gear.teeth < gearbox::kMinDrawnTeeth || gear.teeth > kMaxDrawnTeeth) return std::nullopt;
+  try {
+    gearbox::ToothForm form = gear.internal ? gearbox::internal_gear(gear.teeth, gear.shift)
+                                            : gearbox::external_gear(gear.teeth, gear.shift);
+    form.tip_radius = 0.5 * gear.tip_diameter;
+    return form;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
 }
 
-void fit_planet_to_ring(DrawnGear& planet, const DrawnGear& ring, double center_distance) {
+DrawnGear make_gear(NamedGear name, const gearbox::CutGear& gear) {
+  return {.id = std::move(name.id),
+          .symbol = std::move(name.symbol),
+          .label = std::move(name.label),
+          .layer = gear.layer == 0 ? "1" : "2",
+          .teeth = gear.teeth,
+          .internal = gear.internal,
+          .module_mm = gear.module_mm,
+          .shift = gear.shift,
+          .form = form_of(gear),
+          .tip_radius = std::max(0.0, 0.5 * gear.tip_diameter),
+          .root_radius = std::max(0.0, 0.5 * gear.root_diameter())};
+}
+
+void fit_planet_to_ring(DrawnGear& planet, const DrawnGear& ring, double center_distance_mm) {
   if (!planet.form || !ring.form) return;
-  planet.form = gearbox::external_gear_in_ring(planet.teeth, 0.0, *ring.form, center_distance);
+  const double tip_radius = planet.form->tip_radius;
+  planet.form = gearbox::external_gear_in_ring(planet.teeth, planet.shift, *ring.form,
+                                               center_distance_mm / planet.module_mm);
+  planet.form->tip_radius = tip_radius;
 }
 
-void add_3k(DrawingLayout& layout) {
+gearbox::CutTrain cut_for(const DrawnGearbox& drawing) {
+  gearbox::GearTrain train{drawing.topology,     drawing.teeth,     drawing.profile_shift,
+                           drawing.planet_count, drawing.module_mm, {}};
+  train.layer_2_module_mm = drawing.layer_2_module_mm;
+  const auto cut = gearbox::cut_train(train);
+  require(cut.has_value(), "drawing: the shifts of sun and planet leave no working angle");
+  return *cut;
+}
+
+void add_3k(DrawingLayout& layout, const gearbox::CutTrain& cut) {
   const std::vector<std::int64_t>& teeth = layout.drawing.teeth;
-  layout.gears = {make_gear("sun", "S", "sun", "1", teeth[0], false),
-                  make_gear("planet_1", "P1", "planet 1", "1", teeth[1], false),
-                  make_gear("planet_2", "P2", "planet 2", "2", teeth[2], false),
-                  make_gear("fixed_ring", "F", "fixed ring", "1", teeth[3], true),
-                  make_gear("output_ring", "O", "output ring", "2", teeth[4], true)};
+  const std::vector<gearbox::CutGear>& gears = cut.gears;
+  layout.gears = {make_gear({"sun", "S", "sun"}, gears[0]),
+                  make_gear({"planet_1", "P1", "planet 1"}, gears[1]),
+                  make_gear({"planet_2", "P2", "planet 2"}, gears[2]),
+                  make_gear({"fixed_ring", "F", "fixed ring"}, gears[3]),
+                  make_gear({"output_ring", "O", "output ring"}, gears[4])};
   layout.layers = {{"Layer 1: sun, planets 1, fixed ring", 1, 3, false},
                    {"Layer 2: planets 2, output ring (sun dashed)", 2, 4, true}};
   layout.phase = gearbox::assemble_3k({teeth[0], teeth[1], teeth[2], teeth[3], teeth[4]},
                                       layout.drawing.planet_count);
 }
 
-void add_planetary(DrawingLayout& layout) {
+void add_planetary(DrawingLayout& layout, const gearbox::CutTrain& cut) {
   const std::vector<std::int64_t>& teeth = layout.drawing.teeth;
-  layout.gears = {make_gear("sun", "S", "sun", "1", teeth[0], false),
-                  make_gear("planet_1", "P", "planet", "1", teeth[1], false),
-                  make_gear("fixed_ring", "R", "ring", "1", teeth[2], true)};
+  const std::vector<gearbox::CutGear>& gears = cut.gears;
+  layout.gears = {make_gear({"sun", "S", "sun"}, gears[0]),
+                  make_gear({"planet_1", "P", "planet"}, gears[1]),
+                  make_gear({"fixed_ring", "R", "ring"}, gears[2])};
   layout.layers = {{"Sun, planets, ring", 1, 2, false}};
   layout.phase =
       gearbox::assemble_planetary(teeth[0], teeth[1], teeth[2], layout.drawing.planet_count);
@@ -107,8 +149,8 @@ void choose_scale(DrawingLayout& layout, double diameter_mm) {
 double largest_diameter_mm(const DrawingLayout& layout) {
   double largest_mm = 0.0;
   for (const DrawnLayer& layer : layout.layers) {
-    const double reach_mm = layout.center_distance_mm +
-                            layout.drawing.module_mm * layout.gears[layer.planet].tip_radius;
+    const double reach_mm = layout.center_distance_mm + layout.gears[layer.planet].module_mm *
+                                                            layout.gears[layer.planet].tip_radius;
     largest_mm =
         std::max({largest_mm, 2.0 * reach_mm, blank_diameter_mm(layout, layout.gears[layer.ring])});
   }
@@ -117,23 +159,33 @@ double largest_diameter_mm(const DrawingLayout& layout) {
 
 }  // namespace
 
+double ring_wall_mm(const DrawingLayout& layout, const DrawnGear& ring) {
+  return layout.drawing.ring_wall_mm.value_or(kDefaultWall * ring.module_mm);
+}
+
 double blank_diameter_mm(const DrawingLayout& layout, const DrawnGear& ring) {
-  return 2.0 * (layout.drawing.module_mm * ring.root_radius + layout.ring_wall_mm);
+  return 2.0 * (ring.module_mm * ring.root_radius + ring_wall_mm(layout, ring));
 }
 
 DrawingLayout lay_out(const DrawnGearbox& drawing) {
   require_drawing(drawing);
+  const gearbox::CutTrain cut = cut_for(drawing);
   DrawingLayout layout;
   layout.drawing = drawing;
-  drawing.topology == "3k" ? add_3k(layout) : add_planetary(layout);
+  drawing.topology == "3k" ? add_3k(layout, cut) : add_planetary(layout, cut);
   const double sum = static_cast<double>(drawing.teeth[0] + drawing.teeth[1]);
-  layout.center_distance_mm = 0.5 * sum * drawing.module_mm;
-  layout.ring_wall_mm = drawing.ring_wall_mm.value_or(kDefaultWall * drawing.module_mm);
+  layout.center_distance_mm = layout.is_shifted() ? cut.centre_mm : 0.5 * sum * drawing.module_mm;
   for (const DrawnLayer& layer : layout.layers) {
-    DrawnGear& planet = layout.gears[layer.planet];
-    const DrawnGear& ring = layout.gears[layer.ring];
-    fit_planet_to_ring(planet, ring, 0.5 * sum);
-    if (ring.teeth - planet.teeth != drawing.teeth[0] + drawing.teeth[1]) layout.is_coaxial = false;
+    fit_planet_to_ring(layout.gears[layer.planet], layout.gears[layer.ring],
+                       layout.center_distance_mm);
+  }
+  for (const gearbox::CutMesh& mesh : cut.meshes) {
+    const gearbox::CutGear& ring = cut.gears[mesh.gear_2];
+    if (!ring.internal) continue;
+    const bool closes =
+        mesh.closing_ring_shift &&
+        std::abs(*mesh.closing_ring_shift - ring.shift) <= gearbox::kCoaxialTolerance;
+    if (!closes) layout.is_coaxial = false;
   }
   layout.carrier_clearance_rad = std::numbers::pi / static_cast<double>(drawing.planet_count) -
                                  std::asin(static_cast<double>(drawing.teeth[1]) / sum);

@@ -21,6 +21,8 @@ struct DrawnGear {
   std::string layer;
   std::int64_t teeth = 0;
   bool internal = false;
+  double module_mm = 0.0;
+  double shift = 0.0;
   std::optional<gearbox::ToothForm> form;  ///< Absent: drawn as circles.
   double tip_radius = 0.0;
   double root_radius = 0.0;
@@ -41,15 +43,21 @@ struct DrawingLayout {
   std::vector<DrawnLayer> layers;
   gearbox::AssemblyPhase phase;
   double center_distance_mm = 0.0;
-  double ring_wall_mm = 0.0;
   double scale = 1.0;                  ///< Paper over gearbox.
   std::string scale_text;              ///< "2:1"
   double carrier_clearance_rad = 0.0;  ///< pi/n - asin(P1/(S + P1)), half of the angle drawn.
-  bool is_coaxial = true;  ///< All meshes fit one centre distance without profile shift.
+  bool is_coaxial = true;  ///< All meshes fit one centre distance with the shifts drawn.
+
+  bool is_shifted() const {
+    return !drawing.profile_shift.empty() || drawing.layer_2_module_mm.has_value();
+  }
 };
 
 /// Throws std::invalid_argument as gearbox_drawing() does.
 DrawingLayout lay_out(const DrawnGearbox& drawing);
+
+/// Behind a ring's root [mm]: stated, or one tooth height.
+double ring_wall_mm(const DrawingLayout& layout, const DrawnGear& ring);
 
 /// Outer diameter of a ring's blank [mm].
 double blank_diameter_mm(const DrawingLayout& layout, const DrawnGear& ring);

@@ -73,7 +73,7 @@ std::string table_row(double y_mm, const std::array<std::string, 9>& cells) {
 }
 
 std::array<std::string, 9> cells_of(const DrawingLayout& layout, const DrawnGear& gear) {
-  const double module_mm = layout.drawing.module_mm;
+  const double module_mm = gear.module_mm;
   const double pitch_mm = module_mm * static_cast<double>(gear.teeth);
   const auto diameter = [&](double radius) {
     return fmt::format("{:.3f}", 2.0 * module_mm * radius);
@@ -90,17 +90,37 @@ std::array<std::string, 9> cells_of(const DrawingLayout& layout, const DrawnGear
           fmt::format("{:.3f}", pitch_mm * std::cos(gearbox::kPressureAngle_rad))};
 }
 
+/// How the teeth were cut; shifts need a line of their own.
+std::vector<std::string> note_lines(const DrawingLayout& layout) {
+  const std::string roots = "External roots as hobbed, ring roots with a 0.3 module fillet.";
+  const std::string involute = "Involute 20\xC2\xB0, ";
+  if (layout.drawing.profile_shift.empty()) {
+    return {involute + "no profile shift, no backlash; addendum 1, dedendum 1.25 module. " + roots};
+  }
+  std::string shifts;
+  for (const DrawnGear& gear : layout.gears) {
+    shifts += fmt::format("{} {} {:.4g}", shifts.empty() ? "" : ",", gear.symbol, gear.shift);
+  }
+  return {fmt::format("{}profile shift{} module, no backlash.", involute, shifts),
+          "Addendum 1 (S, P1 less for clearance), dedendum 1.25 module. " + roots};
+}
+
 std::string warnings(const DrawingLayout& layout, const Point& place) {
   std::vector<std::string_view> lines;
   if (!layout.is_coaxial) {
-    lines.push_back("Without profile shift these gears have no common centre distance.");
+    lines.push_back(layout.is_shifted()
+                        ? "With these profile shifts the gears have no common centre distance."
+                        : "Without profile shift these gears have no common centre distance.");
   }
   if (!layout.phase.equally_spaced) {
     lines.push_back("Equal spacing does not mesh: planets stand at the nearest places that do.");
   }
   for (const DrawnGear& gear : layout.gears) {
     if (gear.form) continue;
-    lines.push_back("Gears of fewer than 7 or more than 600 teeth are drawn as circles.");
+    lines.push_back(
+        layout.is_shifted()
+            ? "Gears of fewer than 7 or more than 600 teeth, or pointed, are drawn as circles."
+            : "Gears of fewer than 7 or more than 600 teeth are drawn as circles.");
     break;
   }
   std::string svg;
@@ -153,10 +173,11 @@ std::string gear_table(const DrawingLayout& layout) {
     y_mm += kRow_mm;
     svg += table_row(y_mm, cells_of(layout, gear));
   }
-  svg += svg_text("note", {kTableX_mm + 2.0, y_mm + 11.5},
-                  "Involute 20\xC2\xB0, no profile shift, no backlash; addendum 1, dedendum 1.25 "
-                  "module. External roots as hobbed, ring roots with a 0.3 module fillet.");
-  return svg + warnings(layout, {kTableX_mm + 2.0, y_mm + 16.1});
+  for (const std::string& line : note_lines(layout)) {
+    svg += svg_text("note", {kTableX_mm + 2.0, y_mm + 11.5}, line);
+    y_mm += 4.6;
+  }
+  return svg + warnings(layout, {kTableX_mm + 2.0, y_mm + 11.5});
 }
 
 }  // namespace torquewright::report

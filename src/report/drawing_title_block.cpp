@@ -77,6 +77,30 @@ std::string scale_bar(const DrawingLayout& layout, const Point& place) {
                   decimal(length_mm, 9) + " mm");
 }
 
+std::string centre_text(const DrawingLayout& layout) {
+  return fmt::format("centre distance {} mm", decimal(layout.center_distance_mm, 6));
+}
+
+/// Two modules leave no room for the centre distance beside them.
+std::string module_line(const DrawingLayout& layout) {
+  const std::string first = fmt::format("module {} mm", decimal(layout.drawing.module_mm, 6));
+  const auto& second_mm = layout.drawing.layer_2_module_mm;
+  return second_mm ? fmt::format("{} (layer 2: {} mm)", first, decimal(*second_mm, 6))
+                   : fmt::format("{}, {}", first, centre_text(layout));
+}
+
+/// One wall for both rings, unless each is as thick as its own teeth are high.
+std::string wall_line(const DrawingLayout& layout) {
+  const auto wall = [&](const DrawnLayer& layer) {
+    return decimal(ring_wall_mm(layout, layout.gears[layer.ring]), 6);
+  };
+  const std::string first = wall(layout.layers.front());
+  const std::string last = wall(layout.layers.back());
+  const std::string walls = first == last ? first : fmt::format("{} and {}", first, last);
+  return fmt::format("ring wall behind the root {} mm{}", walls,
+                     layout.drawing.layer_2_module_mm ? "; " + centre_text(layout) : "");
+}
+
 }  // namespace
 
 std::string title_block(const DrawingLayout& layout) {
@@ -88,12 +112,10 @@ std::string title_block(const DrawingLayout& layout) {
   std::vector<std::string> lines{
       fmt::format("{} gearbox, ratio {} (input over output)", layout.drawing.topology,
                   short_name(layout.drawing.ratio)),
-      fmt::format("module {} mm, centre distance {} mm", decimal(layout.drawing.module_mm, 6),
-                  decimal(layout.center_distance_mm, 6)),
-      planets_line(layout)};
+      module_line(layout), planets_line(layout)};
   if (layout.layers.size() > 1) lines.push_back(clocking_line(layout));
   lines.push_back(clearance_line(layout));
-  lines.push_back(fmt::format("ring wall behind the root {} mm", decimal(layout.ring_wall_mm, 6)));
+  lines.push_back(wall_line(layout));
   y_mm += 12.0;
   for (const std::string& line : lines) svg += svg_text("note", {x_mm, y_mm += 6.0}, line);
   if (!layout.drawing.cannot_exist.empty()) {

@@ -26,7 +26,7 @@ struct View {
 
   double paper_mm(double length_mm) const { return length_mm * layout.scale; }
   double paper_of_modules(double modules) const {
-    return paper_mm(modules * layout.drawing.module_mm);
+    return paper_mm(modules * planet().module_mm);  // Both layers meet in the sun's only.
   }
   const DrawnGear& sun() const { return layout.gears.front(); }
   const DrawnGear& planet() const { return layout.gears[layer.planet]; }
@@ -160,7 +160,7 @@ std::string sun_label(const View& view) {
 
 std::string ring_label(const View& view) {
   constexpr double kDirection_rad = 52.0 * std::numbers::pi / 180.0;
-  const double wall_mm = view.paper_mm(view.layout.ring_wall_mm);
+  const double wall_mm = view.paper_mm(ring_wall_mm(view.layout, view.ring()));
   return leader(on_circle(view.center, view.blank_mm() - 0.5 * wall_mm, kDirection_rad),
                 on_circle(view.center, view.blank_mm() + 9.0, kDirection_rad),
                 fmt::format("{}: {} teeth", view.ring().symbol, view.ring().teeth));
@@ -185,7 +185,7 @@ std::string dimensions(const View& view) {
   const Point& c = view.center;
   const double pitch_mm = view.paper_of_modules(pitch_radius(view.ring()));
   const double blank_mm = view.blank_mm();
-  const double module_mm = view.layout.drawing.module_mm;
+  const double module_mm = view.ring().module_mm;
   std::string svg = horizontal_dimension(
       c.x - pitch_mm, c.x + pitch_mm, c.y, c.y + blank_mm + 7.0,
       "pitch \xC3\x98 " + two_decimals(static_cast<double>(view.ring().teeth) * module_mm));
@@ -204,9 +204,9 @@ std::string dimensions(const View& view) {
 }  // namespace
 
 std::string shape_definitions(const DrawingLayout& layout) {
-  const double paper_mm_per_module = layout.scale * layout.drawing.module_mm;
   std::string svg = "<defs>\n";
   for (const DrawnGear& gear : layout.gears) {
+    const double paper_mm_per_module = layout.scale * gear.module_mm;
     std::string path = gear.form ? gear_path(*gear.form, paper_mm_per_module)
                                  : circle_path(gear.tip_radius * paper_mm_per_module) +
                                        circle_path(gear.root_radius * paper_mm_per_module);

@@ -155,7 +155,13 @@ std::string evaluation_text(const Problem& problem, const DesignReport& report,
   const Topology& topology = *find_topology(problem.topology);
   std::string text = report.feasible() ? "feasible: every constraint is met.\n"
                                        : "infeasible: it violates the constraints marked below.\n";
-  text += design_text(problem, report) + rank_text(problem, report, standing);
+  text += design_text(problem, report);
+  if (report.design.is_shifted()) {
+    return text +
+           "No rank: the search knows gears without profile shift and of one module only.\n" +
+           assumed_text(problem);
+  }
+  text += rank_text(problem, report, standing);
   if (!standing.optimal_when.empty()) {
     text += optimal_when_text(topology, standing);
   } else if (standing.is_settled) {

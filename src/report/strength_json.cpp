@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/report/strength_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 namespace torquewright::report {
 namespace {
@@ -33,6 +35,7 @@ ordered_json loading_json(const StrengthCase& strength, double sun_Nm) {
                                 {"tangential_force_N", load.tangential_force_N},
                                 {"root", stress_json(load.root)},
                                 {"flank", stress_json(load.flank)}});
+    if (!strength.rim_mm.empty()) loading["gears"].back()["rim_factor"] = load.rim_factor;
   }
   return loading;
 }
@@ -52,6 +55,13 @@ ordered_json gears_json(const StrengthReport& report, const StrengthCase& streng
   gears["teeth"] = strength.train.teeth;
   gears["planet_count"] = strength.train.planet_count;
   gears["module_mm"] = strength.train.module_mm;
+  if (strength.train.layer_2_module_mm) {
+    gears["layer_2_module_mm"] = *strength.train.layer_2_module_mm;
+  }
+  const std::vector<double>& shifts = strength.train.shifts;
+  if (std::any_of(shifts.begin(), shifts.end(), [](double x) { return x != 0.0; })) {
+    gears["profile_shift"] = shifts;
+  }
   gears["face_width_mm"] = strength.train.face_width_mm;
   gears["ratio"] = gearbox::reduction(strength.train);
   gears["loadings"] = ordered_json::array();

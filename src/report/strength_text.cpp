@@ -23,10 +23,16 @@ std::string both_sides(const GearTrain& train, double sun_Nm) {
 
 std::string train_line(const StrengthReport& report) {
   const GearTrain& train = report.read.strength.train;
-  return fmt::format("{}: {} {}, {} planets, module {} mm, ratio {:.6g}, face width {} mm\n",
-                     report.read.name, train.topology, fmt::join(train.teeth, "/"),
-                     train.planet_count, train.module_mm, gearbox::reduction(train),
-                     fmt::join(train.face_width_mm, " and "));
+  const std::string second =
+      train.layer_2_module_mm ? fmt::format(" and {} mm in layer 2", *train.layer_2_module_mm) : "";
+  std::string line = fmt::format(
+      "{}: {} {}, {} planets, module {} mm{}, ratio {:.6g}, face width {} mm\n", report.read.name,
+      train.topology, fmt::join(train.teeth, "/"), train.planet_count, train.module_mm, second,
+      gearbox::reduction(train), fmt::join(train.face_width_mm, " and "));
+  if (std::any_of(train.shifts.begin(), train.shifts.end(), [](double x) { return x != 0.0; })) {
+    line += fmt::format("Profile shifts in modules: {:.6g}\n", fmt::join(train.shifts, ", "));
+  }
+  return line;
 }
 
 /// The tools that the roots' stresses are of, and which of them nobody has stated.
@@ -41,6 +47,21 @@ std::string cutter_line(const StrengthCase& strength) {
   if (!cutters.shaper_tip_radius) assumed += assumed.empty() ? "shaper" : " and shaper";
   if (!assumed.empty()) assumed = fmt::format("; the {} are assumed", assumed);
   return fmt::format("Tip radii of the cutters in modules: {}{}.\n", tools, assumed);
+}
+
+/// What thin rims do to the roots; nothing where none is stated.
+std::string rim_line(const StrengthCase& strength) {
+  if (strength.rim_mm.empty()) return "";
+  std::string factors;
+  for (const auto& [gear, rim_mm] : strength.rim_mm) {
+    for (const ToothLoad& load : gearbox::tooth_loads(strength, 1.0)) {
+      if (load.gear != gear) continue;
+      factors += fmt::format("{}{} {} mm, {:.3f}", factors.empty() ? "" : "; ", gear, rim_mm,
+                             load.rim_factor);
+      break;
+    }
+  }
+  return fmt::format("Rims and their factors Y_B at the root: {}.\n", factors);
 }
 
 std::string tooth_row(const ToothLoad& load) {
@@ -149,7 +170,7 @@ std::string strength_text(const StrengthReport& report) {
       "Forces are the mean planet's; S_F and S_H are safeties of root and flank "
       "against 1 load and N = {:.6g}.\n",
       strength.cycles);
-  text += cutter_line(strength);
+  text += cutter_line(strength) + rim_line(strength);
   for (const double torque_Nm : report.torques_Nm) text += torque_text(report, torque_Nm);
   return text + limits_text(strength) + variants_text(report);
 }

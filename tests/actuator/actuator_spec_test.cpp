@@ -395,9 +395,11 @@ TEST_F(ActuatorSpec, RefusesGearsThatItCannotCompute) {
   };
   EXPECT_EQ(faults_with("{}"), "");
   EXPECT_EQ(faults_with(R"({"profile_shift": {"sun": 0}})"), "");
-  EXPECT_EQ(faults_with(R"({"profile_shift": {"fixed_ring": 0, "sun": 0.2}})"),
-            "/profile_shift/sun: efficiencies are computed for gears without profile shift only; "
-            "state ratio and efficiencies in the actuator instead");
+  // Sun and planet move apart, the rings do not.
+  EXPECT_EQ(faults_with(R"({"profile_shift": {"fixed_ring": 0, "sun": 0.2}})").substr(0, 47),
+            "/profile_shift: coaxial.fixed_ring: 0.2 modules");
+  EXPECT_EQ(faults_with(R"({"profile_shift": {"sun": -2}})").substr(0, 33),
+            ": the profile shifts -2, 0 of sun");
   EXPECT_EQ(faults_with(R"({"teeth": {"planet_2": null}})"),
             "/teeth/planet_2: missing; the topology \"3k\" has it");
   // A ring smaller than the planet inside it.

@@ -2,6 +2,7 @@
 // `gearbox strength` as a user runs it: exit codes, both sides of a torque, and its JSON.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/schema.hpp"
@@ -139,13 +140,60 @@ TEST(StrengthOfAResult, RefusesWhatHoldsNoGearbox) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
-  refused(strength_of_result({"--face-width", "10"}), "says no steel; say --steel (case_hardened)");
+  refused(strength_of_result({"--face-width", "10"}),
+          "says no steel; say --steel (case_hardened, ");
   refused(strength_of_result({"--steel", "cheese", "--face-width", "10"}), "is not known; one of:");
   refused(strength_of_result({"--steel", "case_hardened"}), "missing; say --face-width MM");
   refused(strength_of_result({"--steel", "case_hardened", "--face-width", "1,2,3"}), "two layers");
   refused(strength_of_result({"--steel", "case_hardened", "--face-width", "10", "--design", "2"}),
           "--design 2 is not there; it holds 1");
   refused(strength({"--torque", "21", "--steel", "case_hardened"}), "goes with a gearbox_result");
+}
+
+json loads_with(const std::vector<std::string>& more) {
+  std::vector<std::string> options{"--steel", "case_hardened", "--face-width", "10", "--json"};
+  options.insert(options.end(), more.begin(), more.end());
+  const Outcome outcome = strength_of_result(options);
+  EXPECT_EQ(outcome.err, "");
+  const json report = json::parse(outcome.out);
+  EXPECT_TRUE(io::conforms(report, "strength_report"));
+  return report["gearbox"]["loadings"][0]["gears"];
+}
+
+// K_gamma is 1.25 of four planets where it is not stated; root stress goes with it.
+TEST(StrengthOfAResult, TakesLoadSharingAndRims) {
+  const json before = loads_with({});
+  const json shared = loads_with({"--load-sharing", "1.5"});
+  const json rimmed = loads_with({"--rim", "sun=1.35,output_ring=3"});
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double plain_MPa = before[i]["root"]["stress_MPa"].get<double>();
+    EXPECT_NEAR(shared[i]["root"]["stress_MPa"].get<double>(), plain_MPa * 1.5 / 1.25, 1e-9 * 1e3);
+    // One tooth height behind the sun: 1.6 ln(2.242); five modules behind the ring: nothing.
+    const double factor = before[i]["gear"] == "sun" ? 1.6 * std::log(2.242) : 1.0;
+    EXPECT_NEAR(rimmed[i]["rim_factor"].get<double>(), factor, 1e-5);
+    EXPECT_NEAR(rimmed[i]["root"]["stress_MPa"].get<double>(), plain_MPa * factor, 1e-2);
+  }
+}
+
+// The steels' own numbers: 1450 and 1500 MPa of contact endurance.
+TEST(StrengthOfAResult, TakesASteelForEachGear) {
+  const Outcome outcome =
+      strength_of_result({"--steel", "case_hardened,output_ring=nitriding_steel_best",
+                          "--face-width", "10", "--json", "--cycles", "1000000000"});
+  EXPECT_EQ(outcome.err, "");
+  for (const json& gear : json::parse(outcome.out)["gearbox"]["loadings"][0]["gears"]) {
+    EXPECT_EQ(gear["flank"]["life_limit_MPa"], gear["gear"] == "output_ring" ? 1450.0 : 1500.0);
+  }
+  const auto refused = [](const std::vector<std::string>& options, const std::string& words) {
+    const Outcome bad = strength_of_result(options);
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_NE(bad.err.find(words), std::string::npos) << bad.err;
+  };
+  refused({"--steel", "sun=case_hardened", "--face-width", "10"}, "says none for planet_1");
+  refused({"--steel", "case_hardened,moon=case_hardened", "--face-width", "10"}, "names no gear");
+  refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=nan"}, "needs a length");
+  refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=0.5"}, "too thin");
+  refused({"--steel", "case_hardened", "--face-width", "10", "--load-sharing", "0.9"}, "from 1");
 }
 
 TEST(StrengthOfAResult, RefusesAResultThatIsInfeasible) {
@@ -168,6 +216,13 @@ TEST(StrengthOfAResult, RefusesAResultThatIsInfeasible) {
   EXPECT_EQ(refusal("bad.json"),
             "bad.json#/status: infeasible: its design violates the problem's constraints\n");
   EXPECT_NE(refusal("knee.json").find("gear_strength"), std::string::npos);
+  // A document that names such a result: the same.
+  const std::string document = text_of(in_repository("specs/gearbox/d151_strength.json").string());
+  place.write("strength.json", with(document, "d151_knee_result.json", "bad.json"));
+  const Outcome named = place.run({"gearbox", "strength", "strength.json", "--torque", "16"});
+  EXPECT_EQ(named.exit_code, 2);
+  EXPECT_EQ(named.err,
+            "bad.json#/status: infeasible: its design violates the problem's constraints\n");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "gearbox/train/cut_train.hpp"
 #include "tests/gearbox/teeth/mesh_oracle.hpp"
 
 namespace torquewright::report {
@@ -161,6 +162,32 @@ TEST(GearboxDrawing, PlanetaryGearsMeshInTheDocument) {
   expect_planets_mesh_in(svg, 1.5, "planet_1", "fixed_ring", gearbox::internal_gear(105), 0);
 }
 
+// Matsuki's drive of two modules: the same oracle, in the modules of each layer, scale 2:1.
+TEST(GearboxDrawing, ShiftedGearsOfTwoModulesMeshInTheDocument) {
+  gearbox::GearTrain train{"3k", {12, 39, 32, 90, 81}, {.476, .762, .536, 0, 0}, 3, 0.8, {}};
+  train.layer_2_module_mm = 0.8467;
+  train.shifts = *gearbox::coaxial_shifts(train);
+  DrawnGearbox drawing = d151();
+  drawing.teeth = train.teeth;
+  drawing.planet_count = 3;
+  drawing.module_mm = train.module_mm;
+  drawing.profile_shift = train.shifts;
+  drawing.layer_2_module_mm = train.layer_2_module_mm;
+  const std::string svg = gearbox_drawing(drawing);
+  ASSERT_NE(svg.find("scale 2:1"), std::string::npos);
+  gearbox::ToothForm sun = gearbox::external_gear(12, .476);
+  sun.tip_radius = 0.5 * gearbox::cut_train(train)->gears[0].tip_diameter;
+  expect_planets_mesh_in(svg, 1.6, "planet_1", "sun", sun, 0);
+  expect_planets_mesh_in(svg, 1.6, "planet_1", "fixed_ring",
+                         gearbox::internal_gear(90, train.shifts[3]), 0);
+  expect_planets_mesh_in(svg, 2 * .8467, "planet_2", "output_ring",
+                         gearbox::internal_gear(81, train.shifts[4]), 0);
+  EXPECT_EQ(first_unbalanced_element(svg), "");
+  drawing.profile_shift[4] += .01;
+  EXPECT_NE(gearbox_drawing(drawing).find("With these profile shifts the gears have no common"),
+            std::string::npos);
+}
+
 TEST(GearboxDrawing, IsBalancedAndSmallAndTheSameAgain) {
   for (const DrawnGearbox& drawing : {d151(), planetary()}) {
     const std::string svg = gearbox_drawing(drawing);
@@ -223,6 +250,10 @@ TEST(GearboxDrawing, RefusesWhatIsNoGearbox) {
   refused([](DrawnGearbox& drawing) { drawing.module_mm = 0.0; });
   refused([](DrawnGearbox& drawing) { drawing.module_mm = std::nan(""); });
   refused([](DrawnGearbox& drawing) { drawing.ring_wall_mm = -1.0; });
+  refused([](DrawnGearbox& drawing) { drawing.layer_2_module_mm = 0.0; });
+  refused([](DrawnGearbox& drawing) { drawing.profile_shift = {0.1, 0.2}; });
+  refused([](DrawnGearbox& drawing) { drawing.profile_shift = {std::nan(""), 0, 0, 0, 0}; });
+  refused([](DrawnGearbox& drawing) { drawing.profile_shift = {-2, -2, 0, 0, 0}; });
   refused([](DrawnGearbox& drawing) {
     drawing.hollow_shaft_diameter_mm = std::numeric_limits<double>::infinity();
   });

@@ -76,6 +76,14 @@ TEST(ReadStrength, RefusesWhatDoesNotFit) {
       refusal({{"material", {{"treatment", "through_hardened"}}}}),
       "#/material/yield_MPa: missing; the static strength of through-hardened teeth depends on "
       "it");
+  EXPECT_EQ(refusal({{"rim_mm", {{"sun", .7}, {"ring", 1.1}}}}), "");
+  EXPECT_EQ(refusal({{"rim_mm", {{"sun", .5 * 2.25 * .6}}}}).substr(0, 21),
+            "#/rim_mm/sun: too thi");
+  EXPECT_EQ(refusal({{"rim_mm", {{"ring", 1.75 * .6}}}}).substr(0, 22), "#/rim_mm/ring: too thi");
+  EXPECT_EQ(refusal({{"rim_mm", {{"planet_2", 2}}}}),
+            "#/rim_mm/planet_2: the topology \"planetary\" has no such gear");
+  EXPECT_EQ(refusal({{"gearbox", {{"layer_2_module_mm", .7}}}}),
+            "#/gearbox/layer_2_module_mm: is for 3k trains; \"planetary\" has one layer");
   EXPECT_EQ(refusal({{"gearbox", {{"teeth", {{"ring", nullptr}}}}}}),
             "#/gearbox/teeth/ring: missing; the topology \"planetary\" has it");
   EXPECT_EQ(refusal({{"gearbox", {{"topology", "3k"}}}, {"face_width_mm", {{"layer_2", 5}}}}),

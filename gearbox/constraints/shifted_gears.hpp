@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gearbox/constraints/design_report.hpp"
+#include "gearbox/train/cut_train.hpp"
+
+namespace torquewright::gearbox {
+
+// The constraints of docs/gearbox_constraints.md that profile shift or a second module changes, on
+// gears as they are cut. Without both they have the values of meshing.hpp, spacing.hpp, teeth.hpp.
+
+/// How far a ring's shift may be from the one that closes the centre distance, in modules: what is
+/// left of shifts that are printed to three decimals.
+inline constexpr double kCoaxialTolerance = 0.002;
+
+/// The ring meshes without backlash at the centre distance of sun and planet.
+ConstraintReport coaxiality(const CutTrain& train, const CutMesh& mesh);
+
+/// 2 a sin(pi/n) - d_a > limit.
+ConstraintReport neighbour_clearance(const CutGear& planet, double centre_mm,
+                                     std::int64_t planet_count, const Rational& minimum_mm);
+
+/// z >= 2 (1 - x)/sin^2(alpha).
+ConstraintReport undercut(const CutGear& gear);
+
+/// a - r_aS - r_aP2 > 0.
+ConstraintReport sun_under_layer_2(const CutTrain& train);
+
+ConstraintReport ring_wall(const Problem& problem, const CutGear& ring);
+ConstraintReport ring_tip(const CutGear& ring);
+
+/// A planet in a ring.
+ConstraintReport involute_interference(const CutMesh& mesh);
+ConstraintReport trochoid_interference(const CutMesh& mesh);
+
+/// Zeros where there is none.
+ContactPath<double> contact_path_of(const CutMesh& mesh);
+ConstraintReport contact_ratio_limit(const Problem& problem, const CutMesh& mesh);
+
+/// From the tip of one gear to the root of its mate, the narrower of both, above 0.
+ConstraintReport bottom_clearance(const CutTrain& train, const CutMesh& mesh);
+
+/// The hob leaves the involutes of both external gears down to where the mate's tip touches them.
+ConstraintReport external_root_form(const CutTrain& train, const CutMesh& mesh,
+                                    double hob_tip_radius);
+
+}  // namespace torquewright::gearbox
