@@ -82,6 +82,7 @@ Robot with(const Robot& robot, std::size_t drivetrain, const Candidate& candidat
     actuator = candidate.actuator;
     if (battery && !actuator.battery) actuator.battery = battery;
   }
+  drive.stated_rotors_kg_m2.clear();
   if (!drive.rotors_in_tree) return changed;
   // What the joints state is of the rotors that it replaces; its own turn as the mechanism says.
   drive.rotors_in_tree = false;

@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include "actuator/check/drive_check.hpp"
 #include "hopper/mechanisms/constant_jacobian.hpp"
 #include "hopper/mechanisms/four_bar.hpp"
 #include "hopper/mechanisms/parallel_ankle.hpp"
@@ -78,7 +77,7 @@ class LoopCloser {
 
   /// Joints that state what rotors weigh at them keep it: then a crank has none.
   double rotor_of(std::size_t index) const {
-    return drivetrain_.rotors_in_tree ? 0 : actuator::armature_kg_m2(drivetrain_.actuators[index]);
+    return drivetrain_.rotors_in_tree ? 0 : turned_at_output_kg_m2(drivetrain_, index);
   }
 
   std::string link_name(std::size_t index, const char* part) const {
@@ -101,7 +100,8 @@ class LoopCloser {
     const Vector3d far_m = bar.ground_m * along + at(bar.rocker_m, bar.rocker_zero_rad);
     // What one drive at a constant ratio weighs stands in its joint: it moves to the crank.
     double rotor_kg_m2 = rotor_of(0);
-    if (const auto ratio = drivetrain_.mechanism->constant_jacobian()) {
+    const auto ratio = drivetrain_.mechanism->constant_jacobian();
+    if (ratio && drivetrain_.rotors_in_tree) {
       rotor_kg_m2 = joint.reflected_inertia / ((*ratio)(0, 0) * (*ratio)(0, 0));
       joint.reflected_inertia = 0;
     }

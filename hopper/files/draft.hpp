@@ -15,6 +15,9 @@ struct DraftBody {
   bool is_welded = false;
   const Element* source = nullptr;  ///< Of the inertia; null where the file states no such body.
   double rounding_kg_m2 = 0;        ///< By so much its moments may be off by how they are written.
+  double reference = 0;             ///< Of its joint where all bodies stand as the file puts them.
+  double stiffness = 0;             ///< Of a spring in its joint.
+  const Element* ball = nullptr;    ///< The ball joint that this hinge is one third of.
 };
 
 /// A robot read from another format, and what was left behind, in sentences.
@@ -23,7 +26,20 @@ struct Imported {
   std::vector<std::string> notes;
 };
 
+/// Where a frame stands in a draft.
+struct DraftPlace {
+  std::size_t draft = 0;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d p_m = Eigen::Vector3d::Zero();
+};
+
+/// Drafts of which none is welded, and where those that were read stand in them.
+struct Merged {
+  std::vector<DraftBody> draft;
+  std::vector<DraftPlace> places;
+};
+
 /// Welded bodies become part of their parents.
-std::vector<dynamics::Body> without_welds(const std::vector<DraftBody>& draft);
+Merged merged(const std::vector<DraftBody>& draft);
 
 }  // namespace torquewright::hopper

@@ -51,10 +51,8 @@ void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Impo
             Faults& faults) {
   if (options.mends_inertias) mend(draft, imported.notes);
   dynamics::Tree& tree = imported.robot.tree;
-  tree.bodies = without_welds(draft);
-  std::erase_if(draft, [&](const DraftBody& next) {
-    return next.is_welded && &next != draft.data();  // as without_welds() keeps them
-  });
+  draft = merged(draft).draft;
+  for (const DraftBody& next : draft) tree.bodies.push_back(next.body);
   const bool is_fixed = tree.base == dynamics::BaseKind::kFixed;
   for (std::size_t i = is_fixed ? 1 : 0; i < tree.bodies.size(); ++i) {
     std::string objection = objection_to(tree.bodies, i);

@@ -11,7 +11,11 @@ struct ImportFileOptions {
       body;  ///< Of the world's bodies this one is the robot; empty: the only one that moves.
   bool drops_base_armature = false;  ///< That of a free joint, which no robot document holds.
   bool frees_couplings = false;      ///< Joints and tendons that an equality couples.
-  bool mends_inertias = false;  ///< Those that miss the triangle inequality by their own rounding.
+  bool mends_inertias = false;   ///< Those that miss the triangle inequality by their own rounding.
+  bool drops_link_mass = false;  ///< That of cranks and rods of linkages.
+  /// The greatest share of the kinetic energy by which it may be off where cranks' and rods' mass
+  /// is put to their neighbours.
+  double greatest_link_error = 0.01;
 };
 
 }  // namespace torquewright::hopper

@@ -48,7 +48,25 @@ double effort_of(const Element& element, const MjcfContext& context) {
   return gear * force;
 }
 
+std::string joint_of(const Element& actuator) {
+  const std::string joint = attribute(actuator, "joint");
+  return joint.empty() ? attribute(actuator, "jointinparent") : joint;
+}
+
 }  // namespace
+
+std::map<std::string, std::string> driven_joints(const Element& mujoco,
+                                                 const MjcfContext& context) {
+  std::map<std::string, std::string> driven;
+  for (const Element* section : children(mujoco, "actuator")) {
+    for (const Element& stated : section->children) {
+      const Element element = context.defaults.completed(stated, "");
+      const std::string joint = joint_of(element);
+      if (!joint.empty()) driven[joint] = attribute(element, "name");
+    }
+  }
+  return driven;
+}
 
 MjcfEfforts read_efforts(const Element& mujoco, const MjcfContext& context) {
   MjcfEfforts efforts;
@@ -57,8 +75,7 @@ MjcfEfforts read_efforts(const Element& mujoco, const MjcfContext& context) {
     context.vocabulary.check(*section);
     for (const Element& stated : section->children) {
       const Element element = context.defaults.completed(stated, "");
-      std::string joint = attribute(element, "joint");
-      if (joint.empty()) joint = attribute(element, "jointinparent");
+      const std::string joint = joint_of(element);
       if (joint.empty()) {
         elsewhere.push_back(attribute(element, "name"));
         continue;

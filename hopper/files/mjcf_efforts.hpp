@@ -17,6 +17,9 @@ struct MjcfEfforts {
   std::vector<std::string> notes;
 };
 
+/// The actuator of each joint that one drives, by the joint; its own name, or "".
+std::map<std::string, std::string> driven_joints(const Element& mujoco, const MjcfContext& context);
+
 MjcfEfforts read_efforts(const Element& mujoco, const MjcfContext& context);
 
 }  // namespace torquewright::hopper

@@ -54,14 +54,6 @@ std::string coupling_of(const Element& equality) {
 }
 
 std::string objection(const Element& equality) {
-  const auto at = [&](const char* key) { return attribute(equality, key); };
-  if (equality.name == "connect") {
-    return fmt::format(
-        "closes a loop between \"{}\" and \"{}\", which a tree does not: rods with "
-        "mass are no part of our mechanisms. Leave it and the rods' bodies out, add "
-        "their mass to their neighbours, and state a four_bar or parallel_ankle",
-        at(at("body1").empty() ? "site1" : "body1"), at(at("body2").empty() ? "site2" : "body2"));
-  }
   if (is_coupling(equality)) {
     return fmt::format("{}, which no mechanism of ours does; --free-couplings leaves it out",
                        coupling_of(equality));
@@ -72,23 +64,25 @@ std::string objection(const Element& equality) {
 
 }  // namespace
 
-std::vector<std::string> refuse_equalities(const Element& mujoco, const Element& top,
-                                           bool frees_couplings, Faults& faults) {
+Equalities read_equalities(const Element& mujoco, const Element& top, bool frees_couplings,
+                           Faults& faults) {
   Names names;
   gather_names(top, names);
   add_tendons(mujoco, names);
-  std::vector<std::string> freed;
+  Equalities read;
   for (const Element* section : children(mujoco, "equality")) {
     for (const Element& stated : section->children) {
       if (attribute(stated, "active") == "false" || !holds(stated, names)) continue;
-      if (frees_couplings && is_coupling(stated)) {
-        freed.push_back(fmt::format("an equality that {} is left out", coupling_of(stated)));
+      if (stated.name == "connect") {
+        read.connects.push_back(&stated);
+      } else if (frees_couplings && is_coupling(stated)) {
+        read.freed.push_back(fmt::format("an equality that {} is left out", coupling_of(stated)));
       } else {
         faults.report(stated, objection(stated));
       }
     }
   }
-  return freed;
+  return read;
 }
 
 }  // namespace torquewright::hopper

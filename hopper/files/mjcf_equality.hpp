@@ -5,9 +5,15 @@
 
 namespace torquewright::hopper {
 
-/// Faults for each active equality constraint that holds a part of the tree below this body; where
-/// couplings of joints and tendons may be left out, the names of those instead.
-std::vector<std::string> refuse_equalities(const Element& mujoco, const Element& top,
-                                           bool frees_couplings, Faults& faults);
+/// The active equality constraints that hold a part of a tree.
+struct Equalities {
+  std::vector<const Element*> connects;
+  std::vector<std::string> freed;  ///< In sentences: what is left out.
+};
+
+/// Of the tree below this body. Faults for each that is neither a <connect> nor, where couplings of
+/// joints and tendons may be left out, one of these.
+Equalities read_equalities(const Element& mujoco, const Element& top, bool frees_couplings,
+                           Faults& faults);
 
 }  // namespace torquewright::hopper

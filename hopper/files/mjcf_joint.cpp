@@ -62,19 +62,35 @@ MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
   read.joint.reflected_inertia = faults.number(element, "armature", 0);
   if (read.joint.reflected_inertia < 0) faults.report(element, "the armature is negative");
   if (read.is_free) return read;
-  if (!type.empty() && type != "hinge" && type != "slide") {
-    faults.report(element, fmt::format("type \"{}\" must be hinge or slide here; three hinges in "
-                                       "one body turn like a ball",
-                                       type));
+  read.is_ball = type == "ball";
+  read.stiffness = faults.number(element, "stiffness", 0);
+  if (!type.empty() && type != "hinge" && type != "slide" && !read.is_ball) {
+    faults.report(element, fmt::format("type \"{}\" must be hinge or slide here", type));
   }
   const bool turns = type != "slide";
   read.joint.kind = turns ? JointKind::kRevolute : JointKind::kPrismatic;
   const double unit = turns ? context.compiler.rad_per_angle : 1;
-  read.reference = unit * faults.number(element, "ref", 0);
+  if (!read.is_ball) read.reference = unit * faults.number(element, "ref", 0);
   read_axis(element, placed, context, read);
-  read_range(element, unit, context, read.joint.limits);
+  if (!read.is_ball) read_range(element, unit, context, read.joint.limits);
   read_force_range(element, context, read.joint.limits);
   return read;
+}
+
+void refuse_ball(const Element& joint, Faults& faults) {
+  faults.report(joint,
+                "type \"ball\" must be hinge or slide here; three hinges in one body turn "
+                "like a ball");
+}
+
+std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball) {
+  std::vector<MjcfJoint> hinges(3, ball);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    dynamics::Joint& joint = hinges[static_cast<std::size_t>(k)].joint;
+    joint.axis = Vector3d::Unit(k);
+    if (k > 0) joint.name += k == 1 ? ".y" : ".z";
+  }
+  return hinges;
 }
 
 }  // namespace torquewright::hopper

@@ -11,12 +11,19 @@ struct MjcfJoint {
   dynamics::Joint joint;  ///< Its frame in its parent is not set.
   Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
   double reference = 0;  ///< Its position where the body stands as the file puts it.
+  double stiffness = 0;  ///< Of its spring.
   bool is_free = false;
+  bool is_ball = false;
   const Element* element = nullptr;
 };
 
-/// Hinges, slides and free joints; a ball is a fault.
+/// Hinges, slides, free joints and balls.
 MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context);
+
+/// A fault: a ball joint is one of a linkage's rods, or not read.
+void refuse_ball(const Element& joint, Faults& faults);
+/// About x, y and z, in place of a ball joint.
+std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball);
 
 /// Whether a range holds: as stated, or where none is stated and limits are automatic.
 bool is_limited(const Element& element, const char* limited, const MjcfContext& context);

@@ -10,8 +10,10 @@
 
 #include "dynamics/rigid_inertia.hpp"
 #include "hopper/files/finish.hpp"
+#include "hopper/files/linkages.hpp"
 #include "hopper/files/mended_inertia.hpp"
 #include "hopper/files/mjcf_base.hpp"
+#include "hopper/files/mjcf_connects.hpp"
 #include "hopper/files/mjcf_efforts.hpp"
 #include "hopper/files/mjcf_equality.hpp"
 #include "hopper/files/mjcf_include.hpp"
@@ -33,11 +35,7 @@ bool moves(const Element& element) {
 }
 
 /// Where the file's frame of a body stands in the frame of the draft that it became.
-struct Seen {
-  std::size_t draft = 0;
-  Matrix3d R = Matrix3d::Identity();
-  Vector3d p_m = Vector3d::Zero();
-};
+using Seen = DraftPlace;
 
 class MjcfReader {
  public:
@@ -56,14 +54,15 @@ class MjcfReader {
     const std::vector<Placed> bodies = bodies_of_world();
     const Placed* top = chosen(bodies);
     faults_.refuse();
-    for (std::string& note :
-         refuse_equalities(root_, *top->element, options_.frees_couplings, faults_)) {
-      imported_.notes.push_back(std::move(note));
-    }
+    Equalities equalities =
+        read_equalities(root_, *top->element, options_.frees_couplings, faults_);
+    for (std::string& note : equalities.freed) imported_.notes.push_back(std::move(note));
+    has_loops_ = !equalities.connects.empty();
     read_top(*top);
     faults_.refuse();
     scale_mass(bodies);
     limit_efforts();
+    if (has_loops_) open_loops(equalities.connects);
     finish(draft_, options_, imported_, faults_);
     for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
     return std::move(imported_);
@@ -176,9 +175,35 @@ class MjcfReader {
     std::vector<MjcfJoint> joints;
     for (const Placed& placed : held) {
       if (placed.element->name != "joint" && placed.element->name != "freejoint") continue;
-      joints.push_back(read_mjcf_joint(placed, context_));
+      MjcfJoint joint = read_mjcf_joint(placed, context_);
+      if (!joint.is_ball) {
+        joints.push_back(std::move(joint));
+        continue;
+      }
+      if (!has_loops_) refuse_ball(*joint.element, faults_);
+      for (MjcfJoint& hinge : hinges_of_ball(joint)) joints.push_back(std::move(hinge));
     }
     return joints;
+  }
+
+  /// What a <connect> closes becomes mechanisms, and cranks and rods are no bodies any more.
+  void open_loops(const std::vector<const Element*>& connects) {
+    Merged whole = merged(draft_);
+    draft_ = std::move(whole.draft);
+    std::vector<Connect> loops;
+    for (const Element* element : connects) {
+      vocabulary_.check(*element);
+      const auto loop = read_connect(*element, landmarks_, whole.places, draft_, context_);
+      if (loop) loops.push_back(*loop);
+    }
+    faults_.refuse();
+    read_linkages(loops, driven_joints(root_, context_), options_, draft_, imported_, faults_);
+    for (const DraftBody& left : draft_) {
+      if (left.ball != nullptr && left.body.joint.axis == Vector3d::UnitX()) {
+        refuse_ball(*left.ball, faults_);
+      }
+    }
+    faults_.refuse();
   }
 
   /// A body below a draft: welded to it, or carried by a chain of its joints.
@@ -224,6 +249,9 @@ class MjcfReader {
     const Vector3d shift_m = turns ? stated.place_m : stated.place_m + back * joint.axis;
     joint.p_PB_m = at.p_m + at.R * shift_m;
     joint.R_PB = at.R;
+    draft.reference = stated.reference;
+    draft.stiffness = stated.stiffness;
+    draft.ball = stated.is_ball ? stated.element : nullptr;
     if (turns && back != 0) {
       joint.R_PB = at.R * Eigen::AngleAxisd(back, joint.axis).toRotationMatrix();
     }
@@ -235,6 +263,7 @@ class MjcfReader {
     draft_[seen.draft].rounding_kg_m2 = rounding_of(child(body, "inertial"));
     draft_[seen.draft].body.inertia =
         dynamics::moved(compiled_inertia(body, held, context_), seen.R, seen.p_m);
+    if (has_loops_) landmarks_.add(body, held, seen, context_);
     for (const Placed& placed : held) {
       if (placed.element->name == "body") read_body(placed, seen);
     }
@@ -278,7 +307,9 @@ class MjcfReader {
   MjcfContext context_{compiler_, defaults_, vocabulary_, faults_};
   Imported imported_;
   std::vector<DraftBody> draft_;
+  MjcfLandmarks landmarks_;
   bool has_gravity_ = true;
+  bool has_loops_ = false;
 };
 
 }  // namespace

@@ -89,6 +89,9 @@ std::span<const Words> mjcf_words() {
        "no mesh is opened; state <inertial>"},
       {"geom", kAttributes, kRefused, "shellinertia", "state <inertial>"},
 
+      {"connect", kAttributes, kRead, "name class body1 body2 anchor site1 site2 active"},
+      {"connect", kAttributes, kNeutral, "solref solimp"},
+
       {"tendon", kChildren, kRead, "fixed spatial"},
       {"fixed", kAttributes, kForce, "stiffness damping frictionloss"},
       {"fixed", kAttributes, kNeutral,

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/check/drive_check.hpp"
 #include "hopper/robot/mechanism_reach.hpp"
 
 namespace torquewright::hopper {
@@ -59,8 +58,7 @@ dynamics::Tree tree_with_rotors(const Robot& robot, std::vector<std::string>& no
     const auto transfer = drivetrain.mechanism->transfer(home, rest);
     SmallVector armature_kg_m2 = rest;
     for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
-      armature_kg_m2[static_cast<Eigen::Index>(i)] =
-          actuator::armature_kg_m2(drivetrain.actuators[i]);
+      armature_kg_m2[static_cast<Eigen::Index>(i)] = turned_at_output_kg_m2(drivetrain, i);
     }
     std::vector<std::string> names;
     for (const std::size_t body : drivetrain.joints) names.push_back(tree.bodies[body].joint.name);

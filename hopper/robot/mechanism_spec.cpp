@@ -64,6 +64,8 @@ class MechanismReader {
     }
     for (const json& file : keys["actuators"]) read_actuator(file, drivetrain);
     read_names(keys, path, drivetrain);
+    read_inertias(keys, path, "reflected_inertia_kg_m2", drivetrain.stated_rotors_kg_m2);
+    read_inertias(keys, path, "crank_inertia_kg_m2", drivetrain.cranks_kg_m2);
     if (keys.contains("mounted_on")) read_mount(keys["mounted_on"], path, drivetrain);
     if (keys.contains("transmission_limit")) {
       drivetrain.transmission_limit =
@@ -74,7 +76,7 @@ class MechanismReader {
     if (has_right_keys(type, own)) drivetrain.mechanism = type.read(own);
     const std::size_t driven = drivetrain.joints.size();
     if (driven == needed && driven == drivetrain.actuators.size() && drivetrain.mechanism) {
-      reflect(drivetrain);
+      reflect(drivetrain, path);
       reach_faults(robot_.tree, drivetrain, {file_, path, ""}, faults_);
     }
     robot_.drivetrains.push_back(std::move(drivetrain));
@@ -96,6 +98,17 @@ class MechanismReader {
                                                      drivetrain.actuator_names.size()));
       }
     }
+  }
+
+  /// One per actuator.
+  void read_inertias(const json& keys, const std::string& path, const char* key,
+                     std::vector<double>& inertias_kg_m2) {
+    if (!keys.contains(key)) return;
+    inertias_kg_m2 = keys[key].get<std::vector<double>>();
+    if (inertias_kg_m2.size() == keys["actuators"].size()) return;
+    report(fmt::format("{}/{}", path, key),
+           fmt::format("must have {}, not {}", keys["actuators"].size(), inertias_kg_m2.size()));
+    inertias_kg_m2.clear();
   }
 
   void read_mount(const json& keys, const std::string& path, Drivetrain& drivetrain) {
@@ -144,11 +157,28 @@ class MechanismReader {
     return keys.contains("reflected_inertia_kg_m2") || keys.contains("reflected_mass_kg");
   }
 
-  /// What joints state of reflected inertia holds. Else that of one actuator at a constant ratio
-  /// stands in its joint; what changes with posture, or couples joints, is left to the drivetrain.
-  void reflect(Drivetrain& drivetrain) {
+  /// What the mechanism states of reflected inertia holds, and its joints may have more of their
+  /// own; else what joints state. Else that of one actuator at a constant ratio stands in its
+  /// joint; what changes with posture, or couples joints, is left to the drivetrain.
+  void reflect(Drivetrain& drivetrain, const std::string& path) {
+    if (!drivetrain.stated_rotors_kg_m2.empty()) {
+      drivetrain.rotors_in_tree = false;
+      return;
+    }
     for (const std::size_t body : drivetrain.joints) {
-      if (states_inertia(robot_.tree.bodies[body].joint.name)) return;
+      const std::string& joint = robot_.tree.bodies[body].joint.name;
+      if (!states_inertia(joint)) continue;
+      if (drivetrain.cranks_kg_m2.empty()) return;
+      report(
+          path + "/crank_inertia_kg_m2",
+          fmt::format("joint \"{}\" states what rotors weigh at it, at which its crank would not "
+                      "be counted; state reflected_inertia_kg_m2 here instead",
+                      joint));
+      return;
+    }
+    if (!drivetrain.cranks_kg_m2.empty()) {
+      drivetrain.rotors_in_tree = false;
+      return;
     }
     const auto jacobian = drivetrain.mechanism->constant_jacobian();
     if (!jacobian || drivetrain.joints.size() > 1) {

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/robot/robot.hpp"
 
+#include "actuator/check/drive_check.hpp"
+
 namespace torquewright::hopper {
+
+double rotor_at_output_kg_m2(const Drivetrain& drivetrain, std::size_t actuator) {
+  const std::vector<double>& stated = drivetrain.stated_rotors_kg_m2;
+  return stated.empty() ? actuator::armature_kg_m2(drivetrain.actuators[actuator])
+                        : stated[actuator];
+}
+
+double turned_at_output_kg_m2(const Drivetrain& drivetrain, std::size_t actuator) {
+  const std::vector<double>& cranks = drivetrain.cranks_kg_m2;
+  return rotor_at_output_kg_m2(drivetrain, actuator) + (cranks.empty() ? 0.0 : cranks[actuator]);
+}
 
 std::optional<std::size_t> Robot::find_joint(const std::string& joint_name) const {
   for (std::size_t i = 1; i < tree.bodies.size(); ++i) {

@@ -38,9 +38,19 @@ struct Drivetrain {
   std::vector<std::string> actuator_files;  ///< As the document names them.
   /// Whether the joints' reflected inertia in the tree holds that of these rotors already.
   bool rotors_in_tree = true;
+  /// Of rotor and gears at each actuator's output, where the mechanism itself states it; else
+  /// empty.
+  std::vector<double> stated_rotors_kg_m2;
+  /// Of each crank about its axis, behind the gears; empty: cranks weigh nothing.
+  std::vector<double> cranks_kg_m2;
   std::optional<dynamics::BodyPoint> mount;  ///< Where its actuators' mass sits, if stated.
   std::optional<TransmissionLimit> transmission_limit;  ///< Of each of its actuators.
 };
+
+/// Rotor and gears at an actuator's output: as stated, else N^2 J of the actuator.
+double rotor_at_output_kg_m2(const Drivetrain& drivetrain, std::size_t actuator);
+/// The same and the crank that it turns.
+double turned_at_output_kg_m2(const Drivetrain& drivetrain, std::size_t actuator);
 
 struct Robot {
   std::string name;

@@ -77,7 +77,7 @@ ordered_json joint_json(const Robot& robot, std::size_t index) {
   if (std::isfinite(limits.effort_max)) {
     keys[turns ? "torque_limit_Nm" : "force_limit_N"] = limits.effort_max;
   }
-  if (!has_rotors_elsewhere(robot, index)) {
+  if (joint.reflected_inertia != 0 || !has_rotors_elsewhere(robot, index)) {
     keys[turns ? "reflected_inertia_kg_m2" : "reflected_mass_kg"] = joint.reflected_inertia;
   }
   if (!joint.rotor_spin_kg_m2.isZero(0)) {
@@ -95,6 +95,10 @@ ordered_json drivetrain_json(const Robot& robot, const Drivetrain& drivetrain) {
   keys["actuators"] = drivetrain.actuator_files;
   if (drivetrain.joints.size() > 1) keys["actuator_names"] = drivetrain.actuator_names;
   keys.update(mechanism_keys(*drivetrain.mechanism));
+  if (!drivetrain.stated_rotors_kg_m2.empty()) {
+    keys["reflected_inertia_kg_m2"] = drivetrain.stated_rotors_kg_m2;
+  }
+  if (!drivetrain.cranks_kg_m2.empty()) keys["crank_inertia_kg_m2"] = drivetrain.cranks_kg_m2;
   if (drivetrain.mount) {
     keys["mounted_on"] = {{"body", robot.tree.bodies[drivetrain.mount->body].name},
                           {"position_m", list_of(drivetrain.mount->p_B_m)}};

@@ -30,14 +30,16 @@ double rotor_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std::size_t
         drivetrain.mechanism->constant_jacobian().value_or(SmallMatrix::Identity(1, 1))(0, 0);
     return robot.tree.bodies[drivetrain.joints.front()].joint.reflected_inertia / (ratio * ratio);
   }
-  return actuator::armature_kg_m2(drivetrain.actuators[actuator]);
+  return turned_at_output_kg_m2(drivetrain, actuator);
 }
 
 double in_front_of_gears_kg_m2(const Robot& robot, const Drivetrain& drivetrain,
                                std::size_t index) {
   const actuator::Actuator& actuator = drivetrain.actuators[index];
+  // A crank turns behind the gears.
   const double all_kg_m2 = rotors_stay_in_tree(drivetrain) ? actuator::armature_kg_m2(actuator)
-                                                           : rotor_kg_m2(robot, drivetrain, index);
+                           : drivetrain.rotors_in_tree     ? rotor_kg_m2(robot, drivetrain, index)
+                                                       : rotor_at_output_kg_m2(drivetrain, index);
   return std::max(0.0, all_kg_m2 - actuator.transmission.inertia_kg_m2);
 }
 

@@ -40,10 +40,10 @@ class WholeBody {
   dynamics::TreeState& state() { return state_; }
   const Robot& robot() const { return *robot_; }
   std::size_t drive_count() const { return rotors_kg_m2_.size(); }
-  /// N^2 J and the gears'; 0 where what the joints state of it stays in the tree.
+  /// N^2 J, the gears' and the crank's; 0 where what the joints state of it stays in the tree.
   double rotor_inertia_kg_m2(std::size_t drive) const { return rotors_kg_m2_[drive]; }
-  /// Of that what turns before the first mesh: without the gears' own. Where what the joints state
-  /// stays in the tree, the actuator's N^2 J.
+  /// Of that what turns before the first mesh: without the gears' own and the crank's. Where what
+  /// the joints state stays in the tree, the actuator's N^2 J.
   double before_gears_kg_m2(std::size_t drive) const { return before_gears_kg_m2_[drive]; }
 
   /// (n x n), rotors included; eq. (2).

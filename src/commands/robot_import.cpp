@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/urdf_reader.hpp"
@@ -12,6 +14,7 @@
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "io/json_text.hpp"
+#include "io/refusal.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/commands/robot_commands.hpp"
 #include "src/options/output_files.hpp"
@@ -25,6 +28,7 @@ struct ImportOptions {
   std::string format;
   std::string output_file;
   hopper::ImportFileOptions reading;
+  std::vector<std::string> actuators;  ///< NAME=FILE.
 };
 
 hopper::Imported read(const ImportOptions& options) {
@@ -37,11 +41,50 @@ hopper::Imported read(const ImportOptions& options) {
   return imported;
 }
 
+/// Where the document will be; on standard output, where it is asked for.
+std::filesystem::path place_of(const ImportOptions& options) {
+  return std::filesystem::absolute(options.output_file.empty() ? "robot.json"
+                                                               : options.output_file);
+}
+
+/// Documents of the drives of linkages, as the result names them.
+void name_actuators(const ImportOptions& options, hopper::Robot& robot) {
+  std::map<std::string, std::string> stated;
+  for (const std::string& text : options.actuators) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+      io::refuse("--actuator", fmt::format("\"{}\" must be NAME=ACTUATOR, the drive of a linkage "
+                                           "and its actuator's file",
+                                           text));
+    }
+    stated[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  const auto folder = place_of(options).parent_path();
+  for (hopper::Drivetrain& drivetrain : robot.drivetrains) {
+    for (const std::string& name : drivetrain.actuator_names) {
+      const auto found = stated.find(name);
+      if (found == stated.end()) {
+        io::refuse("--actuator", fmt::format("the drive {} of a {} is not named; a linkage needs "
+                                             "its actuator: --actuator {}=FILE",
+                                             name, drivetrain.mechanism->type(), name));
+      }
+      const auto file = std::filesystem::absolute(found->second);
+      drivetrain.actuator_files.push_back(std::filesystem::proximate(file, folder).string());
+      stated.erase(found);
+    }
+  }
+  if (stated.empty()) return;
+  io::refuse("--actuator",
+             fmt::format("no linkage of the file has a drive \"{}\"", stated.begin()->first));
+}
+
 /// The robot's document. What a file says may still be no robot (inertias that no body has): such a
-/// document is refused. It names no other files, so that checking it opens none.
+/// document is refused. Files that it names are beside where it will be.
 std::string compute(const ImportOptions& options, const hopper::Imported& imported) {
   std::string text = io::json_text(hopper::robot_json(imported.robot));
-  (void)hopper::robot_of(io::check_document(as_read(text), "robot", options.file, ""));
+  const bool has_files = !imported.robot.drivetrains.empty();
+  (void)hopper::robot_of(io::check_document(
+      as_read(text), "robot", has_files ? place_of(options).string() : options.file, ""));
   return text;
 }
 
@@ -57,7 +100,8 @@ void write(const ImportOptions& options, const hopper::Imported& imported,
 }
 
 ExitCode run_import(const ImportOptions& options) {
-  const hopper::Imported imported = read(options);
+  hopper::Imported imported = read(options);
+  name_actuators(options, imported.robot);
   const std::string document = compute(options, imported);
   write(options, imported, document);
   return ExitCode::kPasses;
@@ -80,6 +124,18 @@ void add_import_command(command_line::Command& robot) {
   command.add_flag("--mend-inertias", options->reading.mends_inertias,
                    "Inertias that no body has, but for the rounding of their numbers: the nearest "
                    "that one has");
+  command
+      .add_option("--actuator", options->actuators,
+                  "NAME=FILE, the actuator's document of the drive of a linkage that <connect> "
+                  "closes; repeatable")
+      .one_value_each();
+  command
+      .add_option("--link-error", options->reading.greatest_link_error,
+                  "Share of a motion's kinetic energy by which it may be off where cranks' and "
+                  "rods' mass goes to their neighbours; 0.01 where absent")
+      .between(0, 1);
+  command.add_flag("--massless-links", options->reading.drops_link_mass,
+                   "Leave out what cranks and rods of linkages weigh");
   command.add_option("-o,--output", options->output_file, "Write the document to this file")
       .names_a_file();
   command.example("torquewright robot import specs/robot/rabbit.urdf -o rabbit.json");

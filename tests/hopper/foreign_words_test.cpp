@@ -70,7 +70,7 @@ TEST(MjcfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
        R"(<body name="a"><joint type="free"/>)" + kPart + "</body>", "its armature of 0.1"},
       {"<equality/><equality><joint joint1='j'/></equality>", kTwoBodies, "holds \"j\""},
       {"<equality><connect body1='a' body2='b' anchor='0 0 0'/></equality>", kTwoBodies,
-       "rods with mass"},
+       "no linkage that is read"},
       {"", R"(<body name="a"><freejoint/><geom type="mesh" mesh="m"/></body>)",
        "no mesh is opened"},
       {"", R"(<body name="a"><joint/><geom type="box" size="1"/></body>)", "sizes are missing"},
