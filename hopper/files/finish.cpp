@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "hopper/files/feet.hpp"
 #include "hopper/files/mended_inertia.hpp"
 #include "hopper/robot/plausible_inertia.hpp"
 
@@ -52,6 +53,7 @@ void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Impo
   if (options.mends_inertias) mend(draft, imported.notes);
   dynamics::Tree& tree = imported.robot.tree;
   tree.bodies = without_welds(draft);
+  add_feet(draft, imported.robot);
   std::erase_if(draft, [&](const DraftBody& next) {
     return next.is_welded && &next != draft.data();  // as without_welds() keeps them
   });
