@@ -98,10 +98,11 @@ class Table {
 }  // namespace
 }  // namespace torquewright::test
 
-int main() {
+int main(int argc, char** argv) {
   using namespace torquewright::test;
+  const std::vector<std::string> asked(argv + 1, argv + argc);
   Table table;
-  for (const std::string& name : public_hoppers()) {
+  for (const std::string& name : asked.empty() ? public_hoppers() : asked) {
     const auto hopper = read_public_hopper(name);
     if (!hopper) continue;
     const SimulatedHop hop = simulate_hop(*hopper);

@@ -10,6 +10,7 @@
 #include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
 #include "hopper/contact/cone_least_squares.hpp"
+#include "hopper/robot/touching_point.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper {
@@ -194,7 +195,8 @@ class DemandPass {
   /// Where the ground presses on a contact point: soft ground, into which it has sunk, halfway
   /// between the point and the surface.
   dynamics::BodyPoint pressed_point(Index i, Index sample) {
-    dynamics::BodyPoint point = robot_.contacts[static_cast<std::size_t>(i)].point;
+    dynamics::BodyPoint point =
+        touching_point(robot_.contacts[static_cast<std::size_t>(i)], body_.state());
     if (contacts_.height_m.size() == 0 || contacts_.height_m(i, sample) >= 0.0) return point;
     const Vector3d up_m(0, 0, -0.5 * contacts_.height_m(i, sample));
     point.p_B_m += body_.state().motion(point.body).R_WB.transpose() * up_m;

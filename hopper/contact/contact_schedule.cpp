@@ -7,6 +7,7 @@
 #include "dynamics/point.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "hopper/motion/smoothing.hpp"
+#include "hopper/robot/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -35,7 +36,7 @@ void for_each_point(const Robot& robot, const Motion& motion, bool with_velocity
       state.set(motion.positions.col(sample), rest);
     }
     for (std::size_t i = 0; i < robot.contacts.size(); ++i) {
-      take(static_cast<Index>(i), sample, state, robot.contacts[i].point);
+      take(static_cast<Index>(i), sample, state, touching_point(robot.contacts[i], state));
     }
   }
 }

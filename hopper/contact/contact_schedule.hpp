@@ -18,6 +18,8 @@ struct ContactRule {
   double ground_height_m = 0.0;
   std::optional<double> height_m;
   std::optional<double> speed_m_s;
+  /// Of soft ground: MuJoCo's default solref, critically damped.
+  double time_constant_s = 0.02;
 
   /// Those stated, and of the others the usual ones.
   ContactThresholds thresholds() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,14 @@
 #include "hopper/robot/robot.hpp"
 
 namespace torquewright::hopper {
+
+/// A ball of a body that may meet the ground.
+struct DraftBall {
+  std::string name;
+  Eigen::Vector3d center_m;  ///< In the body's frame.
+  double radius_m = 0;
+  std::optional<double> friction_coefficient;
+};
 
 /// A body as a file has it: perhaps welded to its parent, perhaps without mass.
 struct DraftBody {
@@ -18,6 +27,7 @@ struct DraftBody {
   double reference = 0;             ///< Of its joint where all bodies stand as the file puts them.
   double stiffness = 0;             ///< Of a spring in its joint.
   const Element* ball = nullptr;    ///< The ball joint that this hinge is one third of.
+  std::vector<DraftBall> balls = {};
 };
 
 /// A robot read from another format, and what was left behind, in sentences.

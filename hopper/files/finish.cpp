@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "hopper/files/feet.hpp"
 #include "hopper/files/mended_inertia.hpp"
 #include "hopper/robot/plausible_inertia.hpp"
 
@@ -53,6 +54,7 @@ void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Impo
   dynamics::Tree& tree = imported.robot.tree;
   draft = merged(draft).draft;
   for (const DraftBody& next : draft) tree.bodies.push_back(next.body);
+  add_feet(draft, imported.robot);
   const bool is_fixed = tree.base == dynamics::BaseKind::kFixed;
   for (std::size_t i = is_fixed ? 1 : 0; i < tree.bodies.size(); ++i) {
     std::string objection = objection_to(tree.bodies, i);

@@ -9,7 +9,8 @@
 
 namespace torquewright::hopper {
 
-/// Mends the drafts' inertias where that is asked for, welds, and puts the bodies into the robot.
+/// Mends the drafts' inertias where that is asked for, welds, and puts bodies and feet into the
+/// robot.
 /// Throws io::SpecError where an inertia is that of no body, or where a joint moves no mass.
 void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Imported& imported,
             Faults& faults);

@@ -193,8 +193,8 @@ class BodyWriter {
       out_.CloseElement();
       if (!collides_) continue;
       // With the ground alone, and its friction is that of the pair: the greater of both.
-      write_ball(contact.name, contact.point.p_B_m, kContactBall_m, {0, 1},
-                 contact.friction_coefficient);
+      const double radius_m = contact.radius_m > 0 ? contact.radius_m : kContactBall_m;
+      write_ball(contact.name, contact.point.p_B_m, radius_m, {0, 1}, contact.friction_coefficient);
     }
     for (const CollisionSphere& sphere : robot_.spheres) {
       if (!collides_ || sphere.center.body != index) continue;

@@ -6,6 +6,7 @@
 #include "dynamics/point.hpp"
 #include "hopper/files/mjcf_bodies.hpp"
 #include "hopper/files/xml_text.hpp"
+#include "hopper/robot/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -30,7 +31,8 @@ double standing_height_m(const Robot& robot, const Eigen::VectorXd& q) {
   state.set(q, Eigen::VectorXd::Zero(robot.tree.velocity_size()));
   double lowest_m = 0;
   for (std::size_t i = 0; i < robot.contacts.size(); ++i) {
-    const double height_m = dynamics::point_position_m(state, robot.contacts[i].point).z();
+    const dynamics::BodyPoint point = touching_point(robot.contacts[i], state);
+    const double height_m = dynamics::point_position_m(state, point).z();
     lowest_m = i == 0 ? height_m : std::min(lowest_m, height_m);
   }
   return -lowest_m;

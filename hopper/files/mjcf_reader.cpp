@@ -28,6 +28,8 @@ using dynamics::JointKind;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr double kMjcfFriction = 1.0;  // where a geom states none
+
 bool moves(const Element& element) {
   return std::any_of(element.children.begin(), element.children.end(), [](const Element& held) {
     return held.name == "joint" || held.name == "freejoint" || moves(held);
@@ -266,7 +268,31 @@ class MjcfReader {
     if (has_loops_) landmarks_.add(body, held, seen, context_);
     for (const Placed& placed : held) {
       if (placed.element->name == "body") read_body(placed, seen);
+      if (placed.element->name == "geom") read_ball(placed, attribute(body, "name"), seen);
     }
+  }
+
+  /// A sphere that collides with something.
+  void read_ball(const Placed& placed, const std::string& body, const Seen& seen) {
+    const Element geom = defaults_.completed(*placed.element, placed.childclass);
+    const std::string type = attribute(geom, "type");
+    const bool is_ball = (type.empty() || type == "sphere") &&
+                         find_attribute(geom, "mesh") == nullptr &&
+                         find_attribute(geom, "fromto") == nullptr;
+    if (!is_ball || find_attribute(geom, "size") == nullptr) return;
+    const bool collides =
+        faults_.number(geom, "contype", 1) != 0 || faults_.number(geom, "conaffinity", 1) != 0;
+    if (!collides) return;
+    DraftBall ball;
+    ball.name = attribute(geom, "name");
+    if (ball.name.empty()) ball.name = (body.empty() ? "body" : body) + "_ball";
+    ball.center_m = seen.p_m + seen.R * pose_of(placed, geom, context_).p_m;
+    const auto size_m = faults_.numbers(geom, "size", 1, 3);
+    const auto friction = faults_.numbers(geom, "friction", 1, 3);
+    if (!size_m || !((*size_m)[0] > 0)) return;
+    ball.radius_m = (*size_m)[0];
+    ball.friction_coefficient = friction ? (*friction)[0] : kMjcfFriction;
+    draft_[seen.draft].balls.push_back(std::move(ball));
   }
 
   /// All of the world's mass counts.

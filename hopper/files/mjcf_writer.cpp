@@ -36,7 +36,8 @@ void write_ground(tinyxml2::XMLPrinter& out) {
 void add_notes_of_parts(const Robot& robot, const MjcfParts& parts,
                         std::vector<std::string>& notes) {
   if (parts.collisions && !robot.contacts.empty()) {
-    notes.emplace_back("contact points are balls of 1 mm about them, without restitution");
+    notes.emplace_back(
+        "contact points without a radius are balls of 1 mm about them, all without restitution");
   }
   if (parts.actuators && !robot.drivetrains.empty()) {
     notes.emplace_back(

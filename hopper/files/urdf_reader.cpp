@@ -82,6 +82,7 @@ class UrdfReader {
     DraftBody draft;
     draft.body.name = tree_.names[place.body];
     read_inertia(*tree_.links[place.body], draft);
+    read_balls(*tree_.links[place.body], draft);
     if (place.joint == nullptr) return draft;
     draft.body.parent = places.at(place.joint->parent);
     read_joint(*tree_.joints.at(place.joint->joint), draft);
@@ -112,6 +113,22 @@ class UrdfReader {
     inertia =
         dynamics::moved(inertia, rotation_of_rpy(faults_.vector(*origin, "rpy", Vector3d::Zero())),
                         faults_.vector(*origin, "xyz", Vector3d::Zero()));
+  }
+
+  /// Spheres that collide; what else a link's shapes say is left behind.
+  void read_balls(const Element& link, DraftBody& draft) {
+    for (const Element* collision : children(link, "collision")) {
+      const Element* geometry = child(*collision, "geometry");
+      const Element* sphere = geometry != nullptr ? child(*geometry, "sphere") : nullptr;
+      if (sphere == nullptr) continue;
+      DraftBall ball;
+      ball.name = draft.body.name;
+      ball.radius_m = faults_.number(*sphere, "radius", 0);
+      const Element* origin = child(*collision, "origin");
+      ball.center_m = origin != nullptr ? faults_.vector(*origin, "xyz", Vector3d::Zero())
+                                        : Vector3d(Vector3d::Zero());
+      if (ball.radius_m > 0) draft.balls.push_back(std::move(ball));
+    }
   }
 
   void read_joint(const Element& element, DraftBody& draft) {

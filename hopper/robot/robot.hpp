@@ -21,6 +21,7 @@ struct ContactPoint {
   dynamics::BodyPoint point;
   double friction_coefficient = 0;
   double restitution = 0;
+  double radius_m = 0;  ///< Of a ball about the point; 0: the point itself touches.
 };
 
 /// A ball that stands for part of a body where bodies must not meet.

@@ -133,6 +133,7 @@ ordered_json robot_json(const Robot& robot) {
                                     {"position_m", list_of(contact.point.p_B_m)},
                                     {"friction_coefficient", contact.friction_coefficient},
                                     {"restitution", contact.restitution}});
+    if (contact.radius_m > 0) document["contacts"].back()["radius_m"] = contact.radius_m;
   }
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     document["mechanisms"].push_back(drivetrain_json(robot, drivetrain));

@@ -240,7 +240,8 @@ class RobotReader {
       robot_.contacts.push_back({contacts[i]["name"],
                                  {*index, vector_of(contacts[i], "position_m")},
                                  contacts[i]["friction_coefficient"],
-                                 contacts[i].value("restitution", 0.0)});
+                                 contacts[i].value("restitution", 0.0),
+                                 contacts[i].value("radius_m", 0.0)});
     }
   }
 

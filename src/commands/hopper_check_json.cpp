@@ -26,6 +26,7 @@ nlohmann::ordered_json request_json(const HopperCheckRequest& request) {
   add("ground_height_m", request.check.contact.ground_height_m, defaults.contact.ground_height_m);
   if (contact.height_m) json["contact_height_m"] = *contact.height_m;
   if (contact.speed_m_s) json["contact_speed_m_s"] = *contact.speed_m_s;
+  add("contact_time_constant_s", contact.time_constant_s, defaults.contact.time_constant_s);
   add("residual_limit", request.check.residual_share, defaults.residual_share);
   add("load_window_s", request.check.load_window_s, defaults.load_window_s);
   add("repeat", request.check.runs, defaults.runs);

@@ -37,6 +37,10 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
                   "and that move up or down no faster, in m/s; likewise")
       .between(0.0, 100.0);
   command
+      .add_option("--contact-time-constant", check.contact.time_constant_s,
+                  "Of the simulator's soft ground, in s (MuJoCo's solref): how far feet may sink")
+      .between(0.0, 10.0);
+  command
       .add_option("--residual-limit", check.residual_share,
                   "Force that nothing explains, in weights: more is no motion")
       .between(0.0, 1e9);

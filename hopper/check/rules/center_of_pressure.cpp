@@ -9,6 +9,7 @@
 #include "dynamics/point.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/contact/support_polygon.hpp"
+#include "hopper/robot/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -34,7 +35,8 @@ std::optional<double> margin_at(const CheckedMotion& checked, const dynamics::Tr
       continue;
     }
     points.emplace_back(
-        dynamics::point_position_m(state, checked.robot.contacts[i].point).head<2>());
+        dynamics::point_position_m(state, touching_point(checked.robot.contacts[i], state))
+            .head<2>());
     const double normal_N = checked.demand.forces_N(3 * row + 2, sample);
     force_N += normal_N;
     moment += normal_N * points.back();

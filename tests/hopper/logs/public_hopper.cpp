@@ -84,9 +84,8 @@ void complete_cheetah(PublicHopper& hopper) {
   hopper.damper_Nm_s_rad = 18;
 }
 
-void complete_go1(PublicHopper& hopper) {
+void fold_go1(PublicHopper& hopper) {
   for (const std::string leg : {"FR", "FL", "RR", "RL"}) {
-    add_contact(leg, leg + "_calf_joint", {0, 0, -0.23}, hopper.robot);
     const double more = leg[0] == 'R' ? 1.05 : 1.0;
     hopper.fold.insert({{leg + "_thigh_joint", 0.9 * more}, {leg + "_calf_joint", -1.8 * more}});
   }
@@ -94,6 +93,22 @@ void complete_go1(PublicHopper& hopper) {
   hopper.stretch = 0.85;
   hopper.spring_Nm_rad = 150;
   hopper.damper_Nm_s_rad = 4;
+}
+
+void complete_go1(PublicHopper& hopper) {
+  for (const std::string leg : {"FR", "FL", "RR", "RL"}) {
+    add_contact(leg, leg + "_calf_joint", {0, 0, -0.23}, hopper.robot);
+  }
+  fold_go1(hopper);
+}
+
+/// Its feet as the file has them: balls that roll.
+void complete_go1_balls(PublicHopper& hopper) {
+  hopper.robot.contacts = hopper.stated_contacts;
+  for (hopper::ContactPoint& contact : hopper.robot.contacts) {
+    contact.friction_coefficient = kFriction;
+  }
+  fold_go1(hopper);
 }
 
 void complete_op3(PublicHopper& hopper) {
@@ -132,6 +147,8 @@ const std::vector<Entry>& entries() {
       {"cheetah", "planar, two legs", std::string(kSuite) + "cheetah.xml", complete_cheetah},
       {"go1", "quadruped", std::string(kLocomotion) + "go1/xmls/go1_mjx_feetonly.xml",
        complete_go1},
+      {"go1_balls", "quadruped, feet of 23 mm that roll",
+       std::string(kLocomotion) + "go1/xmls/go1_mjx_feetonly.xml", complete_go1_balls},
       {"op3", "biped", std::string(kLocomotion) + "op3/xmls/op3_mjx_feetonly.xml", complete_op3},
   };
   return all;
@@ -155,6 +172,8 @@ std::optional<PublicHopper> read_public_hopper(const std::string& name) {
     hopper.name = entry.name;
     hopper.kind = entry.kind;
     hopper.robot = hopper::read_mjcf(robots() / entry.file).robot;
+    hopper.stated_contacts = std::move(hopper.robot.contacts);
+    hopper.robot.contacts.clear();
     entry.complete(hopper);
     add_drives(hopper.robot);
     return hopper;

@@ -16,7 +16,8 @@ struct PublicHopper {
   std::string name;
   std::string kind;  ///< Of robot, in words.
   hopper::Robot robot;
-  std::map<std::string, double> stand;  ///< Joints that do not fold; others: 0 rad.
+  std::vector<hopper::ContactPoint> stated_contacts;  ///< Of the file.
+  std::map<std::string, double> stand;                ///< Joints that do not fold; others: 0 rad.
   std::map<std::string, double> fold;
   double crouch = 1.0;
   double stretch = 0.0;
@@ -24,7 +25,7 @@ struct PublicHopper {
   double damper_Nm_s_rad = 0.0;
 };
 
-/// Names of the five.
+/// Names of the five, one of them with two kinds of feet.
 const std::vector<std::string>& public_hoppers();
 
 /// None where the data are absent: ../shared/data or $TORQUEWRIGHT_DATA.

@@ -7,6 +7,7 @@
 
 #include "dynamics/point.hpp"
 #include "hopper/files/mjcf_writer.hpp"
+#include "hopper/robot/touching_point.hpp"
 #include "tests/dynamics/mujoco_engine.hpp"
 #include "tests/dynamics/tree_mjcf.hpp"
 
@@ -101,9 +102,11 @@ class Simulation {
     state_.set(q, VectorXd::Zero(tree().velocity_size()));
     double lowest_m = 1e9;
     for (const hopper::ContactPoint& contact : hopper_.robot.contacts) {
-      lowest_m = std::min(lowest_m, dynamics::point_position_m(state_, contact.point).z());
+      const dynamics::BodyPoint point = hopper::touching_point(contact, state_);
+      const double below_m = contact.radius_m > 0.0 ? 0.0 : kBall_m;
+      lowest_m = std::min(lowest_m, dynamics::point_position_m(state_, point).z() - below_m);
     }
-    q[tree().base == dynamics::BaseKind::kPlanar ? 1 : 2] = kBall_m - lowest_m;
+    q[tree().base == dynamics::BaseKind::kPlanar ? 1 : 2] = -lowest_m;
     for (Index i = 0; i < base_ + extra(); ++i) data().qpos[i] = q[i];
     for (Index i = base_; i < base_ + joints_; ++i) {
       data().qpos[i + extra()] = q[rows_[static_cast<std::size_t>(i)] + extra()];

@@ -15,8 +15,8 @@ struct SimulatedHop {
   Eigen::MatrixXd angular_momentum_Nm_s;  ///< (3 x samples), about the centre of mass.
 };
 
-/// Ground of MuJoCo's default softness, balls of 1 mm at the contact points; fourth-order
-/// Runge-Kutta.
+/// Ground of MuJoCo's default softness, balls of 1 mm at the contact points without a radius;
+/// fourth-order Runge-Kutta.
 SimulatedHop simulate_hop(const PublicHopper& hopper);
 
 }  // namespace torquewright::test

@@ -134,6 +134,23 @@ TEST(SimulatorLogs, AreUndecidedWhereTheLimitLiesInTheDoubt) {
   EXPECT_EQ(verdict_with(doubt.least_Nm * (1.0 - kBeside)), Verdict::kFail);
 }
 
+// Feet as balls: the contact rolls over them as the shank turns. As points that are fixed to it the
+// same feet leave a moment that nothing explains.
+TEST(SimulatorLogs, OfFeetThatRollAreReadAsSuch) {
+  const Hop* it = hop_of("go1_balls");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  ASSERT_EQ(it->hopper.robot.contacts.size(), 4u);
+  const LogContent content{1000, true, true, true, false, 0.0};
+  const Checked found = check(*it, content);
+  expect_goals(found.errors);
+  Hop fixed = *it;
+  for (hopper::ContactPoint& contact : fixed.hopper.robot.contacts) {
+    contact.point.p_B_m.z() -= contact.radius_m;  // the sole of a shank that stands upright
+    contact.radius_m = 0.0;
+  }
+  EXPECT_THROW(check(fixed, content), io::SpecError);
+}
+
 bool is_moved(const hopper::HopperReport& report, const char* what) {
   const auto& findings = report.check.findings;
   return std::any_of(findings.begin(), findings.end(), [what](const hopper::Finding& finding) {
