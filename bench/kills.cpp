@@ -66,7 +66,9 @@ class Bench {
         "exchange | its temporary file | wrong |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const Words& command : example_commands()) {
       if (outputs_of(command).empty()) continue;
-      const Counts counts = kill_many(whole_run(command));
+      const Victim victim = whole_run(command);
+      if (victim.finished.empty()) continue;  // it found nothing to be written
+      const Counts counts = kill_many(victim);
       wrong += counts.wrong;
       fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} |\n", fmt::join(command, " "),
                  counts.kills, counts.as_before, counts.done, counts.cut_short, counts.torn_by_kill,
@@ -86,7 +88,6 @@ class Bench {
       victim.finished[path.substr(path.find('/') + 1)] =
           io::read_file_bytes(scene_.folder() / ".." / path);
     }
-    if (victim.finished.empty()) throw std::runtime_error("writes nothing: " + command[1]);
     return victim;
   }
 

@@ -33,7 +33,8 @@ std::string with_other_numbers(const std::string& text, Random& random) {
   json document = json::parse(text, nullptr, false);
   std::vector<json::json_pointer> places;
   if (!document.is_discarded() && document.is_structured()) {
-    for (const auto& [pointer, value] : document.flatten().items()) {
+    const json flat = document.flatten();
+    for (const auto& [pointer, value] : flat.items()) {
       if (value.is_number() && pointer != "/version") places.emplace_back(pointer);
     }
   }

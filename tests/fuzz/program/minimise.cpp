@@ -69,7 +69,8 @@ class Minimiser {
     const json document = json::parse(one_.things[name].content, nullptr, false);
     if (document.is_discarded()) return;
     std::vector<json::json_pointer> places;
-    for (const auto& [pointer, value] : document.flatten().items()) {
+    const json flat = document.flatten();
+    for (const auto& [pointer, value] : flat.items()) {
       for (json::json_pointer place(pointer); !place.empty(); place = place.parent_pointer()) {
         places.push_back(place);
       }

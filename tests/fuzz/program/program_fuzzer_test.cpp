@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "tests/cli/no_number.hpp"
 #include "tests/fuzz/program/case_json.hpp"
 #include "tests/fuzz/program/command_files.hpp"
+#include "tests/fuzz/program/document_mutation.hpp"
 #include "tests/fuzz/program/draw.hpp"
 #include "tests/fuzz/program/minimise.hpp"
 #include "tests/fuzz/program/rules.hpp"
@@ -136,6 +138,19 @@ TEST(Case, OfANumberIsAlwaysTheSame) {
     texts.insert(text);
   }
   EXPECT_GT(texts.size(), 45u);
+}
+
+TEST(Documents, StayDocumentsWithOtherNumbers) {
+  const std::string text = R"({"kind": "rig", "version": 1, "a": [1.5, {"b~/": 2}], "c": 3})";
+  Random random(1);
+  std::set<std::string> texts;
+  for (int i = 0; i < 200; ++i) {
+    const auto changed = nlohmann::json::parse(with_other_numbers(text, random));
+    EXPECT_EQ(changed["version"], 1);
+    EXPECT_EQ(changed.size(), 4u);
+    texts.insert(changed.dump());
+  }
+  EXPECT_GT(texts.size(), 150u);
 }
 
 // The breach needs one word and one character of one file.
