@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "actuator/motor/statement.hpp"
+
 namespace torquewright::actuator {
 namespace {
 
