@@ -48,6 +48,7 @@ struct Check {
   std::optional<RoundedInterval> (*expected)(const Interpretation& interpretation) = nullptr;
   std::vector<Interpreter>
       interpreters;            ///< Other interpretations that are tried on a contradiction.
+  bool stands_alone = false;   ///< Of one number: no part of what explains the whole sheet.
   bool below_is_load = false;  ///< A smaller number may be a loaded or capped one.
   /// Explanations that are no interpretation of the document.
   std::vector<Explanation> (*further)(const Actuator& document, const RoundedInterval& stated,

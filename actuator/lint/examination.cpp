@@ -160,6 +160,15 @@ std::optional<Finding> rivals_of(const Check& check, const Actuator& document,
   return finding;
 }
 
+/// Of a check that stands alone.
+Finding doubt_of(const Check& check, const Actuator& document, const Pair& pair) {
+  Finding finding = finding_of(check, document, pair.stated, pair.expected);
+  finding.severity = contradiction(finding.explanations);
+  finding.sentence = fmt::format("{}: settle whether the reading below is meant, and state it.",
+                                 sentence_of(check, pair.stated, pair.expected));
+  return finding;
+}
+
 /// What one check has to say, but for contradictions, which are explained together.
 std::optional<Finding> note_of(const Check& check, const Actuator& document, const Pair& pair) {
   if (is_met(check.demand, pair.stated, pair.expected)) {
@@ -168,6 +177,7 @@ std::optional<Finding> note_of(const Check& check, const Actuator& document, con
   if (is_tolerated(check, document, pair)) {
     return tolerated(check, document, pair.stated, pair.expected);
   }
+  if (check.stands_alone) return doubt_of(check, document, pair);
   return plausibility_of(check, document, pair.stated, pair.expected);
 }
 

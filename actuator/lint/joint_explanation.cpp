@@ -215,7 +215,7 @@ bool is_tolerated(const Check& check, const Actuator& document, const Pair& pair
 std::vector<const Check*> contradicted(const Interpretation& interpretation) {
   std::vector<const Check*> checks;
   for (const Check* check : library()) {
-    if (check->weight != Weight::kContradiction) continue;
+    if (check->weight != Weight::kContradiction || check->stands_alone) continue;
     const std::optional<Pair> pair = pair_of(*check, interpretation);
     if (pair && !is_tolerated(*check, interpretation.document, *pair)) checks.push_back(check);
   }

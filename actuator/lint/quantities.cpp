@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "actuator/motor/statement.hpp"
+
 namespace torquewright::actuator::lint {
 namespace {
 

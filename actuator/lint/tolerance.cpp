@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "actuator/lint/quantities.hpp"
+#include "actuator/motor/statement.hpp"
 
 namespace torquewright::actuator::lint {
 namespace {

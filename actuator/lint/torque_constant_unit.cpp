@@ -53,6 +53,7 @@ const Check torque_constant_unit = {
     },
     .expected = greatest_plausible,
     .interpreters = {},
+    .stands_alone = true,
     .further = further,
 };
 

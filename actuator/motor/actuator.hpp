@@ -7,7 +7,6 @@
 
 #include "actuator/effects/effect.hpp"
 #include "actuator/motor/convention.hpp"
-#include "actuator/motor/statement.hpp"
 #include "actuator/unlimited.hpp"
 
 namespace torquewright::actuator {
@@ -103,6 +102,16 @@ struct Datasheet {
   std::optional<double> reflected_inertia_kg_m2;
   std::optional<double> electrical_time_constant_s;
   std::optional<double> mechanical_time_constant_s;  ///< Of the rotor alone.
+};
+
+/// What a document says of one of its numbers beside the number:
+/// {"value": 2.36, "side": "joint", "ampere": "rms", "tolerance": 0.1}.
+struct Statement {
+  std::string pointer;                      ///< "/motor/torque_constant_Nm_A"
+  double printed = 0.0;                     ///< The number as it stands there.
+  std::optional<bool> at_joint;             ///< Else as the key, or the data sheet, has it.
+  std::optional<CurrentConvention> ampere;  ///< Else the torque constant's.
+  std::optional<double> tolerance;          ///< Share of the number, either way.
 };
 
 /// A document of kind `actuator`.

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/motor/actuator.hpp"
-
 namespace torquewright::actuator {
 namespace {
 

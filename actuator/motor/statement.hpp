@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-#include <string>
 #include <string_view>
 
-#include "actuator/motor/convention.hpp"
+#include "actuator/motor/actuator.hpp"
 
 namespace torquewright::actuator {
-
-struct Actuator;
-
-/// What a document says of one of its numbers beside the number:
-/// {"value": 2.36, "side": "joint", "ampere": "rms", "tolerance": 0.1}.
-struct Statement {
-  std::string pointer;                      ///< "/motor/torque_constant_Nm_A"
-  double printed = 0.0;                     ///< The number as it stands there.
-  std::optional<bool> at_joint;             ///< Else as the key, or the data sheet, has it.
-  std::optional<CurrentConvention> ampere;  ///< Else the torque constant's.
-  std::optional<double> tolerance;          ///< Share of the number, either way.
-};
 
 /// nullptr where a plain number stands.
 const Statement* find_statement(const Actuator& actuator, std::string_view pointer);

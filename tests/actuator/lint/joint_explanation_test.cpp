@@ -125,6 +125,18 @@ TEST(JointExplanation, NamesAConstantThatSpoilsSeveralComparisons) {
   EXPECT_EQ(finding.culprits, std::vector<Words>{{"/motor/torque_constant_Nm_A"}});
 }
 
+// A torque constant a thousand times too large is doubted by itself, beside what it contradicts.
+TEST(JointExplanation, LeavesOutTheDoubtOfAUnit) {
+  Actuator document = invented();
+  document.motor.torque_constant_Nm_A *= 1000.0;
+  const Examination examined = examine(document);
+  ASSERT_TRUE(finding(examined, "torque-constant-unit"));
+  EXPECT_EQ(finding(examined, "torque-constant-unit")->severity, Severity::kWarning);
+  ASSERT_TRUE(finding(examined, "whole-sheet"));
+  EXPECT_EQ(finding(examined, "whole-sheet")->culprits,
+            std::vector<Words>{{"/motor/torque_constant_Nm_A"}});
+}
+
 // A reading that fits one pair and breaks another explains no sheet: with Kt per rms ampere the
 // velocity constant alone would be sqrt(3/2) of what it is, but so would the speed.
 TEST(JointExplanation, LeavesOutReadingsThatBreakWhatHolds) {
