@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "actuator/unlimited.hpp"
+
 namespace torquewright::actuator {
 namespace {
 
@@ -110,6 +112,27 @@ std::optional<CurrentPlane> current_plane_at(const PhaseModel& model, const Curr
   plane.room_V2 =
       combined(1.0, *supplied, -1.0, voltage_square(model, current, speed_rad_s, amplitude));
   return plane;
+}
+
+double room_V2_at(const PhaseModel& model, const Current& i, double speed_rad_s) {
+  const double w = model.pole_pairs * speed_rad_s;
+  const double R = model.resistance_ohm;
+  const double square = i.d_A * i.d_A + i.q_A * i.q_A;
+  const double amplitude_A = model.dead_time_V > 0.0 ? std::sqrt(square) : 0.0;
+  // Dead time is a further resistance along the current.
+  const double drop_ohm = amplitude_A > 0.0 ? R + model.dead_time_V / amplitude_A : R;
+  const double v_d = drop_ohm * i.d_A - w * model.inductance_q_H * i.q_A;
+  const double v_q =
+      drop_ohm * i.q_A + w * model.inductance_d_H * i.d_A + model.back_emf_V_s_rad * speed_rad_s;
+  double bus_V = model.supply.open_circuit_V;
+  if (model.supply.resistance_ohm > 0.0) {
+    const double power_W = torque_Nm(model, i) * speed_rad_s + 1.5 * drop_ohm * square;
+    const auto sagged_V = bus_voltage_V(model.supply, power_W);
+    if (!sagged_V) return -kUnlimited;
+    bus_V = *sagged_V;
+  }
+  const double phase_V = model.phase_volts_per_bus_volt * bus_V;
+  return phase_V * phase_V - v_d * v_d - v_q * v_q;
 }
 
 }  // namespace torquewright::actuator

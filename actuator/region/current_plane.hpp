@@ -34,4 +34,7 @@ struct CurrentPlane {
 std::optional<CurrentPlane> current_plane_at(const PhaseModel& model, const Current& current,
                                              double speed_rad_s);
 
+/// The value of room_V2 alone; minus infinity where the supply cannot deliver the power.
+double room_V2_at(const PhaseModel& model, const Current& current, double speed_rad_s);
+
 }  // namespace torquewright::actuator

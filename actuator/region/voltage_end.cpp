@@ -15,6 +15,7 @@ namespace {
 constexpr int kMostEndSteps = 20;
 constexpr double kShortEndStep = 1e-9;  // of the current limit; the next one is its square
 constexpr double kStartShare = 1e-3;    // of a curve, from where Newton's method takes over
+constexpr double kRoomyShare = 0.01;    // of a curve, where some room is enough
 constexpr double kPastLimit = 1e-9;     // relative: how far rounding puts a point past a limit
 
 /// What else holds where the voltage ends the torques, eq. (14).
@@ -56,20 +57,20 @@ class EndSearch {
   }
 
  private:
-  double room_V(const Current& current) const {
-    return voltage_margin_V(model_, current, speed_rad_s_);
-  }
+  double room_V2(const Current& current) const { return room_V2_at(model_, current, speed_rad_s_); }
 
   /// Near the last point with room towards `outside` of a curve that begins at `other_end`, from
   /// `inside` if there is room, else from wherever there is most.
   template <typename Curve>
   std::optional<Current> last_with_room(const Curve& curve, double other_end, double inside,
                                         double outside) const {
-    const auto room = [&](double at) { return room_V(curve(at)); };
+    const auto room = [&](double at) { return room_V2(curve(at)); };
     if (room(outside) >= 0.0) return std::nullopt;
+    const auto [low, high] = std::minmax(other_end, outside);
     double tolerance = kStartShare;
+    if (!(room(inside) >= 0.0))
+      inside = greatest_point(room, low, high, kRoomyShare * (high - low));
     if (!(room(inside) >= 0.0)) {
-      const auto [low, high] = std::minmax(other_end, outside);
       inside = greatest_point(room, low, high, 0.0);  // to what doubles tell
       tolerance = 0.0;                                // the other end may be as near
     }
@@ -176,7 +177,7 @@ class EndSearch {
   /// no d current at all.
   bool has_room_unweakened(Beside beside, double torque_Nm) const {
     if (model_.dead_time_V == 0.0 || beside == Beside::kLeastCurrent) return false;
-    return room_V({0.0, q_current_A(model_, torque_Nm, 0.0)}) > 0.0;
+    return room_V2({0.0, q_current_A(model_, torque_Nm, 0.0)}) > 0.0;
   }
 
   std::optional<VoltageEnd> end(Beside beside, const std::optional<Current>& start) const {
