@@ -11,74 +11,18 @@
 #include <string_view>
 
 #include "gearbox/constraints/condition.hpp"
+#include "gearbox/constraints/made_train.hpp"
 #include "gearbox/constraints/meshing.hpp"
+#include "gearbox/constraints/root_form.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
+#include "gearbox/teeth/shaper.hpp"
 #include "gearbox/teeth/shifted_mesh.hpp"
 #include "gearbox/teeth/tooth_form.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 
 namespace torquewright::gearbox {
 namespace {
-
-/// A gear of the train; lengths in modules.
-struct MadeGear {
-  std::string_view name;
-  std::int64_t teeth = 0;
-  double shift = 0.0;
-  double tip_diameter = 0.0;
-
-  double count() const { return static_cast<double>(teeth); }
-};
-
-struct MadeLayer {
-  std::string_view name;
-  std::string_view ring_mesh;
-  MadeGear planet;
-  MadeGear ring;
-};
-
-/// What the conditions below need of a train whose sun and planet 1 mesh.
-struct MadeTrain {
-  MadeGear sun;
-  std::vector<MadeLayer> layers;
-  std::int64_t planet_count = 0;
-  Rational module_mm;
-  double centre = 0.0;  ///< In modules.
-  bool is_shifted = false;
-};
-
-std::optional<MadeTrain> made(const GearTrain& train) {
-  const auto& z = train.teeth;
-  const auto& x = train.shifts;
-  const auto real = [&z](std::size_t gear) { return static_cast<double>(z[gear]); };
-  const ShiftedPair first{MeshKind::kExternal, real(0), real(1), x[0], x[1]};
-  const auto angle = working_angle_rad(first);
-  if (!angle) return std::nullopt;
-  MadeTrain result;
-  result.planet_count = train.planet_count;
-  result.module_mm = io::exact(train.module_mm);
-  result.centre = centre_distance(first, *angle);
-  result.is_shifted = std::any_of(x.begin(), x.end(), [](double shift) { return shift != 0.0; });
-  const double increment = centre_increment(first, result.centre);
-  result.sun = {"sun", z[0], x[0], tip_diameter_keeping_clearance(real(0), x[1], increment)};
-  const double planet_1_tip = tip_diameter_planet_1(real(1), x[1], x[0], increment);
-  const auto ring = [&](std::string_view name, std::size_t gear) {
-    return MadeGear{name, z[gear], x[gear], tip_diameter_ring(real(gear), x[gear])};
-  };
-  if (train.topology == "3k") {
-    const MadeGear planet_2{"planet_2", z[2], x[2], tip_diameter_external(real(2), x[2])};
-    result.layers = {{"layer_1",
-                      "planet_1_fixed_ring",
-                      {"planet_1", z[1], x[1], planet_1_tip},
-                      ring("fixed_ring", 3)},
-                     {"layer_2", "planet_2_output_ring", planet_2, ring("output_ring", 4)}};
-  } else {
-    result.layers = {
-        {"layer_1", "planet_ring", {"planet", z[1], x[1], planet_1_tip}, ring("ring", 2)}};
-  }
-  return result;
-}
 
 /// 2 a sin(pi/n) - d_a > 0; exact where no shift makes the centre distance irrational.
 ConstraintReport neighbours(const MadeTrain& train, const MadeLayer& layer) {
@@ -116,22 +60,26 @@ ConstraintReport tip_thickness(const MadeTrain& train, const MadeGear& gear, boo
   return judge(condition);
 }
 
-/// A hob leaves the planet's involute down to where the ring's tip touches it. Where the ring's tip
-/// touches none at all, interference.involute says so.
-std::optional<ConstraintReport> root_form(const MadeTrain& train, const MadeLayer& layer,
-                                          const Cutters& cutters) {
-  const auto largest =
-      largest_hob_tip_radius({layer.planet.count(), layer.planet.shift, layer.ring.count(),
-                              layer.ring.tip_diameter / 2.0, train.centre});
-  if (!largest) return std::nullopt;
-  DesignCondition condition{fmt::format("root_form.{}", layer.ring_mesh), "", "mm"};
-  condition.value = train.module_mm * fraction_of(*largest);
-  condition.limit = train.module_mm * io::exact(cutters.hob_tip_radius.value_or(0.0));
-  condition.meaning =
-      "of rounding at most on the tip of the hob that leaves the planet's flank "
-      "down to where the ring's tip touches it";
-  condition.remedy = "needs a sharper hob, or more teeth between planet and ring";
-  return judge(condition);
+std::optional<Rational> as_written(const std::optional<double>& value) {
+  if (!value) return std::nullopt;
+  return io::exact(*value);
+}
+
+/// Hob and shaper leave the involutes of planet and ring to where the mate's tip touches them.
+/// Where the ring's tip touches none at all, interference.involute says so.
+void add_root_forms(const MadeTrain& train, const MadeLayer& layer, const Cutters& cutters,
+                    std::vector<ConstraintReport>& list) {
+  const PlanetInRing mesh = planet_in_ring(train, layer);
+  if (const auto largest = largest_hob_tip_radius(mesh)) {
+    list.push_back(judge(hob_condition(layer.ring_mesh, train.module_mm, *largest,
+                                       as_written(cutters.hob_tip_radius))));
+  }
+  const auto shaper = shaper_of(layer, cutters);
+  if (!shaper) return;
+  const auto largest = largest_shaper_tip_radius(*shaper, mesh, layer.planet.tip_diameter / 2.0);
+  if (!largest) return;
+  list.push_back(judge(shaper_condition(layer.ring_mesh, train.module_mm, *largest,
+                                        as_written(cutters.shaper_tip_radius), shaper->teeth)));
 }
 
 /// The tips of planet and ring leave each other without touching.
@@ -157,6 +105,16 @@ ConstraintReport trochoid(const MadeTrain& train, const MadeLayer& layer) {
 
 }  // namespace
 
+GearTrain train_of(const Problem& problem, const Design& design) {
+  return {problem.topology,
+          design.teeth,
+          std::vector(design.teeth.size(), 0.0),
+          design.planet_count,
+          io::nearest(design.module_mm),
+          {},
+          cutters_of(problem)};
+}
+
 std::vector<ConstraintReport> existence_conditions(const GearTrain& train) {
   const std::optional<MadeTrain> parts = made(train);
   if (!parts) return {};
@@ -169,7 +127,7 @@ std::vector<ConstraintReport> existence_conditions(const GearTrain& train) {
     list.push_back(tip_thickness(*parts, layer.planet, false));
     list.push_back(tip_thickness(*parts, layer.ring, true));
     list.push_back(trochoid(*parts, layer));
-    if (auto form = root_form(*parts, layer, train.cutters)) list.push_back(std::move(*form));
+    add_root_forms(*parts, layer, train.cutters, list);
   }
   return list;
 }

@@ -8,6 +8,9 @@
 
 namespace torquewright::gearbox {
 
+/// A design without profile shift as it would be made; face widths left out.
+GearTrain train_of(const Problem& problem, const Design& design);
+
 /// What any train must meet to exist, whatever it is for, with profile shift or without: planets
 /// equally spaced and clear of each other, teeth that are not pointed, ring tips outside their base
 /// circles, planets and rings that leave each other. Names of docs/gearbox_constraints.md. Meshes

@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "gearbox/constraints/existence.hpp"
-#include "gearbox/teeth/tooth_form.hpp"
+#include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/train/loads.hpp"
 
 namespace torquewright::gearbox {
@@ -85,30 +84,18 @@ class MeshBuilder {
   double centre_m() const { return train_.module_mm * 1e-3 * centre_; }
 
   LoadedTrain finish() {
+    const std::vector<GearCutter> cutters = gear_cutters(train_);
     for (LoadedMesh& mesh : train_built_.meshes) {
-      const bool has_ring = mesh.cut.pair.kind == MeshKind::kInternal;
-      mesh.cutter_tip_radius = {hob_tip_radius(mesh.gears[0]),
-                                has_ring
-                                    ? train_.cutters.shaper_tip_radius.value_or(kRingFilletRadius)
-                                    : hob_tip_radius(mesh.gears[1])};
+      for (const std::size_t which : {0u, 1u}) {
+        for (const GearCutter& cutter : cutters) {
+          if (cutter.gear == mesh.gears[which]) mesh.cutter_tip_radius[which] = cutter.tip_radius;
+        }
+      }
     }
     return std::move(train_built_);
   }
 
  private:
-  /// Of the hob that cut a gear for all of its meshes; what no hob can cut is not judged here.
-  double hob_tip_radius(std::string_view gear) const {
-    double radius = train_.cutters.hob_tip_radius.value_or(kHobTipRadius);
-    for (const LoadedMesh& mesh : train_built_.meshes) {
-      const ShiftedPair& pair = mesh.cut.pair;
-      if (pair.kind != MeshKind::kInternal || mesh.gears[0] != gear) continue;
-      const auto largest = largest_hob_tip_radius(
-          {pair.teeth_1, pair.shift_1, pair.teeth_2, mesh.cut.tip_diameter_2 / 2.0, centre_});
-      if (largest) radius = std::clamp(*largest, 0.0, radius);
-    }
-    return radius;
-  }
-
   ShiftedPair external_pair() const {
     return {MeshKind::kExternal, z_[0], z_[1], train_.shifts[0], train_.shifts[1]};
   }

@@ -124,6 +124,7 @@ ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions
                      {"teeth", design["teeth"]},
                      {"planet_count", design["planet_count"]},
                      {"module_mm", design["module_mm"]}};
+  if (problem.contains("cutter")) keys["cutter"] = problem["cutter"];
   keys["face_width_mm"] = face_widths(result, options.face_width_mm, layer_count(topology) == 2);
   keys["material"] = material_json(steel.material);
   keys["factors"] = assumed_factors(design["planet_count"]);

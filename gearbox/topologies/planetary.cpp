@@ -2,6 +2,7 @@
 #include "gearbox/topologies/planetary.hpp"
 
 #include "gearbox/constraints/meshing.hpp"
+#include "gearbox/constraints/root_form.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
 #include "gearbox/topologies/report_parts.hpp"
@@ -106,8 +107,8 @@ std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational&
       rotor_bore(problem, stage.module_mm, teeth.ring),
       equal_spacing(teeth.sun, teeth.ring, stage.planet_count),
       neighbour_clearance(circle, "layer_1", teeth.planet, problem.min_neighbour_clearance_mm),
-      undercut("sun", teeth.sun),
-      undercut("planet", teeth.planet)};
+      undercut(problem, "sun", teeth.sun),
+      undercut(problem, "planet", teeth.planet)};
   list.push_back(ring_wall(problem, stage.module_mm, "ring", teeth.ring));
   list.push_back(ring_tip(stage.module_mm, "ring", teeth.ring));
   list.push_back(involute_interference("planet_ring", teeth.planet, teeth.ring));
@@ -116,6 +117,11 @@ std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational&
                                      external_path_of(teeth.sun, teeth.planet)));
   list.push_back(contact_ratio_limit(problem, "planet_ring", MeshKind::kInternal,
                                      internal_path_of(teeth.planet, teeth.ring)));
+  list.push_back(
+      root_form_of_gears(problem, stage.module_mm, "sun_planet", teeth.sun, teeth.planet));
+  list.push_back(root_form_of_planet(problem, stage.module_mm, "planet_ring", teeth.ring));
+  list.push_back(
+      root_form_of_ring(problem, stage.module_mm, "planet_ring", teeth.planet, teeth.ring));
   if (teeth.ring != teeth.sun + 2 * teeth.planet) {
     list.push_back(coaxiality("ring", teeth.planet, teeth.ring, teeth.sun + teeth.planet));
   }

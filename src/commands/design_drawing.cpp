@@ -19,9 +19,8 @@ std::string drawing_of(const gearbox::Problem& problem, const gearbox::Design& d
   drawing.ratio = report.ratio.get_str();
   drawing.hollow_shaft_diameter_mm = report.hollow_shaft_diameter_mm;
   if (problem.ring_wall_mm) drawing.ring_wall_mm = io::nearest(*problem.ring_wall_mm);
-  const gearbox::GearTrain train{
-      drawing.topology,     drawing.teeth,     std::vector(drawing.teeth.size(), 0.0),
-      drawing.planet_count, drawing.module_mm, {}};
+  const gearbox::GearTrain train = gearbox::train_of(problem, report.design);
+  drawing.cutters = train.cutters;
   for (const gearbox::ConstraintReport& violated : gearbox::what_cannot_exist(train)) {
     drawing.cannot_exist.push_back(violated.name);
   }

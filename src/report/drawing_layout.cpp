@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "gearbox/constraints/gear_cutters.hpp"
 #include "src/report/svg.hpp"
 
 namespace torquewright::report {
@@ -57,9 +58,18 @@ DrawnGear make_gear(std::string id, std::string symbol, std::string label, std::
   return gear;
 }
 
-void fit_planet_to_ring(DrawnGear& planet, const DrawnGear& ring, double center_distance) {
-  if (!planet.form || !ring.form) return;
-  planet.form = gearbox::external_gear_in_ring(planet.teeth, 0.0, *ring.form, center_distance);
+// The roots are those of the cutters that strength and report name.
+void cut_roots(const DrawnGearbox& drawing, std::vector<DrawnGear>& gears) {
+  const gearbox::GearTrain train{
+      drawing.topology,     drawing.teeth,     std::vector(drawing.teeth.size(), 0.0),
+      drawing.planet_count, drawing.module_mm, {},
+      drawing.cutters};
+  const std::vector<gearbox::GearCutter> cutters = gearbox::gear_cutters(train);
+  for (std::size_t i = 0; i < cutters.size(); ++i) {
+    if (!gears[i].form) continue;
+    gears[i].form->fillet_radius = cutters[i].tip_radius;
+    gears[i].form->shaper_teeth = cutters[i].shaper_teeth;
+  }
 }
 
 void add_3k(DrawingLayout& layout) {
@@ -126,13 +136,13 @@ DrawingLayout lay_out(const DrawnGearbox& drawing) {
   DrawingLayout layout;
   layout.drawing = drawing;
   drawing.topology == "3k" ? add_3k(layout) : add_planetary(layout);
+  cut_roots(drawing, layout.gears);
   const double sum = static_cast<double>(drawing.teeth[0] + drawing.teeth[1]);
   layout.center_distance_mm = 0.5 * sum * drawing.module_mm;
   layout.ring_wall_mm = drawing.ring_wall_mm.value_or(kDefaultWall * drawing.module_mm);
   for (const DrawnLayer& layer : layout.layers) {
-    DrawnGear& planet = layout.gears[layer.planet];
+    const DrawnGear& planet = layout.gears[layer.planet];
     const DrawnGear& ring = layout.gears[layer.ring];
-    fit_planet_to_ring(planet, ring, 0.5 * sum);
     if (ring.teeth - planet.teeth != drawing.teeth[0] + drawing.teeth[1]) layout.is_coaxial = false;
   }
   layout.carrier_clearance_rad = std::numbers::pi / static_cast<double>(drawing.planet_count) -

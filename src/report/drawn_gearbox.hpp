@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "gearbox/train/gear_train.hpp"
+
 namespace torquewright::report {
 
 /// What a drawing of a gearbox shows.
@@ -18,6 +20,7 @@ struct DrawnGearbox {
   std::string ratio;                           ///< As text: "20" or "1067/52".
   double hollow_shaft_diameter_mm = 0.0;       ///< Not drawn unless positive.
   std::optional<double> ring_wall_mm;          ///< Behind the ring's root; default 2.25 module.
+  gearbox::Cutters cutters = {};               ///< As far as they are stated.
   std::vector<std::string> cannot_exist = {};  ///< Names of conditions that no gearbox can miss.
 };
 
