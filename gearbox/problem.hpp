@@ -46,6 +46,14 @@ constexpr std::string_view objective_name(Objective objective) {
   return "";
 }
 
+/// What cuts the teeth, as far as the document says; tip radii in modules, dedendum 1.25. What is
+/// absent is assumed: docs/gearbox_constraints.md, "Cutters".
+struct StatedCutters {
+  std::optional<Rational> hob_tip_radius;     ///< Of sun and planets.
+  std::optional<Rational> shaper_tip_radius;  ///< Of rings.
+  std::optional<std::int64_t> shaper_teeth;   ///< Of rings.
+};
+
 /// Which teeth? A document of kind `gearbox_problem`. Every number is the decimal that was written.
 struct Problem {
   std::string name;
@@ -66,6 +74,7 @@ struct Problem {
   std::optional<Rational> ring_outer_diameter_mm;
   std::optional<Rational> ring_wall_mm;  ///< Behind the ring's root; default 2.25 module.
   bool sun_under_second_layer = true;    ///< The sun reaches under planet 2.
+  StatedCutters cutters = {};
 
   std::optional<Rational> friction_coefficient;  ///< Of the teeth; dimensionless.
   std::optional<Rational> load_output_torque_Nm;

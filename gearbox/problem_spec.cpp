@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -17,6 +19,7 @@ namespace torquewright::gearbox {
 namespace {
 
 using nlohmann::json;
+using nlohmann::literals::operator""_json_pointer;
 
 /// The gears that have minima, and the layers they stand in.
 struct Parts {
@@ -27,6 +30,17 @@ struct Parts {
 Parts parts_of(std::string_view topology) {
   if (topology == "planetary") return {{"sun", "planet"}, {"layer_1"}};
   return {{"sun", "planet_1", "planet_2"}, {"layer_1", "layer_2"}};
+}
+
+/// Half the angle left of a shaper's tip between two roundings, docs/derivations/tooth_outline.md
+/// eq. (13), without profile shift.
+double shaper_land_rad(double teeth, double rounding) {
+  constexpr double kAngle_rad = std::numbers::pi / 9.0;
+  const double base = 0.5 * teeth * std::cos(kAngle_rad);
+  const auto involute = [](double angle_rad) { return std::tan(angle_rad) - angle_rad; };
+  const double profile_rad = std::acos(base / (0.5 * teeth + 1.25 - rounding));
+  return std::numbers::pi / (2.0 * teeth) + involute(kAngle_rad) - involute(profile_rad) -
+         rounding / base;
 }
 
 /// Reads the keys of one document; faults gather until all of it is read.
@@ -105,6 +119,11 @@ class Reader {
     problem_.ring_wall_mm = find("/ring_wall_mm");
     problem_.sun_under_second_layer =
         root().value("sun_under_second_layer", problem_.sun_under_second_layer);
+    problem_.cutters.hob_tip_radius = find("/cutter/hob_tip_radius");
+    problem_.cutters.shaper_tip_radius = find("/cutter/shaper_tip_radius");
+    if (root().contains("/cutter/shaper_teeth"_json_pointer)) {
+      problem_.cutters.shaper_teeth = root()["cutter"]["shaper_teeth"].get<std::int64_t>();
+    }
   }
 
   void read_parts() {
@@ -156,6 +175,7 @@ class Reader {
              "is reserved: modules, profile shifts and face widths are not searched yet; leave it "
              "out");
     }
+    check_shaper();
     const std::string objective = root()["objective"];
     const bool needs_friction = objective.ends_with("_efficiency");
     const bool needs_masses = objective == "mass" || objective == "reflected_inertia";
@@ -178,6 +198,18 @@ class Reader {
           "3k gearbox only; use \"hollow_shaft\", \"mass\", \"forward_efficiency\", "
           "\"backward_efficiency\" or \"reflected_inertia\"");
     }
+  }
+
+  void check_shaper() {
+    const StatedCutters& cutters = problem_.cutters;
+    if (!cutters.shaper_teeth || !cutters.shaper_tip_radius) return;
+    const auto teeth = static_cast<double>(*cutters.shaper_teeth);
+    if (shaper_land_rad(teeth, io::nearest(*cutters.shaper_tip_radius)) >= 0.0) return;
+    double most = 0.0;  // To a hundredth; the land falls with the rounding.
+    while (shaper_land_rad(teeth, most + 0.01) >= 0.0) most += 0.01;
+    report("/cutter/shaper_tip_radius",
+           fmt::format("{} does not fit on the tip of a shaper of {} teeth; at most {:.2f}",
+                       root()["cutter"]["shaper_tip_radius"].dump(), teeth, most));
   }
 
   void require(const char* pointer, const std::string& objective) {

@@ -12,10 +12,13 @@
 #include <string>
 
 #include "gearbox/constraints/condition.hpp"
+#include "gearbox/constraints/cut_ring.hpp"
 #include "gearbox/constraints/meshing.hpp"
+#include "gearbox/constraints/root_form.hpp"
 #include "gearbox/constraints/shifted_gears.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
+#include "gearbox/teeth/shaper.hpp"
 #include "gearbox/teeth/shifted_mesh.hpp"
 #include "gearbox/teeth/tooth_form.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
@@ -63,23 +66,27 @@ ConstraintReport tip_thickness(const CutGear& gear) {
   return judge(condition);
 }
 
-/// A hob leaves the planet's involute down to where the ring's tip touches it. Where the ring's tip
-/// touches none at all, interference.involute says so.
-std::optional<ConstraintReport> root_form(const CutTrain& cut, const CutMesh& mesh) {
+std::optional<Rational> as_written(const std::optional<double>& value) {
+  if (!value) return std::nullopt;
+  return io::exact(*value);
+}
+
+/// Hob and shaper leave the involutes of planet and ring to where the mate's tip touches them.
+/// Where the ring's tip touches none at all, interference.involute says so.
+void add_root_forms(const CutTrain& cut, const CutMesh& mesh, std::vector<ConstraintReport>& list) {
+  const Cutters& cutters = cut.train.cutters;
+  const PlanetInRing place = planet_in_ring(cut, mesh);
   const CutGear& planet = cut.gears[mesh.gear_1];
-  const CutGear& ring = cut.gears[mesh.gear_2];
-  const auto largest =
-      largest_hob_tip_radius({planet.count(), planet.shift, ring.count(), ring.tip_diameter / 2.0,
-                              cut.centre_mm / ring.module_mm});
-  if (!largest) return std::nullopt;
-  DesignCondition condition{fmt::format("root_form.{}", mesh.name), "", "mm"};
-  condition.value = module_of(planet) * fraction_of(*largest);
-  condition.limit = module_of(planet) * io::exact(cut.train.cutters.hob_tip_radius.value_or(0.0));
-  condition.meaning =
-      "of rounding at most on the tip of the hob that leaves the planet's flank "
-      "down to where the ring's tip touches it";
-  condition.remedy = "needs a sharper hob, or more teeth between planet and ring";
-  return judge(condition);
+  if (const auto largest = largest_hob_tip_radius(place)) {
+    list.push_back(judge(
+        hob_condition(mesh.name, module_of(planet), *largest, as_written(cutters.hob_tip_radius))));
+  }
+  const auto shaper = shaper_of(cut, mesh);
+  if (!shaper) return;
+  const auto largest = largest_shaper_tip_radius(*shaper, place, planet.tip_diameter / 2.0);
+  if (!largest) return;
+  list.push_back(judge(shaper_condition(mesh.name, module_of(cut.gears[mesh.gear_2]), *largest,
+                                        as_written(cutters.shaper_tip_radius), shaper->teeth)));
 }
 
 /// The tips of planet and ring leave each other without touching.
@@ -111,7 +118,7 @@ std::vector<ConstraintReport> existence_conditions(const GearTrain& train) {
     list.push_back(tip_thickness(cut->gears[mesh.gear_1]));
     list.push_back(tip_thickness(cut->gears[mesh.gear_2]));
     list.push_back(trochoid(*cut, mesh));
-    if (auto form = root_form(*cut, mesh)) list.push_back(std::move(*form));
+    add_root_forms(*cut, mesh, list);
   }
   return list;
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gearbox/constraints/condition.hpp"
+#include "gearbox/teeth/root_form.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/walls.hpp"
 
@@ -91,13 +92,16 @@ ConstraintReport neighbour_clearance(const CutGear& planet, double centre_mm,
   return judge(condition);
 }
 
-ConstraintReport undercut(const CutGear& gear) {
+ConstraintReport undercut(const Cutters& cutters, const CutGear& gear) {
   DesignCondition condition{fmt::format("undercut.{}", gear.name), "", "teeth"};
+  const auto& hob = cutters.hob_tip_radius;
+  const double depth = hob ? straight_depth_of_hob(*hob) : 1.0;
+  const double limit = hob ? undercut_limit_teeth(depth) : kUndercutLimit_teeth;
   condition.value = Rational(gear.teeth);
-  condition.limit = fraction_of(kUndercutLimit_teeth * (1.0 - gear.shift));
+  condition.limit = fraction_of(limit * (1.0 - gear.shift / depth));
   condition.meaning = fmt::format("on this gear, shifted by {:.6g} modules", gear.shift);
   condition.remedy = fmt::format("needs a profile shift of at least {:.3g} modules",
-                                 1.0 - gear.count() / kUndercutLimit_teeth);
+                                 depth * (1.0 - gear.count() / limit));
   return judge(condition);
 }
 
@@ -187,7 +191,7 @@ ConstraintReport bottom_clearance(const CutTrain& train, const CutMesh& mesh) {
 
 ConstraintReport external_root_form(const CutTrain& train, const CutMesh& mesh,
                                     double hob_tip_radius) {
-  DesignCondition condition{fmt::format("root_form.{}", mesh.name), "", "mm"};
+  DesignCondition condition{fmt::format("root_form.hob.{}", mesh.name), "", "mm"};
   const CutGear& sun = train.gears[mesh.gear_1];
   const CutPair of_sun = *mesh.cut;
   const CutPair of_planet = seen_from_the_mate(of_sun);

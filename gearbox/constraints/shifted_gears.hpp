@@ -20,8 +20,8 @@ ConstraintReport coaxiality(const CutTrain& train, const CutMesh& mesh);
 ConstraintReport neighbour_clearance(const CutGear& planet, double centre_mm,
                                      std::int64_t planet_count, const Rational& minimum_mm);
 
-/// z >= 2 (1 - x)/sin^2(alpha).
-ConstraintReport undercut(const CutGear& gear);
+/// z >= 2 (h - x)/sin^2(alpha), h as deep as the stated hob is straight, or 1.
+ConstraintReport undercut(const Cutters& cutters, const CutGear& gear);
 
 /// a - r_aS - r_aP2 > 0.
 ConstraintReport sun_under_layer_2(const CutTrain& train);

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "gearbox/constraints/condition.hpp"
+#include "gearbox/teeth/root_form.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/walls.hpp"
 
@@ -95,13 +98,17 @@ ConstraintReport tooth_difference(std::int64_t planet_1, std::int64_t planet_2,
   return judge(condition);
 }
 
-ConstraintReport undercut(std::string_view gear, std::int64_t teeth) {
+ConstraintReport undercut(const Problem& problem, std::string_view gear, std::int64_t teeth) {
   DesignCondition condition{fmt::format("undercut.{}", gear), "", "teeth"};
+  const auto& hob = problem.cutters.hob_tip_radius;
+  const double depth = hob ? straight_depth_of_hob(io::nearest(*hob)) : 1.0;
+  const double limit = hob ? undercut_limit_teeth(depth) : kUndercutLimit_teeth;
   condition.value = Rational(teeth);
-  condition.limit = fraction_of(kUndercutLimit_teeth);
+  condition.limit = fraction_of(limit);
   condition.meaning = "on this gear";
-  condition.remedy = fmt::format("needs 18 teeth or a profile shift of at least {:.3g} modules",
-                                 1.0 - static_cast<double>(teeth) / kUndercutLimit_teeth);
+  condition.remedy =
+      fmt::format("needs {:g} teeth or a profile shift of at least {:.3g} modules",
+                  std::ceil(limit), depth * (1.0 - static_cast<double>(teeth) / limit));
   return judge(condition);
 }
 

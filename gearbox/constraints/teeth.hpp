@@ -22,8 +22,8 @@ ConstraintReport rotor_bore(const Problem& problem, const Rational& module_mm, s
 ConstraintReport tooth_difference(std::int64_t planet_1, std::int64_t planet_2,
                                   std::int64_t planet_count);
 
-/// z >= 2/sin^2(alpha).
-ConstraintReport undercut(std::string_view gear, std::int64_t teeth);
+/// z >= 2 h/sin^2(alpha), h the depth to which the stated hob is straight, else 1.
+ConstraintReport undercut(const Problem& problem, std::string_view gear, std::int64_t teeth);
 
 /// The sun's tip circle stays clear of planet 2: m ((P1 - P2)/2 - 2) > 0.
 ConstraintReport sun_under_layer_2(const Rational& module_mm, std::int64_t planet_1,

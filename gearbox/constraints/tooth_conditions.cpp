@@ -2,6 +2,7 @@
 #include "gearbox/constraints/tooth_conditions.hpp"
 
 #include "gearbox/teeth/mesh.hpp"
+#include "gearbox/teeth/root_form.hpp"
 #include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
@@ -60,9 +61,11 @@ Expression neighbour_clearance_mm(std::int64_t planet_count, const Rational& mod
   return Expression(module_mm) * (sin(half_pitch_angle(planet_count)) * tooth_sum - (planet + 2.0));
 }
 
-Condition undercut(const std::string& gear, const Expression& teeth) {
+Condition undercut(const Problem& problem, const std::string& gear, const Expression& teeth) {
   const std::string name = "undercut." + gear;
-  return {name, name, "", teeth - 2.0 / square(sin(reference_angle()))};
+  const auto& hob = problem.cutters.hob_tip_radius;
+  const Expression depth = hob ? straight_depth_of_hob(Expression(*hob)) : Expression(1.0);
+  return {name, name, "", teeth - undercut_limit_teeth(depth)};
 }
 
 Condition ring_tip(const std::string& ring, const Rational& module_mm, const Expression& teeth) {
@@ -87,6 +90,27 @@ std::vector<Condition> interference(const std::string& mesh, const Expression& p
   return {{involute, involute, "", involute_interference_margin(planet, ring), false, false},
           {trochoid, trochoid, "",
            min(trochoid_interference_margin(planet, ring), ring_tip_margin(ring)), false, false}};
+}
+
+std::vector<Condition> root_form(const Problem& problem, const std::string& mesh,
+                                 const Expression& planet, const Expression& ring) {
+  std::vector<Condition> result;
+  const StatedCutters& cutters = problem.cutters;
+  if (cutters.hob_tip_radius) {
+    const std::string name = "root_form.hob." + mesh;
+    const Expression spare =
+        straight_depth_of_hob(Expression(*cutters.hob_tip_radius)) - depth_reached_by_ring(ring);
+    result.push_back({name, name, "", min(spare, ring_tip_margin(ring))});
+  }
+  if (cutters.shaper_teeth) {
+    const std::string name = "root_form.shaper." + mesh;
+    const Expression shaper = constant(*cutters.shaper_teeth);
+    const Expression spare =
+        path_left_by_shaper(shaper, Expression(cutters.shaper_tip_radius.value_or(0))) -
+        path_reached_by_planet(planet);
+    result.push_back({name, name, "", min(spare, ring - shaper - 1.0)});
+  }
+  return result;
 }
 
 Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& gear_1,

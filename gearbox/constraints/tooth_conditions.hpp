@@ -37,7 +37,8 @@ Condition neighbour_clearance(const Problem& problem, const std::string& layer,
 Expression neighbour_clearance_mm(std::int64_t planet_count, const Rational& module_mm,
                                   const Expression& tooth_sum, const Expression& planet);
 
-Condition undercut(const std::string& gear, const Expression& teeth);
+/// Of the stated hob, else of one that is straight down to a rack's addendum.
+Condition undercut(const Problem& problem, const std::string& gear, const Expression& teeth);
 Condition ring_tip(const std::string& ring, const Rational& module_mm, const Expression& teeth);
 
 Condition ring_wall(const Problem& problem, const std::string& ring, const Rational& module_mm,
@@ -46,6 +47,10 @@ Condition ring_wall(const Problem& problem, const std::string& ring, const Ratio
 /// Involute and trochoid interference of a planet in a ring; judged at points.
 std::vector<Condition> interference(const std::string& mesh, const Expression& planet,
                                     const Expression& ring);
+/// What stated cutters leave of the involutes in a ring's mesh; of what is assumed nothing needs to
+/// be asked (docs/derivations/tooth_outline.md, "Which cutters never fail").
+std::vector<Condition> root_form(const Problem& problem, const std::string& mesh,
+                                 const Expression& planet, const Expression& ring);
 /// Of two external gears.
 Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& gear_1,
                         const Expression& gear_2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/proof/concave_forms.hpp"
 
+#include "gearbox/proof/root_form.hpp"
 #include "gearbox/proof/tooth_path.hpp"
 
 namespace torquewright::gearbox::proof {
@@ -72,8 +73,8 @@ Linearization neighbour_clearance_form(const Alternative& alternative, int layer
   return result;
 }
 
-Linearization undercut_form(int gear, const RealPoint& point) {
-  return teeth_form(1, -2 / square(sin(pressure_angle())), gear, point);
+Linearization undercut_form(const Problem& problem, int gear, const RealPoint& point) {
+  return teeth_form(1, -2 * straight_depth(problem) / square(sin(pressure_angle())), gear, point);
 }
 
 Linearization sun_under_layer_2_form(const Alternative& alternative, const RealPoint& point) {

@@ -33,7 +33,7 @@ Linearization neighbour_clearance_form(const Alternative& alternative, int layer
                                        const RealPoint& point);
 
 /// z - 2/sin^2 alpha
-Linearization undercut_form(int gear, const RealPoint& point);
+Linearization undercut_form(const Problem& problem, int gear, const RealPoint& point);
 
 /// m (d/2 - 2)
 Linearization sun_under_layer_2_form(const Alternative& alternative, const RealPoint& point);

@@ -79,6 +79,12 @@ Constraints constraints_of(const Problem& problem) {
                  all);
   add_for_meshes(problem, "contact_ratio.", ConstraintFamily::kContactRatio, "/min_contact_ratio",
                  all);
+  if (problem.cutters.hob_tip_radius) {
+    add_for_meshes(problem, "root_form.hob.", ConstraintFamily::kHobRootForm, "", all);
+  }
+  if (problem.cutters.shaper_teeth) {
+    add_for_meshes(problem, "root_form.shaper.", ConstraintFamily::kShaperRootForm, "", all);
+  }
   return all;
 }
 

@@ -25,6 +25,8 @@ enum class ConstraintFamily {
   kRingTip,
   kInvoluteInterference,
   kTrochoidInterference,
+  kHobRootForm,
+  kShaperRootForm,
   kContactRatio,
 };
 

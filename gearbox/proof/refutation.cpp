@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "gearbox/proof/root_form.hpp"
+
 namespace torquewright::gearbox::proof {
 namespace {
 
@@ -33,12 +35,22 @@ Teeth best_corner(const Constraint& constraint, const Box& box) {
     case ConstraintFamily::kMinTeeth:
     case ConstraintFamily::kUndercut:
     case ConstraintFamily::kRingTip:
+    case ConstraintFamily::kHobRootForm:
       if (is_second) corner[2] = box.lower[2];
       break;
     default:
       break;
   }
   return teeth_at(corner);
+}
+
+/// The smallest planet and the largest ring do best, and need not belong to one corner.
+bool fails_shaper_everywhere(const Constraint& constraint, const Alternative& alternative,
+                             const Box& box) {
+  const TeethRange range =
+      box.is_point() ? TeethRange{teeth_at(box.lower), teeth_at(box.lower)} : teeth_in(box);
+  return !has_root_form_of_shaper(*alternative.problem, planet(range.least, constraint.place),
+                                  ring(range.most, constraint.place));
 }
 
 bool needs_ratio(Measure measure) {
@@ -88,6 +100,9 @@ bool fails_everywhere(const Claim& claim, const Alternative& alternative,
     case Condition::Kind::kRatioMin:
       return falls_short_everywhere(alternative.least_ratio, alternative, box);
     case Condition::Kind::kConstraint:
+      if (condition.constraint->family == ConstraintFamily::kShaperRootForm) {
+        return fails_shaper_everywhere(*condition.constraint, alternative, box);
+      }
       return !satisfies(*condition.constraint, alternative,
                         best_corner(*condition.constraint, box));
   }

@@ -23,7 +23,7 @@ std::optional<Linearization> linearize_constraint(const Constraint& constraint,
     case ConstraintFamily::kNeighbourClearance:
       return neighbour_clearance_form(alternative, constraint.place, point);
     case ConstraintFamily::kUndercut:
-      return undercut_form(constraint.place, point);
+      return undercut_form(*alternative.problem, constraint.place, point);
     case ConstraintFamily::kSunUnderLayer2:
       return sun_under_layer_2_form(alternative, point);
     case ConstraintFamily::kRingWall:

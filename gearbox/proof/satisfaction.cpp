@@ -5,6 +5,7 @@
 #include "gearbox/proof/contact_ratio.hpp"
 #include "gearbox/proof/interference.hpp"
 #include "gearbox/proof/ratio_condition.hpp"
+#include "gearbox/proof/root_form.hpp"
 
 namespace torquewright::gearbox::proof {
 namespace {
@@ -57,10 +58,6 @@ bool has_ring_wall(const Alternative& alternative, std::int64_t teeth) {
   return blank_mm <= alternative.ring_space_mm;
 }
 
-bool is_not_undercut(std::int64_t teeth) {
-  return sign(number(teeth) * square(sin(pressure_angle())) - 2) >= 0;
-}
-
 bool has_ring_tip_outside_base(std::int64_t teeth) {
   return sign(number(teeth) * (1 - cos(pressure_angle())) - 2) > 0;
 }
@@ -96,7 +93,7 @@ bool satisfies(const Constraint& constraint, const Alternative& alternative, con
     case ConstraintFamily::kNeighbourClearance:
       return has_neighbour_clearance(alternative, teeth, place);
     case ConstraintFamily::kUndercut:
-      return is_not_undercut(teeth_of(teeth, place));
+      return is_not_undercut(*alternative.problem, teeth_of(teeth, place));
     case ConstraintFamily::kSunUnderLayer2:
       return teeth.planet_1 - teeth.planet_2 > 4;
     case ConstraintFamily::kRingWall:
@@ -108,6 +105,11 @@ bool satisfies(const Constraint& constraint, const Alternative& alternative, con
     case ConstraintFamily::kTrochoidInterference:
       return has_ring_tip_outside_base(ring(teeth, place)) &&
              is_free_of_trochoid_interference(planet(teeth, place), ring(teeth, place));
+    case ConstraintFamily::kHobRootForm:
+      return has_root_form_of_hob(*alternative.problem, ring(teeth, place));
+    case ConstraintFamily::kShaperRootForm:
+      return has_root_form_of_shaper(*alternative.problem, planet(teeth, place),
+                                     ring(teeth, place));
     case ConstraintFamily::kContactRatio:
       return has_contact_ratio(alternative, teeth, place);
   }

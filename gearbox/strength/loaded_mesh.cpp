@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "gearbox/constraints/existence.hpp"
-#include "gearbox/teeth/tooth_form.hpp"
+#include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/train/cut_train.hpp"
 #include "gearbox/train/loads.hpp"
 
@@ -35,31 +34,18 @@ class MeshBuilder {
   /// One force for each mesh, in their order.
   LoadedTrain loaded(const std::vector<double>& forces_N) {
     for (std::size_t i = 0; i < cut_.meshes.size(); ++i) add(cut_.meshes[i], forces_N[i]);
+    const std::vector<GearCutter> cutters = gear_cutters(cut_);
     for (LoadedMesh& mesh : built_.meshes) {
-      const bool has_ring = mesh.cut.pair.kind == MeshKind::kInternal;
-      mesh.cutter_tip_radius = {hob_tip_radius(mesh.gears[0]),
-                                has_ring
-                                    ? train_.cutters.shaper_tip_radius.value_or(kRingFilletRadius)
-                                    : hob_tip_radius(mesh.gears[1])};
+      for (const std::size_t which : {0U, 1U}) {
+        for (const GearCutter& cutter : cutters) {
+          if (cutter.gear == mesh.gears[which]) mesh.cutter_tip_radius[which] = cutter.tip_radius;
+        }
+      }
     }
     return std::move(built_);
   }
 
  private:
-  /// Of the hob that cut a gear for all of its meshes; what no hob can cut is not judged here.
-  double hob_tip_radius(std::string_view gear) const {
-    double radius = train_.cutters.hob_tip_radius.value_or(kHobTipRadius);
-    for (const LoadedMesh& mesh : built_.meshes) {
-      const ShiftedPair& pair = mesh.cut.pair;
-      if (pair.kind != MeshKind::kInternal || mesh.gears[0] != gear) continue;
-      const auto largest =
-          largest_hob_tip_radius({pair.teeth_1, pair.shift_1, pair.teeth_2,
-                                  mesh.cut.tip_diameter_2 / 2.0, cut_.centre_mm / mesh.module_mm});
-      if (largest) radius = std::clamp(*largest, 0.0, radius);
-    }
-    return radius;
-  }
-
   void object(std::string_view mesh, const char* why) {
     built_.objections.push_back(
         fmt::format("{} do not mesh for teeth {}: {}", mesh, fmt::join(train_.teeth, ","), why));

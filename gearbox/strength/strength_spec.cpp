@@ -138,13 +138,31 @@ void check_rims(const io::Document& document, const StrengthCase& strength) {
   }
 }
 
-Cutters read_cutters(const json& root) {
+/// The document's own keys, else those of the result's problem; says where they differ.
+Cutters read_cutters(const json& root, ReadStrength& read) {
+  json keys = json::object();
+  if (read.documents.size() > 1) {
+    const json problem = read.documents.back().root.value("problem", json::object());
+    keys = problem.value("cutter", json::object());
+  }
+  const json stated = root.value("cutter", json::object());
+  for (const auto& [key, value] : stated.items()) {
+    if (keys.contains(key) && keys[key] != value) {
+      read.statements.push_back(fmt::format(
+          "The cutter differs from that of the result's problem: {} is {} here and {} there.", key,
+          value.dump(), keys[key].dump()));
+    }
+    keys[key] = value;
+  }
   Cutters cutters;
-  const json keys = root.value("cutter", json::object());
-  if (keys.contains("hob_tip_radius"))
+  if (keys.contains("hob_tip_radius")) {
     cutters.hob_tip_radius = keys["hob_tip_radius"].get<double>();
+  }
   if (keys.contains("shaper_tip_radius")) {
     cutters.shaper_tip_radius = keys["shaper_tip_radius"].get<double>();
+  }
+  if (keys.contains("shaper_teeth")) {
+    cutters.shaper_teeth = keys["shaper_teeth"].get<std::int64_t>();
   }
   return cutters;
 }
@@ -169,7 +187,7 @@ ReadStrength strength_of(io::Document document) {
   StrengthCase& strength = read.strength;
   strength.train = read_train(read);
   read_face_widths(read.documents.front(), strength.train);
-  strength.train.cutters = read_cutters(root);
+  strength.train.cutters = read_cutters(root, read);
   strength.material = read_material(read.documents.front(), "/material", root["material"]);
   read_own_materials(read.documents.front(), strength);
   read_rims(read.documents.front(), strength);

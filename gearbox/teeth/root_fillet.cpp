@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearbox/teeth/shaper.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
+
 namespace torquewright::gearbox {
 namespace {
 
@@ -87,6 +90,43 @@ RingFillet ring_fillet(const ToothForm& internal) {
   return {.radius = radius,
           .center = {center_radius, std::max(0.0, center_angle_rad(radius))},
           .flank_end = {flank_radius, half_angle_rad(internal, flank_radius)}};
+}
+
+std::optional<ShaperTrochoid> shaper_trochoid(const ToothForm& internal) {
+  const auto teeth = static_cast<double>(internal.teeth);
+  const auto cutter = static_cast<double>(internal.shaper_teeth);
+  const auto shaper =
+      shaper_at_depth({teeth, internal.profile_shift, internal.root_radius, cutter});
+  if (!shaper) return std::nullopt;
+  const double rounding = std::min(internal.fillet_radius, full_shaper_rounding(*shaper));
+  const double center_radius = shaper->tip_radius - rounding;
+  const double base = shaper->base_radius;
+  if (center_radius <= base) return std::nullopt;
+  // Eq. (14): what is left of half the tooth's angle where the rounding's centre lies.
+  const double half_tooth_rad = 0.5 * std::numbers::pi / cutter + involute(kPressureAngle_rad) -
+                                involute(std::acos(base / center_radius));
+  // On the line of action the shaper sees the centre at its working angle less its profile angle.
+  const double working_rad = std::atan2(shaper->tangent_distance, base_radius(internal) - base);
+  return ShaperTrochoid{.teeth_ratio = cutter / teeth,
+                        .center_distance = shaper->center_distance,
+                        .pitch_point = base_radius(internal) / std::cos(working_rad),
+                        .tip_radius = rounding,
+                        .arc_center_radius = center_radius,
+                        .arc_center_angle_rad = half_tooth_rad - rounding / base,
+                        .end_turn_rad = std::acos(base / center_radius) - working_rad};
+}
+
+PolarPoint trochoid_point(const ShaperTrochoid& trochoid, double turn_rad) {
+  // Eq. (15): the common normal passes through the pitch point.
+  const double x = trochoid.center_distance + trochoid.arc_center_radius * std::cos(turn_rad);
+  const double y = trochoid.arc_center_radius * std::sin(turn_rad);
+  const double length = std::hypot(x - trochoid.pitch_point, y);
+  const double reach = 1.0 + trochoid.tip_radius / length;
+  const double cut_x = trochoid.pitch_point + reach * (x - trochoid.pitch_point);
+  const double cut_y = reach * y;
+  // Eq. (16): seen from the ring's axis and turned back by the ring's turn.
+  const double ring_turn_rad = trochoid.teeth_ratio * (turn_rad - trochoid.arc_center_angle_rad);
+  return {std::hypot(cut_x, cut_y), std::atan2(cut_y, cut_x) - ring_turn_rad};
 }
 
 }  // namespace torquewright::gearbox

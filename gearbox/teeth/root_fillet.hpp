@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "gearbox/teeth/tooth_form.hpp"
 
 namespace torquewright::gearbox {
@@ -36,5 +38,23 @@ struct RingFillet {
 };
 
 RingFillet ring_fillet(const ToothForm& internal);
+
+/// The root of a ring as the rounded tip of a shaper cuts it: a trochoid, eqs. (14)-(16).
+struct ShaperTrochoid {
+  double teeth_ratio = 0.0;      ///< Of the ring's turn to the shaper's: its teeth over the ring's.
+  double center_distance = 0.0;  ///< Of shaper and ring at full depth.
+  double pitch_point = 0.0;      ///< From the ring's axis.
+  double tip_radius = 0.0;       ///< Rounding of the shaper's tips.
+  double arc_center_radius = 0.0;     ///< From the shaper's axis.
+  double arc_center_angle_rad = 0.0;  ///< From the middle of its tooth.
+  double end_turn_rad = 0.0;          ///< Where the trochoid meets the involute.
+};
+
+/// Nothing where the ring's shaper is not known or does not mesh with it.
+std::optional<ShaperTrochoid> shaper_trochoid(const ToothForm& internal);
+
+/// Where the rounding cuts when its centre stands at `turn_rad` from the line of centres, seen from
+/// the shaper's axis: 0 at the root circle, the trochoid's end at the involute.
+PolarPoint trochoid_point(const ShaperTrochoid& trochoid, double turn_rad);
 
 }  // namespace torquewright::gearbox

@@ -17,7 +17,9 @@ struct ToothForm {
   double profile_shift = 0.0;  ///< x; of a ring positive outwards. Dimensionless.
   double tip_radius = 0.0;
   double root_radius = 0.0;
-  double fillet_radius = 0.0;  ///< External: tip radius of the hob. Internal: root fillet.
+  double fillet_radius = 0.0;  ///< Tip radius of hob or shaper; else a ring's circular fillet.
+  /// Of the shaper that cut a ring's root; 0: not known, the root is drawn with a circular fillet.
+  std::int64_t shaper_teeth = 0;
 };
 
 /// Tip radius of the hob of ISO 53 profile A, in modules: assumed where no cutter is stated.

@@ -58,14 +58,34 @@ OutlineCurve ring_fillet_arc(const RingFillet& fillet) {
   return {arc, fillet.center.angle_rad, std::atan2(end.y - center.y, end.x - center.x)};
 }
 
-std::vector<OutlineCurve> internal_half_pitch(const ToothForm& form) {
+/// Root circle and fillet of a ring, and the radius at which its involute begins.
+struct RingRoot {
+  std::vector<OutlineCurve> curves;
+  double flank_radius = 0.0;
+};
+
+RingRoot ring_root(const ToothForm& form) {
+  if (const auto trochoid = shaper_trochoid(form)) {
+    const auto fillet = [trochoid](double turn_rad) {
+      const PolarPoint point = trochoid_point(*trochoid, turn_rad);
+      return cartesian(point.radius, point.angle_rad);
+    };
+    const double land_rad = trochoid_point(*trochoid, 0.0).angle_rad;
+    return {{circle_arc(form.root_radius, 0.0, land_rad), {fillet, 0.0, trochoid->end_turn_rad}},
+            trochoid_point(*trochoid, trochoid->end_turn_rad).radius};
+  }
   const RingFillet fillet = ring_fillet(form);
+  return {{circle_arc(form.root_radius, 0.0, fillet.center.angle_rad), ring_fillet_arc(fillet)},
+          fillet.flank_end.radius};
+}
+
+std::vector<OutlineCurve> internal_half_pitch(const ToothForm& form) {
+  const RingRoot root = ring_root(form);
   const double half_pitch_rad = std::numbers::pi / static_cast<double>(form.teeth);
   const double flank_end = std::max(form.tip_radius, base_radius(form));
   const double tip_angle_rad = std::min(half_angle_rad(form, flank_end), half_pitch_rad);
-  std::vector<OutlineCurve> curves{circle_arc(form.root_radius, 0.0, fillet.center.angle_rad),
-                                   ring_fillet_arc(fillet),
-                                   involute_flank(form, fillet.flank_end.radius, flank_end)};
+  std::vector<OutlineCurve> curves = root.curves;
+  curves.push_back(involute_flank(form, root.flank_radius, flank_end));
   if (form.tip_radius < flank_end) {  // No involute inside the base circle: straight to the tip.
     curves.push_back({[tip_angle_rad](double radius) { return cartesian(radius, tip_angle_rad); },
                       flank_end, form.tip_radius});

@@ -2,6 +2,7 @@
 #include "gearbox/topologies/planetary.hpp"
 
 #include "gearbox/constraints/meshing.hpp"
+#include "gearbox/constraints/root_form.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
 #include "gearbox/topologies/report_parts.hpp"
@@ -116,16 +117,20 @@ std::vector<ConstraintReport> further_constraints(const Stage& stage) {
   const PlanetCircle circle{teeth.sun, teeth.planet, stage.planet_count, stage.module_mm};
   std::vector<ConstraintReport> list{
       neighbour_clearance(circle, "layer_1", teeth.planet, problem.min_neighbour_clearance_mm),
-      undercut("sun", teeth.sun),
-      undercut("planet", teeth.planet),
-      ring_wall(problem, stage.module_mm, "ring", teeth.ring),
-      ring_tip(stage.module_mm, "ring", teeth.ring),
-      involute_interference("planet_ring", teeth.planet, teeth.ring),
-      trochoid_interference("planet_ring", teeth.planet, teeth.ring),
-      contact_ratio_limit(problem, "sun_planet", MeshKind::kExternal,
-                          external_path_of(teeth.sun, teeth.planet)),
-      contact_ratio_limit(problem, "planet_ring", MeshKind::kInternal,
-                          internal_path_of(teeth.planet, teeth.ring))};
+      undercut(problem, "sun", teeth.sun), undercut(problem, "planet", teeth.planet)};
+  list.push_back(ring_wall(problem, stage.module_mm, "ring", teeth.ring));
+  list.push_back(ring_tip(stage.module_mm, "ring", teeth.ring));
+  list.push_back(involute_interference("planet_ring", teeth.planet, teeth.ring));
+  list.push_back(trochoid_interference("planet_ring", teeth.planet, teeth.ring));
+  list.push_back(contact_ratio_limit(problem, "sun_planet", MeshKind::kExternal,
+                                     external_path_of(teeth.sun, teeth.planet)));
+  list.push_back(contact_ratio_limit(problem, "planet_ring", MeshKind::kInternal,
+                                     internal_path_of(teeth.planet, teeth.ring)));
+  list.push_back(
+      root_form_of_gears(problem, stage.module_mm, "sun_planet", teeth.sun, teeth.planet));
+  list.push_back(root_form_of_planet(problem, stage.module_mm, "planet_ring", teeth.ring));
+  list.push_back(
+      root_form_of_ring(problem, stage.module_mm, "planet_ring", teeth.planet, teeth.ring));
   if (teeth.ring != teeth.sun + 2 * teeth.planet) {
     list.push_back(coaxiality("ring", teeth.planet, teeth.ring, teeth.sun + teeth.planet));
   }

@@ -43,9 +43,10 @@ std::vector<Condition> conditions(const Problem& problem, std::int64_t planet_co
        rotor_bore(problem, module_mm, teeth.ring),
        neighbour_clearance(problem, "layer_1", planet_count, module_mm, teeth.sun + teeth.planet,
                            teeth.planet),
-       undercut("sun", teeth.sun), undercut("planet", teeth.planet)});
+       undercut(problem, "sun", teeth.sun), undercut(problem, "planet", teeth.planet)});
   add({ring_wall(problem, "ring", module_mm, teeth.ring), ring_tip("ring", module_mm, teeth.ring)});
   add(interference("planet_ring", teeth.planet, teeth.ring));
+  add(root_form(problem, "planet_ring", teeth.planet, teeth.ring));
   add({contact_ratio(problem, "sun_planet", teeth.sun, teeth.planet),
        contact_ratio_in_ring(problem, "planet_ring", teeth.planet, teeth.ring)});
   return result;

@@ -166,7 +166,7 @@ std::vector<ConstraintReport> shifted_conditions(const Problem& problem, const C
                                        cut.train.planet_count, problem.min_neighbour_clearance_mm));
   }
   for (const CutGear& gear : cut.gears) {
-    if (!gear.internal) list.push_back(undercut(gear));
+    if (!gear.internal) list.push_back(undercut(cut.train.cutters, gear));
   }
   if (problem.topology == "3k" && problem.sun_under_second_layer) {
     list.push_back(sun_under_layer_2(cut));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/constraints/meshing.hpp"
+#include "gearbox/constraints/root_form.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
@@ -22,6 +23,17 @@ void append_ring_constraints(const ThreeKDesign& design, std::vector<ConstraintR
   list.push_back(ring_wall(design.problem, design.module_mm, "output_ring", teeth.output_ring));
   list.push_back(ring_tip(design.module_mm, "fixed_ring", teeth.fixed_ring));
   list.push_back(ring_tip(design.module_mm, "output_ring", teeth.output_ring));
+}
+
+void append_root_forms(const ThreeKDesign& design, std::vector<ConstraintReport>& list) {
+  const Problem& problem = design.problem;
+  const ThreeKTeeth<std::int64_t>& z = design.teeth;
+  const Rational& module_mm = design.module_mm;
+  list.push_back(root_form_of_gears(problem, module_mm, "sun_planet_1", z.sun, z.planet_1));
+  list.push_back(root_form_of_planet(problem, module_mm, kFixedMesh, z.fixed_ring));
+  list.push_back(root_form_of_planet(problem, module_mm, kOutputMesh, z.output_ring));
+  list.push_back(root_form_of_ring(problem, module_mm, kFixedMesh, z.planet_1, z.fixed_ring));
+  list.push_back(root_form_of_ring(problem, module_mm, kOutputMesh, z.planet_2, z.output_ring));
 }
 
 void append_mesh_constraints(const ThreeKDesign& design, std::vector<ConstraintReport>& list) {
@@ -73,14 +85,15 @@ std::vector<ConstraintReport> further_constraints(const ThreeKDesign& design) {
       identical_planets(teeth, design.planet_count),
       neighbour_clearance(circle_of(design), "layer_1", teeth.planet_1, minimum_mm),
       neighbour_clearance(circle_of(design), "layer_2", teeth.planet_2, minimum_mm),
-      undercut("sun", teeth.sun),
-      undercut("planet_1", teeth.planet_1),
-      undercut("planet_2", teeth.planet_2)};
+      undercut(design.problem, "sun", teeth.sun),
+      undercut(design.problem, "planet_1", teeth.planet_1),
+      undercut(design.problem, "planet_2", teeth.planet_2)};
   if (design.problem.sun_under_second_layer) {
     list.push_back(sun_under_layer_2(design.module_mm, teeth.planet_1, teeth.planet_2));
   }
   append_ring_constraints(design, list);
   append_mesh_constraints(design, list);
+  append_root_forms(design, list);
   return list;
 }
 

@@ -82,8 +82,8 @@ void add_buildable_conditions(const Problem& problem, std::int64_t planet_count,
   const Expression tooth_sum = teeth.sun + teeth.planet_1;
   add({neighbour_clearance(problem, "layer_1", planet_count, module_mm, tooth_sum, teeth.planet_1),
        neighbour_clearance(problem, "layer_2", planet_count, module_mm, tooth_sum, teeth.planet_2),
-       undercut("sun", teeth.sun), undercut("planet_1", teeth.planet_1),
-       undercut("planet_2", teeth.planet_2)});
+       undercut(problem, "sun", teeth.sun), undercut(problem, "planet_1", teeth.planet_1),
+       undercut(problem, "planet_2", teeth.planet_2)});
   if (problem.sun_under_second_layer) {
     add({{"sun_under_layer_2", "sun_under_layer_2", "",
           Expression(module_mm) * (x.difference / 2.0 - 2.0), /*strict=*/true}});
@@ -94,6 +94,8 @@ void add_buildable_conditions(const Problem& problem, std::int64_t planet_count,
        ring_tip("output_ring", module_mm, teeth.output_ring)});
   add(interference("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
   add(interference("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
+  add(root_form(problem, "planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
+  add(root_form(problem, "planet_2_output_ring", teeth.planet_2, teeth.output_ring));
   add({contact_ratio(problem, "sun_planet_1", teeth.sun, teeth.planet_1),
        contact_ratio_in_ring(problem, "planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring),
        contact_ratio_in_ring(problem, "planet_2_output_ring", teeth.planet_2, teeth.output_ring)});

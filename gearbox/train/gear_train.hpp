@@ -15,8 +15,10 @@ namespace torquewright::gearbox {
 struct Cutters {
   /// Of sun and planets. Absent: ISO 53 profile A (0.38) is assumed, and a planet's hob is rounded
   /// less where its ring reaches deeper (docs/derivations/tooth_outline.md eq. (8)).
-  std::optional<double> hob_tip_radius;
-  std::optional<double> shaper_tip_radius;  ///< Of rings. Absent: 0.3 is assumed.
+  std::optional<double> hob_tip_radius = {};
+  /// Of rings. Absent: 0.3 is assumed, less where a planet's tip reaches deeper.
+  std::optional<double> shaper_tip_radius = {};
+  std::optional<std::int64_t> shaper_teeth = {};  ///< Absent: as many as the planet has.
 };
 
 /// A train as it was made.

@@ -23,8 +23,9 @@ std::string drawing_of(const gearbox::Problem& problem, const gearbox::Design& d
   if (design.layer_2_module_mm) {
     drawing.layer_2_module_mm = io::nearest(*design.layer_2_module_mm);
   }
-  for (const gearbox::ConstraintReport& violated :
-       gearbox::what_cannot_exist(gearbox::gear_train(problem, report.design))) {
+  const gearbox::GearTrain train = gearbox::gear_train(problem, report.design);
+  drawing.cutters = train.cutters;
+  for (const gearbox::ConstraintReport& violated : gearbox::what_cannot_exist(train)) {
     drawing.cannot_exist.push_back(violated.name);
   }
   return report::gearbox_drawing(drawing);

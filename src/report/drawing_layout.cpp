@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/constraints/shifted_gears.hpp"
 #include "gearbox/train/cut_train.hpp"
 #include "src/report/svg.hpp"
@@ -85,17 +86,20 @@ DrawnGear make_gear(NamedGear name, const gearbox::CutGear& gear) {
           .root_radius = std::max(0.0, 0.5 * gear.root_diameter())};
 }
 
-void fit_planet_to_ring(DrawnGear& planet, const DrawnGear& ring, double center_distance_mm) {
-  if (!planet.form || !ring.form) return;
-  const double tip_radius = planet.form->tip_radius;
-  planet.form = gearbox::external_gear_in_ring(planet.teeth, planet.shift, *ring.form,
-                                               center_distance_mm / planet.module_mm);
-  planet.form->tip_radius = tip_radius;
+/// The roots are those of the cutters that strength and report name.
+void cut_roots(const gearbox::CutTrain& cut, std::vector<DrawnGear>& gears) {
+  const std::vector<gearbox::GearCutter> cutters = gearbox::gear_cutters(cut);
+  for (std::size_t i = 0; i < cutters.size(); ++i) {
+    if (!gears[i].form) continue;
+    gears[i].form->fillet_radius = cutters[i].tip_radius;
+    gears[i].form->shaper_teeth = cutters[i].shaper_teeth;
+  }
 }
 
 gearbox::CutTrain cut_for(const DrawnGearbox& drawing) {
   gearbox::GearTrain train{drawing.topology,     drawing.teeth,     drawing.profile_shift,
-                           drawing.planet_count, drawing.module_mm, {}};
+                           drawing.planet_count, drawing.module_mm, {},
+                           drawing.cutters};
   train.layer_2_module_mm = drawing.layer_2_module_mm;
   const auto cut = gearbox::cut_train(train);
   require(cut.has_value(), "drawing: the shifts of sun and planet leave no working angle");
@@ -173,12 +177,9 @@ DrawingLayout lay_out(const DrawnGearbox& drawing) {
   DrawingLayout layout;
   layout.drawing = drawing;
   drawing.topology == "3k" ? add_3k(layout, cut) : add_planetary(layout, cut);
+  cut_roots(cut, layout.gears);
   const double sum = static_cast<double>(drawing.teeth[0] + drawing.teeth[1]);
   layout.center_distance_mm = layout.is_shifted() ? cut.centre_mm : 0.5 * sum * drawing.module_mm;
-  for (const DrawnLayer& layer : layout.layers) {
-    fit_planet_to_ring(layout.gears[layer.planet], layout.gears[layer.ring],
-                       layout.center_distance_mm);
-  }
   for (const gearbox::CutMesh& mesh : cut.meshes) {
     const gearbox::CutGear& ring = cut.gears[mesh.gear_2];
     if (!ring.internal) continue;

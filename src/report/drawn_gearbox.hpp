@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "gearbox/train/gear_train.hpp"
+
 namespace torquewright::report {
 
 /// What a drawing of a gearbox shows.
@@ -18,6 +20,7 @@ struct DrawnGearbox {
   std::string ratio;                      ///< As text: "20" or "1067/52".
   double hollow_shaft_diameter_mm = 0.0;  ///< Not drawn unless positive.
   std::optional<double> ring_wall_mm;     ///< Behind the ring's root; default 2.25 module.
+  gearbox::Cutters cutters = {};          ///< As far as they are stated.
   /// Of each gear in its modules; empty: none is shifted.
   std::vector<double> profile_shift = {};
   std::optional<double> layer_2_module_mm = {};  ///< Where it is another than the sun's layer's.

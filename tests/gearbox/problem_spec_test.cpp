@@ -77,12 +77,14 @@ TEST(ReadProblem, LeavesOutWhatIsNotGiven) {
 
 TEST(ReadProblem, ReadsEveryOptionalKey) {
   json root = document_of("finger_joint.json");
-  root.update({{"min_contact_ratio", 1.1},
-               {"min_neighbour_clearance_mm", 0.15},
-               {"ring_outer_diameter_mm", 19.5},
-               {"ring_wall_mm", 0.45},
-               {"sun_under_second_layer", false},
-               {"hollow_shaft_wall_mm", 0.25}});
+  root.update(
+      {{"min_contact_ratio", 1.1},
+       {"min_neighbour_clearance_mm", 0.15},
+       {"ring_outer_diameter_mm", 19.5},
+       {"ring_wall_mm", 0.45},
+       {"sun_under_second_layer", false},
+       {"cutter", {{"hob_tip_radius", 0.25}, {"shaper_tip_radius", 0.2}, {"shaper_teeth", 25}}},
+       {"hollow_shaft_wall_mm", 0.25}});
   const Problem problem = problem_of(root);
   EXPECT_EQ(problem.min_contact_ratio, Rational(11, 10));
   EXPECT_EQ(problem.min_neighbour_clearance_mm, Rational(3, 20));
@@ -90,12 +92,28 @@ TEST(ReadProblem, ReadsEveryOptionalKey) {
   EXPECT_EQ(problem.ring_wall_mm, Rational(9, 20));
   EXPECT_FALSE(problem.sun_under_second_layer);
   EXPECT_EQ(problem.hollow_shaft_wall_mm, Rational(1, 4));
+  EXPECT_EQ(problem.cutters.hob_tip_radius, Rational(1, 4));
+  EXPECT_EQ(problem.cutters.shaper_tip_radius, Rational(1, 5));
+  EXPECT_EQ(problem.cutters.shaper_teeth, 25);
   EXPECT_EQ(problem.face_width_mm,
             (std::map<std::string, Rational>{{"layer_1", 2}, {"layer_2", 3}}));
   EXPECT_EQ(problem.density_kg_m3, 7850);
   EXPECT_EQ(problem.rotor_inertia_kg_m2, Rational(1, 5000000));
   EXPECT_EQ(problem.constraints, ConstraintSet::kBuildable);
   EXPECT_EQ(problem.objective, Objective::kMass);
+}
+
+// Oracle: another program's full rounding of a shaper of 12 teeth, 0.25011.
+TEST(ReadProblem, RefusesARoundingThatTheShaperHasNoRoomFor) {
+  json root = document_of("finger_joint.json");
+  root["cutter"] = {{"shaper_teeth", 12}, {"shaper_tip_radius", 0.25}};
+  EXPECT_EQ(refusal(root), "");
+  root["cutter"]["shaper_tip_radius"] = 0.251;
+  EXPECT_EQ(refusal(root),
+            "f#/cutter/shaper_tip_radius: 0.251 does not fit on the tip of a shaper of 12 teeth; "
+            "at most 0.25");
+  root["cutter"] = {{"hob_tip_radius", 0.39}};
+  EXPECT_NE(refusal(root), "");
 }
 
 TEST(ReadProblem, SortsLists) {

@@ -73,6 +73,40 @@ long double trochoid_margin_rad(std::int64_t planet, std::int64_t ring) {
          involute(std::acos(cos_at_ring_tip(ring))) - from_ring;
 }
 
+// Points of the line of action are counted from the pitch point, at s. An axis lies a pitch radius
+// from there and the line rises by the pressure angle against the tangent, so that the squared
+// distance to the axis is s^2 +- 2 s r sin(alpha) + r^2: + away from the axis.
+
+long double straight_depth(long double hob_tip_radius) {
+  // The rounding touches flank and tip line: its lower 1 - sin(alpha) is all that is not straight.
+  return 1.25L - hob_tip_radius * (1 - std::sin(pressure_angle_rad()));
+}
+
+long double depth_at_ring_tip(std::int64_t ring) {
+  const long double sine = std::sin(pressure_angle_rad());
+  const long double pitch = real(ring) / 2;
+  const long double tip = pitch - 1;
+  if (tip <= pitch * std::cos(pressure_angle_rad())) return std::nanl("");
+  // s^2 - 2 s r sin(alpha) + r^2 = tip^2, the nearer of the two points.
+  const long double half = pitch * sine;
+  const long double s = half - std::sqrt(half * half - (pitch * pitch - tip * tip));
+  return s * sine;
+}
+
+long double reach_of_shaper(std::int64_t shaper, long double tip_radius) {
+  // Where the rounding begins its centre lies on the line too, the tip radius nearer.
+  const long double half = real(shaper) / 2 * std::sin(pressure_angle_rad());
+  const long double centre = real(shaper) / 2 + 1.25L - tip_radius;
+  const long double pitch = real(shaper) / 2;
+  return std::sqrt(half * half - (pitch * pitch - centre * centre)) - half + tip_radius;
+}
+
+long double reach_of_planet(std::int64_t planet) {
+  const long double half = real(planet) / 2 * std::sin(pressure_angle_rad());
+  const long double pitch = real(planet) / 2;
+  return std::sqrt(half * half + 2 * pitch + 1) - half;
+}
+
 long double loss_factor(const ContactPath& path) {
   // The number of pairs changes only where one of them enters or leaves, whole base pitches from
   // either end; between those points the integral is closed form.

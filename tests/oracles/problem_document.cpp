@@ -65,6 +65,11 @@ json problem_document(const gearbox::Problem& problem) {
   }
   put(document, "/ring_outer_diameter_mm", problem.ring_outer_diameter_mm);
   put(document, "/ring_wall_mm", problem.ring_wall_mm);
+  put(document, "/cutter/hob_tip_radius", problem.cutters.hob_tip_radius);
+  put(document, "/cutter/shaper_tip_radius", problem.cutters.shaper_tip_radius);
+  if (problem.cutters.shaper_teeth) {
+    document["cutter"]["shaper_teeth"] = *problem.cutters.shaper_teeth;
+  }
   put(document, "/hollow_shaft_wall_mm", problem.hollow_shaft_wall_mm);
   put(document, "/friction_coefficient", problem.friction_coefficient);
   put(document, "/materials/density_kg_m3", problem.density_kg_m3);

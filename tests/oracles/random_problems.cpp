@@ -8,7 +8,9 @@
 
 #include "tests/oracles/dice.hpp"
 #include "tests/oracles/gearbox_rules.hpp"
+#include "tests/oracles/involute_meshes.hpp"
 #include "tests/oracles/named_problems.hpp"
+#include "tests/oracles/reals.hpp"
 
 namespace torquewright::oracles {
 namespace {
@@ -158,7 +160,42 @@ Size draw_size(Dice& dice, const Problem& problem) {
   return {on_paper ? 12 : 18, bore};
 }
 
-Problem draw_problem(Dice& dice) {
+// About what the model would bear, so that many just do and many just do not.
+std::optional<Rational> draw_tip_radius(Dice& dice, long double bearable, std::int64_t most) {
+  if (!(bearable >= 0)) return std::nullopt;
+  const auto whole = static_cast<std::int64_t>(std::floor(bearable * 100));
+  return hundredths(std::clamp<std::int64_t>(whole - dice.between(-6, 4), 0, most));
+}
+
+// The largest rounding of the hob that leaves what the ring's tip asks for.
+long double bearable_hob(std::int64_t ring) {
+  return (1.25L - depth_at_ring_tip(ring)) / (1.25L - straight_depth(1));
+}
+
+void draw_cutters(Dice& dice, Problem& problem, const Model& model) {
+  if (problem.constraints != ConstraintSet::kBuildable || dice.chance(40)) return;
+  const Teeth& z = model.teeth;
+  const bool three_k = z.output_ring > 0;
+  gearbox::StatedCutters& cutters = problem.cutters;
+  if (dice.chance(70)) {
+    const std::int64_t ring = three_k ? std::min(z.fixed_ring, z.output_ring) : z.fixed_ring;
+    cutters.hob_tip_radius = draw_tip_radius(dice, bearable_hob(ring), 38);
+  }
+  if (dice.chance(60)) {
+    cutters.shaper_teeth = dice.between(14, 40);
+    std::int64_t radius = 30;
+    while (radius > 0 && reach_of_shaper(*cutters.shaper_teeth, 0.01L * real(radius)) <
+                             reach_of_planet(z.planet_1)) {
+      --radius;
+    }
+    if (dice.chance(80)) {
+      cutters.shaper_tip_radius =
+          draw_tip_radius(dice, 0.01L * real(radius), *cutters.shaper_teeth < 18 ? 25 : 30);
+    }
+  }
+}
+
+Problem draw_problem(Dice& dice, Dice& cutter_dice) {
   Problem problem;
   draw_kind(dice, problem);
   problem.module_mm = dice.one_or_more_of<Rational>(
@@ -173,6 +210,7 @@ Problem draw_problem(Dice& dice) {
   draw_limits(dice, problem, size, model);
   draw_building(dice, problem);
   draw_materials(dice, problem);
+  draw_cutters(cutter_dice, problem, model);
   return problem;
 }
 
@@ -183,8 +221,9 @@ std::vector<Problem> random_problems(std::uint64_t seed, std::size_t count) {
   for (const HardProblem& hard : hard_problems()) problems.push_back(hard.problem);
   problems.resize(std::min(problems.size(), count));
   Dice dice(seed);
+  Dice cutter_dice(~seed);  // Of their own: the rest of a seed's problems is as it always was.
   while (problems.size() < count) {
-    problems.push_back(draw_problem(dice));
+    problems.push_back(draw_problem(dice, cutter_dice));
     problems.back().name = "random " + std::to_string(problems.size());
   }
   return problems;

@@ -42,6 +42,22 @@ TEST(Loops, InverseFindsWhatTheNaiveOnesFind) {
   }
 }
 
+// The problems are worth solving only if the root form decides some of them.
+TEST(RandomProblems, RootFormDecidesSomeOfThem) {
+  int stated = 0, decided = 0;
+  for (const Problem& problem : random_problems(kSeed, 200)) {
+    if (!problem.cutters.hob_tip_radius && !problem.cutters.shaper_teeth) continue;
+    ++stated;
+    const Enumeration with = enumerate(problem);
+    const Enumeration without = enumerate(problem, Loops::kInverse, {"root_form"});
+    decided += as_set(problem, with.best) != as_set(problem, without.best) ? 1 : 0;
+  }
+  std::cout << stated << " of 200 state a cutter, of which the root form decides " << decided
+            << "\n";
+  EXPECT_GT(stated, 40);
+  EXPECT_GE(decided, 5);
+}
+
 TEST(Loops, InverseFindsWhatTheNaiveOnesFindInAWideBore) {
   for (const Rational& tolerance : {Rational(0), Rational(1, 100)}) {
     Problem problem = paper_problem({12, 12, 12}, 0);

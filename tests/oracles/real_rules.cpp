@@ -61,9 +61,11 @@ Rule neighbour_clearance(const Setting& setting, std::string name, Count planet)
           }};
 }
 
-Rule undercut(std::string name, Count gear) {
+Rule undercut(const Setting& setting, std::string name, Count gear) {
   const long double sine = std::sin(pressure_angle_rad());
-  const long double least = 2 / (sine * sine);
+  const auto& hob = setting.problem.cutters.hob_tip_radius;
+  const long double depth = hob ? straight_depth(to_long_double(*hob)) : 1;
+  const long double least = 2 * depth / (sine * sine);
   return {std::move(name),
           [=](const Teeth& teeth) { return not_negative(real(teeth.*gear) - least); }};
 }
@@ -89,15 +91,36 @@ Rule contact_ratio(const Setting& setting, std::string name, Path path, Count fi
           }};
 }
 
+// Of stated cutters only; of assumed ones a test shows that they never fail.
+void add_root_form(const Setting& setting, const std::string& mesh, Count planet, Count ring,
+                   std::vector<Rule>& list) {
+  const gearbox::StatedCutters& cutters = setting.problem.cutters;
+  if (cutters.hob_tip_radius) {
+    const long double depth = straight_depth(to_long_double(*cutters.hob_tip_radius));
+    list.push_back({"root_form.hob." + mesh, [=](const Teeth& teeth) {
+                      return not_negative(depth - depth_at_ring_tip(teeth.*ring));
+                    }});
+  }
+  if (cutters.shaper_teeth) {
+    const std::int64_t shaper = *cutters.shaper_teeth;
+    const long double reach =
+        reach_of_shaper(shaper, to_long_double(cutters.shaper_tip_radius.value_or(0)));
+    list.push_back({"root_form.shaper." + mesh, [=](const Teeth& teeth) {
+                      if (teeth.*ring <= shaper) return Judgement{false, false, 0};
+                      return not_negative(reach - reach_of_planet(teeth.*planet));
+                    }});
+  }
+}
+
 std::vector<Rule> rules_of_3k(const Setting& setting) {
   const auto S = &Teeth::sun, P1 = &Teeth::planet_1, P2 = &Teeth::planet_2;
   const auto F = &Teeth::fixed_ring, O = &Teeth::output_ring;
   return {
       neighbour_clearance(setting, "neighbour_clearance.layer_1", P1),
       neighbour_clearance(setting, "neighbour_clearance.layer_2", P2),
-      undercut("undercut.sun", S),
-      undercut("undercut.planet_1", P1),
-      undercut("undercut.planet_2", P2),
+      undercut(setting, "undercut.sun", S),
+      undercut(setting, "undercut.planet_1", P1),
+      undercut(setting, "undercut.planet_2", P2),
       ring_tip(setting, "ring_tip.fixed_ring", F),
       ring_tip(setting, "ring_tip.output_ring", O),
       interference("interference.involute.planet_1_fixed_ring", involute_margin, P1, F),
@@ -114,8 +137,8 @@ std::vector<Rule> rules_of_planetary(const Setting& setting) {
   const auto S = &Teeth::sun, P = &Teeth::planet_1, R = &Teeth::fixed_ring;
   return {
       neighbour_clearance(setting, "neighbour_clearance.layer_1", P),
-      undercut("undercut.sun", S),
-      undercut("undercut.planet", P),
+      undercut(setting, "undercut.sun", S),
+      undercut(setting, "undercut.planet", P),
       ring_tip(setting, "ring_tip.ring", R),
       interference("interference.involute.planet_ring", involute_margin, P, R),
       interference("interference.trochoid.planet_ring", trochoid_margin_rad, P, R),
@@ -131,6 +154,12 @@ std::vector<Rule> real_rules(const Setting& setting) {
   if (!is_buildable(setting.problem)) return list;
   const auto buildable = is_3k(setting.problem) ? rules_of_3k : rules_of_planetary;
   for (Rule& rule : buildable(setting)) list.push_back(std::move(rule));
+  if (is_3k(setting.problem)) {
+    add_root_form(setting, "planet_1_fixed_ring", &Teeth::planet_1, &Teeth::fixed_ring, list);
+    add_root_form(setting, "planet_2_output_ring", &Teeth::planet_2, &Teeth::output_ring, list);
+  } else {
+    add_root_form(setting, "planet_ring", &Teeth::planet_1, &Teeth::fixed_ring, list);
+  }
   return list;
 }
 

@@ -84,7 +84,11 @@ double concave_form(const std::string& name, const PlainClaim& claim, const Choi
     return (x[0] + x[1]) * sine - (planet + 2) - number(p.min_neighbour_clearance_mm) / c.module_mm;
   }
   const double alpha = kPi / 9;
-  if (family == "undercut") return teeth(part, x) - 2 / (std::sin(alpha) * std::sin(alpha));
+  if (family == "undercut") {
+    const double hob = p.cutters.hob_tip_radius ? number(*p.cutters.hob_tip_radius) : -1;
+    const double depth = hob < 0 ? 1 : 1.25 - hob * (1 - std::sin(alpha));
+    return teeth(part, x) - 2 * depth / (std::sin(alpha) * std::sin(alpha));
+  }
   if (family == "sun_under_layer_2") return c.module_mm * (x[2] / 2 - 2);
   if (family == "ring_tip") {
     return c.module_mm * (teeth(part, x) * (1 - std::cos(alpha)) - 2) / 2;

@@ -72,6 +72,35 @@ TEST(Lies, AConflictHoldsOnlyWhatItNeeds) {
   EXPECT_FALSE(accepted(d151_infeasible(), result));
 }
 
+// A proof for a sharp hob and an unrounded shaper, handed in for rounder ones: no ring's tip leaves
+// room for a hob of 0.38, and a shaper of 12 teeth does not reach what a large planet's tip asks.
+TEST(Lies, TheRootFormIsNotForgotten) {
+  Problem problem = buildable_inertia();
+  problem.cutters = {Rational(1, 10), Rational(0), 60};
+  const Json result = naive_optimum(problem, 1, {});
+  ASSERT_TRUE(accepted(problem, result));
+  Problem blunt_hob = problem, blunt_shaper = problem;
+  blunt_hob.cutters.hob_tip_radius = Rational(19, 50);
+  EXPECT_FALSE(accepted(blunt_hob, result));
+  blunt_shaper.cutters.shaper_teeth = 12;
+  blunt_shaper.cutters.shaper_tip_radius = Rational(1, 4);
+  EXPECT_FALSE(accepted(blunt_shaper, result));
+}
+
+// Every design is worse than, or violates something with, one that only the root form forbids.
+TEST(Lies, ADesignThatNoHobCutsIsNotOptimal) {
+  Problem sharp = buildable_inertia(), blunt = sharp;
+  sharp.cutters.hob_tip_radius = Rational(0);
+  blunt.cutters.hob_tip_radius = Rational(1, 4);
+  const Json result = naive_optimum(sharp, 1, {});
+  const Json honest = naive_optimum(blunt, 1, {});
+  ASSERT_NE(result["designs"], honest["designs"]);
+  EXPECT_TRUE(accepted(blunt, honest));
+  Json forged = honest;
+  forged["designs"] = result["designs"];
+  EXPECT_FALSE(accepted(blunt, forged));
+}
+
 TEST(Lies, EveryAlternativeNeedsATree) {
   const Problem problem = planetary_8();
   const Json result = naive_optimum(problem, 2, {});

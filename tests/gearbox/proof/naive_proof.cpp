@@ -40,7 +40,7 @@ class Builder {
       return;
     }
     for (const char* prefix :
-         {"equal_spacing", "identical_planets", "interference", "contact_ratio"}) {
+         {"equal_spacing", "identical_planets", "interference", "contact_ratio", "root_form"}) {
       if (hypothesis.rfind(prefix, 0) == 0) return;
     }
     conditions_.push_back(hypothesis);

@@ -42,6 +42,21 @@ double path_ring(long z) {
   return real(z) * (std::tan(kAlpha) - std::tan(ring_angle(z))) / (2 * kPi);
 }
 
+/// To which the hob is straight: its rounding hides 1 - sin of its radius.
+double hob_depth(const Problem& p) {
+  return p.cutters.hob_tip_radius
+             ? 1.25 - number(*p.cutters.hob_tip_radius) * (1 - std::sin(kAlpha))
+             : 1.0;
+}
+
+/// Beyond the pitch point: where the shaper's involute goes over into its rounding, in modules.
+double shaper_path(const Problem& p) {
+  const double r = real(*p.cutters.shaper_teeth) / 2;
+  const double rounding = number(p.cutters.shaper_tip_radius.value_or(0));
+  const double at_centre = std::acos(r * std::cos(kAlpha) / (r + 1.25 - rounding));
+  return r * std::cos(kAlpha) * (std::tan(at_centre) - std::tan(kAlpha)) + rounding;
+}
+
 double involute(double angle) { return std::tan(angle) - angle; }
 
 double wall_mm(const Choice& c) {
@@ -204,7 +219,9 @@ bool holds(const std::string& name, const Choice& c, const Gears& g) {
     return neighbour_mm(c, g, part == "layer_1" ? g.first : g.second) >
            number(p.min_neighbour_clearance_mm) + kSlack;
   }
-  if (starts_with(name, "undercut.")) return gear(part, g) >= 18;
+  if (starts_with(name, "undercut.")) {
+    return real(gear(part, g)) >= 2 * hob_depth(p) / std::pow(std::sin(kAlpha), 2);
+  }
   if (name == "sun_under_layer_2") return g.first - g.second > 4;
   if (starts_with(name, "ring_wall.")) {
     return (number(p.ring_outer_diameter_mm.value_or(p.rotor_inner_diameter_mm)) -
@@ -220,6 +237,13 @@ bool holds(const std::string& name, const Choice& c, const Gears& g) {
     return real(planet) / real(ring) - 1 + std::tan(ring_angle(ring)) / std::tan(kAlpha) >= 0;
   }
   if (starts_with(name, "interference.trochoid.")) return trochoid(planet, ring) >= 0;
+  if (starts_with(name, "root_form.hob.")) {
+    return ring >= 34 && path_ring(ring) * kPi * std::sin(2 * kAlpha) / 2 <= hob_depth(p);
+  }
+  if (starts_with(name, "root_form.shaper.")) {
+    return ring > *p.cutters.shaper_teeth &&
+           path_external(planet) * kPi * std::cos(kAlpha) <= shaper_path(p);
+  }
   if (starts_with(name, "contact_ratio.")) {
     const int mesh = starts_with(part, "sun") ? 0 : second ? 2 : 1;
     return contact_ratio(mesh, g) >= number(p.min_contact_ratio);
@@ -239,6 +263,12 @@ std::vector<std::string> constraint_names(const Problem& problem) {
   if (!planetary) add({"tooth_difference"});
   if (problem.constraints == ConstraintSet::kPaper) return names;
   add({"neighbour_clearance.layer_1", "undercut.sun"});
+  for (const std::string& mesh :
+       planetary ? std::vector<std::string>{"planet_ring"}
+                 : std::vector<std::string>{"planet_1_fixed_ring", "planet_2_output_ring"}) {
+    if (problem.cutters.hob_tip_radius) add({"root_form.hob." + mesh});
+    if (problem.cutters.shaper_teeth) add({"root_form.shaper." + mesh});
+  }
   if (planetary) {
     add({"ring_wall.ring"});
     add({"undercut.planet", "ring_tip.ring", "interference.involute.planet_ring",

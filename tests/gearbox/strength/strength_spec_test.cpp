@@ -10,6 +10,7 @@
 
 #include "gearbox/constraints/existence.hpp"
 #include "gearbox/strength/strength_table.hpp"
+#include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -119,15 +120,40 @@ TEST(ReadStrength, RefusesWhatCannotExist) {
 // in 49.
 TEST(ReadStrength, RefusesAHobThatLeavesTooLittleInvolute) {
   EXPECT_EQ(refusal({{"cutter", {{"hob_tip_radius", .291}, {"shaper_tip_radius", .2}}}}), "");
-  EXPECT_EQ(refusal({{"cutter", {{"hob_tip_radius", .292}}}}).substr(0, 48),
-            "#/gearbox: root_form.planet_ring: 0.1748 mm of r");
+  EXPECT_EQ(refusal({{"cutter", {{"hob_tip_radius", .292}}}}).substr(0, 47),
+            "#/gearbox: root_form.hob.planet_ring: 0.1748 mm");
   const std::vector<ConstraintReport> narrow =
       what_cannot_exist({"planetary", {5, 22, 49}, {0, 0, 0}, 2, .6, {}});
   const auto form = std::find_if(narrow.begin(), narrow.end(), [](const ConstraintReport& each) {
-    return each.name == "root_form.planet_ring";
+    return each.name == "root_form.hob.planet_ring";
   });
   ASSERT_NE(form, narrow.end());
   EXPECT_NEAR(form->value, -.6 * .0058, .6 * .0006);
+}
+
+// The cutter is that of the result's problem, unless the document states another; then it says so.
+TEST(ReadStrength, TakesTheCutterOfTheResult) {
+  const test::ScratchFolder folder;
+  json result = io::read_document(kSpecs / "d151_knee_result.json", "gearbox_result").root;
+  result["problem"]["cutter"] = {{"hob_tip_radius", .25}, {"shaper_teeth", 30}};
+  const fs::path file = folder.write("result.json", result.dump());
+  json root = io::read_document(kSpecs / "d151_strength.json", "gear_strength").root;
+  root["gearbox"]["file"] = file.string();
+  const auto read = [&] {
+    return strength_of(io::check_document(root, "gear_strength", file.string(), ""));
+  };
+  ReadStrength strength = read();
+  EXPECT_EQ(strength.strength.train.cutters.hob_tip_radius, .25);
+  EXPECT_EQ(strength.strength.train.cutters.shaper_teeth, 30);
+  EXPECT_TRUE(strength.statements.empty());
+  root["cutter"] = {{"hob_tip_radius", .2}, {"shaper_tip_radius", .1}};
+  strength = read();
+  EXPECT_EQ(strength.strength.train.cutters.hob_tip_radius, .2);
+  EXPECT_EQ(strength.strength.train.cutters.shaper_tip_radius, .1);
+  EXPECT_EQ(strength.strength.train.cutters.shaper_teeth, 30);
+  EXPECT_EQ(strength.statements,
+            std::vector<std::string>{"The cutter differs from that of the result's problem: "
+                                     "hob_tip_radius is 0.2 here and 0.25 there."});
 }
 
 TEST(ReadStrength, RefusesA3kTrainThatStandsStill) {

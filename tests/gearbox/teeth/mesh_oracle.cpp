@@ -24,7 +24,9 @@ Solid solid_of(const PlacedGear& gear) {
   Solid solid{.gear = gear, .half = sample(half_pitch_curves(gear.form), kChordError)};
   if (gear.form.internal) {
     solid.flank_low = std::max(gear.form.tip_radius, base_radius(gear.form));
-    solid.flank_high = ring_fillet(gear.form).flank_end.radius;
+    const auto shaped = shaper_trochoid(gear.form);
+    solid.flank_high = shaped ? trochoid_point(*shaped, shaped->end_turn_rad).radius
+                              : ring_fillet(gear.form).flank_end.radius;
   } else {
     const HobTrochoid trochoid = hob_trochoid(gear.form);
     solid.flank_low = trochoid_point(trochoid, trochoid.end_normal_rad).radius;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -52,7 +53,37 @@ TEST(PlanetaryEvaluate, ReportsEveryDocumentedConstraint) {
                 "equal_spacing", "neighbour_clearance.layer_1", "undercut.sun", "undercut.planet",
                 "ring_wall.ring", "ring_tip.ring", "interference.involute.planet_ring",
                 "interference.trochoid.planet_ring", "contact_ratio.sun_planet",
-                "contact_ratio.planet_ring"}));
+                "contact_ratio.planet_ring", "root_form.hob.sun_planet",
+                "root_form.hob.planet_ring", "root_form.shaper.planet_ring"}));
+}
+
+const ConstraintReport& named(const DesignReport& report, const std::string& name) {
+  return *std::find_if(report.constraints.begin(), report.constraints.end(),
+                       [&](const ConstraintReport& each) { return each.name == name; });
+}
+
+// Oracle: another program, 65 teeth in 155: hob 0.2965 at most, shaper of 30 teeth 0.2842, where
+// the planet itself as a shaper would bear 0.4207; undercut below 2 (1.25 - 0.65798 rho)/sin^2(20).
+TEST(PlanetaryEvaluate, JudgesTheRootFormOfStatedCutters) {
+  Problem problem = stage();
+  const Design design{{25, 65}, 3, Rational(3, 5)};
+  const DesignReport assumed = planetary::evaluate(problem, design);
+  EXPECT_NEAR(named(assumed, "root_form.hob.planet_ring").value, .6 * 0.2965, 1e-4);
+  EXPECT_EQ(named(assumed, "root_form.hob.planet_ring").limit, 0);
+  EXPECT_NEAR(named(assumed, "root_form.shaper.planet_ring").value, .6 * 0.4207, 1e-4);
+  problem.cutters = {Rational(29, 100), Rational(14, 50), 30};
+  const DesignReport borne = planetary::evaluate(problem, design);
+  EXPECT_TRUE(named(borne, "root_form.hob.planet_ring").satisfied);
+  EXPECT_TRUE(named(borne, "root_form.shaper.planet_ring").satisfied);
+  EXPECT_NEAR(named(borne, "root_form.shaper.planet_ring").value, .6 * 0.2842, 1e-4);
+  EXPECT_NEAR(named(borne, "undercut.sun").limit, 18.1092, 1e-4);
+  problem.cutters = {Rational(3, 10), Rational(3, 10), 30};
+  const DesignReport missed = planetary::evaluate(problem, design);
+  for (const char* name : {"root_form.hob.planet_ring", "root_form.shaper.planet_ring"}) {
+    EXPECT_FALSE(named(missed, name).satisfied) << name;
+    EXPECT_NEAR(named(missed, name).margin, named(missed, name).value - .18, 1e-12);
+    EXPECT_EQ(named(missed, name).sentence.rfind(std::string(name) + ": 0.1", 0), 0u);
+  }
 }
 
 // Oracle: the documented conditions by hand, for 25/65/155 with three planets of module 0.6.

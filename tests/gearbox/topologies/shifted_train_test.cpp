@@ -280,8 +280,8 @@ TEST(ShiftedTrain, MeetsAndMissesWhatShiftDecides) {
   EXPECT_NEAR(test::find(report_with(1.2, .1), "tip_thickness.sun")->value, .6 * .0296316, 1e-7);
   EXPECT_NEAR(test::find(report_with(1.4, .1), "tip_thickness.sun")->value, -.6 * .0726722, 1e-7);
   EXPECT_FALSE(test::find(report_with(1.4, .1), "tip_thickness.sun")->satisfied);
-  EXPECT_TRUE(test::find(report_with(.6, .36), "root_form.sun_planet")->satisfied);
-  EXPECT_FALSE(test::find(report_with(-.4, .9), "root_form.sun_planet")->satisfied);
+  EXPECT_TRUE(test::find(report_with(.6, .36), "root_form.hob.sun_planet")->satisfied);
+  EXPECT_FALSE(test::find(report_with(-.4, .9), "root_form.hob.sun_planet")->satisfied);
   design.profile_shift = {.6, .36, 0.0};  // a ring that is far from closing leaves no clearance
   EXPECT_FALSE(test::find(evaluated(problem, design), "coaxial.ring")->satisfied);
   EXPECT_LT(test::find(evaluated(problem, design), "bottom_clearance.planet_ring")->value, 0.0);

@@ -130,7 +130,12 @@ TEST(ThreeKEvaluate, BuildableListsEveryConstraintInOrder) {
                                        "interference.trochoid.planet_2_output_ring",
                                        "contact_ratio.sun_planet_1",
                                        "contact_ratio.planet_1_fixed_ring",
-                                       "contact_ratio.planet_2_output_ring"};
+                                       "contact_ratio.planet_2_output_ring",
+                                       "root_form.hob.sun_planet_1",
+                                       "root_form.hob.planet_1_fixed_ring",
+                                       "root_form.hob.planet_2_output_ring",
+                                       "root_form.shaper.planet_1_fixed_ring",
+                                       "root_form.shaper.planet_2_output_ring"};
   ASSERT_EQ(report.constraints.size(), names.size());
   for (std::size_t index = 0; index < names.size(); ++index) {
     EXPECT_EQ(report.constraints[index].name, names[index]);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "gearbox/constraints/condition.hpp"
+#include "gearbox/train/gear_train.hpp"
+
+namespace torquewright::gearbox {
+
+// The involute of a root goes as far as the mate's tip needs it: docs/gearbox_constraints.md,
+// "Cutters". Lengths in modules.
+
+/// `largest` tip radius of a hob that leaves enough, against the stated one, or 0.
+DesignCondition hob_condition(std::string_view mesh, const Rational& module_mm, double largest,
+                              const std::optional<Rational>& stated);
+
+/// The same of a ring's shaper with so many teeth.
+DesignCondition shaper_condition(std::string_view mesh, const Rational& module_mm, double largest,
+                                 const std::optional<Rational>& stated, double shaper_teeth);
+
+// Of a design without profile shift.
+ConstraintReport root_form_of_gears(const Problem& problem, const Rational& module_mm,
+                                    std::string_view mesh, std::int64_t teeth_1,
+                                    std::int64_t teeth_2);
+ConstraintReport root_form_of_planet(const Problem& problem, const Rational& module_mm,
+                                     std::string_view mesh, std::int64_t ring);
+ConstraintReport root_form_of_ring(const Problem& problem, const Rational& module_mm,
+                                   std::string_view mesh, std::int64_t planet, std::int64_t ring);
+
+}  // namespace torquewright::gearbox
