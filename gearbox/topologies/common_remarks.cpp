@@ -59,11 +59,11 @@ std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& r
                    problem.constraints == ConstraintSet::kPaper
                        ? "which the paper's constraints do not ask for"
                        : fmt::format("{:.4g} mm are there", io::nearest(ring_space_mm(problem))))});
-  const auto cutters = gear_cutters(gear_train(problem, report.design));
-  if (problem.constraints == ConstraintSet::kBuildable && !cutters.empty()) {
+  const auto cut = cut_train(gear_train(problem, report.design));
+  if (problem.constraints == ConstraintSet::kBuildable && cut) {
     list.push_back({"cutters", fmt::format("cutters: {}; dedendum 1.25, so that every tip stays "
                                            "{:.4g} mm away from the root circle of its mate.",
-                                           cutter_sentence(cutters),
+                                           cutter_sentence(gear_cutters(*cut)),
                                            0.25 * io::nearest(report.design.module_mm))});
   }
   if (report.hollow_shaft_diameter_mm <= 0.0) {
