@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
+#include "simulation/contact/contact_problem.hpp"
 
 namespace torquewright::simulation {
-
-/// All points that touch the ground at one instant: velocities (3 k x 1; tangent, tangent, normal
-/// of each) answer to impulses (3 k x 1) as u = free + response * impulse.
-struct ContactProblem {
-  Eigen::MatrixXd response_1_kg;  ///< (3 k x 3 k), symmetric, positive semidefinite.
-  Eigen::VectorXd free_m_s;
-  Eigen::VectorXd friction_coefficients;  ///< (k x 1)
-};
 
 /// Impulses with which each point obeys the law of coulomb_impulse_N_s() while all others act, by
 /// sweeps over the points (nonsmooth Gauss-Seidel: Jean, "The non-smooth contact dynamics method",

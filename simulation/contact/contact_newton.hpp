@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "simulation/contact/contact_impulses.hpp"
+#include "simulation/contact/contact_problem.hpp"
 
 namespace torquewright::simulation {
 

@@ -164,16 +164,17 @@ TEST(WholeText, MayBeNestedSoDeep) {
 }
 
 TEST(WholeText, StaysOnOneLinePerFault) {
-  EXPECT_EQ(faults_of(with_slip({"20,", "20, \"q\\nq\": 1, \"load\": \"\\n\",", ""})),
-            "#/load: is a string, must be an object\n#/q\\u000aq: unknown key; known are "
-            "\"assumed\", \"constraints\", \"face_width_mm\", \"friction_coefficient\", "
-            "\"hollow_shaft_wall_mm\", \"kind\", \"load\", \"materials\", "
-            "\"min_carrier_clearance_rad\", \"min_contact_ratio\", "
-            "\"min_neighbour_clearance_mm\", \"min_teeth\", \"module_mm\", \"name\", "
-            "\"objective\", \"planet_count\", \"ratio_tolerance\", \"ring_outer_diameter_mm\", "
-            "\"ring_wall_mm\", \"rotor_inertia_kg_m2\", \"rotor_inner_diameter_mm\", "
-            "\"sun_under_second_layer\", \"synthesis\", \"target_ratio\", \"topology\", "
-            "\"version\"");
+  EXPECT_EQ(
+      faults_of(with_slip({"20,", "20, \"q\\nq\": 1, \"load\": \"\\n\",", ""})),
+      "#/load: is a string, must be an object\n#/q\\u000aq: unknown key; known are "
+      "\"assumed\", \"constraints\", \"cutter\", \"face_width_mm\", \"friction_coefficient\", "
+      "\"hollow_shaft_wall_mm\", \"kind\", \"load\", \"materials\", "
+      "\"min_carrier_clearance_rad\", \"min_contact_ratio\", "
+      "\"min_neighbour_clearance_mm\", \"min_teeth\", \"module_mm\", \"name\", "
+      "\"objective\", \"planet_count\", \"ratio_tolerance\", \"ring_outer_diameter_mm\", "
+      "\"ring_wall_mm\", \"rotor_inertia_kg_m2\", \"rotor_inner_diameter_mm\", "
+      "\"sun_under_second_layer\", \"synthesis\", \"target_ratio\", \"topology\", "
+      "\"version\"");
 }
 
 /// Keys that no document has, so many that not all their faults are listed.

@@ -133,7 +133,7 @@ TEST(ReadStrength, RefusesAHobThatLeavesTooLittleInvolute) {
 
 // The cutter is that of the result's problem, unless the document states another; then it says so.
 TEST(ReadStrength, TakesTheCutterOfTheResult) {
-  const test::ScratchFolder folder;
+  const torquewright::test::ScratchFolder folder;
   json result = io::read_document(kSpecs / "d151_knee_result.json", "gearbox_result").root;
   result["problem"]["cutter"] = {{"hob_tip_radius", .25}, {"shaper_teeth", 30}};
   const fs::path file = folder.write("result.json", result.dump());
