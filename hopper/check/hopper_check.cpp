@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iterator>
 
 #include "actuator/check/findings.hpp"
@@ -279,17 +280,17 @@ HopperReport check_either_way(const Robot& robot, const CheckOptions& options, R
                               Motion& motion) {
   try {
     return check_as_read(robot, options, &rows, motion);
-  } catch (const io::SpecError& refusal) {
+  } catch (const io::SpecError&) {
     std::optional<Motion> other = rows.other();
     if (!other) throw;
-    const io::SpecError first = refusal;
+    const std::exception_ptr first = std::current_exception();
     try {
       HopperReport report = check_as_read(robot, options, nullptr, *other);
       motion = std::move(*other);
       rows.take_other();
       return report;
     } catch (const io::SpecError&) {
-      throw first;
+      std::rethrow_exception(first);
     }
   }
 }
