@@ -43,6 +43,17 @@ void require_meanings(const std::string& file, const ImportedLog& log) {
                     io::listed(log.header))}});
 }
 
+/// The cells as they are written; those that are read must be finite numbers.
+std::vector<std::string> cells_of(const io::CsvReader& csv, const ImportedLog& log) {
+  std::vector<std::string> row;
+  for (std::size_t i = 0; i < log.header.size(); ++i) {
+    const auto is_this = [&](const ColumnUse& use) { return use.column == log.header[i]; };
+    if (std::any_of(log.columns.begin(), log.columns.end(), is_this)) csv.number(i);
+    row.emplace_back(csv.text(i));
+  }
+  return row;
+}
+
 }  // namespace
 
 ImportedLog read_named_columns(
@@ -59,10 +70,7 @@ ImportedLog read_named_columns(
       throw io::SpecError({{csv.file(), "", "has other columns than the file before it"}});
     }
     ImportedLog::Run run{file.stem().string(), {}};
-    while (csv.next()) {
-      std::vector<std::string>& row = run.rows.emplace_back();
-      for (std::size_t i = 0; i < log.header.size(); ++i) row.emplace_back(csv.text(i));
-    }
+    while (csv.next()) run.rows.push_back(cells_of(csv, log));
     log.runs.push_back(std::move(run));
   }
   if (!log.ignore.empty()) log.notes.push_back("not read: " + io::listed(log.ignore));

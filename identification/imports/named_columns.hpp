@@ -23,7 +23,8 @@ inline constexpr double kCelsius_K = 273.15;
 
 /// CSV files whose names tell what they hold; a run each, by the file's name. Columns without a
 /// meaning are ignored, and said. Throws io::SpecError where there is no time or nothing else,
-/// where two columns mean the same, and where a later file has other columns.
+/// where two columns mean the same, where a later file has other columns, and where a cell of a
+/// column with a meaning is no finite number.
 ImportedLog read_named_columns(
     const ImportRequest& request,
     const std::function<std::optional<Meaning>(const std::string& column)>& meaning_of);

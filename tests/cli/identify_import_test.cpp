@@ -303,5 +303,18 @@ TEST(Import, LeadsToAnIdentification) {
   EXPECT_EQ(json::parse(outcome.out)["verdict"], "nothing_missing") << outcome.out.substr(0, 3000);
 }
 
+TEST(ImportOfNamedColumns, RefusesCellsThatAreNoNumbersWhereTheyAreRead) {
+  const auto with = [](const std::string& mode, const std::string& velocity) {
+    return imported_text(
+        "moteus", "wheel.csv",
+        fmt::format("timestamp,mode,position,velocity\n0.00,10,0.1,0.2\n0.02,{},0.2,{}\n", mode,
+                    velocity));
+  };
+  for (const std::string cell : {"nan", "inf", "", "1e999", "stop"}) {
+    expect_refused(with("10", cell), "wheel.csv: line 3, column 4 (velocity)");
+  }
+  EXPECT_EQ(with("position", "0.3").outcome.exit_code, 0);
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test
