@@ -34,6 +34,7 @@ class SignalsHeld {
 };
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
+  if (a.empty() || b.empty()) return false;  // no file at all
   std::error_code unknown;
   const fs::file_status status = fs::status(a, unknown);
   if (fs::is_other(status)) return false;  // a device takes whatever comes

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "actuator/region/mor_table.hpp"
@@ -17,6 +18,7 @@ using hopper::HopperReport;
 using hopper::Motion;
 
 constexpr Eigen::Index kMostCurvePoints = 2000;
+constexpr double kShortestAxis_s = 1e-3;  // of a motion of one row, which has no duration
 constexpr int kLoadsWidth = 960;
 constexpr int kLoadPanelHeight = 230;
 
@@ -130,8 +132,10 @@ std::string loads_plot(PlotFormat format, const HopperPage& page) {
         "dashtype 2 linecolor rgb '#b3261e'\n",
         i + 1, report.demand.jolts[i].time_s, report.demand.jolts[i].time_s);
   }
-  script += fmt::format("set xrange [{:.9g}:{:.9g}]\nset multiplot layout {},1\n",
-                        motion.times_s.front(), motion.times_s.back(), count);
+  const double begin_s = motion.times_s.front();
+  const double end_s = std::max(motion.times_s.back(), begin_s + kShortestAxis_s);
+  script += fmt::format("set xrange [{:.17g}:{:.17g}]\nset multiplot layout {},1\n", begin_s, end_s,
+                        count);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     if (i + 1 == panels.size()) script += "set xlabel 'time in s'\n";
     script += panel_plot(panels[i], i);

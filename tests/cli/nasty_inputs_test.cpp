@@ -128,8 +128,14 @@ std::vector<Nasty> nasty_documents() {
   };
 }
 
+TEST(NastyInputs, ATableWithoutAName) {
+  const std::string robot = in_repository("specs/robot/hopper.json").string();
+  expect_civil(Workplace(), {"hopper", "check", robot, "", "--report", "page.html"}, "no name", 0);
+}
+
 TEST(NastyInputs, TablesOfMotions) {
   Workplace place;
+  for (const char* picture : {"a.svg", "b.svg"}) place.write(picture, "");
   for (const Nasty& nasty : nasty_tables()) {
     place.write("knee.csv",
                 nasty.spoil(text_of(in_repository("specs/trajectory/knee_extension.csv"))));
@@ -140,15 +146,18 @@ TEST(NastyInputs, TablesOfMotions) {
     const std::string robot = in_repository("specs/robot/hopper.json").string();
     const std::string rig = in_repository("specs/rig/knee_sweep.json").string();
     expect_civil(place, {"actuator", "check", "knee.csv", "--joint", "knee=" + knee}, nasty.what,
-                 3);
+                 5);
     expect_civil(place,
                  {"actuator", "check", "knee.csv", "--joint", "knee=" + knee, "--repeat",
                   "1000000000", "--json"},
-                 nasty.what, 3);
-    expect_civil(place, {"hopper", "check", robot, "flip.csv"}, nasty.what, 3);
+                 nasty.what, 5);
+    expect_civil(place, {"hopper", "check", robot, "flip.csv"}, nasty.what, 5);
+    expect_civil(place,
+                 {"hopper", "check", robot, "flip.csv", "--plot", "a.svg", "--plot-loads", "b.svg"},
+                 nasty.what, 5);
     expect_civil(place, {"identify", "simulate", knee, "--rig", rig, "--excitation", "play.csv"},
-                 nasty.what, 3);
-    expect_civil(place, {"identify", "play.csv", "--rig", rig, "--actuator", knee}, nasty.what, 3);
+                 nasty.what, 5);
+    expect_civil(place, {"identify", "play.csv", "--rig", rig, "--actuator", knee}, nasty.what, 5);
   }
 }
 
