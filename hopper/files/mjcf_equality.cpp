@@ -53,6 +53,12 @@ std::string coupling_of(const Element& equality) {
                        : fmt::format("couples \"{}\" to \"{}\"", one, other);
 }
 
+/// All kinds of equalities share the defaults of <equality>.
+bool is_active(const Element& stated, const MjcfDefaults& defaults) {
+  const Element asked{"equality", stated.attributes, {}, stated.file, stated.line};
+  return attribute(defaults.completed(asked, ""), "active") != "false";
+}
+
 std::string objection(const Element& equality) {
   if (is_coupling(equality)) {
     return fmt::format("{}, which no mechanism of ours does; --free-couplings leaves it out",
@@ -64,15 +70,15 @@ std::string objection(const Element& equality) {
 
 }  // namespace
 
-Equalities read_equalities(const Element& mujoco, const Element& top, bool frees_couplings,
-                           Faults& faults) {
+Equalities read_equalities(const Element& mujoco, const Element& top, const MjcfDefaults& defaults,
+                           bool frees_couplings, Faults& faults) {
   Names names;
   gather_names(top, names);
   add_tendons(mujoco, names);
   Equalities read;
   for (const Element* section : children(mujoco, "equality")) {
     for (const Element& stated : section->children) {
-      if (attribute(stated, "active") == "false" || !holds(stated, names)) continue;
+      if (!is_active(stated, defaults) || !holds(stated, names)) continue;
       if (stated.name == "connect") {
         read.connects.push_back(&stated);
       } else if (frees_couplings && is_coupling(stated)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hopper/files/mjcf_defaults.hpp"
 #include "hopper/files/xml.hpp"
 
 namespace torquewright::hopper {
@@ -13,7 +14,7 @@ struct Equalities {
 
 /// Of the tree below this body. Faults for each that is neither a <connect> nor, where couplings of
 /// joints and tendons may be left out, one of these.
-Equalities read_equalities(const Element& mujoco, const Element& top, bool frees_couplings,
-                           Faults& faults);
+Equalities read_equalities(const Element& mujoco, const Element& top, const MjcfDefaults& defaults,
+                           bool frees_couplings, Faults& faults);
 
 }  // namespace torquewright::hopper

@@ -57,7 +57,7 @@ class MjcfReader {
     const Placed* top = chosen(bodies);
     faults_.refuse();
     Equalities equalities =
-        read_equalities(root_, *top->element, options_.frees_couplings, faults_);
+        read_equalities(root_, *top->element, defaults_, options_.frees_couplings, faults_);
     for (std::string& note : equalities.freed) imported_.notes.push_back(std::move(note));
     has_loops_ = !equalities.connects.empty();
     read_top(*top);

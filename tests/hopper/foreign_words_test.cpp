@@ -93,6 +93,9 @@ TEST(MjcfWords, OfEqualitiesElsewhereOrNotActiveDoNotCount) {
   const std::string ball = R"(<body name="c"/><body name="d"/>)";
   EXPECT_NO_THROW(mjcf("<equality><weld body1='c' body2='d'/></equality>", kTwoBodies + ball));
   EXPECT_NO_THROW(mjcf("<equality><weld body1='a' active='false'/></equality>", kTwoBodies));
+  const std::string off = "<default><equality active='false'/></default>";
+  EXPECT_NO_THROW(mjcf(off + "<equality><weld body1='a'/></equality>", kTwoBodies));
+  EXPECT_ANY_THROW(mjcf(off + "<equality><weld body1='a' active='true'/></equality>", kTwoBodies));
 }
 
 TEST(MjcfWords, MayBeLeftOutWhereThatIsAskedForAndSaid) {
