@@ -99,9 +99,6 @@ gearbox::ReadStrength read_file(const StrengthOptions& options) {
 
 gearbox::ReadStrength read(const StrengthOptions& options) {
   if (options.cycles != 0.0) check_numbers({options.cycles}, "--cycles", 1.0, 1e12);
-  if (options.load_sharing != 0.0) {
-    check_numbers({options.load_sharing}, "--load-sharing", 1.0, 10.0);
-  }
   gearbox::ReadStrength read = read_file(options);
   check_options(options, read);
   if (options.cycles != 0.0) read.strength.cycles = options.cycles;
@@ -172,8 +169,10 @@ void add_strength_command(command_line::Command& gearbox) {
           "Behind the roots of a gearbox_result's gears, in mm: sun=1.2,ring=2 (else thick)")
       .separated_by_commas()
       .one_value_each();
-  command.add_option("--load-sharing", options->load_sharing,
-                     "K_gamma, the most loaded planet over the mean (else the document's)");
+  command
+      .add_option("--load-sharing", options->load_sharing,
+                  "K_gamma, the most loaded planet over the mean, from 1 (else the document's)")
+      .between(1.0, 10.0);
   command
       .add_option("--face-width", options->face_width_mm,
                   "Of the gears of a gearbox_result, in mm, by layer: 10,8 (else its problem's)")

@@ -193,7 +193,10 @@ TEST(StrengthOfAResult, TakesASteelForEachGear) {
   refused({"--steel", "case_hardened,moon=case_hardened", "--face-width", "10"}, "names no gear");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=nan"}, "needs a length");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=0.5"}, "too thin");
-  refused({"--steel", "case_hardened", "--face-width", "10", "--load-sharing", "0.9"}, "from 1");
+  refused({"--steel", "case_hardened", "--face-width", "10", "--load-sharing", "0.9"},
+          "0.9 not in range 1");
+  refused({"--steel", "case_hardened", "--face-width", "10", "--load-sharing", "0"},
+          "0 not in range 1");
 }
 
 TEST(StrengthOfAResult, RefusesAResultThatIsInfeasible) {
