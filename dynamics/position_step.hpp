@@ -11,4 +11,8 @@ namespace torquewright::dynamics {
 void step_position(const Tree& tree, const VectorIn& position, const VectorIn& velocity,
                    double duration_s, VectorOut out);
 
+/// The velocity (n x 1) that leads from one position to another within one second: the inverse of
+/// step_position(), a spatial base turning the shorter way. std::invalid_argument on wrong sizes.
+void position_difference(const Tree& tree, const VectorIn& from, const VectorIn& to, VectorOut out);
+
 }  // namespace torquewright::dynamics

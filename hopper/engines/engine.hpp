@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "dynamics/tree_state.hpp"
+#include "hopper/robot/robot.hpp"
+
+namespace torquewright::hopper {
+
+/// How a step of an engine ended.
+enum class EngineOutcome {
+  kStepped,
+  kUnreached,  ///< A mechanism does not reach the posture.
+  kUnsolved,   ///< The contacts' laws could not be met.
+  kBlownUp,    ///< A number is not finite, or grew without bound.
+};
+
+struct EngineOptions {
+  double ground_height_m = 0.0;
+  /// Of the ground where the engine knows soft contact alone; an engine of rigid contact has no use
+  /// for it.
+  double contact_time_constant_s = 0.006;
+};
+
+/// A robot over flat ground, with its rotors and mechanisms, that moves on by steps of time. It
+/// knows no motor and no controller: forces come from outside and are held over a step. Vectors as
+/// in hopper::WholeBody of the same robot: positions and velocities of the tree, forces per
+/// velocity. One object serves one thread.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// As options and documents name it: "own", "mujoco".
+  virtual std::string_view name() const = 0;
+
+  /// From here, at rest or not; forgets what was. std::invalid_argument on wrong sizes or numbers
+  /// that are not finite.
+  virtual void start(const dynamics::VectorIn& position, const dynamics::VectorIn& velocity) = 0;
+
+  /// Moves on by step_s while `force` (n x 1) acts. Unless it is kStepped, nothing has moved.
+  [[nodiscard]] virtual EngineOutcome step(const dynamics::VectorIn& force, double step_s) = 0;
+
+  virtual const Eigen::VectorXd& position() const = 0;
+  virtual const Eigen::VectorXd& velocity() const = 0;
+
+  /// Of the last step, by contact point of the robot (3 each, world's axes, on the robot); zero
+  /// where it was open.
+  virtual const Eigen::VectorXd& impulses_N_s() const = 0;
+  /// J^T of them (n x 1).
+  virtual const Eigen::VectorXd& generalised_impulse() const = 0;
+};
+
+/// Rigid contact by simulation/contact. The robot must outlive the engine.
+std::unique_ptr<Engine> own_engine(const Robot& robot, const EngineOptions& options);
+
+/// MuJoCo, built from what `robot export` writes. Null where the program was built without it:
+/// mujoco_absence() says what to do then. The robot must outlive the engine.
+std::unique_ptr<Engine> mujoco_engine(const Robot& robot, const EngineOptions& options);
+
+/// A sentence; none where MuJoCo is there.
+std::optional<std::string> mujoco_absence();
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string_view>
+
+#include "hopper/tracking/impact_handling.hpp"
+#include "hopper/tracking/reference.hpp"
+
+namespace torquewright::hopper {
+
+/// What a controller sees of the robot: of the moment that latency allows.
+struct Observation {
+  double time_s = 0.0;  ///< On the reference's clock.
+  Eigen::VectorXd position;
+  Eigen::VectorXd velocity;
+  TouchingPoints touches;  ///< Points that the ground pressed on since the last look.
+};
+
+/// What moves a robot's drives: a tracking law, later a learned policy. It may remember; one object
+/// serves one robot at a time.
+class Controller {
+ public:
+  virtual ~Controller() = default;
+  /// As options name it.
+  virtual std::string_view name() const = 0;
+  /// Forgets what was.
+  virtual void start() = 0;
+  /// Torques wanted at the drives' outputs (drives x 1), in Nm, whatever their regions allow. All
+  /// finite where the observation is.
+  virtual void control(const Observation& seen, Eigen::VectorXd& torque_Nm) = 0;
+};
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hopper/contact/contact_schedule.hpp"
+#include "hopper/motion/motion.hpp"
+
+namespace torquewright::hopper {
+
+using TouchingPoints = Eigen::Array<bool, Eigen::Dynamic, 1>;
+
+/// What is to be done at an instant.
+struct ReferenceInstant {
+  Eigen::VectorXd position;
+  Eigen::VectorXd velocity;
+  Eigen::VectorXd acceleration;
+  Eigen::VectorXd drive_Nm;  ///< (drives x 1) at their outputs, rotors included.
+};
+
+/// A stretch of the motion in which the same points touch.
+struct ContactMode {
+  double from_s = 0.0;
+  double until_s = 0.0;
+  TouchingPoints touches;  ///< (points x 1)
+  bool begins_with_impact = false;
+};
+
+/// A motion as what a controller follows: at any time, and on after its end, where it stands still
+/// as its last sample does. Copies what it needs.
+class Reference {
+ public:
+  /// `drive_Nm`: (drives x samples). Requires a motion with all rates and a base, of ascending
+  /// times.
+  Reference(const Robot& robot, const Motion& motion, const ContactSchedule& contacts,
+            const Eigen::MatrixXd& drive_Nm);
+
+  /// Positions cubic between samples, the rest straight. Where two samples share a time, the later
+  /// one's.
+  void at(double time_s, ReferenceInstant& out) const;
+
+  double begins_s() const { return times_s_.front(); }
+  double ends_s() const { return times_s_.back(); }
+  const std::vector<ContactMode>& modes() const { return modes_; }
+  /// The mode at a time; the later one at a border.
+  std::size_t mode_at(double time_s) const;
+  /// Of the impacts that the motion plans the nearest to a time, as the mode that it begins.
+  std::optional<std::size_t> nearest_impact(double time_s) const;
+
+ private:
+  std::size_t interval_at(double time_s) const;
+
+  dynamics::Tree tree_;
+  std::vector<double> times_s_;
+  Eigen::MatrixXd positions_, velocities_, accelerations_, drive_Nm_;
+  std::vector<ContactMode> modes_;
+};
+
+}  // namespace torquewright::hopper
