@@ -178,4 +178,17 @@ void WholeBody::speed_changes(const VectorIn& change, VectorOut at_actuators) co
   }
 }
 
+void WholeBody::joint_forces(const VectorIn& at_actuators_Nm, VectorOut force) const {
+  force.setZero();
+  for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
+    const Drivetrain& drivetrain = robot_->drivetrains[i];
+    const auto count = static_cast<Index>(drivetrain.joints.size());
+    const SmallVector at_joints_Nm = joint_torque_Nm(
+        transfers_[i], at_actuators_Nm.segment(static_cast<Index>(first_drive_[i]), count));
+    for (Index j = 0; j < count; ++j) {
+      force[state_.joint_row(drivetrain.joints[static_cast<std::size_t>(j)])] += at_joints_Nm[j];
+    }
+  }
+}
+
 }  // namespace torquewright::hopper

@@ -61,6 +61,9 @@ class WholeBody {
   void at_actuators(const dynamics::VectorIn& force, dynamics::VectorOut torque_Nm) const;
   /// Changes of the joints' speeds as changes of the actuators' outputs' speeds: A times them.
   void speed_changes(const dynamics::VectorIn& change, dynamics::VectorOut at_actuators) const;
+  /// Forces per velocity that torques at the actuators' outputs make: A^T times them. Zero at the
+  /// base and at joints without a drive.
+  void joint_forces(const dynamics::VectorIn& at_actuators_Nm, dynamics::VectorOut force) const;
 
  private:
   SmallVector joints_of(const Drivetrain& drivetrain, const dynamics::VectorIn& values) const;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hopper/tracking/reference.hpp"
+
+namespace torquewright::hopper {
+
+/// A robot at one control instant of a replay, and what happened since the one before.
+struct RecordRow {
+  double time_s = 0.0;
+  Eigen::VectorXd position;
+  Eigen::VectorXd velocity;
+  Eigen::VectorXd wanted_Nm;   ///< By drive, at its output; so the next two.
+  Eigen::VectorXd torque_Nm;   ///< That acted at the end of the interval.
+  Eigen::VectorXd cut_off_Nm;  ///< The greatest of the interval, signed.
+  Eigen::VectorXd speed_rad_s;
+  Eigen::VectorXd bus_V;
+  Eigen::VectorXd winding_K;
+  Eigen::VectorXd impulses_N_s;  ///< (3 points x 1), the sum over the interval.
+  TouchingPoints touches;        ///< Points that the ground pressed on in the interval.
+  double slip_m_s = 0.0;         ///< Of the fastest of those.
+  double power_W = 0.0;
+};
+
+/// What each engine's step did to the drives; one column a step.
+struct StepLoads {
+  std::vector<double> times_s;   ///< At its begin.
+  Eigen::MatrixXd before_rad_s;  ///< (drives x steps): speeds at the outputs before the step,
+  Eigen::MatrixXd after_rad_s;   ///< and after it.
+  Eigen::MatrixXd torque_Nm;     ///< That acts over the step.
+  Eigen::MatrixXd contact_Nm_s;  ///< What the step's contact impulses are at the outputs.
+};
+
+/// How a run ended.
+enum class RunEnd {
+  kDone,     ///< Its time was over.
+  kFell,     ///< A body that is no foot came to the ground.
+  kStopped,  ///< The engine or the controller could not go on.
+  kAsked,    ///< Someone asked it to stop.
+};
+
+/// All of one run.
+struct Record {
+  std::vector<RecordRow> rows;
+  StepLoads loads;
+  RunEnd end = RunEnd::kDone;
+  double end_s = 0.0;
+  std::string reason;  ///< Why, unless it is done.
+  double step_s = 0.0;
+  double control_period_s = 0.0;
+  std::size_t starved_steps = 0;  ///< In which a battery could not give the power.
+  std::size_t steps = 0;
+};
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/replay/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <deque>
+
+#include "dynamics/point.hpp"
+#include "hopper/replay/fall.hpp"
+#include "hopper/robot/touching_point.hpp"
+#include "hopper/robot/whole_body.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr int kControlsBetweenProgress = 100;
+
+/// One run under way.
+class Run {
+ public:
+  Run(const RunParts& parts, const RunOptions& options)
+      : parts_(parts),
+        options_(options),
+        body_(parts.robot),
+        force_(parts.robot.tree.velocity_size()),
+        drives_(static_cast<Index>(body_.drive_count())) {
+    const double span_s = parts.reference.ends_s() - parts.reference.begins_s() + options.stand_s;
+    steps_ = static_cast<long>(std::ceil(span_s / options.step_s));
+    record_.step_s = options.step_s;
+    record_.control_period_s = options.step_s * options.steps_per_control;
+    for (VectorXd* of_drives : {&speed_, &wanted_, &contact_}) of_drives->setZero(drives_);
+    for (Eigen::MatrixXd* table : {&record_.loads.before_rad_s, &record_.loads.after_rad_s,
+                                   &record_.loads.torque_Nm, &record_.loads.contact_Nm_s}) {
+      table->setZero(drives_, steps_);
+    }
+    record_.loads.times_s.reserve(static_cast<std::size_t>(steps_));
+  }
+
+  Record go() {
+    begin();
+    for (step_ = 0; step_ < steps_ && record_.end == RunEnd::kDone; ++step_) {
+      if (is_look()) look();
+      if (step_ % options_.steps_per_control == 0 && !control()) break;
+      advance();
+    }
+    finish();
+    return std::move(record_);
+  }
+
+ private:
+  double time_s() const {
+    return parts_.reference.begins_s() + static_cast<double>(step_) * options_.step_s;
+  }
+
+  bool is_look() const {
+    return (step_ + options_.latency_steps) % options_.steps_per_control == 0;
+  }
+
+  void begin() {
+    ReferenceInstant first;
+    parts_.reference.at(parts_.reference.begins_s(), first);
+    parts_.engine.start(first.position, first.velocity);
+    parts_.controller.start();
+    parts_.drives.start();
+    const auto points = static_cast<Index>(parts_.robot.contacts.size());
+    // What stands at the start is felt there.
+    seen_touches_ = parts_.reference.modes().front().touches;
+    row_.touches = TouchingPoints::Constant(points, false);
+    row_.impulses_N_s.setZero(3 * points);
+    row_.cut_off_Nm.setZero(drives_);
+    place();
+    row_.speed_rad_s = speed_;
+    look();
+  }
+
+  /// The robot as the engine has it; ends the run where a mechanism does not reach.
+  void place() {
+    if (!body_.set(parts_.engine.position(), parts_.engine.velocity())) {
+      const Drivetrain& drivetrain = parts_.robot.drivetrains[body_.unreached()];
+      stop(RunEnd::kStopped,
+           fmt::format("the {} mechanism of {} cannot be as the joints stand",
+                       drivetrain.mechanism->type(), drivetrain.actuator_names.front()));
+      return;
+    }
+    body_.speed_changes(parts_.engine.velocity(), speed_);
+  }
+
+  void stop(RunEnd end, std::string reason) {
+    record_.end = end;
+    record_.reason = std::move(reason);
+  }
+
+  void look() {
+    Observation seen;
+    seen.time_s = time_s();
+    seen.latency_s = options_.latency_steps * options_.step_s;
+    seen.position = parts_.engine.position();
+    seen.velocity = parts_.engine.velocity();
+    seen.touches = seen_touches_;
+    seen_touches_.setConstant(false);
+    if (parts_.sense) parts_.sense(seen);
+    looks_.push_back(std::move(seen));
+  }
+
+  /// The youngest look that is old enough; false where the run is over.
+  bool control() {
+    if (parts_.should_stop && parts_.should_stop()) {
+      stop(RunEnd::kAsked, "it was asked to stop");
+      return false;
+    }
+    const long newest = step_ - options_.latency_steps;
+    while (looks_.size() > 1 && step_of(looks_[1]) <= newest) looks_.pop_front();
+    parts_.controller.control(looks_.front(), wanted_);
+    if (!wanted_.allFinite()) {
+      wanted_.setZero();
+      stop(RunEnd::kStopped, "the controller's torque is no number");
+      return false;
+    }
+    note_row();
+    const auto fall = fallen(parts_.robot, body_.state(), options_.ground_height_m);
+    if (fall) stop(RunEnd::kFell, *fall);
+    const long controls = step_ / options_.steps_per_control;
+    if (parts_.on_progress && controls % kControlsBetweenProgress == 0) {
+      parts_.on_progress(static_cast<double>(step_) / static_cast<double>(steps_));
+    }
+    return !fall;
+  }
+
+  long step_of(const Observation& seen) const {
+    return std::lround((seen.time_s - parts_.reference.begins_s()) / options_.step_s);
+  }
+
+  void note_row() {
+    row_.time_s = time_s();
+    row_.position = parts_.engine.position();
+    row_.velocity = parts_.engine.velocity();
+    row_.wanted_Nm = wanted_;
+    row_.speed_rad_s = speed_;
+    if (row_.torque_Nm.size() == 0) row_.torque_Nm = wanted_;
+    row_.slip_m_s = 0.0;
+    for (Index point = 0; point < row_.touches.size(); ++point) {
+      if (!row_.touches[point]) continue;
+      const auto& contact = parts_.robot.contacts[static_cast<std::size_t>(point)];
+      const dynamics::BodyPoint at = touching_point(contact, body_.state());
+      row_.slip_m_s =
+          std::max(row_.slip_m_s, dynamics::point_velocity_m_s(body_.state(), at).norm());
+    }
+    record_.rows.push_back(row_);
+    row_.touches.setConstant(false);
+    row_.impulses_N_s.setZero();
+    row_.cut_off_Nm.setZero();
+  }
+
+  void advance() {
+    const DriveStep& made = parts_.drives.drive(wanted_, speed_, options_.step_s);
+    body_.joint_forces(made.torque_Nm, force_);
+    const EngineOutcome outcome = parts_.engine.step(force_, options_.step_s);
+    if (outcome != EngineOutcome::kStepped) {
+      stop(RunEnd::kStopped, words_of(outcome));
+      return;
+    }
+    if (made.is_starved) ++record_.starved_steps;
+    note_step(made);
+  }
+
+  void note_step(const DriveStep& made) {
+    const Index column = step_;
+    body_.at_actuators(parts_.engine.generalised_impulse(), contact_);
+    record_.loads.times_s.push_back(time_s());
+    record_.loads.before_rad_s.col(column) = speed_;
+    record_.loads.torque_Nm.col(column) = made.torque_Nm;
+    record_.loads.contact_Nm_s.col(column) = contact_;
+    place();
+    record_.loads.after_rad_s.col(column) = speed_;
+    ++record_.steps;
+    row_.torque_Nm = made.torque_Nm;
+    row_.bus_V = made.bus_V;
+    row_.winding_K = made.winding_K;
+    row_.power_W = made.power_W;
+    for (Index drive = 0; drive < drives_; ++drive) {
+      if (std::abs(made.cut_off_Nm[drive]) > std::abs(row_.cut_off_Nm[drive])) {
+        row_.cut_off_Nm[drive] = made.cut_off_Nm[drive];
+      }
+    }
+    const VectorXd& impulses = parts_.engine.impulses_N_s();
+    row_.impulses_N_s += impulses;
+    for (Index point = 0; point < row_.touches.size(); ++point) {
+      if (!(impulses[3 * point + 2] > 0.0)) continue;
+      row_.touches[point] = true;
+      seen_touches_[point] = true;
+    }
+  }
+
+  static std::string words_of(EngineOutcome outcome) {
+    switch (outcome) {
+      case EngineOutcome::kUnreached:
+        return "a mechanism does not reach the posture";
+      case EngineOutcome::kUnsolved:
+        return "the engine found no impulses that obey the contacts' laws; a shorter --step may";
+      default:
+        return "the engine's numbers grew without bound; a shorter --step or lower gains may help";
+    }
+  }
+
+  void finish() {
+    record_.end_s = time_s();
+    const auto steps = static_cast<Index>(record_.loads.times_s.size());
+    for (Eigen::MatrixXd* table : {&record_.loads.before_rad_s, &record_.loads.after_rad_s,
+                                   &record_.loads.torque_Nm, &record_.loads.contact_Nm_s}) {
+      table->conservativeResize(drives_, steps);
+    }
+  }
+
+  const RunParts& parts_;
+  const RunOptions& options_;
+  WholeBody body_;
+  Record record_;
+  RecordRow row_;
+  long step_ = 0;
+  long steps_ = 0;
+  VectorXd force_;
+  Index drives_;
+  VectorXd speed_, wanted_, contact_;
+  TouchingPoints seen_touches_;
+  std::deque<Observation> looks_;
+};
+
+}  // namespace
+
+Record run_replay(const RunParts& parts, const RunOptions& options) {
+  return Run(parts, options).go();
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "hopper/engines/engine.hpp"
+#include "hopper/replay/powered_drives.hpp"
+#include "hopper/replay/record.hpp"
+#include "hopper/tracking/controller.hpp"
+
+namespace torquewright::hopper {
+
+/// How time goes on in a run; whole numbers of the engine's steps, so that no time drifts.
+struct RunOptions {
+  double step_s = 1e-4;
+  int steps_per_control = 5;
+  int latency_steps = 0;  ///< From a look at the robot to the torque that answers it.
+  double stand_s = 1.0;   ///< That the robot is watched after the motion's end.
+  double ground_height_m = 0.0;
+};
+
+/// Who takes part in a run. All of one robot, which may differ from the one that the controller
+/// believes to have.
+struct RunParts {
+  const Robot& robot;
+  const Reference& reference;
+  Engine& engine;
+  Controller& controller;
+  PoweredDrives& drives;
+  /// Turns what is into what sensors say; may be empty.
+  std::function<void(Observation&)> sense = {};
+  std::function<bool()> should_stop = {};              ///< May be empty.
+  std::function<void(double share)> on_progress = {};  ///< May be empty.
+};
+
+/// From the reference's first sample until its end and stand_s more, or until the robot falls or
+/// nothing can go on. Every number of the record is finite.
+Record run_replay(const RunParts& parts, const RunOptions& options);
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "hopper/replay/record.hpp"
+
+namespace torquewright::hopper {
+
+enum class ReplayVerdict { kStands, kFell, kUnfinished };
+std::string_view name_of(ReplayVerdict verdict);
+
+/// What counts as standing, at the end of the time that a robot is watched.
+struct StandingRule {
+  double at_rest_s = 0.5;        ///< So long at least its feet have been at rest,
+  double foot_speed_m_s = 0.02;  ///< slower than this where the ground presses on them,
+  double body_speed_m_s = 0.1;   ///< its centre of mass is no faster than this,
+  double tilt_rad = 0.5;         ///< and its base stands no farther from the motion's last posture.
+};
+
+/// When the ground is met after the longest flight.
+struct TouchDown {
+  double time_s = 0.0;
+  double planned_s = 0.0;  ///< In the motion.
+  /// Of the base's rotation that the motion has at its own touch-down, how much is missing;
+  /// negative: too much.
+  double rotation_short_rad = 0.0;
+};
+
+struct ReplayOutcome {
+  ReplayVerdict verdict = ReplayVerdict::kUnfinished;
+  std::string reason;  ///< Of a fall or of what is unfinished; empty where it stands.
+  double end_s = 0.0;
+  double foot_at_rest_s = 0.0;          ///< Until the end.
+  std::optional<TouchDown> touch_down;  ///< None where motion or run have no flight.
+};
+
+/// `robot` is that of the run.
+ReplayOutcome outcome_of(const Robot& robot, const Reference& reference, const Record& record,
+                         const StandingRule& rule);
+
+/// The joints' error from the motion, greatest of the run in size, by joint of the tree.
+Eigen::VectorXd peak_joint_errors(const Robot& robot, const Reference& reference,
+                                  const Record& record);
+
+}  // namespace torquewright::hopper
