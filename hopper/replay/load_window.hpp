@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "hopper/check/contact_load.hpp"
+#include "hopper/check/transmission_load.hpp"
+
+namespace torquewright::hopper {
+
+/// What a simulated run did at its drives, step by step. Everything at the drives' outputs.
+struct DriveSteps {
+  std::vector<double> times_s;         ///< At which each step begins, and at which the last ends.
+  Eigen::MatrixXd torque_Nm;           ///< (drives x steps): what acted on rotor and load.
+  Eigen::MatrixXd speed_before_rad_s;  ///< (drives x steps): at the step's beginning,
+  Eigen::MatrixXd speed_after_rad_s;   ///< and at its end, after its impacts.
+  Eigen::MatrixXd contact_Nm_s;        ///< (drives x steps): A^-T J^T of the contacts' impulses.
+};
+
+/// What passes each drive's gears at most: the mean over the worst window of that length, wherever
+/// it begins. One a drive, judged by its limit. A step's impulse through the mesh is known whole,
+/// impacts included, and in its order among the others, so nothing is left to doubt.
+/// docs/derivations/whole_body_check.md eqs. (12), (16), (17). Requires one step at least of
+/// positive length, finite numbers and matching sizes: std::invalid_argument.
+std::vector<TransmissionLoad> transmission_loads(const Robot& robot, const DriveSteps& steps,
+                                                 double window_s);
+
+/// What the contacts ask of each drive, at most, as a mean over such a window; eq. (20).
+std::vector<ContactLoad> contact_loads(const Robot& robot, const DriveSteps& steps,
+                                       double window_s);
+
+}  // namespace torquewright::hopper
