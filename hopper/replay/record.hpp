@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hopper/replay/load_window.hpp"
 #include "hopper/tracking/reference.hpp"
 
 namespace torquewright::hopper {
@@ -25,15 +26,6 @@ struct RecordRow {
   double power_W = 0.0;
 };
 
-/// What each engine's step did to the drives; one column a step.
-struct StepLoads {
-  std::vector<double> times_s;   ///< At its begin.
-  Eigen::MatrixXd before_rad_s;  ///< (drives x steps): speeds at the outputs before the step,
-  Eigen::MatrixXd after_rad_s;   ///< and after it.
-  Eigen::MatrixXd torque_Nm;     ///< That acts over the step.
-  Eigen::MatrixXd contact_Nm_s;  ///< What the step's contact impulses are at the outputs.
-};
-
 /// How a run ended.
 enum class RunEnd {
   kDone,     ///< Its time was over.
@@ -45,14 +37,13 @@ enum class RunEnd {
 /// All of one run.
 struct Record {
   std::vector<RecordRow> rows;
-  StepLoads loads;
+  DriveSteps steps;
   RunEnd end = RunEnd::kDone;
   double end_s = 0.0;
   std::string reason;  ///< Why, unless it is done.
   double step_s = 0.0;
   double control_period_s = 0.0;
   std::size_t starved_steps = 0;  ///< In which a battery could not give the power.
-  std::size_t steps = 0;
 };
 
 }  // namespace torquewright::hopper

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 
@@ -33,11 +35,8 @@ class Run {
     record_.step_s = options.step_s;
     record_.control_period_s = options.step_s * options.steps_per_control;
     for (VectorXd* of_drives : {&speed_, &wanted_, &contact_}) of_drives->setZero(drives_);
-    for (Eigen::MatrixXd* table : {&record_.loads.before_rad_s, &record_.loads.after_rad_s,
-                                   &record_.loads.torque_Nm, &record_.loads.contact_Nm_s}) {
-      table->setZero(drives_, steps_);
-    }
-    record_.loads.times_s.reserve(static_cast<std::size_t>(steps_));
+    for (Eigen::MatrixXd* table : tables()) table->setZero(drives_, steps_);
+    record_.steps.times_s.reserve(static_cast<std::size_t>(steps_) + 1);
   }
 
   Record go() {
@@ -170,13 +169,14 @@ class Run {
   void note_step(const DriveStep& made) {
     const Index column = step_;
     body_.at_actuators(parts_.engine.generalised_impulse(), contact_);
-    record_.loads.times_s.push_back(time_s());
-    record_.loads.before_rad_s.col(column) = speed_;
-    record_.loads.torque_Nm.col(column) = made.torque_Nm;
-    record_.loads.contact_Nm_s.col(column) = contact_;
+    DriveSteps& steps = record_.steps;
+    if (steps.times_s.empty()) steps.times_s.push_back(time_s());
+    steps.speed_before_rad_s.col(column) = speed_;
+    steps.torque_Nm.col(column) = made.torque_Nm;
+    steps.contact_Nm_s.col(column) = contact_;
     place();
-    record_.loads.after_rad_s.col(column) = speed_;
-    ++record_.steps;
+    steps.speed_after_rad_s.col(column) = speed_;
+    steps.times_s.push_back(time_s() + options_.step_s);
     row_.torque_Nm = made.torque_Nm;
     row_.bus_V = made.bus_V;
     row_.winding_K = made.winding_K;
@@ -208,11 +208,14 @@ class Run {
 
   void finish() {
     record_.end_s = time_s();
-    const auto steps = static_cast<Index>(record_.loads.times_s.size());
-    for (Eigen::MatrixXd* table : {&record_.loads.before_rad_s, &record_.loads.after_rad_s,
-                                   &record_.loads.torque_Nm, &record_.loads.contact_Nm_s}) {
-      table->conservativeResize(drives_, steps);
-    }
+    const auto made = std::max<Index>(1, static_cast<Index>(record_.steps.times_s.size())) - 1;
+    for (Eigen::MatrixXd* table : tables()) table->conservativeResize(drives_, made);
+  }
+
+  std::array<Eigen::MatrixXd*, 4> tables() {
+    DriveSteps& steps = record_.steps;
+    return {&steps.torque_Nm, &steps.speed_before_rad_s, &steps.speed_after_rad_s,
+            &steps.contact_Nm_s};
   }
 
   const RunParts& parts_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -171,18 +172,6 @@ ReplayOutcome outcome_of(const Robot& robot, const Reference& reference, const R
   }
   outcome.verdict = outcome.reason.empty() ? ReplayVerdict::kStands : ReplayVerdict::kFell;
   return outcome;
-}
-
-Eigen::VectorXd peak_joint_errors(const Robot& robot, const Reference& reference,
-                                  const Record& record) {
-  const auto joints = static_cast<Index>(robot.tree.bodies.size()) - 1;
-  VectorXd peaks = VectorXd::Zero(joints);
-  ReferenceInstant goal;
-  for (const RecordRow& row : record.rows) {
-    reference.at(row.time_s, goal);
-    peaks = peaks.cwiseMax((row.position - goal.position).tail(joints).cwiseAbs());
-  }
-  return peaks;
 }
 
 }  // namespace torquewright::hopper

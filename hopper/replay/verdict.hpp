@@ -41,8 +41,4 @@ struct ReplayOutcome {
 ReplayOutcome outcome_of(const Robot& robot, const Reference& reference, const Record& record,
                          const StandingRule& rule);
 
-/// The joints' error from the motion, greatest of the run in size, by joint of the tree.
-Eigen::VectorXd peak_joint_errors(const Robot& robot, const Reference& reference,
-                                  const Record& record);
-
 }  // namespace torquewright::hopper

@@ -4,38 +4,8 @@
 namespace torquewright::cli {
 namespace {
 
-void add_motion_options(command_line::Command& command, HopperCheckRequest& request) {
-  command
-      .add_option("--column", request.columns,
-                  "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are joints, "
-                  "base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
-      .one_value_each();
-  command
-      .add_option("--columns", request.columns_files, "The same as a document: trajectory_columns")
-      .one_value_each();
-  add_window_options(command, request.window);
-  command
-      .add_option("--torques", request.torques,
-                  "Which torques count: best (the file's where it has all), file, dynamics")
-      .one_of({"best", "file", "dynamics"});
-  command
-      .add_option("--late-columns", request.late_columns,
-                  "Accelerations, forces, flags, torques that belong to the row before, as "
-                  "simulators store them: find them, keep all as they stand, or shift all")
-      .one_of({"find", "keep", "shift"});
-}
-
 void add_physics_options(command_line::Command& command, hopper::CheckOptions& check) {
-  command.add_option("--ground-height", check.contact.ground_height_m, "z of the ground, in m")
-      .between(-1e6, 1e6);
-  command
-      .add_option("--contact-height", check.contact.height_m,
-                  "Points no higher than this touch, in m; searched for where not stated")
-      .between(0.0, 10.0);
-  command
-      .add_option("--contact-speed", check.contact.speed_m_s,
-                  "and that move up or down no faster, in m/s; likewise")
-      .between(0.0, 100.0);
+  add_contact_options(command, check.contact);
   command
       .add_option("--contact-time-constant", check.contact.time_constant_s,
                   "Of the simulator's soft ground, in s (MuJoCo's solref): how far feet may sink")
@@ -87,6 +57,40 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
 }
 
 }  // namespace
+
+void add_motion_options(command_line::Command& command, HopperCheckRequest& request) {
+  command
+      .add_option("--column", request.columns,
+                  "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are joints, "
+                  "base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
+      .one_value_each();
+  command
+      .add_option("--columns", request.columns_files, "The same as a document: trajectory_columns")
+      .one_value_each();
+  add_window_options(command, request.window);
+  command
+      .add_option("--torques", request.torques,
+                  "Which torques count: best (the file's where it has all), file, dynamics")
+      .one_of({"best", "file", "dynamics"});
+  command
+      .add_option("--late-columns", request.late_columns,
+                  "Accelerations, forces, flags, torques that belong to the row before, as "
+                  "simulators store them: find them, keep all as they stand, or shift all")
+      .one_of({"find", "keep", "shift"});
+}
+
+void add_contact_options(command_line::Command& command, hopper::ContactRule& contact) {
+  command.add_option("--ground-height", contact.ground_height_m, "z of the ground, in m")
+      .between(-1e6, 1e6);
+  command
+      .add_option("--contact-height", contact.height_m,
+                  "Points no higher than this touch, in m; searched for where not stated")
+      .between(0.0, 10.0);
+  command
+      .add_option("--contact-speed", contact.speed_m_s,
+                  "and that move up or down no faster, in m/s; likewise")
+      .between(0.0, 100.0);
+}
 
 void add_hopper_check_options(command_line::Command& command, HopperCheckRequest& request) {
   command.add_option("robot", request.robot_file, "Document of kind robot").required();

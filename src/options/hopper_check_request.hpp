@@ -34,6 +34,11 @@ struct HopperCheckRequest {
   bool json = false;
 };
 
+/// Adds what says how the motion's file is read.
+void add_motion_options(command_line::Command& command, HopperCheckRequest& request);
+/// Adds what says where the ground is and which points touch it.
+void add_contact_options(command_line::Command& command, hopper::ContactRule& contact);
+
 /// Adds everything that `hopper check` takes.
 void add_hopper_check_options(command_line::Command& command, HopperCheckRequest& request);
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hopper/check/hopper_check.hpp"
+#include "hopper/replay/result.hpp"
+#include "hopper/replay/run.hpp"
+
+namespace torquewright::hopper {
+
+enum class EngineKind { kOwn, kMujoco };
+enum class ControllerKind { kLqr, kPd };
+
+struct ReplayOptions {
+  EngineKind engine = EngineKind::kOwn;
+  ControllerKind controller = ControllerKind::kLqr;
+  DriveLimits limits = DriveLimits::kMor;
+  ImpactOptions impact;
+  RunOptions run;
+  EngineOptions engine_options;
+  StandingRule standing;
+  double load_window_s = 0.01;
+  actuator::OperatingConditions conditions;
+};
+
+/// What someone who waits for a run may want.
+struct Watching {
+  std::function<bool()> should_stop = {};              ///< May be empty.
+  std::function<void(double share)> on_progress = {};  ///< May be empty.
+};
+
+/// A run and what it came to.
+struct ReplayedRun {
+  Record record;
+  ReplayResult result;
+};
+
+/// The same with another step of the engine.
+struct SweptStep {
+  double step_s = 0.0;
+  ReplayResult result;
+};
+
+/// A robot and a motion, made ready once for any number of runs: what the controller follows, and
+/// its gains.
+class Replay {
+ public:
+  /// `report` is the check of the motion: contacts and torques are its. The robot must outlive the
+  /// replay. Throws io::SpecError where the motion cannot be replayed: it has no base, begins with
+  /// a contact point below the ground, or its drives cannot work under the conditions; or where the
+  /// engine is not there.
+  Replay(const Robot& robot, const Motion& motion, const HopperReport& report,
+         const ReplayOptions& options);
+  ~Replay();
+
+  const Reference& reference() const;
+  const ReplayOptions& options() const;
+
+  /// As the documents say. May be called by several threads at once.
+  ReplayedRun run(const Watching& watching) const;
+  /// With other steps of the engine: twice, half, a quarter, so far as the control period allows.
+  std::vector<SweptStep> sweep(const Watching& watching) const;
+
+ private:
+  struct Ready;
+  std::unique_ptr<const Ready> ready_;
+};
+
+}  // namespace torquewright::hopper

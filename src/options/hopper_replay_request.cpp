@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/options/hopper_replay_request.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+void add_simulation_options(command_line::Command& command, HopperReplayRequest& request) {
+  command
+      .add_option("--engine", request.engine,
+                  "own (rigid contact, step by step) or mujoco (where it was built in)")
+      .one_of({"own", "mujoco"});
+  command
+      .add_option(
+          "--limits", request.limits,
+          "mor: each drive's region at the voltage and temperature of the instant; box: its "
+          "peak torque at any speed up to no load")
+      .one_of({"mor", "box"});
+  command.add_option("--step", request.step_s, "Of the engine, in s").between(1e-6, 0.01);
+  command
+      .add_option("--control-period", request.control_period_s,
+                  "In s; rounded to whole steps of the engine")
+      .between(1e-6, 0.1);
+  command
+      .add_option("--latency", request.latency_s,
+                  "From a look at the robot to the torque that answers it, in s; rounded to steps")
+      .between(0.0, 0.1);
+  command
+      .add_option("--stand", request.stand_s,
+                  "How long the robot is watched after the motion's end, in s")
+      .between(0.0, 60.0);
+  command
+      .add_option("--ground-rise", request.ground_rise_m,
+                  "How much higher the ground is than the motion believes, in m: contact comes "
+                  "early; negative: late")
+      .between(-1.0, 1.0);
+  command
+      .add_option("--ground-time-constant", request.contact_time_constant_s,
+                  "Of MuJoCo's soft ground, in s (solref); the own engine's is rigid")
+      .between(1e-4, 1.0);
+}
+
+void add_tracking_options(command_line::Command& command, HopperReplayRequest& request) {
+  command
+      .add_option("--controller", request.controller,
+                  "lqr: time-varying, through the impacts; pd: on the drives; both with the "
+                  "motion's own torques fed forward")
+      .one_of({"lqr", "pd"});
+  command
+      .add_option("--impact", request.impact,
+                  "The error of velocities about an impact: default (as it is), no_derivative "
+                  "(blended out), invariant (what an impulse can change is blended out)")
+      .one_of({"default", "no_derivative", "invariant"});
+  command
+      .add_option("--impact-metric", request.impact_metric,
+                  "In which that part is split off: euclidean, as published, or inertia")
+      .one_of({"euclidean", "inertia"});
+  command.add_option("--impact-window", request.impact_window_s, "Half its width, in s")
+      .between(1e-4, 1.0);
+  command.add_option("--impact-blend", request.impact_blend_s, "Over which it comes and goes, in s")
+      .between(1e-5, 1.0);
+}
+
+void add_trial_options(command_line::Command& command, HopperReplayRequest& request) {
+  command.add_option("--trials", request.trials, "Randomised runs, beside the one as documented")
+      .integer_between(1, 1000000);
+  command
+      .add_option("--randomise", request.randomise_file,
+                  "Document of kind randomisation: what differs from trial to trial")
+      .needs("--trials");
+  command.add_option("--seed", request.seed, "Of the trials").needs("--trials");
+  command.add_option("--trial", request.only_trial, "Run this one of the trials alone, from 0")
+      .integer_between(0, 999999)
+      .needs("--trials");
+  command
+      .add_option("--success-rate", request.success_rate,
+                  "Share of the trials that must stand for exit code 0")
+      .between(0.0, 1.0)
+      .needs("--trials");
+  command.add_option("--threads", request.threads, "That run trials").integer_between(1, 256);
+  command.add_flag("--sweep-step", request.sweep,
+                   "Run it with other steps of the engine too, and show what depends on the step");
+}
+
+void add_output_options(command_line::Command& command, HopperReplayRequest& request) {
+  command
+      .add_option("--report", request.report_file,
+                  "Write a page with both motions under a time cursor to this HTML")
+      .names_a_file();
+  command
+      .add_option("--series", request.series_file,
+                  "Write the run by time, a motion that `hopper check` reads, to this CSV")
+      .names_a_file();
+  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
+  command.add_flag("--json", request.json, "The report as JSON");
+}
+
+}  // namespace
+
+void add_hopper_replay_options(command_line::Command& command, HopperReplayRequest& request) {
+  command.add_option("robot", request.motion.robot_file, "Document of kind robot").required();
+  command
+      .add_option("motion", request.motion.trajectory_file,
+                  "CSV as `hopper check` reads it, with the base's motion")
+      .required();
+  add_motion_options(command, request.motion);
+  add_contact_options(command, request.motion.check.contact);
+  add_operating_options(command, request.motion.operating);
+  command
+      .add_option("--load-window", request.motion.check.load_window_s,
+                  "Over which a transmission's load is averaged, in s")
+      .between(1e-6, 10.0);
+  add_simulation_options(command, request);
+  add_tracking_options(command, request);
+  add_trial_options(command, request);
+  add_output_options(command, request);
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "src/options/hopper_check_request.hpp"
+
+namespace torquewright::cli {
+
+/// What `hopper replay` is asked, in the words of the command line. An empty name of a file: not
+/// asked for.
+struct HopperReplayRequest {
+  HopperCheckRequest motion;  ///< Robot, motion and how it is read, conditions.
+  std::string engine = "own";
+  std::string limits = "mor";
+  std::string controller = "lqr";
+  std::string impact = "default";
+  std::string impact_metric = "euclidean";
+  double impact_window_s = 0.05;
+  double impact_blend_s = 0.005;
+  double step_s = 1e-4;
+  double control_period_s = 5e-4;
+  double latency_s = 0.0;
+  double stand_s = 1.0;
+  double ground_rise_m = 0.0;
+  double contact_time_constant_s = 0.006;
+  bool sweep = false;
+  std::uint64_t trials = 0;  ///< 0: one run as documented.
+  std::string randomise_file;
+  std::uint64_t seed = 1;
+  std::int64_t only_trial = -1;  ///< Negative: all.
+  double success_rate = 1.0;
+  std::size_t threads = 1;
+  std::string plot_file;
+  std::string report_file;
+  std::string series_file;
+  std::string output_file;
+  bool json = false;
+};
+
+/// Adds everything that `hopper replay` takes.
+void add_hopper_replay_options(command_line::Command& command, HopperReplayRequest& request);
+
+}  // namespace torquewright::cli
