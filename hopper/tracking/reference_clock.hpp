@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/tracking/reference.hpp"
+
+namespace torquewright::hopper {
+
+/// How a controller's place in the motion follows the ground instead of the clock.
+/// docs/derivations/tracking.md, "Clock".
+struct ClockOptions {
+  /// A point that a planned impact is to bring down touches earlier: the clock jumps to the impact.
+  /// Later: it waits in front of it.
+  bool resynchronise = true;
+  double earliest_s = 0.1;       ///< Touch before that is no landing, but a stumble: no jump.
+  double longest_wait_s = 0.05;  ///< After that the motion goes on without contact.
+};
+
+/// A place in a reference.
+struct ClockReading {
+  double time_s = 0.0;    ///< In the motion; just in front of an impact while it is waited for.
+  double waited_s = 0.0;  ///< For that impact.
+};
+
+/// Tells a controller where in the motion it is. The reference must outlive it.
+class ReferenceClock {
+ public:
+  ReferenceClock(const Reference& reference, const ClockOptions& options);
+
+  void start();
+  /// `time_s` never runs backwards between two starts.
+  ClockReading read(double time_s, const TouchingPoints& touches);
+
+ private:
+  bool lands(std::size_t mode, const TouchingPoints& touches) const;
+
+  const Reference* reference_;
+  ClockOptions options_;
+  std::size_t mode_ = 0;     ///< That has begun.
+  double behind_s_ = 0.0;    ///< Motion behind time; negative: ahead.
+};
+
+/// What is to be done there: while an impact is waited for, the motion before it goes on at
+/// constant acceleration.
+void instant_at(const Reference& reference, const dynamics::Tree& tree, const ClockReading& reading,
+                ReferenceInstant& out);
+
+}  // namespace torquewright::hopper
