@@ -137,6 +137,8 @@ ordered_json joint_json(const DriveReport& drive) {
   return entry;
 }
 
+}  // namespace
+
 ordered_json finding_json(const Finding& finding) {
   return {{"severity", name_of(finding.severity)},
           {"rule", finding.rule},
@@ -147,8 +149,6 @@ ordered_json finding_json(const Finding& finding) {
           {"unit", finding.unit},
           {"sentence", finding.sentence}};
 }
-
-}  // namespace
 
 ordered_json check_report_json(const CheckReport& report) {
   ordered_json joints = ordered_json::array();

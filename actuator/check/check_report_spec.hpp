@@ -11,4 +11,7 @@ namespace torquewright::actuator {
 /// not finite or not known is null.
 nlohmann::ordered_json check_report_json(const CheckReport& report);
 
+/// One of its findings.
+nlohmann::ordered_json finding_json(const Finding& finding);
+
 }  // namespace torquewright::actuator

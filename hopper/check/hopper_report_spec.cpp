@@ -137,10 +137,18 @@ ordered_json list_of(const List& list, const Make& make) {
 
 }  // namespace
 
+ordered_json transmission_load_json(const std::vector<TransmissionLoad>& loads) {
+  return list_of(loads, load_json);
+}
+
+ordered_json contact_load_json(const std::vector<ContactLoad>& loads) {
+  return list_of(loads, contact_json);
+}
+
 ordered_json hopper_report_json(const HopperReport& report) {
   ordered_json document = actuator::check_report_json(report.check);
-  document["transmission_load"] = list_of(report.transmission_loads, load_json);
-  document["contact_load"] = list_of(report.contact_loads, contact_json);
+  document["transmission_load"] = transmission_load_json(report.transmission_loads);
+  document["contact_load"] = contact_load_json(report.contact_loads);
   document["base_residual"] = residual_json(report);
   document["contact_rule"] = contact_rule_json(report);
   document["torque_doubt"] = list_of(report.peak_doubts, doubt_json);

@@ -11,4 +11,8 @@ namespace torquewright::hopper {
 /// not finite or not known is null.
 nlohmann::ordered_json hopper_report_json(const HopperReport& report);
 
+/// Entries of its lists `transmission_load` and `contact_load`.
+nlohmann::ordered_json transmission_load_json(const std::vector<TransmissionLoad>& loads);
+nlohmann::ordered_json contact_load_json(const std::vector<ContactLoad>& loads);
+
 }  // namespace torquewright::hopper

@@ -66,6 +66,8 @@ class Replay {
   std::vector<SweptStep> sweep(const Watching& watching) const;
 
  private:
+  ReplayedRun run_with(const RunOptions& options, const Watching& watching) const;
+
   struct Ready;
   std::unique_ptr<const Ready> ready_;
 };

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/replay/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "hopper/replay/fall.hpp"
+#include "hopper/tracking/lqr.hpp"
+#include "hopper/tracking/pd.hpp"
+#include "io/refusal.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+/// What rounding and a file's decimals may leave a foot below the ground.
+constexpr double kAllowedDepth_m = 1e-3;
+
+void require_start_above_ground(const Robot& robot, const Motion& motion, double ground_m) {
+  dynamics::TreeState state(robot.tree);
+  state.set(motion.positions.col(0), motion.velocities.col(0));
+  const auto point = buried(robot, state, ground_m, kAllowedDepth_m);
+  if (!point) return;
+  io::refuse(motion.file,
+             fmt::format("at its first sample (t = {:.6g} s) {} is {:.3g} m below the ground at z "
+                         "= {:.6g} m, where at most {:g} m is rounding; --ground-height states "
+                         "another ground, --from a later start",
+                         motion.times_s.front(), robot.contacts[point->contact].name,
+                         point->depth_m, ground_m, kAllowedDepth_m));
+}
+
+void require_replayable(const Robot& robot, const Motion& motion, const HopperReport& report,
+                        const ReplayOptions& options) {
+  if (!motion.has_base || !report.demand.has_dynamics) {
+    io::refuse(motion.file, "holds no motion of the base: a replay begins with it");
+  }
+  if (robot.drivetrains.empty()) {
+    io::refuse(motion.file, fmt::format("{} has no drive that could do it", robot.name));
+  }
+  if (options.engine == EngineKind::kMujoco) {
+    if (const auto absence = mujoco_absence()) io::refuse("--engine", *absence);
+  }
+  require_start_above_ground(robot, motion, options.engine_options.ground_height_m);
+}
+
+std::unique_ptr<Engine> engine_of(const Robot& robot, const ReplayOptions& options) {
+  return options.engine == EngineKind::kMujoco ? mujoco_engine(robot, options.engine_options)
+                                               : own_engine(robot, options.engine_options);
+}
+
+std::shared_ptr<const GainSchedule> gains_of(const Robot& robot, const Reference& reference,
+                                             const ReplayOptions& options) {
+  if (options.controller != ControllerKind::kLqr) return nullptr;
+  LqrOptions lqr;
+  lqr.control_period_s = options.run.step_s * options.run.steps_per_control;
+  const LqrResult found = lqr_gains(robot, reference, lqr);
+  if (found.gains) return found.gains;
+  io::refuse("--controller",
+             fmt::format("lqr has no gains for this motion: {}; --controller pd needs none",
+                         sentence_of(found)));
+}
+
+}  // namespace
+
+struct Replay::Ready {
+  Ready(const Robot& of, const Motion& motion, const HopperReport& report,
+        const ReplayOptions& with)
+      : robot(of),
+        options(with),
+        reference(of, motion, report.contacts, report.torques_Nm),
+        gains(gains_of(of, reference, with)) {}
+
+  std::unique_ptr<Controller> controller() const {
+    if (gains) return lqr_controller(robot, reference, gains, {}, options.impact);
+    return pd_controller(robot, reference, {}, {}, options.impact);
+  }
+
+  const Robot& robot;
+  ReplayOptions options;
+  Reference reference;
+  std::shared_ptr<const GainSchedule> gains;
+};
+
+Replay::Replay(const Robot& robot, const Motion& motion, const HopperReport& report,
+               const ReplayOptions& options) {
+  require_replayable(robot, motion, report, options);
+  ready_ = std::make_unique<const Ready>(robot, motion, report, options);
+}
+
+Replay::~Replay() = default;
+
+const Reference& Replay::reference() const { return ready_->reference; }
+const ReplayOptions& Replay::options() const { return ready_->options; }
+
+ReplayedRun Replay::run(const Watching& watching) const {
+  return run_with(ready_->options.run, watching);
+}
+
+ReplayedRun Replay::run_with(const RunOptions& options, const Watching& watching) const {
+  const Ready& ready = *ready_;
+  const auto engine = engine_of(ready.robot, ready.options);
+  const auto controller = ready.controller();
+  PoweredDrives drives(ready.robot, {ready.options.limits, ready.options.conditions, {}});
+  const RunParts parts{ready.robot,          ready.reference,     *engine, *controller, drives, {},
+                       watching.should_stop, watching.on_progress};
+  ReplayedRun run;
+  run.record = run_replay(parts, options);
+  run.result = result_of(ready.robot, ready.reference, run.record, ready.options.standing,
+                         ready.options.load_window_s);
+  return run;
+}
+
+std::vector<SweptStep> Replay::sweep(const Watching& watching) const {
+  std::vector<SweptStep> swept;
+  const RunOptions& usual = ready_->options.run;
+  const double period_s = usual.step_s * usual.steps_per_control;
+  const double latency_s = usual.step_s * usual.latency_steps;
+  for (const double factor : {2.0, 1.0, 0.5, 0.25}) {
+    RunOptions other = usual;
+    other.steps_per_control =
+        std::max(1, static_cast<int>(std::lround(usual.steps_per_control / factor)));
+    other.step_s = period_s / other.steps_per_control;
+    other.latency_steps = static_cast<int>(std::lround(latency_s / other.step_s));
+    const bool is_known = std::any_of(swept.begin(), swept.end(), [&](const SweptStep& one) {
+      return one.step_s == other.step_s;
+    });
+    if (is_known) continue;
+    swept.push_back({other.step_s, run_with(other, watching).result});
+    if (watching.should_stop && watching.should_stop()) break;
+  }
+  return swept;
+}
+
+}  // namespace torquewright::hopper

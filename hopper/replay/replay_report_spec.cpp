@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/replay/replay_report_spec.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "actuator/check/check_report_spec.hpp"
+#include "hopper/check/hopper_report_spec.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json touch_down_json(const ReplayOutcome& outcome) {
+  if (!outcome.touch_down) return nullptr;
+  return {{"time_s", outcome.touch_down->time_s},
+          {"planned_s", outcome.touch_down->planned_s},
+          {"rotation_short_rad", outcome.touch_down->rotation_short_rad}};
+}
+
+ordered_json touch_down_load_json(const ReplayResult& result) {
+  if (!result.touch_down_load) return nullptr;
+  const TouchDownLoad& load = *result.touch_down_load;
+  const Eigen::Vector3d& impulse = load.impulse_N_s;
+  return {{"window_s", load.window_s},
+          {"impulse_N_s", {impulse.x(), impulse.y(), impulse.z()}},
+          {"force_window_s", load.force_window_s},
+          {"peak_force_N", load.peak_force_N}};
+}
+
+ordered_json drives_json(const std::vector<DriveReplay>& drives) {
+  ordered_json list = ordered_json::array();
+  for (const DriveReplay& drive : drives) {
+    list.push_back({{"name", drive.name},
+                    {"clipped_share", drive.clipped_share},
+                    {"peak_cut_off_Nm", drive.peak_cut_off_Nm},
+                    {"peak_torque_Nm", drive.peak_torque_Nm},
+                    {"peak_tracking_error_rad", drive.peak_tracking_error_rad}});
+  }
+  return list;
+}
+
+ordered_json heat_json(const std::vector<DriveReplay>& drives) {
+  ordered_json list = ordered_json::array();
+  for (const DriveReplay& drive : drives) {
+    if (!drive.peak_winding_K) continue;
+    list.push_back({{"drive", drive.name},
+                    {"peak_K", *drive.peak_winding_K},
+                    {"limit_K", *drive.winding_limit_K}});
+  }
+  return list;
+}
+
+ordered_json findings_json(const std::vector<Finding>& findings) {
+  ordered_json list = ordered_json::array();
+  for (const Finding& finding : findings) list.push_back(actuator::finding_json(finding));
+  return list;
+}
+
+ordered_json sweep_json(const std::vector<SweptStep>& sweep) {
+  ordered_json list = ordered_json::array();
+  for (const SweptStep& one : sweep) {
+    list.push_back({{"step_s", one.step_s},
+                    {"verdict", name_of(one.result.outcome.verdict)},
+                    {"touch_down", touch_down_json(one.result.outcome)},
+                    {"touch_down_load", touch_down_load_json(one.result)},
+                    {"transmission_load", transmission_load_json(one.result.transmission_loads)},
+                    {"contact_load", contact_load_json(one.result.contact_loads)}});
+  }
+  return list;
+}
+
+}  // namespace
+
+ordered_json replay_report_json(const ReplayReport& report) {
+  const ReplayOptions& options = report.options;
+  const ReplayResult& result = report.result;
+  const ReplayOutcome& outcome = result.outcome;
+  ordered_json document = {{"kind", "replay_report"},
+                           {"version", 1},
+                           {"verdict", name_of(outcome.verdict)},
+                           {"engine", name_of(options.engine)},
+                           {"limits", name_of(options.limits)},
+                           {"impact", name_of(options.impact.handling)},
+                           {"controller", name_of(options.controller)},
+                           {"step_s", options.run.step_s},
+                           {"control_period_s", options.run.step_s * options.run.steps_per_control},
+                           {"latency_s", options.run.step_s * options.run.latency_steps},
+                           {"touch_down", touch_down_json(outcome)},
+                           {"end",
+                            {{"time_s", outcome.end_s},
+                             {"foot_at_rest_s", outcome.foot_at_rest_s},
+                             {"reason", outcome.reason}}},
+                           {"joints", drives_json(result.drives)},
+                           {"transmission_load", transmission_load_json(result.transmission_loads)},
+                           {"contact_load", contact_load_json(result.contact_loads)},
+                           {"touch_down_load", touch_down_load_json(result)},
+                           {"heat", heat_json(result.drives)},
+                           {"bus",
+                            {{"least_V", result.least_bus_V},
+                             {"least_time_s", result.least_bus_s},
+                             {"greatest_power_W", result.greatest_power_W}}},
+                           {"findings", findings_json(result.findings)}};
+  if (!report.sweep.empty()) document["step_sweep"] = sweep_json(report.sweep);
+  return document;
+}
+
+}  // namespace torquewright::hopper

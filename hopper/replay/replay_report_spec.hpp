@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "hopper/replay/replay_report.hpp"
+
+namespace torquewright::hopper {
+
+/// A document of kind `replay_report` without its provenance ("tool", "inputs", "options"). What is
+/// not known is null.
+nlohmann::ordered_json replay_report_json(const ReplayReport& report);
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "hopper/check/series.hpp"
+#include "hopper/replay/run_series.hpp"
+#include "io/atomic_file.hpp"
+#include "src/commands/hopper_check_inputs.hpp"
+#include "src/commands/hopper_commands.hpp"
+#include "src/commands/hopper_replay_json.hpp"
+#include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
+#include "src/report/progress_line.hpp"
+#include "src/report/replay_text.hpp"
+#include "src/standard_output.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+void check_files(const HopperReplayRequest& request) {
+  io::check_outputs(named({request.report_file, request.series_file, request.output_file}),
+                    {request.motion.robot_file, request.motion.trajectory_file});
+}
+
+hopper::ImpactOptions impact_of(const HopperReplayRequest& request) {
+  hopper::ImpactOptions impact;
+  impact.handling = request.impact == "invariant"       ? hopper::ImpactHandling::kInvariant
+                    : request.impact == "no_derivative" ? hopper::ImpactHandling::kNoDerivative
+                                                        : hopper::ImpactHandling::kDefault;
+  impact.metric = request.impact_metric == "inertia" ? hopper::ImpactMetric::kInertia
+                                                     : hopper::ImpactMetric::kEuclidean;
+  impact.window_s = request.impact_window_s;
+  impact.blend_s = request.impact_blend_s;
+  return impact;
+}
+
+/// A control period is a whole number of the engine's steps, which are made to fit.
+hopper::RunOptions run_of(const HopperReplayRequest& request) {
+  hopper::RunOptions run;
+  run.steps_per_control =
+      std::max(1, static_cast<int>(std::ceil(request.control_period_s / request.step_s - 1e-9)));
+  run.step_s = request.control_period_s / run.steps_per_control;
+  run.latency_steps = static_cast<int>(std::lround(request.latency_s / run.step_s));
+  run.stand_s = request.stand_s;
+  run.ground_height_m = request.motion.check.contact.ground_height_m + request.ground_rise_m;
+  return run;
+}
+
+hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
+                                     const HopperCheckInputs& inputs) {
+  hopper::ReplayOptions options;
+  options.engine =
+      request.engine == "mujoco" ? hopper::EngineKind::kMujoco : hopper::EngineKind::kOwn;
+  options.controller =
+      request.controller == "pd" ? hopper::ControllerKind::kPd : hopper::ControllerKind::kLqr;
+  options.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
+  options.impact = impact_of(request);
+  options.run = run_of(request);
+  options.engine_options.ground_height_m = options.run.ground_height_m;
+  options.engine_options.contact_time_constant_s = request.contact_time_constant_s;
+  options.standing.at_rest_s = std::min(options.standing.at_rest_s, 0.5 * request.stand_s);
+  options.load_window_s = request.motion.check.load_window_s;
+  options.conditions = inputs.check.conditions;
+  return options;
+}
+
+/// What of the motion's own check a replay's reader must know.
+void add_planned(const hopper::HopperReport& check, std::vector<hopper::Finding>& findings) {
+  if (check.check.verdict != actuator::Verdict::kPass) {
+    hopper::Finding& finding = findings.emplace_back();
+    finding.rule = "planned-motion";
+    finding.sentence = fmt::format(
+        "`hopper check` says {} of the motion as it is planned; a replay says what becomes of it",
+        actuator::name_of(check.check.verdict));
+  }
+  for (const hopper::Finding& finding : check.check.findings) {
+    if (finding.rule == "assumed") findings.push_back(finding);
+  }
+}
+
+hopper::ReplayedRun run_once(const hopper::Replay& replay, const char* what) {
+  report::ProgressLine progress;
+  return replay.run({is_interrupted, [&](double share) {
+                       progress.show(fmt::format("{}: {:.0f} %", what, 100.0 * share));
+                     }});
+}
+
+std::vector<hopper::SweptStep> sweep(const hopper::Replay& replay) {
+  report::ProgressLine progress;
+  return replay.sweep({is_interrupted, [&](double share) {
+                         progress.show(fmt::format("another step: {:.0f} %", 100.0 * share));
+                       }});
+}
+
+ExitCode code_of(hopper::ReplayVerdict verdict) {
+  switch (verdict) {
+    case hopper::ReplayVerdict::kStands:
+      return ExitCode::kPasses;
+    case hopper::ReplayVerdict::kFell:
+      return ExitCode::kFails;
+    default:
+      return ExitCode::kUndecided;
+  }
+}
+
+void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
+                  const hopper::Motion& motion, const hopper::Record& record,
+                  const hopper::ReplayReport& report) {
+  const std::string text = request.json || names_json(request.output_file)
+                               ? hopper_replay_json(request, inputs, motion, report)
+                               : report::replay_text(inputs.robot.robot, motion, report);
+  std::vector<io::FileContent> files;
+  if (!request.series_file.empty()) {
+    files.push_back(
+        {request.series_file, hopper::series_csv(hopper::run_series(inputs.robot.robot, record))});
+  }
+  if (!request.output_file.empty()) files.push_back({request.output_file, text});
+  io::write_whole_files(files);
+  if (request.output_file.empty()) print_result(text);
+}
+
+ExitCode run_hopper_replay(const HopperReplayRequest& request) {
+  check_files(request);
+  auto [inputs, motion] = read_inputs(request.motion);
+  check_files(request);  // now that the robot's files are known
+  const hopper::Robot& robot = inputs.robot.robot;
+  const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
+  catch_interrupt();
+  const hopper::Replay replay(robot, motion, check, replay_options(request, inputs));
+  hopper::ReplayedRun run = run_once(replay, "replaying");
+  hopper::ReplayReport report{replay.options(), std::move(run.result), {}};
+  if (request.sweep) report.sweep = sweep(replay);
+  add_planned(check, report.result.findings);
+  write_answer(request, inputs, motion, run.record, report);
+  return code_of(report.result.outcome.verdict);
+}
+
+}  // namespace
+
+void add_replay_command(command_line::Command& hopper) {
+  auto request = std::make_shared<HopperReplayRequest>();
+  command_line::Command command =
+      hopper.add_command("replay", "Does the robot do the motion, simulated and controlled?");
+  add_hopper_replay_options(command, *request);
+  command.example(
+      "torquewright hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv");
+  command.works([request] { return run_hopper_replay(*request); });
+}
+
+}  // namespace torquewright::cli

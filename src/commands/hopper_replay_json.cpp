@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/hopper_replay_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "hopper/replay/replay_report_spec.hpp"
+#include "src/commands/check_options_json.hpp"
+#include "src/commands/result_json.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+/// What was asked for beyond the files and what the report states itself, where it is not the
+/// default.
+nlohmann::ordered_json request_json(const HopperReplayRequest& request) {
+  const HopperReplayRequest usual;
+  const hopper::ContactRule& contact = request.motion.check.contact;
+  nlohmann::ordered_json json =
+      check_options_json(request.motion.columns, request.motion.window, request.motion.operating);
+  const auto add = [&json](const char* key, const auto& value, const auto& default_value) {
+    if (value != default_value) json[key] = value;
+  };
+  add("torques", request.motion.torques, usual.motion.torques);
+  add("late_columns", request.motion.late_columns, usual.motion.late_columns);
+  add("ground_height_m", contact.ground_height_m, usual.motion.check.contact.ground_height_m);
+  if (contact.height_m) json["contact_height_m"] = *contact.height_m;
+  if (contact.speed_m_s) json["contact_speed_m_s"] = *contact.speed_m_s;
+  add("load_window_s", request.motion.check.load_window_s, usual.motion.check.load_window_s);
+  add("impact_metric", request.impact_metric, usual.impact_metric);
+  add("impact_window_s", request.impact_window_s, usual.impact_window_s);
+  add("impact_blend_s", request.impact_blend_s, usual.impact_blend_s);
+  add("stand_s", request.stand_s, usual.stand_s);
+  add("ground_rise_m", request.ground_rise_m, usual.ground_rise_m);
+  add("ground_time_constant_s", request.contact_time_constant_s, usual.contact_time_constant_s);
+  return json;
+}
+
+}  // namespace
+
+std::string hopper_replay_json(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
+                               const hopper::Motion& motion, const hopper::ReplayReport& report) {
+  nlohmann::ordered_json document = hopper::replay_report_json(report);
+  document["options"] = request_json(request);
+  std::vector<io::Document> read = inputs.robot.documents;
+  read.push_back({motion.file, "", {}, motion.sha256});
+  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
+  return result_text(std::move(document), read);
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "hopper/replay/replay_report.hpp"
+#include "src/commands/hopper_check_inputs.hpp"
+#include "src/options/hopper_replay_request.hpp"
+
+namespace torquewright::cli {
+
+/// The answer of `hopper replay` as a document.
+std::string hopper_replay_json(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
+                               const hopper::Motion& motion, const hopper::ReplayReport& report);
+
+}  // namespace torquewright::cli

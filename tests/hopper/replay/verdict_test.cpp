@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle: closed forms. A robot that is turned about its pitch axis at a constant rate, and records
+// that are written here row by row; no engine takes part.
+#include "hopper/replay/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hopper/replay/fall.hpp"
+#include "hopper/robot/robot_spec.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kTakeOff_s = 0.2;
+constexpr double kPlanned_s = 0.7;
+constexpr double kEnd_s = 1.0;
+constexpr double kPeriod_s = 5e-4;
+
+const Robot& hopper_robot() {
+  static const ReadRobot read = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json");
+  return read.robot;
+}
+
+VectorXd pose(double pitch_rad, double height_m = 1.0) {
+  VectorXd position = VectorXd::Zero(10);
+  position[2] = height_m;
+  position[3] = std::cos(0.5 * pitch_rad);
+  position[5] = std::sin(0.5 * pitch_rad);
+  return position;
+}
+
+/// Stands, turns once between take-off and touch-down, stands.
+Reference one_turn() {
+  Motion motion;
+  constexpr int kSamples = 101;
+  motion.positions.resize(10, kSamples);
+  motion.velocities.setZero(9, kSamples);
+  motion.accelerations.setZero(9, kSamples);
+  ContactSchedule contacts;
+  contacts.touches.resize(4, kSamples);
+  for (int i = 0; i < kSamples; ++i) {
+    const double time_s = 0.01 * i;
+    const bool flies = i >= 20 && i < 70;
+    motion.times_s.push_back(time_s);
+    const double flown = std::clamp((time_s - kTakeOff_s) / (kPlanned_s - kTakeOff_s), 0.0, 1.0);
+    motion.positions.col(i) = pose(kTurn * flown);
+    if (flies) motion.velocities(4, i) = kTurn / (kPlanned_s - kTakeOff_s);
+    contacts.touches.col(i).setConstant(!flies);
+  }
+  motion.breaks = {70};
+  return Reference(hopper_robot(), motion, contacts, Eigen::MatrixXd::Zero(3, kSamples));
+}
+
+/// Turns at a share of the planned rate and touches down at a time, then stands until the end.
+Record turning(double rate_share, double touch_down_s, double end_s) {
+  Record record;
+  record.control_period_s = kPeriod_s;
+  record.step_s = 1e-4;
+  const auto rows = static_cast<int>(std::lround(end_s / kPeriod_s));
+  const double rate_rad_s = rate_share * kTurn / (kPlanned_s - kTakeOff_s);
+  for (int i = 0; i < rows; ++i) {
+    RecordRow row;
+    row.time_s = kPeriod_s * i;
+    const double flown_s = std::clamp(row.time_s - kTakeOff_s, 0.0, touch_down_s - kTakeOff_s);
+    row.position = pose(rate_rad_s * flown_s);
+    row.velocity = VectorXd::Zero(9);
+    // A row's contact is that of the interval which ends with it.
+    const bool flies = row.time_s > kTakeOff_s && row.time_s < touch_down_s - 1e-9;
+    row.touches = TouchingPoints::Constant(4, !flies);
+    record.rows.push_back(row);
+  }
+  record.end_s = kPeriod_s * rows;
+  return record;
+}
+
+TEST(ReplayVerdict, RotationShortIsThatOfTheBaseAtTouchDown) {
+  const Record record = turning(0.95, 0.71, 2.0);
+  const ReplayOutcome outcome = outcome_of(hopper_robot(), one_turn(), record, {});
+  ASSERT_TRUE(outcome.touch_down);
+  EXPECT_NEAR(outcome.touch_down->time_s, 0.71, 1e-9);
+  EXPECT_NEAR(outcome.touch_down->planned_s, kPlanned_s, 1e-9);
+  const double turned = 0.95 * kTurn * 0.51 / 0.5;
+  EXPECT_NEAR(outcome.touch_down->rotation_short_rad, kTurn - turned, 1e-9);
+}
+
+TEST(ReplayVerdict, TooMuchRotationIsNegative) {
+  const ReplayOutcome outcome =
+      outcome_of(hopper_robot(), one_turn(), turning(1.1, kPlanned_s, 2.0), {});
+  ASSERT_TRUE(outcome.touch_down);
+  EXPECT_NEAR(outcome.touch_down->rotation_short_rad, -0.1 * kTurn, 1e-9);
+}
+
+TEST(ReplayVerdict, StandsWhereFeetRestInTheMotionsLastPosture) {
+  const ReplayOutcome outcome =
+      outcome_of(hopper_robot(), one_turn(), turning(1.0, kPlanned_s, 2.0), {});
+  EXPECT_EQ(outcome.verdict, ReplayVerdict::kStands) << outcome.reason;
+  EXPECT_EQ(outcome.reason, "");
+  EXPECT_NEAR(outcome.foot_at_rest_s, 2.0 - kPlanned_s, 1e-9);
+}
+
+TEST(ReplayVerdict, RestInAnotherPostureIsAFall) {
+  const ReplayOutcome outcome =
+      outcome_of(hopper_robot(), one_turn(), turning(0.75, kPlanned_s, 2.0), {});
+  EXPECT_EQ(outcome.verdict, ReplayVerdict::kFell);
+  EXPECT_NE(outcome.reason.find("90 degrees"), std::string::npos) << outcome.reason;
+}
+
+TEST(ReplayVerdict, HoppingAndSlidingAreNotStanding) {
+  const StandingRule rule;
+  const auto broken_at = [&](double before_end_s, bool slides) {
+    Record record = turning(1.0, kPlanned_s, 2.0);
+    const auto back = static_cast<std::size_t>(std::lround(before_end_s / kPeriod_s));
+    RecordRow& row = record.rows[record.rows.size() - back];
+    if (slides) {
+      row.slip_m_s = 1.01 * rule.foot_speed_m_s;
+    } else {
+      row.touches.setConstant(false);
+    }
+    return outcome_of(hopper_robot(), one_turn(), record, rule);
+  };
+  for (const bool slides : {false, true}) {
+    EXPECT_EQ(broken_at(rule.at_rest_s - 2 * kPeriod_s, slides).verdict, ReplayVerdict::kFell);
+    EXPECT_EQ(broken_at(rule.at_rest_s + 2 * kPeriod_s, slides).verdict, ReplayVerdict::kStands);
+  }
+}
+
+TEST(ReplayVerdict, ABodyThatStillMovesDoesNotStand) {
+  const StandingRule rule;
+  Record record = turning(1.0, kPlanned_s, 2.0);
+  record.rows.back().velocity[0] = 1.01 * rule.body_speed_m_s;  // of the whole robot
+  EXPECT_EQ(outcome_of(hopper_robot(), one_turn(), record, rule).verdict, ReplayVerdict::kFell);
+  record.rows.back().velocity[0] = 0.99 * rule.body_speed_m_s;
+  EXPECT_EQ(outcome_of(hopper_robot(), one_turn(), record, rule).verdict, ReplayVerdict::kStands);
+}
+
+TEST(ReplayVerdict, WhatStoppedIsUnfinishedWhateverItLookedLike) {
+  for (const RunEnd end : {RunEnd::kStopped, RunEnd::kAsked}) {
+    Record record = turning(1.0, kPlanned_s, 2.0);
+    record.end = end;
+    record.reason = "why";
+    const ReplayOutcome outcome = outcome_of(hopper_robot(), one_turn(), record, {});
+    EXPECT_EQ(outcome.verdict, ReplayVerdict::kUnfinished);
+    EXPECT_EQ(outcome.reason, "why");
+  }
+  EXPECT_EQ(outcome_of(hopper_robot(), one_turn(), Record{}, {}).verdict,
+            ReplayVerdict::kUnfinished);
+}
+
+TEST(ReplayVerdict, ALossOfContactShorterThanTenMillisecondsIsNoFlight) {
+  Record record = turning(1.0, kPlanned_s, 2.0);
+  for (RecordRow& row : record.rows) {
+    row.touches.setConstant(std::fmod(row.time_s, 0.01) < 1e-9 ||
+                            row.time_s < 0.1);  // at most 9.5 ms without
+  }
+  EXPECT_FALSE(outcome_of(hopper_robot(), one_turn(), record, {}).touch_down);
+}
+
+TEST(ReplayFall, BodiesThatAreNoFeetMustStayAboveTheGround) {
+  const Robot& robot = hopper_robot();
+  dynamics::TreeState state(robot.tree);
+  const auto at = [&](double pitch_rad, double height_m) {
+    state.set(pose(pitch_rad, height_m), VectorXd::Zero(9));
+    return fallen(robot, state, 0.0);
+  };
+  EXPECT_FALSE(at(0.0, 0.5));  // the sole is 0.01 m above the ground
+  // Straight legs, upside down: the thigh's centre of mass is 0.22 m below the knee.
+  EXPECT_FALSE(at(std::numbers::pi, 0.221));
+  EXPECT_EQ(at(std::numbers::pi, 0.219).value_or(""),
+            "the thigh's centre of mass is on the ground");
+  EXPECT_EQ(at(std::numbers::pi / 2, -0.001).value_or(""), "the thigh's origin is on the ground");
+}
+
+TEST(ReplayFall, TheDeepestPointIsNamed) {
+  const Robot& robot = hopper_robot();
+  dynamics::TreeState state(robot.tree);
+  // Upright: all four points are 0.49 m below the knee.
+  state.set(pose(0.0, 0.488), VectorXd::Zero(9));
+  EXPECT_FALSE(buried(robot, state, 0.0, 2.1e-3));
+  ASSERT_TRUE(buried(robot, state, 0.0, 1.9e-3));
+  // Leaning forward by 0.1 rad presses the toes down.
+  state.set(pose(0.1, 0.488), VectorXd::Zero(9));
+  const auto point = buried(robot, state, 0.0, 1e-3);
+  ASSERT_TRUE(point);
+  EXPECT_EQ(robot.contacts[point->contact].name.substr(0, 3), "toe");
+  const double depth_m = 0.49 * std::cos(0.1) + 0.12 * std::sin(0.1) - 0.488;
+  EXPECT_NEAR(point->depth_m, depth_m, 1e-12);
+}
+
+}  // namespace
+}  // namespace torquewright::hopper
