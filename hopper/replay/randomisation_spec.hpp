@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/replay/randomisation.hpp"
+#include "io/document.hpp"
+
+namespace torquewright::hopper {
+
+struct ReadRandomisation {
+  Randomisation randomisation;
+  io::Document document;
+};
+
+/// Reads a document of kind `randomisation`. Throws io::SpecError with all its faults: what the
+/// schema refuses, and ranges upside down. Names are judged by require_fits.
+ReadRandomisation read_randomisation(const std::filesystem::path& file);
+/// The same of a document that is read already.
+ReadRandomisation randomisation_of(io::Document document);
+
+}  // namespace torquewright::hopper
