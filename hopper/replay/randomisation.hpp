@@ -47,15 +47,15 @@ struct SensorNoiseLevels {
 /// A document of kind `randomisation`: what trials of a replay draw (docs/randomisation.md). What
 /// is absent stays as robot, replay and controller have it.
 struct Randomisation {
-  std::string file;                              ///< As the user named it.
-  std::optional<Range> total_mass_factor;        ///< One for all bodies, times their own:
-  std::vector<NamedRange> body_mass_factor;      ///< By body.
-  std::vector<NamedRange> body_inertia_factor;   ///< By body; about its centre of mass.
+  std::string file;                             ///< As the user named it.
+  std::optional<Range> total_mass_factor;       ///< One for all bodies, times their own:
+  std::vector<NamedRange> body_mass_factor;     ///< By body.
+  std::vector<NamedRange> body_inertia_factor;  ///< By body; about its centre of mass.
   std::vector<ShiftRange> center_of_mass_shift_m;
   std::vector<NamedRange> controller_gain_factor;  ///< By drive.
   std::vector<NamedRange> further_friction_Nm;     ///< By drive; behind the gears, at its output.
-  std::optional<Range> friction_coefficient;       ///< Of the ground, in the place of all contacts'.
-  std::optional<Range> restitution;                ///< So too.
+  std::optional<Range> friction_coefficient;  ///< Of the ground, in the place of all contacts'.
+  std::optional<Range> restitution;           ///< So too.
   std::optional<Range> ground_height_m;
   std::optional<Range> latency_s;  ///< By how much the controller sees late.
   std::optional<Range> state_of_charge;

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "hopper/replay/fall.hpp"
+#include "hopper/replay/sensor_noise.hpp"
+#include "hopper/replay/trial.hpp"
 #include "hopper/tracking/lqr.hpp"
 #include "hopper/tracking/pd.hpp"
 #include "io/refusal.hpp"
@@ -46,9 +48,9 @@ void require_replayable(const Robot& robot, const Motion& motion, const HopperRe
   require_start_above_ground(robot, motion, options.engine_options.ground_height_m);
 }
 
-std::unique_ptr<Engine> engine_of(const Robot& robot, const ReplayOptions& options) {
-  return options.engine == EngineKind::kMujoco ? mujoco_engine(robot, options.engine_options)
-                                               : own_engine(robot, options.engine_options);
+std::unique_ptr<Engine> engine_of(const Robot& robot, EngineKind engine,
+                                  const EngineOptions& options) {
+  return engine == EngineKind::kMujoco ? mujoco_engine(robot, options) : own_engine(robot, options);
 }
 
 std::shared_ptr<const GainSchedule> gains_of(const Robot& robot, const Reference& reference,
@@ -65,6 +67,20 @@ std::shared_ptr<const GainSchedule> gains_of(const Robot& robot, const Reference
 
 }  // namespace
 
+namespace {
+
+/// In what a run may differ from others of the same motion, beside its robot.
+struct Variation {
+  RunOptions run;
+  RunStart start;
+  actuator::OperatingConditions conditions;
+  Eigen::VectorXd further_friction_Nm;
+  Eigen::VectorXd gain_factor;
+  std::function<void(std::uint64_t, Observation&)> sense;
+};
+
+}  // namespace
+
 struct Replay::Ready {
   Ready(const Robot& of, const Motion& motion, const HopperReport& report,
         const ReplayOptions& with)
@@ -72,6 +88,34 @@ struct Replay::Ready {
         options(with),
         reference(of, motion, report.contacts, report.torques_Nm),
         gains(gains_of(of, reference, with)) {}
+
+  Variation plain() const {
+    ReferenceInstant first;
+    reference.at(reference.begins_s(), first);
+    return {options.run, {first.position, first.velocity}, options.conditions, {}, {}, {}};
+  }
+
+  ReplayedRun run(const Robot& of, const Variation& variation, const Watching& watching) const {
+    EngineOptions on = options.engine_options;
+    on.ground_height_m = variation.run.ground_height_m;
+    const auto engine = engine_of(of, options.engine, on);
+    const auto follows = controller();
+    PoweredDrives drives(of, {options.limits, variation.conditions, variation.further_friction_Nm});
+    const RunParts parts{of,
+                         reference,
+                         *engine,
+                         *follows,
+                         drives,
+                         variation.start,
+                         variation.gain_factor,
+                         variation.sense,
+                         watching.should_stop,
+                         watching.on_progress};
+    ReplayedRun done;
+    done.record = run_replay(parts, variation.run);
+    done.result = result_of(of, reference, done.record, options.standing, options.load_window_s);
+    return done;
+  }
 
   std::unique_ptr<Controller> controller() const {
     if (gains) return lqr_controller(robot, reference, gains, {}, options.impact);
@@ -96,21 +140,27 @@ const Reference& Replay::reference() const { return ready_->reference; }
 const ReplayOptions& Replay::options() const { return ready_->options; }
 
 ReplayedRun Replay::run(const Watching& watching) const {
-  return run_with(ready_->options.run, watching);
+  return ready_->run(ready_->robot, ready_->plain(), watching);
 }
 
-ReplayedRun Replay::run_with(const RunOptions& options, const Watching& watching) const {
+ReplayedRun Replay::run_trial(const Randomisation& randomisation, std::uint64_t seed,
+                              std::size_t number, const Watching& watching) const {
   const Ready& ready = *ready_;
-  const auto engine = engine_of(ready.robot, ready.options);
-  const auto controller = ready.controller();
-  PoweredDrives drives(ready.robot, {ready.options.limits, ready.options.conditions, {}});
-  const RunParts parts{ready.robot,          ready.reference,     *engine, *controller, drives, {},
-                       watching.should_stop, watching.on_progress};
-  ReplayedRun run;
-  run.record = run_replay(parts, options);
-  run.result = result_of(ready.robot, ready.reference, run.record, ready.options.standing,
-                         ready.options.load_window_s);
-  return run;
+  const Trial trial = draw_trial(randomisation, ready.robot, seed, number);
+  const Robot robot = perturbed(ready.robot, trial);
+  const SensorNoise noise(randomisation.noise, ready.robot.tree, seed, number);
+  Variation variation = ready.plain();
+  variation.start = start_of(robot, ready.reference, trial);
+  variation.conditions = conditions_of(trial, ready.options.conditions);
+  variation.further_friction_Nm = trial.further_friction_Nm;
+  variation.gain_factor = trial.controller_gain_factor;
+  variation.run.ground_height_m += trial.ground_height_m;
+  variation.run.latency_steps +=
+      static_cast<int>(std::lround(trial.latency_s / variation.run.step_s));
+  variation.sense = [&noise](std::uint64_t look, Observation& seen) {
+    noise.disturb(look, seen.position, seen.velocity);
+  };
+  return ready.run(robot, variation, watching);
 }
 
 std::vector<SweptStep> Replay::sweep(const Watching& watching) const {
@@ -119,7 +169,8 @@ std::vector<SweptStep> Replay::sweep(const Watching& watching) const {
   const double period_s = usual.step_s * usual.steps_per_control;
   const double latency_s = usual.step_s * usual.latency_steps;
   for (const double factor : {2.0, 1.0, 0.5, 0.25}) {
-    RunOptions other = usual;
+    Variation variation = ready_->plain();
+    RunOptions& other = variation.run;
     other.steps_per_control =
         std::max(1, static_cast<int>(std::lround(usual.steps_per_control / factor)));
     other.step_s = period_s / other.steps_per_control;
@@ -128,7 +179,7 @@ std::vector<SweptStep> Replay::sweep(const Watching& watching) const {
       return one.step_s == other.step_s;
     });
     if (is_known) continue;
-    swept.push_back({other.step_s, run_with(other, watching).result});
+    swept.push_back({other.step_s, ready_->run(ready_->robot, variation, watching).result});
     if (watching.should_stop && watching.should_stop()) break;
   }
   return swept;

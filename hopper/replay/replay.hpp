@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hopper/check/hopper_check.hpp"
+#include "hopper/replay/randomisation.hpp"
 #include "hopper/replay/result.hpp"
 #include "hopper/replay/run.hpp"
 
@@ -62,12 +63,13 @@ class Replay {
 
   /// As the documents say. May be called by several threads at once.
   ReplayedRun run(const Watching& watching) const;
+  /// One randomised trial, by its seed and number alone. `randomisation` has passed require_fits().
+  ReplayedRun run_trial(const Randomisation& randomisation, std::uint64_t seed, std::size_t number,
+                        const Watching& watching) const;
   /// With other steps of the engine: twice, half, a quarter, so far as the control period allows.
   std::vector<SweptStep> sweep(const Watching& watching) const;
 
  private:
-  ReplayedRun run_with(const RunOptions& options, const Watching& watching) const;
-
   struct Ready;
   std::unique_ptr<const Ready> ready_;
 };

@@ -24,4 +24,22 @@ std::string_view name_of(ImpactHandling handling) {
   }
 }
 
+TrialOutcome trial_outcome(const ReplayResult& result) {
+  const ReplayOutcome& outcome = result.outcome;
+  TrialOutcome kept;
+  kept.end = outcome.verdict == ReplayVerdict::kStands ? TrialEnd::kStands
+             : outcome.verdict == ReplayVerdict::kFell ? TrialEnd::kFell
+                                                       : TrialEnd::kUnfinished;
+  kept.reason = outcome.reason;
+  kept.end_time_s = outcome.end_s;
+  if (outcome.touch_down) {
+    kept.touch_down_time_s = outcome.touch_down->time_s;
+    kept.rotation_short_rad = outcome.touch_down->rotation_short_rad;
+  }
+  for (const TransmissionLoad& load : result.transmission_loads) {
+    kept.peak_transmission_Nm.push_back(load.judged().mean);
+  }
+  return kept;
+}
+
 }  // namespace torquewright::hopper

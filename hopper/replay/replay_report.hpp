@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "hopper/replay/replay.hpp"
+#include "hopper/replay/run_trials.hpp"
 
 namespace torquewright::hopper {
 
@@ -13,11 +14,25 @@ std::string_view name_of(ControllerKind controller);
 std::string_view name_of(DriveLimits limits);
 std::string_view name_of(ImpactHandling handling);
 
+/// What randomised trials came to.
+struct ReplayTrials {
+  std::uint64_t seed = 0;
+  double required_share = 1.0;                        ///< Of them that must stand.
+  std::size_t first = 0;                              ///< Number of the first of the outcomes.
+  std::vector<std::optional<TrialOutcome>> outcomes;  ///< None: not begun.
+
+  TrialCounts counts() const { return counted(outcomes); }
+};
+
+/// What is kept of a trial's run.
+TrialOutcome trial_outcome(const ReplayResult& result);
+
 /// All that a replay answers.
 struct ReplayReport {
   ReplayOptions options;
   ReplayResult result;           ///< Of the run as documented.
   std::vector<SweptStep> sweep;  ///< Empty where none was asked for.
+  std::optional<ReplayTrials> trials;
 };
 
 }  // namespace torquewright::hopper

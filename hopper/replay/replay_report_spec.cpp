@@ -71,6 +71,48 @@ ordered_json sweep_json(const std::vector<SweptStep>& sweep) {
   return list;
 }
 
+template <typename Value>
+ordered_json or_null(const std::optional<Value>& value) {
+  return value ? ordered_json(*value) : ordered_json();
+}
+
+const char* name_of(TrialEnd end) {
+  switch (end) {
+    case TrialEnd::kStands:
+      return "stands";
+    case TrialEnd::kFell:
+      return "fell";
+    default:
+      return "unfinished";
+  }
+}
+
+ordered_json trial_json(std::size_t number, const TrialOutcome& outcome) {
+  return {{"number", number},
+          {"verdict", name_of(outcome.end)},
+          {"end_s", outcome.end_time_s},
+          {"reason", outcome.reason},
+          {"touch_down_s", or_null(outcome.touch_down_time_s)},
+          {"rotation_short_rad", or_null(outcome.rotation_short_rad)},
+          {"transmission_load_Nm", outcome.peak_transmission_Nm}};
+}
+
+ordered_json trials_json(const ReplayTrials& trials) {
+  const TrialCounts counts = trials.counts();
+  const ShareInterval interval = success_interval(counts);
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < trials.outcomes.size(); ++i) {
+    if (trials.outcomes[i]) list.push_back(trial_json(trials.first + i, *trials.outcomes[i]));
+  }
+  return {{"count", counts.done()},
+          {"succeeded", counts.succeeded},
+          {"interval", {interval.least, interval.greatest}},
+          {"unfinished", counts.unfinished},
+          {"required_share", trials.required_share},
+          {"seed", trials.seed},
+          {"list", list}};
+}
+
 }  // namespace
 
 ordered_json replay_report_json(const ReplayReport& report) {
@@ -103,6 +145,7 @@ ordered_json replay_report_json(const ReplayReport& report) {
                              {"greatest_power_W", result.greatest_power_W}}},
                            {"findings", findings_json(result.findings)}};
   if (!report.sweep.empty()) document["step_sweep"] = sweep_json(report.sweep);
+  if (report.trials) document["trials"] = trials_json(*report.trials);
   return document;
 }
 

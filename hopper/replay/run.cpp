@@ -60,9 +60,7 @@ class Run {
   }
 
   void begin() {
-    ReferenceInstant first;
-    parts_.reference.at(parts_.reference.begins_s(), first);
-    parts_.engine.start(first.position, first.velocity);
+    parts_.engine.start(parts_.start.position, parts_.start.velocity);
     parts_.controller.start();
     parts_.drives.start();
     const auto points = static_cast<Index>(parts_.robot.contacts.size());
@@ -101,7 +99,7 @@ class Run {
     seen.velocity = parts_.engine.velocity();
     seen.touches = seen_touches_;
     seen_touches_.setConstant(false);
-    if (parts_.sense) parts_.sense(seen);
+    if (parts_.sense) parts_.sense(look_number_++, seen);
     looks_.push_back(std::move(seen));
   }
 
@@ -114,6 +112,10 @@ class Run {
     const long newest = step_ - options_.latency_steps;
     while (looks_.size() > 1 && step_of(looks_[1]) <= newest) looks_.pop_front();
     parts_.controller.control(looks_.front(), wanted_);
+    if (parts_.gain_factor.size() > 0) {
+      const VectorXd& fed_Nm = parts_.controller.fed_forward_Nm();
+      wanted_ = fed_Nm + parts_.gain_factor.cwiseProduct(wanted_ - fed_Nm);
+    }
     if (!wanted_.allFinite()) {
       wanted_.setZero();
       stop(RunEnd::kStopped, "the controller's torque is no number");
@@ -230,6 +232,7 @@ class Run {
   VectorXd speed_, wanted_, contact_;
   TouchingPoints seen_touches_;
   std::deque<Observation> looks_;
+  std::uint64_t look_number_ = 0;
 };
 
 }  // namespace

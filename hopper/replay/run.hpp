@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "hopper/engines/engine.hpp"
 #include "hopper/replay/powered_drives.hpp"
 #include "hopper/replay/record.hpp"
+#include "hopper/replay/trial_start.hpp"
 #include "hopper/tracking/controller.hpp"
 
 namespace torquewright::hopper {
@@ -27,14 +29,17 @@ struct RunParts {
   Engine& engine;
   Controller& controller;
   PoweredDrives& drives;
-  /// Turns what is into what sensors say; may be empty.
-  std::function<void(Observation&)> sense = {};
+  RunStart start;
+  /// Of what the controller's feedback asks of each drive, that share arrives; empty: all.
+  Eigen::VectorXd gain_factor = {};
+  /// Turns what is into what sensors say, at each look, by its number; may be empty.
+  std::function<void(std::uint64_t look, Observation& seen)> sense = {};
   std::function<bool()> should_stop = {};              ///< May be empty.
   std::function<void(double share)> on_progress = {};  ///< May be empty.
 };
 
-/// From the reference's first sample until its end and stand_s more, or until the robot falls or
-/// nothing can go on. Every number of the record is finite.
+/// From its start, at the reference's begin, until its end and stand_s more, or until the robot
+/// falls or nothing can go on. Every number of the record is finite.
 Record run_replay(const RunParts& parts, const RunOptions& options);
 
 }  // namespace torquewright::hopper

@@ -16,11 +16,11 @@ namespace torquewright::hopper {
 struct Trial {
   std::uint64_t seed = 0;
   std::size_t number = 0;
-  Eigen::VectorXd mass_factor;                ///< (bodies x 1)
-  Eigen::VectorXd inertia_factor;             ///< (bodies x 1)
-  Eigen::Matrix3Xd center_of_mass_shift_m;    ///< (3 x bodies), in each body's axes.
-  Eigen::VectorXd controller_gain_factor;     ///< (drives x 1), on what a drive's feedback asks.
-  Eigen::VectorXd further_friction_Nm;        ///< (drives x 1)
+  Eigen::VectorXd mass_factor;                 ///< (bodies x 1)
+  Eigen::VectorXd inertia_factor;              ///< (bodies x 1)
+  Eigen::Matrix3Xd center_of_mass_shift_m;     ///< (3 x bodies), in each body's axes.
+  Eigen::VectorXd controller_gain_factor;      ///< (drives x 1), on what a drive's feedback asks.
+  Eigen::VectorXd further_friction_Nm;         ///< (drives x 1)
   std::optional<double> friction_coefficient;  ///< None: the contacts' own.
   std::optional<double> restitution;
   double ground_height_m = 0.0;

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "hopper/check/series.hpp"
+#include "hopper/replay/randomisation_spec.hpp"
 #include "hopper/replay/run_series.hpp"
 #include "io/atomic_file.hpp"
+#include "io/refusal.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/hopper_replay_json.hpp"
@@ -96,6 +100,59 @@ std::vector<hopper::SweptStep> sweep(const hopper::Replay& replay) {
                        }});
 }
 
+/// What trials differ by; none where none are asked for.
+std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& request,
+                                                     const hopper::Robot& robot) {
+  if (request.trials == 0) return std::nullopt;
+  if (request.randomise_file.empty()) {
+    io::refuse("--trials",
+               "needs --randomise FILE, a document of kind randomisation: what differs from trial "
+               "to trial");
+  }
+  if (request.only_trial >= static_cast<std::int64_t>(request.trials)) {
+    io::refuse("--trial", fmt::format("{} is none of the trials 0 to {}", request.only_trial,
+                                      request.trials - 1));
+  }
+  hopper::ReadRandomisation read = hopper::read_randomisation(request.randomise_file);
+  hopper::require_fits(read.randomisation, robot);
+  return read;
+}
+
+hopper::ReplayTrials run_all(const hopper::Replay& replay,
+                             const hopper::Randomisation& randomisation,
+                             const HopperReplayRequest& request) {
+  report::ProgressLine progress;
+  hopper::ReplayTrials trials{request.seed, request.success_rate, 0, {}};
+  hopper::TrialRun run;
+  run.count = request.trials;
+  run.threads = static_cast<unsigned>(request.threads);
+  run.should_stop = is_interrupted;
+  run.progress = [&](std::size_t done) {
+    progress.show(fmt::format("trials: {} of {}", done, run.count));
+  };
+  if (request.only_trial >= 0) {
+    trials.first = static_cast<std::size_t>(request.only_trial);
+    run.count = 1;
+  }
+  trials.outcomes = hopper::run_trials(run, [&](std::size_t number) {
+    const hopper::ReplayedRun done =
+        replay.run_trial(randomisation, request.seed, trials.first + number, {is_interrupted, {}});
+    return hopper::trial_outcome(done.result);
+  });
+  return trials;
+}
+
+ExitCode code_of(hopper::RateVerdict verdict) {
+  switch (verdict) {
+    case hopper::RateVerdict::kReached:
+      return ExitCode::kPasses;
+    case hopper::RateVerdict::kMissed:
+      return ExitCode::kFails;
+    default:
+      return ExitCode::kUndecided;
+  }
+}
+
 ExitCode code_of(hopper::ReplayVerdict verdict) {
   switch (verdict) {
     case hopper::ReplayVerdict::kStands:
@@ -130,13 +187,17 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   const hopper::Robot& robot = inputs.robot.robot;
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
+  const auto randomised = read_trials(request, robot);
   const hopper::Replay replay(robot, motion, check, replay_options(request, inputs));
   hopper::ReplayedRun run = run_once(replay, "replaying");
-  hopper::ReplayReport report{replay.options(), std::move(run.result), {}};
+  hopper::ReplayReport report{replay.options(), std::move(run.result), {}, {}};
   if (request.sweep) report.sweep = sweep(replay);
+  if (randomised) report.trials = run_all(replay, randomised->randomisation, request);
   add_planned(check, report.result.findings);
+  if (randomised) inputs.columns.push_back(randomised->document);
   write_answer(request, inputs, motion, run.record, report);
-  return code_of(report.result.outcome.verdict);
+  if (!report.trials) return code_of(report.result.outcome.verdict);
+  return code_of(hopper::judged_rate(report.trials->counts(), report.trials->required_share));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct HopperReplayRequest {
   std::uint64_t seed = 1;
   std::int64_t only_trial = -1;  ///< Negative: all.
   double success_rate = 1.0;
-  std::size_t threads = 1;
+  std::size_t threads = 0;  ///< 0: as many as the processor runs at once.
   std::string plot_file;
   std::string report_file;
   std::string series_file;

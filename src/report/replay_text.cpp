@@ -107,6 +107,38 @@ std::string sweep_lines(const std::vector<SweptStep>& sweep) {
   return text;
 }
 
+constexpr std::size_t kShownFailures = 8;
+
+std::string trials_lines(const ReplayTrials& trials) {
+  const TrialCounts counts = trials.counts();
+  const ShareInterval interval = success_interval(counts);
+  std::string text = fmt::format(
+      "\n{} of {} randomised trials stand: {:.1f} %, with 95 % between {:.1f} and {:.1f} % (seed "
+      "{})\n",
+      counts.succeeded, counts.done(),
+      counts.done() > 0
+          ? 100.0 * static_cast<double>(counts.succeeded) / static_cast<double>(counts.done())
+          : 0.0,
+      100.0 * interval.least, 100.0 * interval.greatest, trials.seed);
+  if (counts.unfinished > 0) {
+    text += fmt::format("  {} of {} asked for were not finished and count neither way\n",
+                        counts.unfinished, counts.all());
+  }
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < trials.outcomes.size(); ++i) {
+    const std::optional<TrialOutcome>& outcome = trials.outcomes[i];
+    if (!outcome || outcome->end == TrialEnd::kStands) continue;
+    if (++shown > kShownFailures) continue;
+    text += fmt::format("  trial {:<4}  t = {:.3f} s: {}\n", trials.first + i, outcome->end_time_s,
+                        outcome->reason);
+  }
+  if (shown > kShownFailures) {
+    text += fmt::format("  and {} more (--json lists all; --trial N repeats one alone)\n",
+                        shown - kShownFailures);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string replay_text(const Robot& robot, const Motion& motion, const ReplayReport& report) {
@@ -119,6 +151,7 @@ std::string replay_text(const Robot& robot, const Motion& motion, const ReplayRe
                       result.least_bus_V, result.least_bus_s, result.greatest_power_W);
   for (std::size_t i = 0; i < result.drives.size(); ++i) text += drive_lines(result, i);
   text += sweep_lines(report.sweep);
+  if (report.trials) text += trials_lines(*report.trials);
   text += "\n";
   for (const Finding& finding : result.findings) {
     text += fmt::format("{} [{}] {}\n", actuator::name_of(finding.severity), finding.rule,
