@@ -13,7 +13,7 @@ struct PdOptions {
   double full_torque_error_rad = 0.5;
   /// Of critical damping with the inertia that the drive moves in the air, the least it ever has.
   double damping_ratio = 1.0;
-  Eigen::VectorXd stiffness_Nm_rad;   ///< By drive, at its output, instead; empty: as above.
+  Eigen::VectorXd stiffness_Nm_rad;  ///< By drive, at its output, instead; empty: as above.
   Eigen::VectorXd damping_Nm_s_rad;  ///< The same.
 };
 

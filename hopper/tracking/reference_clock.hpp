@@ -35,8 +35,8 @@ class ReferenceClock {
 
   const Reference* reference_;
   ClockOptions options_;
-  std::size_t mode_ = 0;     ///< That has begun.
-  double behind_s_ = 0.0;    ///< Motion behind time; negative: ahead.
+  std::size_t mode_ = 0;   ///< That has begun.
+  double behind_s_ = 0.0;  ///< Motion behind time; negative: ahead.
 };
 
 /// What is to be done there: while an impact is waited for, the motion before it goes on at
