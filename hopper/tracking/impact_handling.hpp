@@ -22,6 +22,9 @@ struct ImpactOptions {
   ImpactMetric metric = ImpactMetric::kEuclidean;
   double window_s = 0.05;  ///< Half its width about the planned impact.
   double blend_s = 0.005;  ///< Over which it comes and goes.
+  /// Impulses of every point of the feet that land, not of those alone that the plan lets touch
+  /// first.
+  bool whole_foot = false;
 };
 
 }  // namespace torquewright::hopper

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace torquewright::hopper {
+
+/// Gains over a stretch of a motion in which the same points touch, evenly spaced.
+struct GainStretch {
+  double from_s = 0.0;
+  double step_s = 0.0;
+  std::vector<Eigen::MatrixXd> gains;  ///< (drives x 2 n), Nm per error; each from its time on.
+};
+
+/// By mode of the reference, and on after its end.
+class GainSchedule {
+ public:
+  GainSchedule(std::vector<GainStretch> by_mode, Eigen::MatrixXd after_end, double ends_s);
+
+  /// At a time in a mode of the reference; the nearest one's where the time is outside it.
+  const Eigen::MatrixXd& at(std::size_t mode, double time_s) const;
+  const std::vector<GainStretch>& by_mode() const { return by_mode_; }
+
+ private:
+  std::vector<GainStretch> by_mode_;
+  Eigen::MatrixXd after_end_;
+  double ends_s_;
+};
+
+}  // namespace torquewright::hopper

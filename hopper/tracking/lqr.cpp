@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/tracking/lqr.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hopper/tracking/drive_torque.hpp"
+#include "hopper/tracking/error_space.hpp"
+#include "hopper/tracking/gain_schedule.hpp"
+#include "hopper/tracking/linearisation.hpp"
+#include "hopper/tracking/riccati.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Costs a second (2 n x 1) and (drives x 1): the squares of what counts as one; eq. (12).
+struct Weights {
+  VectorXd error_1_s;
+  VectorXd torque_1_s;
+};
+
+double weight_of(double one) {
+  if (!(one > 0.0) || !std::isfinite(one)) {
+    throw std::invalid_argument("regulator: errors and torques that count as one are above zero");
+  }
+  return 1.0 / (one * one);
+}
+
+Weights weights_of(const Robot& robot, const LqrOptions& options) {
+  const Index n = robot.tree.velocity_size();
+  const VectorXd peaks_Nm = peak_torques_Nm(robot);
+  if (options.torque_Nm.size() != 0 && options.torque_Nm.size() != peaks_Nm.size()) {
+    throw std::invalid_argument("regulator: one torque per drive");
+  }
+  Weights weights{VectorXd(2 * n), VectorXd(peaks_Nm.size())};
+  const Index base = robot.tree.base_velocity_size(),
+              places = base == 6 ? 3 : std::min<Index>(base, 2);
+  for (Index i = 0; i < n; ++i) {
+    const bool is_place = i < places, is_base = i < base;
+    weights.error_1_s[i] = weight_of(is_place  ? options.place_m
+                                     : is_base ? options.tilt_rad
+                                               : options.joint_rad);
+    weights.error_1_s[n + i] = weight_of(is_place  ? options.speed_m_s
+                                         : is_base ? options.turn_rate_rad_s
+                                                   : options.joint_rate_rad_s);
+  }
+  for (Index drive = 0; drive < peaks_Nm.size(); ++drive) {
+    weights.torque_1_s[drive] =
+        weight_of(options.torque_Nm.size() > 0 ? options.torque_Nm[drive]
+                                               : options.torque_share * peaks_Nm[drive]);
+  }
+  return weights;
+}
+
+/// The recursion from a motion's end to its beginning, in the errors that each mode leaves free.
+class Recursion {
+ public:
+  Recursion(const Robot& robot, const Reference& reference, const LqrOptions& options)
+      : reference_(&reference),
+        body_(robot),
+        weights_(weights_of(robot, options)),
+        options_(options) {
+    if (!(options.control_period_s > 0.0) || !std::isfinite(options.control_period_s)) {
+      throw std::invalid_argument("regulator: the control period is above zero");
+    }
+  }
+
+  LqrResult run() {
+    if (!end()) return std::move(result_);
+    std::vector<GainStretch> by_mode(reference_->modes().size());
+    for (std::size_t mode = by_mode.size(); mode-- > 0;) {
+      if (!go_back_over(mode, by_mode[mode])) return std::move(result_);
+    }
+    result_.gains =
+        std::make_shared<const GainSchedule>(std::move(by_mode), after_end_, reference_->ends_s());
+    return std::move(result_);
+  }
+
+ private:
+  /// Where the recursion stands: the time, with the state and what touches there.
+  struct Knot {
+    double time_s = 0.0;
+    ReferenceInstant instant;
+    ErrorSpace space;
+  };
+
+  bool stop(GainOutcome outcome, double time_s, const ReferenceInstant& instant) {
+    result_.outcome = outcome;
+    result_.time_s = time_s;
+    result_.instant = instant;
+    return false;
+  }
+
+  bool set(double time_s, const TouchingPoints& touches, Knot& knot) {
+    knot.time_s = time_s;
+    reference_->at(time_s, knot.instant);
+    auto space = error_space(body_, knot.instant.position, knot.instant.velocity, touches);
+    if (!space) return stop(GainOutcome::kUnreached, time_s, knot.instant);
+    knot.space = std::move(*space);
+    return true;
+  }
+
+  static DrivenState state_of(const ReferenceInstant& at) {
+    return {at.position, at.velocity, at.drive_Nm};
+  }
+
+  /// One control period (or a little less) from one knot to the next.
+  bool step_between(const Knot& from, const ErrorSpace& to, const TouchingPoints& touches,
+                    double period_s, LinearStep& step) {
+    const auto slopes = acceleration_slopes(body_, state_of(from.instant), touches);
+    if (!slopes) return stop(GainOutcome::kUnreached, from.time_s, from.instant);
+    const DiscreteModel model =
+        over(continuous_model(body_.robot().tree, *slopes, from.instant.velocity), period_s);
+    const MatrixXd& free = from.space.from_free;
+    step.A = to.to_free * model.by_error * free;
+    step.B = to.to_free * model.by_drive;
+    step.Q = period_s * (free.transpose() * weights_.error_1_s.asDiagonal() * free);
+    step.R = period_s * MatrixXd(weights_.torque_1_s.asDiagonal());
+    return true;
+  }
+
+  bool end() {
+    constexpr double kWeightsLast_s = 0.1;
+    const ContactMode& last = reference_->modes().back();
+    Knot knot;
+    LinearStep step;
+    if (!set(reference_->ends_s(), last.touches, knot)) return false;
+    if (!step_between(knot, knot.space, last.touches, options_.control_period_s, step))
+      return false;
+    next_ = knot.space;
+    if (options_.end == LqrEnd::kWeights) {
+      cost_ = kWeightsLast_s / options_.control_period_s * step.Q;
+      after_end_ = riccati_step(step, cost_).gain * knot.space.to_free;
+      return true;
+    }
+    const auto steady = steady_riccati(step);
+    if (!steady) return stop(GainOutcome::kNoSteadyState, knot.time_s, knot.instant);
+    cost_ = steady->cost;
+    after_end_ = steady->gain * knot.space.to_free;
+    return true;
+  }
+
+  /// What errors in front of the end of a mode are behind it, (2 n x 2 n).
+  bool border(std::size_t mode, const Knot& before, MatrixXd& map);
+
+  bool go_back_over(std::size_t mode, GainStretch& stretch) {
+    const ContactMode& here = reference_->modes()[mode];
+    const double length_s = here.until_s - here.from_s;
+    const auto steps =
+        static_cast<std::size_t>(std::ceil(length_s / options_.control_period_s - 1e-9));
+    stretch.from_s = here.from_s;
+    stretch.step_s = steps > 0 ? length_s / static_cast<double>(steps) : 0.0;
+    stretch.gains.resize(steps);
+    Knot to, from;
+    // The later side of a border is the next mode's.
+    if (!set(std::nextafter(here.until_s, here.from_s), here.touches, to)) return false;
+    MatrixXd map;
+    if (!border(mode, to, map)) return false;
+    const MatrixXd over_border = next_.to_free * map * to.space.from_free;
+    cost_ = (over_border.transpose() * cost_ * over_border).eval();
+    for (std::size_t i = steps; i-- > 0;) {
+      if (!set(here.from_s + static_cast<double>(i) * stretch.step_s, here.touches, from)) {
+        return false;
+      }
+      LinearStep step;
+      if (!step_between(from, to.space, here.touches, stretch.step_s, step)) return false;
+      const RiccatiStep back = riccati_step(step, cost_);
+      if (!back.cost.allFinite() || !back.gain.allFinite()) {
+        return stop(GainOutcome::kBlownUp, from.time_s, from.instant);
+      }
+      cost_ = back.cost;
+      stretch.gains[i] = back.gain * from.space.to_free;
+      std::swap(to, from);
+    }
+    next_ = to.space;
+    return true;
+  }
+
+  const Reference* reference_;
+  WholeBody body_;
+  Weights weights_;
+  LqrOptions options_;
+  MatrixXd cost_;    ///< Of errors that the space behind leaves free.
+  ErrorSpace next_;  ///< That space.
+  MatrixXd after_end_;
+  LqrResult result_;
+};
+
+bool Recursion::border(std::size_t mode, const Knot& before, MatrixXd& map) {
+  // Slower than that the moment of touching is not one that an error of height moves.
+  constexpr double kLanding_m_s = 0.05;
+  const Index n = before.instant.velocity.size();
+  map.setIdentity(2 * n, 2 * n);
+  if (mode + 1 == reference_->modes().size()) return true;
+  const TouchingPoints& old = reference_->modes()[mode].touches;
+  const TouchingPoints& held = reference_->modes()[mode + 1].touches;
+  const TouchingPoints landing = held && !old;
+  if (!landing.any()) return true;
+  const DrivenState at = state_of(before.instant);
+  const auto impact = impact_slopes(body_, at, held);
+  const auto acceleration = held_acceleration(body_, at, old);
+  if (!impact || !acceleration) {
+    return stop(GainOutcome::kUnreached, before.time_s, before.instant);
+  }
+  VectorXd flow(2 * n);
+  flow << at.velocity, *acceleration;
+  const Eigen::RowVectorXd height =
+      contact_rows(body_.robot(), body_.state(), landing).heights().colwise().mean();
+  const double approach_m_s = height.dot(at.velocity);
+  MatrixXd at_contact = MatrixXd::Identity(2 * n, 2 * n);
+  if (approach_m_s < -kLanding_m_s) at_contact.leftCols(n) -= flow * height / approach_m_s;
+  map.bottomLeftCorner(n, n) = impact->by_position;
+  map.bottomRightCorner(n, n) = impact->by_velocity;
+  map = (map * at_contact).eval();
+  return true;
+}
+
+}  // namespace
+
+std::string sentence_of(const LqrResult& result) {
+  if (result.outcome == GainOutcome::kFound) return "";
+  const auto listed = [](const VectorXd& numbers) {
+    std::string words;
+    for (const double number : numbers) {
+      words += fmt::format("{}{:.6g}", words.empty() ? "" : ", ", number);
+    }
+    return words;
+  };
+  const char* what = result.outcome == GainOutcome::kUnreached
+                         ? "a mechanism does not reach the posture"
+                     : result.outcome == GainOutcome::kNoSteadyState
+                         ? "no torque holds the robot as the motion's end stands"
+                         : "the gains blow up: no torque mends errors there";
+  return fmt::format("gains of the regulator: t = {:.6g} s: {}; position {}; velocity {}",
+                     result.time_s, what, listed(result.instant.position),
+                     listed(result.instant.velocity));
+}
+
+LqrResult lqr_gains(const Robot& robot, const Reference& reference, const LqrOptions& options) {
+  return Recursion(robot, reference, options).run();
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/tracking/pd.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <stdexcept>
+
+#include "hopper/tracking/drive_torque.hpp"
+#include "hopper/tracking/error_space.hpp"
+#include "hopper/tracking/linearisation.hpp"
+#include "hopper/tracking/velocity_error.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// What each drive moves in the air, the others free: the inverse of its speed's answer to an
+/// impulse of its own; (drives x 1).
+VectorXd least_inertias_kg_m2(WholeBody& body) {
+  const Index n = body.state().tree().velocity_size();
+  Eigen::MatrixXd mass(n, n);
+  body.mass_matrix(mass);
+  const Eigen::MatrixXd drives = drive_jacobian(body);
+  const Eigen::MatrixXd answer = drives * mass.llt().solve(drives.transpose());
+  return answer.diagonal().cwiseInverse();
+}
+
+class PdController final : public Controller {
+ public:
+  PdController(const Robot& robot, const Reference& reference, PdGains gains,
+               const ClockOptions& clock, const ImpactOptions& impact)
+      : reference_(&reference),
+        gains_(std::move(gains)),
+        impact_(impact),
+        clock_(reference, clock),
+        body_(robot) {}
+
+  std::string_view name() const override { return "pd"; }
+  void start() override { clock_.start(); }
+
+  void control(const Observation& seen, VectorXd& torque_Nm) override {
+    const dynamics::Tree& tree = body_.robot().tree;
+    const ClockReading reading = clock_.read(seen.time_s, seen.touches);
+    instant_at(*reference_, tree, reading, wanted_);
+    torque_Nm = wanted_.drive_Nm;
+    const AlignedError here = aligned_error(tree, wanted_, seen.position, seen.velocity);
+    // Where a mechanism does not reach one of the postures its drives have no position there.
+    if (!body_.set(wanted_.position, wanted_.velocity)) return;
+    VectorXd lacking_rad = positions_rad();
+    if (!body_.set(here.position, here.velocity)) return;
+    lacking_rad -= positions_rad();
+    VectorXd lacking = -here.error.tail(here.velocity.size());
+    handle_velocity_error(impact_, *reference_, reading, body_, lacking);
+    VectorXd lacking_rad_s(torque_Nm.size());
+    body_.speed_changes(lacking, lacking_rad_s);
+    torque_Nm += gains_.stiffness_Nm_rad.cwiseProduct(lacking_rad) +
+                 gains_.damping_Nm_s_rad.cwiseProduct(lacking_rad_s);
+  }
+
+ private:
+  VectorXd positions_rad() {
+    const VectorXd nothing = VectorXd::Zero(body_.state().tree().velocity_size());
+    body_.drives(nothing, nothing, drives_);
+    VectorXd positions_rad(static_cast<Index>(drives_.size()));
+    for (Index i = 0; i < positions_rad.size(); ++i) {
+      positions_rad[i] = drives_[static_cast<std::size_t>(i)].position_rad;
+    }
+    return positions_rad;
+  }
+
+  const Reference* reference_;
+  PdGains gains_;
+  ImpactOptions impact_;
+  ReferenceClock clock_;
+  WholeBody body_;
+  ReferenceInstant wanted_;
+  std::vector<DriveInstant> drives_;
+};
+
+void require_gains(const VectorXd& stated, Index drives) {
+  const bool is_right = stated.size() == 0 || (stated.size() == drives && stated.allFinite() &&
+                                               (stated.array() >= 0.0).all());
+  if (!is_right) throw std::invalid_argument("pd: one gain per drive, none below zero");
+}
+
+}  // namespace
+
+PdGains pd_gains(const Robot& robot, const Reference& reference, const PdOptions& options) {
+  const VectorXd peaks_Nm = peak_torques_Nm(robot);
+  require_gains(options.stiffness_Nm_rad, peaks_Nm.size());
+  require_gains(options.damping_Nm_s_rad, peaks_Nm.size());
+  if (!(options.full_torque_error_rad > 0.0) || !(options.damping_ratio >= 0.0)) {
+    throw std::invalid_argument("pd: errors above zero, no damping below it");
+  }
+  WholeBody body(robot);
+  ReferenceInstant first;
+  reference.at(reference.begins_s(), first);
+  if (!body.set(first.position, first.velocity)) {
+    throw std::invalid_argument("pd: a mechanism does not reach the motion's first posture");
+  }
+  PdGains gains{options.stiffness_Nm_rad, options.damping_Nm_s_rad};
+  if (gains.stiffness_Nm_rad.size() == 0) {
+    gains.stiffness_Nm_rad = peaks_Nm / options.full_torque_error_rad;
+  }
+  if (gains.damping_Nm_s_rad.size() == 0) {
+    gains.damping_Nm_s_rad =
+        2.0 * options.damping_ratio *
+        gains.stiffness_Nm_rad.cwiseProduct(least_inertias_kg_m2(body)).cwiseSqrt();
+  }
+  return gains;
+}
+
+std::unique_ptr<Controller> pd_controller(const Robot& robot, const Reference& reference,
+                                          const PdOptions& options, const ClockOptions& clock,
+                                          const ImpactOptions& impact) {
+  return std::make_unique<PdController>(robot, reference, pd_gains(robot, reference, options),
+                                        clock, impact);
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace torquewright::hopper {
+
+/// x+ = A x + B u at the cost x^T Q x + u^T R u a step; R positive definite, Q not negative.
+struct LinearStep {
+  Eigen::MatrixXd A;  ///< (m+ x m): the state may change its size in a step.
+  Eigen::MatrixXd B;  ///< (m+ x k)
+  Eigen::MatrixXd Q;  ///< (m x m)
+  Eigen::MatrixXd R;  ///< (k x k)
+};
+
+struct RiccatiStep {
+  Eigen::MatrixXd cost;  ///< (m x m): x^T P x is what all that follows costs at best,
+  Eigen::MatrixXd gain;  ///< (k x m): with u = -K x.
+};
+
+/// One step backwards from the cost after it (m+ x m+); docs/derivations/tracking.md eq. (13).
+/// Numbers that overflow stay so.
+RiccatiStep riccati_step(const LinearStep& step, const Eigen::MatrixXd& cost_after);
+
+/// What all steps without end cost, A square; by doubling (Anderson 1978; eq. (14)): k doublings
+/// are 2^k steps. None where 60 of them do not settle it: no u holds the state, or nothing in Q
+/// asks for it.
+std::optional<RiccatiStep> steady_riccati(const LinearStep& step);
+
+}  // namespace torquewright::hopper
