@@ -111,21 +111,21 @@ Demand with_rotors_of(const Robot& changed, std::size_t drivetrain, const Demand
 }
 
 /// The demand of a candidate.
-struct Trial {
+struct TriedMotion {
   Demand demand;
   std::optional<Demand> twice_as_far;
 };
 
-Trial trial_of(const Basis& basis, const Robot& changed, std::size_t drivetrain, bool same_mass) {
+TriedMotion trial_of(const Basis& basis, const Robot& changed, std::size_t drivetrain, bool same_mass) {
   const auto& [robot, options, motion, contacts, demand] = basis.checked;
   if (same_mass && !rotors_stay_in_tree(robot.drivetrains[drivetrain])) {
-    Trial trial{with_rotors_of(changed, drivetrain, demand), {}};
+    TriedMotion trial{with_rotors_of(changed, drivetrain, demand), {}};
     if (basis.twice_as_far) {
       trial.twice_as_far = with_rotors_of(changed, drivetrain, *basis.twice_as_far);
     }
     return trial;
   }
-  Trial trial{demand_of(changed, motion, contacts), {}};
+  TriedMotion trial{demand_of(changed, motion, contacts), {}};
   if (basis.twice_as_far) {
     trial.twice_as_far = demand_twice_as_far({changed, options, motion, contacts, trial.demand});
   }
@@ -272,7 +272,7 @@ CandidateResult judge(const Basis& basis, std::size_t drivetrain, const Candidat
                    "its mass is another, and nothing says how the base moves");
   }
   const Robot changed = with(robot, drivetrain, candidate);
-  const Trial trial = trial_of(basis, changed, drivetrain, same_mass);
+  const TriedMotion trial = trial_of(basis, changed, drivetrain, same_mass);
   const CheckedMotion checked{changed, options, motion, contacts, trial.demand};
   std::optional<CandidateResult> worst;
   for (const DriveTorques& torques : torques_of(basis, checked, trial.twice_as_far)) {

@@ -34,9 +34,12 @@ class LqrController final : public Controller {
       handle_velocity_error(impact_, *reference_, reading, body_, lacking);
       here.error.tail(n) = -lacking;
     }
-    torque_Nm = wanted_.drive_Nm -
+    fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s);
+    torque_Nm = fed_forward_Nm_ -
                 gains_->at(reference_->mode_at(reading.time_s), reading.time_s) * here.error;
   }
+
+  const Eigen::VectorXd& fed_forward_Nm() const override { return fed_forward_Nm_; }
 
  private:
   const Reference* reference_;
@@ -45,6 +48,7 @@ class LqrController final : public Controller {
   ReferenceClock clock_;
   WholeBody body_;
   ReferenceInstant wanted_;
+  Eigen::VectorXd fed_forward_Nm_;
 };
 
 }  // namespace

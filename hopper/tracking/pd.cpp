@@ -44,7 +44,8 @@ class PdController final : public Controller {
     const dynamics::Tree& tree = body_.robot().tree;
     const ClockReading reading = clock_.read(seen.time_s, seen.touches);
     instant_at(*reference_, tree, reading, wanted_);
-    torque_Nm = wanted_.drive_Nm;
+    fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s);
+    torque_Nm = fed_forward_Nm_;
     const AlignedError here = aligned_error(tree, wanted_, seen.position, seen.velocity);
     // Where a mechanism does not reach one of the postures its drives have no position there.
     if (!body_.set(wanted_.position, wanted_.velocity)) return;
@@ -58,6 +59,8 @@ class PdController final : public Controller {
     torque_Nm += gains_.stiffness_Nm_rad.cwiseProduct(lacking_rad) +
                  gains_.damping_Nm_s_rad.cwiseProduct(lacking_rad_s);
   }
+
+  const VectorXd& fed_forward_Nm() const override { return fed_forward_Nm_; }
 
  private:
   VectorXd positions_rad() {
@@ -77,6 +80,7 @@ class PdController final : public Controller {
   WholeBody body_;
   ReferenceInstant wanted_;
   std::vector<DriveInstant> drives_;
+  VectorXd fed_forward_Nm_;
 };
 
 void require_gains(const VectorXd& stated, Index drives) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/tracking/reference_clock.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dynamics/position_step.hpp"
@@ -51,6 +52,19 @@ void instant_at(const Reference& reference, const dynamics::Tree& tree, const Cl
   dynamics::step_position(tree, Eigen::VectorXd(out.position), mean, reading.waited_s,
                           out.position);
   out.velocity += reading.waited_s * out.acceleration;
+}
+
+Eigen::VectorXd fed_forward_Nm(const Reference& reference, const ClockReading& reading,
+                               double latency_s) {
+  double time_s = reading.time_s + latency_s;
+  const std::vector<ContactMode>& modes = reference.modes();
+  const std::size_t next = reference.mode_at(reading.time_s) + 1;
+  if (next < modes.size() && modes[next].begins_with_impact && time_s >= modes[next].from_s) {
+    time_s = std::max(reading.time_s, std::nextafter(modes[next].from_s, 0.0));
+  }
+  ReferenceInstant then;
+  reference.at(time_s, then);
+  return then.drive_Nm;
 }
 
 }  // namespace torquewright::hopper
