@@ -16,6 +16,18 @@ pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(TINYXML2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
 
+# MuJoCo: a second engine and the tests' independent dynamics, where it is installed (Debian's
+# libmujoco-dev). Its headers are not ours to warn about.
+find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h)
+find_library(MUJOCO_LIBRARY mujoco)
+if(MUJOCO_INCLUDE_DIR AND MUJOCO_LIBRARY)
+  add_library(mujoco_library INTERFACE)
+  target_include_directories(mujoco_library SYSTEM INTERFACE ${MUJOCO_INCLUDE_DIR})
+  target_link_libraries(mujoco_library INTERFACE ${MUJOCO_LIBRARY})
+else()
+  message(STATUS "built without MuJoCo: libmujoco-dev is not installed")
+endif()
+
 # GMP (exact fractions) and MPFI (outward-rounded intervals of any precision) ship no CMake files.
 add_library(exact_arithmetic INTERFACE)
 target_link_libraries(exact_arithmetic INTERFACE gmpxx gmp)

@@ -22,9 +22,11 @@ enum class EngineOutcome {
 
 struct EngineOptions {
   double ground_height_m = 0.0;
-  /// Of the ground where the engine knows soft contact alone; an engine of rigid contact has no use
-  /// for it.
-  double contact_time_constant_s = 0.006;
+  /// Of the ground, and of the ends of joints' ranges, where the engine knows soft contact alone:
+  /// no less than two of its steps is taken. An engine of rigid contact has no use for it. At 1 ms
+  /// and steps of 0.5 ms impulses of impacts are within 1 % of rigid ones; softer ground gives up
+  /// to a tenth more.
+  double contact_time_constant_s = 0.001;
 };
 
 /// A robot over flat ground, with its rotors and mechanisms, that moves on by steps of time. It

@@ -105,6 +105,10 @@ SmallVector WholeBody::accelerations(std::size_t drivetrain, const VectorIn& acc
 
 void WholeBody::mass_matrix(dynamics::MatrixOut out) {
   dynamics::mass_matrix(state_, out);
+  add_rotor_inertia(out);
+}
+
+void WholeBody::add_rotor_inertia(dynamics::MatrixOut out) const {
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot_->drivetrains[i];
     const SmallMatrix& J = transfers_[i].jacobian;

@@ -48,6 +48,8 @@ class WholeBody {
 
   /// (n x n), rotors included; eq. (2).
   void mass_matrix(dynamics::MatrixOut out);
+  /// Adds what rotors weigh (n x n): A^T I A at the joints of each drivetrain.
+  void add_rotor_inertia(dynamics::MatrixOut out) const;
   /// Forces for an acceleration, rotors included; per velocity, as dynamics::inverse_dynamics();
   /// eq. (2).
   void inverse_dynamics(const dynamics::VectorIn& acceleration, dynamics::VectorOut force);
