@@ -7,10 +7,9 @@
 #include "actuator/region/gear_losses.hpp"
 
 namespace torquewright::actuator {
-namespace {
 
-/// tau_m = (tau / mesh - side) / N.
-double motor_torque_Nm(const Actuator& actuator, double temperature_K, double speed_rad_s,
+// tau_m = (tau / mesh - side) / N.
+double rotor_torque_Nm(const Actuator& actuator, double temperature_K, double speed_rad_s,
                        double torque_Nm) {
   const bool is_at_rest = speed_rad_s == 0.0;
   const double direction =
@@ -23,11 +22,9 @@ double motor_torque_Nm(const Actuator& actuator, double temperature_K, double sp
   return before_Nm / actuator.transmission.ratio;
 }
 
-}  // namespace
-
 std::optional<Demand> demand_at(const Actuator& actuator, const PhaseModel& model,
                                 double temperature_K, double speed_rad_s, double torque_Nm) {
-  const double motor_Nm = motor_torque_Nm(actuator, temperature_K, speed_rad_s, torque_Nm);
+  const double motor_Nm = rotor_torque_Nm(actuator, temperature_K, speed_rad_s, torque_Nm);
   const double motor_rad_s = actuator.transmission.ratio * speed_rad_s;
   const Current current = chosen_current(model, motor_Nm, motor_rad_s);
   Demand demand;

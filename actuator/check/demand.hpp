@@ -17,10 +17,14 @@ struct Demand {
                                   ///< infinity: the supply cannot deliver the power.
 };
 
-/// The demand of a torque on the load at a joint speed, with the region's order of losses: mesh,
-/// then drag (cogging at no torque: its mean). At rest friction helps to hold, as it does in the
-/// region. Empty where no current yields the torque (saturation). docs/derivations/check.md eq.
-/// (3), (4).
+/// What the motor makes, before the gears, for a torque on the load at a joint speed: the inverse
+/// of the region's order of losses, mesh, then drag (cogging at no torque: its mean). At rest
+/// friction helps to hold, as it does in the region. docs/derivations/check.md eq. (3).
+double rotor_torque_Nm(const Actuator& actuator, double temperature_K, double speed_rad_s,
+                       double torque_Nm);
+
+/// The demand of a torque on the load at a joint speed, by rotor_torque_Nm(). Empty where
+/// no current yields the torque (saturation). docs/derivations/check.md eq. (3), (4).
 std::optional<Demand> demand_at(const Actuator& actuator, const PhaseModel& model,
                                 double temperature_K, double speed_rad_s, double torque_Nm);
 

@@ -3,9 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <vector>
 
-#include "actuator/heat/heat_model.hpp"
 #include "actuator/region/operating_conditions.hpp"
 #include "hopper/robot/robot.hpp"
 
@@ -14,50 +12,68 @@ namespace torquewright::hopper {
 /// What a drive's torque is held to.
 enum class DriveLimits {
   kMor,  ///< Its motor operating region at the voltage and temperature of the instant.
-  kBox,  ///< Its peak torque at any speed, and no driving torque beyond its no-load speed.
+  /// The greatest torque at rest of its region at the start, at any speed, and no driving torque
+  /// beyond the no-load speed there. Neither battery nor heat holds it back: what they would say is
+  /// only reported.
+  kBox,
 };
 
 struct PoweredDriveOptions {
   DriveLimits limits = DriveLimits::kMor;
   actuator::OperatingConditions conditions;  ///< At the start.
-  /// Coulomb friction beyond what the documents know, at each drive's output (drives x 1), which
-  /// nobody compensates. Empty: none.
+  /// Coulomb friction beyond what the documents know, at each drive's output (drives x 1, not
+  /// negative), which nobody compensates. Empty: none.
   Eigen::VectorXd further_friction_Nm;
 };
 
-/// What the drives did in a step. By drive.
+/// What the drives did in a step. By drive (drives x 1).
 struct DriveStep {
-  Eigen::VectorXd torque_Nm;   ///< On the rotor's and load's side of the output: what acts.
-  Eigen::VectorXd cut_off_Nm;  ///< Of what was wanted; signed, zero where nothing was.
-  Eigen::VectorXd current_A;   ///< In the document's convention.
-  Eigen::VectorXd winding_K;   ///< Empty without thermal data of all... NaN never: see has_heat().
-  Eigen::VectorXd bus_V;       ///< Of the battery that feeds it.
-  double power_W = 0.0;        ///< Of all batteries together.
-  bool is_starved = false;     ///< A battery could not give the power; torque was cut for it.
+  Eigen::VectorXd torque_Nm;   ///< On the rotor and the load at the output: what acts.
+  Eigen::VectorXd cut_off_Nm;  ///< Of what was wanted; signed, zero where nothing was. Further
+                               ///< friction is not in it.
+  Eigen::VectorXd current_A;   ///< Amplitude, in the document's convention.
+  Eigen::VectorXd winding_K;   ///< At the step's end; of a drive without thermal data the start's.
+  Eigen::VectorXd bus_V;       ///< Of the battery that feeds it, under the power of all its drives.
+  double power_W = 0.0;        ///< Of all batteries together; negative: returned.
+  /// A battery could not give the power, or not take it back. In the region (kMor) the motors'
+  /// torques on it were cut by a common factor, so that it can.
+  bool is_starved = false;
 };
 
 /// A robot's drives and batteries while they work: region, sag under all drives at once, friction,
-/// heat. One object serves one thread; copies share what was computed of the regions.
+/// heat. A torque inside the region acts as it is wanted: the drive compensates what its document
+/// knows of friction and saturation. docs/derivations/replay_drives.md.
+///
+/// The region is clipped by actuator/clip.hpp at the voltage that all drives on the battery leave
+/// with the torques that then act: solved in every step, eq. (2). Temperatures are those at which
+/// the step begins. One object serves one thread; copies share what was computed of the regions,
+/// which does not depend on who asked for it first.
 class PoweredDrives {
  public:
-  /// The robot must outlive it. Throws as actuator::objections() say where the conditions cannot be
-  /// met.
+  /// Copies what it needs. Throws io::SpecError where actuator::objections() has some.
   PoweredDrives(const Robot& robot, const PoweredDriveOptions& options);
-  ~PoweredDrives();
+  PoweredDrives(const PoweredDrives& other);
   PoweredDrives(PoweredDrives&&) noexcept;
+  ~PoweredDrives();
 
-  /// Cold (as the conditions say) and with the batteries at rest.
+  /// The same drives under other options, at their start; shares the regions of one rating.
+  PoweredDrives under(const PoweredDriveOptions& options) const;
+
+  /// Cold, with the batteries at rest: the winding as the conditions say, else at the ambient of
+  /// its thermal data, else as its document has it; the case at the ambient.
   void start();
 
-  /// A step in which torques are wanted at the outputs (drives x 1) at these speeds there. Voltage
-  /// and temperature are those that the step before left.
+  /// A step of positive length in which torques are wanted at the outputs (drives x 1) at these
+  /// speeds there. std::invalid_argument on wrong sizes or numbers that are not finite.
   const DriveStep& drive(const Eigen::VectorXd& wanted_Nm, const Eigen::VectorXd& speed_rad_s,
                          double step_s);
 
   Eigen::Index size() const;
+  bool has_heat(Eigen::Index drive) const;
 
  private:
   class Work;
+  explicit PoweredDrives(std::unique_ptr<Work> work);
   std::unique_ptr<Work> work_;
 };
 

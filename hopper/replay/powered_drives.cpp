@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/replay/powered_drives.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "actuator/region/bracketed_search.hpp"
+#include "hopper/replay/drive_supply.hpp"
+#include "hopper/replay/working_drive.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kVoltageTolerance = 1e-7;  // of the open circuit: 0.2 mNm at the knee of seed 001
+constexpr int kMostVoltages = 60;           // tried in a step
+constexpr double kShareTolerance = 1e-9;    // of the motors' torque
+constexpr double kPowerTolerance = 1e-9;    // of a battery's limit,
+constexpr double kLeastPower_W = 1e-6;      // and what a rounded zero may be
+
+using FixedDrives = std::vector<FixedDrive>;
+
+std::string file_of(const Drivetrain& drivetrain, std::size_t i) {
+  const std::vector<std::string>& files = drivetrain.actuator_files;
+  return i < files.size() ? files[i] : drivetrain.actuators[i].name;
+}
+
+FixedDrives fixed_drives(const Robot& robot) {
+  FixedDrives drives;
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
+      drives.push_back({drivetrain.actuators[i], file_of(drivetrain, i),
+                        rotor_at_output_kg_m2(drivetrain, i), nullptr});
+    }
+  }
+  return drives;
+}
+
+void require_possible(const FixedDrives& drives, const actuator::OperatingConditions& conditions) {
+  std::vector<io::Fault> faults;
+  for (const FixedDrive& drive : drives) {
+    for (const std::string& sentence : actuator::objections(drive.actuator, conditions)) {
+      faults.push_back({drive.file, "", sentence});
+    }
+  }
+  if (!faults.empty()) throw io::SpecError(std::move(faults));
+}
+
+std::vector<const actuator::Actuator*> actuators_of(const FixedDrives& drives) {
+  std::vector<const actuator::Actuator*> actuators;
+  for (const FixedDrive& drive : drives) actuators.push_back(&drive.actuator);
+  return actuators;
+}
+
+/// Where a gap that falls with the voltage is zero: where the first one leads to and, once it is
+/// between two, by secants (the Illinois rule). It is asked last where it is returned.
+template <typename Gap>
+double where_closed_V(const Gap& gap_V, double first_V, double tolerance_V) {
+  double far_V = first_V;
+  double far_gap_V = gap_V(far_V);
+  if (std::abs(far_gap_V) <= tolerance_V) return far_V;
+  double near_V = far_V + far_gap_V;
+  double near_gap_V = gap_V(near_V);
+  for (int tried = 2; std::abs(near_gap_V) > tolerance_V && tried < kMostVoltages; ++tried) {
+    const bool is_between = (near_gap_V < 0.0) != (far_gap_V < 0.0);
+    const double secant_V = near_gap_V * (near_V - far_V) / (near_gap_V - far_gap_V);
+    const double next_V = is_between ? near_V - secant_V : near_V + near_gap_V;
+    const double next_gap_V = gap_V(next_V);
+    if (is_between && (next_gap_V < 0.0) == (near_gap_V < 0.0)) {
+      far_gap_V *= 0.5;
+    } else {
+      far_V = near_V;
+      far_gap_V = near_gap_V;
+    }
+    near_V = next_V;
+    near_gap_V = next_gap_V;
+  }
+  return near_V;
+}
+
+}  // namespace
+
+class PoweredDrives::Work {
+ public:
+  Work(FixedDrives drives, const PoweredDriveOptions& options) {
+    require_possible(drives, options.conditions);
+    for (FixedDrive& drive : drives) {
+      drive.levels =
+          std::make_shared<const RegionLevels>(drive.actuator, options.conditions.rating);
+    }
+    rating_ = options.conditions.rating;
+    fixed_ = std::make_shared<const FixedDrives>(std::move(drives));
+    begin(options);
+  }
+
+  std::unique_ptr<Work> under(const PoweredDriveOptions& options) const {
+    if (options.conditions.rating != rating_) return std::make_unique<Work>(*fixed_, options);
+    require_possible(*fixed_, options.conditions);
+    auto other = std::make_unique<Work>(*this);
+    other->begin(options);
+    return other;
+  }
+
+  void start() {
+    for (WorkingDrive& drive : drives_) drive.start();
+    for (Bus& bus : buses_) bus.voltage_V = bus.feeds.supply.open_circuit_V;
+    step_.torque_Nm = step_.cut_off_Nm = step_.current_A = VectorXd::Zero(size());
+    step_.winding_K = step_.bus_V = VectorXd::Zero(size());
+  }
+
+  const DriveStep& drive(const VectorXd& wanted_Nm, const VectorXd& speed_rad_s, double step_s) {
+    if (wanted_Nm.size() != size() || speed_rad_s.size() != size() || !wanted_Nm.allFinite() ||
+        !speed_rad_s.allFinite() || !(step_s > 0.0) || !std::isfinite(step_s)) {
+      throw std::invalid_argument(
+          "a step of drives needs a finite torque and speed of each, and a length");
+    }
+    step_.is_starved = false;
+    step_.power_W = 0.0;
+    for (Index i = 0; i < size(); ++i) at(i).want(wanted_Nm[i], speed_rad_s[i]);
+    for (Bus& bus : buses_) {
+      settle(bus);
+      finish(bus, step_s);
+    }
+    return step_;
+  }
+
+  Index size() const { return static_cast<Index>(drives_.size()); }
+  bool has_heat(Index drive) const { return drives_[static_cast<std::size_t>(drive)].has_heat(); }
+
+ private:
+  struct Bus {
+    DriveSupply feeds;
+    double most_W;
+    double voltage_V;  ///< That the step before left.
+  };
+
+  WorkingDrive& at(Index drive) { return drives_[static_cast<std::size_t>(drive)]; }
+
+  void begin(const PoweredDriveOptions& options) {
+    const auto count = static_cast<Index>(fixed_->size());
+    const VectorXd& friction_Nm = options.further_friction_Nm;
+    const bool fits = friction_Nm.size() == 0 || friction_Nm.size() == count;
+    if (!fits || !friction_Nm.allFinite() || (friction_Nm.array() < 0.0).any()) {
+      throw std::invalid_argument("further friction is one number a drive, not negative");
+    }
+    drives_.clear();
+    for (Index i = 0; i < count; ++i) {
+      drives_.emplace_back((*fixed_)[static_cast<std::size_t>(i)], options,
+                           friction_Nm.size() == 0 ? 0.0 : friction_Nm[i]);
+    }
+    buses_.clear();
+    for (DriveSupply& feeds : drive_supplies(actuators_of(*fixed_), options.conditions)) {
+      const double most_W = greatest_power_W(feeds.supply);
+      buses_.push_back({std::move(feeds), most_W, 0.0});
+    }
+    start();
+  }
+
+  /// Of all drives on it, as they are held.
+  double power_W(const Bus& bus) const {
+    double sum_W = 0.0;
+    for (const std::size_t drive : bus.feeds.drives) sum_W += drives_[drive].power_W();
+    return sum_W;
+  }
+
+  /// Holds the drives at the voltage that they leave, eq. (2), and within what it gives, eq. (4).
+  void settle(Bus& bus) {
+    const actuator::Supply& supply = bus.feeds.supply;
+    const auto gap_V = [&](double voltage_V) {
+      for (const std::size_t drive : bus.feeds.drives) drives_[drive].hold(voltage_V);
+      return loaded_voltage_V(supply, power_W(bus)) - voltage_V;
+    };
+    bus.voltage_V = where_closed_V(gap_V, bus.voltage_V, kVoltageTolerance * supply.open_circuit_V);
+    const double asked_W = power_W(bus);
+    const bool is_too_much = is_beyond(asked_W, bus.most_W);
+    if (!is_too_much && !is_beyond(-asked_W, -supply.least_power_W)) return;
+    step_.is_starved = true;
+    if (drives_[bus.feeds.drives.front()].is_in_box()) return;
+    cut(bus, [&] {
+      return is_too_much ? bus.most_W - power_W(bus) : power_W(bus) - supply.least_power_W;
+    });
+  }
+
+  static bool is_beyond(double power_W, double limit_W) {
+    return power_W > limit_W + kPowerTolerance * std::abs(limit_W) + kLeastPower_W;
+  }
+
+  /// By the greatest common share of the motors' torques that leaves room; without any where even
+  /// none of it does.
+  template <typename Room>
+  void cut(Bus& bus, const Room& room_W) {
+    const auto left_W = [&](double share) {
+      for (const std::size_t drive : bus.feeds.drives) {
+        drives_[drive].make_only(share, bus.voltage_V);
+      }
+      return room_W();
+    };
+    if (left_W(0.0) >= 0.0) {
+      left_W(actuator::last_nonnegative(left_W, 0.0, 1.0, kShareTolerance));
+    } else {
+      for (const std::size_t drive : bus.feeds.drives) drives_[drive].switch_off();
+    }
+  }
+
+  void finish(const Bus& bus, double step_s) {
+    const double asked_W = power_W(bus);
+    const double voltage_V = loaded_voltage_V(bus.feeds.supply, asked_W);
+    step_.power_W += asked_W;
+    for (const std::size_t drive : bus.feeds.drives) {
+      const auto i = static_cast<Index>(drive);
+      drives_[drive].end(step_s);
+      step_.torque_Nm[i] = drives_[drive].acting_Nm(step_s);
+      step_.cut_off_Nm[i] = drives_[drive].cut_off_Nm();
+      step_.current_A[i] = drives_[drive].current_A();
+      step_.winding_K[i] = drives_[drive].winding_K();
+      step_.bus_V[i] = voltage_V;
+    }
+  }
+
+  actuator::Rating rating_ = actuator::Rating::kPeak;
+  std::shared_ptr<const FixedDrives> fixed_;
+  std::vector<WorkingDrive> drives_;
+  std::vector<Bus> buses_;
+  DriveStep step_;
+};
+
+PoweredDrives::PoweredDrives(const Robot& robot, const PoweredDriveOptions& options)
+    : work_(std::make_unique<Work>(fixed_drives(robot), options)) {}
+PoweredDrives::PoweredDrives(const PoweredDrives& other)
+    : work_(std::make_unique<Work>(*other.work_)) {}
+PoweredDrives::PoweredDrives(std::unique_ptr<Work> work) : work_(std::move(work)) {}
+PoweredDrives::PoweredDrives(PoweredDrives&&) noexcept = default;
+PoweredDrives::~PoweredDrives() = default;
+
+PoweredDrives PoweredDrives::under(const PoweredDriveOptions& options) const {
+  return PoweredDrives(work_->under(options));
+}
+
+void PoweredDrives::start() { work_->start(); }
+
+const DriveStep& PoweredDrives::drive(const VectorXd& wanted_Nm, const VectorXd& speed_rad_s,
+                                      double step_s) {
+  return work_->drive(wanted_Nm, speed_rad_s, step_s);
+}
+
+Index PoweredDrives::size() const { return work_->size(); }
+bool PoweredDrives::has_heat(Index drive) const { return work_->has_heat(drive); }
+
+}  // namespace torquewright::hopper

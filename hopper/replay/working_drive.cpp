@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/replay/working_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "actuator/check/demand.hpp"
+#include "actuator/heat/temperature_laws.hpp"
+#include "actuator/region/current_choice.hpp"
+#include "actuator/region/gear_losses.hpp"
+#include "actuator/region/motor_region.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using actuator::Actuator;
+using actuator::ClipTable;
+using actuator::OperatingConditions;
+
+constexpr double kRestWidth = 1e-3;  // of the no-load speed: how wide friction is smoothed,
+constexpr double kRestWidthOfUnknown = 1e-2;  // where no rotor's inertia is stated
+constexpr double kFastest_rad_s = 1e6;        // where the back-EMF sets no speed
+constexpr double kAnySpeed_rad_s = 1.0;       // in the place of a no-load speed of zero
+constexpr double kEdge = 1e-9;                // of the no-load speed: of the box
+constexpr double kNoRoom = 1e-9;              // of the voltage: the field is weakened to within it
+
+actuator::NodeTemperatures starting_temperatures(const Actuator& actuator,
+                                                 const OperatingConditions& conditions) {
+  const double own_K = actuator.motor.winding_temperature_K;
+  const double ambient_K = actuator.thermal ? actuator.thermal->ambient_K : own_K;
+  return {conditions.winding_temperature_K.value_or(ambient_K), ambient_K};
+}
+
+double no_load_speed_at_joint_rad_s(const Actuator& actuator, const actuator::PhaseModel& model) {
+  const double motor_rad_s = actuator::no_load_speed_rad_s(model);
+  return std::min(motor_rad_s / std::abs(actuator.transmission.ratio), kFastest_rad_s);
+}
+
+/// |torque| <= peak, and beyond the no-load speed none that drives.
+ClipTable box_of(double peak_Nm, double no_load_rad_s) {
+  if (!(no_load_rad_s > 0.0)) return ClipTable({{-1.0, 1.0}, {0.0, 0.0}, {0.0, 0.0}});
+  const double in = no_load_rad_s;
+  const double out = in * (1.0 + kEdge);
+  return ClipTable({{-out, -in, in, out},
+                    {0.0, -peak_Nm, -peak_Nm, -peak_Nm},
+                    {peak_Nm, peak_Nm, peak_Nm, 0.0}});
+}
+
+}  // namespace
+
+WorkingDrive::WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& options,
+                           double friction_Nm)
+    : fixed_(&fixed),
+      start_(starting_temperatures(fixed.actuator, options.conditions)),
+      nodes_(start_),
+      friction_Nm_(friction_Nm) {
+  if (fixed.actuator.thermal) heat_.emplace(fixed.actuator);
+  const double open_V = open_circuit_voltage_V(fixed.actuator, options.conditions);
+  const actuator::PhaseModel model = fixed.levels->model(open_V, start_.winding_K);
+  const double no_load_rad_s = no_load_speed_at_joint_rad_s(fixed.actuator, model);
+  if (options.limits == DriveLimits::kBox) {
+    const actuator::Interval rest = fixed.levels->limits(open_V, start_.winding_K, 0.0);
+    box_ = box_of(std::max(-rest.least_Nm, rest.greatest_Nm), no_load_rad_s);
+  }
+  const double slow = fixed.turned_kg_m2 > 0.0 ? kRestWidth : kRestWidthOfUnknown;
+  rest_width_rad_s_ = slow * (no_load_rad_s > 0.0 ? no_load_rad_s : kAnySpeed_rad_s);
+}
+
+void WorkingDrive::want(double wanted_Nm, double speed_rad_s) {
+  wanted_Nm_ = wanted_Nm;
+  speed_rad_s_ = speed_rad_s;
+  model_ = fixed_->levels->model(0.0, nodes_.winding_K);
+  is_loaded_ = false;
+}
+
+void WorkingDrive::hold(double bus_V) {
+  if (!(bus_V > 0.0)) {
+    switch_off();
+    return;
+  }
+  const actuator::Interval limits =
+      box_ ? actuator::limits(box_->view(), speed_rad_s_)
+           : fixed_->levels->limits(bus_V, nodes_.winding_K, speed_rad_s_);
+  held_Nm_ = torquewright_clamp(wanted_Nm_, limits);
+  if (is_loaded_ && held_Nm_ == made_Nm_ && is_same_current(bus_V)) return;
+  load(held_Nm_, bus_V);
+}
+
+/// The voltage changes the current of a torque only where the drive weakens the field for it.
+bool WorkingDrive::is_same_current(double bus_V) const {
+  if (!model_.field_weakening) return true;
+  const auto phase_V = [&](double bus) { return model_.phase_volts_per_bus_volt * bus; };
+  const bool had_room = needed_phase_V_ < (1.0 - kNoRoom) * phase_V(model_.supply.open_circuit_V);
+  return had_room && needed_phase_V_ <= phase_V(bus_V);
+}
+
+void WorkingDrive::load(double torque_Nm, double bus_V) {
+  made_Nm_ = torque_Nm;
+  is_loaded_ = true;
+  power_W_ = current_A_ = phase_current_A_ = needed_phase_V_ = 0.0;
+  // Nobody asks for anything: whatever friction there is holds.
+  if (torque_Nm == 0.0 && speed_rad_s_ == 0.0) return;
+  const Actuator& actuator = fixed_->actuator;
+  model_.supply.open_circuit_V = bus_V;
+  const double rotor_rad_s = actuator.transmission.ratio * speed_rad_s_;
+  const double rotor_Nm =
+      actuator::rotor_torque_Nm(actuator, nodes_.winding_K, speed_rad_s_, torque_Nm);
+  actuator::Current current = actuator::chosen_current(model_, rotor_Nm, rotor_rad_s);
+  if (!std::isfinite(current.amplitude_A())) {
+    // No current saturates so far (in a box alone): the greatest there is.
+    current = {0.0, std::copysign(model_.current_limit_A, rotor_Nm)};
+  }
+  phase_current_A_ = current.amplitude_A();
+  current_A_ = phase_current_A_ /
+               actuator::phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
+  power_W_ = actuator::bus_power_W(model_, current, rotor_rad_s);
+  if (model_.field_weakening) {
+    needed_phase_V_ = actuator::phase_voltage_V(model_, current, rotor_rad_s);
+  }
+}
+
+double WorkingDrive::coasting_Nm() const {
+  if (speed_rad_s_ == 0.0) return 0.0;
+  const double direction = std::copysign(1.0, speed_rad_s_);
+  const actuator::Span side =
+      actuator::motor_side_torque_Nm(fixed_->actuator, speed_rad_s_, direction, nodes_.winding_K);
+  const double torque_Nm =
+      actuator::after_mesh_Nm(fixed_->actuator, 0.5 * (side.least + side.greatest), direction);
+  return std::isfinite(torque_Nm) ? torque_Nm : 0.0;  // a gear that locks itself holds its own
+}
+
+void WorkingDrive::make_only(double share, double bus_V) {
+  const double coasting_Nm = this->coasting_Nm();
+  load(coasting_Nm + share * (held_Nm_ - coasting_Nm), bus_V);
+}
+
+void WorkingDrive::switch_off() {
+  held_Nm_ = made_Nm_ = coasting_Nm();
+  power_W_ = current_A_ = phase_current_A_ = 0.0;
+  is_loaded_ = true;
+}
+
+double WorkingDrive::acting_Nm(double step_s) const {
+  if (friction_Nm_ == 0.0) return made_Nm_;
+  // Eq. (5): whatever else moves with it, the rotor does.
+  const double turning_rad_s =
+      fixed_->turned_kg_m2 > 0.0 ? friction_Nm_ * step_s / fixed_->turned_kg_m2 : 0.0;
+  const double width_rad_s = std::max(rest_width_rad_s_, turning_rad_s);
+  return made_Nm_ - friction_Nm_ * std::clamp(speed_rad_s_ / width_rad_s, -1.0, 1.0);
+}
+
+void WorkingDrive::end(double step_s) {
+  if (!heat_) return;
+  const Actuator& actuator = fixed_->actuator;
+  const actuator::Instant at = actuator::at_winding_temperature(actuator, nodes_.winding_K);
+  heat_->advance(nodes_, actuator::winding_loss_W(actuator, phase_current_A_, at), step_s);
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "actuator/heat/heat_model.hpp"
+#include "hopper/replay/powered_drives.hpp"
+#include "hopper/replay/region_levels.hpp"
+
+namespace torquewright::hopper {
+
+/// What of a drive does not change while it works.
+struct FixedDrive {
+  actuator::Actuator actuator;
+  std::string file;           ///< Its document, for what is said of it.
+  double turned_kg_m2 = 0.0;  ///< Of rotor and gears, at the output.
+  std::shared_ptr<const RegionLevels> levels;
+};
+
+/// One drive at one step: a torque is wanted of it, a voltage holds it to a bound, it takes a
+/// current and a power, and it warms. docs/derivations/replay_drives.md eqs. (1), (4)-(6).
+class WorkingDrive {
+ public:
+  /// Requires that there are no objections to the conditions. `fixed` must outlive it.
+  WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& options, double friction_Nm);
+
+  void start() { nodes_ = start_; }
+
+  /// Begins a step.
+  void want(double wanted_Nm, double speed_rad_s);
+  /// What it does with the bus at that voltage. Without voltage it is off.
+  void hold(double bus_V);
+  /// The motor makes that share of the torque that hold() left it, at the same speed.
+  void make_only(double share, double bus_V);
+  /// No current; what is left at the output is the drag that its document knows.
+  void switch_off();
+  /// Heats the winding with the current that flows.
+  void end(double step_s);
+
+  double power_W() const { return power_W_; }
+  double current_A() const { return current_A_; }
+  double cut_off_Nm() const { return wanted_Nm_ - made_Nm_; }
+  /// What acts, further friction included: that is smoothed about rest so widely that no step of
+  /// this length turns the motion round.
+  double acting_Nm(double step_s) const;
+  double winding_K() const { return nodes_.winding_K; }
+  bool has_heat() const { return heat_.has_value(); }
+  bool is_in_box() const { return box_.has_value(); }
+
+ private:
+  void load(double torque_Nm, double bus_V);
+  bool is_same_current(double bus_V) const;
+  double coasting_Nm() const;
+
+  const FixedDrive* fixed_;
+  std::optional<actuator::ClipTable> box_;
+  std::optional<actuator::HeatModel> heat_;
+  actuator::NodeTemperatures start_;
+  actuator::NodeTemperatures nodes_;
+  double friction_Nm_;
+  double rest_width_rad_s_ = 0.0;
+  // Of the step.
+  actuator::PhaseModel model_;
+  double wanted_Nm_ = 0.0;
+  double speed_rad_s_ = 0.0;
+  double held_Nm_ = 0.0;  ///< By the voltage,
+  double made_Nm_ = 0.0;  ///< and by what the battery gives.
+  double power_W_ = 0.0;
+  double current_A_ = 0.0;
+  double phase_current_A_ = 0.0;
+  double needed_phase_V_ = 0.0;  ///< By the current, where the field may be weakened.
+  bool is_loaded_ = false;       ///< Current and power are those of made_Nm_.
+};
+
+}  // namespace torquewright::hopper
