@@ -2,6 +2,7 @@
 #include "hopper/tracking/impact_invariant.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
