@@ -62,4 +62,17 @@ void position_difference(const Tree& tree, const VectorIn& from, const VectorIn&
   out.tail(joints) = to.tail(joints) - from.tail(joints);
 }
 
+// docs/derivations/time_stepping.md eq. (2)
+void step_rate(const Tree& tree, const VectorIn& step, const VectorIn& velocity, VectorOut out) {
+  if (step.size() != tree.velocity_size() || velocity.size() != tree.velocity_size() ||
+      out.size() != tree.velocity_size()) {
+    throw std::invalid_argument("step rate: wrong number of velocities");
+  }
+  out = velocity;
+  if (tree.base != BaseKind::kSpatial) return;
+  const Eigen::Vector3d turn_rad = step.segment<3>(3);
+  const Eigen::Vector3d across = turn_rad.cross(velocity.segment<3>(3));
+  out.segment<3>(3) += 0.5 * across + turn_rad.cross(across) / 12.0;
+}
+
 }  // namespace torquewright::dynamics

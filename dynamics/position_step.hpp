@@ -15,4 +15,10 @@ void step_position(const Tree& tree, const VectorIn& position, const VectorIn& v
 /// step_position(), a spatial base turning the shorter way. std::invalid_argument on wrong sizes.
 void position_difference(const Tree& tree, const VectorIn& from, const VectorIn& to, VectorOut out);
 
+/// While the tree moves at `velocity` (n x 1), how fast the step (n x 1, of one second) grows that
+/// leads where it is: the velocity, but for a rotation whose axis turns. To the second order of the
+/// rotation, which an integrator of fourth order needs. std::invalid_argument on wrong sizes. out
+/// may be the velocity itself.
+void step_rate(const Tree& tree, const VectorIn& step, const VectorIn& velocity, VectorOut out);
+
 }  // namespace torquewright::dynamics

@@ -3,126 +3,202 @@
 #include "simulation/contact/time_stepping.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "dynamics/position_step.hpp"
 
 namespace torquewright::simulation {
-namespace {
 
 using dynamics::VectorIn;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd moved(const dynamics::Tree& tree, const VectorXd& position, const VectorXd& velocity,
-               double duration_s) {
-  VectorXd result(position.size());
-  dynamics::step_position(tree, position, velocity, duration_s, result);
-  return result;
-}
-
-}  // namespace
-
-TimeStepping::TimeStepping(MovingBodies& bodies, std::vector<GroundPoint> points,
-                           double ground_height_m)
-    : bodies_(bodies), points_(std::move(points)), ground_height_m_(ground_height_m) {
+TimeStepping::TimeStepping(MovingBodies& bodies, Obstacles obstacles)
+    : bodies_(bodies), obstacles_(std::move(obstacles)) {
   const Index size = bodies.state().velocity().size();
-  impulses_N_s_ = VectorXd::Zero(3 * static_cast<Index>(points_.size()));
-  generalised_ = VectorXd::Zero(size);
-  jump_ = VectorXd::Zero(size);
+  impulses_N_s_.resize(3 * static_cast<Index>(obstacles_.points.size()));
+  stop_impulses_.resize(static_cast<Index>(obstacles_.stops.size()));
+  generalised_.resize(size);
+  jump_.resize(size);
+  for (Stage& stage : stages_) stage.rate.resize(size);
   bias_.resize(size);
   mass_.resize(size, size);
+  gives_back_ = std::any_of(obstacles_.points.begin(), obstacles_.points.end(),
+                            [](const GroundPoint& point) { return point.restitution > 0.0; });
+  forget();
+}
+
+void TimeStepping::forget() {
+  flew_ = false;
+  active_.clear();
+  active_stops_.clear();
+  active_impulses_.resize(0);
+  impulses_N_s_.setZero();
+  stop_impulses_.setZero();
+  generalised_.setZero();
+  jump_.setZero();
 }
 
 TimeStepping::Outcome TimeStepping::step(VectorXd& position, VectorXd& velocity,
                                          const VectorIn& force, double step_s) {
   const dynamics::Tree& tree = bodies_.state().tree();
+  if (position.size() != tree.position_size() || velocity.size() != jump_.size() ||
+      force.size() != jump_.size()) {
+    throw std::invalid_argument("time stepping: wrong number of positions, velocities or forces");
+  }
   position_ = position;
   velocity_ = velocity;
-  middle_ = moved(tree, position_, velocity_, 0.5 * step_s);
-  if (!middle_.allFinite() || !velocity_.allFinite()) return Outcome::kBlownUp;
-  if (!bodies_.set(middle_, velocity_)) return Outcome::kUnreached;
-  find_active();
-  const Outcome outcome = active_.empty() ? fly(force, step_s) : touch(force, step_s);
+  move(position_, velocity_, 0.5 * step_s, middle_);
+  // What flew is likely to fly on: then its second stage stands in the middle and shows whether
+  // something touches.
+  bool touches = !flew_;
+  Outcome outcome = Outcome::kStepped;
+  if (!touches) {
+    outcome = fly(force, step_s, touches);
+    touches = touches || outcome != Outcome::kStepped;
+  }
+  if (touches) {
+    outcome = place(middle_, velocity_);
+    if (outcome != Outcome::kStepped) return outcome;
+    find_active();
+    touches = is_active();
+    outcome = touches ? touch(force, step_s) : fly(force, step_s, touches);
+  }
   if (outcome != Outcome::kStepped) return outcome;
   if (!position_.allFinite() || !velocity_.allFinite()) return Outcome::kBlownUp;
+  record_impulses();
+  flew_ = !touches;
   position = position_;
   velocity = velocity_;
   return outcome;
 }
 
+void TimeStepping::move(const VectorXd& position, const VectorXd& velocity, double duration_s,
+                        VectorXd& out) const {
+  out.resize(position.size());
+  dynamics::step_position(bodies_.state().tree(), position, velocity, duration_s, out);
+}
+
+TimeStepping::Outcome TimeStepping::place(const VectorXd& position, const VectorXd& velocity) {
+  if (!position.allFinite() || !velocity.allFinite()) return Outcome::kBlownUp;
+  return bodies_.set(position, velocity) ? Outcome::kStepped : Outcome::kUnreached;
+}
+
 void TimeStepping::find_active() {
+  const dynamics::TreeState& state = bodies_.state();
   active_.clear();
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const double height_m = dynamics::point_position_m(bodies_.state(), points_[i].point).z();
-    if (height_m <= ground_height_m_) active_.push_back(i);
+  for (std::size_t i = 0; i < obstacles_.points.size(); ++i) {
+    const GroundPoint& point = obstacles_.points[i];
+    const double height_m = dynamics::point_position_m(state, point.point).z() - point.radius_m;
+    if (height_m <= obstacles_.ground_height_m) active_.push_back(i);
+  }
+  active_stops_.clear();
+  const Index extra = middle_.size() - jump_.size();
+  for (std::size_t i = 0; i < obstacles_.stops.size(); ++i) {
+    const JointStop& stop = obstacles_.stops[i];
+    if (stop.inward * (middle_[stop.row + extra] - stop.bound) <= 0.0) active_stops_.push_back(i);
   }
 }
 
-bool TimeStepping::accelerations(const VectorIn& position, const VectorIn& velocity,
-                                 const VectorIn& force, VectorXd& out, Outcome& trouble) {
-  trouble = Outcome::kBlownUp;
-  if (!position.allFinite() || !velocity.allFinite()) return false;
-  trouble = Outcome::kUnreached;
-  if (!bodies_.set(position, velocity)) return false;
-  trouble = Outcome::kBlownUp;
+TimeStepping::Outcome TimeStepping::accelerations(const VectorIn& force, VectorXd& out) {
   bodies_.mass_matrix(mass_);
   bodies_.bias(bias_);
   factors_.compute(mass_);
-  if (factors_.info() != Eigen::Success) return false;
-  out = factors_.solve(force - bias_);
-  return true;
+  if (factors_.info() != Eigen::Success) return Outcome::kBlownUp;
+  out = force - bias_;
+  factors_.solveInPlace(out);
+  return Outcome::kStepped;
+}
+
+/// The stage that the acceleration and rate of the one before lead to.
+void TimeStepping::lead(const Stage& before, double duration_s, Stage& next) {
+  next.step = duration_s * before.rate;
+  next.velocity = velocity_ + duration_s * before.acceleration;
+  dynamics::step_rate(bodies_.state().tree(), next.step, next.velocity, next.rate);
 }
 
 // eqs. (1), (2)
-TimeStepping::Outcome TimeStepping::fly(const VectorIn& force, double step_s) {
-  impulses_N_s_.setZero();
-  generalised_.setZero();
-  jump_.setZero();
-  const dynamics::Tree& tree = bodies_.state().tree();
-  const VectorXd q = position_, v = velocity_;
-  VectorXd v_2, v_3, v_4, a_1, a_2, a_3, a_4;
-  Outcome trouble;
-  if (!accelerations(q, v, force, a_1, trouble)) return trouble;
-  v_2 = v + 0.5 * step_s * a_1;
-  if (!accelerations(moved(tree, q, v, 0.5 * step_s), v_2, force, a_2, trouble)) return trouble;
-  v_3 = v + 0.5 * step_s * a_2;
-  if (!accelerations(moved(tree, q, v_2, 0.5 * step_s), v_3, force, a_3, trouble)) return trouble;
-  v_4 = v + step_s * a_3;
-  if (!accelerations(moved(tree, q, v_3, step_s), v_4, force, a_4, trouble)) return trouble;
-  position_ = moved(tree, q, (v + 2.0 * v_2 + 2.0 * v_3 + v_4) / 6.0, step_s);
-  velocity_ = v + step_s / 6.0 * (a_1 + 2.0 * a_2 + 2.0 * a_3 + a_4);
+TimeStepping::Outcome TimeStepping::fly(const VectorIn& force, double step_s, bool& touches) {
+  stages_[0].velocity = stages_[0].rate = velocity_;
+  stage_position_ = position_;
+  for (std::size_t i = 0; i < stages_.size(); ++i) {
+    const double duration_s = i == 0 ? 0.0 : i < 3 ? 0.5 * step_s : step_s;
+    if (i > 0) {
+      lead(stages_[i - 1], duration_s, stages_[i]);
+      move(position_, stages_[i - 1].rate, duration_s, stage_position_);
+    }
+    Outcome outcome = place(stage_position_, stages_[i].velocity);
+    if (outcome != Outcome::kStepped) return outcome;
+    if (i == 1) {  // in the middle
+      find_active();
+      touches = is_active();
+      if (touches) return outcome;
+    }
+    outcome = accelerations(force, stages_[i].acceleration);
+    if (outcome != Outcome::kStepped) return outcome;
+  }
+  const auto& [one, two, three, four] = stages_;
+  rate_ = (one.rate + 2.0 * two.rate + 2.0 * three.rate + four.rate) / 6.0;
+  stage_position_ = position_;
+  move(stage_position_, rate_, step_s, position_);
+  velocity_ +=
+      step_s / 6.0 *
+      (one.acceleration + 2.0 * two.acceleration + 2.0 * three.acceleration + four.acceleration);
   return Outcome::kStepped;
 }
 
 // eq. (3)
 TimeStepping::Outcome TimeStepping::touch(const VectorIn& force, double step_s) {
-  VectorXd acceleration;
-  Outcome trouble;
-  if (!accelerations(middle_, velocity_, force, acceleration, trouble)) return trouble;
-  free_velocity_ = velocity_ + step_s * acceleration;
+  const Outcome outcome = accelerations(force, acceleration_);
+  if (outcome != Outcome::kStepped) return outcome;
+  free_velocity_ = velocity_ + step_s * acceleration_;
   if (!free_velocity_.allFinite()) return Outcome::kBlownUp;
   if (!solve_active()) return Outcome::kUnsolved;
-  generalised_ = jacobian_.transpose() * active_impulses_;
-  jump_ = jacobian_answer_ * active_impulses_;
-  velocity_ = free_velocity_ + jump_;
-  position_ = moved(bodies_.state().tree(), middle_, velocity_, 0.5 * step_s);
-  impulses_N_s_.setZero();
-  for (std::size_t k = 0; k < active_.size(); ++k) {
-    impulses_N_s_.segment<3>(3 * static_cast<Index>(active_[k])) =
-        active_impulses_.segment<3>(3 * static_cast<Index>(k));
-  }
+  velocity_ = free_velocity_;
+  velocity_.noalias() += jacobian_answer_ * active_impulses_;
+  move(middle_, velocity_, 0.5 * step_s, position_);
   return Outcome::kStepped;
 }
 
-/// The contacts' velocities; of the restitution only that share; eqs. (4), (7).
+void TimeStepping::record_impulses() {
+  impulses_N_s_.setZero();
+  stop_impulses_.setZero();
+  if (!is_active()) {
+    generalised_.setZero();
+    jump_.setZero();
+    return;
+  }
+  generalised_.noalias() = jacobian_.transpose() * active_impulses_;
+  jump_.noalias() = jacobian_answer_ * active_impulses_;
+  Index row = 0;
+  for (const std::size_t point : active_) {
+    impulses_N_s_.segment<3>(3 * static_cast<Index>(point)) = active_impulses_.segment<3>(row);
+    row += 3;
+  }
+  for (const std::size_t stop : active_stops_) {
+    stop_impulses_[static_cast<Index>(stop)] = active_impulses_[row + 2];
+    row += 3;
+  }
+}
+
+void TimeStepping::generalised_impulse_of(std::size_t points, dynamics::VectorOut out) const {
+  const auto count = std::count_if(active_.begin(), active_.end(),
+                                   [&](std::size_t point) { return point < points; });
+  const Index rows = 3 * static_cast<Index>(count);
+  out.setZero();
+  if (rows > 0) out.noalias() += jacobian_.topRows(rows).transpose() * active_impulses_.head(rows);
+}
+
+/// The velocities at what is met; of the restitution only that share; eqs. (4), (7).
 void TimeStepping::gather(double restitution_share) {
-  problem_.free_m_s = jacobian_ * free_velocity_;
+  problem_.free_m_s.noalias() = jacobian_ * free_velocity_;
+  if (!gives_back_) return;
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const Index normal = 3 * static_cast<Index>(k) + 2;
     const double before_m_s = jacobian_.row(normal).dot(velocity_);
     problem_.free_m_s[normal] +=
-        restitution_share * points_[active_[k]].restitution * std::min(0.0, before_m_s);
+        restitution_share * obstacles_.points[active_[k]].restitution * std::min(0.0, before_m_s);
   }
 }
 
@@ -134,25 +210,38 @@ double TimeStepping::contact_work_J() const {
   return active_impulses_.dot(before_m_s + 0.5 * change_m_s) - rounding_J;
 }
 
-bool TimeStepping::solve_active() {
-  const Index points = static_cast<Index>(active_.size());
-  jacobian_.resize(3 * points, velocity_.size());
-  problem_.friction_coefficients.resize(points);
-  active_impulses_.resize(3 * points);
-  for (Index k = 0; k < points; ++k) {
-    const std::size_t point = active_[static_cast<std::size_t>(k)];
-    dynamics::point_jacobian(bodies_.state(), points_[point].point, jacobian_.middleRows<3>(3 * k));
-    problem_.friction_coefficients[k] = points_[point].friction_coefficient;
-    active_impulses_.segment<3>(3 * k) =
-        impulses_N_s_.segment<3>(3 * static_cast<Index>(point));  // the last step's are near
+/// Jacobians, friction, and the last step's impulses, which are near.
+void TimeStepping::fill_rows() {
+  const auto count = static_cast<Index>(active_.size() + active_stops_.size());
+  jacobian_.setZero(3 * count, jump_.size());
+  problem_.friction_coefficients.setZero(count);
+  active_impulses_.setZero(3 * count);
+  Index k = 0;
+  for (const std::size_t index : active_) {
+    const GroundPoint& point = obstacles_.points[index];
+    dynamics::point_jacobian(bodies_.state(), lowest_point(bodies_.state(), point),
+                             jacobian_.middleRows<3>(3 * k));
+    problem_.friction_coefficients[k] = point.friction_coefficient;
+    active_impulses_.segment<3>(3 * k) = impulses_N_s_.segment<3>(3 * static_cast<Index>(index));
+    ++k;
   }
-  jacobian_answer_ = factors_.solve(jacobian_.transpose());
-  problem_.response_1_kg = jacobian_ * jacobian_answer_;
+  for (const std::size_t index : active_stops_) {
+    jacobian_(3 * k + 2, obstacles_.stops[index].row) = obstacles_.stops[index].inward;
+    active_impulses_[3 * k + 2] = stop_impulses_[static_cast<Index>(index)];
+    ++k;
+  }
+}
+
+bool TimeStepping::solve_active() {
+  fill_rows();
+  jacobian_answer_ = jacobian_.transpose();
+  factors_.solveInPlace(jacobian_answer_);
+  problem_.response_1_kg.noalias() = jacobian_ * jacobian_answer_;
   constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25, 0.0};
   for (const double share : kShares) {
     gather(share);
     if (!solve_contacts(problem_, active_impulses_)) return false;
-    if (contact_work_J() <= 0.0) break;  // eq. (8)
+    if (!gives_back_ || contact_work_J() <= 0.0) break;  // eq. (8)
   }
   return true;
 }

@@ -2,21 +2,20 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <array>
 #include <vector>
 
-#include "dynamics/point.hpp"
 #include "simulation/contact/contact_impulses.hpp"
 #include "simulation/contact/moving_bodies.hpp"
+#include "simulation/contact/obstacles.hpp"
 
 namespace torquewright::simulation {
 
-/// Where the bodies may touch the ground, which is the plane z = height.
-struct GroundPoint {
-  dynamics::BodyPoint point;
-  double friction_coefficient = 0.0;
-  /// Of the normal velocity (Newton's, as Moreau's stepping has it). Where it would add energy, as
-  /// it can with friction, less of it is taken.
-  double restitution = 0.0;
+/// What bodies may meet.
+struct Obstacles {
+  std::vector<GroundPoint> points;
+  std::vector<JointStop> stops = {};
+  double ground_height_m = 0.0;
 };
 
 /// Rigid bodies over rigid ground, step by step: Moreau's midpoint scheme, in which velocities jump
@@ -32,47 +31,72 @@ class TimeStepping {
   };
 
   /// `bodies` must outlive it.
-  TimeStepping(MovingBodies& bodies, std::vector<GroundPoint> points, double ground_height_m = 0.0);
+  TimeStepping(MovingBodies& bodies, Obstacles obstacles);
 
   /// From position and velocity to those a step later, while `force` (n x 1) acts. Unless it is
   /// kStepped, both stay as they are. std::invalid_argument on wrong sizes.
   [[nodiscard]] Outcome step(Eigen::VectorXd& position, Eigen::VectorXd& velocity,
                              const dynamics::VectorIn& force, double step_s);
 
+  /// The next step begins from no impulse, as the first did.
+  void forget();
+
   /// Of the last step (3 per point: x, y, z of the world): zero where a point was open.
   const Eigen::VectorXd& impulses_N_s() const { return impulses_N_s_; }
-  /// The contacts' part of the velocity's change, times the mass matrix: J^T impulses (n x 1).
+  /// Of the last step (1 per stop, along its inward side): N s or N m s.
+  const Eigen::VectorXd& stop_impulses() const { return stop_impulses_; }
+  /// The velocity's change by points and stops, times the mass matrix: J^T impulses (n x 1).
   const Eigen::VectorXd& generalised_impulse() const { return generalised_; }
-  /// The velocity's jump by the contacts' impulses (n x 1).
+  /// The part of it that the first `points` points have (n x 1).
+  void generalised_impulse_of(std::size_t points, dynamics::VectorOut out) const;
+  /// The velocity's jump by the impulses (n x 1).
   const Eigen::VectorXd& jump() const { return jump_; }
 
  private:
-  Outcome fly(const dynamics::VectorIn& force, double step_s);
+  /// Of a Runge-Kutta step.
+  struct Stage {
+    Eigen::VectorXd step;  ///< That leads to it from the beginning.
+    Eigen::VectorXd velocity;
+    Eigen::VectorXd rate;  ///< Of the step: the velocity, but for a rotation whose axis turns.
+    Eigen::VectorXd acceleration;
+  };
+
+  Outcome fly(const dynamics::VectorIn& force, double step_s, bool& touches);
+  void lead(const Stage& before, double duration_s, Stage& next);
   Outcome touch(const dynamics::VectorIn& force, double step_s);
-  bool accelerations(const dynamics::VectorIn& position, const dynamics::VectorIn& velocity,
-                     const dynamics::VectorIn& force, Eigen::VectorXd& out, Outcome& trouble);
+  Outcome accelerations(const dynamics::VectorIn& force, Eigen::VectorXd& out);
+  Outcome place(const Eigen::VectorXd& position, const Eigen::VectorXd& velocity);
+  void move(const Eigen::VectorXd& position, const Eigen::VectorXd& velocity, double duration_s,
+            Eigen::VectorXd& out) const;
   void find_active();
+  bool is_active() const { return !active_.empty() || !active_stops_.empty(); }
+  void fill_rows();
   bool solve_active();
   void gather(double restitution_share);
   double contact_work_J() const;
+  void record_impulses();
 
   MovingBodies& bodies_;
-  std::vector<GroundPoint> points_;
-  double ground_height_m_;
+  Obstacles obstacles_;
+  bool gives_back_ = false;  ///< A point has restitution.
 
   // Of the step under way.
+  bool flew_ = false;  ///< The step before touched nothing.
   Eigen::VectorXd position_, velocity_;
   Eigen::VectorXd middle_;         ///< Position in the middle of the step.
-  Eigen::VectorXd free_velocity_;  ///< After the step, were there no ground.
+  Eigen::VectorXd free_velocity_;  ///< After the step, were there nothing to meet.
   Eigen::VectorXd bias_;
   Eigen::MatrixXd mass_;
   Eigen::LLT<Eigen::MatrixXd> factors_;
-  std::vector<std::size_t> active_;
-  Eigen::MatrixXd jacobian_;         ///< (3 k x n), of the active points.
-  Eigen::MatrixXd jacobian_answer_;  ///< M^-1 J^T.
+  std::array<Stage, 4> stages_;
+  Eigen::VectorXd stage_position_, rate_, acceleration_;
+  std::vector<std::size_t> active_;        ///< Points that touch, then
+  std::vector<std::size_t> active_stops_;  ///< stops: three rows each, of stops the third.
+  Eigen::MatrixXd jacobian_;               ///< (3 k x n), of the active ones.
+  Eigen::MatrixXd jacobian_answer_;        ///< M^-1 J^T.
   ContactProblem problem_;
   Eigen::VectorXd active_impulses_;
-  Eigen::VectorXd impulses_N_s_, generalised_, jump_;
+  Eigen::VectorXd impulses_N_s_, stop_impulses_, generalised_, jump_;
 };
 
 }  // namespace torquewright::simulation

@@ -37,7 +37,7 @@ GroundPoint at(const Vector3d& place_m, double friction, double restitution = 0.
 struct Bench {
   Bench(const dynamics::Tree& tree, std::vector<GroundPoint> points)
       : bodies(tree),
-        stepping(bodies, std::move(points)),
+        stepping(bodies, {.points = std::move(points)}),
         position(dynamics::zero_position(tree)),
         velocity(VectorXd::Zero(tree.velocity_size())),
         force(velocity) {}
@@ -226,6 +226,20 @@ TEST(Flight, IsOfFourthOrder) {
     Bench bench(tree, {});
     bench.position[1] = 5.0;
     bench.velocity << 1.0, 2.0, 6.0, -9.0;
+    for (int i = 0; i < steps; ++i) bench.step(0.5 / steps);
+    return bench.position;
+  };
+  const VectorXd exact = after_half_a_second(4000);
+  const double coarse = (after_half_a_second(50) - exact).norm();
+  const double fine = (after_half_a_second(100) - exact).norm();
+  EXPECT_NEAR(std::log2(coarse / fine), 4.0, 0.3);
+}
+
+// A body that tumbles in space: the axis of its rate turns.
+TEST(Flight, IsOfFourthOrderInSpaceToo) {
+  const auto after_half_a_second = [](int steps) {
+    Bench bench(one_body(BaseKind::kSpatial, {0.05, 0.08, 0.11}), {});
+    bench.velocity << 0, 0, 3, 2, 7, 1;
     for (int i = 0; i < steps; ++i) bench.step(0.5 / steps);
     return bench.position;
   };
