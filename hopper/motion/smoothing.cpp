@@ -86,12 +86,12 @@ VectorXd noise_by(const Motion& motion, Index rows, const NormalShare& share,
 }
 
 /// Accelerations of some samples at every reach, (reaches) by sample.
-struct Trial {
+struct SmoothingTrial {
   std::vector<std::array<FittedAcceleration, kReaches.size()>> samples;
 };
 
-Trial trial_of(const dynamics::Tree& tree, const Motion& motion) {
-  Trial trial;
+SmoothingTrial trial_of(const dynamics::Tree& tree, const Motion& motion) {
+  SmoothingTrial trial;
   const Index most = kReaches.back();
   const Index stride = std::max<Index>(1, motion.samples() / kMostSamples);
   for (Index sample = most; sample < motion.samples() - most; sample += stride) {
@@ -105,7 +105,7 @@ Trial trial_of(const dynamics::Tree& tree, const Motion& motion) {
 }
 
 /// Of the coordinate in which it is the most: noise over rms of the accelerations at that reach.
-double noise_share(const Trial& trial, const VectorXd& noise, std::size_t reach) {
+double noise_share(const SmoothingTrial& trial, const VectorXd& noise, std::size_t reach) {
   VectorXd square = VectorXd::Zero(noise.size());
   double gain = 0.0;
   for (const auto& sample : trial.samples) {
@@ -123,7 +123,8 @@ double noise_share(const Trial& trial, const VectorXd& noise, std::size_t reach)
 
 /// Whether the wider reach changes no more than noise explains. Of least squares over windows that
 /// lie in each other, the variance of the difference is the difference of variances.
-bool explains(const Trial& trial, const VectorXd& noise, std::size_t narrow, std::size_t wide) {
+bool explains(const SmoothingTrial& trial, const VectorXd& noise, std::size_t narrow,
+              std::size_t wide) {
   std::vector<double> changes;
   for (const auto& sample : trial.samples) {
     const double gain = std::sqrt(sample[narrow].gain * sample[narrow].gain -
@@ -139,7 +140,7 @@ bool explains(const Trial& trial, const VectorXd& noise, std::size_t narrow, std
 }
 
 /// Index of the reach.
-std::size_t widest(const Trial& trial, const VectorXd& noise) {
+std::size_t widest(const SmoothingTrial& trial, const VectorXd& noise) {
   std::size_t chosen = 0;
   while (chosen + 1 < kReaches.size() && noise_share(trial, noise, chosen) > kNegligible) {
     for (std::size_t narrow = 0; narrow <= chosen; ++narrow) {
@@ -165,7 +166,7 @@ VectorXd sample_noise(const Motion& motion, const Eigen::MatrixXd& table) {
 }
 
 Smoothing smoothing_of(const dynamics::Tree& tree, const Motion& motion) {
-  const Trial trial = trial_of(tree, motion);
+  const SmoothingTrial trial = trial_of(tree, motion);
   if (trial.samples.empty()) return {};
   const VectorXd noise = noise_of_differentiated(tree, motion);
   const std::size_t chosen = widest(trial, noise);

@@ -6,22 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "hopper/replay/named_range.hpp"
 #include "hopper/robot/robot.hpp"
 
 namespace torquewright::hopper {
-
-/// From which a number is drawn, every value as likely as any other. Never upside down.
-struct Range {
-  double least = 0.0;
-  double greatest = 0.0;
-};
-
-/// A range for things with names, each of which draws a number of its own.
-struct NamedRange {
-  Range range;
-  std::vector<std::string> names;  ///< Empty: all there are.
-  std::string path;                ///< JSON pointer to it in the document, for objections.
-};
 
 struct ShiftRange {
   NamedRange of_bodies;
@@ -47,15 +35,15 @@ struct SensorNoiseLevels {
 /// A document of kind `randomisation`: what trials of a replay draw (docs/randomisation.md). What
 /// is absent stays as robot, replay and controller have it.
 struct Randomisation {
-  std::string file;                              ///< As the user named it.
-  std::optional<Range> total_mass_factor;        ///< One for all bodies, times their own:
-  std::vector<NamedRange> body_mass_factor;      ///< By body.
-  std::vector<NamedRange> body_inertia_factor;   ///< By body; about its centre of mass.
+  std::string file;                             ///< As the user named it.
+  std::optional<Range> total_mass_factor;       ///< One for all bodies, times their own:
+  std::vector<NamedRange> body_mass_factor;     ///< By body.
+  std::vector<NamedRange> body_inertia_factor;  ///< By body; about its centre of mass.
   std::vector<ShiftRange> center_of_mass_shift_m;
   std::vector<NamedRange> controller_gain_factor;  ///< By drive.
   std::vector<NamedRange> further_friction_Nm;     ///< By drive; behind the gears, at its output.
-  std::optional<Range> friction_coefficient;       ///< Of the ground, in the place of all contacts'.
-  std::optional<Range> restitution;                ///< So too.
+  std::optional<Range> friction_coefficient;  ///< Of the ground, in the place of all contacts'.
+  std::optional<Range> restitution;           ///< So too.
   std::optional<Range> ground_height_m;
   std::optional<Range> latency_s;  ///< By how much the controller sees late.
   std::optional<Range> state_of_charge;
@@ -66,9 +54,6 @@ struct Randomisation {
   SensorNoiseLevels noise;
   std::vector<std::string> assumed;  ///< JSON pointers.
 };
-
-/// Of all drivetrains in their order: what "by drive" goes by.
-std::vector<std::string> drive_names(const Robot& robot);
 
 /// Throws io::SpecError with all that does not go together: names the robot does not have (with the
 /// nearest), one that two ranges of a key give, charges and temperatures that its actuators cannot

@@ -16,15 +16,15 @@ namespace torquewright::hopper {
 struct Trial {
   std::uint64_t seed = 0;
   std::size_t number = 0;
-  Eigen::VectorXd mass_factor;                ///< (bodies x 1)
-  Eigen::VectorXd inertia_factor;             ///< (bodies x 1)
-  Eigen::Matrix3Xd center_of_mass_shift_m;    ///< (3 x bodies), in each body's axes.
-  Eigen::VectorXd controller_gain_factor;     ///< (drives x 1), on what a drive's feedback asks.
-  Eigen::VectorXd further_friction_Nm;        ///< (drives x 1)
+  Eigen::VectorXd mass_factor;                 ///< (bodies x 1)
+  Eigen::VectorXd inertia_factor;              ///< (bodies x 1)
+  Eigen::Matrix3Xd center_of_mass_shift_m;     ///< (3 x bodies), in each body's axes.
+  Eigen::VectorXd controller_gain_factor;      ///< (drives x 1), on what a drive's feedback asks.
+  Eigen::VectorXd further_friction_Nm;         ///< (drives x 1)
   std::optional<double> friction_coefficient;  ///< None: the contacts' own.
   std::optional<double> restitution;
-  double ground_height_m = 0.0;
-  double latency_s = 0.0;
+  std::optional<double> ground_height_m;  ///< None: where the replay has it; so the next.
+  std::optional<double> latency_s;
   std::optional<double> state_of_charge;
   double bus_voltage_factor = 1.0;
   std::optional<double> winding_temperature_K;
@@ -44,8 +44,8 @@ Trial draw_trial(const Randomisation& randomisation, const Robot& robot, std::ui
 /// centre leaves it alone.
 Robot perturbed(const Robot& robot, const Trial& trial);
 
-/// Charge and winding temperature as drawn, the rest as given. A drawn charge takes the place of a
-/// given bus voltage.
+/// Charge and winding temperature as drawn, the rest as given, for the drives of the perturbed
+/// robot. A given bus voltage takes the drawn factor; a drawn charge takes its place.
 actuator::OperatingConditions conditions_of(const Trial& trial,
                                             actuator::OperatingConditions conditions);
 
