@@ -44,8 +44,8 @@ struct Randomisation {
   std::vector<NamedRange> further_friction_Nm;     ///< By drive; behind the gears, at its output.
   std::optional<Range> friction_coefficient;  ///< Of the ground, in the place of all contacts'.
   std::optional<Range> restitution;           ///< So too.
-  std::optional<Range> ground_height_m;
-  std::optional<Range> latency_s;  ///< By how much the controller sees late.
+  std::optional<Range> ground_height_m;       ///< Added to the replay's; so the next.
+  std::optional<Range> latency_s;             ///< By how much later the controller sees.
   std::optional<Range> state_of_charge;
   std::optional<Range> bus_voltage_factor;  ///< Of what drives have without load.
   std::optional<Range> winding_temperature_K;

@@ -102,8 +102,8 @@ Trial draw_trial(const Randomisation& randomisation, const Robot& robot, std::ui
       draw.each(from.further_friction_Nm, drives, "further_friction_Nm", 0.0);
   trial.friction_coefficient = draw.one(from.friction_coefficient, "friction_coefficient");
   trial.restitution = draw.one(from.restitution, "restitution");
-  trial.ground_height_m = draw.one(from.ground_height_m, "ground_height_m");
-  trial.latency_s = draw.one(from.latency_s, "latency_s");
+  trial.ground_height_m = draw.one(from.ground_height_m, "ground_height_m").value_or(0.0);
+  trial.latency_s = draw.one(from.latency_s, "latency_s").value_or(0.0);
   trial.state_of_charge = draw.one(from.state_of_charge, "state_of_charge");
   trial.bus_voltage_factor = draw.one(from.bus_voltage_factor, "bus_voltage_factor").value_or(1.0);
   trial.winding_temperature_K = draw.one(from.winding_temperature_K, "winding_temperature_K");

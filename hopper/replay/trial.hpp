@@ -23,8 +23,8 @@ struct Trial {
   Eigen::VectorXd further_friction_Nm;         ///< (drives x 1)
   std::optional<double> friction_coefficient;  ///< None: the contacts' own.
   std::optional<double> restitution;
-  std::optional<double> ground_height_m;  ///< None: where the replay has it; so the next.
-  std::optional<double> latency_s;
+  double ground_height_m = 0.0;  ///< Added to where the replay has it; so the next.
+  double latency_s = 0.0;
   std::optional<double> state_of_charge;
   double bus_voltage_factor = 1.0;
   std::optional<double> winding_temperature_K;

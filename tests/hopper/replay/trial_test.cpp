@@ -50,8 +50,8 @@ std::vector<Number> numbers() {
       {"ankle's friction", {0.0, 1.0}, [](const Trial& t) { return t.further_friction_Nm[2]; }},
       {"ground", {0.5, 0.9}, [](const Trial& t) { return *t.friction_coefficient; }},
       {"restitution", {0.0, 0.2}, [](const Trial& t) { return *t.restitution; }},
-      {"height", {-0.02, 0.01}, [](const Trial& t) { return *t.ground_height_m; }},
-      {"latency", {0.0, 0.004}, [](const Trial& t) { return *t.latency_s; }},
+      {"height", {-0.02, 0.01}, [](const Trial& t) { return t.ground_height_m; }},
+      {"latency", {0.0, 0.004}, [](const Trial& t) { return t.latency_s; }},
       {"charge", {0.2, 1.0}, [](const Trial& t) { return *t.state_of_charge; }},
       {"voltage", {0.93, 1.0}, [](const Trial& t) { return t.bus_voltage_factor; }},
       {"winding", {293.15, 353.15}, [](const Trial& t) { return *t.winding_temperature_K; }},
@@ -162,7 +162,8 @@ TEST(Trial, DrawsTheSameWhateverElseIsDrawn) {
   EXPECT_EQ(some.center_of_mass_shift_m(2, 1), all.center_of_mass_shift_m(2, 0));
   EXPECT_EQ(some.center_of_mass_shift_m(0, 1), 0.0);
   EXPECT_FALSE(some.friction_coefficient);
-  EXPECT_FALSE(some.latency_s);
+  EXPECT_EQ(some.latency_s, 0.0);
+  EXPECT_EQ(some.ground_height_m, 0.0);
   EXPECT_EQ(some.bus_voltage_factor, 1.0);
 }
 
