@@ -25,7 +25,7 @@ TrialOutcome outcome_of(std::size_t number) {
 
 // Oracle: the trial itself, asked for one number after the other.
 TEST(RunTrials, AnswersInTheOrderOfNumbersWhateverTheThreads) {
-  for (const std::size_t threads : {1u, 2u, 7u, 300u}) {
+  for (const std::size_t threads : {0u, 1u, 2u, 7u, 300u}) {
     const auto outcomes = run_trials({200, threads, {}, {}}, outcome_of);
     ASSERT_EQ(outcomes.size(), 200u);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
