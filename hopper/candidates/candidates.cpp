@@ -4,17 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <optional>
-#include <system_error>
-#include <thread>
 
 #include "actuator/check/drive_check.hpp"
 #include "actuator/check/region_words.hpp"
 #include "actuator/region/joint_region.hpp"
+#include "hopper/in_parallel.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -338,33 +335,12 @@ std::vector<CandidateResult> try_candidates(const Robot& robot, const Motion& mo
     for (const Candidate& candidate : shelf.by_drivetrain[i]) tasks.push_back({i, &candidate});
   }
   std::vector<CandidateResult> results(tasks.size());
-  std::atomic<std::size_t> next = 0;
-  std::vector<std::exception_ptr> failures(threads);
-  const auto work = [&](std::size_t thread) {
-    try {
-      for (std::size_t i = next++; i < tasks.size(); i = next++) {
-        results[i] = judge(basis, tasks[i].drivetrain, *tasks[i].candidate);
-        if (thread == 0 && on_progress) {
-          on_progress(static_cast<double>(i) / static_cast<double>(tasks.size()));
-        }
-      }
-    } catch (...) {
-      failures[thread] = std::current_exception();
-      next = tasks.size();
+  in_parallel(tasks.size(), threads, [&](std::size_t number, std::size_t thread) {
+    results[number] = judge(basis, tasks[number].drivetrain, *tasks[number].candidate);
+    if (thread == 0 && on_progress) {
+      on_progress(static_cast<double>(number) / static_cast<double>(tasks.size()));
     }
-  };
-  {
-    std::vector<std::jthread> others;
-    try {
-      for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work, i);
-    } catch (const std::system_error&) {
-      // The system gives no more of them: those that there are do all of it.
-    }
-    work(0);
-  }
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  });
   mark_front(results);
   rank(results);
   return results;

@@ -6,22 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "hopper/replay/named_range.hpp"
 #include "hopper/robot/robot.hpp"
 
 namespace torquewright::hopper {
-
-/// From which a number is drawn, every value as likely as any other. Never upside down.
-struct Range {
-  double least = 0.0;
-  double greatest = 0.0;
-};
-
-/// A range for things with names, each of which draws a number of its own.
-struct NamedRange {
-  Range range;
-  std::vector<std::string> names;  ///< Empty: all there are.
-  std::string path;                ///< JSON pointer to it in the document, for objections.
-};
 
 struct ShiftRange {
   NamedRange of_bodies;
@@ -56,8 +44,8 @@ struct Randomisation {
   std::vector<NamedRange> further_friction_Nm;     ///< By drive; behind the gears, at its output.
   std::optional<Range> friction_coefficient;  ///< Of the ground, in the place of all contacts'.
   std::optional<Range> restitution;           ///< So too.
-  std::optional<Range> ground_height_m;
-  std::optional<Range> latency_s;  ///< By how much the controller sees late.
+  std::optional<Range> ground_height_m;       ///< Added to the replay's; so the next.
+  std::optional<Range> latency_s;             ///< By how much later the controller sees.
   std::optional<Range> state_of_charge;
   std::optional<Range> bus_voltage_factor;  ///< Of what drives have without load.
   std::optional<Range> winding_temperature_K;
@@ -66,9 +54,6 @@ struct Randomisation {
   SensorNoiseLevels noise;
   std::vector<std::string> assumed;  ///< JSON pointers.
 };
-
-/// Of all drivetrains in their order: what "by drive" goes by.
-std::vector<std::string> drive_names(const Robot& robot);
 
 /// Throws io::SpecError with all that does not go together: names the robot does not have (with the
 /// nearest), one that two ranges of a key give, charges and temperatures that its actuators cannot

@@ -24,7 +24,7 @@ struct TrialOutcome {
 
 struct TrialRun {
   std::size_t count = 0;
-  unsigned threads = 0;  ///< 0: as many as the processor runs at once.
+  std::size_t threads = 0;  ///< 0: as many as the processor runs at once.
   /// Asked before each trial, in any thread; empty: never. Trials that run are ended by whoever
   /// runs them.
   std::function<bool()> should_stop;

@@ -23,7 +23,7 @@ struct Trial {
   Eigen::VectorXd further_friction_Nm;         ///< (drives x 1)
   std::optional<double> friction_coefficient;  ///< None: the contacts' own.
   std::optional<double> restitution;
-  double ground_height_m = 0.0;
+  double ground_height_m = 0.0;  ///< Added to where the replay has it; so the next.
   double latency_s = 0.0;
   std::optional<double> state_of_charge;
   double bus_voltage_factor = 1.0;
@@ -44,8 +44,8 @@ Trial draw_trial(const Randomisation& randomisation, const Robot& robot, std::ui
 /// centre leaves it alone.
 Robot perturbed(const Robot& robot, const Trial& trial);
 
-/// Charge and winding temperature as drawn, the rest as given. A drawn charge takes the place of a
-/// given bus voltage.
+/// Charge and winding temperature as drawn, the rest as given, for the drives of the perturbed
+/// robot. A given bus voltage takes the drawn factor; a drawn charge takes its place.
 actuator::OperatingConditions conditions_of(const Trial& trial,
                                             actuator::OperatingConditions conditions);
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hopper/replay/named_range.hpp"
+#include "hopper/robot/robot.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::hopper {
+
+/// Of all drivetrains in their order: what "by drive" goes by.
+std::vector<std::string> drive_names(const Robot& robot);
+
+/// What of a robot a range may name, in the robot's order.
+struct NamedThings {
+  std::string what;  ///< In words: "body".
+  std::vector<std::string> names;
+  std::vector<std::string> objections;  ///< Why it draws nothing; empty: it does.
+};
+
+NamedThings drawing_bodies(const Robot& robot);  ///< Those with a mass.
+NamedThings drawing_drives(const Robot& robot);
+NamedThings drawing_joints(const Robot& robot);  ///< Those that turn; by the bodies after the base.
+
+/// Indices of those that it is for. Adds a fault for each name that there is not or that draws
+/// nothing.
+std::vector<std::size_t> meant_by(const NamedRange& range, const NamedThings& things,
+                                  const std::string& file, std::vector<io::Fault>& faults);
+
+}  // namespace torquewright::hopper
