@@ -175,6 +175,26 @@ TEST(PoweredDrives, MakeUpForTheFrictionTheyKnow) {
   EXPECT_EQ(step_of(drives, 0.0, 0.0).current_A[0], 0.0);
 }
 
+// Oracle: Kirchhoff. Without voltage no current flows, and what is left is the drag.
+TEST(PoweredDrives, WithoutVoltageAreOff) {
+  for (const DriveLimits limits : {DriveLimits::kMor, DriveLimits::kBox}) {
+    Actuator actuator = actuator::round_actuator();
+    actuator.effects = {actuator::effect("coulomb_friction", {5.0})};
+    PoweredDriveOptions options;
+    options.limits = limits;
+    options.conditions.bus_voltage_V = 0.0;
+    PoweredDrives drives = one_drive(actuator, options);
+    for (const double speed_rad_s : {-3.0, 3.0}) {
+      const DriveStep step = step_of(drives, 50.0, speed_rad_s);
+      EXPECT_DOUBLE_EQ(step.torque_Nm[0], std::copysign(5.0, -speed_rad_s));
+      EXPECT_EQ(step.current_A[0], 0.0);
+      EXPECT_EQ(step.power_W, 0.0);
+      EXPECT_EQ(step.bus_V[0], 0.0);
+    }
+    EXPECT_EQ(step_of(drives, 50.0, 0.0).torque_Nm[0], 0.0);
+  }
+}
+
 /// Batteries that are strong, soft, weak, without voltage, or full.
 std::vector<std::pair<Actuator, actuator::OperatingConditions>> hard_cases() {
   std::vector<std::pair<Actuator, actuator::OperatingConditions>> cases;
