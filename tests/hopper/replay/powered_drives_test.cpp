@@ -472,6 +472,14 @@ TEST(PoweredDrives, UnderOtherOptionsAreAsIfMadeUnderThem) {
   expect_same(trial(boxed_too, 5), trial(boxed, 5));
 }
 
+TEST(PoweredDrives, OfARobotWithoutAnyDoNothing) {
+  PoweredDrives drives(driven_robot({}), {});
+  EXPECT_EQ(drives.size(), 0);
+  const DriveStep& step = drives.drive(VectorXd(), VectorXd(), kStep_s);
+  EXPECT_EQ(step.torque_Nm.size(), 0);
+  EXPECT_EQ(step.power_W, 0.0);
+}
+
 TEST(PoweredDrives, RefuseWhatIsNoStep) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   PoweredDrives drives = one_drive(actuator::round_actuator());
