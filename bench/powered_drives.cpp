@@ -7,6 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "actuator/region/clip_table.hpp"
 #include "hopper/check/contact_search.hpp"
 #include "hopper/check/demand.hpp"
 #include "hopper/check/drive_reports.hpp"
@@ -95,6 +96,28 @@ void steps(benchmark::State& state, const Robot& robot, double times) {
   benchmark::DoNotOptimize(sum_W);
 }
 
+/// What a step may not do without: a clip of every drive, at one voltage and temperature.
+void clips(benchmark::State& state, const Robot& robot) {
+  static const Flip flip;
+  std::vector<actuator::ClipTable> tables;
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    for (const actuator::Actuator& actuator : drivetrain.actuators) {
+      tables.emplace_back(mor_table(actuator::Region(actuator, {})));
+    }
+  }
+  Eigen::Index sample = 0;
+  double sum_Nm = 0.0;
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      const auto drive = static_cast<Eigen::Index>(i);
+      sum_Nm += actuator::clip(tables[i].view(), flip.speed_rad_s(drive, sample),
+                               flip.torque_Nm(drive, sample));
+    }
+    sample = sample + 1 == flip.torque_Nm.cols() ? 0 : sample + 1;
+  }
+  benchmark::DoNotOptimize(sum_Nm);
+}
+
 void first_run(benchmark::State& state, const Robot& robot) {
   static const Flip flip;
   for (auto _ : state) {
@@ -118,6 +141,7 @@ constexpr Kind kKinds[] = {{"as_stated", no_change},
 
 void register_all() {
   const Robot hopper = read_robot(specs("robot/hopper.json")).robot;
+  benchmark::RegisterBenchmark("clips_alone", clips, hopper);
   for (const auto& [name, change] : kKinds) {
     const Robot robot = with(hopper, change);
     const std::string kind = name;

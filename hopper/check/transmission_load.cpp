@@ -15,20 +15,6 @@ using Eigen::Index;
 
 constexpr double kNotableDoubt = 0.05;  // of the load
 
-/// A drive's names and limits, in the order of the demand's drives.
-std::vector<TransmissionLoad> empty_loads(const Robot& robot) {
-  std::vector<TransmissionLoad> loads;
-  for (const Drivetrain& drivetrain : robot.drivetrains) {
-    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
-      TransmissionLoad& load = loads.emplace_back();
-      load.drive = drivetrain.actuator_names[i];
-      load.ratio = std::abs(drivetrain.actuators[i].transmission.ratio);
-      load.limit = drivetrain.transmission_limit;
-    }
-  }
-  return loads;
-}
-
 WindowLoad window_of(const CheckedMotion& checked, const GearTorque& gears,
                      const Eigen::MatrixXd& torque_Nm, Index drive, double ratio) {
   const LoadSignal signal{checked.motion.times_s, torque_Nm.row(drive).transpose(),
@@ -54,11 +40,6 @@ void note_greatest(const CheckedMotion& checked, const GearTorque& gears, Index 
   }
 }
 
-Verdict verdict_of(const TransmissionLoad& load) {
-  if (!load.limit || load.judged().most <= load.limit->torque_Nm) return Verdict::kPass;
-  return load.judged().least > load.limit->torque_Nm ? Verdict::kFail : Verdict::kUndecided;
-}
-
 std::string limit_words(const TransmissionLoad& load) {
   return fmt::format("; its limit is {:.4g} Nm at the {} ({})", load.limit->torque_Nm,
                      load.is_judged_at_joint() ? "joint" : "motor", load.limit->source);
@@ -82,9 +63,27 @@ std::string doubt_words(const TransmissionLoad& load) {
 
 }  // namespace
 
+std::vector<TransmissionLoad> unloaded_transmissions(const Robot& robot) {
+  std::vector<TransmissionLoad> loads;
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
+      TransmissionLoad& load = loads.emplace_back();
+      load.drive = drivetrain.actuator_names[i];
+      load.ratio = std::abs(drivetrain.actuators[i].transmission.ratio);
+      load.limit = drivetrain.transmission_limit;
+    }
+  }
+  return loads;
+}
+
+Verdict verdict_of(const TransmissionLoad& load) {
+  if (!load.limit || load.judged().most <= load.limit->torque_Nm) return Verdict::kPass;
+  return load.judged().least > load.limit->torque_Nm ? Verdict::kFail : Verdict::kUndecided;
+}
+
 std::vector<TransmissionLoad> transmission_loads(const CheckedMotion& checked,
                                                  const GearTorque& gears) {
-  std::vector<TransmissionLoad> loads = empty_loads(checked.robot);
+  std::vector<TransmissionLoad> loads = unloaded_transmissions(checked.robot);
   const double duration_s = checked.motion.duration_s();
   for (std::size_t i = 0; i < loads.size(); ++i) {
     TransmissionLoad& load = loads[i];

@@ -30,6 +30,12 @@ struct TransmissionLoad {
   const WindowLoad& judged() const { return is_judged_at_joint() ? joint : motor; }
 };
 
+/// The names, ratios and limits of a robot's drives, nothing on them yet.
+std::vector<TransmissionLoad> unloaded_transmissions(const Robot& robot);
+
+/// Of its windows beside its limit.
+actuator::Verdict verdict_of(const TransmissionLoad& load);
+
 /// One a drive.
 std::vector<TransmissionLoad> transmission_loads(const CheckedMotion& checked,
                                                  const GearTorque& gears);

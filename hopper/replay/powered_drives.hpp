@@ -4,27 +4,10 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "actuator/region/operating_conditions.hpp"
+#include "hopper/replay/powered_drive_options.hpp"
 #include "hopper/robot/robot.hpp"
 
 namespace torquewright::hopper {
-
-/// What a drive's torque is held to.
-enum class DriveLimits {
-  kMor,  ///< Its motor operating region at the voltage and temperature of the instant.
-  /// The greatest torque at rest of its region at the start, at any speed, and no driving torque
-  /// beyond the no-load speed there. Neither battery nor heat holds it back: what they would say is
-  /// only reported.
-  kBox,
-};
-
-struct PoweredDriveOptions {
-  DriveLimits limits = DriveLimits::kMor;
-  actuator::OperatingConditions conditions;  ///< At the start.
-  /// Coulomb friction beyond what the documents know, at each drive's output (drives x 1, not
-  /// negative), which nobody compensates. Empty: none.
-  Eigen::VectorXd further_friction_Nm;
-};
 
 /// What the drives did in a step. By drive (drives x 1).
 struct DriveStep {

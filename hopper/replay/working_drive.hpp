@@ -6,7 +6,7 @@
 #include <string>
 
 #include "actuator/heat/heat_model.hpp"
-#include "hopper/replay/powered_drives.hpp"
+#include "hopper/replay/powered_drive_options.hpp"
 #include "hopper/replay/region_levels.hpp"
 
 namespace torquewright::hopper {

@@ -11,6 +11,7 @@
 #include <random>
 #include <thread>
 
+#include "actuator/check/demand.hpp"
 #include "actuator/heat/heat_model.hpp"
 #include "hopper/replay/region_levels.hpp"
 #include "io/spec_error.hpp"
@@ -121,6 +122,45 @@ TEST(PoweredDrives, OfAStiffSupplyKeepTheirVoltageAndRegion) {
   }
 }
 
+// Oracle: demand_at, which `hopper check` asks, at the voltage that is left: current and power of
+// the torque that acts, where both hang on the voltage because the field is weakened for it.
+TEST(PoweredDrives, TakeWhatTheCheckSaysATorqueTakes) {
+  Actuator actuator = round_drive(0.1);
+  actuator.motor.inductance_d_H = actuator.motor.inductance_q_H = 5e-4;
+  actuator.motor.pole_pairs = 10.0;
+  actuator.drive.field_weakening = true;
+  actuator.effects = {actuator::effect("torque_constant_saturation", {60.0, 2.0}),
+                      actuator::effect("coulomb_friction", {3.0}),
+                      actuator::effect("load_dependent_friction", {0.1, 0.1})};
+  PoweredDrives drives(driven_robot({actuator, actuator}), {});
+  Actuator held = actuator;
+  held.battery.reset();
+  std::mt19937 dice(5);
+  std::uniform_real_distribution<double> torque(-150.0, 150.0);
+  std::uniform_real_distribution<double> speed(-14.0, 14.0);
+  int weakened = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vector2d speed_rad_s(speed(dice), 0.3 * speed(dice));
+    const Vector2d wanted_Nm(torque(dice), torque(dice));
+    const DriveStep step = drives.drive(wanted_Nm, speed_rad_s, kStep_s);
+    held.drive.bus_voltage_V = step.bus_V[0];
+    const actuator::PhaseModel model = phase_model_at(held, {});
+    double power_W = 0.0;
+    for (Index k = 0; k < 2; ++k) {
+      const auto demand = demand_at(held, model, actuator::kDefaultTemperature_K, speed_rad_s[k],
+                                    step.torque_Nm[k]);
+      ASSERT_TRUE(demand);
+      power_W += demand->bus_power_W;
+      // 1e-7 of 50 V moves a current that weakens the field by some 100 A/V at most.
+      EXPECT_NEAR(step.current_A[k], demand->current_A, 1e-3) << i;
+      const double torque_A = std::abs(demand->motor_torque_Nm) / 0.5;
+      if (demand->current_A > 1.3 * torque_A + 1.0) ++weakened;
+    }
+    EXPECT_NEAR(step.power_W, power_W, 1e-2) << i;
+  }
+  EXPECT_GT(weakened, 50);
+}
+
 // Oracle: the document's law. A drive that knows its friction makes up for it: the torque acts as
 // wanted, and the current is that of torque and friction.
 TEST(PoweredDrives, MakeUpForTheFrictionTheyKnow) {
@@ -133,6 +173,26 @@ TEST(PoweredDrives, MakeUpForTheFrictionTheyKnow) {
   EXPECT_NEAR(step_of(drives, 1e3, 2.0).torque_Nm[0], kPeak_Nm - 10.0, kTable_Nm);
   EXPECT_NEAR(step_of(drives, -1e3, 2.0).torque_Nm[0], -kPeak_Nm - 10.0, kTable_Nm);
   EXPECT_EQ(step_of(drives, 0.0, 0.0).current_A[0], 0.0);
+}
+
+// Oracle: Kirchhoff. Without voltage no current flows, and what is left is the drag.
+TEST(PoweredDrives, WithoutVoltageAreOff) {
+  for (const DriveLimits limits : {DriveLimits::kMor, DriveLimits::kBox}) {
+    Actuator actuator = actuator::round_actuator();
+    actuator.effects = {actuator::effect("coulomb_friction", {5.0})};
+    PoweredDriveOptions options;
+    options.limits = limits;
+    options.conditions.bus_voltage_V = 0.0;
+    PoweredDrives drives = one_drive(actuator, options);
+    for (const double speed_rad_s : {-3.0, 3.0}) {
+      const DriveStep step = step_of(drives, 50.0, speed_rad_s);
+      EXPECT_DOUBLE_EQ(step.torque_Nm[0], std::copysign(5.0, -speed_rad_s));
+      EXPECT_EQ(step.current_A[0], 0.0);
+      EXPECT_EQ(step.power_W, 0.0);
+      EXPECT_EQ(step.bus_V[0], 0.0);
+    }
+    EXPECT_EQ(step_of(drives, 50.0, 0.0).torque_Nm[0], 0.0);
+  }
 }
 
 /// Batteries that are strong, soft, weak, without voltage, or full.
@@ -410,6 +470,14 @@ TEST(PoweredDrives, UnderOtherOptionsAreAsIfMadeUnderThem) {
   PoweredDrives boxed = changed.under(half);
   PoweredDrives boxed_too(robot, half);
   expect_same(trial(boxed_too, 5), trial(boxed, 5));
+}
+
+TEST(PoweredDrives, OfARobotWithoutAnyDoNothing) {
+  PoweredDrives drives(driven_robot({}), {});
+  EXPECT_EQ(drives.size(), 0);
+  const DriveStep& step = drives.drive(VectorXd(), VectorXd(), kStep_s);
+  EXPECT_EQ(step.torque_Nm.size(), 0);
+  EXPECT_EQ(step.power_W, 0.0);
 }
 
 TEST(PoweredDrives, RefuseWhatIsNoStep) {
