@@ -129,7 +129,7 @@ void MujocoModel::set_geoms(const Robot& robot, const EngineOptions& options) {
     if (model_->geom_type[geom] == mjGEOM_PLANE) {
       model_->geom_pos[3 * geom + 2] = options.ground_height_m;
       model_->geom_sameframe[geom] = 0;  // else its place is not looked at
-    } else if (contact_of(geom) < 0) {  // a collision sphere: with the ground, not with another
+    } else if (contact_of(geom) < 0) {   // a collision sphere: with the ground, not with another
       model_->geom_contype[geom] = 0;
       model_->geom_conaffinity[geom] = 1;
       model_->geom_friction[3 * geom] = kBodyFriction;

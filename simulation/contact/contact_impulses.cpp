@@ -12,6 +12,7 @@ namespace {
 using Eigen::Index;
 
 /// Sweeps find out which points press, stick and slide; Newton's steps do the rest.
+constexpr int kSweepsBeforeNewton = 2;
 constexpr int kSweepsBetweenNewton = 10;
 
 /// One point while the others' impulses stand.
@@ -41,8 +42,9 @@ bool solve_contacts(const ContactProblem& problem, Eigen::VectorXd& impulse_N_s)
       impulse_N_s.segment<3>(3 * k) = impulse;
     }
     if (change_m_s <= tolerance_m_s) return true;
-    const bool is_creeping = sweep % kSweepsBetweenNewton == kSweepsBetweenNewton - 1;
-    if (is_creeping && newton_contacts(problem, tolerance_m_s, impulse_N_s)) return true;
+    const bool is_creeping = (sweep + 1) % kSweepsBetweenNewton == kSweepsBeforeNewton;
+    if (is_creeping && points > 1 && newton_contacts(problem, tolerance_m_s, impulse_N_s))
+      return true;
   }
   return false;
 }

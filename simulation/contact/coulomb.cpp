@@ -41,8 +41,9 @@ class HeldPoint {
     return {tangential.x(), tangential.y(), normal};
   }
 
-  bool is_beyond_cone(const Vector3d& impulse) const {
-    return impulse.head<2>().norm() > point_.friction_coefficient * impulse.z();
+  /// Of the tangential part over what friction can hold: above zero beyond the cone.
+  double excess_N_s(const Vector3d& impulse) const {
+    return impulse.head<2>().norm() - point_.friction_coefficient * impulse.z();
   }
 
  private:
@@ -55,19 +56,36 @@ class HeldPoint {
 };
 
 /// eq. (6): the slip at which the impulse lies on the cone. There is one, since without slip it
-/// lies beyond and with endless slip the normal alone is left.
-Vector3d sliding_impulse(const HeldPoint& held) {
+/// lies beyond and with endless slip the normal alone is left. By false position, the end that
+/// stays weighing half (Illinois), until rounding decides.
+Vector3d sliding_impulse(const HeldPoint& held, const Vector3d& sticking) {
+  constexpr int kMostSteps = 100;
+  constexpr double kRounding = 4e-16;
   double low = 0.0, high = held.scale_1_kg();
-  while (held.is_beyond_cone(held.impulse(high)) && std::isfinite(high)) {
+  double at_low = held.excess_N_s(sticking);
+  Vector3d impulse = held.impulse(high);
+  double at_high = held.excess_N_s(impulse);
+  while (at_high > 0.0 && std::isfinite(high)) {
     low = high;
+    at_low = at_high;
     high *= 4.0;
+    impulse = held.impulse(high);
+    at_high = held.excess_N_s(impulse);
   }
-  constexpr int kHalvings = 60;  // to the last digit of a double
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    (held.is_beyond_cone(held.impulse(middle)) ? low : high) = middle;
+  bool moved_low = true;
+  for (int i = 0; i < kMostSteps && high - low > kRounding * high; ++i) {
+    double slip = low + (high - low) * at_low / (at_low - at_high);
+    if (!(slip > low && slip < high)) slip = 0.5 * (low + high);
+    impulse = held.impulse(slip);
+    const double excess = held.excess_N_s(impulse);
+    if (std::abs(excess) <= kRounding * impulse.norm()) break;
+    const bool moves_low = excess > 0.0;
+    (moves_low ? low : high) = slip;
+    (moves_low ? at_low : at_high) = excess;
+    if (moves_low == moved_low) (moves_low ? at_high : at_low) *= 0.5;
+    moved_low = moves_low;
   }
-  return held.impulse(high);
+  return impulse;
 }
 
 }  // namespace
@@ -79,7 +97,7 @@ Vector3d coulomb_impulse_N_s(const PointResponse& point) {
   }
   const HeldPoint held(point);
   const Vector3d sticking = held.impulse(0.0);
-  return held.is_beyond_cone(sticking) ? sliding_impulse(held) : sticking;
+  return held.excess_N_s(sticking) > 0.0 ? sliding_impulse(held, sticking) : sticking;
 }
 
 }  // namespace torquewright::simulation

@@ -24,6 +24,7 @@ TimeStepping::TimeStepping(MovingBodies& bodies, Obstacles obstacles)
   for (Stage& stage : stages_) stage.rate.resize(size);
   bias_.resize(size);
   mass_.resize(size, size);
+  jacobian_.resize(3, size);
   gives_back_ = std::any_of(obstacles_.points.begin(), obstacles_.points.end(),
                             [](const GroundPoint& point) { return point.restitution > 0.0; });
   forget();
@@ -155,8 +156,10 @@ TimeStepping::Outcome TimeStepping::touch(const VectorIn& force, double step_s) 
   free_velocity_ = velocity_ + step_s * acceleration_;
   if (!free_velocity_.allFinite()) return Outcome::kBlownUp;
   if (!solve_active()) return Outcome::kUnsolved;
-  velocity_ = free_velocity_;
-  velocity_.noalias() += jacobian_answer_ * active_impulses_;
+  generalised_.noalias() = directions_ * active_impulses_;
+  jump_.noalias() = answers_ * active_impulses_;
+  factors_.matrixU().solveInPlace(jump_);
+  velocity_ = free_velocity_ + jump_;
   move(middle_, velocity_, 0.5 * step_s, position_);
   return Outcome::kStepped;
 }
@@ -169,8 +172,6 @@ void TimeStepping::record_impulses() {
     jump_.setZero();
     return;
   }
-  generalised_.noalias() = jacobian_.transpose() * active_impulses_;
-  jump_.noalias() = jacobian_answer_ * active_impulses_;
   Index row = 0;
   for (const std::size_t point : active_) {
     impulses_N_s_.segment<3>(3 * static_cast<Index>(point)) = active_impulses_.segment<3>(row);
@@ -187,16 +188,16 @@ void TimeStepping::generalised_impulse_of(std::size_t points, dynamics::VectorOu
                                    [&](std::size_t point) { return point < points; });
   const Index rows = 3 * static_cast<Index>(count);
   out.setZero();
-  if (rows > 0) out.noalias() += jacobian_.topRows(rows).transpose() * active_impulses_.head(rows);
+  if (rows > 0) out.noalias() += directions_.leftCols(rows) * active_impulses_.head(rows);
 }
 
 /// The velocities at what is met; of the restitution only that share; eqs. (4), (7).
 void TimeStepping::gather(double restitution_share) {
-  problem_.free_m_s.noalias() = jacobian_ * free_velocity_;
+  problem_.free_m_s.noalias() = directions_.transpose() * free_velocity_;
   if (!gives_back_) return;
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const Index normal = 3 * static_cast<Index>(k) + 2;
-    const double before_m_s = jacobian_.row(normal).dot(velocity_);
+    const double before_m_s = directions_.col(normal).dot(velocity_);
     problem_.free_m_s[normal] +=
         restitution_share * obstacles_.points[active_[k]].restitution * std::min(0.0, before_m_s);
   }
@@ -204,7 +205,7 @@ void TimeStepping::gather(double restitution_share) {
 
 /// Impulses times the mean of the velocities before and after; rounding aside.
 double TimeStepping::contact_work_J() const {
-  const VectorXd before_m_s = jacobian_ * free_velocity_;
+  const VectorXd before_m_s = directions_.transpose() * free_velocity_;
   const VectorXd change_m_s = problem_.response_1_kg * active_impulses_;
   const double rounding_J = 1e-14 * active_impulses_.cwiseAbs().dot(before_m_s.cwiseAbs());
   return active_impulses_.dot(before_m_s + 0.5 * change_m_s) - rounding_J;
@@ -213,30 +214,52 @@ double TimeStepping::contact_work_J() const {
 /// Jacobians, friction, and the last step's impulses, which are near.
 void TimeStepping::fill_rows() {
   const auto count = static_cast<Index>(active_.size() + active_stops_.size());
-  jacobian_.setZero(3 * count, jump_.size());
+  directions_.setZero(jump_.size(), 3 * count);
   problem_.friction_coefficients.setZero(count);
   active_impulses_.setZero(3 * count);
   Index k = 0;
   for (const std::size_t index : active_) {
     const GroundPoint& point = obstacles_.points[index];
-    dynamics::point_jacobian(bodies_.state(), lowest_point(bodies_.state(), point),
-                             jacobian_.middleRows<3>(3 * k));
+    dynamics::point_jacobian(bodies_.state(), lowest_point(bodies_.state(), point), jacobian_);
+    directions_.middleCols<3>(3 * k) = jacobian_.transpose();
     problem_.friction_coefficients[k] = point.friction_coefficient;
     active_impulses_.segment<3>(3 * k) = impulses_N_s_.segment<3>(3 * static_cast<Index>(index));
     ++k;
   }
   for (const std::size_t index : active_stops_) {
-    jacobian_(3 * k + 2, obstacles_.stops[index].row) = obstacles_.stops[index].inward;
+    directions_(obstacles_.stops[index].row, 3 * k + 2) = obstacles_.stops[index].inward;
     active_impulses_[3 * k + 2] = stop_impulses_[static_cast<Index>(index)];
     ++k;
   }
 }
 
+/// W = J M^-1 J^T from L^-1 J^T, where M = L L^T. Columns are short: plain loops are faster than
+/// products in blocks.
+void TimeStepping::respond() {
+  const Index size = directions_.rows(), columns = directions_.cols();
+  answers_ = directions_;
+  const auto& L = factors_.matrixLLT();
+  for (Index k = 0; k < columns; ++k) {
+    auto column = answers_.col(k);
+    for (Index i = 0; i < size; ++i) {
+      if (column[i] == 0.0) continue;
+      column[i] /= L(i, i);
+      const Index below = size - i - 1;
+      column.tail(below) -= column[i] * L.col(i).tail(below);
+    }
+  }
+  problem_.response_1_kg.resize(columns, columns);
+  for (Index k = 0; k < columns; ++k) {
+    for (Index j = 0; j <= k; ++j) {
+      const double response_1_kg = answers_.col(j).dot(answers_.col(k));
+      problem_.response_1_kg(j, k) = problem_.response_1_kg(k, j) = response_1_kg;
+    }
+  }
+}
+
 bool TimeStepping::solve_active() {
   fill_rows();
-  jacobian_answer_ = jacobian_.transpose();
-  factors_.solveInPlace(jacobian_answer_);
-  problem_.response_1_kg.noalias() = jacobian_ * jacobian_answer_;
+  respond();
   constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25, 0.0};
   for (const double share : kShares) {
     gather(share);

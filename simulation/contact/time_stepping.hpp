@@ -71,6 +71,7 @@ class TimeStepping {
   void find_active();
   bool is_active() const { return !active_.empty() || !active_stops_.empty(); }
   void fill_rows();
+  void respond();
   bool solve_active();
   void gather(double restitution_share);
   double contact_work_J() const;
@@ -92,8 +93,9 @@ class TimeStepping {
   Eigen::VectorXd stage_position_, rate_, acceleration_;
   std::vector<std::size_t> active_;        ///< Points that touch, then
   std::vector<std::size_t> active_stops_;  ///< stops: three rows each, of stops the third.
-  Eigen::MatrixXd jacobian_;               ///< (3 k x n), of the active ones.
-  Eigen::MatrixXd jacobian_answer_;        ///< M^-1 J^T.
+  Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian_;  ///< Of one point.
+  Eigen::MatrixXd directions_;                         ///< J^T (n x 3 k), of the active ones.
+  Eigen::MatrixXd answers_;                            ///< L^-1 J^T, where M = L L^T.
   ContactProblem problem_;
   Eigen::VectorXd active_impulses_;
   Eigen::VectorXd impulses_N_s_, stop_impulses_, generalised_, jump_;

@@ -127,12 +127,17 @@ EngineState landing_on_heel(const hopper::Robot& hopper) {
 }
 
 VectorXd holding_force(const hopper::Engine& engine, const EngineState& about) {
-  VectorXd force = about.force;
+  VectorXd force(about.force.size());
+  hold(engine, about, force);
+  return force;
+}
+
+void hold(const hopper::Engine& engine, const EngineState& about, VectorXd& force) {
+  force = about.force;
   const Index joints = 3;
   force.tail(joints) +=
       kSpring_Nm_rad * (about.position.tail(joints) - engine.position().tail(joints)) -
       kDamper_Nm_s_rad * engine.velocity().tail(joints);
-  return force;
 }
 
 double energy_J(hopper::WholeBody& body, const VectorXd& position, const VectorXd& velocity) {

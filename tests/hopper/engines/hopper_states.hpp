@@ -32,6 +32,8 @@ EngineState landing_on_heel(const hopper::Robot& hopper);
 
 /// The state's force and joint springs and dampers about the state.
 Eigen::VectorXd holding_force(const hopper::Engine& engine, const EngineState& about);
+/// The same, into a force that has its size.
+void hold(const hopper::Engine& engine, const EngineState& about, Eigen::VectorXd& force);
 
 /// Springs' stiffness and damping of holding_force(), Nm/rad and Nm s/rad.
 inline constexpr double kSpring_Nm_rad = 800.0;
