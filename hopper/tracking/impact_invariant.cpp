@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 /// effect of an impulse that is one is above 1e-4 of the largest.
 constexpr double kDependent = 1e-9;
 
-void require(bool holds, const char* what) {
+void require_fit(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("impact: ") + what);
 }
 
@@ -44,7 +44,7 @@ MatrixXd kernel_of(const MatrixXd& matrix) {
 /// U of G = U^T U: its norm of U e is e's in the metric G, eq. (7).
 MatrixXd root_of(const MatrixXd& metric) {
   const Eigen::LLT<MatrixXd> factor(metric);
-  require(factor.info() == Eigen::Success, "an impact's metric is positive definite");
+  require_fit(factor.info() == Eigen::Success, "an impact's metric is positive definite");
   return factor.matrixU();
 }
 
@@ -66,12 +66,12 @@ ImpactMap impact_map(const MatrixXd& mass, const MatrixXd& jacobian, const Matri
 
 ImpactMap impact_map(const MatrixXd& mass, const MatrixXd& jacobian, const MatrixXd& outputs,
                      const MatrixXd& held, const VectorXd& velocity) {
-  require(mass.rows() == mass.cols() && jacobian.cols() == mass.cols() &&
-              outputs.cols() == mass.cols() && held.cols() == mass.cols() &&
-              velocity.size() == mass.cols(),
-          "an impact's matrices have a column per velocity");
+  require_fit(mass.rows() == mass.cols() && jacobian.cols() == mass.cols() &&
+                  outputs.cols() == mass.cols() && held.cols() == mass.cols() &&
+                  velocity.size() == mass.cols(),
+              "an impact's matrices have a column per velocity");
   const Eigen::LLT<MatrixXd> factor(mass);
-  require(factor.info() == Eigen::Success, "an impact's mass matrix is positive definite");
+  require_fit(factor.info() == Eigen::Success, "an impact's mass matrix is positive definite");
   MatrixXd rows(jacobian.rows() + held.rows(), mass.cols());
   rows << jacobian, held;
   const MatrixXd change = factor.solve(rows.transpose());  // B, eq. (2).
@@ -80,7 +80,7 @@ ImpactMap impact_map(const MatrixXd& mass, const MatrixXd& jacobian, const Matri
 }
 
 double impact_blend(const ImpactOptions& options, double time_from_impact_s) {
-  require(options.blend_s > 0.0, "an impact's blend_s is above 0");
+  require_fit(options.blend_s > 0.0, "an impact's blend_s is above 0");
   const double away_s = std::abs(time_from_impact_s);
   if (away_s >= 1.5 * options.window_s) return 0.0;
   return 1.0 / (1.0 + std::exp((away_s - options.window_s) / options.blend_s));  // Eq. (9).
@@ -88,10 +88,10 @@ double impact_blend(const ImpactOptions& options, double time_from_impact_s) {
 
 VectorXd impact_part(const ImpactMap& map, ImpactMetric metric, const VectorXd& error) {
   const MatrixXd& change = map.output_change;
-  require(error.size() == change.rows(), "an error of rates has an entry per output");
-  require(map.held_change.rows() == map.held_rate.size() &&
-              (map.held_rate.size() == 0 || map.held_change.cols() == change.cols()),
-          "an impact's held rows have a rate each and a column per impulse");
+  require_fit(error.size() == change.rows(), "an error of rates has an entry per output");
+  require_fit(map.held_change.rows() == map.held_rate.size() &&
+                  (map.held_rate.size() == 0 || map.held_change.cols() == change.cols()),
+              "an impact's held rows have a rate each and a column per impulse");
   if (metric == ImpactMetric::kEuclidean) return change * nearest_impulses(map, change, error);
   const MatrixXd root = root_of(map.metric);
   return change * nearest_impulses(map, root * change, root * error);

@@ -3,13 +3,10 @@
 // inputs and contact forces, made by their own engine.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "hopper/robot/robot_spec.hpp"
-#include "io/csv.hpp"
+#include "tests/real_data/motions/rabbit_walk.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -19,30 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kAcceleration = 1e-9;  // m/s2 and rad/s2; the stored ones reach some hundreds
-constexpr Eigen::Index kVelocities = 7;
-
-/// The folder of the walking, or nothing where it is absent.
-fs::path walking() {
-  const char* variable = std::getenv("TORQUEWRIGHT_DATA");
-  const fs::path data = variable != nullptr ? fs::path(variable)
-                                            : fs::path(TORQUEWRIGHT_SOURCE_DIR) / "../shared/data";
-  const fs::path folder = data / "trajectories" / "rabbit";
-  return fs::is_directory(folder) ? folder : fs::path();
-}
-
-/// A row per knot, time first.
-MatrixXd table(const fs::path& folder, const std::string& name) {
-  io::CsvReader reader(folder / ("rabbit_walking." + name + ".csv"));
-  const auto columns = static_cast<Eigen::Index>(reader.header().size());
-  MatrixXd rows(0, columns);
-  while (reader.next()) {
-    rows.conservativeResize(rows.rows() + 1, columns);
-    for (Eigen::Index i = 0; i < columns; ++i) {
-      rows(rows.rows() - 1, i) = reader.number(static_cast<std::size_t>(i));
-    }
-  }
-  return rows;
-}
+constexpr Eigen::Index kVelocities = test::kWalkVelocities;
 
 struct Knot {
   VectorXd position;
@@ -54,11 +28,12 @@ struct Knot {
 /// Modes 0, 1, 2 stand on the left, right, left foot.
 std::vector<Knot> knots(const fs::path& folder, dynamics::TreeState& state, const Robot& robot) {
   std::vector<Knot> found;
-  const MatrixXd inputs = table(folder, "input_traj");
+  const MatrixXd inputs = test::rabbit_table(folder, "input_traj");
   for (int mode = 0; mode < 3; ++mode) {
-    const MatrixXd states = table(folder, "state_traj" + std::to_string(mode));
-    const MatrixXd rates = table(folder, "state_derivative_traj" + std::to_string(mode));
-    const MatrixXd contact = table(folder, "force_vars" + std::to_string(mode));
+    const MatrixXd states = test::rabbit_table(folder, "state_traj" + std::to_string(mode));
+    const MatrixXd rates =
+        test::rabbit_table(folder, "state_derivative_traj" + std::to_string(mode));
+    const MatrixXd contact = test::rabbit_table(folder, "force_vars" + std::to_string(mode));
     const dynamics::BodyPoint& toe = robot.contacts[mode == 1 ? 1 : 0].point;
     for (Eigen::Index row = 0; row < states.rows(); ++row) {
       Knot knot{states.row(row).segment(1, kVelocities), states.row(row).tail(kVelocities),
@@ -78,7 +53,7 @@ std::vector<Knot> knots(const fs::path& folder, dynamics::TreeState& state, cons
 class Rabbit : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = walking();
+    folder_ = test::rabbit_folder();
     if (folder_.empty()) GTEST_SKIP() << "needs the published motions, ../shared/data";
     robot_ = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/rabbit.json").robot;
   }
