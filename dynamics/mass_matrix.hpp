@@ -8,7 +8,8 @@ namespace torquewright::dynamics {
 /// (n x n), symmetric, reflected inertias included: kinetic energy is v^T M v / 2. Per pair of
 /// velocities kg, kg m or kg m^2; out must have its size. std::invalid_argument if not.
 /// Composite rigid bodies, docs/derivations/rigid_body.md eqs. (9)-(12).
-void mass_matrix(TreeState& state, MatrixOut out);
+template <typename T>
+void mass_matrix(TreeStateOf<T>& state, MatrixOutOf<T> out);
 
 /// Accelerations (n x 1) under these forces (n x 1, as in inverse_dynamics.hpp), by Cholesky
 /// factors of M: M a = force - bias. False, and the result untouched, where M is not positive

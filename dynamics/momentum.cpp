@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "dynamics/composite.hpp"
+#include "dynamics/jet.hpp"
 
 namespace torquewright::dynamics {
 namespace {
@@ -16,13 +17,15 @@ using Eigen::Vector3d;
 // Inertias below this share of the largest are those of needles and points: no turn about them.
 constexpr double kNoInertia = 1e-14;
 
-Vector3d center_velocity_m_s(const TreeState& state, std::size_t body) {
-  const BodyMotion& motion = state.motion(body);
+template <typename T>
+Vector3<T> center_velocity_m_s(const TreeStateOf<T>& state, std::size_t body) {
+  const BodyMotionOf<T>& motion = state.motion(body);
   return motion.velocity_m_s +
          motion.angular_velocity_rad_s.cross(motion.center_of_mass_m - motion.origin_m);
 }
 
-Vector3d spin_momentum_Nm_s(const TreeState& state, std::size_t body) {
+template <typename T>
+Vector3<T> spin_momentum_Nm_s(const TreeStateOf<T>& state, std::size_t body) {
   const Body& of = state.tree().bodies[body];
   return state.motion(of.parent).R_WB * of.joint.rotor_spin_kg_m2 * state.joint_velocity(body);
 }
@@ -39,10 +42,11 @@ Vector3d average_velocity(const Matrix3d& inertia, const Vector3d& momentum) {
   return axes.eigenvectors() * components;
 }
 
-void set_column(MatrixOut& out, Eigen::Index column, const Momentum& momentum,
-                const Vector3d& center_m) {
-  out.col(column).head<3>() = momentum.angular_Nm_s - center_m.cross(momentum.linear_N_s);
-  out.col(column).tail<3>() = momentum.linear_N_s;
+template <typename T>
+void set_column(MatrixOutOf<T>& out, Eigen::Index column, const MomentumOf<T>& momentum,
+                const Vector3<T>& center_m) {
+  out.col(column).template head<3>() = momentum.angular_Nm_s - center_m.cross(momentum.linear_N_s);
+  out.col(column).template tail<3>() = momentum.linear_N_s;
 }
 
 }  // namespace
@@ -72,50 +76,63 @@ Centroid centroid(TreeState& state) {
   return whole;
 }
 
-void centroidal_momentum_matrix(TreeState& state, MatrixOut out) {
+template <typename T>
+void centroidal_momentum_matrix(TreeStateOf<T>& state, MatrixOutOf<T> out) {
   if (out.rows() != 6 || out.cols() != state.velocity().size()) {
     throw std::invalid_argument("centroidal momentum matrix: six rows, one column per velocity");
   }
   gather_composites(state);
-  const TreeState::Composite& all = state.composites().front();
-  const Vector3d center_m =
-      all.mass_kg > 0 ? Vector3d(all.first_moment_kg_m / all.mass_kg) : Vector3d(Vector3d::Zero());
+  const typename TreeStateOf<T>::Composite& all = state.composites().front();
+  const Vector3<T> center_m = all.mass_kg > 0 ? Vector3<T>(all.first_moment_kg_m / all.mass_kg)
+                                              : Vector3<T>(Vector3<T>::Zero());
   for (Eigen::Index k = 0; k < state.tree().base_velocity_size(); ++k) {
-    set_column(out, k, momentum_of(all, base_column(state, k)), center_m);
+    set_column<T>(out, k, momentum_of<T>(all, base_column(state, k)), center_m);
   }
   const std::vector<Body>& bodies = state.tree().bodies;
   for (std::size_t i = 1; i < bodies.size(); ++i) {
-    Momentum momentum = momentum_of(state.composites()[i], joint_column(state, i));
+    MomentumOf<T> momentum = momentum_of<T>(state.composites()[i], joint_column(state, i));
     momentum.angular_Nm_s += state.motion(bodies[i].parent).R_WB * bodies[i].joint.rotor_spin_kg_m2;
-    set_column(out, state.joint_row(i), momentum, center_m);
+    set_column<T>(out, state.joint_row(i), momentum, center_m);
   }
 }
 
-double kinetic_energy_J(TreeState& state) {
+template <typename T>
+T kinetic_energy_J(TreeStateOf<T>& state) {
   const std::vector<Body>& bodies = state.tree().bodies;
-  double twice_J = 0;
+  T twice_J = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const BodyMotion& motion = state.motion(i);
-    const Vector3d w_B = motion.R_WB.transpose() * motion.angular_velocity_rad_s;
+    const BodyMotionOf<T>& motion = state.motion(i);
+    const Vector3<T> w_B = motion.R_WB.transpose() * motion.angular_velocity_rad_s;
     twice_J += bodies[i].inertia.mass_kg * center_velocity_m_s(state, i).squaredNorm() +
                w_B.dot(bodies[i].inertia.inertia_kg_m2 * w_B);
     if (i == 0) continue;
-    const double rate = state.joint_velocity(i);
-    const Vector3d& carrier_rad_s = state.motion(bodies[i].parent).angular_velocity_rad_s;
+    const T& rate = state.joint_velocity(i);
+    const Vector3<T>& carrier_rad_s = state.motion(bodies[i].parent).angular_velocity_rad_s;
     twice_J += bodies[i].joint.reflected_inertia * rate * rate +
                2 * spin_momentum_Nm_s(state, i).dot(carrier_rad_s);
   }
   return twice_J / 2;
 }
 
-double potential_energy_J(const TreeState& state) {
-  double energy_J = 0;
+template <typename T>
+T potential_energy_J(const TreeStateOf<T>& state) {
+  T energy_J = 0;
   const std::vector<Body>& bodies = state.tree().bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const double height_m = state.base_origin_m().z() + state.motion(i).center_of_mass_m.z();
+    const T height_m = state.base_origin_m().z() + state.motion(i).center_of_mass_m.z();
     energy_J += state.tree().gravity_m_s2 * bodies[i].inertia.mass_kg * height_m;
   }
   return energy_J;
 }
+
+template void centroidal_momentum_matrix(TreeState&, MatrixOutOf<double>);
+template double kinetic_energy_J(TreeState&);
+template double potential_energy_J(const TreeState&);
+template void centroidal_momentum_matrix(TreeStateOf<Jet>&, MatrixOutOf<Jet>);
+template Jet kinetic_energy_J(TreeStateOf<Jet>&);
+template Jet potential_energy_J(const TreeStateOf<Jet>&);
+template void centroidal_momentum_matrix(TreeStateOf<Jet2>&, MatrixOutOf<Jet2>);
+template Jet2 kinetic_energy_J(TreeStateOf<Jet2>&);
+template Jet2 potential_energy_J(const TreeStateOf<Jet2>&);
 
 }  // namespace torquewright::dynamics

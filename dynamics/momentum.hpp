@@ -23,11 +23,14 @@ Centroid centroid(TreeState& state);
 
 /// (6 x n), angular rows first: momentum about the centre of mass per unit of each velocity, so
 /// that matrix times velocity is (angular momentum, linear momentum); eq. (16).
-void centroidal_momentum_matrix(TreeState& state, MatrixOut out);
+template <typename T>
+void centroidal_momentum_matrix(TreeStateOf<T>& state, MatrixOutOf<T> out);
 
 /// v^T M v / 2, rotors as M has them.
-double kinetic_energy_J(TreeState& state);
+template <typename T>
+T kinetic_energy_J(TreeStateOf<T>& state);
 /// Zero with all mass at the height of the world's origin.
-double potential_energy_J(const TreeState& state);
+template <typename T>
+T potential_energy_J(const TreeStateOf<T>& state);
 
 }  // namespace torquewright::dynamics

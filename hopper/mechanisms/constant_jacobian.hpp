@@ -15,9 +15,18 @@ class ConstantJacobian : public Mechanism {
   Eigen::Index size() const override { return jacobian_.rows(); }
   std::optional<Transfer> transfer(const SmallVector& joint_rad,
                                    const SmallVector& joint_rad_s) const override;
+  std::optional<TransferOf<dynamics::Jet>> transfer_with_slopes(
+      const SmallVectorOf<dynamics::Jet>& joint_rad,
+      const SmallVectorOf<dynamics::Jet>& joint_rad_s) const override;
+  std::optional<TransferOf<dynamics::Jet2>> transfer_with_curvatures(
+      const SmallVectorOf<dynamics::Jet2>& joint_rad,
+      const SmallVectorOf<dynamics::Jet2>& joint_rad_s) const override;
   std::optional<SmallMatrix> constant_jacobian() const override { return jacobian_; }
 
  private:
+  template <typename T>
+  std::optional<TransferOf<T>> closed_form(const SmallVectorOf<T>& joint_rad,
+                                           const SmallVectorOf<T>& joint_rad_s) const;
   std::string_view type_;
   SmallMatrix jacobian_;
 };

@@ -34,17 +34,28 @@ class FourBar : public Mechanism {
   Eigen::Index size() const override { return 1; }
   std::optional<Transfer> transfer(const SmallVector& joint_rad,
                                    const SmallVector& joint_rad_s) const override;
+  std::optional<TransferOf<dynamics::Jet>> transfer_with_slopes(
+      const SmallVectorOf<dynamics::Jet>& joint_rad,
+      const SmallVectorOf<dynamics::Jet>& joint_rad_s) const override;
+  std::optional<TransferOf<dynamics::Jet2>> transfer_with_curvatures(
+      const SmallVectorOf<dynamics::Jet2>& joint_rad,
+      const SmallVectorOf<dynamics::Jet2>& joint_rad_s) const override;
   std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const override;
   /// That of a parallelogram is 1 or -1.
   std::optional<SmallMatrix> constant_jacobian() const override;
   const FourBarGeometry& geometry() const { return geometry_; }
 
  private:
+  template <typename T>
+  std::optional<TransferOf<T>> closed_form(const SmallVectorOf<T>& joint_rad,
+                                           const SmallVectorOf<T>& joint_rad_s) const;
   /// Opposite sides alike, and not crossed.
   bool is_parallelogram() const;
   bool has_change_points() const;
-  double rocker_rad(const SmallVector& joint_rad) const;
-  std::optional<double> crank_rad(double rocker_rad) const;
+  template <typename T>
+  T rocker_rad(const SmallVectorOf<T>& joint_rad) const;
+  template <typename T>
+  std::optional<T> crank_rad(const T& rocker_rad) const;
 
   FourBarGeometry geometry_;
 };

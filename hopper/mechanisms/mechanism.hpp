@@ -5,24 +5,32 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
+
+#include "dynamics/jet.hpp"
 
 namespace torquewright::hopper {
 
 /// A mechanism joins as many actuators as joints, at most this many.
 constexpr int kMostJoints = 2;
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
-using SmallMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
+template <typename T>
+using SmallVectorOf = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
+template <typename T>
+using SmallMatrixOf = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
+using SmallVector = SmallVectorOf<double>;
+using SmallMatrix = SmallMatrixOf<double>;
 
 /// How actuators move with the joints, at one posture and speed. No power is lost between them, so
 /// that joint torques are the transposed Jacobian times the actuators' torques. k actuators on k
 /// joints; docs/derivations/mechanisms.md eq. (1).
-struct Transfer {
-  SmallVector actuator_position_rad;  ///< (k x 1), of each actuator's output, behind its gearbox.
-  SmallMatrix jacobian;               ///< (k x k), actuators' speeds over joints' speeds.
-  SmallMatrix jacobian_rate_1_s;      ///< Its rate while the joints move so.
+template <typename T>
+struct TransferOf {
+  SmallVectorOf<T> actuator_position_rad;  ///< (k x 1), of each output, behind its gearbox.
+  SmallMatrixOf<T> jacobian;               ///< (k x k), actuators' speeds over joints' speeds.
+  SmallMatrixOf<T> jacobian_rate_1_s;      ///< Its rate while the joints move so.
 };
+using Transfer = TransferOf<double>;
 
 /// How far a mechanism is from what it cannot do or must not do.
 struct MechanismMargin {
@@ -45,14 +53,40 @@ class Mechanism {
   /// Empty where the linkage does not reach the posture, or is singular there.
   virtual std::optional<Transfer> transfer(const SmallVector& joint_rad,
                                            const SmallVector& joint_rad_s) const = 0;
+  /// The same closed forms on numbers that carry derivatives, by joints' positions and speeds or by
+  /// what these depend on. (Not overloads: an expression of Eigen's converts to either.)
+  virtual std::optional<TransferOf<dynamics::Jet>> transfer_with_slopes(
+      const SmallVectorOf<dynamics::Jet>& joint_rad,
+      const SmallVectorOf<dynamics::Jet>& joint_rad_s) const = 0;
+  virtual std::optional<TransferOf<dynamics::Jet2>> transfer_with_curvatures(
+      const SmallVectorOf<dynamics::Jet2>& joint_rad,
+      const SmallVectorOf<dynamics::Jet2>& joint_rad_s) const = 0;
   /// At a posture; empty: nothing limits it but the joints.
   virtual std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const;
   /// Where it is the same in every posture.
   virtual std::optional<SmallMatrix> constant_jacobian() const { return std::nullopt; }
 };
 
+/// Whichever of the three it is.
+template <typename T>
+std::optional<TransferOf<T>> transfer_of(const Mechanism& mechanism,
+                                         const SmallVectorOf<T>& joint_rad,
+                                         const SmallVectorOf<T>& joint_rad_s) {
+  if constexpr (std::is_same_v<T, dynamics::Jet>) {
+    return mechanism.transfer_with_slopes(joint_rad, joint_rad_s);
+  } else if constexpr (std::is_same_v<T, dynamics::Jet2>) {
+    return mechanism.transfer_with_curvatures(joint_rad, joint_rad_s);
+  } else {
+    return mechanism.transfer(joint_rad, joint_rad_s);
+  }
+}
+
 /// J^T torques of the actuators, eq. (2).
-SmallVector joint_torque_Nm(const Transfer& transfer, const SmallVector& actuator_Nm);
+template <typename T>
+SmallVectorOf<T> joint_torque_Nm(const TransferOf<T>& transfer,
+                                 const std::type_identity_t<SmallVectorOf<T>>& actuator_Nm) {
+  return transfer.jacobian.transpose() * actuator_Nm;
+}
 
 /// The actuators' torques that make these at the joints, eq. (2). Requires a Jacobian that is not
 /// singular, as those of Mechanism::transfer() are.

@@ -44,10 +44,19 @@ class ParallelAnkle : public Mechanism {
   Eigen::Index size() const override { return 2; }
   std::optional<Transfer> transfer(const SmallVector& joint_rad,
                                    const SmallVector& joint_rad_s) const override;
+  std::optional<TransferOf<dynamics::Jet>> transfer_with_slopes(
+      const SmallVectorOf<dynamics::Jet>& joint_rad,
+      const SmallVectorOf<dynamics::Jet>& joint_rad_s) const override;
+  std::optional<TransferOf<dynamics::Jet2>> transfer_with_curvatures(
+      const SmallVectorOf<dynamics::Jet2>& joint_rad,
+      const SmallVectorOf<dynamics::Jet2>& joint_rad_s) const override;
   std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const override;
   const ParallelAnkleGeometry& geometry() const { return geometry_; }
 
  private:
+  template <typename T>
+  std::optional<TransferOf<T>> closed_form(const SmallVectorOf<T>& joint_rad,
+                                           const SmallVectorOf<T>& joint_rad_s) const;
   ParallelAnkleGeometry geometry_;
 };
 

@@ -158,7 +158,8 @@ class Run {
 
   void advance() {
     const DriveStep& made = parts_.drives.drive(wanted_, speed_, options_.step_s);
-    body_.joint_forces(made.torque_Nm, force_);
+    force_.setZero();
+    body_.add_drive_torques(made.torque_Nm, force_);
     const EngineOutcome outcome = parts_.engine.step(force_, options_.step_s);
     if (outcome != EngineOutcome::kStepped) {
       stop(RunEnd::kStopped, words_of(outcome));

@@ -5,13 +5,16 @@
 
 #include "actuator/check/drive_check.hpp"
 #include "dynamics/inverse_dynamics.hpp"
+#include "dynamics/jet.hpp"
 #include "dynamics/mass_matrix.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 using dynamics::VectorIn;
+using dynamics::VectorInOf;
 using dynamics::VectorOut;
+using dynamics::VectorOutOf;
 using Eigen::Index;
 
 dynamics::Tree without_rotors(const Robot& robot) {
@@ -50,10 +53,8 @@ bool rotors_stay_in_tree(const Drivetrain& drivetrain) {
          (drivetrain.joints.size() > 1 || !drivetrain.mechanism->constant_jacobian());
 }
 
-WholeBody::WholeBody(const Robot& robot)
-    : robot_(&robot),
-      state_(without_rotors(robot)),
-      position_(dynamics::zero_position(robot.tree)) {
+template <typename T>
+WholeBodyOf<T>::WholeBodyOf(const Robot& robot) : robot_(&robot), state_(without_rotors(robot)) {
   for (std::size_t i = 0; i < robot.drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot.drivetrains[i];
     first_drive_.push_back(rotors_kg_m2_.size());
@@ -65,20 +66,21 @@ WholeBody::WholeBody(const Robot& robot)
   transfers_.resize(robot.drivetrains.size());
 }
 
-bool WholeBody::set(const VectorIn& position, const VectorIn& velocity) {
+template <typename T>
+bool WholeBodyOf<T>::set(const VectorInOf<T>& position, const VectorInOf<T>& velocity) {
   state_.set(position, velocity);
   const Index joints = static_cast<Index>(state_.tree().bodies.size()) - 1;
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot_->drivetrains[i];
     const auto count = static_cast<Index>(drivetrain.joints.size());
-    SmallVector joint_rad(count);
-    SmallVector joint_rad_s(count);
+    SmallVectorOf<T> joint_rad(count);
+    SmallVectorOf<T> joint_rad_s(count);
     for (Index j = 0; j < count; ++j) {
       const auto body = static_cast<Index>(drivetrain.joints[static_cast<std::size_t>(j)]);
       joint_rad[j] = position[position.size() - joints + body - 1];
       joint_rad_s[j] = velocity[velocity.size() - joints + body - 1];
     }
-    const auto transfer = drivetrain.mechanism->transfer(joint_rad, joint_rad_s);
+    const auto transfer = transfer_of<T>(*drivetrain.mechanism, joint_rad, joint_rad_s);
     if (!transfer) {
       unreached_ = i;
       return false;
@@ -88,35 +90,41 @@ bool WholeBody::set(const VectorIn& position, const VectorIn& velocity) {
   return true;
 }
 
-SmallVector WholeBody::joints_of(const Drivetrain& drivetrain, const VectorIn& values) const {
-  SmallVector part(static_cast<Index>(drivetrain.joints.size()));
+template <typename T>
+SmallVectorOf<T> WholeBodyOf<T>::joints_of(const Drivetrain& drivetrain,
+                                           const VectorInOf<T>& values) const {
+  SmallVectorOf<T> part(static_cast<Index>(drivetrain.joints.size()));
   for (Index j = 0; j < part.size(); ++j) {
     part[j] = values[state_.joint_row(drivetrain.joints[static_cast<std::size_t>(j)])];
   }
   return part;
 }
 
-SmallVector WholeBody::accelerations(std::size_t drivetrain, const VectorIn& acceleration) const {
+template <typename T>
+SmallVectorOf<T> WholeBodyOf<T>::accelerations(std::size_t drivetrain,
+                                               const VectorInOf<T>& acceleration) const {
   const Drivetrain& joints = robot_->drivetrains[drivetrain];
-  const Transfer& transfer = transfers_[drivetrain];
-  const SmallVector speeds = joints_of(joints, state_.velocity());
+  const TransferOf<T>& transfer = transfers_[drivetrain];
+  const SmallVectorOf<T> speeds = joints_of(joints, state_.velocity());
   return transfer.jacobian * joints_of(joints, acceleration) + transfer.jacobian_rate_1_s * speeds;
 }
 
-void WholeBody::mass_matrix(dynamics::MatrixOut out) {
+template <typename T>
+void WholeBodyOf<T>::mass_matrix(dynamics::MatrixOutOf<T> out) {
   dynamics::mass_matrix(state_, out);
   add_rotor_inertia(out);
 }
 
-void WholeBody::add_rotor_inertia(dynamics::MatrixOut out) const {
+template <typename T>
+void WholeBodyOf<T>::add_rotor_inertia(dynamics::MatrixOutOf<T> out) const {
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot_->drivetrains[i];
-    const SmallMatrix& J = transfers_[i].jacobian;
-    SmallMatrix weighted = J;
+    const SmallMatrixOf<T>& J = transfers_[i].jacobian;
+    SmallMatrixOf<T> weighted = J;
     for (Index j = 0; j < J.rows(); ++j) {
       weighted.row(j) *= rotors_kg_m2_[first_drive_[i] + static_cast<std::size_t>(j)];
     }
-    const SmallMatrix reflected = J.transpose() * weighted;
+    const SmallMatrixOf<T> reflected = J.transpose() * weighted;
     for (Index row = 0; row < J.cols(); ++row) {
       for (Index column = 0; column < J.cols(); ++column) {
         const auto at = [&](Index k) {
@@ -128,27 +136,43 @@ void WholeBody::add_rotor_inertia(dynamics::MatrixOut out) const {
   }
 }
 
-void WholeBody::inverse_dynamics(const VectorIn& acceleration, VectorOut force) {
+template <typename T>
+void WholeBodyOf<T>::inverse_dynamics(const VectorInOf<T>& acceleration, VectorOutOf<T> force) {
   dynamics::inverse_dynamics(state_, acceleration, force);
   add_rotors(acceleration, force);
 }
 
-void WholeBody::add_rotors(const VectorIn& acceleration, VectorOut force) const {
+template <typename T>
+void WholeBodyOf<T>::add_rotors(const VectorInOf<T>& acceleration, VectorOutOf<T> force) const {
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
-    SmallVector torque_Nm = accelerations(i, acceleration);
+    SmallVectorOf<T> torque_Nm = accelerations(i, acceleration);
     for (Index j = 0; j < torque_Nm.size(); ++j) {
       torque_Nm[j] *= rotors_kg_m2_[first_drive_[i] + static_cast<std::size_t>(j)];
     }
-    const SmallVector at_joints_Nm = joint_torque_Nm(transfers_[i], torque_Nm);
-    for (Index j = 0; j < at_joints_Nm.size(); ++j) {
-      force[state_.joint_row(robot_->drivetrains[i].joints[static_cast<std::size_t>(j)])] +=
-          at_joints_Nm[j];
-    }
+    add_at_joints(robot_->drivetrains[i], joint_torque_Nm(transfers_[i], torque_Nm), force);
   }
 }
 
-void WholeBody::drives(const VectorIn& acceleration, const VectorIn& load_force,
-                       std::vector<DriveInstant>& out) const {
+template <typename T>
+void WholeBodyOf<T>::add_drive_torques(const VectorInOf<T>& drive_Nm, VectorOutOf<T> force) const {
+  for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
+    const auto count = static_cast<Index>(robot_->drivetrains[i].actuators.size());
+    const SmallVectorOf<T> torque_Nm = drive_Nm.segment(static_cast<Index>(first_drive_[i]), count);
+    add_at_joints(robot_->drivetrains[i], joint_torque_Nm(transfers_[i], torque_Nm), force);
+  }
+}
+
+template <typename T>
+void WholeBodyOf<T>::add_at_joints(const Drivetrain& drivetrain, const SmallVectorOf<T>& torque_Nm,
+                                   VectorOutOf<T>& force) const {
+  for (Index j = 0; j < torque_Nm.size(); ++j) {
+    force[state_.joint_row(drivetrain.joints[static_cast<std::size_t>(j)])] += torque_Nm[j];
+  }
+}
+
+template <typename T>
+void WholeBodyOf<T>::drives(const VectorIn& acceleration, const VectorIn& load_force,
+                            std::vector<DriveInstant>& out) const requires std::same_as<T, double> {
   out.resize(drive_count());
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot_->drivetrains[i];
@@ -163,7 +187,9 @@ void WholeBody::drives(const VectorIn& acceleration, const VectorIn& load_force,
   }
 }
 
-void WholeBody::at_actuators(const VectorIn& force, VectorOut torque_Nm) const {
+template <typename T>
+void WholeBodyOf<T>::at_actuators(const VectorIn& force,
+                                  VectorOut torque_Nm) const requires std::same_as<T, double> {
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const SmallVector part =
         actuator_torque_Nm(transfers_[i], joints_of(robot_->drivetrains[i], force));
@@ -173,7 +199,9 @@ void WholeBody::at_actuators(const VectorIn& force, VectorOut torque_Nm) const {
   }
 }
 
-void WholeBody::speed_changes(const VectorIn& change, VectorOut at_actuators) const {
+template <typename T>
+void WholeBodyOf<T>::speed_changes(const VectorIn& change,
+                                   VectorOut at_actuators) const requires std::same_as<T, double> {
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const SmallVector part = transfers_[i].jacobian * joints_of(robot_->drivetrains[i], change);
     for (Index j = 0; j < part.size(); ++j) {
@@ -182,17 +210,8 @@ void WholeBody::speed_changes(const VectorIn& change, VectorOut at_actuators) co
   }
 }
 
-void WholeBody::joint_forces(const VectorIn& at_actuators_Nm, VectorOut force) const {
-  force.setZero();
-  for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
-    const Drivetrain& drivetrain = robot_->drivetrains[i];
-    const auto count = static_cast<Index>(drivetrain.joints.size());
-    const SmallVector at_joints_Nm = joint_torque_Nm(
-        transfers_[i], at_actuators_Nm.segment(static_cast<Index>(first_drive_[i]), count));
-    for (Index j = 0; j < count; ++j) {
-      force[state_.joint_row(drivetrain.joints[static_cast<std::size_t>(j)])] += at_joints_Nm[j];
-    }
-  }
-}
+template class WholeBodyOf<double>;
+template class WholeBodyOf<dynamics::Jet>;
+template class WholeBodyOf<dynamics::Jet2>;
 
 }  // namespace torquewright::hopper

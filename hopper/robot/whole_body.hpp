@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <vector>
 
 #include "dynamics/tree_state.hpp"
@@ -26,18 +27,21 @@ bool rotors_stay_in_tree(const Drivetrain& drivetrain);
 /// docs/derivations/whole_body_check.md eqs. (2)-(4). Vectors per velocity (n x 1) as in
 /// dynamics::TreeState; per drive (drive_count() x 1), in the order of the drivetrains and of their
 /// actuators, in Nm and rad at the actuator's output behind its gearbox.
-class WholeBody {
+/// On any scalar for which dynamics/ stands; what needs a Jacobian's inverse in double alone.
+template <typename T>
+class WholeBodyOf {
  public:
-  explicit WholeBody(const Robot& robot);
+  explicit WholeBodyOf(const Robot& robot);
 
   /// As dynamics::TreeState::set(), and throws as that. False where a mechanism does not reach the
   /// posture: unreached() names it, and only what needs no drivetrain may be asked for.
-  [[nodiscard]] bool set(const dynamics::VectorIn& position, const dynamics::VectorIn& velocity);
+  [[nodiscard]] bool set(const dynamics::VectorInOf<T>& position,
+                         const dynamics::VectorInOf<T>& velocity);
   /// Index of a drivetrain.
   std::size_t unreached() const { return unreached_; }
 
   /// Its reflected inertias are those of no rotor of a drivetrain.
-  dynamics::TreeState& state() { return state_; }
+  dynamics::TreeStateOf<T>& state() { return state_; }
   const Robot& robot() const { return *robot_; }
   std::size_t drive_count() const { return rotors_kg_m2_.size(); }
   /// N^2 J, the gears' and the crank's; 0 where what the joints state of it stays in the tree.
@@ -47,38 +51,47 @@ class WholeBody {
   double before_gears_kg_m2(std::size_t drive) const { return before_gears_kg_m2_[drive]; }
 
   /// (n x n), rotors included; eq. (2).
-  void mass_matrix(dynamics::MatrixOut out);
+  void mass_matrix(dynamics::MatrixOutOf<T> out);
   /// Adds what rotors weigh (n x n): A^T I A at the joints of each drivetrain.
-  void add_rotor_inertia(dynamics::MatrixOut out) const;
+  void add_rotor_inertia(dynamics::MatrixOutOf<T> out) const;
   /// Forces for an acceleration, rotors included; per velocity, as dynamics::inverse_dynamics();
   /// eq. (2).
-  void inverse_dynamics(const dynamics::VectorIn& acceleration, dynamics::VectorOut force);
+  void inverse_dynamics(const dynamics::VectorInOf<T>& acceleration,
+                        dynamics::VectorOutOf<T> force);
   /// Adds what rotors take for an acceleration, at the joints: A^T I (A a + A' v).
-  void add_rotors(const dynamics::VectorIn& acceleration, dynamics::VectorOut force) const;
+  void add_rotors(const dynamics::VectorInOf<T>& acceleration,
+                  dynamics::VectorOutOf<T> force) const;
+  /// Adds what torques of the drives (drive_count() x 1) are at the joints: A^T times them.
+  void add_drive_torques(const dynamics::VectorInOf<T>& drive_Nm,
+                         dynamics::VectorOutOf<T> force) const;
   /// Each actuator's part of joint forces that include no rotor: load and total torque, eqs. (3)
   /// and (4). Resizes `out`.
   void drives(const dynamics::VectorIn& acceleration, const dynamics::VectorIn& load_force,
-              std::vector<DriveInstant>& out) const;
+              std::vector<DriveInstant>& out) const requires std::same_as<T, double>;
   /// Forces per velocity as torques at the actuators' outputs: A^-T of the joints' part.
-  void at_actuators(const dynamics::VectorIn& force, dynamics::VectorOut torque_Nm) const;
+  void at_actuators(const dynamics::VectorIn& force,
+                    dynamics::VectorOut torque_Nm) const requires std::same_as<T, double>;
   /// Changes of the joints' speeds as changes of the actuators' outputs' speeds: A times them.
-  void speed_changes(const dynamics::VectorIn& change, dynamics::VectorOut at_actuators) const;
-  /// Forces per velocity that torques at the actuators' outputs make: A^T times them. Zero at the
-  /// base and at joints without a drive.
-  void joint_forces(const dynamics::VectorIn& at_actuators_Nm, dynamics::VectorOut force) const;
+  void speed_changes(const dynamics::VectorIn& change,
+                     dynamics::VectorOut at_actuators) const requires std::same_as<T, double>;
 
  private:
-  SmallVector joints_of(const Drivetrain& drivetrain, const dynamics::VectorIn& values) const;
-  SmallVector accelerations(std::size_t drivetrain, const dynamics::VectorIn& acceleration) const;
+  SmallVectorOf<T> joints_of(const Drivetrain& drivetrain,
+                             const dynamics::VectorInOf<T>& values) const;
+  SmallVectorOf<T> accelerations(std::size_t drivetrain,
+                                 const dynamics::VectorInOf<T>& acceleration) const;
+  /// Adds torques of a drivetrain's joints to forces per velocity.
+  void add_at_joints(const Drivetrain& drivetrain, const SmallVectorOf<T>& torque_Nm,
+                     dynamics::VectorOutOf<T>& force) const;
 
   const Robot* robot_;
-  dynamics::TreeState state_;
-  Eigen::VectorXd position_;
+  dynamics::TreeStateOf<T> state_;
   std::vector<std::size_t> first_drive_;  ///< By drivetrain.
   std::vector<double> rotors_kg_m2_;      ///< By drive, at its output.
   std::vector<double> before_gears_kg_m2_;
-  std::vector<Transfer> transfers_;  ///< By drivetrain, as set.
+  std::vector<TransferOf<T>> transfers_;  ///< By drivetrain, as set.
   std::size_t unreached_ = 0;
 };
+using WholeBody = WholeBodyOf<double>;
 
 }  // namespace torquewright::hopper

@@ -9,6 +9,7 @@
 #include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
 #include "dynamics/position_step.hpp"
+#include "dynamics/seeds.hpp"
 #include "tests/dynamics/allocation_count.hpp"
 #include "tests/dynamics/random_arm.hpp"
 #include "tests/dynamics/random_tree.hpp"
@@ -74,6 +75,23 @@ TEST(TreeState, NeverAllocatesOnceItStands) {
   const double energy_J = dynamics::kinetic_energy_J(state) + dynamics::potential_energy_J(state);
   EXPECT_EQ(allocation_count(), before);
   EXPECT_TRUE(solved) << energy_J << height_m;
+}
+
+TEST(TreeState, NeverAllocatesForNumbersWithDerivatives) {
+  using dynamics::Jet2;
+  oracles::Dice dice(83);
+  const dynamics::Tree tree = test::random_tree(dice, dynamics::BaseKind::kSpatial, 3);
+  dynamics::TreeStateOf<Jet2> state(tree);
+  const auto q = dynamics::seeded_position<Jet2>(tree, test::random_position(dice, tree), 0);
+  const auto v = dynamics::seeded<Jet2>(test::uniform_vector(dice, 9, 4), 9);
+  dynamics::VectorX<Jet2> out(9);
+  Eigen::Matrix<Jet2, Eigen::Dynamic, Eigen::Dynamic> mass(9, 9);
+  const long before = allocation_count();
+  state.set(q, v);
+  dynamics::inverse_dynamics(state, v, out);
+  dynamics::add_point_force(state, {3, {0.1, 0.2, 0.3}}, {1, 2, 3}, out);
+  dynamics::mass_matrix(state, mass);
+  EXPECT_EQ(allocation_count(), before);
 }
 
 }  // namespace
