@@ -42,7 +42,8 @@ std::optional<RiccatiStep> steady_riccati(const LinearStep& step) {
     make_symmetric(G);
     H += more;
     if (!H.allFinite() || !A.allFinite()) return std::nullopt;
-    if (more.norm() > kSettled * H.norm()) continue;
+    // Not by norms: their squares overflow before the numbers do.
+    if (more.cwiseAbs().maxCoeff() > kSettled * H.cwiseAbs().maxCoeff()) continue;
     RiccatiStep steady = riccati_step(step, H);
     if (!steady.gain.allFinite()) return std::nullopt;
     return steady;
