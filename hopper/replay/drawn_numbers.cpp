@@ -57,7 +57,7 @@ class DrawnList {
   std::vector<DrawnNumber> list_;
 };
 
-std::optional<double> where(bool is_drawn, double value) {
+std::optional<double> if_drawn(bool is_drawn, double value) {
   return is_drawn ? std::optional(value) : std::nullopt;
 }
 
@@ -79,11 +79,11 @@ std::vector<DrawnNumber> drawn_numbers(const Trial& trial, const Randomisation& 
   list.add("further_friction_Nm", from.further_friction_Nm, drives, trial.further_friction_Nm);
   list.add("friction_coefficient", trial.friction_coefficient);
   list.add("restitution", trial.restitution);
-  list.add("ground_height_m", where(from.ground_height_m.has_value(), trial.ground_height_m));
-  list.add("latency_s", where(from.latency_s.has_value(), trial.latency_s));
+  list.add("ground_height_m", if_drawn(from.ground_height_m.has_value(), trial.ground_height_m));
+  list.add("latency_s", if_drawn(from.latency_s.has_value(), trial.latency_s));
   list.add("state_of_charge", trial.state_of_charge);
   list.add("bus_voltage_factor",
-           where(from.bus_voltage_factor.has_value(), trial.bus_voltage_factor));
+           if_drawn(from.bus_voltage_factor.has_value(), trial.bus_voltage_factor));
   list.add("winding_temperature_K", trial.winding_temperature_K);
   list.add("initial_joint_position_rad", from.initial_joint_position_rad, joints,
            trial.initial_joint_position_rad);
