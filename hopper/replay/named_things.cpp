@@ -9,7 +9,7 @@ namespace torquewright::hopper {
 namespace {
 
 /// The key under which a range names them: "body" stands in a list of "bodies".
-std::string key_of(const NamedThings& things) {
+std::string list_key_of(const NamedThings& things) {
   return things.what == "body" ? "bodies" : things.what + "s";
 }
 
@@ -59,7 +59,7 @@ std::vector<std::size_t> meant_by(const NamedRange& range, const NamedThings& th
     return meant;
   }
   for (std::size_t i = 0; i < range.names.size(); ++i) {
-    const io::Fault place{file, fmt::format("{}/{}/{}", range.path, key_of(things), i), ""};
+    const io::Fault place{file, fmt::format("{}/{}/{}", range.path, list_key_of(things), i), ""};
     const auto found = find_name(things.names, range.names[i], things.what, place, faults);
     if (!found) continue;
     if (things.objections[*found].empty()) {

@@ -10,9 +10,9 @@ namespace torquewright::hopper {
 namespace {
 
 /// Holds a document against a robot; faults gather.
-class Fit {
+class RandomisationFit {
  public:
-  Fit(const Randomisation& randomisation, const Robot& robot)
+  RandomisationFit(const Randomisation& randomisation, const Robot& robot)
       : asked_{randomisation}, robot_{robot} {}
 
   std::vector<io::Fault> faults() {
@@ -104,7 +104,7 @@ class Fit {
 }  // namespace
 
 void require_fits(const Randomisation& randomisation, const Robot& robot) {
-  std::vector<io::Fault> faults = Fit(randomisation, robot).faults();
+  std::vector<io::Fault> faults = RandomisationFit(randomisation, robot).faults();
   if (!faults.empty()) throw io::SpecError(std::move(faults));
 }
 

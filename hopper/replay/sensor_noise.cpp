@@ -17,12 +17,12 @@ constexpr double kNoGravity = 1e-9;  // a vector so short that it points nowhere
 
 /// What noise is on: part of the key of each draw, so never to be renumbered.
 enum NoisyQuantity : std::uint64_t {
-  kGravity = 1,
-  kBaseRate,
-  kBasePosition,
-  kBaseVelocity,
-  kJointPosition,
-  kJointVelocity,
+  kOfGravity = 1,
+  kOfBaseRate,
+  kOfBasePosition,
+  kOfBaseVelocity,
+  kOfJointPosition,
+  kOfJointVelocity,
 };
 
 }  // namespace
@@ -45,7 +45,7 @@ double SensorNoise::drawn(double level, std::uint64_t quantity, std::uint64_t lo
 void SensorNoise::tilt(std::uint64_t look, Eigen::VectorXd& position) const {
   if (levels_.gravity_direction == 0.0 || tree_.base == BaseKind::kFixed) return;
   const auto noise = [&](Index axis) {
-    return drawn(levels_.gravity_direction, kGravity, look, axis);
+    return drawn(levels_.gravity_direction, kOfGravity, look, axis);
   };
   // docs/randomisation.md, eqs. (2), (3): a turn that makes gravity, down in the base's axes, what
   // is seen of it.
@@ -76,19 +76,20 @@ void SensorNoise::disturb(std::uint64_t look, Eigen::VectorXd& position,
                                                          : 0;
   const Index base_size = tree_.base_velocity_size();
   for (Index i = 0; i < places; ++i) {
-    position[i] += drawn(levels_.base_position_m, kBasePosition, look, i);
-    velocity[i] += drawn(levels_.base_velocity_m_s, kBaseVelocity, look, i);
+    position[i] += drawn(levels_.base_position_m, kOfBasePosition, look, i);
+    velocity[i] += drawn(levels_.base_velocity_m_s, kOfBaseVelocity, look, i);
   }
   for (Index i = places; i < base_size; ++i) {
-    velocity[i] += drawn(levels_.base_rate_rad_s, kBaseRate, look, i - places);
+    velocity[i] += drawn(levels_.base_rate_rad_s, kOfBaseRate, look, i - places);
   }
   const Index first_position = tree_.position_size() - (tree_.velocity_size() - base_size);
   for (std::size_t body = 1; body < tree_.bodies.size(); ++body) {
     if (tree_.bodies[body].joint.kind != dynamics::JointKind::kRevolute) continue;
     const auto joint = static_cast<Index>(body) - 1;
     position[first_position + joint] +=
-        drawn(levels_.joint_position_rad, kJointPosition, look, joint);
-    velocity[base_size + joint] += drawn(levels_.joint_velocity_rad_s, kJointVelocity, look, joint);
+        drawn(levels_.joint_position_rad, kOfJointPosition, look, joint);
+    velocity[base_size + joint] +=
+        drawn(levels_.joint_velocity_rad_s, kOfJointVelocity, look, joint);
   }
 }
 

@@ -8,7 +8,8 @@ namespace torquewright::hopper {
 namespace {
 
 constexpr double kNormalQuantile = 1.959963984540054;  // of 97.5 %
-constexpr double kRounding = 1e-9;  // of a required share that was written as a decimal fraction
+constexpr double kShareRounding =
+    1e-9;  // of a required share that was written as a decimal fraction
 
 }  // namespace
 
@@ -37,7 +38,7 @@ RateVerdict judged_rate(const TrialCounts& counts, double required_share) {
   }
   if (counts.all() == 0) return RateVerdict::kOpen;
   const auto all = static_cast<double>(counts.all());
-  const double required = (required_share - kRounding) * all;
+  const double required = (required_share - kShareRounding) * all;
   if (static_cast<double>(counts.succeeded) >= required) return RateVerdict::kReached;
   const auto at_best = static_cast<double>(counts.succeeded + counts.unfinished);
   return at_best >= required ? RateVerdict::kOpen : RateVerdict::kMissed;

@@ -12,6 +12,9 @@
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/urdf_reader.hpp"
 #include "hopper/motion/motion_reader.hpp"
+#include "hopper/replay/randomisation_spec.hpp"
+#include "hopper/replay/trial.hpp"
+#include "hopper/robot/plausible_inertia.hpp"
 #include "hopper/robot/robot_spec.hpp"
 #include "io/document.hpp"
 #include "io/schema.hpp"
@@ -75,6 +78,24 @@ void read_motion(const fs::path& file) {
   }
 }
 
+// What is read and fits must make robots of real bodies.
+void read_randomisation(const fs::path& file) {
+  static const hopper::Robot robot =
+      hopper::read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
+  const hopper::Randomisation read = hopper::read_randomisation(file).randomisation;
+  hopper::require_fits(read, robot);
+  for (std::size_t number = 0; number < 3; ++number) {
+    const hopper::Robot drawn =
+        hopper::perturbed(robot, hopper::draw_trial(read, robot, 1, number));
+    dynamics::require_tree(drawn.tree);
+    for (const dynamics::Body& body : drawn.tree.bodies) {
+      if (const auto objection = hopper::inertia_objection(body.inertia.inertia_kg_m2)) {
+        throw Misbehaviour("a drawn body that cannot be: " + *objection);
+      }
+    }
+  }
+}
+
 void read_trajectory(const fs::path& file) {
   actuator::TrajectoryReader reader(file, {}, {"knee"}, {});
   actuator::Row row;
@@ -90,6 +111,7 @@ std::vector<Reader> readers() {
       {"gear_strength, with its limits", ".json", read_strength},
       {"actuator, with its region", ".json", read_actuator},
       {"robot, with its mass matrix", ".json", read_robot},
+      {"randomisation, with its draws", ".json", read_randomisation},
       {"robot from URDF", ".urdf", read_urdf},
       {"robot from MJCF", ".xml", read_mjcf},
       {"trajectory", ".csv", read_trajectory},

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hopper/replay/trial.hpp"
+
+namespace torquewright::hopper {
+
+/// A number of a trial as it is shown to whoever asks why it fell.
+struct DrawnNumber {
+  std::string
+      quantity;    ///< The document's key, which has the unit; "mass_factor" for both of mass.
+  std::string of;  ///< Body, drive or joint, with the axis of a shift; empty: of all.
+  double value = 0.0;
+};
+
+/// All that the document had drawn, in the order of its keys and of the robot; noise apart.
+/// Requires a trial of this document and this robot.
+std::vector<DrawnNumber> drawn_numbers(const Trial& trial, const Randomisation& randomisation,
+                                       const Robot& robot);
+
+}  // namespace torquewright::hopper
