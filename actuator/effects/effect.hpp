@@ -74,6 +74,7 @@ struct Harmonic {
   double order = 1.0;
   double amplitude = 0.0;
   double phase_rad = 0.0;
+  friend bool operator==(const Harmonic&, const Harmonic&) = default;
 };
 
 struct Effect;
@@ -106,6 +107,7 @@ struct Effect {
   std::vector<Harmonic> harmonics;
   bool proportional = false;  ///< gear_ripple: amplitudes are ratios of the load.
   std::string provenance;     ///< As written: "assumed", "measured", "identified", ...
+  friend bool operator==(const Effect&, const Effect&) = default;
 };
 
 }  // namespace torquewright::actuator

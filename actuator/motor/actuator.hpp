@@ -29,6 +29,7 @@ struct Motor {
   double rotor_inertia_kg_m2 = 0.0;
   double winding_temperature_K = kDefaultTemperature_K;  ///< At which the above holds.
   double demagnetisation_current_A = kUnlimited;         ///< Largest negative d current.
+  friend bool operator==(const Motor&, const Motor&) = default;
 };
 
 struct Drive {
@@ -39,6 +40,7 @@ struct Drive {
   bool field_weakening = false;
   bool regeneration = true;  ///< False: no power flows back to the bus.
   double regeneration_limit_W = kUnlimited;
+  friend bool operator==(const Drive&, const Drive&) = default;
 };
 
 /// Open-circuit voltage of one cell at a state of charge (1 full).
@@ -68,6 +70,7 @@ struct Thermal {
   double case_J_K = 0.0;
   double winding_limit_K = 0.0;
   double ambient_K = kDefaultTemperature_K;
+  friend bool operator==(const Thermal&, const Thermal&) = default;
 };
 
 /// What stands between rotor and joint. `ratio` is rotor speed over joint speed, signed.
@@ -78,6 +81,7 @@ struct Transmission {
   double inertia_kg_m2 = 0.0;        ///< Of the gears, at the joint.
   double peak_torque_Nm = kUnlimited;
   std::string source;  ///< The document it was computed from; empty: stated inline.
+  friend bool operator==(const Transmission&, const Transmission&) = default;
 };
 
 /// What limits the current at stall.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/replay/powered_drives.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -49,6 +50,17 @@ void require_possible(const FixedDrives& drives, const actuator::OperatingCondit
   if (!faults.empty()) throw io::SpecError(std::move(faults));
 }
 
+/// Drives of one kind share theirs.
+void make_levels(actuator::Rating rating, FixedDrives& drives) {
+  for (auto drive = drives.begin(); drive != drives.end(); ++drive) {
+    const auto alike = std::find_if(drives.begin(), drive, [&](const FixedDrive& before) {
+      return before.levels->are_of(drive->actuator, rating);
+    });
+    drive->levels = alike != drive ? alike->levels
+                                   : std::make_shared<const RegionLevels>(drive->actuator, rating);
+  }
+}
+
 std::vector<const actuator::Actuator*> actuators_of(const FixedDrives& drives) {
   std::vector<const actuator::Actuator*> actuators;
   for (const FixedDrive& drive : drives) actuators.push_back(&drive.actuator);
@@ -87,10 +99,7 @@ class PoweredDrives::Work {
  public:
   Work(FixedDrives drives, const PoweredDriveOptions& options) {
     require_possible(drives, options.conditions);
-    for (FixedDrive& drive : drives) {
-      drive.levels =
-          std::make_shared<const RegionLevels>(drive.actuator, options.conditions.rating);
-    }
+    make_levels(options.conditions.rating, drives);
     rating_ = options.conditions.rating;
     fixed_ = std::make_shared<const FixedDrives>(std::move(drives));
     begin(options);
@@ -233,6 +242,7 @@ PoweredDrives::PoweredDrives(const PoweredDrives& other)
     : work_(std::make_unique<Work>(*other.work_)) {}
 PoweredDrives::PoweredDrives(std::unique_ptr<Work> work) : work_(std::move(work)) {}
 PoweredDrives::PoweredDrives(PoweredDrives&&) noexcept = default;
+PoweredDrives& PoweredDrives::operator=(PoweredDrives&&) noexcept = default;
 PoweredDrives::~PoweredDrives() = default;
 
 PoweredDrives PoweredDrives::under(const PoweredDriveOptions& options) const {

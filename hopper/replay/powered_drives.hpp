@@ -37,9 +37,11 @@ class PoweredDrives {
   PoweredDrives(const Robot& robot, const PoweredDriveOptions& options);
   PoweredDrives(const PoweredDrives& other);
   PoweredDrives(PoweredDrives&&) noexcept;
+  PoweredDrives& operator=(PoweredDrives&&) noexcept;
   ~PoweredDrives();
 
-  /// The same drives under other options, at their start; shares the regions of one rating.
+  /// The same drives under other options, at their start; shares the regions of one rating. For
+  /// trials that differ in friction, charge or limits.
   PoweredDrives under(const PoweredDriveOptions& options) const;
 
   /// Cold, with the batteries at rest: the winding as the conditions say, else at the ambient of

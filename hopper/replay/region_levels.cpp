@@ -66,6 +66,15 @@ RegionLevels::RegionLevels(const actuator::Actuator& actuator, actuator::Rating 
 
 RegionLevels::~RegionLevels() = default;
 
+bool RegionLevels::are_of(const actuator::Actuator& actuator, actuator::Rating rating) const {
+  const actuator::Actuator other = on_held_bus(actuator);
+  return rating == rating_ &&
+         step_V_ == open_circuit_voltage_V(actuator, {}) / kLevelsPerOpenCircuit &&
+         other.motor == actuator_.motor && other.drive == actuator_.drive &&
+         other.transmission == actuator_.transmission && other.effects == actuator_.effects &&
+         other.thermal == actuator_.thermal;
+}
+
 double RegionLevels::temperature_K(int temperature) const {
   return first_K_ + temperature * kStep_K;
 }

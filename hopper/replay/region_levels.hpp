@@ -34,6 +34,9 @@ class RegionLevels {
   RegionLevels(const RegionLevels&) = delete;
   RegionLevels& operator=(const RegionLevels&) = delete;
 
+  /// Whether they are that actuator's too: so that drives of one kind need no levels each.
+  bool are_of(const actuator::Actuator& actuator, actuator::Rating rating) const;
+
   /// At the joint, the bus held at that voltage. Without voltage there is no torque.
   actuator::Interval limits(double bus_V, double winding_K, double speed_rad_s) const;
 

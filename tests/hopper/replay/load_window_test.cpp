@@ -8,7 +8,10 @@
 #include <cmath>
 #include <random>
 
+#include "hopper/check/hopper_check.hpp"
+#include "hopper/motion/motion_reader.hpp"
 #include "hopper/replay/step_window.hpp"
+#include "hopper/robot/robot_spec.hpp"
 #include "tests/hopper/replay/driven_robot.hpp"
 
 namespace torquewright::hopper {
@@ -166,6 +169,50 @@ TEST(LoadWindow, HoldsImpacts) {
   EXPECT_NEAR(contact.steady_joint_Nm, 0.2 / 0.01, 1e-9);
   EXPECT_NEAR(contact.impulse_Nm_s, 1.5, 1e-12);
   EXPECT_NEAR(contact.impulse_time_s, 0.061, 1e-12);
+}
+
+/// The flip's samples as the steps of a run: an impact is one of a nanosecond.
+DriveSteps steps_of(const Motion& motion, const HopperReport& report) {
+  constexpr double kAtOnce_s = 1e-9;
+  const Index drives = report.torques_Nm.rows();
+  const Index count = motion.samples() - 1;
+  DriveSteps steps;
+  steps.times_s.push_back(motion.time_s(0));
+  steps.torque_Nm.resize(drives, count);
+  steps.speed_before_rad_s = steps.speed_after_rad_s = steps.torque_Nm;
+  steps.contact_Nm_s.setZero(drives, count);
+  for (Index k = 0; k < count; ++k) {
+    const bool is_impact = motion.time_s(k + 1) == motion.time_s(k);
+    steps.times_s.push_back(motion.time_s(k + 1) + (is_impact ? kAtOnce_s : 0.0));
+    steps.has_impact.push_back(is_impact);
+    steps.torque_Nm.col(k) = 0.5 * (report.torques_Nm.col(k) + report.torques_Nm.col(k + 1));
+    for (Index i = 0; i < drives; ++i) {
+      const auto& drive = report.demand.drives[static_cast<std::size_t>(i)];
+      steps.speed_before_rad_s(i, k) = drive[static_cast<std::size_t>(k)].speed_rad_s;
+      steps.speed_after_rad_s(i, k) = drive[static_cast<std::size_t>(k) + 1].speed_rad_s;
+    }
+  }
+  return steps;
+}
+
+// Oracle: `hopper check`, which takes the rotors' part from accelerations where a run takes it from
+// changes of speed. They differ by no more than the check itself says that it leaves open.
+TEST(LoadWindow, OfTheFlipIsWhatTheCheckFinds) {
+  const std::string specs = TORQUEWRIGHT_SOURCE_DIR "/specs/";
+  const Robot robot = read_robot(specs + "robot/hopper.json").robot;
+  Motion motion = read_motion(robot, {specs + "trajectory/hopper_flip.csv", {}, {}, {}});
+  const HopperReport report = check_motion(robot, motion, {});
+  const auto loads = transmission_loads(robot, steps_of(motion, report), 0.01);
+  ASSERT_EQ(loads.size(), report.transmission_loads.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const TransmissionLoad& found = report.transmission_loads[i];
+    EXPECT_LT(found.joint.doubt, 0.05 * found.joint.mean);
+    EXPECT_NEAR(loads[i].joint.mean, found.joint.mean, found.joint.doubt) << found.drive;
+    EXPECT_NEAR(loads[i].motor.mean, found.motor.mean, found.motor.doubt) << found.drive;
+    EXPECT_NEAR(loads[i].rotor_Nm_s, found.rotor_Nm_s, 1e-9 + 1e-6 * found.rotor_Nm_s);
+    EXPECT_EQ(loads[i].drive, found.drive);
+    EXPECT_EQ(loads[i].verdict, found.verdict);
+  }
 }
 
 TEST(LoadWindow, RefusesWhatIsNoRun) {

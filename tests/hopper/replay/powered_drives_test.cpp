@@ -460,7 +460,8 @@ TEST(PoweredDrives, UnderOtherOptionsAreAsIfMadeUnderThem) {
   half.further_friction_Nm = Vector2d(0.3, 0.4);
   PoweredDrives full(robot, {});
   trial(full, 3);
-  PoweredDrives changed = full.under(half);
+  PoweredDrives changed(full);
+  changed = full.under(half);
   PoweredDrives made(robot, half);
   const std::vector<DriveStep> steps = trial(made, 4);
   EXPECT_LT(steps.front().bus_V[0], 49.0);

@@ -92,5 +92,29 @@ TEST(RegionLevels, ModelsFollowTheTemperature) {
   }
 }
 
+// Whatever moves a bound makes another actuator of it; what does not, does not.
+TEST(RegionLevels, AreOfEveryActuatorWithTheSameRegion) {
+  const Actuator own = actuators()[1];
+  const RegionLevels levels(own, actuator::Rating::kPeak);
+  const auto are_of = [&](auto change) {
+    Actuator other = own;
+    change(other);
+    return levels.are_of(other, actuator::Rating::kPeak);
+  };
+  EXPECT_TRUE(are_of([](Actuator&) {}));
+  EXPECT_TRUE(are_of([](Actuator& other) { other.name = "another"; }));
+  EXPECT_TRUE(are_of([](Actuator& other) { other.battery->cell_resistance_ohm = 1.0; }));
+  EXPECT_FALSE(are_of([](Actuator& other) { other.battery->series_cells = 2.0; }));
+  EXPECT_FALSE(are_of([](Actuator& other) { other.motor.torque_constant_Nm_A = 0.4; }));
+  EXPECT_FALSE(are_of([](Actuator& other) { other.drive.peak_current_A = 41.0; }));
+  EXPECT_FALSE(are_of([](Actuator& other) { other.transmission.ratio = 11.0; }));
+  EXPECT_FALSE(are_of([](Actuator& other) { other.effects[1].values[0] = 4.1; }));
+  EXPECT_FALSE(are_of([](Actuator& other) { other.effects.pop_back(); }));
+  EXPECT_FALSE(are_of([](Actuator& other) {
+    other.thermal = actuator::Thermal{0.5, 1.0, 20.0, 100.0, 400.0};
+  }));
+  EXPECT_FALSE(levels.are_of(own, actuator::Rating::kContinuous));
+}
+
 }  // namespace
 }  // namespace torquewright::hopper
