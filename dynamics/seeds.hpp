@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "dynamics/jet.hpp"
 #include "dynamics/tree_state.hpp"
 
