@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "hopper/tracking/drive_torque.hpp"
 #include "hopper/tracking/error_space.hpp"
 #include "hopper/tracking/gain_schedule.hpp"
 #include "hopper/tracking/linearisation.hpp"
 #include "hopper/tracking/riccati.hpp"
+#include "hopper/tracking/touch_down.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -148,7 +150,15 @@ class Recursion {
   }
 
   /// What errors in front of the end of a mode are behind it, (2 n x 2 n).
-  bool border(std::size_t mode, const Knot& before, MatrixXd& map);
+  bool border(std::size_t mode, const Knot& before, MatrixXd& map) {
+    const auto& modes = reference_->modes();
+    const std::size_t next = std::min(mode + 1, modes.size() - 1);
+    auto found =
+        touch_down_map(body_, state_of(before.instant), modes[mode].touches, modes[next].touches);
+    if (!found) return stop(GainOutcome::kUnreached, before.time_s, before.instant);
+    map = std::move(*found);
+    return true;
+  }
 
   bool go_back_over(std::size_t mode, GainStretch& stretch) {
     const ContactMode& here = reference_->modes()[mode];
@@ -192,35 +202,6 @@ class Recursion {
   MatrixXd after_end_;
   LqrResult result_;
 };
-
-bool Recursion::border(std::size_t mode, const Knot& before, MatrixXd& map) {
-  // Slower than that the moment of touching is not one that an error of height moves.
-  constexpr double kLanding_m_s = 0.05;
-  const Index n = before.instant.velocity.size();
-  map.setIdentity(2 * n, 2 * n);
-  if (mode + 1 == reference_->modes().size()) return true;
-  const TouchingPoints& old = reference_->modes()[mode].touches;
-  const TouchingPoints& held = reference_->modes()[mode + 1].touches;
-  const TouchingPoints landing = held && !old;
-  if (!landing.any()) return true;
-  const DrivenState at = state_of(before.instant);
-  const auto impact = impact_slopes(body_, at, held);
-  const auto acceleration = held_acceleration(body_, at, old);
-  if (!impact || !acceleration) {
-    return stop(GainOutcome::kUnreached, before.time_s, before.instant);
-  }
-  VectorXd flow(2 * n);
-  flow << at.velocity, *acceleration;
-  const Eigen::RowVectorXd height =
-      contact_rows(body_.robot(), body_.state(), landing).heights().colwise().mean();
-  const double approach_m_s = height.dot(at.velocity);
-  MatrixXd at_contact = MatrixXd::Identity(2 * n, 2 * n);
-  if (approach_m_s < -kLanding_m_s) at_contact.leftCols(n) -= flow * height / approach_m_s;
-  map.bottomLeftCorner(n, n) = impact->by_position;
-  map.bottomRightCorner(n, n) = impact->by_velocity;
-  map = (map * at_contact).eval();
-  return true;
-}
 
 }  // namespace
 

@@ -58,7 +58,7 @@ std::string sentence_of(const LqrResult& result);
 
 /// The reference's torques and, for errors of the whole state, the gains' part. Where the robot
 /// stands in the world and which way it faces is no error. Robot and reference (those of the gains)
-/// must outlive it.
+/// must outlive it. std::invalid_argument without gains.
 std::unique_ptr<Controller> lqr_controller(const Robot& robot, const Reference& reference,
                                            std::shared_ptr<const GainSchedule> gains,
                                            const ClockOptions& clock, const ImpactOptions& impact);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <stdexcept>
 #include <utility>
 
 #include "hopper/tracking/error_space.hpp"
@@ -56,6 +57,7 @@ class LqrController final : public Controller {
 std::unique_ptr<Controller> lqr_controller(const Robot& robot, const Reference& reference,
                                            std::shared_ptr<const GainSchedule> gains,
                                            const ClockOptions& clock, const ImpactOptions& impact) {
+  if (!gains) throw std::invalid_argument("regulator: no gains");
   return std::make_unique<LqrController>(robot, reference, std::move(gains), clock, impact);
 }
 

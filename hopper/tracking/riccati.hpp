@@ -23,7 +23,7 @@ struct RiccatiStep {
 /// Numbers that overflow stay so.
 RiccatiStep riccati_step(const LinearStep& step, const Eigen::MatrixXd& cost_after);
 
-/// What all steps without end cost, A square; by doubling (Anderson 1978; eq. (14)): k doublings
+/// What all steps without end cost, A square; by doubling (Anderson 1978; eq. (15)): k doublings
 /// are 2^k steps. None where 60 of them do not settle it: no u holds the state, or nothing in Q
 /// asks for it.
 std::optional<RiccatiStep> steady_riccati(const LinearStep& step);

@@ -12,6 +12,7 @@
 #include "dynamics/mass_matrix.hpp"
 #include "dynamics/position_step.hpp"
 #include "hopper/tracking/error_space.hpp"
+#include "hopper/tracking/touch_down.hpp"
 #include "tests/dynamics/rigid_impact.hpp"
 #include "tests/hopper/tracking/closed_loop.hpp"
 
@@ -177,6 +178,50 @@ TEST_F(Linearisation, ImpactOfRabbitIsTheTestsOwn) {
   const auto expected = torquewright::test::impact(state, contacts);
   ASSERT_EQ(expected.status, torquewright::test::ImpactStatus::kSolved);
   EXPECT_LT((slopes->value - expected.velocity).norm(), 1e-9 * expected.velocity.norm());
+}
+
+// A state a little off before the impact falls on, at constant acceleration, until the landing
+// points' mean height is the planned one; then comes the impact. Its difference from the planned
+// one is the map: central differences, of second order as the slopes themselves.
+TEST_F(Linearisation, TouchDownIsFallingToTheGroundAndTheImpact) {
+  constexpr double kApart = 1e-5;
+  const DrivenState before = at(std::nextafter(planned.reference->modes()[3].from_s, 0.0));
+  const TouchingPoints none = points(false, false);
+  for (const TouchingPoints& held : {points(true, true), points(true, false)}) {
+    const auto map = touch_down_map(body, before, none, held);
+    ASSERT_TRUE(map);
+    const VectorXd acceleration = held_acceleration(body, before, none).value();
+    const auto height_m = [&](const VectorXd& position) {
+      EXPECT_TRUE(body.set(position, VectorXd::Zero(9)));
+      double sum_m = 0.0;
+      for (Index i = 0; i < 4; ++i) {
+        const auto& point = planned.robot.contacts[static_cast<std::size_t>(i)].point;
+        if (held[i]) sum_m += dynamics::point_position_m(body.state(), point).z();
+      }
+      return sum_m / static_cast<double>(held.count());
+    };
+    const double ground_m = height_m(before.position);
+    const auto landed = [&](const VectorXd& error, VectorXd& position) {
+      const VectorXd from = moved(before.position, error.head(9), 1.0);
+      const VectorXd speed = before.velocity + error.tail(9);
+      const auto after = [&](double t) { return moved(from, speed + 0.5 * t * acceleration, t); };
+      double early_s = -1e-2, late_s = 1e-2;
+      for (int halving = 0; halving < 60; ++halving) {
+        const double middle_s = 0.5 * (early_s + late_s);
+        (height_m(after(middle_s)) > ground_m ? early_s : late_s) = middle_s;
+      }
+      position = after(early_s);
+      const DrivenState state{position, speed + early_s * acceleration, before.drive_Nm};
+      return impact_slopes(body, state, held)->value;
+    };
+    for (Index column = 0; column < 18; ++column) {
+      VectorXd ahead, behind, apart(18);
+      apart.tail(9) = landed(kApart * VectorXd::Unit(18, column), ahead);
+      apart.tail(9) -= landed(-kApart * VectorXd::Unit(18, column), behind);
+      dynamics::position_difference(planned.robot.tree, behind, ahead, apart.head(9));
+      EXPECT_LT((apart / (2.0 * kApart) - map->col(column)).norm(), 1e-5 * map->norm()) << column;
+    }
+  }
 }
 
 // Two motions that begin a little apart, 40 steps of the engine on: their distance is what the

@@ -141,6 +141,7 @@ TEST_F(Standing, RefusesWeightsThatAreNone) {
   bad = {};
   bad.torque_Nm = VectorXd::Ones(2);
   EXPECT_THROW((void)lqr_gains(robot, reference, bad), std::invalid_argument);
+  EXPECT_THROW((void)lqr_controller(robot, reference, nullptr, {}, {}), std::invalid_argument);
 }
 
 /// One row that is held for a time.
