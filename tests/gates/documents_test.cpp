@@ -25,6 +25,7 @@ const std::vector<Excuse> kWithoutExample = {
     {"mor_ratios", kWritten},
     {"mor_table", kWritten},
     {"region_comparison", kWritten},
+    {"replay_report", kWritten},
     {"simulator_file", kWritten},
     {"strength_report", kWritten},
     {"verification_report", kWritten},
