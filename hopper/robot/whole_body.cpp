@@ -211,7 +211,26 @@ void WholeBodyOf<T>::speed_changes(const VectorIn& change,
 }
 
 template class WholeBodyOf<double>;
-template class WholeBodyOf<dynamics::Jet>;
-template class WholeBodyOf<dynamics::Jet2>;
+// Member by member: those in double alone are left out.
+template WholeBodyOf<dynamics::Jet>::WholeBodyOf(const Robot&);
+template bool WholeBodyOf<dynamics::Jet>::set(const VectorInOf<dynamics::Jet>&,
+                                              const VectorInOf<dynamics::Jet>&);
+template void WholeBodyOf<dynamics::Jet>::mass_matrix(dynamics::MatrixOutOf<dynamics::Jet>);
+template void WholeBodyOf<dynamics::Jet>::inverse_dynamics(const VectorInOf<dynamics::Jet>&,
+                                                           VectorOutOf<dynamics::Jet>);
+template void WholeBodyOf<dynamics::Jet>::add_rotors(const VectorInOf<dynamics::Jet>&,
+                                                     VectorOutOf<dynamics::Jet>) const;
+template void WholeBodyOf<dynamics::Jet>::add_drive_torques(const VectorInOf<dynamics::Jet>&,
+                                                            VectorOutOf<dynamics::Jet>) const;
+template WholeBodyOf<dynamics::Jet2>::WholeBodyOf(const Robot&);
+template bool WholeBodyOf<dynamics::Jet2>::set(const VectorInOf<dynamics::Jet2>&,
+                                               const VectorInOf<dynamics::Jet2>&);
+template void WholeBodyOf<dynamics::Jet2>::mass_matrix(dynamics::MatrixOutOf<dynamics::Jet2>);
+template void WholeBodyOf<dynamics::Jet2>::inverse_dynamics(const VectorInOf<dynamics::Jet2>&,
+                                                            VectorOutOf<dynamics::Jet2>);
+template void WholeBodyOf<dynamics::Jet2>::add_rotors(const VectorInOf<dynamics::Jet2>&,
+                                                      VectorOutOf<dynamics::Jet2>) const;
+template void WholeBodyOf<dynamics::Jet2>::add_drive_torques(const VectorInOf<dynamics::Jet2>&,
+                                                             VectorOutOf<dynamics::Jet2>) const;
 
 }  // namespace torquewright::hopper
