@@ -14,6 +14,16 @@ using dynamics::VectorIn;
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+/// No robot is so far away or so fast.
+bool is_sound(const VectorXd& numbers) {
+  constexpr double kMost = 1e10;
+  return numbers.allFinite() && numbers.cwiseAbs().maxCoeff() < kMost;
+}
+
+}  // namespace
+
 TimeStepping::TimeStepping(MovingBodies& bodies, Obstacles obstacles)
     : bodies_(bodies), obstacles_(std::move(obstacles)) {
   const Index size = bodies.state().velocity().size();
@@ -67,7 +77,7 @@ TimeStepping::Outcome TimeStepping::step(VectorXd& position, VectorXd& velocity,
     outcome = touches ? touch(force, step_s) : fly(force, step_s, touches);
   }
   if (outcome != Outcome::kStepped) return outcome;
-  if (!position_.allFinite() || !velocity_.allFinite()) return Outcome::kBlownUp;
+  if (!is_sound(position_) || !is_sound(velocity_)) return Outcome::kBlownUp;
   record_impulses();
   flew_ = !touches;
   position = position_;

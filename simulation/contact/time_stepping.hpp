@@ -27,7 +27,7 @@ class TimeStepping {
     kStepped,
     kUnreached,  ///< A mechanism does not reach the posture.
     kUnsolved,   ///< The contacts' laws could not be met.
-    kBlownUp,    ///< A number is not finite, or the mass matrix not positive definite.
+    kBlownUp,    ///< A number is not finite or above 1e10, or M is not positive definite.
   };
 
   /// `bodies` must outlive it.
