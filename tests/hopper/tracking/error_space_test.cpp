@@ -36,7 +36,7 @@ class ErrorSpaces : public testing::Test {
 };
 
 // Of 9 - 3 (place and heading) directions and 9 velocities the whole foot takes height and two
-// tilts, and all of its 6 velocities; the heel height and one tilt, and 5; see hopper.md's counts.
+// tilts, and all of its 6 velocities; the heel height and one tilt, and 5.
 TEST_F(ErrorSpaces, LeaveFreeWhatTheGroundDoes) {
   const Index free[] = {3 + 3, 4 + 4, 6 + 9, 3 + 3};
   for (std::size_t mode = 0; mode < 4; ++mode) {

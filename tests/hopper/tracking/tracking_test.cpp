@@ -242,7 +242,7 @@ class Flip : public testing::Test {
 };
 
 // Without torque limits. The regulator brings it over and it stands a second later, touch-down
-// within 2 degrees of the plan (engine's and control's steps are 0.7 degrees, hopper.md 3.4).
+// within 2 degrees of the plan (steps of engine and control make some 0.7).
 TEST_F(Flip, RegulatorLandsAndStands) {
   const LqrResult found = lqr_gains(planned.robot, *planned.reference, {});
   ASSERT_EQ(found.outcome, GainOutcome::kFound) << sentence_of(found);
