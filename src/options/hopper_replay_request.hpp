@@ -24,7 +24,7 @@ struct HopperReplayRequest {
   double latency_s = 0.0;
   double stand_s = 1.0;
   double ground_rise_m = 0.0;
-  double contact_time_constant_s = 0.006;
+  double contact_time_constant_s = 0.001;
   bool sweep = false;
   std::uint64_t trials = 0;  ///< 0: one run as documented.
   std::string randomise_file;
