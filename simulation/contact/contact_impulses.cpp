@@ -14,6 +14,8 @@ using Eigen::Index;
 /// Sweeps find out which points press, stick and slide; Newton's steps do the rest.
 constexpr int kSweepsBeforeNewton = 2;
 constexpr int kSweepsBetweenNewton = 10;
+/// After so many a creep that nobody sees is taken for rest.
+constexpr int kPatientSweeps = 200;
 
 /// One point while the others' impulses stand.
 PointResponse alone(const ContactProblem& problem, const Eigen::VectorXd& impulse_N_s, Index k) {
@@ -42,6 +44,7 @@ bool solve_contacts(const ContactProblem& problem, Eigen::VectorXd& impulse_N_s)
       impulse_N_s.segment<3>(3 * k) = impulse;
     }
     if (change_m_s <= tolerance_m_s) return true;
+    if (sweep >= kPatientSweeps && change_m_s <= kMostCreep_m_s) return true;
     const bool is_creeping = (sweep + 1) % kSweepsBetweenNewton == kSweepsBeforeNewton;
     if (is_creeping && points > 1 && newton_contacts(problem, tolerance_m_s, impulse_N_s))
       return true;

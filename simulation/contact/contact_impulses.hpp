@@ -16,6 +16,10 @@ namespace torquewright::simulation {
 /// a nanometre in a second.
 inline constexpr double kContactTolerance = 1e-11;
 inline constexpr double kNoCreep_m_s = 1e-10;
+/// Where that is not to be had: two points of one foot in a row hold each other's slip by levers of
+/// a micrometre, and sweeps creep towards impulses that would end it. So far any point may break
+/// its law then: a micrometre in a second.
+inline constexpr double kMostCreep_m_s = 1e-6;
 inline constexpr int kMostSweeps = 2000;
 
 }  // namespace torquewright::simulation
