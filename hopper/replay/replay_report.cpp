@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/replay/replay_report.hpp"
 
+#include <fmt/format.h>
+
 namespace torquewright::hopper {
 
 std::string_view name_of(EngineKind engine) {
@@ -40,6 +42,19 @@ TrialOutcome trial_outcome(const ReplayResult& result) {
     kept.peak_transmission_Nm.push_back(load.judged().mean);
   }
   return kept;
+}
+
+void add_planned_findings(const HopperReport& check, std::vector<Finding>& findings) {
+  if (check.check.verdict != actuator::Verdict::kPass) {
+    Finding& finding = findings.emplace_back();
+    finding.rule = "planned-motion";
+    finding.sentence = fmt::format(
+        "`hopper check` says {} of the motion as it is planned; a replay says what becomes of it",
+        actuator::name_of(check.check.verdict));
+  }
+  for (const Finding& finding : check.check.findings) {
+    if (finding.rule == "assumed") findings.push_back(finding);
+  }
 }
 
 }  // namespace torquewright::hopper

@@ -35,4 +35,7 @@ struct ReplayReport {
   std::optional<ReplayTrials> trials;
 };
 
+/// Adds what of the motion's own check a replay's reader must know.
+void add_planned_findings(const HopperReport& check, std::vector<Finding>& findings);
+
 }  // namespace torquewright::hopper

@@ -54,6 +54,15 @@ hopper::RunOptions run_of(const HopperReplayRequest& request) {
   return run;
 }
 
+/// An impact's window must be seen by the controller.
+void require_window(const HopperReplayRequest& request) {
+  if (request.impact == "default" || request.control_period_s <= request.impact_window_s) return;
+  io::refuse("--impact-window",
+             fmt::format("{:g} s is shorter than the control period of {:g} s: no look would fall "
+                         "into it; widen it, or shorten --control-period",
+                         request.impact_window_s, request.control_period_s));
+}
+
 hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
                                      const HopperCheckInputs& inputs) {
   hopper::ReplayOptions options;
@@ -70,20 +79,6 @@ hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
   options.load_window_s = request.motion.check.load_window_s;
   options.conditions = inputs.check.conditions;
   return options;
-}
-
-/// What of the motion's own check a replay's reader must know.
-void add_planned(const hopper::HopperReport& check, std::vector<hopper::Finding>& findings) {
-  if (check.check.verdict != actuator::Verdict::kPass) {
-    hopper::Finding& finding = findings.emplace_back();
-    finding.rule = "planned-motion";
-    finding.sentence = fmt::format(
-        "`hopper check` says {} of the motion as it is planned; a replay says what becomes of it",
-        actuator::name_of(check.check.verdict));
-  }
-  for (const hopper::Finding& finding : check.check.findings) {
-    if (finding.rule == "assumed") findings.push_back(finding);
-  }
 }
 
 hopper::ReplayedRun run_once(const hopper::Replay& replay, const char* what) {
@@ -182,6 +177,7 @@ void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& i
 
 ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   check_files(request);
+  require_window(request);
   auto [inputs, motion] = read_inputs(request.motion);
   check_files(request);  // now that the robot's files are known
   const hopper::Robot& robot = inputs.robot.robot;
@@ -193,7 +189,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   hopper::ReplayReport report{replay.options(), std::move(run.result), {}, {}};
   if (request.sweep) report.sweep = sweep(replay);
   if (randomised) report.trials = run_all(replay, randomised->randomisation, request);
-  add_planned(check, report.result.findings);
+  hopper::add_planned_findings(check, report.result.findings);
   if (randomised) inputs.columns.push_back(randomised->document);
   write_answer(request, inputs, motion, run.record, report);
   if (!report.trials) return code_of(report.result.outcome.verdict);
@@ -208,7 +204,8 @@ void add_replay_command(command_line::Command& hopper) {
       hopper.add_command("replay", "Does the robot do the motion, simulated and controlled?");
   add_hopper_replay_options(command, *request);
   command.example(
-      "torquewright hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv");
+      "torquewright hopper replay specs/robot/hopper.json "
+      "specs/trajectory/hopper_squat.csv");
   command.works([request] { return run_hopper_replay(*request); });
 }
 

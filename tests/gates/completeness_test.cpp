@@ -191,11 +191,19 @@ struct NamingKey {
   Names names;
 };
 
+/// Its own, and those of the checks that a replay uses.
+Names replay_rules() {
+  Names rules = rules_in({"hopper/replay"});
+  rules.insert({"assumed", "transmission-load"});
+  return rules;
+}
+
 std::vector<NamingKey> naming_keys() {
   return {
       {"topology", "", topologies()},
       {"format", "simulator_file", exporters()},
       {"rule", "check_report", rules_in({"actuator/check", "hopper/check"})},
+      {"rule", "replay_report", replay_rules()},
       {"rule", "lint_report", rules_in({"actuator/lint"})},
       {"effect", "", effects()},
       {"replaces", "", effects()},

@@ -109,7 +109,7 @@ class SteppingPlant final : public WalkPlant {
   SteppingPlant(const hopper::Robot& robot, std::size_t stance)
       : swing_(3 * static_cast<Eigen::Index>(1 - stance)),
         tree_(robot.tree),
-        stepping_(tree_, points_of(robot)) {}
+        stepping_(tree_, {points_of(robot), {}}) {}
 
   std::optional<double> step(WalkState& state, const VectorXd& torque_Nm, double step_s,
                              bool may_land) override {

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// `hopper replay` as users start it: how motions end in either engine, trials, and refusals.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/document.hpp"
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+constexpr double kDegree = 0.017453292519943295;
+
+class HopperReplay : public testing::Test {
+ protected:
+  HopperReplay() {
+    fs::copy(in_repository("specs"), place_.path("specs"), fs::copy_options::recursive);
+  }
+
+  Outcome run(const Words& options, const std::string& motion = "squat",
+              const std::string& command = "replay") const {
+    Words words{"hopper", command, "specs/robot/hopper.json",
+                "specs/trajectory/hopper_" + motion + ".csv"};
+    words.insert(words.end(), options.begin(), options.end());
+    return place_.run(words);
+  }
+  json report(Words options, const std::string& motion = "squat") const {
+    options.push_back("--json");
+    const Outcome outcome = run(options, motion);
+    EXPECT_EQ(outcome.err, "");
+    const json report = json::parse(outcome.out);
+    EXPECT_NO_THROW(io::check_document(report, "replay_report", "report", ""));
+    const auto code = report["verdict"] == "stands" ? 0 : report["verdict"] == "fell" ? 1 : 3;
+    if (!report.contains("trials")) {
+      EXPECT_EQ(outcome.exit_code, code);
+    }
+    return report;
+  }
+  static json finding(const json& report, const std::string& rule, const std::string& joint) {
+    for (const json& one : report["findings"]) {
+      if (one["rule"] == rule && one["joint"] == joint) return one;
+    }
+    ADD_FAILURE() << "no finding " << rule << " of " << joint;
+    return {{"time_s", 0.0}};
+  }
+  void expect_refusal(const Words& options, const std::string& sentence,
+                      const std::string& motion = "squat") const {
+    const Outcome outcome = run(options, motion);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+
+  Workplace place_;
+};
+
+// Oracle: `hopper check`, whose inverse dynamics knows no time step, no controller and no contact
+// but the motion's own. The squat is slow: what feedback adds is small beside gravity.
+TEST_F(HopperReplay, ASquatStandsInBothEnginesAtTheTorquesOfTheCheck) {
+  const json check = json::parse(run({"--json"}, "squat", "check").out);
+  for (const char* engine : {"own", "mujoco"}) {
+    for (const char* controller : {"lqr", "pd"}) {
+      const json replayed = report({"--engine", engine, "--controller", controller});
+      EXPECT_EQ(replayed["verdict"], "stands") << replayed["end"];
+      EXPECT_EQ(replayed["engine"], engine);
+      EXPECT_EQ(replayed["touch_down"], nullptr);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const json& drive = replayed["joints"][i];
+        EXPECT_EQ(drive["clipped_share"], 0.0);
+        const double peak_Nm = check["joints"][i]["peak_torque_Nm"];
+        EXPECT_NEAR(drive["peak_torque_Nm"].get<double>(), peak_Nm, 0.02 * peak_Nm + 0.1);
+        const double load_Nm = check["transmission_load"][i]["joint_Nm"];
+        const double passes_Nm = replayed["transmission_load"][i]["joint_Nm"];
+        EXPECT_NEAR(passes_Nm, load_Nm, 0.02 * load_Nm + 0.1);
+      }
+    }
+  }
+}
+
+// Oracles: `hopper check`, by which the knee is farthest outside its region at take-off, at t =
+// 0.612 s; and the other engine, whose contact is made another way.
+TEST_F(HopperReplay, TheHandMadeFlipFallsUnderRegionAndBoxInBothEngines) {
+  for (const char* limits : {"mor", "box"}) {
+    const json own = report({"--limits", limits}, "flip");
+    const json mujoco = report({"--limits", limits, "--engine", "mujoco"}, "flip");
+    for (const json& replayed : {own, mujoco}) {
+      EXPECT_EQ(replayed["verdict"], "fell");
+      EXPECT_EQ(replayed["limits"], limits);
+      EXPECT_GT(replayed["joints"][0]["clipped_share"].get<double>(), 0.01);
+      const json& clipped = finding(replayed, "clipped", "knee");
+      EXPECT_NEAR(clipped["time_s"].get<double>(), 0.612, 0.05);
+      EXPECT_GT(replayed["touch_down"]["rotation_short_rad"].get<double>(), 2 * kDegree);
+    }
+    EXPECT_NEAR(own["touch_down"]["rotation_short_rad"].get<double>(),
+                mujoco["touch_down"]["rotation_short_rad"].get<double>(), 5 * kDegree);
+    EXPECT_NEAR(own["bus"]["least_V"].get<double>(), mujoco["bus"]["least_V"].get<double>(), 0.5);
+  }
+}
+
+TEST_F(HopperReplay, WhatItWritesByTimeIsAMotionThatTheCheckPasses) {
+  const Outcome replayed = run({"--series", "run.csv", "-o", "run.txt"});
+  ASSERT_EQ(replayed.exit_code, 0) << replayed.err;
+  EXPECT_EQ(replayed.out, "");
+  EXPECT_EQ(place_.text("run.txt").find("specs/trajectory/hopper_squat.csv: stands"), 0u);
+  const Outcome checked =
+      place_.run({"hopper", "check", "specs/robot/hopper.json", "run.csv", "--until", "1.4"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+}
+
+// Oracle: the closed form of Wilson's interval for n of n, n / (n + z^2) to 1.
+TEST_F(HopperReplay, TrialsPrintARateWithItsIntervalTheSameForAnyNumberOfThreads) {
+  json calm = json::parse(place_.text("specs/randomisation/hopper.json"));
+  calm.erase("sensor_noise");
+  place_.write("specs/randomisation/calm.json", calm.dump());
+  const Words options{"--stand",  "0.2", "--step",      "0.0005",
+                      "--trials", "6",   "--randomise", "specs/randomisation/calm.json"};
+  const auto with_threads = [&](const char* threads) {
+    Words words = options;
+    words.insert(words.end(), {"--threads", threads, "--json"});
+    return run(words);
+  };
+  const Outcome one = with_threads("1");
+  EXPECT_EQ(one.out, with_threads("3").out);
+  const json report = json::parse(one.out);
+  EXPECT_NO_THROW(io::check_document(report, "replay_report", "report", ""));
+  const json& trials = report["trials"];
+  EXPECT_EQ(trials["count"], 6);
+  EXPECT_EQ(trials["succeeded"], 6);
+  EXPECT_EQ(one.exit_code, 0);
+  constexpr double kZ = 1.959963984540054;
+  EXPECT_NEAR(trials["interval"][0].get<double>(), 6.0 / (6.0 + kZ * kZ), 1e-9);
+  EXPECT_NEAR(trials["interval"][1].get<double>(), 1.0, 1e-12);
+
+  Words alone = options;
+  alone.insert(alone.end(), {"--trial", "4", "--json"});
+  const json fourth = json::parse(run(alone).out);
+  ASSERT_EQ(fourth["trials"]["list"].size(), 1u);
+  EXPECT_EQ(fourth["trials"]["list"][0], trials["list"][4]);
+}
+
+// What cannot stand: the ground is there 1 m late.
+TEST_F(HopperReplay, ARateThatIsMissedFails) {
+  place_.write("deep.json",
+               R"({"kind": "randomisation", "version": 1, "name": "deep",
+                   "ground_height_m": {"least": -1, "greatest": -0.9}})");
+  const Words options{"--trials", "2", "--randomise", "deep.json", "--stand", "0.2"};
+  EXPECT_EQ(run(options).exit_code, 1);
+  Words lenient = options;
+  lenient.insert(lenient.end(), {"--success-rate", "0"});
+  EXPECT_EQ(run(lenient).exit_code, 0);
+}
+
+TEST_F(HopperReplay, CtrlCInTrialsLeavesWhatIsDone) {
+  place_.write("same.json", R"({"kind": "randomisation", "version": 1, "name": "same"})");
+  place_.here.interrupt_after = std::chrono::milliseconds(1500);
+  const Outcome outcome = run({"--trials", "100000", "--randomise", "same.json", "--json"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.err, "");
+  const json trials = json::parse(outcome.out)["trials"];
+  EXPECT_LT(trials["count"].get<int>(), 100000);
+  EXPECT_EQ(trials["count"].get<int>() + trials["unfinished"].get<int>(), 100000);
+}
+
+TEST_F(HopperReplay, ASweepOfTheStepShowsWhatDependsOnIt) {
+  const json swept = report({"--from", "0.75", "--stand", "0.2", "--sweep-step"}, "flip");
+  ASSERT_GE(swept["step_sweep"].size(), 3u);
+  // Oracle: the momentum that the landing takes is the step's to within its order; the force is
+  // not. All steps land within a control period.
+  const json& first = swept["step_sweep"].front();
+  for (const json& one : swept["step_sweep"]) {
+    EXPECT_NEAR(one["touch_down"]["time_s"].get<double>(),
+                first["touch_down"]["time_s"].get<double>(), 6e-4);
+    EXPECT_NEAR(one["touch_down_load"]["impulse_N_s"][2].get<double>(),
+                first["touch_down_load"]["impulse_N_s"][2].get<double>(), 1.0);
+  }
+}
+
+TEST_F(HopperReplay, ABatteryThatCannotGiveThePowerIsSaid) {
+  place_.write("specs/robot/hopper.json",
+               with(place_.text("specs/robot/hopper.json"), "\"cell_resistance_ohm\": 0.015",
+                    "\"cell_resistance_ohm\": 0.5"));
+  const Outcome outcome = run({"--json"}, "flip");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(outcome.out.find("nan"), std::string::npos);
+  EXPECT_NE(outcome.out.find("battery-power"), std::string::npos);
+}
+
+TEST_F(HopperReplay, AControllerThatIsTooLateEndsWithTimeAndReason) {
+  const json late = report({"--latency", "0.05"}, "flip");
+  EXPECT_NE(late["verdict"], "stands");
+  EXPECT_NE(late["end"]["reason"], "");
+  EXPECT_GT(late["end"]["time_s"].get<double>(), 0.0);
+}
+
+TEST_F(HopperReplay, RefusesByName) {
+  expect_refusal({"--ground-rise", "0.01"}, "is 0.01 m below the ground");
+  expect_refusal({"--trials", "3"}, "needs --randomise");
+  expect_refusal(
+      {"--trials", "3", "--randomise", "specs/randomisation/hopper.json", "--trial", "3"},
+      "3 is none of the trials 0 to 2");
+  expect_refusal({"--impact", "invariant", "--control-period", "0.06", "--step", "0.001"},
+                 "--impact-window");
+  expect_refusal({"-o", "specs/trajectory/hopper_squat.csv"}, "hopper_squat.csv");
+  const Outcome other = place_.run(
+      {"hopper", "replay", "specs/robot/rabbit.json", "specs/trajectory/hopper_squat.csv"});
+  EXPECT_EQ(other.exit_code, 2) << other.out;
+  EXPECT_NE(other.err, "");
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
