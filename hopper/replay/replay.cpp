@@ -118,8 +118,8 @@ struct Replay::Ready {
   }
 
   std::unique_ptr<Controller> controller() const {
-    if (gains) return lqr_controller(robot, reference, gains, {}, options.impact);
-    return pd_controller(robot, reference, {}, {}, options.impact);
+    if (gains) return lqr_controller(robot, reference, gains, options.clock, options.impact);
+    return pd_controller(robot, reference, {}, options.clock, options.impact);
   }
 
   const Robot& robot;

@@ -10,6 +10,7 @@
 #include "hopper/replay/randomisation.hpp"
 #include "hopper/replay/result.hpp"
 #include "hopper/replay/run.hpp"
+#include "hopper/tracking/reference_clock.hpp"
 
 namespace torquewright::hopper {
 
@@ -21,6 +22,7 @@ struct ReplayOptions {
   ControllerKind controller = ControllerKind::kLqr;
   DriveLimits limits = DriveLimits::kMor;
   ImpactOptions impact;
+  ClockOptions clock;
   RunOptions run;
   EngineOptions engine_options;
   StandingRule standing;

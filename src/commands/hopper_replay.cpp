@@ -37,6 +37,7 @@ hopper::ImpactOptions impact_of(const HopperReplayRequest& request) {
                                                         : hopper::ImpactHandling::kDefault;
   impact.metric = request.impact_metric == "inertia" ? hopper::ImpactMetric::kInertia
                                                      : hopper::ImpactMetric::kEuclidean;
+  impact.whole_foot = request.impact_contact == "foot";
   impact.window_s = request.impact_window_s;
   impact.blend_s = request.impact_blend_s;
   return impact;
@@ -72,6 +73,7 @@ hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
       request.controller == "pd" ? hopper::ControllerKind::kPd : hopper::ControllerKind::kLqr;
   options.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
   options.impact = impact_of(request);
+  options.clock.resynchronise = !request.fixed_clock;
   options.run = run_of(request);
   options.engine_options.ground_height_m = options.run.ground_height_m;
   options.engine_options.contact_time_constant_s = request.contact_time_constant_s;

@@ -28,6 +28,8 @@ nlohmann::ordered_json request_json(const HopperReplayRequest& request) {
   if (contact.speed_m_s) json["contact_speed_m_s"] = *contact.speed_m_s;
   add("load_window_s", request.motion.check.load_window_s, usual.motion.check.load_window_s);
   add("impact_metric", request.impact_metric, usual.impact_metric);
+  add("impact_contact", request.impact_contact, usual.impact_contact);
+  add("fixed_clock", request.fixed_clock, usual.fixed_clock);
   add("impact_window_s", request.impact_window_s, usual.impact_window_s);
   add("impact_blend_s", request.impact_blend_s, usual.impact_blend_s);
   add("stand_s", request.stand_s, usual.stand_s);

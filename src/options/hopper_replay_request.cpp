@@ -54,6 +54,14 @@ void add_tracking_options(command_line::Command& command, HopperReplayRequest& r
       .add_option("--impact-metric", request.impact_metric,
                   "In which that part is split off: euclidean, as published, or inertia")
       .one_of({"euclidean", "inertia"});
+  command
+      .add_option("--impact-contact", request.impact_contact,
+                  "Whose impulse that is: of the points that the motion brings down first, or of "
+                  "their whole foot")
+      .one_of({"first", "foot"});
+  command.add_flag("--fixed-clock", request.fixed_clock,
+                   "The motion goes on by the clock, whenever contact comes; else touch-down sets "
+                   "the clock");
   command.add_option("--impact-window", request.impact_window_s, "Half its width, in s")
       .between(1e-4, 1.0);
   command.add_option("--impact-blend", request.impact_blend_s, "Over which it comes and goes, in s")

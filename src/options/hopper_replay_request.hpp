@@ -17,6 +17,8 @@ struct HopperReplayRequest {
   std::string controller = "lqr";
   std::string impact = "default";
   std::string impact_metric = "euclidean";
+  std::string impact_contact = "first";
+  bool fixed_clock = false;
   double impact_window_s = 0.05;
   double impact_blend_s = 0.005;
   double step_s = 1e-4;

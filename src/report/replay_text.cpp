@@ -48,9 +48,10 @@ std::string end_lines(const Motion& motion, const ReplayResult& result) {
         load.impulse_N_s.x(), load.impulse_N_s.y(), load.impulse_N_s.z(), 1e3 * load.window_s,
         load.peak_force_N, 1e3 * load.force_window_s);
   }
-  text +=
-      fmt::format("  end      t = {:.4f} s, {:.4g} s after the motion's; feet at rest for {:.3g} s",
-                  outcome.end_s, outcome.end_s - motion.times_s.back(), outcome.foot_at_rest_s);
+  const double after_s = outcome.end_s - motion.times_s.back();
+  text += fmt::format(
+      "  end      t = {:.4f} s, {:.4g} s {} the motion's; feet at rest for {:.3g} s", outcome.end_s,
+      std::abs(after_s), after_s < 0.0 ? "before" : "after", outcome.foot_at_rest_s);
   return text + (outcome.reason.empty() ? "\n" : ": " + outcome.reason + "\n");
 }
 

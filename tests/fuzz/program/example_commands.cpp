@@ -48,6 +48,9 @@ hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --series f
 hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --candidates specs/actuator --threads 2 --ratios 8:9 --figures flip.svg
 hopper check specs/robot/rabbit.json tests/fuzz/corpus/rabbit_leap.csv --residual-limit 0.1 --contact-speed 0.1
 hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --plot a.svg --plot-loads b.svg --torques dynamics
+hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.2 --json
+hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv --from 0.75 --step 0.0005 --stand 0.1 --limits box --controller pd --impact invariant --impact-metric inertia --latency 0.001 --series run.csv -o run.txt
+hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.1 --trials 2 --randomise specs/randomisation/hopper.json --seed 3 --success-rate 0.5 --threads 2
 hopper calibrate specs/robot/hopper.json --target cam=6.0 --target cav=7.4:10.6 --free /bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45 --free /postures/takeoff/knee --free /postures/tuck/knee -o fitted.json --plot valley.svg
 hopper calibrate specs/robot/hopper.json --target cam=6 --target cav@stretched=6 --posture stretched=knee:0.1,ankle_pitch:0.3 --free /bodies/0/inertia_kg_m2/yy=0.05:0.45 --tolerance 0.005 --json
 identify specs/log/bench_as_built.csv --rig specs/log/bench_rig.json --actuator specs/log/bench_actuator.json -o refined.json --report report.html
