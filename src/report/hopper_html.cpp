@@ -8,9 +8,8 @@
 #include <optional>
 
 #include "io/provenance.hpp"
-#include "src/report/cursor_json.hpp"
-#include "src/report/cursor_player.hpp"
 #include "src/report/embedded_page.hpp"
+#include "src/report/hopper_cursor.hpp"
 #include "src/report/html_page.hpp"
 #include "src/report/kept_samples.hpp"
 #include "src/report/moments.hpp"
@@ -137,7 +136,7 @@ class Page {
 
   std::string html() const {
     const ChartSource source{page_, series_, violations_};
-    std::string text = head(page_) + cursor_player(source);
+    std::string text = head(page_) + cursor_player(hopper_track(source));
     text += page_section("The motion", stage(source));
     text += page_section("Torque and speed in each region",
                          drives_table(page_) + region_charts(source));
@@ -151,7 +150,8 @@ class Page {
                       "<script type=\"application/json\" id=\"motion\">{}</script>\n"
                       "<script>{}</script>\n</body>\n</html>\n",
                       io::tool_version(),
-                      cursor_json(source, samples_, figure_ ? &*figure_ : nullptr, begin_s()),
+                      cursor_json(hopper_cursor(source, samples_, figure_ ? &*figure_ : nullptr,
+                                                begin_s())),
                       kHopperScript);
   }
 
@@ -182,14 +182,16 @@ class Page {
     std::string text = "<div class=\"stage\">\n";
     if (figure_) {
       text +=
-          "<figure>\n" + figure_svg(page_, *figure_, begin_pose(), violations_) +
+          "<figure>\n" +
+          figure_svg(page_.robot.name + " from the side, at the time of the cursor", *figure_,
+                     begin_pose(), violations_) +
           legend(dot_key("mass", "centre of mass") + line_key("bone", "the robot, from the side") +
                  line_key("bone bad", "its bodies where something is violated") +
                  line_key("force", "force of the ground")) +
           (figure_->follows ? "<p class=\"soft\">The view goes along with the robot.</p>\n" : "") +
           "</figure>\n";
     }
-    text += cursor_values(source) + "</div>\n";
+    text += hopper_values(source) + "</div>\n";
     const std::string stills = still_figures(page_, violations_);
     if (!stills.empty()) text += "<h3>Moments, half of them in flight</h3>\n" + stills;
     return text + moments_table(source);
