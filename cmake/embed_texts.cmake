@@ -6,13 +6,15 @@ function(literal variable file)
 endfunction()
 literal(script hopper_page.js)
 literal(style hopper_page.css)
-file(WRITE ${OUTPUT} "// Written by the build from src/report/hopper_page.js and .css.
+literal(replay_style replay_page.css)
+file(WRITE ${OUTPUT} "// Written by the build from src/report/hopper_page.js and .css and replay_page.css.
 #include \"src/report/embedded_page.hpp\"
 
 namespace torquewright::report {
 
 const char* const kHopperScript = ${script};
 const char* const kHopperStyle = ${style};
+const char* const kReplayStyle = ${replay_style};
 
 }  // namespace torquewright::report
 ")

@@ -19,6 +19,7 @@
 #include "src/interrupt.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/progress_line.hpp"
+#include "src/report/replay_html.hpp"
 #include "src/report/replay_text.hpp"
 #include "src/standard_output.hpp"
 
@@ -162,15 +163,17 @@ ExitCode code_of(hopper::ReplayVerdict verdict) {
 }
 
 void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
-                  const hopper::Motion& motion, const hopper::Record& record,
-                  const hopper::ReplayReport& report) {
+                  const report::ReplayPage& page) {
+  const auto& [robot, motion, reference, record, report] = page;
   const std::string text = request.json || names_json(request.output_file)
                                ? hopper_replay_json(request, inputs, motion, report)
-                               : report::replay_text(inputs.robot.robot, motion, report);
+                               : report::replay_text(robot, motion, report);
   std::vector<io::FileContent> files;
   if (!request.series_file.empty()) {
-    files.push_back(
-        {request.series_file, hopper::series_csv(hopper::run_series(inputs.robot.robot, record))});
+    files.push_back({request.series_file, hopper::series_csv(hopper::run_series(robot, record))});
+  }
+  if (!request.report_file.empty()) {
+    files.push_back({request.report_file, report::replay_html(page)});
   }
   if (!request.output_file.empty()) files.push_back({request.output_file, text});
   io::write_whole_files(files);
@@ -193,7 +196,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   if (randomised) report.trials = run_all(replay, randomised->randomisation, request);
   hopper::add_planned_findings(check, report.result.findings);
   if (randomised) inputs.columns.push_back(randomised->document);
-  write_answer(request, inputs, motion, run.record, report);
+  write_answer(request, inputs, {robot, motion, replay.reference(), run.record, report});
   if (!report.trials) return code_of(report.result.outcome.verdict);
   return code_of(hopper::judged_rate(report.trials->counts(), report.trials->required_share));
 }

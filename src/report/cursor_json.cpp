@@ -46,31 +46,13 @@ std::string values(const Eigen::VectorXd& column, const std::vector<Index>& samp
   return text + "]";
 }
 
-std::vector<std::string> headers(const ChartSource& source) {
-  std::vector<std::string> names{"time_s"};
-  const auto& drives = source.page.report.check.drives;
-  for (std::size_t i = 0; i < drives.size(); ++i) {
-    for (const char* what : {"_drive_speed_rad_s", "_drive_torque_Nm", "_torque_min_Nm",
-                             "_torque_max_Nm", "_torque_margin_Nm", "_bus_voltage_V"}) {
-      names.push_back(drives[i].name + what);
-    }
-    names.push_back(outside_column(drives[i].name));
-    names.push_back(gear_column(source.page, i));
-  }
-  for (const hopper::ContactPoint& contact : source.page.robot.contacts) {
-    for (const char* what : {"_force_x_N", "_force_z_N"}) names.push_back(contact.name + what);
-  }
-  names.insert(names.end(),
-               {"ground_up_N", "ground_forward_N", "in_flight", "cam_Nm_s", "cav_rad_s"});
-  return names;
-}
-
-std::string columns(const ChartSource& source, const std::vector<Index>& samples) {
+std::string columns(const CursorSource& source) {
   std::vector<std::string> items;
-  for (const std::string& header : headers(source)) {
+  for (const std::string& header : source.headers) {
     const Eigen::VectorXd* column = hopper::find_column(source.series, header);
     if (column == nullptr) continue;
-    items.push_back(as_json(header) + ":" + values(*column, samples, header == "time_s" ? 8 : 5));
+    items.push_back(as_json(header) + ":" +
+                    values(*column, source.samples, header == "time_s" ? 8 : 5));
   }
   return fmt::format("{{{}}}", fmt::join(items, ",\n"));
 }
@@ -96,13 +78,12 @@ std::string violations(const std::vector<ShownViolation>& shown) {
   return list(items);
 }
 
-std::string drives(const ChartSource& source) {
+std::string drives(const CursorSource& source) {
   std::vector<std::string> items;
-  for (const actuator::DriveReport& drive : source.page.report.check.drives) {
+  for (const SpokenDrive& drive : source.drives) {
     items.push_back(fmt::format("{{\"name\":{},\"torque\":{},\"speed\":{},\"outside\":{}}}",
-                                as_json(drive.name), as_json(drive.name + "_drive_torque_Nm"),
-                                as_json(drive.name + "_drive_speed_rad_s"),
-                                as_json(outside_column(drive.name))));
+                                as_json(drive.name), as_json(drive.torque), as_json(drive.speed),
+                                as_json(drive.outside)));
   }
   return list(items);
 }
@@ -119,20 +100,25 @@ std::string way(const std::vector<Pose>& poses, const PointOf& point_of) {
   return fmt::format("{{\"x\":[{}],\"y\":[{}]}}", x, y);
 }
 
-std::string figure_keys(const ChartSource& source, const MovingFigure& figure) {
-  std::vector<std::string> points;
-  for (std::size_t i = 0; i < figure.skeleton.points.size(); ++i) {
-    points.push_back(way(
-        figure.poses, [i](const Pose& pose) -> const Eigen::Vector2d& { return pose.points[i]; }));
+void add_ways(const Skeleton& skeleton, const std::vector<Pose>& poses,
+              std::vector<std::string>& points) {
+  for (std::size_t i = 0; i < skeleton.points.size(); ++i) {
+    points.push_back(
+        way(poses, [i](const Pose& pose) -> const Eigen::Vector2d& { return pose.points[i]; }));
   }
+}
+
+std::string figure_keys(const CursorSource& source, const MovingFigure& figure) {
+  std::vector<std::string> points;
+  add_ways(figure.skeleton, figure.poses, points);
+  if (!figure.planned.empty()) add_ways(figure.skeleton, figure.planned, points);
   std::vector<std::string> contacts;
-  for (std::size_t i = 0; i < source.page.robot.contacts.size(); ++i) {
-    const std::string& name = source.page.robot.contacts[i].name;
-    const bool has_force = source.page.report.demand.has_dynamics;
+  for (std::size_t i = 0; i < figure.skeleton.contacts.size(); ++i) {
+    const bool has_force = i < source.forces.size();
     contacts.push_back(fmt::format("{{\"point\":{},\"x\":{},\"z\":{}}}",
                                    figure.skeleton.contacts[i],
-                                   has_force ? as_json(name + "_force_x_N") : "null",
-                                   has_force ? as_json(name + "_force_z_N") : "null"));
+                                   has_force ? as_json(source.forces[i].x) : "null",
+                                   has_force ? as_json(source.forces[i].z) : "null"));
   }
   return fmt::format(
       ",\n\"points\":{},\n\"mass\":{},\n\"contacts\":{},\n\"paper_per_N\":{:.6g}",
@@ -144,12 +130,11 @@ std::string figure_keys(const ChartSource& source, const MovingFigure& figure) {
 
 }  // namespace
 
-std::string cursor_json(const ChartSource& source, const std::vector<Index>& samples,
-                        const MovingFigure* figure, double begin_s) {
+std::string cursor_json(const CursorSource& source) {
   return fmt::format(
-      "{{\"begin_s\":{:.8g},\n\"columns\":{},\n\"drives\":{},\n\"violations\":{}{}}}", begin_s,
-      columns(source, samples), drives(source), violations(source.violations),
-      figure == nullptr ? "" : figure_keys(source, *figure));
+      "{{\"begin_s\":{:.8g},\n\"columns\":{},\n\"drives\":{},\n\"violations\":{}{}}}",
+      source.begin_s, columns(source), drives(source), violations(source.violations),
+      source.figure == nullptr ? "" : figure_keys(source, *source.figure));
 }
 
 }  // namespace torquewright::report

@@ -4,14 +4,38 @@
 #include <string>
 #include <vector>
 
-#include "src/report/hopper_charts.hpp"
+#include "hopper/check/series.hpp"
 #include "src/report/stick_figures.hpp"
 
 namespace torquewright::report {
 
-/// What the page's script moves its marks by, as JSON that may stand inside an HTML element: names
-/// hold no character that could end it. `figure` is null where there is none.
-std::string cursor_json(const ChartSource& source, const std::vector<Eigen::Index>& samples,
-                        const MovingFigure* figure, double begin_s);
+/// A drive as the script speaks of it: the columns that it reads.
+struct SpokenDrive {
+  std::string name;
+  std::string torque;
+  std::string speed;
+  std::string outside;  ///< Not zero where the torque lies outside the drive's region.
+};
+
+/// The columns of the ground's force on a contact point.
+struct ForceColumns {
+  std::string x;
+  std::string z;
+};
+
+/// What the page's script moves its marks by.
+struct CursorSource {
+  const hopper::Series& series;
+  const std::vector<Eigen::Index>& samples;  ///< That the cursor may stand on.
+  const std::vector<ShownViolation>& violations;
+  const MovingFigure* figure = nullptr;  ///< Null where there is none.
+  double begin_s = 0.0;
+  std::vector<std::string> headers = {};  ///< What of the series; those that are not there: none.
+  std::vector<SpokenDrive> drives = {};
+  std::vector<ForceColumns> forces = {};  ///< By contact point; empty: none is known.
+};
+
+/// As JSON that may stand inside an HTML element: names hold no character that could end it.
+std::string cursor_json(const CursorSource& source);
 
 }  // namespace torquewright::report

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "src/report/page_parts.hpp"
 #include "src/report/svg.hpp"
 
 namespace torquewright::report {
@@ -14,44 +13,49 @@ namespace {
 constexpr double kTrackWidth = 1000;
 constexpr double kLeastWidth = 3;  // of what happens in an instant
 
-std::string track(const ChartSource& source) {
-  const hopper::Motion& motion = source.page.motion;
-  const double scale = kTrackWidth / std::max(motion.duration_s(), 1e-9);
+std::string track_svg(const Track& track) {
+  const double scale = kTrackWidth / std::max(track.until_s - track.from_s, 1e-9);
   std::string text =
       fmt::format("<svg aria-hidden=\"true\" viewBox=\"0 0 {} 10\" preserveAspectRatio=\"none\">\n",
                   kTrackWidth);
   const auto mark = [&](const char* style, double from_s, double until_s) {
-    const double left = (from_s - motion.times_s.front()) * scale;
+    const double left = (from_s - track.from_s) * scale;
     const double width = std::max(kLeastWidth, (until_s - from_s) * scale);
     text += svg_rectangle(style, {std::min(left, kTrackWidth - kLeastWidth), 0.0}, {width, 10.0});
   };
-  for (const hopper::Flight& flight : source.page.report.flights) {
-    mark("flight", flight.from_s, flight.until_s);
-  }
-  for (const hopper::Jolt& jolt : source.page.report.demand.jolts) {
-    mark("impact", jolt.time_s, jolt.time_s);
-  }
-  for (const ShownViolation& violation : source.violations) {
+  for (const Interval& flight : track.flights) mark("flight", flight.from_s, flight.until_s);
+  for (const double impact_s : track.impacts_s) mark("impact", impact_s, impact_s);
+  for (const ShownViolation& violation : track.violations) {
     for (const Interval& time : violation.times) mark("violated", time.from_s, time.until_s);
   }
   return text + "</svg>\n";
 }
 
-std::string cell(const std::string& column, const std::string& bad = "") {
-  return fmt::format("<td data-column=\"{}\" data-bad=\"{}\"></td>", escaped(column), escaped(bad));
+std::string cell(const ShownValue& value) {
+  return fmt::format("<td data-column=\"{}\" data-bad=\"{}\"></td>", escaped(value.column),
+                     escaped(value.bad));
 }
 
-std::string quantity(const ChartSource& source, const std::string& column,
-                     const std::string& words) {
-  if (hopper::find_column(source.series, column) == nullptr) return "";
-  return fmt::format("<div><dt>{}</dt><dd data-column=\"{}\"></dd></div>\n", escaped(words),
-                     escaped(column));
+std::string drives_table(const DriveValues& drives) {
+  if (drives.rows.empty()) return "";
+  std::string text =
+      "<table class=\"now-values\">\n<caption class=\"spoken\">Drives at the time of the "
+      "cursor</caption>\n<tr><th scope=\"col\">drive</th>";
+  for (const std::string& heading : drives.headings) {
+    text += fmt::format("<th scope=\"col\">{}</th>", escaped(heading));
+  }
+  text += "</tr>\n";
+  for (const DriveValues::Row& row : drives.rows) {
+    text += fmt::format("<tr><th scope=\"row\">{}</th>", escaped(row.drive));
+    for (const ShownValue& value : row.values) text += cell(value);
+    text += "</tr>\n";
+  }
+  return text + "</table>\n";
 }
 
 }  // namespace
 
-std::string cursor_player(const ChartSource& source) {
-  const hopper::Motion& motion = source.page.motion;
+std::string cursor_player(const Track& track) {
   return fmt::format(
       "<div class=\"player needs-script\" role=\"group\" aria-label=\"Time cursor\" hidden>\n"
       "<div class=\"row\">\n<button type=\"button\" id=\"play\">Play</button>\n"
@@ -67,38 +71,19 @@ std::string cursor_player(const ChartSource& source) {
       "step=\"any\" value=\"{0:.9g}\" aria-label=\"Time in the motion, in seconds\"/>\n{2}</div>\n"
       "<ul id=\"violated\" aria-label=\"Violated at this time\"></ul>\n"
       "<p class=\"spoken\" id=\"spoken\" role=\"status\" aria-live=\"polite\"></p>\n</div>\n",
-      motion.times_s.front(), motion.times_s.back(), track(source));
+      track.from_s, track.until_s, track_svg(track));
 }
 
-std::string cursor_values(const ChartSource& source) {
-  const auto& drives = source.page.report.check.drives;
-  std::string rows;
-  for (std::size_t i = 0; i < drives.size(); ++i) {
-    const std::string& name = drives[i].name;
-    const std::string bad = outside_column(name);
-    rows += fmt::format("<tr><th scope=\"row\">{}</th>{}{}{}{}</tr>\n", escaped(name),
-                        cell(name + "_drive_speed_rad_s"), cell(name + "_drive_torque_Nm", bad),
-                        cell(name + "_torque_margin_Nm", bad), cell(gear_column(source.page, i)));
+std::string cursor_values(const hopper::Series& series, const DriveValues& drives,
+                          const std::vector<Quantity>& quantities) {
+  std::string text = "<div class=\"needs-script\" hidden>\n" + drives_table(drives) +
+                     "<dl class=\"quantities\">\n";
+  for (const Quantity& quantity : quantities) {
+    if (hopper::find_column(series, quantity.column) == nullptr) continue;
+    text += fmt::format("<div><dt>{}</dt><dd data-column=\"{}\"></dd></div>\n",
+                        escaped(quantity.words), escaped(quantity.column));
   }
-  std::string text = "<div class=\"needs-script\" hidden>\n";
-  if (!rows.empty()) {
-    text +=
-        "<table class=\"now-values\">\n<caption class=\"spoken\">Drives at the time of the "
-        "cursor</caption>\n<tr><th scope=\"col\">drive</th><th scope=\"col\">speed rad/s</th>"
-        "<th scope=\"col\">torque Nm</th><th scope=\"col\">margin Nm</th><th scope=\"col\">gears "
-        "Nm</th></tr>\n" +
-        rows + "</table>\n";
-  }
-  std::string quantities;
-  for (const hopper::SharedBus& bus : source.page.report.buses) {
-    quantities += quantity(source, drives[bus.drives.front()].name + "_bus_voltage_V",
-                           fmt::format("battery of {} drives, V", bus.drives.size()));
-  }
-  quantities += quantity(source, "ground_up_N", "ground pushes up, N") +
-                quantity(source, "ground_forward_N", "ground pushes forward, N") +
-                quantity(source, "cam_Nm_s", "CAM, Nm s") +
-                quantity(source, "cav_rad_s", "CAV, rad/s");
-  return text + "<dl class=\"quantities\">\n" + quantities + "</dl>\n</div>\n";
+  return text + "</dl>\n</div>\n";
 }
 
 }  // namespace torquewright::report

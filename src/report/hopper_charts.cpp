@@ -10,8 +10,8 @@
 
 #include "actuator/region/mor_table.hpp"
 #include "src/report/chart.hpp"
-#include "src/report/kept_samples.hpp"
 #include "src/report/page_parts.hpp"
+#include "src/report/time_charts.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -19,41 +19,6 @@ namespace {
 using actuator::MorTable;
 using Eigen::Index;
 using Eigen::VectorXd;
-
-constexpr double kRoom = 0.06;        // of an axis, at either end
-constexpr Index kCurveBuckets = 400;  // about a point of the chart each
-
-VectorXd picked(const VectorXd& values, const std::vector<Index>& samples) {
-  return values(samples);
-}
-
-const VectorXd& column(const ChartSource& source, const std::string& header) {
-  return *hopper::find_column(source.series, header);
-}
-
-Axis time_axis(const ChartSource& source) { return axis_of("time in s", column(source, "time_s")); }
-
-void draw_curve(const ChartSource& source, Chart& chart, const char* style,
-                const std::string& header) {
-  const VectorXd& values = column(source, header);
-  const std::vector<Index> kept = curve_samples(values, kCurveBuckets);
-  chart.curve(style, picked(column(source, "time_s"), kept), picked(values, kept));
-}
-
-void draw_violations(const ChartSource& source, Chart& chart, const std::string& name,
-                     std::string_view rule) {
-  for (const ShownViolation& violation : source.violations) {
-    if (violation.name != name || violation.rule != rule) continue;
-    for (const Interval& time : violation.times) {
-      chart.strip("violated", time.from_s, time.until_s);
-    }
-  }
-}
-
-void draw_cursor(Chart& chart, const std::vector<std::string>& headers, const std::string& bad) {
-  chart.moving_line("time_s");
-  for (const std::string& header : headers) chart.moving_dot("time_s", header, bad);
-}
 
 // What the motion asks of a drive, in the plane of its region.
 
@@ -114,32 +79,23 @@ Region region_of(const MorTable& table) {
   return region;
 }
 
-/// Samples along a path in the plane, thinned so that nothing of its extent is lost.
-std::vector<Index> path_samples(const VectorXd& x, const VectorXd& y) {
-  const std::vector<Index> of_x = curve_samples(x, kCurveBuckets);
-  const std::vector<Index> of_y = curve_samples(y, kCurveBuckets);
-  std::set<Index> kept(of_x.begin(), of_x.end());
-  kept.insert(of_y.begin(), of_y.end());
-  return {kept.begin(), kept.end()};
-}
-
 std::string region_chart(const ChartSource& source, const actuator::DriveReport& drive,
                          const MorTable& table) {
-  const VectorXd& speed = column(source, drive.name + "_drive_speed_rad_s");
-  const VectorXd& torque = column(source, drive.name + "_drive_torque_Nm");
-  const VectorXd& outside = column(source, outside_column(drive.name));
+  const VectorXd& speed = column(source.series, drive.name + "_drive_speed_rad_s");
+  const VectorXd& torque = column(source.series, drive.name + "_drive_torque_Nm");
+  const VectorXd& outside = column(source.series, outside_column(drive.name));
   const Region region = region_of(table);
   Axis x = axis_of("speed in rad/s", speed);
   Axis y = axis_of("torque in Nm", torque);
   x.include(region.speed_rad_s);
   y.include(region.least_Nm);
   y.include(region.greatest_Nm);
-  Chart chart(x.roomy(kRoom), y.roomy(kRoom));
+  Chart chart(x.roomy(kChartRoom), y.roomy(kChartRoom));
   chart.area("region", region.speed_rad_s, region.greatest_Nm, region.least_Nm);
   draw_bound(table, true, chart);
   draw_bound(table, false, chart);
-  const std::vector<Index> kept = path_samples(speed, torque);
-  chart.curve("asked", picked(speed, kept), picked(torque, kept));
+  const std::vector<Index> kept = drawn_samples(speed, torque);
+  chart.curve("asked", speed(kept), torque(kept));
   for (const Index i : kept) {
     if (outside[i] > 0.0) chart.dot("bad", speed[i], torque[i]);
   }
@@ -170,18 +126,18 @@ std::string region_legend(const std::set<actuator::Limiter>& limiters) {
 // Over time.
 
 std::string torque_chart(const ChartSource& source, const std::string& drive) {
-  const VectorXd& time_s = column(source, "time_s");
-  const VectorXd& torque = column(source, drive + "_drive_torque_Nm");
-  const VectorXd& least = column(source, drive + "_torque_min_Nm");
-  const VectorXd& greatest = column(source, drive + "_torque_max_Nm");
+  const VectorXd& time_s = column(source.series, "time_s");
+  const VectorXd& torque = column(source.series, drive + "_drive_torque_Nm");
+  const VectorXd& least = column(source.series, drive + "_torque_min_Nm");
+  const VectorXd& greatest = column(source.series, drive + "_torque_max_Nm");
   Axis y = axis_of("torque in Nm", torque);
   y.include(least);
   y.include(greatest);
-  Chart chart(time_axis(source), y.roomy(kRoom));
-  const std::vector<Index> kept = path_samples(least, greatest);
-  chart.area("region", picked(time_s, kept), picked(greatest, kept), picked(least, kept));
-  draw_violations(source, chart, drive, "motor-operating-region");
-  draw_curve(source, chart, "asked", drive + "_drive_torque_Nm");
+  Chart chart(time_axis(source.series), y.roomy(kChartRoom));
+  const std::vector<Index> kept = drawn_samples(least, greatest);
+  chart.area("region", time_s(kept), greatest(kept), least(kept));
+  draw_violations(source.violations, chart, drive, "motor-operating-region");
+  draw_curve(source.series, chart, {"asked", drive + "_drive_torque_Nm"});
   draw_cursor(chart, {drive + "_drive_torque_Nm"}, outside_column(drive));
   return panel_of(drive,
                   chart.svg(fmt::format("{}: torque that the motion asks for over time, from "
@@ -192,14 +148,14 @@ std::string torque_chart(const ChartSource& source, const std::string& drive) {
 /// Each impact's impulse of a rotor as the mean over the window that it adds to.
 VectorXd impulse_means_Nm(const ChartSource& source, const hopper::TransmissionLoad& load) {
   const double ratio = load.is_judged_at_joint() ? 1.0 : load.ratio;
-  return column(source, load.drive + "_rotor_impulse_Nm_s") /
+  return column(source.series, load.drive + "_rotor_impulse_Nm_s") /
          (source.page.options.load_window_s * ratio);
 }
 
 void draw_impulses(const ChartSource& source, const hopper::TransmissionLoad& load, Chart& chart) {
-  const VectorXd& impulse = column(source, load.drive + "_rotor_impulse_Nm_s");
+  const VectorXd& impulse = column(source.series, load.drive + "_rotor_impulse_Nm_s");
   const VectorXd mean_Nm = impulse_means_Nm(source, load);
-  const VectorXd& time_s = column(source, "time_s");
+  const VectorXd& time_s = column(source.series, "time_s");
   Index greatest = 0;
   impulse.cwiseAbs().maxCoeff(&greatest);
   for (Index i = 0; i < impulse.size(); ++i) {
@@ -226,22 +182,22 @@ void draw_worst(const hopper::TransmissionLoad& load, const VectorXd& time_s,
 std::string gear_chart(const ChartSource& source, std::size_t drive) {
   const hopper::TransmissionLoad& load = source.page.report.transmission_loads[drive];
   const std::string header = gear_column(source.page, drive);
-  const VectorXd& torque = column(source, header);
+  const VectorXd& torque = column(source.series, header);
   const char* side = load.is_judged_at_joint() ? "joint" : "motor";
   const double limit_Nm = load.limit ? load.limit->torque_Nm : std::nan("");
   Axis y = axis_of(fmt::format("gear torque in Nm, at the {}", side), torque);
   y.include(impulse_means_Nm(source, load));
   y.include(limit_Nm);
   y.include(-limit_Nm);
-  Chart chart(time_axis(source), y.roomy(kRoom));
-  draw_violations(source, chart, load.drive, "transmission-load");
+  Chart chart(time_axis(source.series), y.roomy(kChartRoom));
+  draw_violations(source.violations, chart, load.drive, "transmission-load");
   if (load.limit) {
     chart.level("limit", limit_Nm);
     chart.level("limit", -limit_Nm);
   }
-  draw_curve(source, chart, "asked", header);
+  draw_curve(source.series, chart, {"asked", header});
   draw_impulses(source, load, chart);
-  draw_worst(load, column(source, "time_s"), torque, chart);
+  draw_worst(load, column(source.series, "time_s"), torque, chart);
   draw_cursor(chart, {header}, "");
   const std::string limit =
       load.limit ? fmt::format("limit {:.4g} Nm", limit_Nm) : "no limit stated";
@@ -265,23 +221,18 @@ VectorXd in_flight(const HopperPage& page) {
   return flies;
 }
 
-/// One or several columns over time on one axis.
+/// One or two columns over time on one axis, with the motion's impacts.
 std::string plain_chart(const ChartSource& source, const std::string& heading,
                         const std::string& axis, const std::vector<std::string>& headers) {
-  Axis y = axis_of(axis, column(source, headers.front()));
-  for (const std::string& header : headers) y.include(column(source, header));
-  const double low = y.low;
-  const double high = y.high;
-  Chart chart(time_axis(source), y.roomy(kRoom));
+  std::vector<double> impacts_s;
   for (const hopper::Jolt& jolt : source.page.report.demand.jolts) {
-    chart.strip("impact", jolt.time_s, jolt.time_s);
+    impacts_s.push_back(jolt.time_s);
   }
-  for (std::size_t i = 0; i < headers.size(); ++i) {
-    draw_curve(source, chart, i == 0 ? "asked" : "second", headers[i]);
+  std::vector<DrawnColumn> drawn;
+  for (const std::string& header : headers) {
+    drawn.push_back({drawn.empty() ? "asked" : "second", header});
   }
-  draw_cursor(chart, headers, "");
-  return panel_of(heading, chart.svg(fmt::format("{}: {} over time, from {:.4g} to {:.4g}.",
-                                                 heading, axis, low, high)));
+  return time_chart(source.series, heading, axis, drawn, impacts_s);
 }
 
 std::string bus_charts(const ChartSource& source) {
@@ -297,7 +248,7 @@ std::string bus_charts(const ChartSource& source) {
   }
   for (std::size_t i = 0; i < drives.size(); ++i) {
     const std::string header = drives[i].name + "_bus_voltage_V";
-    const VectorXd& voltage_V = column(source, header);
+    const VectorXd& voltage_V = column(source.series, header);
     // A bus that does not give way has nothing to show.
     if (shared.contains(i) || !(voltage_V.maxCoeff() > voltage_V.minCoeff())) continue;
     charts += plain_chart(source, "Bus of " + drives[i].name, "bus voltage in V", {header});

@@ -7,15 +7,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "io/provenance.hpp"
-#include "src/report/cursor_json.hpp"
-#include "src/report/cursor_player.hpp"
-#include "src/report/embedded_page.hpp"
-#include "src/report/html_page.hpp"
+#include "src/report/cursor_page.hpp"
+#include "src/report/hopper_cursor.hpp"
 #include "src/report/kept_samples.hpp"
 #include "src/report/moments.hpp"
 #include "src/report/page_parts.hpp"
-#include "src/report/script_policy.hpp"
 #include "src/report/svg.hpp"
 
 namespace torquewright::report {
@@ -24,17 +20,11 @@ namespace {
 using Eigen::Index;
 using hopper::CandidateResult;
 
-constexpr Index kMostCursorSamples = 1500;
 constexpr int kMomentRows = 12;
 
 std::string head(const HopperPage& page) {
   const auto verdict = actuator::name_of(page.report.check.verdict);
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<title>{}: {}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n",
-      script_policy(kHopperScript), escaped(page.robot.name), verdict, kPageStyle, kHopperStyle);
+  std::string text = cursor_page_begin(fmt::format("{}: {}", page.robot.name, verdict), "");
   text += fmt::format(
       "<section>\n<h1>{}: can it do the motion? <span class=\"badge {}\">{}</span></h1>\n"
       "<p class=\"soft\">{}</p>\n<ul class=\"bad-words\">\n",
@@ -137,7 +127,7 @@ class Page {
 
   std::string html() const {
     const ChartSource source{page_, series_, violations_};
-    std::string text = head(page_) + cursor_player(source);
+    std::string text = head(page_) + cursor_player(hopper_track(source));
     text += page_section("The motion", stage(source));
     text += page_section("Torque and speed in each region",
                          drives_table(page_) + region_charts(source));
@@ -146,13 +136,8 @@ class Page {
     text += page_section("The whole body", body_charts(source));
     text += page_section("Candidates", candidates_table(page_));
     text += page_section("Findings", findings_table(page_));
-    return text + fmt::format(
-                      "<p class=\"soft\">torquewright {}</p>\n</main>\n"
-                      "<script type=\"application/json\" id=\"motion\">{}</script>\n"
-                      "<script>{}</script>\n</body>\n</html>\n",
-                      io::tool_version(),
-                      cursor_json(source, samples_, figure_ ? &*figure_ : nullptr, begin_s()),
-                      kHopperScript);
+    return text + cursor_page_end(cursor_json(
+                      hopper_cursor(source, samples_, figure_ ? &*figure_ : nullptr, begin_s())));
   }
 
  private:
@@ -182,14 +167,16 @@ class Page {
     std::string text = "<div class=\"stage\">\n";
     if (figure_) {
       text +=
-          "<figure>\n" + figure_svg(page_, *figure_, begin_pose(), violations_) +
+          "<figure>\n" +
+          figure_svg(page_.robot.name + " from the side, at the time of the cursor", *figure_,
+                     begin_pose(), violations_) +
           legend(dot_key("mass", "centre of mass") + line_key("bone", "the robot, from the side") +
                  line_key("bone bad", "its bodies where something is violated") +
                  line_key("force", "force of the ground")) +
           (figure_->follows ? "<p class=\"soft\">The view goes along with the robot.</p>\n" : "") +
           "</figure>\n";
     }
-    text += cursor_values(source) + "</div>\n";
+    text += hopper_values(source) + "</div>\n";
     const std::string stills = still_figures(page_, violations_);
     if (!stills.empty()) text += "<h3>Moments, half of them in flight</h3>\n" + stills;
     return text + moments_table(source);

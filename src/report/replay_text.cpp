@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
+
+#include "src/report/replay_words.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -13,57 +14,20 @@ using namespace hopper;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-std::string simulation_line(const ReplayReport& report) {
-  const ReplayOptions& options = report.options;
-  const double period_s = options.run.step_s * options.run.steps_per_control;
-  return fmt::format(
-      "  engine   {}, steps of {:.4g} ms; drives held to their {}; {} every {:.4g} ms, {:.4g} ms "
-      "late; at impacts {}\n",
-      name_of(options.engine), 1e3 * options.run.step_s,
-      options.limits == DriveLimits::kBox ? "box" : "regions", name_of(options.controller),
-      1e3 * period_s, 1e3 * options.run.step_s * options.run.latency_steps,
-      name_of(options.impact.handling));
-}
-
-std::string rotation_words(double short_rad) {
-  const double size = std::abs(short_rad) * kDegrees;
-  return fmt::format("{:.3g} degrees {}", size, short_rad >= 0.0 ? "short" : "over");
-}
-
 std::string end_lines(const Motion& motion, const ReplayResult& result) {
-  const ReplayOutcome& outcome = result.outcome;
   std::string text;
-  if (outcome.touch_down) {
-    const TouchDown& down = *outcome.touch_down;
-    text += fmt::format("  landing  t = {:.4f} s, {:.3g} ms {} than planned; rotation {}\n",
-                        down.time_s, 1e3 * std::abs(down.time_s - down.planned_s),
-                        down.time_s < down.planned_s ? "earlier" : "later",
-                        rotation_words(down.rotation_short_rad));
+  if (result.outcome.touch_down) {
+    text += "  landing  " + landing_words(*result.outcome.touch_down) + "\n";
   }
   if (result.touch_down_load) {
-    const TouchDownLoad& load = *result.touch_down_load;
-    text += fmt::format(
-        "           the ground gives ({:.3g}, {:.3g}, {:.3g}) N s in {:g} ms, {:.4g} N at most "
-        "(mean of {:g} ms)\n",
-        load.impulse_N_s.x(), load.impulse_N_s.y(), load.impulse_N_s.z(), 1e3 * load.window_s,
-        load.peak_force_N, 1e3 * load.force_window_s);
+    text += "           " + ground_words(*result.touch_down_load) + "\n";
   }
-  const double after_s = outcome.end_s - motion.times_s.back();
-  text += fmt::format(
-      "  end      t = {:.4f} s, {:.4g} s {} the motion's; feet at rest for {:.3g} s", outcome.end_s,
-      std::abs(after_s), after_s < 0.0 ? "before" : "after", outcome.foot_at_rest_s);
-  return text + (outcome.reason.empty() ? "\n" : ": " + outcome.reason + "\n");
+  return text + "  end      " + end_words(motion, result.outcome) + "\n";
 }
 
 std::string drive_lines(const ReplayResult& result, std::size_t index) {
   const DriveReplay& drive = result.drives[index];
-  std::string text = fmt::format("\n{}\n", drive.name);
-  text += drive.peak_cut_off_Nm > 0.0
-              ? fmt::format(
-                    "  clipped  {:.3g} % of the control instants, by {:.4g} Nm at most (t = {:.4f} "
-                    "s)\n",
-                    100.0 * drive.clipped_share, drive.peak_cut_off_Nm, drive.cut_off_time_s)
-              : "  clipped  never\n";
+  std::string text = fmt::format("\n{}\n  clipped  {}\n", drive.name, clipped_words(drive));
   text += fmt::format("  torque   peak {:.4g} Nm\n  error    {:.3g} rad at most (t = {:.4f} s)\n",
                       drive.peak_torque_Nm, drive.peak_tracking_error_rad, drive.error_time_s);
   if (drive.peak_winding_K) {
@@ -112,15 +76,7 @@ constexpr std::size_t kShownFailures = 8;
 
 std::string trials_lines(const ReplayTrials& trials) {
   const TrialCounts counts = trials.counts();
-  const ShareInterval interval = success_interval(counts);
-  std::string text = fmt::format(
-      "\n{} of {} randomised trials stand: {:.1f} %, with 95 % between {:.1f} and {:.1f} % (seed "
-      "{})\n",
-      counts.succeeded, counts.done(),
-      counts.done() > 0
-          ? 100.0 * static_cast<double>(counts.succeeded) / static_cast<double>(counts.done())
-          : 0.0,
-      100.0 * interval.least, 100.0 * interval.greatest, trials.seed);
+  std::string text = "\n" + rate_words(trials) + "\n";
   if (counts.unfinished > 0) {
     text += fmt::format("  {} of {} asked for were not finished and count neither way\n",
                         counts.unfinished, counts.all());
@@ -146,10 +102,9 @@ std::string replay_text(const Robot& robot, const Motion& motion, const ReplayRe
   const ReplayResult& result = report.result;
   std::string text = fmt::format("{}: {}\n", motion.file, name_of(result.outcome.verdict));
   text += fmt::format("  robot    {}, {:.4g} s of motion\n", robot.name, motion.duration_s());
-  text += simulation_line(report);
+  text += "  engine   " + simulation_words(report.options) + "\n";
   text += end_lines(motion, result);
-  text += fmt::format("  battery  {:.4g} V at least (t = {:.4f} s), {:.4g} W at most\n",
-                      result.least_bus_V, result.least_bus_s, result.greatest_power_W);
+  text += "  battery  " + battery_words(result) + "\n";
   for (std::size_t i = 0; i < result.drives.size(); ++i) text += drive_lines(result, i);
   text += sweep_lines(report.sweep);
   if (report.trials) text += trials_lines(*report.trials);

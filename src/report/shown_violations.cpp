@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace torquewright::report {
 namespace {
@@ -31,22 +30,6 @@ std::vector<std::size_t> bodies_of(const Robot& robot, const std::string& name) 
   return {};
 }
 
-std::vector<Interval> intervals(const Motion& motion, const std::function<bool(Index)>& is_beyond) {
-  std::vector<Interval> found;
-  const double invisible_s = kInvisibleShare * motion.duration_s();
-  for (Index i = 0; i < motion.samples(); ++i) {
-    if (!is_beyond(i)) continue;
-    const bool goes_on = i > 0 && is_beyond(i - 1);
-    const double time_s = motion.time_s(i);
-    if (!found.empty() && (goes_on || time_s - found.back().until_s < invisible_s)) {
-      found.back().until_s = time_s;
-    } else {
-      found.push_back({time_s, time_s});
-    }
-  }
-  return found;
-}
-
 /// When a joint lies beyond the limit that the rule is about.
 std::vector<Interval> beyond_limit(const HopperPage& page, const hopper::Series& series,
                                    const ShownViolation& shown) {
@@ -59,19 +42,20 @@ std::vector<Interval> beyond_limit(const HopperPage& page, const hopper::Series&
   };
   if (shown.rule == "joint-range") {
     const auto at = motion.positions.row(motion.positions.rows() - above_end);
-    return intervals(motion, [&](Index i) {
+    return stretches(motion.times_s, [&](Index i) {
       return passes(at[i], limits.position_max) || passes(-at[i], -limits.position_min);
     });
   }
   if (shown.rule == "joint-speed") {
     const auto at = motion.velocities.row(motion.velocities.rows() - above_end);
-    return intervals(motion, [&](Index i) { return passes(std::abs(at[i]), limits.speed_max); });
+    return stretches(motion.times_s,
+                     [&](Index i) { return passes(std::abs(at[i]), limits.speed_max); });
   }
   const bool is_given = motion.has_effort[body - 1];
   const Eigen::VectorXd* made = hopper::find_column(series, shown.name + "_joint_torque_Nm");
   if (made == nullptr) made = hopper::find_column(series, shown.name + "_joint_force_N");
   if (!is_given && made == nullptr) return {};
-  return intervals(motion, [&](Index i) {
+  return stretches(motion.times_s, [&](Index i) {
     const double effort = is_given ? motion.efforts(static_cast<Index>(body) - 1, i) : (*made)[i];
     return passes(std::abs(effort), limits.effort_max);
   });
@@ -81,7 +65,7 @@ std::vector<Interval> times_of(const HopperPage& page, const hopper::Series& ser
                                const ShownViolation& shown) {
   if (shown.rule == "motor-operating-region") {
     const Eigen::VectorXd outside = outside_region(series, shown.name);
-    return intervals(page.motion, [&outside](Index i) { return outside[i] > 0.0; });
+    return stretches(page.motion.times_s, [&outside](Index i) { return outside[i] > 0.0; });
   }
   if (shown.rule.starts_with("joint-") && page.robot.find_joint(shown.name)) {
     return beyond_limit(page, series, shown);
@@ -98,6 +82,24 @@ bool ShownViolation::holds_at(double time_s) const {
   return std::any_of(times.begin(), times.end(), [time_s](const Interval& interval) {
     return interval.from_s <= time_s && time_s <= interval.until_s;
   });
+}
+
+std::vector<Interval> stretches(const std::vector<double>& times_s,
+                                const std::function<bool(Index)>& is_so) {
+  std::vector<Interval> found;
+  const double invisible_s = kInvisibleShare * (times_s.back() - times_s.front());
+  bool goes_on = false;
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    const bool was_so = goes_on;
+    goes_on = is_so(static_cast<Index>(i));
+    if (!goes_on) continue;
+    if (!found.empty() && (was_so || times_s[i] - found.back().until_s < invisible_s)) {
+      found.back().until_s = times_s[i];
+    } else {
+      found.push_back({times_s[i], times_s[i]});
+    }
+  }
+  return found;
 }
 
 std::vector<ShownViolation> shown_violations(const HopperPage& page, const hopper::Series& series) {

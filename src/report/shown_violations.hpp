@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct ShownViolation {
 
   bool holds_at(double time_s) const;
 };
+
+/// Where that is so of samples, from the first to the last of each stretch; gaps too short to be
+/// seen are closed.
+std::vector<Interval> stretches(const std::vector<double>& times_s,
+                                const std::function<bool(Eigen::Index)>& is_so);
 
 /// All that have a time. A region's and a joint limit's last as long as samples lie beyond, a
 /// load's as long as its window; of all others the worst instant is known.

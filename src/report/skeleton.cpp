@@ -51,21 +51,28 @@ Skeleton skeleton_of(const hopper::Robot& robot) {
   return skeleton;
 }
 
-std::vector<Pose> poses_at(const hopper::Robot& robot, const hopper::Motion& motion,
-                           const Skeleton& skeleton, const std::vector<Eigen::Index>& samples) {
+std::vector<Pose> poses_of(const hopper::Robot& robot, const Skeleton& skeleton,
+                           const std::vector<double>& times_s, const Eigen::MatrixXd& positions) {
   dynamics::TreeState state(robot.tree);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(robot.tree.velocity_size());
   std::vector<Pose> poses;
-  for (const Eigen::Index sample : samples) {
-    state.set(motion.positions.col(sample), at_rest);
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    state.set(positions.col(static_cast<Eigen::Index>(i)), at_rest);
     Pose& pose = poses.emplace_back();
-    pose.time_s = motion.time_s(sample);
+    pose.time_s = times_s[i];
     for (const dynamics::BodyPoint& point : skeleton.points) {
       pose.points.push_back(seen(dynamics::point_position_m(state, point)));
     }
     pose.center_of_mass_m = seen(dynamics::centroid(state).position_m);
   }
   return poses;
+}
+
+std::vector<Pose> poses_at(const hopper::Robot& robot, const hopper::Motion& motion,
+                           const Skeleton& skeleton, const std::vector<Eigen::Index>& samples) {
+  std::vector<double> times_s;
+  for (const Eigen::Index sample : samples) times_s.push_back(motion.time_s(sample));
+  return poses_of(robot, skeleton, times_s, motion.positions(Eigen::all, samples));
 }
 
 }  // namespace torquewright::report

@@ -30,6 +30,10 @@ struct Pose {
   Eigen::Vector2d center_of_mass_m = Eigen::Vector2d::Zero();
 };
 
+/// Of a robot with a base that is somewhere; `positions` has one column a time.
+std::vector<Pose> poses_of(const hopper::Robot& robot, const Skeleton& skeleton,
+                           const std::vector<double>& times_s, const Eigen::MatrixXd& positions);
+
 /// Requires that the motion says how the base moves.
 std::vector<Pose> poses_at(const hopper::Robot& robot, const hopper::Motion& motion,
                            const Skeleton& skeleton, const std::vector<Eigen::Index>& samples);

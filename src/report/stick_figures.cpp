@@ -107,6 +107,18 @@ std::string bones_of(const Skeleton& skeleton, const Pose& pose, const std::set<
   return text;
 }
 
+/// The script's points of the planned pose come after those of the pose that is.
+std::string planned_bones(const Skeleton& skeleton, const Pose& pose) {
+  const std::size_t points = skeleton.points.size();
+  std::string text;
+  for (const Skeleton::Bone& bone : skeleton.bones) {
+    text += line_of(bone, pose,
+                    fmt::format(" class=\"bone planned\" data-from=\"{}\" data-to=\"{}\"",
+                                points + bone.from, points + bone.to));
+  }
+  return text;
+}
+
 std::string svg_of(const char* style, double width, double height, double ground,
                    const std::string& title) {
   return fmt::format(
@@ -177,27 +189,43 @@ std::string still_figures(const HopperPage& page, const std::vector<ShownViolati
   return text + "</div>\n";
 }
 
-MovingFigure moving_figure(const HopperPage& page, const std::vector<Index>& samples) {
+MovingFigure moving_figure(const MovedPoses& moved) {
   MovingFigure figure;
-  figure.skeleton = skeleton_of(page.robot);
-  const std::vector<Pose> poses = poses_at(page.robot, page.motion, figure.skeleton, samples);
-  const double ground_m = page.options.contact.ground_height_m;
-  figure.follows = FigureView::proportion(poses, ground_m) > kLongWay;
-  const FigureView view(poses, {ground_m, 0.0, figure.follows, 640, 400, 26});
-  for (const Pose& pose : poses) figure.poses.push_back(view.on_paper(pose, 0));
+  figure.skeleton = moved.skeleton;
+  std::vector<Pose> all = moved.poses;
+  all.insert(all.end(), moved.planned.begin(), moved.planned.end());
+  figure.follows = FigureView::proportion(all, moved.ground_m) > kLongWay;
+  if (figure.follows) {
+    // A view that goes with the robot shows how far it is from where it should be.
+    for (std::size_t i = 0; i < moved.planned.size(); ++i) {
+      all[moved.poses.size() + i].center_of_mass_m = moved.poses[i].center_of_mass_m;
+    }
+  }
+  const FigureView view(all, {moved.ground_m, 0.0, figure.follows, 640, 400, 26});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    (i < moved.poses.size() ? figure.poses : figure.planned).push_back(view.on_paper(all[i], 0));
+  }
   figure.width = view.width();
   figure.height = view.height();
   figure.ground = view.ground();
-  const double greatest_N = greatest_force_N(page);
-  if (greatest_N > 0.0) figure.per_N = kArrowShare * figure.height / greatest_N;
+  if (moved.greatest_force_N > 0.0) {
+    figure.per_N = kArrowShare * figure.height / moved.greatest_force_N;
+  }
   return figure;
 }
 
-std::string figure_svg(const HopperPage& page, const MovingFigure& figure, std::size_t pose,
+MovingFigure moving_figure(const HopperPage& page, const std::vector<Index>& samples) {
+  const Skeleton skeleton = skeleton_of(page.robot);
+  MovedPoses moved{skeleton, poses_at(page.robot, page.motion, skeleton, samples)};
+  moved.ground_m = page.options.contact.ground_height_m;
+  moved.greatest_force_N = greatest_force_N(page);
+  return moving_figure(moved);
+}
+
+std::string figure_svg(const std::string& title, const MovingFigure& figure, std::size_t pose,
                        const std::vector<ShownViolation>& violations) {
   const Pose& at = figure.poses[pose];
-  std::string text = svg_of("robot", figure.width, figure.height, figure.ground,
-                            page.robot.name + " from the side, at the time of the cursor");
+  std::string text = svg_of("robot", figure.width, figure.height, figure.ground, title);
   if (!figure.follows) {
     text += "<polyline class=\"way\" points=\"";
     for (const Pose& each : figure.poses) {
@@ -206,8 +234,9 @@ std::string figure_svg(const HopperPage& page, const MovingFigure& figure, std::
     }
     text += "\"/>\n";
   }
+  if (!figure.planned.empty()) text += planned_bones(figure.skeleton, figure.planned[pose]);
   text += bones_of(figure.skeleton, at, bad_bodies(violations, at.time_s));
-  for (std::size_t i = 0; i < page.robot.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < figure.skeleton.contacts.size(); ++i) {
     text += fmt::format("<path class=\"force\" data-contact=\"{}\"/>\n", i);
   }
   return text + fmt::format("<circle class=\"mass\" cx=\"{}\" cy=\"{}\" r=\"5\"/>\n</svg>\n",

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "hopper/replay/replay_report.hpp"
+
+namespace torquewright::report {
+
+/// What a replay came to in words, as its text and its page have them; no line's end.
+
+/// Engine, drives, controller and how time goes on.
+std::string simulation_words(const hopper::ReplayOptions& options);
+/// When the robot landed, and the rotation that was missing.
+std::string landing_words(const hopper::TouchDown& down);
+/// The ground's impulse and force there.
+std::string ground_words(const hopper::TouchDownLoad& load);
+/// When it ended, feet, and why.
+std::string end_words(const hopper::Motion& motion, const hopper::ReplayOutcome& outcome);
+std::string battery_words(const hopper::ReplayResult& result);
+std::string clipped_words(const hopper::DriveReplay& drive);
+/// How many trials stand, and the interval of the rate; nothing of those that are unfinished.
+std::string rate_words(const hopper::ReplayTrials& trials);
+
+}  // namespace torquewright::report
