@@ -113,7 +113,8 @@ struct TriedMotion {
   std::optional<Demand> twice_as_far;
 };
 
-TriedMotion trial_of(const Basis& basis, const Robot& changed, std::size_t drivetrain, bool same_mass) {
+TriedMotion trial_of(const Basis& basis, const Robot& changed, std::size_t drivetrain,
+                     bool same_mass) {
   const auto& [robot, options, motion, contacts, demand] = basis.checked;
   if (same_mass && !rotors_stay_in_tree(robot.drivetrains[drivetrain])) {
     TriedMotion trial{with_rotors_of(changed, drivetrain, demand), {}};

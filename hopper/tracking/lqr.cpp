@@ -67,6 +67,7 @@ class Recursion {
   Recursion(const Robot& robot, const Reference& reference, const LqrOptions& options)
       : reference_(&reference),
         body_(robot),
+        dynamics_(robot),
         weights_(weights_of(robot, options)),
         options_(options) {
     if (!(options.control_period_s > 0.0) || !std::isfinite(options.control_period_s)) {
@@ -116,7 +117,7 @@ class Recursion {
   /// One control period (or a little less) from one knot to the next.
   bool step_between(const Knot& from, const ErrorSpace& to, const TouchingPoints& touches,
                     double period_s, LinearStep& step) {
-    const auto slopes = acceleration_slopes(body_, state_of(from.instant), touches);
+    const auto slopes = acceleration_slopes(body_, dynamics_, state_of(from.instant), touches);
     if (!slopes) return stop(GainOutcome::kUnreached, from.time_s, from.instant);
     const DiscreteModel model =
         over(continuous_model(body_.robot().tree, *slopes, from.instant.velocity), period_s);
@@ -195,6 +196,7 @@ class Recursion {
 
   const Reference* reference_;
   WholeBody body_;
+  LinearDynamics dynamics_;
   Weights weights_;
   LqrOptions options_;
   MatrixXd cost_;    ///< Of errors that the space behind leaves free.

@@ -51,7 +51,7 @@ struct LqrResult {
 std::string sentence_of(const LqrResult& result);
 
 /// Time-varying linear quadratic regulator along a reference, through its contact modes and
-/// impacts (Anderson, Moore, "Optimal control", 1990; docs/derivations/tracking.md). Some 0.3 ms a
+/// impacts (Anderson, Moore, "Optimal control", 1990; docs/derivations/tracking.md). Some 0.1 ms a
 /// control period. std::invalid_argument where options are not positive or of a wrong size.
 [[nodiscard]] LqrResult lqr_gains(const Robot& robot, const Reference& reference,
                                   const LqrOptions& options);
