@@ -101,6 +101,16 @@ std::optional<VectorXd> held_acceleration(WholeBody& body, const DrivenState& at
   return acceleration_of(body, HeldBody(body, touches), at.drive_Nm);
 }
 
+std::optional<Eigen::Matrix3Xd> ground_forces_N(WholeBody& body, const DrivenState& at,
+                                                const TouchingPoints& touches) {
+  const auto acceleration = held_acceleration(body, at, touches);
+  if (!acceleration) return std::nullopt;
+  VectorXd force(acceleration->size());
+  body.inverse_dynamics(*acceleration, force);
+  force -= drive_jacobian(body).transpose() * at.drive_Nm;
+  return ground_N(contact_rows(body.robot(), body.state(), touches), force, touches);
+}
+
 std::optional<StateSlopes> acceleration_slopes(WholeBody& body, LinearDynamics& dynamics,
                                                const DrivenState& at,
                                                const TouchingPoints& touches) {

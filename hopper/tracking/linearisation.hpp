@@ -36,8 +36,13 @@ Eigen::MatrixXd drive_jacobian(const WholeBody& body);
 std::optional<Eigen::VectorXd> held_acceleration(WholeBody& body, const DrivenState& at,
                                                  const TouchingPoints& touches);
 
-/// The same with its slopes, eq. (4), exact where the touching points are at rest. `dynamics` is of
-/// the same robot.
+/// The least forces of the ground that then hold them, by contact point of the robot (3 each,
+/// world's axes, on the robot); linear in the torques.
+std::optional<Eigen::Matrix3Xd> ground_forces_N(WholeBody& body, const DrivenState& at,
+                                                const TouchingPoints& touches);
+
+/// The accelerations with their slopes, eq. (4), exact where the touching points are at rest.
+/// `dynamics` is of the same robot.
 std::optional<StateSlopes> acceleration_slopes(WholeBody& body, LinearDynamics& dynamics,
                                                const DrivenState& at,
                                                const TouchingPoints& touches);

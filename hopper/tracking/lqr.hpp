@@ -25,8 +25,11 @@ struct LqrOptions {
   double speed_m_s = 0.5;          ///< Of the base.
   double turn_rate_rad_s = 1.0;    ///< Of the base.
   double joint_rate_rad_s = 2.0;   ///< Of every joint.
-  double torque_share = 0.05;      ///< Of each drive's peak torque.
-  Eigen::VectorXd torque_Nm;       ///< By drive, at its output, instead; empty: as above.
+  double torque_share = 0.05;      ///< Of each drive's peak torque, but no more than
+  /// this share of the torque with which the foot of the last stance begins to tip
+  /// (tipping_torque.hpp), where it can.
+  double tipping_share = 0.5;
+  Eigen::VectorXd torque_Nm;  ///< By drive, at its output, instead; empty: as above.
   LqrEnd end = LqrEnd::kSteadyState;
 };
 
