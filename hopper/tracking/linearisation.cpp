@@ -3,13 +3,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-
-#include "dynamics/position_step.hpp"
-
 namespace torquewright::hopper {
 namespace {
 
@@ -66,31 +59,31 @@ VectorXd after_impact(const HeldBody& held, const VectorXd& velocity) {
   return held.upper_inverse(held.held(held.upper(velocity), nothing));
 }
 
-using ValueAt =
-    std::function<std::optional<VectorXd>(const VectorXd& position, const VectorXd& velocity)>;
-
-/// Central differences: cut-off h^2 and rounding epsilon/h are alike at the cube root of epsilon.
-std::optional<MatrixXd> differences(
-    Index n, const std::function<std::optional<VectorXd>(Index direction, double step)>& moved) {
-  const double step = std::cbrt(std::numeric_limits<double>::epsilon());
-  MatrixXd slopes(n, n);
-  for (Index direction = 0; direction < n; ++direction) {
-    const auto ahead = moved(direction, step);
-    const auto behind = moved(direction, -step);
-    if (!ahead || !behind) return std::nullopt;
-    slopes.col(direction) = (*ahead - *behind) / (2.0 * step);
+/// What holds touching points as M x = J^T force asks for: the least of those forces, by point.
+Eigen::Matrix3Xd ground_N(const ContactRows& rows, const VectorXd& force,
+                          const TouchingPoints& touches) {
+  Eigen::Matrix3Xd out = Eigen::Matrix3Xd::Zero(3, touches.size());
+  if (rows.jacobian.rows() == 0) return out;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> parts;
+  parts.setThreshold(kTwinRow);
+  const VectorXd held_N = parts.compute(rows.jacobian.transpose()).solve(force);
+  for (Index point = 0, row = 0; point < touches.size(); ++point) {
+    if (!touches[point]) continue;
+    out.col(point) = held_N.segment<3>(row);
+    row += 3;
   }
-  return slopes;
+  return out;
 }
 
-std::optional<MatrixXd> by_position(const dynamics::Tree& tree, const DrivenState& at,
-                                    const ValueAt& value) {
-  const Index n = tree.velocity_size();
-  return differences(n, [&](Index direction, double step) {
-    VectorXd moved(at.position.size());
-    dynamics::step_position(tree, at.position, VectorXd::Unit(n, direction), step, moved);
-    return value(moved, at.velocity);
-  });
+/// Of three rows a point those of the touching ones.
+MatrixXd touching_rows(const MatrixXd& all, const TouchingPoints& touches) {
+  MatrixXd out(3 * touches.count(), all.cols());
+  for (Index point = 0, row = 0; point < touches.size(); ++point) {
+    if (!touches[point]) continue;
+    out.middleRows<3>(row) = all.middleRows<3>(3 * point);
+    row += 3;
+  }
+  return out;
 }
 
 }  // namespace
@@ -108,40 +101,69 @@ std::optional<VectorXd> held_acceleration(WholeBody& body, const DrivenState& at
   return acceleration_of(body, HeldBody(body, touches), at.drive_Nm);
 }
 
-std::optional<StateSlopes> acceleration_slopes(WholeBody& body, const DrivenState& at,
+std::optional<Eigen::Matrix3Xd> ground_forces_N(WholeBody& body, const DrivenState& at,
+                                                const TouchingPoints& touches) {
+  const auto acceleration = held_acceleration(body, at, touches);
+  if (!acceleration) return std::nullopt;
+  VectorXd force(acceleration->size());
+  body.inverse_dynamics(*acceleration, force);
+  force -= drive_jacobian(body).transpose() * at.drive_Nm;
+  return ground_N(contact_rows(body.robot(), body.state(), touches), force, touches);
+}
+
+std::optional<StateSlopes> acceleration_slopes(WholeBody& body, LinearDynamics& dynamics,
+                                               const DrivenState& at,
                                                const TouchingPoints& touches) {
-  const dynamics::Tree& tree = body.robot().tree;
-  const auto value = [&](const VectorXd& position, const VectorXd& velocity) {
-    return held_acceleration(body, {position, velocity, at.drive_Nm}, touches);
-  };
-  const auto positions = by_position(tree, at, value);
-  const auto velocities = differences(tree.velocity_size(), [&](Index direction, double step) {
-    return value(at.position, at.velocity + VectorXd::Unit(at.velocity.size(), direction) * step);
-  });
-  if (!positions || !velocities || !body.set(at.position, at.velocity)) return std::nullopt;
+  if (!body.set(at.position, at.velocity)) return std::nullopt;
   const HeldBody held(body, touches);
   const MatrixXd drives = drive_jacobian(body).transpose();
+  const VectorXd acceleration = acceleration_of(body, held, at.drive_Nm);
+  VectorXd force(acceleration.size());
+  body.inverse_dynamics(acceleration, force);
+  force -= drives * at.drive_Nm;
+  DynamicsSlopes slopes;
+  const bool is_reached = dynamics.at(
+      {at.position, at.velocity, acceleration, at.drive_Nm, ground_N(held.rows(), force, touches)},
+      slopes);
+  if (!is_reached) return std::nullopt;
+  // Of M a = r_0 + J^T lambda, J a = c_0 the slopes obey the same law: tracking.md eq. (4).
+  const auto slope = [&](const MatrixXd& residual, const MatrixXd& contact_m_s2) {
+    return held.upper_inverse(
+        held.held(-held.lower_inverse(residual), -touching_rows(contact_m_s2, touches)));
+  };
   const MatrixXd nothing = MatrixXd::Zero(held.rows().jacobian.rows(), drives.cols());
-  return StateSlopes{acceleration_of(body, held, at.drive_Nm), *positions, *velocities,
+  return StateSlopes{acceleration,
+                     slope(slopes.residual_by_position, slopes.contact_m_s2_by_position),
+                     slope(slopes.residual_by_velocity, slopes.contact_m_s2_by_velocity),
                      held.upper_inverse(held.held(held.lower_inverse(drives), nothing))};
 }
 
 std::optional<StateSlopes> impact_slopes(WholeBody& body, const DrivenState& at,
                                          const TouchingPoints& touches) {
-  const dynamics::Tree& tree = body.robot().tree;
-  const auto value = [&](const VectorXd& position,
-                         const VectorXd& velocity) -> std::optional<VectorXd> {
-    if (!body.set(position, velocity)) return std::nullopt;
-    return after_impact(HeldBody(body, touches), velocity);
-  };
-  const auto positions = by_position(tree, at, value);
-  if (!positions || !body.set(at.position, at.velocity)) return std::nullopt;
+  if (!body.set(at.position, at.velocity)) return std::nullopt;
   const HeldBody held(body, touches);
-  const Index n = tree.velocity_size();
+  const Index n = at.velocity.size();
+  const VectorXd after = after_impact(held, at.velocity), change = after - at.velocity;
+  MatrixXd mass(n, n);
+  body.mass_matrix(mass);
+  // The residual is M a + what does not know a: its slopes at a = v+ - v- and the impulses, less
+  // those at rest from both, are those of M (v+ - v-) - J^T impulses.
+  LinearDynamics dynamics(body.robot());
+  DynamicsSlopes struck, still;
+  DynamicsInstant instant{at.position, after, change,
+                          VectorXd::Zero(static_cast<Index>(body.drive_count())),
+                          ground_N(held.rows(), mass * change, touches)};
+  if (!dynamics.at(instant, struck)) return std::nullopt;
+  instant.acceleration.setZero();
+  instant.contact_N.setZero();
+  if (!dynamics.at(instant, still)) return std::nullopt;
+  const MatrixXd residual = struck.residual_by_position - still.residual_by_position;
   const MatrixXd nothing = MatrixXd::Zero(held.rows().jacobian.rows(), n);
-  return StateSlopes{after_impact(held, at.velocity), *positions,
-                     held.upper_inverse(held.held(held.upper(MatrixXd::Identity(n, n)), nothing)),
-                     MatrixXd()};
+  return StateSlopes{
+      after,
+      held.upper_inverse(held.held(-held.lower_inverse(residual),
+                                   -touching_rows(struck.contact_m_s_by_position, touches))),
+      held.upper_inverse(held.held(held.upper(MatrixXd::Identity(n, n)), nothing)), MatrixXd()};
 }
 
 ContinuousModel continuous_model(const dynamics::Tree& tree, const StateSlopes& acceleration,

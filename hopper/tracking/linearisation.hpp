@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "hopper/robot/linear_dynamics.hpp"
 #include "hopper/robot/whole_body.hpp"
 #include "hopper/tracking/contact_rows.hpp"
 
@@ -35,8 +36,15 @@ Eigen::MatrixXd drive_jacobian(const WholeBody& body);
 std::optional<Eigen::VectorXd> held_acceleration(WholeBody& body, const DrivenState& at,
                                                  const TouchingPoints& touches);
 
-/// The same with its slopes, eq. (4).
-std::optional<StateSlopes> acceleration_slopes(WholeBody& body, const DrivenState& at,
+/// The least forces of the ground that then hold them, by contact point of the robot (3 each,
+/// world's axes, on the robot); linear in the torques.
+std::optional<Eigen::Matrix3Xd> ground_forces_N(WholeBody& body, const DrivenState& at,
+                                                const TouchingPoints& touches);
+
+/// The accelerations with their slopes, eq. (4), exact where the touching points are at rest.
+/// `dynamics` is of the same robot.
+std::optional<StateSlopes> acceleration_slopes(WholeBody& body, LinearDynamics& dynamics,
+                                               const DrivenState& at,
                                                const TouchingPoints& touches);
 
 /// Velocities after an impact that stops the touching points, eq. (5), and their slopes.

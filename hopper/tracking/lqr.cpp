@@ -13,6 +13,7 @@
 #include "hopper/tracking/gain_schedule.hpp"
 #include "hopper/tracking/linearisation.hpp"
 #include "hopper/tracking/riccati.hpp"
+#include "hopper/tracking/tipping_torque.hpp"
 #include "hopper/tracking/touch_down.hpp"
 
 namespace torquewright::hopper {
@@ -35,13 +36,27 @@ double weight_of(double one) {
   return 1.0 / (one * one);
 }
 
-Weights weights_of(const Robot& robot, const LqrOptions& options) {
-  const Index n = robot.tree.velocity_size();
+/// What counts as one of each drive.
+VectorXd torques_Nm(const Robot& robot, const Reference& reference, const LqrOptions& options) {
   const VectorXd peaks_Nm = peak_torques_Nm(robot);
-  if (options.torque_Nm.size() != 0 && options.torque_Nm.size() != peaks_Nm.size()) {
+  if (options.torque_Nm.size() > 0) {
+    if (options.torque_Nm.size() == peaks_Nm.size()) return options.torque_Nm;
     throw std::invalid_argument("regulator: one torque per drive");
   }
-  Weights weights{VectorXd(2 * n), VectorXd(peaks_Nm.size())};
+  const VectorXd of_peak_Nm = options.torque_share * peaks_Nm;
+  WholeBody body(robot);
+  ReferenceInstant last;
+  reference.at(reference.ends_s(), last);
+  const auto tipping_Nm = tipping_torques_Nm(body, {last.position, last.velocity, last.drive_Nm},
+                                             reference.modes().back().touches);
+  if (!tipping_Nm) return of_peak_Nm;  // the recursion will say so
+  return of_peak_Nm.cwiseMin(options.tipping_share * *tipping_Nm);
+}
+
+Weights weights_of(const Robot& robot, const Reference& reference, const LqrOptions& options) {
+  const Index n = robot.tree.velocity_size();
+  const VectorXd torque_Nm = torques_Nm(robot, reference, options);
+  Weights weights{VectorXd(2 * n), VectorXd(torque_Nm.size())};
   const Index base = robot.tree.base_velocity_size(),
               places = base == 6 ? 3 : std::min<Index>(base, 2);
   for (Index i = 0; i < n; ++i) {
@@ -53,10 +68,8 @@ Weights weights_of(const Robot& robot, const LqrOptions& options) {
                                          : is_base ? options.turn_rate_rad_s
                                                    : options.joint_rate_rad_s);
   }
-  for (Index drive = 0; drive < peaks_Nm.size(); ++drive) {
-    weights.torque_1_s[drive] =
-        weight_of(options.torque_Nm.size() > 0 ? options.torque_Nm[drive]
-                                               : options.torque_share * peaks_Nm[drive]);
+  for (Index drive = 0; drive < torque_Nm.size(); ++drive) {
+    weights.torque_1_s[drive] = weight_of(torque_Nm[drive]);
   }
   return weights;
 }
@@ -67,7 +80,8 @@ class Recursion {
   Recursion(const Robot& robot, const Reference& reference, const LqrOptions& options)
       : reference_(&reference),
         body_(robot),
-        weights_(weights_of(robot, options)),
+        dynamics_(robot),
+        weights_(weights_of(robot, reference, options)),
         options_(options) {
     if (!(options.control_period_s > 0.0) || !std::isfinite(options.control_period_s)) {
       throw std::invalid_argument("regulator: the control period is above zero");
@@ -116,7 +130,7 @@ class Recursion {
   /// One control period (or a little less) from one knot to the next.
   bool step_between(const Knot& from, const ErrorSpace& to, const TouchingPoints& touches,
                     double period_s, LinearStep& step) {
-    const auto slopes = acceleration_slopes(body_, state_of(from.instant), touches);
+    const auto slopes = acceleration_slopes(body_, dynamics_, state_of(from.instant), touches);
     if (!slopes) return stop(GainOutcome::kUnreached, from.time_s, from.instant);
     const DiscreteModel model =
         over(continuous_model(body_.robot().tree, *slopes, from.instant.velocity), period_s);
@@ -195,6 +209,7 @@ class Recursion {
 
   const Reference* reference_;
   WholeBody body_;
+  LinearDynamics dynamics_;
   Weights weights_;
   LqrOptions options_;
   MatrixXd cost_;    ///< Of errors that the space behind leaves free.

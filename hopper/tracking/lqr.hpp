@@ -25,8 +25,11 @@ struct LqrOptions {
   double speed_m_s = 0.5;          ///< Of the base.
   double turn_rate_rad_s = 1.0;    ///< Of the base.
   double joint_rate_rad_s = 2.0;   ///< Of every joint.
-  double torque_share = 0.05;      ///< Of each drive's peak torque.
-  Eigen::VectorXd torque_Nm;       ///< By drive, at its output, instead; empty: as above.
+  double torque_share = 0.05;      ///< Of each drive's peak torque, but no more than
+  /// this share of the torque with which the foot of the last stance begins to tip
+  /// (tipping_torque.hpp), where it can.
+  double tipping_share = 0.5;
+  Eigen::VectorXd torque_Nm;  ///< By drive, at its output, instead; empty: as above.
   LqrEnd end = LqrEnd::kSteadyState;
 };
 
@@ -51,7 +54,7 @@ struct LqrResult {
 std::string sentence_of(const LqrResult& result);
 
 /// Time-varying linear quadratic regulator along a reference, through its contact modes and
-/// impacts (Anderson, Moore, "Optimal control", 1990; docs/derivations/tracking.md). Some 0.3 ms a
+/// impacts (Anderson, Moore, "Optimal control", 1990; docs/derivations/tracking.md). Some 0.1 ms a
 /// control period. std::invalid_argument where options are not positive or of a wrong size.
 [[nodiscard]] LqrResult lqr_gains(const Robot& robot, const Reference& reference,
                                   const LqrOptions& options);

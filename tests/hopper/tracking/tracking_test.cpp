@@ -120,8 +120,9 @@ TEST_F(Standing, RollHasALoopOfItsOwn) {
 // A bit of scale: twice as dear torque, and twice as dear errors, are the same question.
 TEST_F(Standing, OnlyRatiosOfWeightsCount) {
   LqrOptions twice;
-  for (double* one : {&twice.place_m, &twice.tilt_rad, &twice.joint_rad, &twice.speed_m_s,
-                      &twice.turn_rate_rad_s, &twice.joint_rate_rad_s, &twice.torque_share}) {
+  for (double* one :
+       {&twice.place_m, &twice.tilt_rad, &twice.joint_rad, &twice.speed_m_s, &twice.turn_rate_rad_s,
+        &twice.joint_rate_rad_s, &twice.torque_share, &twice.tipping_share}) {
     *one *= 2.0;
   }
   const LqrResult first = lqr_gains(robot, reference, {});
