@@ -60,7 +60,10 @@ Axis Axis::roomy(double share) const {
 }
 
 Axis axis_of(std::string title, const VectorXd& values) {
-  Axis axis{std::move(title), values[0], values[0]};
+  const auto is_number = [](double value) { return std::isfinite(value); };
+  const auto first = std::find_if(values.begin(), values.end(), is_number);
+  const double begin = first == values.end() ? 0.0 : *first;
+  Axis axis{std::move(title), begin, begin};
   axis.include(values);
   return axis;
 }

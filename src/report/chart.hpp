@@ -22,7 +22,7 @@ struct Axis {
   Axis roomy(double share) const;
 };
 
-/// An axis that begins at its first value instead of at zero.
+/// An axis that begins at its first value that is a number, instead of at zero.
 Axis axis_of(std::string title, const Eigen::VectorXd& values);
 
 /// A picture with two axes as an SVG element of a page, drawn from back to front. Colours are the
