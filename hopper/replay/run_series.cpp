@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 
 namespace torquewright::hopper {
 namespace {
@@ -12,6 +13,9 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr std::array kAxes{"x", "y", "z"};
+
+/// An empty cell: before the first step the buses are not known.
+constexpr double kNotYet = std::numeric_limits<double>::quiet_NaN();
 
 /// Columns from one vector of every row.
 class Columns {
@@ -85,9 +89,7 @@ void add_drives(const Robot& robot, const Record& record, Columns& columns) {
       columns.add_entry(name + "_drive_cut_off_torque_Nm", &RecordRow::cut_off_Nm, drive);
       if (record.rows.back().bus_V.size() > drive) {
         columns.add(name + "_bus_voltage_V", [drive](const RecordRow& row) {
-          return row.bus_V.size() > drive ? row.bus_V[drive]
-                 : row.bus_V.size() > 0   ? row.bus_V[0]
-                                          : 0.0;
+          return row.bus_V.size() > drive ? row.bus_V[drive] : kNotYet;
         });
       }
       ++drive;
