@@ -268,7 +268,7 @@ std::vector<FlipSample> FlipMaker::motion(const FlipNumbers& numbers,
     FlipSample sample{FlipPhase::kLanding, down.time_s + stood_s, {}, {}, VectorXd::Zero(kRows)};
     const Joints now{knee_after.at(stood_s), ankle_after.at(stood_s)};
     sample.acceleration[kPitch] = -now.knee.second_rate - now.ankle.second_rate;
-    hold(now, {kSole, sole_x_m}, 2 * std::numbers::pi - now.knee.value - now.ankle.value,
+    hold(now, {kSole, sole_x_m}, numbers.turn_rad - now.knee.value - now.ankle.value,
          -now.knee.rate - now.ankle.rate, sample);
     samples.push_back(sample);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "bench/cubic_spline.hpp"
@@ -21,6 +22,7 @@ struct FlipNumbers {
   std::vector<double> ankle_rad;          ///< As many.
   std::vector<double> landing_knee_rad;   ///< Control points kLanding - 2 of the landing: the first
   std::vector<double> landing_ankle_rad;  ///< two are where and how fast touch-down leaves it.
+  double turn_rad = 2 * std::numbers::pi;  ///< Between the stances; 0: a hop.
 };
 
 enum class FlipPhase { kFlat, kHeel, kFlight, kLanding };

@@ -273,8 +273,9 @@ bool TimeStepping::solve_active() {
   constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25, 0.0};
   for (const double share : kShares) {
     gather(share);
-    if (!solve_contacts(problem_, active_impulses_)) return false;
-    if (!gives_back_ || contact_work_J() <= 0.0) break;  // eq. (8)
+    const bool is_solved = solve_contacts(problem_, active_impulses_);
+    if (!gives_back_ || share == 0.0) return is_solved;
+    if (is_solved && contact_work_J() <= 0.0) break;  // eq. (8)
   }
   return true;
 }

@@ -44,6 +44,14 @@ hopper::ImpactOptions impact_of(const HopperReplayRequest& request) {
   return impact;
 }
 
+void require_step(const HopperReplayRequest& request) {
+  if (request.step_s <= request.control_period_s) return;
+  io::refuse("--step",
+             fmt::format("{:g} s is longer than the control period of {:g} s: a step lies "
+                         "between two looks; lengthen --control-period, or shorten it",
+                         request.step_s, request.control_period_s));
+}
+
 /// A control period is a whole number of the engine's steps, which are made to fit.
 hopper::RunOptions run_of(const HopperReplayRequest& request) {
   hopper::RunOptions run;
@@ -182,6 +190,7 @@ void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& i
 
 ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   check_files(request);
+  require_step(request);
   require_window(request);
   auto [inputs, motion] = read_inputs(request.motion);
   check_files(request);  // now that the robot's files are known

@@ -102,6 +102,22 @@ TEST_F(HopperReplay, TheHandMadeFlipFallsUnderRegionAndBoxInBothEngines) {
   }
 }
 
+// Oracle: the other engine. The hop lies inside the regions by `hopper check`; it lands in both
+// within two control periods of the plan and of each other.
+TEST_F(HopperReplay, AHopInsideTheRegionsStandsInBothEngines) {
+  EXPECT_EQ(run({}, "hop", "check").exit_code, 0);
+  const json own = report({}, "hop");
+  const json mujoco = report({"--engine", "mujoco"}, "hop");
+  for (const json& replayed : {own, mujoco}) {
+    EXPECT_EQ(replayed["verdict"], "stands") << replayed["end"];
+    EXPECT_NEAR(replayed["touch_down"]["time_s"].get<double>(),
+                replayed["touch_down"]["planned_s"].get<double>(), 1.5e-3);
+    EXPECT_NEAR(replayed["touch_down"]["rotation_short_rad"].get<double>(), 0.0, kDegree);
+  }
+  EXPECT_NEAR(own["touch_down"]["time_s"].get<double>(),
+              mujoco["touch_down"]["time_s"].get<double>(), 1e-3);
+}
+
 TEST_F(HopperReplay, WhatItWritesByTimeIsAMotionThatTheCheckPasses) {
   const Outcome replayed = run({"--series", "run.csv", "-o", "run.txt"});
   ASSERT_EQ(replayed.exit_code, 0) << replayed.err;
@@ -200,6 +216,7 @@ TEST_F(HopperReplay, AControllerThatIsTooLateEndsWithTimeAndReason) {
 TEST_F(HopperReplay, RefusesByName) {
   expect_refusal({"--ground-rise", "0.01"}, "is 0.01 m below the ground");
   expect_refusal({"--trials", "3"}, "needs --randomise");
+  expect_refusal({"--step", "0.001"}, "longer than the control period");
   expect_refusal(
       {"--trials", "3", "--randomise", "specs/randomisation/hopper.json", "--trial", "3"},
       "3 is none of the trials 0 to 2");
