@@ -34,7 +34,6 @@ struct HopperReplayRequest {
   std::int64_t only_trial = -1;  ///< Negative: all.
   double success_rate = 1.0;
   std::size_t threads = 0;  ///< 0: as many as the processor runs at once.
-  std::string plot_file;
   std::string report_file;
   std::string series_file;
   std::string output_file;
