@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace torquewright::hopper {
+
+/// An instant of a motion in the sagittal plane. Rows of the first three as those of the robot's
+/// tree on a planar base (x, z, pitch, then every joint; those that leave the plane stay at 0).
+struct PlannedInstant {
+  double time_s = 0.0;
+  Eigen::VectorXd position;
+  Eigen::VectorXd velocity;
+  Eigen::VectorXd acceleration;
+  Eigen::VectorXd drive_Nm;   ///< (drives x 1), at their outputs, what their rotors take included.
+  Eigen::Matrix3Xd contact_N; ///< (3 x contact points of the robot), world's axes, on the robot.
+  double bus_V = 0.0;         ///< Of the shared battery; 0 where drives share none.
+};
+
+/// While the same points touch. Instants are the ends and the middles of intervals in turn: 2 n + 1
+/// of n intervals. Within an interval the acceleration is the parabola through its three instants;
+/// velocity and position are its integrals, so that they meet the next instant's (Hermite-Simpson:
+/// docs/derivations/collocation.md). Torques and forces are the parabolas through theirs.
+struct PlannedPhase {
+  std::string stance;            ///< Words: "flat", "heel", "toe", "flight".
+  std::vector<bool> touches;     ///< By contact point of the robot.
+  std::vector<PlannedInstant> instants;
+
+  std::size_t intervals() const { return (instants.size() - 1) / 2; }
+  double begin_s() const { return instants.front().time_s; }
+  double end_s() const { return instants.back().time_s; }
+};
+
+/// Phases in order; one begins where the one before ends, at the same time and position. Where
+/// their velocities differ there is an impact of rigid bodies.
+struct PlannedMotion {
+  std::vector<PlannedPhase> phases;
+};
+
+}  // namespace torquewright::hopper
