@@ -1,0 +1,553 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/flip/flip_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dynamics/gravity.hpp"
+#include "hopper/flip/guess.hpp"
+#include "hopper/flip/hermite_simpson.hpp"
+#include "hopper/flip/jet_rows.hpp"
+#include "hopper/flip/objectives/every_objective.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using optimization::Bounds;
+using optimization::VariableSet;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// Typical sizes, by which the solver's numbers come near 1.
+constexpr double kLength_m = 0.5;
+constexpr double kAngle_rad = 1.0;
+constexpr double kSpeed = 5.0;
+constexpr double kAcceleration = 100.0;
+constexpr double kTorque_Nm = 100.0;
+constexpr double kForce_N = 100.0;
+constexpr double kImpulse_N_s = 10.0;
+constexpr double kDuration_s = 0.3;
+// Wide enough for any such robot, tight enough to keep the search from running away (trial: loose
+// bounds did not converge).
+constexpr double kFarthest_m = 3.0;
+constexpr double kHighest_m = 3.0;
+constexpr double kFastest_m_s = 10.0;
+constexpr double kFastest_rad_s = 30.0;
+constexpr double kHardest_m_s2 = 500.0;
+constexpr double kHardest_rad_s2 = 3000.0;
+constexpr double kClear_m = 0.03;  // bodies that must not touch, above the ground
+// From the middle of the sole to where the mass stands at the begin and at the end, of its length.
+constexpr double kStandsWithin = 0.1;
+
+Bounds equal(double value) { return {value, value}; }
+Bounds at_least(double value) { return {value, kInfinite}; }
+Bounds at_most(double value) { return {-kInfinite, value}; }
+Bounds within(double value) { return {-value, value}; }
+
+std::vector<int> run(int first, Index count) {
+  std::vector<int> out(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = first + static_cast<int>(i);
+  return out;
+}
+
+std::vector<int> joined(const std::vector<std::vector<int>>& parts) {
+  std::vector<int> out;
+  for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
+  return out;
+}
+
+struct ConeLaw {
+  std::size_t points;
+  double friction;
+  double edge;
+  template <typename T>
+  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
+    T load = x[1];
+    if (points == 2) load += x[2];
+    rows[0] = x[0] - friction * load;
+    rows[1] = -x[0] - friction * load;
+    if (points < 2) return;
+    rows[2] = edge * load - x[1];
+    rows[3] = edge * load - x[2];
+  }
+};
+
+struct LevelLaw {
+  std::vector<double> directions;
+  template <typename T>
+  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
+    rows[0] = x[0];
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      rows[0] += directions[i] * x[static_cast<Index>(i) + 1];
+    }
+  }
+};
+
+/// Puts a plan's unknowns and rows into a program, phase by phase.
+class Builder {
+ public:
+  Builder(const PlanModel& model, const PlanGoal& goal, const PlanOptions& options,
+          const PlannedMotion& guess, FlipProgram& out)
+      : model_(model),
+        goal_(goal),
+        options_(options),
+        guess_(guess),
+        out_(out),
+        scratch_(std::make_shared<SagittalScratch>(model.plane)),
+        m_(model.plane.moving_count()),
+        k_(m_ - 3),
+        d_(static_cast<Index>(model.plane.drive_count())) {}
+
+  void build() {
+    for (std::size_t phase = 0; phase < out_.mesh.size(); ++phase) add_variables(phase);
+    for (std::size_t phase = 0; phase < out_.mesh.size(); ++phase) {
+      add_intervals(phase);
+      for (std::size_t point = 0; point < out_.phases[phase].points.size(); ++point) {
+        add_dynamics(phase, point);
+        add_drives(phase, point);
+        add_forces(phase, point);
+        add_clearance(phase, point);
+      }
+      add_begin(phase);
+    }
+    add_stances();
+    for (auto& cost : objective_rows(model_, options_, out_)) out_.program.add_cost(std::move(cost));
+  }
+
+ private:
+  const Stance& stance(std::size_t phase) const { return out_.mesh[phase].stance; }
+  static std::string place(const Stance& stance, const char* what) {
+    return stance.name + ": " + what;
+  }
+
+  PlannedInstant guessed(std::size_t phase, std::size_t point) const {
+    const std::vector<double>& knots = out_.mesh[phase].knots;
+    const std::size_t i = point / 2;
+    const double share =
+        point % 2 == 0 ? knots[i] : 0.5 * (knots[i] + knots[i + 1]);
+    return instant_at(guess_.phases[phase], share);
+  }
+
+  std::vector<double> moving_of(const Eigen::VectorXd& rows) const {
+    std::vector<double> out;
+    for (const Index row : model_.plane.moving) out.push_back(rows[row]);
+    return out;
+  }
+
+  int add(VariableSet set) {
+    for (std::size_t i = 0; i < set.values.size(); ++i) {
+      if (std::isfinite(set.bounds[i].lower)) {
+        set.values[i] = std::max(set.values[i], set.bounds[i].lower);
+      }
+      if (std::isfinite(set.bounds[i].upper)) {
+        set.values[i] = std::min(set.values[i], set.bounds[i].upper);
+      }
+    }
+    return out_.program.add(std::move(set));
+  }
+
+  int add_positions(const PlannedInstant& guess) {
+    VariableSet set{"position", moving_of(guess.position), {}, {}};
+    set.bounds = {within(kFarthest_m), {kClear_m, kHighest_m}, within(4.0 * std::numbers::pi)};
+    set.scales = {kLength_m, kLength_m, kAngle_rad};
+    for (Index j = 0; j < k_; ++j) {
+      set.bounds.push_back(model_.joint_rad[static_cast<std::size_t>(j)]);
+      set.scales.push_back(kAngle_rad);
+    }
+    return add(std::move(set));
+  }
+
+  int add_velocities(const PlannedInstant& guess, bool at_rest) {
+    VariableSet set{"velocity", moving_of(guess.velocity), {}, {}};
+    set.bounds = {within(kFastest_m_s), within(kFastest_m_s), within(kFastest_rad_s)};
+    for (Index j = 0; j < k_; ++j) {
+      set.bounds.push_back(within(model_.joint_rad_s[static_cast<std::size_t>(j)]));
+    }
+    if (at_rest) set.bounds.assign(set.values.size(), equal(0.0));
+    set.scales.assign(set.values.size(), kSpeed);
+    return add(std::move(set));
+  }
+
+  int add_accelerations(const PlannedInstant& guess, bool at_rest) {
+    VariableSet set{"acceleration", moving_of(guess.acceleration), {}, {}};
+    set.bounds = {within(kHardest_m_s2), within(kHardest_m_s2)};
+    set.bounds.resize(set.values.size(), within(kHardest_rad_s2));
+    if (at_rest) set.bounds.assign(set.values.size(), equal(0.0));
+    set.scales.assign(set.values.size(), kAcceleration);
+    return add(std::move(set));
+  }
+
+  int add_drive_torques(const PlannedInstant& guess) {
+    VariableSet set{"drives", {}, {}, {}};
+    for (Index i = 0; i < d_; ++i) {
+      set.values.push_back(guess.drive_Nm[i]);
+      set.bounds.push_back(
+          within((*model_.regions)[static_cast<std::size_t>(i)].greatest_torque_Nm()));
+      set.scales.push_back(kTorque_Nm);
+    }
+    return add(std::move(set));
+  }
+
+  /// Contact forces of the guess, left and right together.
+  std::vector<double> forces_of_guess(const Stance& stance, const PlannedInstant& guess) const {
+    std::vector<double> out(stance.force_count(), 0.0);
+    for (std::size_t i = 0; i < stance.points.size(); ++i) {
+      for (const std::size_t member : model_.plane.sole[stance.points[i]].members) {
+        out[0] += guess.contact_N(0, static_cast<Index>(member));
+        out[1 + i] += guess.contact_N(2, static_cast<Index>(member));
+      }
+    }
+    return out;
+  }
+
+  int add_contact_forces(const Stance& stance, const PlannedInstant& guess) {
+    if (stance.is_flight()) return 0;
+    VariableSet set{"forces", forces_of_guess(stance, guess), {}, {}};
+    set.bounds.assign(set.values.size(), {0.0, 1e4});
+    set.bounds.front() = within(1e4);
+    set.scales.assign(set.values.size(), kForce_N);
+    return add(std::move(set));
+  }
+
+  int add_bus() {
+    VariableSet set{"bus", {}, {}, {}};
+    for (const PlanSupply& supply : *model_.supplies) {
+      if (!(supply.resistance_ohm > 0.0)) continue;
+      set.values.push_back(supply.open_V);
+      set.bounds.push_back({0.55 * supply.open_V, 1.3 * supply.open_V});
+      set.scales.push_back(0.1 * supply.open_V);
+    }
+    return set.values.empty() ? 0 : add(std::move(set));
+  }
+
+  void add_variables(std::size_t phase) {
+    const MeshPhase& mesh = out_.mesh[phase];
+    PhaseVariables variables;
+    const double guess_s = guess_.phases[phase].end_s() - guess_.phases[phase].begin_s();
+    variables.duration = add({"duration", {guess_s}, {mesh.duration_s}, {kDuration_s}});
+    variables.has_impact = phase > 0 && mesh.stance.adds_to(stance(phase - 1));
+    const std::size_t points = 2 * mesh.intervals() + 1;
+    for (std::size_t i = 0; i < points; ++i) {
+      const PlannedInstant guess = guessed(phase, i);
+      PointVariables point;
+      const bool joins = phase > 0 && i == 0;
+      const bool at_rest = (phase == 0 && i == 0) ||
+                           (phase + 1 == out_.mesh.size() && i + 1 == points);
+      const PointVariables* before = joins ? &out_.phases.back().points.back() : nullptr;
+      point.position = joins ? before->position : add_positions(guess);
+      point.velocity = joins && !variables.has_impact ? before->velocity
+                                                      : add_velocities(guess, at_rest);
+      point.acceleration = add_accelerations(guess, at_rest);
+      point.drives = add_drive_torques(guess);
+      point.forces = add_contact_forces(mesh.stance, guess);
+      point.bus = add_bus();
+      variables.points.push_back(point);
+    }
+    if (variables.has_impact) {
+      VariableSet set{"impulses", std::vector<double>(mesh.stance.force_count(), 5.0), {}, {}};
+      set.values.front() = 0.0;
+      set.bounds.assign(set.values.size(), {0.0, 500.0});
+      set.bounds.front() = within(500.0);
+      set.scales.assign(set.values.size(), kImpulse_N_s);
+      variables.impulses = add(std::move(set));
+    }
+    out_.phases.push_back(std::move(variables));
+  }
+
+  void add_intervals(std::size_t phase) {
+    const PhaseVariables& variables = out_.phases[phase];
+    const std::vector<double>& knots = out_.mesh[phase].knots;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+      const PointVariables& p0 = variables.points[2 * i];
+      const PointVariables& pm = variables.points[2 * i + 1];
+      const PointVariables& p1 = variables.points[2 * i + 2];
+      const double share = knots[i + 1] - knots[i];
+      for (int r = 0; r < m_; ++r) {
+        const auto rows = [&](const char* what, int PointVariables::*y, int PointVariables::*rate,
+                              double scale) {
+          out_.program.add_rows(std::make_unique<HermiteSimpson>(
+              place(stance(phase), what),
+              std::vector<int>{p0.*y + r, pm.*y + r, p1.*y + r, p0.*rate + r, pm.*rate + r,
+                               p1.*rate + r, variables.duration},
+              share, scale));
+        };
+        rows("positions go on", &PointVariables::position, &PointVariables::velocity,
+             r < 2 ? kLength_m : kAngle_rad);
+        rows("velocities go on", &PointVariables::velocity, &PointVariables::acceleration, kSpeed);
+      }
+    }
+  }
+
+  std::vector<int> posture(const PointVariables& point) const {
+    return run(point.position + 2, m_ - 2);
+  }
+  std::vector<int> posture_rates(const PointVariables& point) const {
+    return run(point.velocity + 2, m_ - 2);
+  }
+
+  void add_dynamics(std::size_t phase, std::size_t index) {
+    const PointVariables& point = out_.phases[phase].points[index];
+    const Stance& on = stance(phase);
+    const auto forces = static_cast<Index>(on.force_count());
+    const auto rows = static_cast<std::size_t>(m_) + model_.plane.held.size();
+    out_.program.add_rows(jet_rows(
+        place(on, "equations of motion"),
+        joined({posture(point), posture_rates(point), run(point.acceleration, m_),
+                run(point.drives, d_), run(point.forces, forces)}),
+        std::vector<Bounds>(rows, equal(0.0)), std::vector<double>(rows, kForce_N),
+        DynamicsLaw{scratch_, on}));
+    if (on.is_flight()) return;
+    out_.program.add_rows(jet_rows(
+        place(on, "feet stay"),
+        joined({posture(point), posture_rates(point), run(point.acceleration, m_)}),
+        std::vector<Bounds>(on.force_count(), equal(0.0)),
+        std::vector<double>(on.force_count(), kAcceleration), ContactAccelerationLaw{scratch_, on}));
+  }
+
+  Index bus_count() const {
+    return std::count_if(model_.supplies->begin(), model_.supplies->end(),
+                         [](const PlanSupply& one) { return one.resistance_ohm > 0.0; });
+  }
+
+  void add_drives(std::size_t phase, std::size_t index) {
+    const PointVariables& point = out_.phases[phase].points[index];
+    std::vector<Bounds> bounds;
+    std::vector<double> scales;
+    for (const DriveRegion& region : *model_.regions) {
+      bounds.insert(bounds.end(), region.rows(), at_most(0.0));
+    }
+    for (const double most_Nm : model_.gear_Nm) bounds.push_back(within(most_Nm));
+    for (const double most_Nm : model_.joint_Nm) bounds.push_back(within(most_Nm));
+    scales.assign(bounds.size(), kTorque_Nm);
+    for (const PlanSupply& supply : *model_.supplies) {
+      if (!(supply.resistance_ohm > 0.0)) continue;
+      bounds.push_back(equal(0.0));
+      scales.push_back(0.1 * supply.open_V);
+    }
+    out_.program.add_rows(
+        jet_rows(place(stance(phase), "drives"),
+                 joined({run(point.position + 3, k_), run(point.velocity + 3, k_),
+                         run(point.acceleration + 3, k_), run(point.drives, d_),
+                         run(point.bus, bus_count())}),
+                 std::move(bounds), std::move(scales),
+                 DriveLaw{&model_.plane, model_.regions, model_.supplies, model_.rotors_kg_m2}));
+  }
+
+  /// Affine rows of forces or impulses: friction, and the load's place on the sole.
+  void add_cone(const Stance& on, int forces, const char* what, double scale, double edge_share) {
+    double friction = kInfinite;
+    for (const std::size_t i : on.points) {
+      friction = std::min(friction, model_.plane.sole[i].friction_coefficient);
+    }
+    friction *= 1.0 - options_.margins.friction;
+    const std::size_t rows = on.is_flat() ? 4 : 2;
+    out_.program.add_rows(jet_rows(place(on, what), run(forces, static_cast<Index>(on.force_count())),
+                                   std::vector<Bounds>(rows, at_most(0.0)),
+                                   std::vector<double>(rows, scale),
+                                   ConeLaw{on.points.size(), friction, edge_share}));
+  }
+
+  void add_forces(std::size_t phase, std::size_t index) {
+    const Stance& on = stance(phase);
+    if (on.is_flight()) return;
+    const bool stands = (phase == 0 && index == 0) || (phase + 1 == out_.mesh.size() &&
+                                                       index + 1 == out_.phases[phase].points.size());
+    // Where it stands the load is near the middle of the sole: each end bears nearly half of it.
+    const double edge = stands ? 0.5 - kStandsWithin : options_.margins.center_of_pressure;
+    add_cone(on, out_.phases[phase].points[index].forces, "ground", kForce_N, edge);
+  }
+
+  void add_clearance(std::size_t phase, std::size_t index) {
+    const PhaseVariables& variables = out_.phases[phase];
+    const PointVariables& point = variables.points[index];
+    PlaceLaw law{scratch_, {}, false};
+    std::vector<Bounds> bounds;
+    const dynamics::Tree& tree = model_.plane.robot.tree;
+    if (index % 2 == 0) {
+      for (std::size_t body = 0; body < tree.bodies.size(); ++body) {
+        if (body == model_.plane.foot || tree.bodies[body].inertia.mass_kg < 0.01) continue;
+        Eigen::Vector3d center_m = tree.bodies[body].inertia.center_of_mass_m;
+        law.points.push_back({body, center_m});
+        bounds.push_back(at_least(kClear_m));
+      }
+    }
+    const bool first = index == 0, last = index + 1 == variables.points.size();
+    for (std::size_t i = 0; i < model_.plane.sole.size(); ++i) {
+      const auto touches = [&](std::size_t of) {
+        if (of >= out_.mesh.size()) return false;
+        const std::vector<std::size_t>& points = stance(of).points;
+        return std::find(points.begin(), points.end(), i) != points.end();
+      };
+      // A point that was or will be on the ground is there at the phase's end.
+      if (touches(phase) || (first && phase > 0 && touches(phase - 1)) ||
+          (last && touches(phase + 1))) {
+        continue;
+      }
+      law.points.push_back(model_.plane.sole[i].point);
+      bounds.push_back(at_least(0.0));
+    }
+    if (law.points.empty()) return;
+    const std::size_t rows = bounds.size();
+    out_.program.add_rows(jet_rows(place(stance(phase), "above the ground"), run(point.position, m_),
+                                   std::move(bounds), std::vector<double>(rows, kLength_m),
+                                   std::move(law)));
+  }
+
+  std::vector<dynamics::BodyPoint> points_of(const Stance& on, const Stance* before) const {
+    std::vector<dynamics::BodyPoint> out;
+    for (const std::size_t i : on.points) {
+      const bool is_old = before != nullptr && std::find(before->points.begin(),
+                                                         before->points.end(),
+                                                         i) != before->points.end();
+      if (!is_old) out.push_back(model_.plane.sole[i].point);
+    }
+    return out;
+  }
+
+  void add_begin(std::size_t phase) {
+    const PhaseVariables& variables = out_.phases[phase];
+    const PointVariables& point = variables.points.front();
+    const Stance& on = stance(phase);
+    const auto touching = points_of(on, phase == 0 ? nullptr : &stance(phase - 1));
+    if (!touching.empty()) {
+      out_.program.add_rows(jet_rows(place(on, "feet on the ground"), run(point.position, m_),
+                                     std::vector<Bounds>(touching.size(), equal(0.0)),
+                                     std::vector<double>(touching.size(), kLength_m),
+                                     PlaceLaw{scratch_, touching, false}));
+    }
+    if (!variables.has_impact) return;
+    const PointVariables& before = out_.phases[phase - 1].points.back();
+    const auto forces = static_cast<Index>(on.force_count());
+    const auto rows = static_cast<std::size_t>(m_);
+    out_.program.add_rows(
+        jet_rows(place(on, "impact"),
+                 joined({posture(point), run(before.velocity, m_), run(point.velocity, m_),
+                         run(variables.impulses, forces)}),
+                 std::vector<Bounds>(rows, equal(0.0)), std::vector<double>(rows, kImpulse_N_s),
+                 ImpactLaw{scratch_, on}));
+    out_.program.add_rows(jet_rows(place(on, "feet stop"),
+                                   joined({posture(point), run(point.velocity, m_)}),
+                                   std::vector<Bounds>(on.force_count(), equal(0.0)),
+                                   std::vector<double>(on.force_count(), kSpeed),
+                                   ContactVelocityLaw{scratch_, on}));
+    add_cone(on, variables.impulses, "impulse", kImpulse_N_s, 0.0);
+    add_impact_loads(phase);
+  }
+
+  void add_impact_loads(std::size_t phase) {
+    const PointVariables& after = out_.phases[phase].points.front();
+    const PointVariables& before = out_.phases[phase - 1].points.back();
+    std::vector<Bounds> bounds;
+    for (const double most_Nm : model_.gear_Nm) bounds.push_back(within(most_Nm));
+    for (const bool is_after : {true, false}) {
+      const PointVariables& beside = is_after ? after : before;
+      out_.program.add_rows(jet_rows(
+          place(stance(phase), "gears at the impact"),
+          joined({run(after.position + 3, k_), run(before.velocity + 3, k_),
+                  run(after.velocity + 3, k_), run(beside.acceleration + 3, k_),
+                  run(beside.drives, d_)}),
+          bounds, std::vector<double>(bounds.size(), kTorque_Nm),
+          ImpactLoadLaw{&model_.plane, model_.rotors_kg_m2, options_.check.load_window_s,
+                        is_after}));
+    }
+  }
+
+  /// Foot level at the begin and, turned, at the end.
+  void add_stances() {
+    const PointVariables& first = out_.phases.front().points.front();
+    const PointVariables& last = out_.phases.back().points.back();
+    const bool has_sole = model_.plane.sole.size() > 1;
+    for (const PointVariables* point : {&first, &last}) {
+      if (!has_sole) break;
+      const double turn_rad = point == &first ? 0.0 : goal_.turn_rad;
+      out_.program.add_rows(jet_rows("level foot", posture(*point), {equal(turn_rad)}, {kAngle_rad},
+                                     LevelLaw{model_.plane.directions}));
+    }
+    out_.program.add_rows(jet_rows("begins at the origin", run(first.position, m_),
+                                   {equal(model_.plane.sole.front().point.p_B_m.x())},
+                                   {kLength_m},
+                                   PlaceLaw{scratch_, {model_.plane.sole.front().point}, true}));
+  }
+
+  const PlanModel& model_;
+  const PlanGoal& goal_;
+  const PlanOptions& options_;
+  const PlannedMotion& guess_;
+  FlipProgram& out_;
+  std::shared_ptr<SagittalScratch> scratch_;
+  Index m_, k_, d_;
+};
+
+}  // namespace
+
+FlipProgram flip_program(const PlanModel& model, const std::vector<MeshPhase>& mesh,
+                         const PlanGoal& goal, const PlanOptions& options,
+                         const PlannedMotion& guess) {
+  FlipProgram out;
+  out.mesh = mesh;
+  Builder(model, goal, options, guess, out).build();
+  return out;
+}
+
+PlannedMotion motion_of(const FlipProgram& program, const PlanModel& model,
+                        const std::vector<double>& values) {
+  const SagittalRobot& plane = model.plane;
+  const auto read = [&](int first, Index count) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data() + first, count).eval();
+  };
+  const Index m = plane.moving_count();
+  const auto d = static_cast<Index>(plane.drive_count());
+  PlannedMotion out;
+  double begin_s = 0.0;
+  for (std::size_t p = 0; p < program.phases.size(); ++p) {
+    const MeshPhase& mesh = program.mesh[p];
+    const PhaseVariables& variables = program.phases[p];
+    const double duration_s = values[static_cast<std::size_t>(variables.duration)];
+    PlannedPhase phase{mesh.stance.name,
+                       std::vector<bool>(plane.robot.contacts.size(), false), {}};
+    for (const std::size_t i : mesh.stance.points) {
+      for (const std::size_t member : plane.sole[i].members) phase.touches[member] = true;
+    }
+    for (std::size_t i = 0; i < variables.points.size(); ++i) {
+      const PointVariables& point = variables.points[i];
+      const double share = i % 2 == 0 ? mesh.knots[i / 2]
+                                      : 0.5 * (mesh.knots[i / 2] + mesh.knots[i / 2 + 1]);
+      PlannedInstant instant;
+      instant.time_s = begin_s + share * duration_s;
+      instant.position = plane.all_rows(read(point.position, m));
+      instant.velocity = plane.all_rows(read(point.velocity, m));
+      instant.acceleration = plane.all_rows(read(point.acceleration, m));
+      instant.drive_Nm = read(point.drives, d);
+      instant.contact_N =
+          Eigen::Matrix3Xd::Zero(3, static_cast<Index>(plane.robot.contacts.size()));
+      const auto forces = read(point.forces, static_cast<Index>(mesh.stance.force_count()));
+      double load_N = 0.0;
+      for (Index f = 1; f < forces.size(); ++f) load_N += forces[f];
+      for (std::size_t f = 0; f < mesh.stance.points.size(); ++f) {
+        const SolePoint& sole = plane.sole[mesh.stance.points[f]];
+        const double up_N = forces[1 + static_cast<Index>(f)];
+        for (const std::size_t member : sole.members) {
+          const double share_of = 1.0 / static_cast<double>(sole.members.size());
+          instant.contact_N(2, static_cast<Index>(member)) = up_N * share_of;
+          instant.contact_N(0, static_cast<Index>(member)) =
+              load_N > 0.0 ? forces[0] * up_N / load_N * share_of : 0.0;
+        }
+      }
+      if (!model.supplies->empty()) {
+        const PlanSupply& supply = model.supplies->front();
+        instant.bus_V = supply.resistance_ohm > 0.0
+                            ? values[static_cast<std::size_t>(point.bus)]
+                            : supply.open_V;
+      }
+      phase.instants.push_back(std::move(instant));
+    }
+    begin_s += duration_s;
+    out.phases.push_back(std::move(phase));
+  }
+  return out;
+}
+
+}  // namespace torquewright::hopper

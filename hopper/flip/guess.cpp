@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/flip/guess.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "dynamics/momentum.hpp"
+#include "dynamics/point.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr int kInstants = 41;          // of a phase
+constexpr double kHump_m = 0.15;       // of the base, in flight
+constexpr double kToeUp_rad = 0.2;     // of the foot on its heel
+constexpr double kTuckedUntil = 0.35;  // share of the flight by which legs are drawn in
+
+VectorXd cubic(const VectorXd& y0, const VectorXd& r0, const VectorXd& y1, const VectorXd& r1,
+               double h, double s) {
+  const double s2 = s * s, s3 = s2 * s;
+  return (2 * s3 - 3 * s2 + 1) * y0 + (s3 - 2 * s2 + s) * h * r0 + (3 * s2 - 2 * s3) * y1 +
+         (s3 - s2) * h * r1;
+}
+
+/// What joints and foot do at an instant.
+struct Frame {
+  VectorXd joints;        ///< Those that move.
+  double foot_rad = 0.0;  ///< Of the foot about +y.
+};
+
+Frame between(const Frame& a, const Frame& b, double s) {
+  const double smooth = s * s * (3.0 - 2.0 * s);
+  return {a.joints + smooth * (b.joints - a.joints), a.foot_rad + smooth * (b.foot_rad - a.foot_rad)};
+}
+
+class KeyFrames {
+ public:
+  KeyFrames(const PlanModel& model, const PlanOptions& options)
+      : model_(model), options_(options), state_(model.plane.robot.tree) {}
+
+  PlannedMotion make(const std::vector<MeshPhase>& mesh, const PlanGoal& goal);
+
+ private:
+  VectorXd named(const char* name, const VectorXd& otherwise) const;
+  VectorXd bent(double share) const;
+  VectorXd balanced(VectorXd joints);
+  double lean_m(const VectorXd& joints);
+  VectorXd held(const Frame& frame, std::size_t sole_point, const Eigen::Vector2d& at);
+  Eigen::Vector2d place(const VectorXd& position, std::size_t sole_point);
+  VectorXd position(const Frame& frame, const Eigen::Vector2d& base) const;
+  void perturb(std::vector<Frame>& frames);
+
+  const PlanModel& model_;
+  const PlanOptions& options_;
+  dynamics::TreeState state_;
+};
+
+/// All rows, the base there.
+VectorXd KeyFrames::position(const Frame& frame, const Eigen::Vector2d& base) const {
+  VectorXd moving(model_.plane.moving_count());
+  double pitch = frame.foot_rad;
+  for (Index i = 0; i < frame.joints.size(); ++i) {
+    pitch -= model_.plane.directions[static_cast<std::size_t>(i)] * frame.joints[i];
+    moving[3 + i] = frame.joints[i];
+  }
+  moving[0] = base.x();
+  moving[1] = base.y();
+  moving[2] = pitch;
+  return model_.plane.all_rows(moving);
+}
+
+Eigen::Vector2d KeyFrames::place(const VectorXd& position, std::size_t sole_point) {
+  state_.set(position, VectorXd::Zero(position.size()));
+  const Eigen::Vector3d at =
+      dynamics::point_position_m(state_, model_.plane.sole[sole_point].point);
+  return {at.x(), at.z()};
+}
+
+/// A point of the sole kept at a place.
+VectorXd KeyFrames::held(const Frame& frame, std::size_t sole_point, const Eigen::Vector2d& at) {
+  const Eigen::Vector2d off = at - place(position(frame, Eigen::Vector2d::Zero()), sole_point);
+  return position(frame, off);
+}
+
+VectorXd KeyFrames::named(const char* name, const VectorXd& otherwise) const {
+  for (const Posture& posture : model_.plane.robot.postures) {
+    if (posture.name != name) continue;
+    VectorXd joints(otherwise.size());
+    for (std::size_t i = 0; i < model_.plane.joints.size(); ++i) {
+      joints[static_cast<Index>(i)] =
+          posture.joints[static_cast<Index>(model_.plane.joints[i]) - 1];
+    }
+    return joints;
+  }
+  return otherwise;
+}
+
+/// Each joint on the way from 0 to the farther end of its range.
+VectorXd KeyFrames::bent(double share) const {
+  VectorXd joints(static_cast<Index>(model_.joint_rad.size()));
+  for (std::size_t i = 0; i < model_.joint_rad.size(); ++i) {
+    const optimization::Bounds& range = model_.joint_rad[i];
+    const double far = std::abs(range.upper) > std::abs(range.lower) ? range.upper : range.lower;
+    joints[static_cast<Index>(i)] = share * (std::isfinite(far) ? far : 1.0);
+  }
+  return joints;
+}
+
+/// How far the centre of mass is in front of the sole's middle, standing.
+double KeyFrames::lean_m(const VectorXd& joints) {
+  const VectorXd at = held({joints, 0.0}, 0, Eigen::Vector2d::Zero());
+  state_.set(at, VectorXd::Zero(at.size()));
+  return dynamics::centroid(state_).position_m.x() - 0.5 * model_.foot_length_m;
+}
+
+/// With the last joint, next to the foot, turned so that it stands, or nearly.
+VectorXd KeyFrames::balanced(VectorXd joints) {
+  const Index last = joints.size() - 1;
+  const optimization::Bounds range = model_.joint_rad.back();
+  VectorXd best = joints;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= 400; ++i) {
+    joints[last] = range.lower + (range.upper - range.lower) * i / 400.0;
+    const double lean = std::abs(lean_m(joints));
+    if (lean < least_m) {
+      least_m = lean;
+      best = joints;
+    }
+  }
+  return best;
+}
+
+void KeyFrames::perturb(std::vector<Frame>& frames) {
+  if (!(options_.guess_noise_rad > 0.0)) return;
+  std::mt19937 numbers(options_.guess_seed);
+  for (std::size_t f = 1; f + 1 < frames.size(); ++f) {
+    for (double& joint : frames[f].joints) {
+      const double unit = static_cast<double>(numbers()) / static_cast<double>(std::mt19937::max());
+      joint += options_.guess_noise_rad * (2.0 * unit - 1.0);
+    }
+  }
+}
+
+PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal& goal) {
+  const VectorXd crouch = balanced(named("crouch", bent(0.8)));
+  const VectorXd take_off = named("takeoff", bent(0.5));
+  const VectorXd tuck = goal.turn_rad != 0.0 ? named("tuck", bent(0.95)) : take_off;
+  std::size_t flight = mesh.size();
+  for (std::size_t p = 0; p < mesh.size(); ++p) {
+    if (mesh[p].stance.is_flight() && flight == mesh.size()) flight = p;
+  }
+  // Frames at the phases' ends.
+  std::vector<Frame> ends{{crouch, 0.0}};
+  for (std::size_t p = 0; p < mesh.size(); ++p) {
+    const bool before = p < flight;
+    const bool is_last = p + 1 == mesh.size();
+    const double turn_rad = before ? 0.0 : goal.turn_rad;
+    const bool on_end = p + 1 < mesh.size() && !mesh[p + 1].stance.is_flat();
+    const double tip_rad = on_end || (p + 1 == flight && !mesh[p].stance.is_flat()) ? -kToeUp_rad : 0.0;
+    Frame frame{crouch, turn_rad + (is_last ? 0.0 : tip_rad)};
+    if (p + 1 == flight) frame.joints = take_off;
+    if (p + 1 < flight && p + 2 == flight) frame.joints = 0.5 * (crouch + take_off);
+    ends.push_back(frame);
+  }
+  perturb(ends);
+  PlannedMotion out;
+  double begin_s = 0.0;
+  Eigen::Vector2d foot = {model_.plane.sole.front().point.p_B_m.x(), 0.0};
+  VectorXd last_position = held(ends.front(), 0, foot);
+  for (std::size_t p = 0; p < mesh.size(); ++p) {
+    const double duration_s = 0.5 * (mesh[p].duration_s.lower + mesh[p].duration_s.upper);
+    PlannedPhase phase{mesh[p].stance.name, {}, {}};
+    const bool flies = mesh[p].stance.is_flight();
+    VectorXd landing;
+    if (flies) {
+      // It lands with the next stance's first point on the ground, as far on as asked for.
+      foot.x() += goal.stride_m.value_or(0.0);
+      const std::size_t point = mesh[p + 1].stance.points.front();
+      landing = held(ends[p + 1], point,
+                     {foot.x() + model_.plane.sole[point].point.p_B_m.x() -
+                          model_.plane.sole.front().point.p_B_m.x(),
+                      0.0});
+    }
+    for (int i = 0; i < kInstants; ++i) {
+      const double s = static_cast<double>(i) / (kInstants - 1);
+      PlannedInstant instant;
+      instant.time_s = begin_s + s * duration_s;
+      Frame frame = between(ends[p], ends[p + 1], s);
+      if (flies) {
+        frame.joints = s < kTuckedUntil
+                           ? between(ends[p], {tuck, 0.0}, s / kTuckedUntil).joints
+                           : between({tuck, 0.0}, ends[p + 1],
+                                     (s - kTuckedUntil) / (1.0 - kTuckedUntil))
+                                 .joints;
+        instant.position = position(frame, {0.0, 0.0});
+        instant.position.head<3>() =
+            last_position.head<3>() + s * (landing.head<3>() - last_position.head<3>());
+        instant.position[1] += kHump_m * 4.0 * s * (1.0 - s);
+      } else {
+        const std::size_t point = mesh[p].stance.points.front();
+        const double x = foot.x() + model_.plane.sole[point].point.p_B_m.x() -
+                         model_.plane.sole.front().point.p_B_m.x();
+        instant.position = held(frame, point, {x, 0.0});
+      }
+      const Index n = instant.position.size();
+      instant.velocity = instant.acceleration = VectorXd::Zero(n);
+      instant.drive_Nm = VectorXd::Zero(static_cast<Index>(model_.plane.drive_count()));
+      instant.contact_N = Eigen::Matrix3Xd::Zero(
+          3, static_cast<Index>(model_.plane.robot.contacts.size()));
+      std::size_t members = 0;
+      for (const std::size_t one : mesh[p].stance.points) {
+        members += model_.plane.sole[one].members.size();
+      }
+      for (const std::size_t one : mesh[p].stance.points) {
+        for (const std::size_t member : model_.plane.sole[one].members) {
+          instant.contact_N(2, static_cast<Index>(member)) =
+              model_.weight_N / static_cast<double>(members);
+        }
+      }
+      phase.instants.push_back(std::move(instant));
+    }
+    const double step_s = duration_s / (kInstants - 1);
+    for (int i = 0; i < kInstants; ++i) {
+      const auto at = [&](int k) -> const VectorXd& {
+        return phase.instants[static_cast<std::size_t>(std::clamp(k, 0, kInstants - 1))].position;
+      };
+      const int low = std::max(i - 1, 0), high = std::min(i + 1, kInstants - 1);
+      phase.instants[static_cast<std::size_t>(i)].velocity =
+          (at(high) - at(low)) / (step_s * (high - low));
+    }
+    last_position = phase.instants.back().position;
+    begin_s += duration_s;
+    out.phases.push_back(std::move(phase));
+  }
+  return out;
+}
+
+}  // namespace
+
+PlannedInstant instant_at(const PlannedPhase& phase, double share) {
+  const double time_s = phase.begin_s() + share * (phase.end_s() - phase.begin_s());
+  std::size_t i = 0;
+  while (i + 2 < phase.instants.size() && phase.instants[i + 1].time_s <= time_s) ++i;
+  const PlannedInstant& a = phase.instants[i];
+  const PlannedInstant& b = phase.instants[i + 1];
+  const double h = b.time_s - a.time_s;
+  const double s = h > 0.0 ? std::clamp((time_s - a.time_s) / h, 0.0, 1.0) : 0.0;
+  PlannedInstant out;
+  out.time_s = time_s;
+  out.position = cubic(a.position, a.velocity, b.position, b.velocity, h, s);
+  out.velocity = cubic(a.velocity, a.acceleration, b.velocity, b.acceleration, h, s);
+  out.acceleration = a.acceleration + s * (b.acceleration - a.acceleration);
+  out.drive_Nm = a.drive_Nm + s * (b.drive_Nm - a.drive_Nm);
+  out.contact_N = a.contact_N + s * (b.contact_N - a.contact_N);
+  out.bus_V = a.bus_V + s * (b.bus_V - a.bus_V);
+  return out;
+}
+
+PlannedMotion key_frame_guess(const PlanModel& model, const std::vector<MeshPhase>& mesh,
+                              const PlanGoal& goal, const PlanOptions& options) {
+  return KeyFrames(model, options).make(mesh, goal);
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hopper/flip/flip_program.hpp"
+#include "hopper/replay/drive_supply.hpp"
+#include "hopper/robot/whole_body.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using optimization::Bounds;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kMechanismMargin = 0.02;  // rad or m that a mechanism keeps from its limits
+constexpr int kPostures = 400;             // of a joint's range that are looked at
+
+/// The part of a joint's range, about its middle, in which its mechanism keeps its margins.
+Bounds reachable(const SagittalRobot& plane, std::size_t body, Bounds range) {
+  for (const Drivetrain& drivetrain : plane.robot.drivetrains) {
+    const auto at = std::find(drivetrain.joints.begin(), drivetrain.joints.end(), body);
+    if (at == drivetrain.joints.end()) continue;
+    const auto row = static_cast<Index>(at - drivetrain.joints.begin());
+    const auto is_good = [&](double joint_rad) {
+      SmallVector posture = SmallVector::Zero(static_cast<Index>(drivetrain.joints.size()));
+      posture[row] = joint_rad;
+      if (!drivetrain.mechanism->transfer(posture, 0.0 * posture)) return false;
+      const auto margins = drivetrain.mechanism->margins(posture);
+      return std::all_of(margins.begin(), margins.end(), [](const MechanismMargin& margin) {
+        return margin.margin >= (margin.unit == "m" ? 0.1 : 1.0) * kMechanismMargin;
+      });
+    };
+    const double middle = 0.5 * (range.lower + range.upper);
+    if (!is_good(middle)) return range;
+    const double step = (range.upper - range.lower) / kPostures;
+    double low = middle, high = middle;
+    while (low - step >= range.lower && is_good(low - step)) low -= step;
+    while (high + step <= range.upper && is_good(high + step)) high += step;
+    return {low - step < range.lower ? range.lower : low,
+            high + step > range.upper ? range.upper : high};
+  }
+  return range;
+}
+
+void add_joints(PlanModel& model, const PlanMargins& margins) {
+  for (const std::size_t body : model.plane.joints) {
+    const dynamics::JointLimits& limits = model.plane.robot.tree.bodies[body].joint.limits;
+    Bounds range{std::isfinite(limits.position_min) ? limits.position_min + margins.position_rad : -3.0,
+                 std::isfinite(limits.position_max) ? limits.position_max - margins.position_rad : 3.0};
+    model.joint_rad.push_back(reachable(model.plane, body, range));
+    model.joint_rad_s.push_back(
+        std::isfinite(limits.speed_max) ? limits.speed_max * (1.0 - margins.speed) : 40.0);
+    model.joint_Nm.push_back(limits.effort_max);
+  }
+}
+
+double gear_limit_Nm(const Drivetrain& drivetrain, const actuator::Actuator& actuator,
+                     double margin) {
+  if (!drivetrain.transmission_limit) return kInfinite;
+  const TransmissionLimit& limit = *drivetrain.transmission_limit;
+  const double at_joint = limit.side == GearSide::kJoint
+                              ? 1.0
+                              : std::abs(actuator.transmission.ratio) *
+                                    actuator.transmission.forward_efficiency;
+  return limit.torque_Nm * at_joint * (1.0 - margin);
+}
+
+}  // namespace
+
+PlanModel plan_model(const Robot& robot, const PlanOptions& options) {
+  PlanModel model;
+  model.plane = sagittal(robot);
+  add_joints(model, options.margins);
+  const WholeBody body(model.plane.robot);
+  auto regions = std::make_shared<std::vector<DriveRegion>>();
+  std::vector<const actuator::Actuator*> drives;
+  for (const Drivetrain& drivetrain : model.plane.robot.drivetrains) {
+    for (const actuator::Actuator& actuator : drivetrain.actuators) {
+      drives.push_back(&actuator);
+      model.gear_Nm.push_back(gear_limit_Nm(drivetrain, actuator, options.margins.gear_load));
+      model.rotors_kg_m2.push_back(body.before_gears_kg_m2(drives.size() - 1));
+      regions->push_back(DriveRegion(actuator, options.check.conditions,
+                                     {options.limits, options.margins.voltage,
+                                      options.margins.current}));
+    }
+  }
+  auto supplies = std::make_shared<std::vector<PlanSupply>>();
+  for (const DriveSupply& supply : drive_supplies(drives, options.check.conditions)) {
+    const bool is_stiff = options.limits == DriveLimits::kBox;
+    supplies->push_back({supply.drives, supply.supply.open_circuit_V,
+                         is_stiff ? 0.0 : supply.supply.resistance_ohm});
+  }
+  model.regions = std::move(regions);
+  model.supplies = std::move(supplies);
+  double mass_kg = 0.0;
+  for (const dynamics::Body& one : robot.tree.bodies) mass_kg += one.inertia.mass_kg;
+  model.weight_N = mass_kg * robot.tree.gravity_m_s2;
+  model.foot_length_m = model.plane.sole.back().point.p_B_m.x() -
+                        model.plane.sole.front().point.p_B_m.x();
+  return model;
+}
+
+}  // namespace torquewright::hopper

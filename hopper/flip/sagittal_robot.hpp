@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hopper/robot/robot.hpp"
+
+namespace torquewright::hopper {
+
+/// Contact points that are one where nothing leaves the plane.
+struct SolePoint {
+  std::string name;  ///< "heel", "toe".
+  dynamics::BodyPoint point;  ///< In the plane.
+  std::vector<std::size_t> members;  ///< Contact points of the robot.
+  double friction_coefficient = 0.0;  ///< The least of theirs.
+};
+
+/// What of the robot moves where nothing leaves the sagittal plane: base in x, z and pitch, and the
+/// joints whose axes stand across it. The other joints stay at 0 and bear what they must.
+struct SagittalRobot {
+  Robot robot;  ///< On a planar base.
+  std::vector<std::size_t> joints;    ///< Bodies of those that move.
+  std::vector<Eigen::Index> moving;   ///< Rows of what moves, base first.
+  std::vector<Eigen::Index> held;     ///< Rows of joints that stay at 0.
+  std::vector<double> directions;     ///< By joint of `joints`: +1 about +y, -1 about -y.
+  std::size_t foot = 0;               ///< The body with the contact points.
+  std::vector<SolePoint> sole;        ///< From back to front.
+
+  Eigen::Index moving_count() const { return static_cast<Eigen::Index>(moving.size()); }
+  std::size_t drive_count() const;
+  /// All rows of a vector of those that move; the others are 0.
+  Eigen::VectorXd all_rows(const Eigen::VectorXd& moving_rows) const;
+};
+
+/// The robot in its plane. io::SpecError, naming what and by how much, where it has no plane that
+/// its motion stays in: masses or contacts beside it, mechanisms whose two sides are not mirror
+/// images, joints that lean out of it; where more than one body has contact points, or where
+/// nothing pulls it down. docs/derivations/collocation.md, "The plane".
+SagittalRobot sagittal(const Robot& robot);
+
+}  // namespace torquewright::hopper
