@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only file that includes Ipopt.
+// The only file that includes Ipopt for the search over discrete designs; for nonlinear programs it
+// is nonlinear/ipopt_program.cpp.
 #include <algorithm>
 #include <cmath>
 #include <coin/IpIpoptApplication.hpp>

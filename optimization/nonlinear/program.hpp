@@ -66,7 +66,8 @@ class Rows {
 };
 
 /// Minimise the sum of the costs, so that variables and rows lie in their bounds. Sparse: what
-/// rows do not share is not coupled. A cost is one row whose bounds count for nothing.
+/// rows do not share is not coupled. A cost is one row whose bounds count for nothing; the solver
+/// works on the sum of the costs over the largest of their scales.
 class Program {
  public:
   /// Number of the first of them. std::invalid_argument, naming the set and the element, where

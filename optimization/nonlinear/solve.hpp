@@ -2,8 +2,9 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <limits>
 #include <string_view>
+#include <vector>
 
 #include "optimization/nonlinear/program.hpp"
 
@@ -48,7 +49,10 @@ struct NonlinearSolution {
   std::vector<double> values;
   double objective = 0.0;
   double largest_violation = 0.0;  ///< Of rows over their scales, at `values`; bounds hold.
-  std::vector<double> multipliers;  ///< By row of the program, of the unscaled rows; where solved.
+  /// By row of the program, of the unscaled rows; where solved, else empty. The objective's slopes
+  /// plus J^T multipliers vanish but for bounds: above 0 an upper bound holds a row back, below 0 a
+  /// lower one; raising that bound by a little changes the objective by -multiplier times it.
+  std::vector<double> multipliers;
   int iterations = 0;
   double seconds = 0.0;
   double derivative_seconds = 0.0;  ///< Of them in values and derivatives of rows.
@@ -59,7 +63,8 @@ struct NonlinearSolution {
 };
 
 /// A local optimum, by Ipopt: monotone barrier, exact derivatives, MUMPS. Deterministic but for
-/// limits of time. Never throws for what the search meets.
+/// limits of time. Never throws for what the search meets; what rows throw comes through, and
+/// std::invalid_argument where tolerance or barrier are not positive.
 NonlinearSolution solve(const Program& program, const NonlinearOptions& options);
 
 }  // namespace torquewright::optimization

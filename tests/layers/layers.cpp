@@ -36,7 +36,8 @@ const std::map<std::string, Folders, std::less<>> kMayInclude = {
 using Rooms = std::map<std::string, Folders, std::less<>>;
 const std::map<std::string, Rooms, std::less<>> kRooms = {
     {"io", {}},
-    {"optimization", {{"expressions", {}}, {"discrete", {"expressions"}}, {"fit", {}}}},
+    {"optimization",
+     {{"expressions", {}}, {"discrete", {"expressions"}}, {"fit", {}}, {"nonlinear", {}}}},
     {"gearbox",
      {{"teeth", {}},
       {"train", {"teeth"}},

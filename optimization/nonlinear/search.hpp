@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "optimization/nonlinear/assembly.hpp"
+#include "optimization/nonlinear/solve.hpp"
+
+namespace torquewright::optimization {
+
+/// A point and what it is worth.
+struct Candidate {
+  std::vector<double> values;  ///< Empty as long as there is none.
+  double objective = 0.0;
+  double largest_violation = 0.0;
+};
+
+/// Within the tolerance of all rows the cheaper one, else the less violating one. One key, so that
+/// the order of the two does not matter.
+bool is_better(const Evaluation& trial, const Candidate& best, double tolerance);
+
+/// One search as it goes, whoever steers it: evaluates the scaled program, keeps the best point of
+/// all that were evaluated (those of a restoration phase and those rejected too), takes the time.
+/// Program and options must outlive it. What rows throw comes through.
+class Search {
+ public:
+  Search(const Program& program, const NonlinearOptions& options);
+
+  const Program& program() const { return program_; }
+  const NonlinearOptions& options() const { return options_; }
+  const Assembly& assembly() const { return assembly_; }
+  const Candidate& best() const { return best_; }
+
+  /// Each as of Assembly.
+  const Evaluation& at(std::span<const double> scaled);
+  bool gradient(std::span<const double> scaled, std::span<double> slopes);
+  bool jacobian(std::span<const double> scaled, std::span<double> entries);
+  bool hessian(std::span<const double> scaled, double objective_factor,
+               std::span<const double> multipliers, std::span<double> entries);
+  /// What was evaluated last.
+  const Evaluation& last() const { return *last_; }
+
+  /// kTimeLimit or kInterrupted where the search should end now.
+  std::optional<NonlinearStatus> interruption() const;
+  double seconds() const;
+  double derivative_seconds() const { return derivative_seconds_; }
+
+ private:
+  const Program& program_;
+  const NonlinearOptions& options_;
+  std::chrono::steady_clock::time_point begin_;
+  Assembly assembly_;
+  Candidate best_;
+  const Evaluation* last_ = nullptr;
+  double derivative_seconds_ = 0.0;
+};
+
+/// Where the steps of a search led.
+struct SearchEnd {
+  NonlinearStatus status = NonlinearStatus::kStalled;
+  std::vector<double> scaled;       ///< Its last point over the scales; empty if there is none.
+  std::vector<double> multipliers;  ///< Of the scaled rows and the scaled objective.
+  int iterations = 0;
+};
+
+/// Steps of Ipopt from the program's starts. Requires fewer equations than free unknowns, or as
+/// many, and one free unknown.
+SearchEnd run_ipopt(Search& search);
+
+}  // namespace torquewright::optimization
