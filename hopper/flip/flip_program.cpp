@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "dynamics/gravity.hpp"
@@ -41,6 +42,8 @@ constexpr double kHardest_rad_s2 = 3000.0;
 constexpr double kClear_m = 0.03;  // bodies that must not touch, above the ground
 // From the middle of the sole to where the mass stands at the begin and at the end, of its length.
 constexpr double kStandsWithin = 0.1;
+// Part of a phase before the foot tips, over which its load may go to the edge.
+static const double kTips = getenv("TIPS") ? atof(getenv("TIPS")) : 0.3;
 
 Bounds equal(double value) { return {value, value}; }
 Bounds at_least(double value) { return {value, kInfinite}; }
@@ -75,16 +78,6 @@ struct ConeLaw {
   }
 };
 
-struct LevelLaw {
-  std::vector<double> directions;
-  template <typename T>
-  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
-    rows[0] = x[0];
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      rows[0] += directions[i] * x[static_cast<Index>(i) + 1];
-    }
-  }
-};
 
 /// Puts a plan's unknowns and rows into a program, phase by phase.
 class Builder {
@@ -113,7 +106,6 @@ class Builder {
       }
       add_begin(phase);
     }
-    add_stances();
     for (auto& cost : objective_rows(model_, options_, out_)) out_.program.add_cost(std::move(cost));
   }
 
@@ -149,9 +141,33 @@ class Builder {
     return out_.program.add(std::move(set));
   }
 
-  int add_positions(const PlannedInstant& guess) {
+  /// What a stance holds of the foot: x and z by its rear point, the pitch by both.
+  bool holds_place(const Stance& on) const {
+    return !on.points.empty() && on.points.front() == 0;
+  }
+  bool holds_pitch(const Stance& on) const { return on.is_flat(); }
+  /// Of the foot in a phase: turned once it has flown.
+  double turned_rad(std::size_t phase) const {
+    for (std::size_t p = 0; p < phase; ++p) {
+      if (stance(p).is_flight()) return goal_.turn_rad;
+    }
+    return 0.0;
+  }
+
+  int add_positions(std::size_t phase, bool is_last, const PlannedInstant& guess) {
     VariableSet set{"position", moving_of(guess.position), {}, {}};
-    set.bounds = {within(kFarthest_m), {kClear_m, kHighest_m}, within(4.0 * std::numbers::pi)};
+    set.bounds = {within(kFarthest_m), {0.0, kHighest_m}, within(4.0 * std::numbers::pi)};
+    // The last instant of a phase is the first of the next as well.
+    const bool lands = is_last && phase + 1 < out_.mesh.size() &&
+                       stance(phase + 1).frame() == stance(phase).frame();
+    if (holds_place(stance(phase)) || (lands && holds_place(stance(phase + 1)))) {
+      set.bounds[1] = equal(0.0);
+    }
+    if (holds_pitch(stance(phase)) || (lands && holds_pitch(stance(phase + 1)))) {
+      set.bounds[2] = equal(turned_rad(lands ? phase + 1 : phase));
+    }
+    // Where it begins is the origin of x: the foot's own.
+    if (phase == 0) set.bounds[0] = equal(model_.plane.sole.front().point.p_B_m.x());
     set.scales = {kLength_m, kLength_m, kAngle_rad};
     for (Index j = 0; j < k_; ++j) {
       set.bounds.push_back(model_.joint_rad[static_cast<std::size_t>(j)]);
@@ -160,21 +176,33 @@ class Builder {
     return add(std::move(set));
   }
 
-  int add_velocities(const PlannedInstant& guess, bool at_rest) {
+  /// Rates of what a stance holds.
+  void hold(const Stance& on, VariableSet& set) const {
+    if (holds_place(on)) set.bounds[0] = set.bounds[1] = equal(0.0);
+    if (holds_pitch(on)) set.bounds[2] = equal(0.0);
+  }
+
+  int add_velocities(const Stance& on, const PlannedInstant& guess, bool at_rest) {
     VariableSet set{"velocity", moving_of(guess.velocity), {}, {}};
     set.bounds = {within(kFastest_m_s), within(kFastest_m_s), within(kFastest_rad_s)};
     for (Index j = 0; j < k_; ++j) {
       set.bounds.push_back(within(model_.joint_rad_s[static_cast<std::size_t>(j)]));
     }
+    hold(on, set);
     if (at_rest) set.bounds.assign(set.values.size(), equal(0.0));
     set.scales.assign(set.values.size(), kSpeed);
     return add(std::move(set));
   }
 
-  int add_accelerations(const PlannedInstant& guess, bool at_rest) {
+  int add_accelerations(const Stance& on, const PlannedInstant& guess, bool at_rest) {
     VariableSet set{"acceleration", moving_of(guess.acceleration), {}, {}};
     set.bounds = {within(kHardest_m_s2), within(kHardest_m_s2)};
     set.bounds.resize(set.values.size(), within(kHardest_rad_s2));
+    hold(on, set);
+    if (on.is_flight()) {
+      set.bounds[0] = equal(0.0);
+      set.bounds[1] = equal(-model_.plane.robot.tree.gravity_m_s2);
+    }
     if (at_rest) set.bounds.assign(set.values.size(), equal(0.0));
     set.scales.assign(set.values.size(), kAcceleration);
     return add(std::move(set));
@@ -203,11 +231,18 @@ class Builder {
     return out;
   }
 
-  int add_contact_forces(const Stance& stance, const PlannedInstant& guess) {
+  /// What lets go does so without a load: `next` is the stance that follows at once.
+  int add_contact_forces(const Stance& stance, const PlannedInstant& guess, const Stance* next) {
     if (stance.is_flight()) return 0;
     VariableSet set{"forces", forces_of_guess(stance, guess), {}, {}};
     set.bounds.assign(set.values.size(), {0.0, 1e4});
     set.bounds.front() = within(1e4);
+    for (std::size_t i = 0; next != nullptr && i < stance.points.size(); ++i) {
+      const bool stays = std::find(next->points.begin(), next->points.end(), stance.points[i]) !=
+                         next->points.end();
+      if (!stays) set.bounds[1 + i] = equal(0.0);
+    }
+    if (next != nullptr && next->is_flight()) set.bounds.front() = equal(0.0);
     set.scales.assign(set.values.size(), kForce_N);
     return add(std::move(set));
   }
@@ -236,13 +271,25 @@ class Builder {
       const bool joins = phase > 0 && i == 0;
       const bool at_rest = (phase == 0 && i == 0) ||
                            (phase + 1 == out_.mesh.size() && i + 1 == points);
+      const bool shares = joins && stance(phase - 1).frame() == mesh.stance.frame();
       const PointVariables* before = joins ? &out_.phases.back().points.back() : nullptr;
-      point.position = joins ? before->position : add_positions(guess);
-      point.velocity = joins && !variables.has_impact ? before->velocity
-                                                      : add_velocities(guess, at_rest);
-      point.acceleration = add_accelerations(guess, at_rest);
-      point.drives = add_drive_torques(guess);
-      point.forces = add_contact_forces(mesh.stance, guess);
+      point.position =
+          shares ? before->position : add_positions(phase, i + 1 == points, guess);
+      point.velocity = shares && !variables.has_impact
+                           ? before->velocity
+                           : add_velocities(mesh.stance, guess, at_rest);
+      if (joins && variables.has_impact) {
+        variables.velocity_before =
+            shares ? before->velocity
+                   : add_velocities({"free", {}}, guessed(phase, 0), false);
+      }
+      point.acceleration = add_accelerations(mesh.stance, guess, at_rest);
+      // Motors do not jump; what a replay does a moment early or late is then nearly the same.
+      static const bool cont_all=getenv("CA"), cont=getenv("CN"), rel=getenv("REL");
+      point.drives = joins && ((cont&&!variables.has_impact)||cont_all) ? before->drives : add_drive_torques(guess);
+      const bool releases = rel && i + 1 == points && phase + 1 < out_.mesh.size() && (getenv("RELF")==nullptr||stance(phase+1).is_flight());
+      point.forces =
+          add_contact_forces(mesh.stance, guess, releases ? &stance(phase + 1) : nullptr);
       point.bus = add_bus();
       variables.points.push_back(point);
     }
@@ -274,9 +321,13 @@ class Builder {
                                p1.*rate + r, variables.duration},
               share, scale));
         };
+        const bool is_place = r < 2 && holds_place(stance(phase));
+        const bool is_pitch = r == 2 && holds_pitch(stance(phase));
+        if ((is_place && (r == 1 || phase == 0)) || is_pitch) continue;
         rows("positions go on", &PointVariables::position, &PointVariables::velocity,
              r < 2 ? kLength_m : kAngle_rad);
-        rows("velocities go on", &PointVariables::velocity, &PointVariables::acceleration, kSpeed);
+        // A free fall's acceleration is known, so that the middle row says nothing new.
+        if (!is_place) rows("velocities go on", &PointVariables::velocity, &PointVariables::acceleration, kSpeed);
       }
     }
   }
@@ -293,13 +344,15 @@ class Builder {
     const Stance& on = stance(phase);
     const auto forces = static_cast<Index>(on.force_count());
     const auto rows = static_cast<std::size_t>(m_) + model_.plane.held.size();
+    std::vector<Bounds> bounds(rows, equal(0.0));
+    // In flight the frame's acceleration is gravity's already.
+    if (on.is_flight()) bounds[0] = bounds[1] = {};
     out_.program.add_rows(jet_rows(
         place(on, "equations of motion"),
         joined({posture(point), posture_rates(point), run(point.acceleration, m_),
                 run(point.drives, d_), run(point.forces, forces)}),
-        std::vector<Bounds>(rows, equal(0.0)), std::vector<double>(rows, kForce_N),
-        DynamicsLaw{scratch_, on}));
-    if (on.is_flight()) return;
+        std::move(bounds), std::vector<double>(rows, kForce_N), DynamicsLaw{scratch_, on}));
+    if (on.is_flight() || holds_place(on)) return;
     out_.program.add_rows(jet_rows(
         place(on, "feet stay"),
         joined({posture(point), posture_rates(point), run(point.acceleration, m_)}),
@@ -350,28 +403,43 @@ class Builder {
                                    ConeLaw{on.points.size(), friction, edge_share}));
   }
 
+  /// 1, but over the last part of a phase whose end lets a point go, down to 0 there.
+  double from_tipping(std::size_t phase, std::size_t index) const {
+    if (phase + 1 == out_.mesh.size() ||
+        stance(phase + 1).points.size() >= stance(phase).points.size()) {
+      return 1.0;
+    }
+    const std::vector<double>& knots = out_.mesh[phase].knots;
+    const std::size_t i = index / 2;
+    const double share = index % 2 == 0 ? knots[i] : 0.5 * (knots[i] + knots[i + 1]);
+    return std::min(1.0, (1.0 - share) / kTips);
+  }
+
   void add_forces(std::size_t phase, std::size_t index) {
     const Stance& on = stance(phase);
     if (on.is_flight()) return;
     const bool stands = (phase == 0 && index == 0) || (phase + 1 == out_.mesh.size() &&
                                                        index + 1 == out_.phases[phase].points.size());
     // Where it stands the load is near the middle of the sole: each end bears nearly half of it.
-    const double edge = stands ? 0.5 - kStandsWithin : options_.margins.center_of_pressure;
+    // Where the foot will tip, the load has to go to its edge.
+    const double edge = stands ? 0.5 - kStandsWithin
+                               : options_.margins.center_of_pressure * from_tipping(phase, index);
     add_cone(on, out_.phases[phase].points[index].forces, "ground", kForce_N, edge);
   }
 
   void add_clearance(std::size_t phase, std::size_t index) {
     const PhaseVariables& variables = out_.phases[phase];
     const PointVariables& point = variables.points[index];
-    PlaceLaw law{scratch_, {}, false};
+    PlaceLaw law{scratch_, stance(phase).frame(), {}};
     std::vector<Bounds> bounds;
     const dynamics::Tree& tree = model_.plane.robot.tree;
     if (index % 2 == 0) {
       for (std::size_t body = 0; body < tree.bodies.size(); ++body) {
         if (body == model_.plane.foot || tree.bodies[body].inertia.mass_kg < 0.01) continue;
-        Eigen::Vector3d center_m = tree.bodies[body].inertia.center_of_mass_m;
+        const Eigen::Vector3d center_m = tree.bodies[body].inertia.center_of_mass_m;
         law.points.push_back({body, center_m});
-        bounds.push_back(at_least(kClear_m));
+        law.points.push_back({body, Eigen::Vector3d::Zero()});
+        bounds.insert(bounds.end(), 2, at_least(kClear_m));
       }
     }
     const bool first = index == 0, last = index + 1 == variables.points.size();
@@ -382,7 +450,8 @@ class Builder {
         return std::find(points.begin(), points.end(), i) != points.end();
       };
       // A point that was or will be on the ground is there at the phase's end.
-      if (touches(phase) || (first && phase > 0 && touches(phase - 1)) ||
+      const bool is_variable = i == 0 && stance(phase).frame() == PlanFrame::kSole;
+      if (is_variable || touches(phase) || (first && phase > 0 && touches(phase - 1)) ||
           (last && touches(phase + 1))) {
         continue;
       }
@@ -407,28 +476,47 @@ class Builder {
     return out;
   }
 
+  /// Where a phase's frame is another than that of the phase before.
+  void add_link(std::size_t phase) {
+    if (stance(phase).frame() == stance(phase - 1).frame()) return;
+    const PointVariables& before = out_.phases[phase - 1].points.back();
+    const PointVariables& after = out_.phases[phase].points.front();
+    const bool lands = stance(phase).frame() == PlanFrame::kSole;
+    const PointVariables& sole = lands ? after : before;
+    const PointVariables& mass = lands ? before : after;
+    const int sole_velocity = lands ? out_.phases[phase].velocity_before : sole.velocity;
+    std::vector<double> scales(static_cast<std::size_t>(2 * m_), kSpeed);
+    std::fill_n(scales.begin(), m_, kLength_m);
+    out_.program.add_rows(jet_rows(place(stance(phase), "goes on"),
+                                   joined({run(sole.position, m_), run(sole_velocity, m_),
+                                           run(mass.position, m_), run(mass.velocity, m_)}),
+                                   std::vector<Bounds>(scales.size(), equal(0.0)), scales,
+                                   LinkLaw{scratch_}));
+  }
+
   void add_begin(std::size_t phase) {
     const PhaseVariables& variables = out_.phases[phase];
     const PointVariables& point = variables.points.front();
     const Stance& on = stance(phase);
+    // What the foot's own variables do not hold already.
     const auto touching = points_of(on, phase == 0 ? nullptr : &stance(phase - 1));
-    if (!touching.empty()) {
+    if (!touching.empty() && !holds_place(on)) {
       out_.program.add_rows(jet_rows(place(on, "feet on the ground"), run(point.position, m_),
                                      std::vector<Bounds>(touching.size(), equal(0.0)),
                                      std::vector<double>(touching.size(), kLength_m),
-                                     PlaceLaw{scratch_, touching, false}));
+                                     PlaceLaw{scratch_, PlanFrame::kSole, touching}));
     }
+    if (phase > 0) add_link(phase);
     if (!variables.has_impact) return;
-    const PointVariables& before = out_.phases[phase - 1].points.back();
     const auto forces = static_cast<Index>(on.force_count());
     const auto rows = static_cast<std::size_t>(m_);
     out_.program.add_rows(
         jet_rows(place(on, "impact"),
-                 joined({posture(point), run(before.velocity, m_), run(point.velocity, m_),
+                 joined({posture(point), run(variables.velocity_before, m_), run(point.velocity, m_),
                          run(variables.impulses, forces)}),
                  std::vector<Bounds>(rows, equal(0.0)), std::vector<double>(rows, kImpulse_N_s),
                  ImpactLaw{scratch_, on}));
-    out_.program.add_rows(jet_rows(place(on, "feet stop"),
+    if (!holds_place(on)) out_.program.add_rows(jet_rows(place(on, "feet stop"),
                                    joined({posture(point), run(point.velocity, m_)}),
                                    std::vector<Bounds>(on.force_count(), equal(0.0)),
                                    std::vector<double>(on.force_count(), kSpeed),
@@ -446,30 +534,13 @@ class Builder {
       const PointVariables& beside = is_after ? after : before;
       out_.program.add_rows(jet_rows(
           place(stance(phase), "gears at the impact"),
-          joined({run(after.position + 3, k_), run(before.velocity + 3, k_),
+          joined({run(after.position + 3, k_), run(out_.phases[phase].velocity_before + 3, k_),
                   run(after.velocity + 3, k_), run(beside.acceleration + 3, k_),
                   run(beside.drives, d_)}),
           bounds, std::vector<double>(bounds.size(), kTorque_Nm),
           ImpactLoadLaw{&model_.plane, model_.rotors_kg_m2, options_.check.load_window_s,
                         is_after}));
     }
-  }
-
-  /// Foot level at the begin and, turned, at the end.
-  void add_stances() {
-    const PointVariables& first = out_.phases.front().points.front();
-    const PointVariables& last = out_.phases.back().points.back();
-    const bool has_sole = model_.plane.sole.size() > 1;
-    for (const PointVariables* point : {&first, &last}) {
-      if (!has_sole) break;
-      const double turn_rad = point == &first ? 0.0 : goal_.turn_rad;
-      out_.program.add_rows(jet_rows("level foot", posture(*point), {equal(turn_rad)}, {kAngle_rad},
-                                     LevelLaw{model_.plane.directions}));
-    }
-    out_.program.add_rows(jet_rows("begins at the origin", run(first.position, m_),
-                                   {equal(model_.plane.sole.front().point.p_B_m.x())},
-                                   {kLength_m},
-                                   PlaceLaw{scratch_, {model_.plane.sole.front().point}, true}));
   }
 
   const PlanModel& model_;

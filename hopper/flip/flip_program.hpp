@@ -21,7 +21,7 @@ struct MeshPhase {
 
 /// Where the unknowns of one instant begin in the program.
 struct PointVariables {
-  int position = 0;      ///< (m) base x, z, pitch, then the joints that move.
+  int position = 0;      ///< (m) of the phase's frame, then the joints that move.
   int velocity = 0;      ///< (m)
   int acceleration = 0;  ///< (m)
   int drives = 0;        ///< (d)
@@ -33,7 +33,8 @@ struct PhaseVariables {
   int duration = 0;
   std::vector<PointVariables> points;  ///< Knots and middles in turn: 2 n + 1.
   int impulses = 0;                    ///< (f of the stance) at its begin,
-  bool has_impact = false;             ///< where it begins with an impact.
+  bool has_impact = false;             ///< where it begins with an impact,
+  int velocity_before = 0;             ///< and the velocity before it, in this phase's frame.
 };
 
 /// What is planned with: the robot's plane, its drives, what feeds them.

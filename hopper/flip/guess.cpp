@@ -50,9 +50,13 @@ class KeyFrames {
   VectorXd bent(double share) const;
   VectorXd balanced(VectorXd joints);
   double lean_m(const VectorXd& joints);
-  VectorXd held(const Frame& frame, std::size_t sole_point, const Eigen::Vector2d& at);
-  Eigen::Vector2d place(const VectorXd& position, std::size_t sole_point);
-  VectorXd position(const Frame& frame, const Eigen::Vector2d& base) const;
+  VectorXd held(const Frame& frame, std::size_t sole_point, const Eigen::Vector2d& at) const;
+  Eigen::Vector2d base(const VectorXd& position) const;
+  VectorXd position(const Frame& frame, const Eigen::Vector2d& rear) const;
+  double pitch(const VectorXd& position) const;
+  double foot_between(const VectorXd& from, const VectorXd& to, const VectorXd& joints,
+                      double s) const;
+  void into_mass_frame(PlannedPhase& phase) const;
   void perturb(std::vector<Frame>& frames);
 
   const PlanModel& model_;
@@ -60,31 +64,26 @@ class KeyFrames {
   dynamics::TreeState state_;
 };
 
-/// All rows, the base there.
-VectorXd KeyFrames::position(const Frame& frame, const Eigen::Vector2d& base) const {
+/// Rows of the plan, the rearmost point of the sole there.
+VectorXd KeyFrames::position(const Frame& frame, const Eigen::Vector2d& rear) const {
   VectorXd moving(model_.plane.moving_count());
-  double pitch = frame.foot_rad;
-  for (Index i = 0; i < frame.joints.size(); ++i) {
-    pitch -= model_.plane.directions[static_cast<std::size_t>(i)] * frame.joints[i];
-    moving[3 + i] = frame.joints[i];
-  }
-  moving[0] = base.x();
-  moving[1] = base.y();
-  moving[2] = pitch;
+  moving << rear, frame.foot_rad, frame.joints;
   return model_.plane.all_rows(moving);
 }
 
-Eigen::Vector2d KeyFrames::place(const VectorXd& position, std::size_t sole_point) {
-  state_.set(position, VectorXd::Zero(position.size()));
-  const Eigen::Vector3d at =
-      dynamics::point_position_m(state_, model_.plane.sole[sole_point].point);
-  return {at.x(), at.z()};
+/// The base's place.
+Eigen::Vector2d KeyFrames::base(const VectorXd& position) const {
+  const VectorXd still = VectorXd::Zero(position.size());
+  return tree_motion(model_.plane, PlanFrame::kSole, {position, still, still}).position.head<2>();
 }
 
 /// A point of the sole kept at a place.
-VectorXd KeyFrames::held(const Frame& frame, std::size_t sole_point, const Eigen::Vector2d& at) {
-  const Eigen::Vector2d off = at - place(position(frame, Eigen::Vector2d::Zero()), sole_point);
-  return position(frame, off);
+VectorXd KeyFrames::held(const Frame& frame, std::size_t sole_point,
+                         const Eigen::Vector2d& at) const {
+  const auto& sole = model_.plane.sole;
+  const Eigen::Vector3d arm = sole[sole_point].point.p_B_m - sole.front().point.p_B_m;
+  const double c = std::cos(frame.foot_rad), s = std::sin(frame.foot_rad);
+  return position(frame, {at.x() - c * arm.x() - s * arm.z(), at.y() + s * arm.x() - c * arm.z()});
 }
 
 VectorXd KeyFrames::named(const char* name, const VectorXd& otherwise) const {
@@ -114,7 +113,8 @@ VectorXd KeyFrames::bent(double share) const {
 /// How far the centre of mass is in front of the sole's middle, standing.
 double KeyFrames::lean_m(const VectorXd& joints) {
   const VectorXd at = held({joints, 0.0}, 0, Eigen::Vector2d::Zero());
-  state_.set(at, VectorXd::Zero(at.size()));
+  const VectorXd still = VectorXd::Zero(at.size());
+  state_.set(tree_motion(model_.plane, PlanFrame::kSole, {at, still, still}).position, still);
   return dynamics::centroid(state_).position_m.x() - 0.5 * model_.foot_length_m;
 }
 
@@ -133,6 +133,31 @@ VectorXd KeyFrames::balanced(VectorXd joints) {
     }
   }
   return best;
+}
+
+/// The base's.
+double KeyFrames::pitch(const VectorXd& position) const {
+  const VectorXd still = VectorXd::Zero(position.size());
+  return tree_motion(model_.plane, PlanFrame::kSole, {position, still, still}).position[2];
+}
+
+/// The foot's pitch while the base turns evenly and joints stand so.
+double KeyFrames::foot_between(const VectorXd& from, const VectorXd& to, const VectorXd& joints,
+                               double s) const {
+  const double base_rad = pitch(from) + s * (pitch(to) - pitch(from));
+  return base_rad - pitch(position({joints, 0.0}, {0.0, 0.0}));
+}
+
+void KeyFrames::into_mass_frame(PlannedPhase& phase) const {
+  for (PlannedInstant& instant : phase.instants) {
+    const TreeMotion tree =
+        tree_motion(model_.plane, PlanFrame::kSole,
+                    {instant.position, instant.velocity, instant.acceleration});
+    const TreeMotion mass = frame_motion(model_.plane, PlanFrame::kMass, tree);
+    instant.position = mass.position;
+    instant.velocity = mass.velocity;
+    instant.acceleration = mass.acceleration;
+  }
 }
 
 void KeyFrames::perturb(std::vector<Frame>& frames) {
@@ -197,10 +222,13 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
                            : between({tuck, 0.0}, ends[p + 1],
                                      (s - kTuckedUntil) / (1.0 - kTuckedUntil))
                                  .joints;
+        // The base goes straight, with a hump; the foot as the joints say.
+        frame.foot_rad = foot_between(last_position, landing, frame.joints, s);
         instant.position = position(frame, {0.0, 0.0});
-        instant.position.head<3>() =
-            last_position.head<3>() + s * (landing.head<3>() - last_position.head<3>());
-        instant.position[1] += kHump_m * 4.0 * s * (1.0 - s);
+        const Eigen::Vector2d from = base(last_position), to = base(landing);
+        Eigen::Vector2d at = from + s * (to - from);
+        at.y() += kHump_m * 4.0 * s * (1.0 - s);
+        instant.position.head<2>() = at - base(instant.position);
       } else {
         const std::size_t point = mesh[p].stance.points.front();
         const double x = foot.x() + model_.plane.sole[point].point.p_B_m.x() -
@@ -234,6 +262,7 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
           (at(high) - at(low)) / (step_s * (high - low));
     }
     last_position = phase.instants.back().position;
+    if (flies) into_mass_frame(phase);
     begin_s += duration_s;
     out.phases.push_back(std::move(phase));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a plan must obey at an instant, on any scalar: laws of JetRows. Each says which variables
-// it takes, in which order. m moving rows (base x, z, pitch, then joints), k = m - 3 joints, d
+// it takes, in which order. m moving rows (three of the stance's frame, then joints), k = m - 3 joints, d
 // drives, f forces of the stance.
 #pragma once
 
@@ -33,7 +33,7 @@ class SagittalScratch {
       bodies_;
 };
 
-/// x and z of the base at 0: nothing but places depends on them.
+/// x and z of the frame at 0: nothing but places depends on them.
 template <typename T>
 dynamics::VectorX<T> without_place(const dynamics::VectorX<T>& x, Eigen::Index from,
                                    Eigen::Index moving) {
@@ -77,7 +77,7 @@ struct DynamicsLaw {
     SagittalDynamicsOf<T>& body = scratch->on<T>();
     const Eigen::Index m = body.robot().moving_count();
     const auto d = static_cast<Eigen::Index>(body.robot().drive_count());
-    body.set(without_place(x, 0, m), without_place(x, m - 2, m));
+    body.set(stance.frame(), without_place(x, 0, m), without_place(x, m - 2, m));
     rows = body.residual(x.segment(2 * m - 4, m), x.segment(3 * m - 4, d),
                          forces_of(stance, x, 3 * m - 4 + d));
   }
@@ -92,7 +92,7 @@ struct ContactAccelerationLaw {
   void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
     SagittalDynamicsOf<T>& body = scratch->on<T>();
     const Eigen::Index m = body.robot().moving_count();
-    body.set(without_place(x, 0, m), without_place(x, m - 2, m));
+    body.set(stance.frame(), without_place(x, 0, m), without_place(x, m - 2, m));
     const dynamics::VectorX<T> acceleration = x.segment(2 * m - 4, m);
     stance_rows<T>(
         body.robot(), stance,
@@ -110,27 +110,41 @@ struct ContactVelocityLaw {
   void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
     SagittalDynamicsOf<T>& body = scratch->on<T>();
     const Eigen::Index m = body.robot().moving_count();
-    body.set(without_place(x, 0, m), x.segment(m - 2, m));
+    body.set(PlanFrame::kSole, without_place(x, 0, m), x.segment(m - 2, m));
     stance_rows<T>(
         body.robot(), stance,
         [&](const dynamics::BodyPoint& point) { return body.velocity_m_s(point); }, rows);
   }
 };
 
-/// Heights of points. Variables: base x, z, pitch, joints (m). Rows: one a point; with `along`, its
-/// place along the ground instead.
+/// Heights of points. Variables: position in the frame (m). Rows: one a point.
 struct PlaceLaw {
   std::shared_ptr<SagittalScratch> scratch;
+  PlanFrame frame = PlanFrame::kSole;
   std::vector<dynamics::BodyPoint> points;
-  bool along = false;
 
   template <typename T>
   void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
     SagittalDynamicsOf<T>& body = scratch->on<T>();
-    body.set(x, dynamics::VectorX<T>::Zero(x.size()));
+    body.set(frame, x, dynamics::VectorX<T>::Zero(x.size()));
     for (std::size_t i = 0; i < points.size(); ++i) {
-      rows[static_cast<Eigen::Index>(i)] = body.place_m(points[i])[along ? 0 : 1];
+      rows[static_cast<Eigen::Index>(i)] = body.place_m(points[i])[1];
     }
+  }
+};
+
+/// One instant in two frames. Variables: position and velocity about the sole (m, m), about the
+/// centre of mass (m, m). Rows: their differences (2 m).
+struct LinkLaw {
+  std::shared_ptr<SagittalScratch> scratch;
+
+  template <typename T>
+  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
+    SagittalDynamicsOf<T>& body = scratch->on<T>();
+    const Eigen::Index m = body.robot().moving_count();
+    body.set(PlanFrame::kSole, x.head(m), x.segment(m, m));
+    rows.head(m) = body.position_in(PlanFrame::kMass) - x.segment(2 * m, m);
+    rows.tail(m) = body.velocity_in(PlanFrame::kMass) - x.segment(3 * m, m);
   }
 };
 
@@ -144,7 +158,7 @@ struct ImpactLaw {
   void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
     SagittalDynamicsOf<T>& body = scratch->on<T>();
     const Eigen::Index m = body.robot().moving_count();
-    body.set(without_place(x, 0, m), dynamics::VectorX<T>::Zero(m));
+    body.set(PlanFrame::kSole, without_place(x, 0, m), dynamics::VectorX<T>::Zero(m));
     rows = body.impact_residual(x.segment(2 * m - 2, m) - x.segment(m - 2, m),
                                 forces_of(stance, x, 3 * m - 2));
   }

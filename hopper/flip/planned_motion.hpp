@@ -2,13 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace torquewright::hopper {
 
-/// An instant of a motion in the sagittal plane. Rows of the first three as those of the robot's
-/// tree on a planar base (x, z, pitch, then every joint; those that leave the plane stay at 0).
+/// What the first three rows of a phase's instants are: x, z and a pitch, in the world.
+enum class PlanFrame {
+  kSole,  ///< Rearmost point of the sole, and foot: what stands on the ground stands exactly.
+  kMass,  ///< Centre of mass, and base: what flies falls exactly.
+};
+
+/// An instant of a motion in the sagittal plane. After the three rows of the phase's frame every
+/// joint of the tree; those that leave the plane stay at 0.
 struct PlannedInstant {
   double time_s = 0.0;
   Eigen::VectorXd position;
@@ -28,6 +35,10 @@ struct PlannedPhase {
   std::vector<bool> touches;     ///< By contact point of the robot.
   std::vector<PlannedInstant> instants;
 
+  bool flies() const {
+    return std::none_of(touches.begin(), touches.end(), [](bool one) { return one; });
+  }
+  PlanFrame frame() const { return flies() ? PlanFrame::kMass : PlanFrame::kSole; }
   std::size_t intervals() const { return (instants.size() - 1) / 2; }
   double begin_s() const { return instants.front().time_s; }
   double end_s() const { return instants.back().time_s; }

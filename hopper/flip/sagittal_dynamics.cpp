@@ -30,12 +30,93 @@ SagittalDynamicsOf<T>::SagittalDynamicsOf(const SagittalRobot& robot)
     : robot_(&robot), body_(robot.robot) {}
 
 template <typename T>
-VectorX<T> SagittalDynamicsOf<T>::all(const VectorX<T>& moving) const {
+T SagittalDynamicsOf<T>::turned(const VectorX<T>& moving) const {
+  T sum(0.0);
+  for (std::size_t i = 0; i < robot_->joints.size(); ++i) {
+    sum += robot_->directions[i] * moving[3 + static_cast<Index>(i)];
+  }
+  return sum;
+}
+
+template <typename T>
+VectorX<T> SagittalDynamicsOf<T>::unplaced(const VectorX<T>& moving) const {
   VectorX<T> rows = VectorX<T>::Zero(robot_->robot.tree.velocity_size());
-  for (Index i = 0; i < moving.size(); ++i) {
-    rows[robot_->moving[static_cast<std::size_t>(i)]] = moving[i];
+  rows[2] = moving[2];
+  if (frame_ == PlanFrame::kSole) rows[2] -= turned(moving);
+  for (std::size_t i = 3; i < robot_->moving.size(); ++i) {
+    rows[robot_->moving[i]] = moving[static_cast<Index>(i)];
   }
   return rows;
+}
+
+template <typename T>
+Eigen::Matrix<T, 2, 1> SagittalDynamicsOf<T>::origin_m(PlanFrame frame) const {
+  if (frame == PlanFrame::kSole) {
+    return in_plane<T>(dynamics::point_position_m(state(), robot_->sole.front().point));
+  }
+  Eigen::Matrix<T, 2, 1> sum = Eigen::Matrix<T, 2, 1>::Zero();
+  for (std::size_t i = 0; i < robot_->robot.tree.bodies.size(); ++i) {
+    const dynamics::RigidInertia& body = robot_->robot.tree.bodies[i].inertia;
+    sum += (body.mass_kg / robot_->mass_kg) *
+           in_plane<T>(dynamics::point_position_m(state(), {i, body.center_of_mass_m}));
+  }
+  return sum;
+}
+
+template <typename T>
+Eigen::Matrix<T, 2, 1> SagittalDynamicsOf<T>::origin_m_s(PlanFrame frame) const {
+  if (frame == PlanFrame::kSole) {
+    return in_plane<T>(dynamics::point_velocity_m_s(state(), robot_->sole.front().point));
+  }
+  Eigen::Matrix<T, 2, 1> sum = Eigen::Matrix<T, 2, 1>::Zero();
+  for (std::size_t i = 0; i < robot_->robot.tree.bodies.size(); ++i) {
+    const dynamics::RigidInertia& body = robot_->robot.tree.bodies[i].inertia;
+    sum += (body.mass_kg / robot_->mass_kg) *
+           in_plane<T>(dynamics::point_velocity_m_s(state(), {i, body.center_of_mass_m}));
+  }
+  return sum;
+}
+
+template <typename T>
+VectorX<T> SagittalDynamicsOf<T>::accelerated(const VectorX<T>& acceleration) {
+  VectorX<T> rows = unplaced(acceleration);
+  Eigen::Matrix<T, 2, 1> relative;
+  if (frame_ == PlanFrame::kSole) {
+    const BodyPoint& rear = robot_->sole.front().point;
+    Eigen::Matrix<T, 3, Eigen::Dynamic> jacobian(3, rows.size());
+    dynamics::point_jacobian(state(), rear, jacobian);
+    const dynamics::Vector3<T> sum =
+        jacobian * rows + dynamics::point_bias_acceleration_m_s2(state(), rear);
+    relative = in_plane<T>(sum);
+  } else {
+    // Newton's law of the whole tells how its mass accelerates.
+    VectorX<T> force(rows.size());
+    dynamics::inverse_dynamics(body_.state(), rows, force);
+    relative << force[0] * (1.0 / robot_->mass_kg),
+        force[1] * (1.0 / robot_->mass_kg) - robot_->robot.tree.gravity_m_s2;
+  }
+  rows.template head<2>() = acceleration.template head<2>() - relative;
+  return rows;
+}
+
+template <typename T>
+VectorX<T> SagittalDynamicsOf<T>::position_in(PlanFrame frame) const {
+  VectorX<T> out = position_;
+  out.template head<2>() = base_m_ + origin_m(frame);
+  if (frame != frame_) {
+    out[2] += frame == PlanFrame::kSole ? turned(position_) : -turned(position_);
+  }
+  return out;
+}
+
+template <typename T>
+VectorX<T> SagittalDynamicsOf<T>::velocity_in(PlanFrame frame) const {
+  VectorX<T> out = velocity_;
+  out.template head<2>() = base_m_s_ + origin_m_s(frame);
+  if (frame != frame_) {
+    out[2] += frame == PlanFrame::kSole ? turned(velocity_) : -turned(velocity_);
+  }
+  return out;
 }
 
 template <typename T>
@@ -52,16 +133,21 @@ VectorX<T> SagittalDynamicsOf<T>::picked(const VectorX<T>& rows, bool with_held)
 }
 
 template <typename T>
-void SagittalDynamicsOf<T>::set(const VectorX<T>& position, const VectorX<T>& velocity) {
-  is_reached_ = body_.set(all(position), all(velocity));
+void SagittalDynamicsOf<T>::set(PlanFrame frame, const VectorX<T>& position,
+                                const VectorX<T>& velocity) {
+  frame_ = frame;
+  position_ = position;
+  velocity_ = velocity;
+  is_reached_ = body_.set(unplaced(position), unplaced(velocity));
+  base_m_ = position.template head<2>() - origin_m(frame);
+  base_m_s_ = velocity.template head<2>() - origin_m_s(frame);
 }
 
 template <typename T>
 void SagittalDynamicsOf<T>::subtract(const std::vector<SoleForceOf<T>>& forces,
                                      VectorX<T>& rows) const {
-  const auto& state = const_cast<WholeBodyOf<T>&>(body_).state();
   for (const SoleForceOf<T>& force : forces) {
-    dynamics::add_point_force(state, robot_->sole[force.sole_point].point,
+    dynamics::add_point_force(state(), robot_->sole[force.sole_point].point,
                               dynamics::Vector3<T>(-force.x, T(0.0), -force.z), rows);
   }
 }
@@ -72,7 +158,7 @@ VectorX<T> SagittalDynamicsOf<T>::residual(const VectorX<T>& acceleration,
                                            const std::vector<SoleForceOf<T>>& forces) {
   VectorX<T> rows = VectorX<T>::Zero(robot_->robot.tree.velocity_size());
   if (is_reached_) {
-    body_.inverse_dynamics(all(acceleration), rows);
+    body_.inverse_dynamics(accelerated(acceleration), rows);
     body_.add_drive_torques(-drive_Nm, rows);
     subtract(forces, rows);
   }
@@ -87,7 +173,15 @@ VectorX<T> SagittalDynamicsOf<T>::impact_residual(const VectorX<T>& change,
   if (is_reached_) {
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> mass(size, size);
     body_.mass_matrix(mass);
-    rows = mass * all(change);
+    // The change of the base's velocity that goes with that of the foot's.
+    const BodyPoint& rear = robot_->sole.front().point;
+    Eigen::Matrix<T, 3, Eigen::Dynamic> jacobian(3, size);
+    dynamics::point_jacobian(body_.state(), rear, jacobian);
+    VectorX<T> base = unplaced(change);
+    const dynamics::Vector3<T> relative = jacobian * base;
+    base[0] = change[0] - relative.x();
+    base[1] = change[1] - relative.z();
+    rows = mass * base;
     subtract(impulses, rows);
   }
   return picked(rows, false);
@@ -95,24 +189,21 @@ VectorX<T> SagittalDynamicsOf<T>::impact_residual(const VectorX<T>& change,
 
 template <typename T>
 Eigen::Matrix<T, 2, 1> SagittalDynamicsOf<T>::place_m(const BodyPoint& point) const {
-  return in_plane<T>(
-      dynamics::point_position_m(const_cast<WholeBodyOf<T>&>(body_).state(), point));
+  return base_m_ + in_plane<T>(dynamics::point_position_m(state(), point));
 }
 
 template <typename T>
 Eigen::Matrix<T, 2, 1> SagittalDynamicsOf<T>::velocity_m_s(const BodyPoint& point) const {
-  return in_plane<T>(
-      dynamics::point_velocity_m_s(const_cast<WholeBodyOf<T>&>(body_).state(), point));
+  return base_m_s_ + in_plane<T>(dynamics::point_velocity_m_s(state(), point));
 }
 
 template <typename T>
 Eigen::Matrix<T, 2, 1> SagittalDynamicsOf<T>::acceleration_m_s2(
-    const BodyPoint& point, const VectorX<T>& acceleration) const {
-  const auto& state = const_cast<WholeBodyOf<T>&>(body_).state();
+    const BodyPoint& point, const VectorX<T>& acceleration) {
   Eigen::Matrix<T, 3, Eigen::Dynamic> jacobian(3, robot_->robot.tree.velocity_size());
-  dynamics::point_jacobian(state, point, jacobian);
+  dynamics::point_jacobian(state(), point, jacobian);
   const dynamics::Vector3<T> sum =
-      jacobian * all(acceleration) + dynamics::point_bias_acceleration_m_s2(state, point);
+      jacobian * accelerated(acceleration) + dynamics::point_bias_acceleration_m_s2(state(), point);
   return in_plane<T>(sum);
 }
 

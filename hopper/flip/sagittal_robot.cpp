@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "dynamics/inverse_dynamics.hpp"
+#include "dynamics/momentum.hpp"
+#include "dynamics/point.hpp"
 #include "hopper/robot/whole_body.hpp"
 #include "io/refusal.hpp"
 
@@ -196,6 +198,83 @@ Eigen::VectorXd SagittalRobot::all_rows(const Eigen::VectorXd& moving_rows) cons
   return out;
 }
 
+namespace {
+
+/// x and z of a frame's origin, base at the origin and not moving along.
+struct FrameOrigin {
+  Eigen::Vector2d place_m, velocity_m_s, acceleration_m_s2;
+};
+
+Eigen::Vector2d in_plane(const Vector3d& vector) { return {vector.x(), vector.z()}; }
+
+FrameOrigin rear_of_sole(const SagittalRobot& robot, dynamics::TreeState& state,
+                    const Eigen::VectorXd& acceleration) {
+  const dynamics::BodyPoint& point = robot.sole.front().point;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian(3, acceleration.size());
+  dynamics::point_jacobian(state, point, jacobian);
+  return {in_plane(dynamics::point_position_m(state, point)),
+          in_plane(dynamics::point_velocity_m_s(state, point)),
+          in_plane(jacobian * acceleration +
+                   dynamics::point_bias_acceleration_m_s2(state, point))};
+}
+
+FrameOrigin center_of_mass(dynamics::TreeState& state, const Eigen::VectorXd& acceleration) {
+  const dynamics::Centroid centroid = dynamics::centroid(state);
+  Eigen::VectorXd force(acceleration.size());
+  dynamics::inverse_dynamics(state, acceleration, force);
+  return {in_plane(centroid.position_m), in_plane(centroid.velocity_m_s),
+          force.head<2>() / centroid.mass_kg -
+              Eigen::Vector2d(0.0, state.tree().gravity_m_s2)};
+}
+
+/// `still`: the base's place and what it does are 0.
+FrameOrigin origin_of(const SagittalRobot& robot, PlanFrame frame, const TreeMotion& still) {
+  dynamics::TreeState state(robot.robot.tree);
+  state.set(still.position, still.velocity);
+  return frame == PlanFrame::kSole ? rear_of_sole(robot, state, still.acceleration)
+                                   : center_of_mass(state, still.acceleration);
+}
+
+/// What joints that move turn the foot by beyond the base.
+double turned(const SagittalRobot& robot, const Eigen::VectorXd& rows) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    sum += robot.directions[i] * rows[static_cast<Index>(robot.joints[i]) + 2];
+  }
+  return sum;
+}
+
+}  // namespace
+
+TreeMotion tree_motion(const SagittalRobot& robot, PlanFrame frame, const TreeMotion& rows) {
+  TreeMotion out = rows;
+  for (Eigen::VectorXd* of : {&out.position, &out.velocity, &out.acceleration}) {
+    of->head<2>().setZero();
+    if (frame == PlanFrame::kSole) (*of)[2] -= turned(robot, *of);
+  }
+  const FrameOrigin origin = origin_of(robot, frame, out);
+  out.position.head<2>() = rows.position.head<2>() - origin.place_m;
+  out.velocity.head<2>() = rows.velocity.head<2>() - origin.velocity_m_s;
+  out.acceleration.head<2>() = rows.acceleration.head<2>() - origin.acceleration_m_s2;
+  return out;
+}
+
+TreeMotion frame_motion(const SagittalRobot& robot, PlanFrame frame, const TreeMotion& tree) {
+  TreeMotion out = tree;
+  for (Eigen::VectorXd* of : {&out.position, &out.velocity, &out.acceleration}) {
+    of->head<2>().setZero();
+  }
+  const FrameOrigin origin = origin_of(robot, frame, out);
+  out.position.head<2>() = tree.position.head<2>() + origin.place_m;
+  out.velocity.head<2>() = tree.velocity.head<2>() + origin.velocity_m_s;
+  out.acceleration.head<2>() = tree.acceleration.head<2>() + origin.acceleration_m_s2;
+  if (frame == PlanFrame::kMass) return out;
+  for (Eigen::VectorXd* of : {&out.position, &out.velocity, &out.acceleration}) {
+    (*of)[2] += turned(robot, *of);
+  }
+  return out;
+}
+
 SagittalRobot sagittal(const Robot& robot) {
   SagittalRobot out;
   if (robot.tree.base == dynamics::BaseKind::kFixed) {
@@ -213,6 +292,7 @@ SagittalRobot sagittal(const Robot& robot) {
   if (robot.tree.base == dynamics::BaseKind::kSpatial) require_plane(robot, out);
   out.robot = robot;
   out.robot.tree.base = dynamics::BaseKind::kPlanar;
+  for (const dynamics::Body& body : robot.tree.bodies) out.mass_kg += body.inertia.mass_kg;
   return out;
 }
 

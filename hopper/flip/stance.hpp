@@ -15,6 +15,7 @@ struct Stance {
   std::vector<std::size_t> points;  ///< Of the sole: none, one, or the rearmost and the foremost.
 
   bool is_flight() const { return points.empty(); }
+  PlanFrame frame() const { return is_flight() ? PlanFrame::kMass : PlanFrame::kSole; }
   bool is_flat() const { return points.size() == 2; }
   /// One along the ground, if any touches, then one upwards per point.
   std::size_t force_count() const { return points.empty() ? 0 : 1 + points.size(); }

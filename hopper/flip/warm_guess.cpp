@@ -132,15 +132,20 @@ PlannedMotion warm_guess(const Robot& robot, const PlanModel& model,
   require_order(runs, stances, file);
   PlannedMotion out;
   for (std::size_t p = 0; p < runs.size(); ++p) {
-    PlannedPhase phase{runs[p].stance, {}, {}};
+    PlannedPhase phase{runs[p].stance,
+                       std::vector<bool>(robot.contacts.size(), runs[p].stance != "flight"),
+                       {}};
     // Up to the next phase's first sample, unless an impact lies between.
     const bool shares_end = p + 1 < runs.size() && !known.is_break(runs[p + 1].from);
     for (Index sample = runs[p].from; sample <= runs[p].until + (shares_end ? 1 : 0); ++sample) {
       PlannedInstant instant;
       instant.time_s = known.time_s(sample);
-      instant.position = reader.planar_position(sample);
-      instant.velocity = reader.planar_rate(known.velocities, sample);
-      instant.acceleration = reader.planar_rate(known.accelerations, sample);
+      const TreeMotion rows = frame_motion(model.plane, phase.frame(), {reader.planar_position(sample),
+                                                        reader.planar_rate(known.velocities, sample),
+                                                        reader.planar_rate(known.accelerations, sample)});
+      instant.position = rows.position;
+      instant.velocity = rows.velocity;
+      instant.acceleration = rows.acceleration;
       instant.drive_Nm = VectorXd::Zero(static_cast<Index>(model.plane.drive_count()));
       instant.contact_N =
           Eigen::Matrix3Xd::Zero(3, static_cast<Index>(robot.contacts.size()));

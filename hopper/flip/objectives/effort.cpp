@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
 #include "hopper/flip/jet_rows.hpp"
 #include "hopper/flip/objectives/every_objective.hpp"
 
@@ -11,7 +12,7 @@ struct EffortLaw {
   void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
     const T a = x[0] * (1 / most), b = x[1] * (1 / most), c = x[2] * (1 / most);
     rows[0] = x[3] * (share / 6.0) * (a * a + 4.0 * (b * b) + c * c) +
-              smooth * ((b - a) * (b - a) + (c - b) * (c - b));
+              (2.0 * smooth / share) * ((b - a) * (b - a) + (c - b) * (c - b)) / x[3];
   }
 };
 
@@ -31,7 +32,23 @@ Costs objective_rows(const PlanModel& model, const PlanOptions&, FlipProgram& pr
                                   phase.points[2 * i + 2].drives + at, phase.duration},
                                  {{}}, {1.0},
                                  EffortLaw{knots[i + 1] - knots[i],
-                                           (*model.regions)[d].greatest_torque_Nm(), 1e-3}));
+                                           (*model.regions)[d].greatest_torque_Nm(), std::getenv("SM") ? std::atof(std::getenv("SM")) : 1e-5}));
+      }
+    }
+  }
+  const double ac = std::getenv("AC") ? std::atof(std::getenv("AC")) : 1e-3;
+  const double je = std::getenv("JE") ? std::atof(std::getenv("JE")) : 0.0;
+  for (std::size_t p = 0; p < program.phases.size(); ++p) {
+    const PhaseVariables& phase = program.phases[p];
+    const auto& knots = program.mesh[p].knots;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+      for (std::size_t j = 3; j < model.plane.moving.size(); ++j) {
+        const int at = static_cast<int>(j);
+        costs.push_back(jet_rows("smooth",
+                                 {phase.points[2 * i].acceleration + at, phase.points[2 * i + 1].acceleration + at,
+                                  phase.points[2 * i + 2].acceleration + at, phase.duration},
+                                 {{}}, {1.0},
+                                 EffortLaw{ac * (knots[i + 1] - knots[i]), 100.0, je*ac}));
       }
     }
   }
