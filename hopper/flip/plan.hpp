@@ -69,6 +69,8 @@ struct PlanOptions {
   const Motion* warm = nullptr;                ///< A motion of this robot to begin from, or none.
   std::string warm_file;                       ///< Its name in messages.
   CheckOptions check;                          ///< Conditions, ground, window of the gear load.
+  /// Where none is found: look for the smallest change of one thing that makes one.
+  bool explain = false;
   std::function<bool()> should_stop = {};                           ///< May be empty.
   std::function<void(const PlanProgress& progress)> on_progress = {};  ///< May be empty.
 };
@@ -116,6 +118,16 @@ struct ObjectivePart {
   std::string unit;
 };
 
+/// A change of one thing, everything else as it is, with which a plan was found where there had
+/// been none: the smallest of those tried, not of all that there are.
+struct ChangeTried {
+  std::string quantity;  ///< "voltage", "current", "mass", or a ratio by its drive: "knee_ratio".
+  double from = 0.0;     ///< As the documents have it, in `unit`.
+  double to = 0.0;       ///< What made a plan; the farthest tried where nothing did.
+  std::string unit;
+  bool has_plan = false;
+};
+
 struct PlanResult {
   PlanStatus status = PlanStatus::kLimit;
   std::string reason;  ///< A sentence; empty where planned.
@@ -133,6 +145,7 @@ struct PlanResult {
   std::vector<LeastMargin> least_margins;  ///< One a rule, the least first.
   std::vector<BindingConstraint> binding;  ///< The most often binding first.
   std::vector<PlanRound> rounds;
+  std::vector<ChangeTried> changes;  ///< Where asked to explain.
 };
 
 /// Plans a motion in the sagittal plane by direct collocation; docs/derivations/collocation.md.
