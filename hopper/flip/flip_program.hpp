@@ -48,6 +48,7 @@ struct PlanModel {
   std::vector<double> gear_Nm;                  ///< By drive, at its output; may be infinite.
   std::vector<double> rotors_kg_m2;             ///< By drive, before its gears.
   double weight_N = 0.0;
+  double size_m = 0.0;         ///< Radius of gyration about the pitch axis, joints at 0.
   double foot_length_m = 0.0;  ///< From the rearmost to the foremost point of the sole.
 };
 
@@ -55,9 +56,11 @@ PlanModel plan_model(const Robot& robot, const PlanOptions& options);
 
 /// What a plan is to do beside obeying physics.
 struct PlanGoal {
-  double turn_rad = 0.0;  ///< Of the foot, forwards.
-  std::optional<double> stride_m;
-  double least_rise_m = 0.0;  ///< Of the centre of mass... not used yet
+  double turn_rad = 0.0;           ///< Of the foot, forwards.
+  std::optional<double> stride_m;  ///< Of the foot; empty: as it comes.
+  std::optional<double> rise_m;    ///< Of the centre of mass in flight, at least.
+  /// By joint that moves: between what it stands at the begin and at the end.
+  std::vector<optimization::Bounds> standing_rad;
 };
 
 /// A nonlinear program and where its unknowns stand for what.

@@ -8,6 +8,7 @@
 
 #include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
+#include "hopper/flip/sampled_motion.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -172,7 +173,7 @@ void KeyFrames::perturb(std::vector<Frame>& frames) {
 }
 
 PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal& goal) {
-  const VectorXd crouch = balanced(named("crouch", bent(0.8)));
+  const VectorXd crouch = balanced(named("stand", bent(0.5)));
   const VectorXd take_off = named("takeoff", bent(0.5));
   const VectorXd tuck = goal.turn_rad != 0.0 ? named("tuck", bent(0.95)) : take_off;
   std::size_t flight = mesh.size();
@@ -269,16 +270,9 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
   return out;
 }
 
-}  // namespace
-
-PlannedInstant instant_at(const PlannedPhase& phase, double share) {
-  const double time_s = phase.begin_s() + share * (phase.end_s() - phase.begin_s());
-  std::size_t i = 0;
-  while (i + 2 < phase.instants.size() && phase.instants[i + 1].time_s <= time_s) ++i;
-  const PlannedInstant& a = phase.instants[i];
-  const PlannedInstant& b = phase.instants[i + 1];
+/// Between two instants of a sketch.
+PlannedInstant sketched(const PlannedInstant& a, const PlannedInstant& b, double time_s, double s) {
   const double h = b.time_s - a.time_s;
-  const double s = h > 0.0 ? std::clamp((time_s - a.time_s) / h, 0.0, 1.0) : 0.0;
   PlannedInstant out;
   out.time_s = time_s;
   out.position = cubic(a.position, a.velocity, b.position, b.velocity, h, s);
@@ -288,6 +282,22 @@ PlannedInstant instant_at(const PlannedPhase& phase, double share) {
   out.contact_N = a.contact_N + s * (b.contact_N - a.contact_N);
   out.bus_V = a.bus_V + s * (b.bus_V - a.bus_V);
   return out;
+}
+
+}  // namespace
+
+PlannedInstant instant_at(const PlannedPhase& phase, double share) {
+  const double time_s = phase.begin_s() + share * (phase.end_s() - phase.begin_s());
+  const std::size_t stride = phase.is_collocated ? 2 : 1;
+  std::size_t i = 0;
+  while (i + 2 * stride < phase.instants.size() && phase.instants[i + stride].time_s <= time_s) {
+    i += stride;
+  }
+  const PlannedInstant& a = phase.instants[i];
+  const PlannedInstant& b = phase.instants[i + stride];
+  const double h = b.time_s - a.time_s;
+  const double s = h > 0.0 ? std::clamp((time_s - a.time_s) / h, 0.0, 1.0) : 0.0;
+  return phase.is_collocated ? instant_within(phase, i / 2, s) : sketched(a, b, time_s, s);
 }
 
 PlannedMotion key_frame_guess(const PlanModel& model, const std::vector<MeshPhase>& mesh,

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hopper/flip/sagittal_dynamics.hpp"
+#include "hopper/flip/sampled_motion.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -44,17 +45,40 @@ class Forward {
     return acceleration;
   }
 
+  /// The part of the frame's moment that no force at the points on the ground explains.
+  double unexplained_Nm(const State& at, const VectorXd& motion, const VectorXd& drive_Nm) {
+    dynamics_.set(stance_.frame(), at.position, at.velocity);
+    const auto count = static_cast<Index>(stance_.force_count());
+    const auto frame_rows = [&](const VectorXd& forces) {
+      return dynamics_.residual(motion, drive_Nm, sole_forces(forces)).head<3>().eval();
+    };
+    const Eigen::Vector3d rest = frame_rows(VectorXd::Zero(count));
+    if (count == 0) return rest[2];
+    Eigen::MatrixXd columns(3, count);
+    for (Index i = 0; i < count; ++i) {
+      columns.col(i) = frame_rows(VectorXd::Unit(count, i)) - rest;
+    }
+    const VectorXd forces = columns.topRows<2>().leftCols<2>().partialPivLu().solve(-rest.head<2>());
+    if (count > 2) return 0.0;
+    return rest[2] + columns.row(2).dot(forces);
+  }
+
  private:
+  std::vector<SoleForceOf<double>> sole_forces(const VectorXd& values) const {
+    std::vector<SoleForceOf<double>> forces;
+    for (std::size_t i = 0; i < stance_.points.size(); ++i) {
+      forces.push_back({stance_.points[i], i == 0 ? values[0] : 0.0,
+                        values[1 + static_cast<Index>(i)]});
+    }
+    return forces;
+  }
   VectorXd residual(const VectorXd& unknowns, const VectorXd& drive_Nm) {
     const Index free = moving_ - first_free_;
     VectorXd acceleration = VectorXd::Zero(moving_);
     acceleration.tail(free) = unknowns.head(free);
-    std::vector<SoleForceOf<double>> forces;
-    for (std::size_t i = 0; i < stance_.points.size(); ++i) {
-      forces.push_back({stance_.points[i], i == 0 ? unknowns[free] : 0.0,
-                        unknowns[free + 1 + static_cast<Index>(i)]});
-    }
-    return dynamics_.residual(acceleration, drive_Nm, forces).head(moving_);
+    return dynamics_
+        .residual(acceleration, drive_Nm, sole_forces(unknowns.tail(unknowns.size() - free)))
+        .head(moving_);
   }
 
   Stance stance_;
@@ -95,6 +119,16 @@ class Integrator {
                       a1 + 2.0 * a2 + 2.0 * a3 + a4);
     }
     return state;
+  }
+  double unexplained_Nm(std::size_t interval) {
+    double greatest = 0.0;
+    for (const double share : {0.25, 0.75}) {
+      const PlannedInstant at = instant_within(phase_, interval, share);
+      greatest = std::max(
+          greatest, std::abs(forward_.unexplained_Nm({moving(at.position), moving(at.velocity)},
+                                                     moving(at.acceleration), at.drive_Nm)));
+    }
+    return greatest;
   }
   double length_s(std::size_t interval) const {
     return phase_.instants[2 * interval + 2].time_s - phase_.instants[2 * interval].time_s;
@@ -137,6 +171,7 @@ PhaseError error_of(const SagittalRobot& robot, const Stance& stance, const Plan
     error.interval_rad.push_back(
         std::max(integrator.apart_rad(anew.position, planned.position),
                  integrator.length_s(i) * integrator.apart_rad(anew.velocity, planned.velocity)));
+    error.unexplained_Nm.push_back(integrator.unexplained_Nm(i));
     whole = integrator.over(i, whole);
     error.whole_rad =
         std::max(error.whole_rad, integrator.apart_rad(whole.position, planned.position));
@@ -145,6 +180,10 @@ PhaseError error_of(const SagittalRobot& robot, const Stance& stance, const Plan
 }
 
 }  // namespace
+
+double PhaseError::greatest_unexplained_Nm() const {
+  return *std::max_element(unexplained_Nm.begin(), unexplained_Nm.end());
+}
 
 std::vector<PhaseError> integration_errors(const SagittalRobot& robot,
                                            const std::vector<Stance>& stances,

@@ -14,7 +14,7 @@ namespace torquewright::hopper {
 
 enum class PlanTask {
   kFlip,  ///< From a stance to the same stance, the foot turned once forwards.
-  kJump,  ///< As high as asked for or as the objective makes it, without a turn.
+  kJump,  ///< As high as asked for at least, and down on the same place.
   kHop,   ///< The same with a stride.
 };
 std::string_view name_of(PlanTask task);
@@ -22,6 +22,7 @@ std::string_view name_of(PlanTask task);
 enum class PlanStatus {
   kPlanned,            ///< Found, and `hopper check` passes it.
   kLocallyInfeasible,  ///< None found from this guess; proves nothing.
+  kCheckFails,         ///< Found, but `hopper check` does not pass it, or its error is too great.
   kLimit,              ///< A limit of time, or Ctrl-C, came first.
 };
 std::string_view name_of(PlanStatus status);
@@ -55,6 +56,8 @@ struct PlanProgress {
 struct PlanOptions {
   PlanTask task = PlanTask::kFlip;
   DriveLimits limits = DriveLimits::kMor;
+  double rise_m = 0.1;    ///< Of the centre of mass in the flight of a jump or a hop, at least.
+  double stride_m = 0.1;  ///< Of a hop, forwards.
   std::vector<std::string> stances;            ///< "flat", "heel", "flight", ...; empty: the task's.
   std::vector<WeightedObjective> objectives;   ///< Empty: the task's.
   PlanMargins margins;

@@ -95,9 +95,10 @@ PlanModel plan_model(const Robot& robot, const PlanOptions& options) {
   }
   model.regions = std::move(regions);
   model.supplies = std::move(supplies);
-  double mass_kg = 0.0;
-  for (const dynamics::Body& one : robot.tree.bodies) mass_kg += one.inertia.mass_kg;
-  model.weight_N = mass_kg * robot.tree.gravity_m_s2;
+  model.weight_N = model.plane.mass_kg * robot.tree.gravity_m_s2;
+  const Posture straight{"", Eigen::VectorXd::Zero(static_cast<Index>(robot.tree.bodies.size()) - 1)};
+  model.size_m =
+      std::sqrt(pitch_inertia_kg_m2(model.plane.robot.tree, straight) / model.plane.mass_kg);
   model.foot_length_m = model.plane.sole.back().point.p_B_m.x() -
                         model.plane.sole.front().point.p_B_m.x();
   return model;

@@ -7,12 +7,14 @@ namespace torquewright::hopper {
 namespace {
 
 struct EffortLaw {
-  double share, most, smooth;
+  double share, most, smooth, chatter;
   template <typename T>
   void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
     const T a = x[0] * (1 / most), b = x[1] * (1 / most), c = x[2] * (1 / most);
+    const T bend = a - b - b + c;
     rows[0] = x[3] * (share / 6.0) * (a * a + 4.0 * (b * b) + c * c) +
-              (2.0 * smooth / share) * ((b - a) * (b - a) + (c - b) * (c - b)) / x[3];
+              (2.0 * smooth / share) * ((b - a) * (b - a) + (c - b) * (c - b)) / x[3] +
+              chatter * (bend * bend);
   }
 };
 
@@ -32,7 +34,7 @@ Costs objective_rows(const PlanModel& model, const PlanOptions&, FlipProgram& pr
                                   phase.points[2 * i + 2].drives + at, phase.duration},
                                  {{}}, {1.0},
                                  EffortLaw{knots[i + 1] - knots[i],
-                                           (*model.regions)[d].greatest_torque_Nm(), std::getenv("SM") ? std::atof(std::getenv("SM")) : 1e-5}));
+                                           (*model.regions)[d].greatest_torque_Nm(), std::getenv("SM") ? std::atof(std::getenv("SM")) : 1e-5, std::getenv("CH") ? std::atof(std::getenv("CH")) : 1e-2}));
       }
     }
   }
@@ -48,7 +50,7 @@ Costs objective_rows(const PlanModel& model, const PlanOptions&, FlipProgram& pr
                                  {phase.points[2 * i].acceleration + at, phase.points[2 * i + 1].acceleration + at,
                                   phase.points[2 * i + 2].acceleration + at, phase.duration},
                                  {{}}, {1.0},
-                                 EffortLaw{ac * (knots[i + 1] - knots[i]), 100.0, je*ac}));
+                                 EffortLaw{ac * (knots[i + 1] - knots[i]), 100.0, je*ac, std::getenv("CHA") ? std::atof(std::getenv("CHA")) : 1e-3}));
       }
     }
   }
