@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "dynamics/gravity.hpp"
@@ -39,12 +38,13 @@ constexpr double kHighest_m = 3.0;
 constexpr double kFastest_m_s = 10.0;
 constexpr double kFastest_rad_s = 30.0;
 constexpr double kHardest_m_s2 = 500.0;
-static const double kHardest_rad_s2 = getenv("AMAX") ? atof(getenv("AMAX")) : 3000.0;
+constexpr double kHardest_rad_s2 = 3000.0;
+constexpr double kGreatestForce_N = 1e4;
 constexpr double kClear_m = 0.03;  // bodies that must not touch, above the ground
 // From the middle of the sole to where the mass stands at the begin and at the end, of its length.
 constexpr double kStandsWithin = 0.1;
 // Part of a phase before the foot tips, over which its load may go to the edge.
-static const double kTips = getenv("TIPS") ? atof(getenv("TIPS")) : 0.3;
+constexpr double kTips = 0.3;
 
 Bounds equal(double value) { return {value, value}; }
 Bounds at_least(double value) { return {value, kInfinite}; }
@@ -261,18 +261,11 @@ class Builder {
     return out;
   }
 
-  /// What lets go does so without a load: `next` is the stance that follows at once.
-  int add_contact_forces(const Stance& stance, const PlannedInstant& guess, const Stance* next) {
+  int add_contact_forces(const Stance& stance, const PlannedInstant& guess) {
     if (stance.is_flight()) return 0;
     VariableSet set{"forces", of_sole(stance, guess.contact_N), {}, {}};
-    set.bounds.assign(set.values.size(), {0.0, 1e4});
-    set.bounds.front() = within(1e4);
-    for (std::size_t i = 0; next != nullptr && i < stance.points.size(); ++i) {
-      const bool stays = std::find(next->points.begin(), next->points.end(), stance.points[i]) !=
-                         next->points.end();
-      if (!stays) set.bounds[1 + i] = equal(0.0);
-    }
-    if (next != nullptr && next->is_flight()) set.bounds.front() = equal(0.0);
+    set.bounds.assign(set.values.size(), {0.0, kGreatestForce_N});
+    set.bounds.front() = within(kGreatestForce_N);
     set.scales.assign(set.values.size(), kForce_N);
     return add(std::move(set));
   }
@@ -314,12 +307,8 @@ class Builder {
                    : add_velocities({"free", {}}, last_before(phase), false);
       }
       point.acceleration = add_accelerations(mesh.stance, guess, at_rest);
-      // Motors do not jump; what a replay does a moment early or late is then nearly the same.
-      static const bool cont_all=getenv("CA"), cont=getenv("CN"), rel=getenv("REL");
-      point.drives = joins && ((cont&&!variables.has_impact)||cont_all) ? before->drives : add_drive_torques(guess);
-      const bool releases = rel && i + 1 == points && phase + 1 < out_.mesh.size() && (getenv("RELF")==nullptr||stance(phase+1).is_flight());
-      point.forces =
-          add_contact_forces(mesh.stance, guess, releases ? &stance(phase + 1) : nullptr);
+      point.drives = add_drive_torques(guess);
+      point.forces = add_contact_forces(mesh.stance, guess);
       point.bus = add_bus(guess);
       variables.points.push_back(point);
     }

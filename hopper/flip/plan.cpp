@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "hopper/flip/binding.hpp"
@@ -29,6 +28,7 @@ using optimization::NonlinearStatus;
 constexpr double kTolerance = 1e-6;      // of scaled rows and optimality
 constexpr double kColdBarrier = 0.1;     // far from any solution
 constexpr double kWarmBarrier = 1e-2;    // near one: smaller ones stalled at limits (trial)
+constexpr double kUnexplainedShare = 1.0; // of what `hopper check` allows, at any instant: it averages
 constexpr double kRefinedShare = 0.5;    // of the error allowed, that a finer mesh aims at
 
 /// One plan on its way, from mesh to mesh.
@@ -53,10 +53,9 @@ class Planner {
   bool is_passed() const {
     return result_.check && result_.check->check.verdict == actuator::Verdict::kPass;
   }
-  /// Of the moment that `hopper check` leaves unexplained, half: samples fall between.
+  /// Of a moment that nothing explains, as `hopper check` has it.
   double most_unexplained_Nm() const {
-    static const double f = std::getenv("UNX") ? std::atof(std::getenv("UNX")) : 0.5;
-    return f * options_.check.residual_share * model_.weight_N * model_.size_m;
+    return kUnexplainedShare * options_.check.residual_share * model_.weight_N * model_.size_m;
   }
   bool is_fine() const {
     return std::all_of(errors_.begin(), errors_.end(), [this](const PhaseError& error) {
@@ -128,18 +127,8 @@ bool Planner::take_round(const PlannedMotion& guess, double barrier) {
   result_.largest_violation = solution.largest_violation;
   result_.plan = motion_of(program, model_, solution.values);
   result_.binding = binding_constraints(program, result_.plan, solution);
-  if (std::getenv("DBG")) {
-    std::vector<std::pair<double,std::string>> worst;
-    for(auto&r:program.program.rows()){ auto x=optimization::gathered(*r,solution.values); Eigen::VectorXd v(r->size()); r->values(x,v); for(int i=0;i<v.size();++i){ double e=std::max({0.0,r->bounds()[static_cast<std::size_t>(i)].lower-v[i],v[i]-r->bounds()[static_cast<std::size_t>(i)].upper})/r->scales()[static_cast<std::size_t>(i)]; if(e>1e-4) worst.push_back({e,fmt::format("{} row {} value {}",r->name(),i,v[i])});} }
-    std::sort(worst.rbegin(),worst.rend()); for(std::size_t i=0;i<std::min<std::size_t>(10,worst.size());++i) fmt::print(stderr,"   {:.2e} {}\n",worst[i].first,worst[i].second);
-  }
   errors_ = integration_errors(model_.plane, stances_, result_.plan);
   for (const PhaseError& error : errors_) {
-    if (std::getenv("DBG")) {
-      double sum = 0, most = 0;
-      for (double e : error.interval_rad) { sum += e; most = std::max(most, e); }
-      fmt::print(stderr, "   whole {:.1e} sum {:.1e} worst {:.1e} unexplained {:.2f} n {}\n", error.whole_rad, sum, most, error.greatest_unexplained_Nm(), error.interval_rad.size());
-    }
     round.integration_error_rad = std::max(round.integration_error_rad, error.whole_rad);
   }
   result_.integration_error_rad = round.integration_error_rad;

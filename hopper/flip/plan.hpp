@@ -29,7 +29,7 @@ std::string_view name_of(PlanStatus status);
 
 /// What a plan keeps away from limits, so that a replay has something left to steer with.
 struct PlanMargins {
-  double voltage = 0.05;              ///< Of the bus voltage that a region is asked at.
+  double voltage = 0.02;              ///< Of the bus voltage that a region is asked at.
   double current = 0.08;              ///< Of the region's bound where current is what limits.
   double friction = 0.15;             ///< Of each point's friction coefficient.
   double center_of_pressure = 0.1;    ///< Of the foot's length, from either end.
@@ -61,7 +61,7 @@ struct PlanOptions {
   std::vector<std::string> stances;            ///< "flat", "heel", "flight", ...; empty: the task's.
   std::vector<WeightedObjective> objectives;   ///< Empty: the task's.
   PlanMargins margins;
-  int intervals = 100;                         ///< Of the first mesh, all phases together.
+  int intervals = 180;                         ///< Of the first mesh, all phases together.
   double most_error_rad = 2e-3;                ///< Of a phase, by an independent integrator.
   int most_rounds = 6;                         ///< Meshes after the first.
   double most_seconds = 600.0;

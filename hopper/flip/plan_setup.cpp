@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 namespace torquewright::hopper {
@@ -12,27 +11,29 @@ namespace {
 using Eigen::Index;
 using optimization::Bounds;
 
-static double envd(const char* n,double d){const char*v=getenv(n);return v?atof(v):d;}
-static const Bounds kStanding_s{0.2, envd("HS",0.6)};
-static const Bounds kTipping_s{0.02, envd("HT",0.15)};
-constexpr Bounds kFlight_s{0.05, 0.8};
-// Shares of the intervals: where contacts change, torques do so fastest (trial: a push-off cut
-// coarsely found motions that are none).
-constexpr double kStandingShare = 16.0;
-constexpr double kTippingShare = 24.0;
-constexpr double kFlightShare = 20.0;
-constexpr std::size_t kFewestIntervals = 4;  // of a phase
-
+/// How long a phase may last, and its share of the intervals.
 struct Kind {
   Bounds duration_s;
   double share;
 };
+// Long enough for a robot of a metre to gather itself and to come to rest; the last one short
+// enough that it does not creep: a replay falls while it does (trial: 1.6 s fell, 1.0 s stood).
+constexpr Kind kFirst{{0.2, 0.8}, 20.0};
+constexpr Kind kLast{{0.4, 1.0}, 40.0};
+// Where contacts change, torques do so fastest (trial: a push-off cut coarsely found motions that
+// are none). A push-off on an edge that lasts has the foot hover: there the whole sole stands.
+constexpr Kind kPushOff{{0.02, 0.15}, 30.0};
+constexpr Kind kLanding{{0.02, 0.3}, 30.0};
+constexpr Kind kFlight{{0.05, 0.8}, 60.0};
+constexpr std::size_t kFewestIntervals = 4;  // of a phase
 
 Kind kind_of(const std::vector<Stance>& stances, std::size_t phase) {
-  if (stances[phase].is_flight()) return {kFlight_s, envd("SF",60)};
-  if (phase == 0) return {{0.2, envd("HA", 0.8)}, envd("SA",20)};
-  if (phase + 1 == stances.size()) return {{0.4, envd("HZ", 2.0)}, envd("SZ",40.0)};
-  return {{0.02, phase==1 ? envd("H1",0.3) : envd("H3",0.3)}, phase==1?envd("S1",30):envd("S3",30)};
+  if (stances[phase].is_flight()) return kFlight;
+  if (phase == 0) return kFirst;
+  if (phase + 1 == stances.size()) return kLast;
+  const auto flight = std::find_if(stances.begin(), stances.end(),
+                                   [](const Stance& one) { return one.is_flight(); });
+  return stances.begin() + static_cast<std::ptrdiff_t>(phase) < flight ? kPushOff : kLanding;
 }
 
 std::vector<double> even_knots(std::size_t intervals) {

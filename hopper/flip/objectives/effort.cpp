@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdlib>
 #include "hopper/flip/jet_rows.hpp"
 #include "hopper/flip/objectives/every_objective.hpp"
 
@@ -34,12 +33,11 @@ Costs objective_rows(const PlanModel& model, const PlanOptions&, FlipProgram& pr
                                   phase.points[2 * i + 2].drives + at, phase.duration},
                                  {{}}, {1.0},
                                  EffortLaw{knots[i + 1] - knots[i],
-                                           (*model.regions)[d].greatest_torque_Nm(), std::getenv("SM") ? std::atof(std::getenv("SM")) : 1e-5, std::getenv("CH") ? std::atof(std::getenv("CH")) : 1e-2}));
+                                           (*model.regions)[d].greatest_torque_Nm(), 1e-5, 1e-3}));
       }
     }
   }
-  const double ac = std::getenv("AC") ? std::atof(std::getenv("AC")) : 1e-3;
-  const double je = std::getenv("JE") ? std::atof(std::getenv("JE")) : 0.0;
+  const double ac = 1e-3;
   for (std::size_t p = 0; p < program.phases.size(); ++p) {
     const PhaseVariables& phase = program.phases[p];
     const auto& knots = program.mesh[p].knots;
@@ -50,7 +48,7 @@ Costs objective_rows(const PlanModel& model, const PlanOptions&, FlipProgram& pr
                                  {phase.points[2 * i].acceleration + at, phase.points[2 * i + 1].acceleration + at,
                                   phase.points[2 * i + 2].acceleration + at, phase.duration},
                                  {{}}, {1.0},
-                                 EffortLaw{ac * (knots[i + 1] - knots[i]), 100.0, je*ac, std::getenv("CHA") ? std::atof(std::getenv("CHA")) : 1e-3}));
+                                 EffortLaw{ac * (knots[i + 1] - knots[i]), 100.0, 0.0, 0.0}));
       }
     }
   }
