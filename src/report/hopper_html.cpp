@@ -125,9 +125,9 @@ class Page {
     if (page_.motion.has_base) figure_ = moving_figure(page_, samples_);
   }
 
-  std::string html() const {
+  std::string html(const std::string& on_top) const {
     const ChartSource source{page_, series_, violations_};
-    std::string text = head(page_) + cursor_player(hopper_track(source));
+    std::string text = head(page_) + on_top + cursor_player(hopper_track(source));
     text += page_section("The motion", stage(source));
     text += page_section("Torque and speed in each region",
                          drives_table(page_) + region_charts(source));
@@ -198,6 +198,8 @@ class Page {
 
 }  // namespace
 
-std::string hopper_html(const HopperPage& page) { return Page(page).html(); }
+std::string hopper_html(const HopperPage& page, const std::string& on_top) {
+  return Page(page).html(on_top);
+}
 
 }  // namespace torquewright::report
