@@ -22,7 +22,8 @@ std::string number(double value) { return fmt::format("{:.4g}", value); }
 /// Nothing of no rows.
 std::string table_of(const char* caption, const std::vector<std::string>& headings,
                      const Rows& rows) {
-  return rows.empty() ? "" : page_table(caption, headings, rows);
+  return rows.empty() ? ""
+                      : fmt::format("<h3>{}</h3>\n", caption) + page_table(caption, headings, rows);
 }
 
 std::string phases_table(const PlannedMotion& plan) {
@@ -70,14 +71,37 @@ std::string changes_list(const std::vector<ChangeTried>& changes) {
   return text + "</ul>\n";
 }
 
-std::string plan_section(const PlanOptions& options, const PlanResult& result) {
-  std::string text = "<p><strong>" + escaped(verdict_words(options, result)) + "</strong></p>\n";
-  for (const std::string& words :
-       {proof_words(result), task_words(options, result), flight_words(result)}) {
-    if (!words.empty()) text += "<p>" + escaped(words) + "</p>\n";
+/// The verdict's class in the stylesheet.
+const char* style_of(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kPlanned:
+      return "pass";
+    case PlanStatus::kLocallyInfeasible:
+      return "fail";
+    default:
+      return "undecided";
   }
-  return page_section("The plan", text + phases_table(result.plan) +
-                                      margins_table(result.least_margins) +
+}
+
+std::string words_of(PlanStatus status) {
+  std::string words(name_of(status));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string plan_sections(const Robot& robot, const PlanOptions& options,
+                          const PlanResult& result) {
+  std::string text =
+      fmt::format("<section>\n<h1>{}: a {}? <span class=\"badge {}\">{}</span></h1>\n<p>{}</p>\n",
+                  escaped(robot.name), name_of(options.task), style_of(result.status),
+                  words_of(result.status), escaped(verdict_words(options, result)));
+  for (const std::string& line :
+       {proof_words(result), task_words(options, result), flight_words(result)}) {
+    if (!line.empty()) text += "<p>" + escaped(line) + "</p>\n";
+  }
+  text += "</section>\n";
+  return text +
+         page_section("The plan", phases_table(result.plan) + margins_table(result.least_margins) +
                                       binding_table(result.binding) + rounds_table(result.rounds) +
                                       changes_list(result.changes));
 }
@@ -85,14 +109,15 @@ std::string plan_section(const PlanOptions& options, const PlanResult& result) {
 }  // namespace
 
 std::string flip_html(const Robot& robot, const PlanOptions& options, const PlanResult& result) {
-  const std::string section = plan_section(options, result);
-  if (result.check && result.motion.samples() > 0) {
-    const std::vector<CandidateResult> none;
-    return hopper_html({robot, result.motion, options.check, *result.check, none}, section);
+  PageHead head{fmt::format("{}: {}", robot.name, words_of(result.status)),
+                plan_sections(robot, options, result)};
+  if (!result.check || result.motion.samples() == 0) {
+    return cursor_page_begin(head.title, "") + head.sections + cursor_page_end("");
   }
-  return cursor_page_begin(fmt::format("{}: {}", robot.name, name_of(result.status)), "") +
-         fmt::format("<section>\n<h1>{}: a plan?</h1>\n</section>\n", escaped(robot.name)) +
-         section + cursor_page_end("");
+  const std::vector<CandidateResult> none;
+  const HopperPage page{robot, result.motion, options.check, *result.check, none};
+  head.sections += checked_head(page).sections;
+  return hopper_html(page, head);
 }
 
 }  // namespace torquewright::report

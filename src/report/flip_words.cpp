@@ -39,13 +39,15 @@ std::string verdict_words(const PlanOptions& options, const PlanResult& result) 
 }
 
 std::string proof_words(const PlanResult& result) {
+  const std::string closest =
+      result.plan.phases.empty() ? "" : "; what follows is the motion that comes closest";
   switch (result.status) {
     case PlanStatus::kPlanned:
       return "";
     case PlanStatus::kLocallyInfeasible:
-      return "no proof that there is no plan: from this guess none was found";
+      return "no proof that there is no plan: from this guess none was found" + closest;
     default:
-      return "neither a plan nor a proof that there is none: the search had not ended";
+      return "neither a plan nor a proof that there is none: the search had not ended" + closest;
   }
 }
 
