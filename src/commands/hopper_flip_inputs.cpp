@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/commands/hopper_flip_inputs.hpp"
 
-#include <fmt/format.h>
-
-#include "actuator/region/joint_region.hpp"
-#include "io/refusal.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
 
 namespace torquewright::cli {
@@ -13,20 +9,6 @@ namespace {
 hopper::PlanTask task_of(const std::string& name) {
   if (name == "jump") return hopper::PlanTask::kJump;
   return name == "hop" ? hopper::PlanTask::kHop : hopper::PlanTask::kFlip;
-}
-
-void require_torque_at_rest(const hopper::Robot& robot,
-                            const actuator::OperatingConditions& conditions) {
-  for (const hopper::Drivetrain& drivetrain : robot.drivetrains) {
-    for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
-      const actuator::Region region(drivetrain.actuators[i], conditions);
-      if (!region.at(0.0).is_empty) continue;
-      io::refuse(drivetrain.actuator_files[i],
-                 fmt::format("has no torque at rest under these conditions: drive \"{}\" can hold "
-                             "nothing, and there is nothing to plan",
-                             drivetrain.actuator_names[i]));
-    }
-  }
 }
 
 std::unique_ptr<hopper::Motion> read_warm(const HopperFlipRequest& request,
@@ -51,7 +33,6 @@ HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request) {
   inputs.robot = hopper::read_robot(request.warm.robot_file);
   plan.check = check_options(request.warm, inputs.robot);
   plan.check.keep_traces = !request.report_file.empty();
-  require_torque_at_rest(inputs.robot.robot, plan.check.conditions);
   inputs.warm = read_warm(request, inputs);
   plan.warm = inputs.warm.get();
   plan.warm_file = request.warm.trajectory_file;

@@ -18,8 +18,7 @@ struct HopperFlipInputs {
   hopper::PlanOptions plan;              ///< Points to `warm`.
 };
 
-/// Reads all documents and the motion to begin from. Throws io::SpecError, also where a drive has
-/// no torque at rest under the conditions that are asked for.
+/// Reads all documents and the motion to begin from. Throws io::SpecError.
 HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request);
 
 }  // namespace torquewright::cli
