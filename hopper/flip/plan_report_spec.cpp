@@ -44,9 +44,6 @@ ordered_json flight_json(const PlanResult& result) {
   const auto rise_m = rise_of(result);
   return {{"from_s", phase->begin_s()},
           {"until_s", phase->end_s()},
-          {"angular_momentum_Nm_s", or_null(result.angular_momentum_Nm_s)},
-          {"take_off_rad_s", or_null(result.take_off_rad_s)},
-          {"peak_rad_s", or_null(result.peak_rad_s)},
           {"rise_m", rise_m ? or_null(*rise_m) : nullptr}};
 }
 
@@ -109,32 +106,37 @@ ordered_json changes_json(const std::vector<ChangeTried>& changes) {
 }
 
 ordered_json check_json(const PlanResult& result) {
-  if (!result.check) return nullptr;
-  return {{"verdict", actuator::name_of(result.check->check.verdict)},
-          {"transmission_load", transmission_load_json(result.check->transmission_loads)},
-          {"contact_load", contact_load_json(result.check->contact_loads)}};
+  return result.check ? hopper_report_json(*result.check) : ordered_json();
+}
+
+/// Of a flight; null where nothing flies.
+ordered_json in_flight(const PlanResult& result, double value) {
+  return longest_flight(result.plan) == nullptr ? ordered_json() : or_null(value);
 }
 
 }  // namespace
 
 ordered_json plan_report_json(const PlanOptions& options, const PlanResult& result,
                               PlanSeconds seconds) {
-  return {{"kind", "flip_report"},
+  return {{"kind", "plan_report"},
           {"version", 1},
           {"status", name_of(result.status)},
           {"reason", result.reason},
           {"task", name_of(options.task)},
           {"limits", name_of(options.limits)},
-          {"phases", phases_json(result.plan)},
-          {"flight", flight_json(result)},
           {"objective", or_null(result.objective)},
-          {"objectives", objectives_json(result.objectives)},
-          {"least_margins", margins_json(result.least_margins)},
-          {"binding", binding_json(result.binding)},
-          {"check", check_json(result)},
           {"iterations", result.iterations},
           {"largest_violation", or_null(result.largest_violation)},
           {"integration_error_rad", or_null(result.integration_error_rad)},
+          {"cam_kg_m2_s", in_flight(result, result.angular_momentum_Nm_s)},
+          {"cav_take_off_rad_s", in_flight(result, result.take_off_rad_s)},
+          {"cav_peak_rad_s", in_flight(result, result.peak_rad_s)},
+          {"check", check_json(result)},
+          {"least_margins", margins_json(result.least_margins)},
+          {"binding", binding_json(result.binding)},
+          {"phases", phases_json(result.plan)},
+          {"flight", flight_json(result)},
+          {"objectives", objectives_json(result.objectives)},
           {"rounds", rounds_json(result.rounds, seconds)},
           {"changes", changes_json(result.changes)}};
 }

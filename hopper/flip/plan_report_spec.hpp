@@ -10,7 +10,7 @@ namespace torquewright::hopper {
 /// Whether a report states how long its rounds took: then two runs differ in bytes.
 enum class PlanSeconds { kLeftOut, kStated };
 
-/// A document of kind `flip_report` without its provenance ("tool", "inputs", "options"). What is
+/// A document of kind `plan_report` without its provenance ("tool", "inputs", "options"). What is
 /// not known or not finite is null.
 nlohmann::ordered_json plan_report_json(const PlanOptions& options, const PlanResult& result,
                                         PlanSeconds seconds);

@@ -7,7 +7,7 @@
 
 namespace torquewright::cli {
 
-/// The answer of `hopper flip` as a document of kind flip_report.
+/// The answer of `hopper flip` as a document of kind plan_report.
 std::string hopper_flip_json(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
                              const hopper::PlanResult& result);
 
