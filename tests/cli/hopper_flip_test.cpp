@@ -114,5 +114,59 @@ TEST_F(HopperFlip, RefusesConditionsThatTheDocumentsDoNotKnow) {
   expect_refusal({"--bus-voltage", "60", "--state-of-charge", "0.5"}, "one sets the other");
 }
 
+// A jump on a coarse mesh: what is written is a plan by `hopper check`, told nothing more; twice
+// the same bytes.
+TEST_F(HopperFlip, WritesAMotionThatTheCheckPasses) {
+  const Words jump{"--task",    "jump",      "--intervals",  "20",       "--bus-voltage",
+                   "60",        "--json",    "--write-best", "best.csv", "--report",
+                   "page.html", "--figures", "figures.svg"};
+  const Outcome planned = run(jump);
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  EXPECT_EQ(planned.err, "");
+  const json report = json::parse(planned.out);
+  EXPECT_NO_THROW(io::check_document(report, "plan_report", "report", ""));
+  EXPECT_EQ(report["status"], "planned");
+  EXPECT_EQ(report["task"], "jump");
+  EXPECT_EQ(report["options"]["intervals"], 20);
+  EXPECT_EQ(report["options"]["bus_voltage_V"], 60.0);
+  EXPECT_EQ(report["options"].size(), 2u) << report["options"];
+  EXPECT_EQ(report["inputs"][0]["path"], "specs/robot/hopper.json");
+  EXPECT_FALSE(place_.has("best.csv")) << "there is a plan";
+  EXPECT_NE(place_.text("page.html").find(">planned</span>"), std::string::npos);
+  EXPECT_TRUE(place_.text("figures.svg").ends_with("</svg>\n"));
+  const Outcome checked =
+      place_.run({"hopper", "check", "specs/robot/hopper.json", "plan.csv", "--bus-voltage", "60"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+
+  const auto files = place_.files();
+  EXPECT_EQ(run(jump).out, planned.out);
+  EXPECT_EQ(place_.files(), files);
+}
+
+// What ended early is no plan: exit code 3, and no motion that could be taken for one.
+TEST_F(HopperFlip, EndsOnCtrlCWithoutAMotion) {
+  place_.here.interrupt_after = std::chrono::milliseconds(200);
+  const Outcome outcome = run({"--json", "--plot-momentum", "momentum.svg"});
+  if (outcome.err.find("not installed") != std::string::npos) GTEST_SKIP() << "no gnuplot";
+  ASSERT_EQ(outcome.exit_code, 3) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_NO_THROW(io::check_document(report, "plan_report", "report", ""));
+  EXPECT_EQ(report["status"], "limit");
+  EXPECT_NE(report["reason"], "");
+  EXPECT_FALSE(place_.has("plan.csv"));
+  EXPECT_FALSE(place_.has("momentum.svg"));
+  EXPECT_NE(outcome.err.find("plan.csv: not written, there is no plan"), std::string::npos);
+  EXPECT_NE(outcome.err.find("momentum.svg: not written"), std::string::npos);
+}
+
+// Ten milliseconds are no time: whatever there is by then is no plan either.
+TEST_F(HopperFlip, EndsAtItsTimeLimit) {
+  const Outcome outcome = run({"--time-limit", "0.01"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("limit: ")) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nnext: --time-limit 0.02 "), std::string::npos) << outcome.out;
+  EXPECT_FALSE(place_.has("plan.csv"));
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test
