@@ -17,6 +17,7 @@
 #include "src/report/hopper_html.hpp"
 #include "src/report/hopper_plots.hpp"
 #include "src/report/hopper_text.hpp"
+#include "src/report/momentum_plot.hpp"
 #include "src/report/stick_figures.hpp"
 #include "src/standard_output.hpp"
 
@@ -59,6 +60,11 @@ std::vector<io::FileContent> pictures(const HopperCheckRequest& request,
     add(request.loads_file,
         drawn(report::loads_plot(report::plot_format(request.loads_file), page), "--plot-loads"));
   }
+  if (!request.momentum_file.empty()) {
+    add(request.momentum_file,
+        drawn(report::momentum_plot(report::plot_format(request.momentum_file), page),
+              "--plot-momentum"));
+  }
   if (!request.figures_file.empty()) {
     add(request.figures_file, report::stick_figures(page));
   }
@@ -69,18 +75,21 @@ std::vector<io::FileContent> pictures(const HopperCheckRequest& request,
 }  // namespace
 
 void require_outputs(const HopperCheckRequest& request) {
-  for (const std::string* file : {&request.plot_file, &request.loads_file}) {
+  for (const std::string* file :
+       {&request.plot_file, &request.loads_file, &request.momentum_file}) {
     if (!file->empty()) report::plot_format(*file);
   }
   if (!request.plot_file.empty()) report::require_gnuplot("--plot");
   if (!request.loads_file.empty()) report::require_gnuplot("--plot-loads");
+  if (!request.momentum_file.empty()) report::require_gnuplot("--plot-momentum");
   check_output_files(request);
 }
 
 void check_output_files(const HopperCheckRequest& request) {
-  io::check_outputs(named({request.plot_file, request.loads_file, request.figures_file,
-                           request.report_file, request.series_file, request.output_file}),
-                    {request.robot_file, request.trajectory_file});
+  io::check_outputs(
+      named({request.plot_file, request.loads_file, request.momentum_file, request.figures_file,
+             request.report_file, request.series_file, request.output_file}),
+      {request.robot_file, request.trajectory_file});
 }
 
 void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
