@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The only file that includes Ipopt for nonlinear programs; of the search over discrete designs it
 // is discrete/ipopt_relaxation.cpp.
+#include "optimization/nonlinear/ipopt_program.hpp"
+
 #include <algorithm>
-#include <cmath>
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpTNLP.hpp>
 #include <exception>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
-
-#include "optimization/nonlinear/search.hpp"
 
 namespace torquewright::optimization {
 namespace {
@@ -111,19 +113,20 @@ class SparseProblem final : public Ipopt::TNLP {
                              Number violation, Number, Number, Number, Number, Number, Number,
                              Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
-    if (thrown_) return false;
-    end_.iterations = iteration;
-    interruption_ = search_.interruption();
-    if (interruption_) return false;
-    if (!search_.options().on_iterate) return true;
-    NonlinearIterate iterate{iteration, objective * search_.assembly().objective_scale(),
-                             violation};
-    if (mode == Ipopt::RestorationPhaseMode) {  // its objective is another
-      iterate.objective = search_.last().objective;
-      iterate.largest_violation = search_.last().largest_violation;
-    }
-    search_.options().on_iterate(iterate);
-    return true;
+    return guarded([&] {
+      end_.iterations = iteration;
+      interruption_ = search_.interruption();
+      if (interruption_) return false;
+      if (!search_.options().on_iterate) return true;
+      NonlinearIterate iterate = search_.last_finite();
+      iterate.iteration = iteration;
+      if (mode == Ipopt::RegularMode) {  // else objective and violation are another problem's
+        iterate.objective = objective * search_.assembly().objective_scale();
+        iterate.largest_violation = violation;
+      }
+      search_.options().on_iterate(iterate);
+      return true;
+    });
   }
 
   void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*,
@@ -161,25 +164,38 @@ class SparseProblem final : public Ipopt::TNLP {
   std::exception_ptr thrown_;
 };
 
+/// Ipopt's list takes no note of what it does not know.
+void require_known(bool is_known, const std::string& option) {
+  if (!is_known) throw std::logic_error("Ipopt does not take option " + option);
+}
+
 void set_options(Ipopt::OptionsList& list, const NonlinearOptions& options) {
-  const double tolerance = options.tolerance;
-  list.SetIntegerValue("print_level", 0);
-  list.SetStringValue("sb", "yes");
-  list.SetStringValue("linear_solver", "mumps");
-  list.SetStringValue("mu_strategy", "monotone");
-  list.SetNumericValue("mu_init", options.first_barrier);
-  list.SetNumericValue("bound_push", std::min(kMostPush, options.first_barrier));
-  list.SetNumericValue("slack_bound_push", std::min(kMostPush, options.first_barrier));
-  list.SetNumericValue("tol", tolerance);
-  list.SetNumericValue("constr_viol_tol", tolerance);
-  list.SetNumericValue("acceptable_tol", kAcceptableFactor * tolerance);
-  list.SetIntegerValue("acceptable_iter", kAcceptableIterations);
-  list.SetIntegerValue("max_iter", options.most_iterations);
+  const auto set_name = [&](const std::string& option, const std::string& value) {
+    require_known(list.SetStringValue(option, value), option);
+  };
+  const auto set_number = [&](const std::string& option, double value) {
+    require_known(list.SetNumericValue(option, value), option);
+  };
+  const auto set_count = [&](const std::string& option, int value) {
+    require_known(list.SetIntegerValue(option, value), option);
+  };
+  set_count("print_level", 0);
+  set_name("sb", "yes");
+  set_name("linear_solver", "mumps");
+  set_name("mu_strategy", "monotone");
+  set_number("mu_init", options.first_barrier);
+  set_number("bound_push", std::min(kMostPush, options.first_barrier));
+  set_number("slack_bound_push", std::min(kMostPush, options.first_barrier));
+  set_number("tol", options.tolerance);
+  set_number("constr_viol_tol", options.tolerance);
+  set_number("acceptable_tol", kAcceptableFactor * options.tolerance);
+  set_count("acceptable_iter", kAcceptableIterations);
+  set_count("max_iter", options.most_iterations);
   // Assembly scales, so that every tolerance is one of scaled quantities.
-  list.SetStringValue("nlp_scaling_method", "none");
+  set_name("nlp_scaling_method", "none");
   // Rows are defined within the bounds alone.
-  list.SetNumericValue("bound_relax_factor", 0.0);
-  list.SetStringValue("fixed_variable_treatment", "make_parameter");
+  set_number("bound_relax_factor", 0.0);
+  set_name("fixed_variable_treatment", "make_parameter");
 }
 
 NonlinearStatus status_of(Ipopt::ApplicationReturnStatus status) {
