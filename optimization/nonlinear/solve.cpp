@@ -21,19 +21,6 @@ void require_sound(const NonlinearOptions& options) {
       "negative");
 }
 
-int equations_in(const Program& program) {
-  int count = 0;
-  for (const auto& rows : program.rows()) {
-    for (const auto& [lower, upper] : rows->bounds()) count += lower == upper;
-  }
-  return count;
-}
-
-int free_unknowns_in(const Program& program) {
-  const auto is_free = [](const Bounds& bounds) { return bounds.lower != bounds.upper; };
-  return static_cast<int>(std::count_if(program.bounds().begin(), program.bounds().end(), is_free));
-}
-
 std::vector<double> scaled_starts(const Program& program) {
   std::vector<double> scaled = program.starts();
   for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] /= program.scales()[i];
@@ -45,8 +32,8 @@ std::optional<NonlinearStatus> status_without_steps(Search& search,
                                                     const std::vector<double>& starts) {
   const Evaluation& start = search.at(starts);
   if (!start.is_finite) return NonlinearStatus::kBadNumbers;
-  const int freedom = free_unknowns_in(search.program());
-  if (equations_in(search.program()) > freedom) return NonlinearStatus::kOverdefined;
+  const int freedom = search.program().free_variable_count();
+  if (search.program().equation_count() > freedom) return NonlinearStatus::kOverdefined;
   if (const auto interruption = search.interruption()) return interruption;
   if (freedom > 0) return std::nullopt;
   const bool holds = start.largest_violation <= search.options().tolerance;
