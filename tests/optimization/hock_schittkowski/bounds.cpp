@@ -8,11 +8,18 @@
 namespace torquewright::optimization {
 namespace {
 
-/// A root of 2 b x^3 - ... : of HS2, where Rosenbrock's valley meets x2 = 1.5.
-double root_of_hs2() {
+/// Where Rosenbrock's function is stationary along x2 = 1.5: a root of 400 x^3 - 598 x - 2, of
+/// which there are three (0, 1, 2).
+double root_of_hs2(int which) {
   const double a = std::sqrt(598.0 / 1200.0);
   const double b = 400.0 * a * a * a;
-  return 2.0 * a * std::cos(std::acos(1.0 / b) / 3.0);
+  return 2.0 * a * std::cos((std::acos(1.0 / b) + 2.0 * std::numbers::pi * which) / 3.0);
+}
+
+/// The root that is a minimum and not the least one.
+double other_optimum_of_hs2() {
+  const double x = root_of_hs2(1);
+  return 100.0 * (1.5 - x * x) * (1.5 - x * x) + (1.0 - x) * (1.0 - x);
 }
 
 /// Colville's fourth.
@@ -39,7 +46,8 @@ std::vector<PublishedProblem> problems_with_bounds() {
       hs(1, {-2.0, 1.0}, {kFree, {-1.5, kInfinity}}).minimise(kRosenbrock).has(0.0, {1.0, 1.0}),
       hs(2, {-2.0, 1.0}, {kFree, {1.5, kInfinity}})
           .minimise(kRosenbrock)
-          .has(0.0504261879, {root_of_hs2(), 1.5}),
+          .has(0.0504261879, {root_of_hs2(0), 1.5})
+          .ending_at(other_optimum_of_hs2()),
       hs(3, {10.0, 1.0}, {kFree, kNotNegative})
           .minimise([](auto x) { return x(2) + 1e-5 * square(x(2) - x(1)); })
           .has(0.0, {0.0, 0.0}),

@@ -8,9 +8,6 @@
 namespace torquewright::optimization {
 namespace {
 
-const double kRoot2 = std::numbers::sqrt2;
-const double kRoot3 = std::numbers::sqrt3;
-
 std::vector<PublishedProblem> of_two_unknowns() {
   using std::numbers::pi;
   const double of_hs8 = std::sqrt((25.0 + std::sqrt(301.0)) / 2.0);
@@ -49,7 +46,8 @@ std::vector<PublishedProblem> of_three_or_four_unknowns() {
           .minimise([](auto x) { return square(x(1) - x(2)) + fourth(x(2) - x(3)); })
           .subject_to({kZero},
                       [](auto x) { return list((1.0 + square(x(2))) * x(1) + fourth(x(3)) - 3.0); })
-          .has(0.0, {1.0, 1.0, 1.0}),
+          .has(0.0, {1.0, 1.0, 1.0})
+          .flat_to(1e-3),
       hs(27, {2.0, 2.0, 2.0}, all(3, kFree))
           .minimise([](auto x) { return 0.01 * square(x(1) - 1.0) + square(x(2) - square(x(1))); })
           .subject_to({kZero}, [](auto x) { return list(x(1) + square(x(3)) + 1.0); })
@@ -121,7 +119,8 @@ std::vector<PublishedProblem> with_linear_equations() {
                       [](auto x) {
                         return list(x(1) + x(2) + x(3) + 4.0 * x(4) - 7.0, x(3) + 5.0 * x(5) - 6.0);
                       })
-          .has(0.0, {1.0, 1.0, 1.0, 1.0, 1.0}),
+          .has(0.0, {1.0, 1.0, 1.0, 1.0, 1.0})
+          .flat_to(1e-2),
       hs(50, {35.0, -31.0, 11.0, 5.0, -5.0}, all(5, kFree))
           .minimise([](auto x) {
             return square(x(1) - x(2)) + square(x(2) - x(3)) + fourth(x(3) - x(4)) +
@@ -156,62 +155,62 @@ std::vector<PublishedProblem> with_linear_equations() {
 std::vector<PublishedProblem> with_curved_equations() {
   using std::sin;
   const double a = std::asin(std::sqrt(1.0 / 4.2)), b = std::asin(std::sqrt(5.0 / 7.2));
-  return {
-      hs(46, {0.5 * kRoot2, 1.75, 0.5, 2.0, 2.0}, all(5, kFree))
-          .minimise([](auto x) {
-            return square(x(1) - x(2)) + square(x(3) - 1.0) + fourth(x(4) - 1.0) +
-                   square(cube(x(5) - 1.0));
-          })
-          .subject_to({{1.0, 1.0}, {2.0, 2.0}},
-                      [](auto x) {
-                        return list(square(x(1)) * x(4) + sin(x(4) - x(5)),
-                                    x(2) + fourth(x(3)) * square(x(4)));
-                      })
-          .has(0.0, {1.0, 1.0, 1.0, 1.0, 1.0}),
-      hs(56, {1.0, 1.0, 1.0, a, a, a, b}, all(7, kFree))
-          .minimise([](auto x) { return -x(1) * x(2) * x(3); })
-          .subject_to(all(4, kZero),
-                      [](auto x) {
-                        return list(x(1) - 4.2 * square(sin(x(4))), x(2) - 4.2 * square(sin(x(5))),
-                                    x(3) - 4.2 * square(sin(x(6))),
-                                    x(1) + 2.0 * (x(2) + x(3)) - 7.2 * square(sin(x(7))));
-                      })
-          .has(-3.456,
-               {2.4, 1.2, 1.2, std::asin(std::sqrt(4.0 / 7.0)), std::asin(std::sqrt(2.0 / 7.0)),
-                std::asin(std::sqrt(2.0 / 7.0)), std::numbers::pi / 2.0}),
-      hs(77, {2.0, 2.0, 2.0, 2.0, 2.0}, all(5, kFree))
-          .minimise([](auto x) {
-            return square(x(1) - 1.0) + square(x(1) - x(2)) + square(x(3) - 1.0) +
-                   fourth(x(4) - 1.0) + square(cube(x(5) - 1.0));
-          })
-          .subject_to({{2.0 * kRoot2, 2.0 * kRoot2}, {8.0 + kRoot2, 8.0 + kRoot2}},
-                      [](auto x) {
-                        return list(square(x(1)) * x(4) + sin(x(4) - x(5)),
-                                    x(2) + fourth(x(3)) * square(x(4)));
-                      })
-          .has(0.24150513, {1.166172, 1.182111, 1.380257, 1.506036, 0.6109203})
-      hs(78, {-2.0, 1.5, 2.0, -1.0, -1.0}, all(5, kFree))
-          .minimise([](auto x) { return x(1) * x(2) * x(3) * x(4) * x(5); })
-          .subject_to({{10.0, 10.0}, kZero, {-1.0, -1.0}},
-                      [](auto x) {
-                        return list(square(x(1)) + square(x(2)) + square(x(3)) + square(x(4)) +
-                                        square(x(5)),
-                                    x(2) * x(3) - 5.0 * x(4) * x(5), cube(x(1)) + cube(x(2)));
-                      })
-          .has(-2.91970041, {-1.717142, 1.595708, 1.827248, -0.7636429, -0.7636435})
-      hs(79, {2.0, 2.0, 2.0, 2.0, 2.0}, all(5, kFree))
-          .minimise([](auto x) {
-            return square(x(1) - 1.0) + square(x(1) - x(2)) + square(x(2) - x(3)) +
-                   fourth(x(3) - x(4)) + fourth(x(4) - x(5));
-          })
-          .subject_to({kZero, kZero, kZero},
-                      [](auto x) {
-                        return list(x(1) + square(x(2)) + cube(x(3)) - 2.0 - 3.0 * kRoot2,
-                                    x(2) - square(x(3)) + x(4) + 2.0 - 2.0 * kRoot2,
-                                    x(1) * x(5) - 2.0);
-                      })
-          .has(0.0787768209, {1.191127, 1.362603, 1.472818, 1.635017, 1.679081})
-  };
+  return {hs(46, {0.5 * kRoot2, 1.75, 0.5, 2.0, 2.0}, all(5, kFree))
+              .minimise([](auto x) {
+                return square(x(1) - x(2)) + square(x(3) - 1.0) + fourth(x(4) - 1.0) +
+                       square(cube(x(5) - 1.0));
+              })
+              .subject_to({{1.0, 1.0}, {2.0, 2.0}},
+                          [](auto x) {
+                            return list(square(x(1)) * x(4) + sin(x(4) - x(5)),
+                                        x(2) + fourth(x(3)) * square(x(4)));
+                          })
+              .has(0.0, {1.0, 1.0, 1.0, 1.0, 1.0})
+              .flat_to(1e-2),
+          hs(56, {1.0, 1.0, 1.0, a, a, a, b}, all(7, kFree))
+              .minimise([](auto x) { return -x(1) * x(2) * x(3); })
+              .subject_to(all(4, kZero),
+                          [](auto x) {
+                            return list(x(1) - 4.2 * square(sin(x(4))),
+                                        x(2) - 4.2 * square(sin(x(5))),
+                                        x(3) - 4.2 * square(sin(x(6))),
+                                        x(1) + 2.0 * (x(2) + x(3)) - 7.2 * square(sin(x(7))));
+                          })
+              .has(-3.456,
+                   {2.4, 1.2, 1.2, std::asin(std::sqrt(4.0 / 7.0)), std::asin(std::sqrt(2.0 / 7.0)),
+                    std::asin(std::sqrt(2.0 / 7.0)), std::numbers::pi / 2.0}),
+          hs(77, {2.0, 2.0, 2.0, 2.0, 2.0}, all(5, kFree))
+              .minimise([](auto x) {
+                return square(x(1) - 1.0) + square(x(1) - x(2)) + square(x(3) - 1.0) +
+                       fourth(x(4) - 1.0) + square(cube(x(5) - 1.0));
+              })
+              .subject_to({{2.0 * kRoot2, 2.0 * kRoot2}, {8.0 + kRoot2, 8.0 + kRoot2}},
+                          [](auto x) {
+                            return list(square(x(1)) * x(4) + sin(x(4) - x(5)),
+                                        x(2) + fourth(x(3)) * square(x(4)));
+                          })
+              .has(0.24150513, {1.166172, 1.182111, 1.380257, 1.506036, 0.6109203}),
+          hs(78, {-2.0, 1.5, 2.0, -1.0, -1.0}, all(5, kFree))
+              .minimise([](auto x) { return x(1) * x(2) * x(3) * x(4) * x(5); })
+              .subject_to({{10.0, 10.0}, kZero, {-1.0, -1.0}},
+                          [](auto x) {
+                            return list(square(x(1)) + square(x(2)) + square(x(3)) + square(x(4)) +
+                                            square(x(5)),
+                                        x(2) * x(3) - 5.0 * x(4) * x(5), cube(x(1)) + cube(x(2)));
+                          })
+              .has(-2.91970041, {-1.717142, 1.595708, 1.827248, -0.7636429, -0.7636435}),
+          hs(79, {2.0, 2.0, 2.0, 2.0, 2.0}, all(5, kFree))
+              .minimise([](auto x) {
+                return square(x(1) - 1.0) + square(x(1) - x(2)) + square(x(2) - x(3)) +
+                       fourth(x(3) - x(4)) + fourth(x(4) - x(5));
+              })
+              .subject_to({kZero, kZero, kZero},
+                          [](auto x) {
+                            return list(x(1) + square(x(2)) + cube(x(3)) - 2.0 - 3.0 * kRoot2,
+                                        x(2) - square(x(3)) + x(4) + 2.0 - 2.0 * kRoot2,
+                                        x(1) * x(5) - 2.0);
+                          })
+              .has(0.0787768209, {1.191127, 1.362603, 1.472818, 1.635017, 1.679081})};
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 namespace torquewright::optimization {
 namespace {
 
-const double kRoot3 = std::numbers::sqrt3;
-
 constexpr auto kSumOfSquares = [](auto x) { return square(x(1)) + square(x(2)); };
 
 /// x* of HS11.
@@ -56,7 +54,8 @@ std::vector<PublishedProblem> without_bounds() {
   };
 }
 
-/// Rosenbrock's function over regions with several local optima.
+/// Rosenbrock's function over regions with several local optima; those that are found lie where
+/// x1 = -1/2 meets the first row's bound (HS16) or the third's (HS20).
 std::vector<PublishedProblem> in_the_valley() {
   return {
       hs(15, {-2.0, 1.0}, {{-kInfinity, 0.5}, kFree})
@@ -68,12 +67,14 @@ std::vector<PublishedProblem> in_the_valley() {
           .minimise(kRosenbrock)
           .subject_to({kNotNegative, kNotNegative},
                       [](auto x) { return list(x(1) + square(x(2)), square(x(1)) + x(2)); })
-          .has(0.25, {0.5, 0.25}),
+          .has(0.25, {0.5, 0.25})
+          .ending_at(2.25 + 100.0 * square(std::sqrt(0.5) - 0.25)),
       hs(17, {-2.0, 1.0}, {{-0.5, 0.5}, {-kInfinity, 1.0}})
           .minimise(kRosenbrock)
           .subject_to({kNotNegative, kNotNegative},
                       [](auto x) { return list(square(x(2)) - x(1), square(x(1)) - x(2)); })
-          .has(1.0, {0.0, 0.0}),
+          .has(1.0, {0.0, 0.0})
+          .flat_to(1e-4),
       hs(20, {-2.0, 1.0}, {{-0.5, 0.5}, kFree})
           .minimise(kRosenbrock)
           .subject_to(all(3, kNotNegative),
@@ -81,7 +82,8 @@ std::vector<PublishedProblem> in_the_valley() {
                         return list(x(1) + square(x(2)), square(x(1)) + x(2),
                                     square(x(1)) + square(x(2)) - 1.0);
                       })
-          .has(81.5 - 25.0 * kRoot3, {0.5, 0.5 * kRoot3}),
+          .has(81.5 - 25.0 * kRoot3, {0.5, 0.5 * kRoot3})
+          .ending_at(83.5 - 25.0 * kRoot3),
   };
 }
 
@@ -91,7 +93,8 @@ std::vector<PublishedProblem> with_bounds() {
       hs(13, {-2.0, -2.0}, all(2, kNotNegative))
           .minimise([](auto x) { return square(x(1) - 2.0) + square(x(2)); })
           .subject_to({kNotNegative}, [](auto x) { return list(cube(1.0 - x(1)) - x(2)); })
-          .has(1.0, {1.0, 0.0}),
+          .has(1.0, {1.0, 0.0})
+          .flat_to(1e-4),
       hs(18, {2.0, 2.0}, {{2, 50}, {0, 50}})
           .minimise([](auto x) { return 0.01 * square(x(1)) + square(x(2)); })
           .subject_to(

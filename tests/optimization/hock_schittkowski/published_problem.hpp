@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -33,13 +34,13 @@ struct PublishedProblem {
   std::shared_ptr<const Rows> rows;  ///< None where there are but bounds.
   double optimum = 0.0;
   std::vector<double> minimiser;  ///< A place where it is taken.
-  /// Relative to max(1, |optimum|): as far as `optimum` and `minimiser` are printed.
-  double accuracy = 1e-7;
-  /// What a search from the published start ends at, where that is another local optimum.
+  double printed = 1e-7;          ///< Relative error of `optimum` as printed.
+  /// Where a search from the published start ends: `optimum`, or another local one.
   double found = 0.0;
-  /// Relative to max(1, |found|): how far from it first-order conditions to 1e-7 may leave one.
-  double closeness = 1e-6;
-  bool has_unique_multipliers = true;
+  /// How far from `minimiser`, over max(1, |x|), a point may lie whose first-order conditions hold
+  /// to 1e-7: more where the objective is flat, of fourth or sixth order or with a multiplier of 0,
+  /// or where it was for the authors, who printed what they had computed.
+  double reach = 2e-6;
 
   template <typename Formula>
   PublishedProblem& minimise(Formula formula) {
@@ -62,20 +63,16 @@ struct PublishedProblem {
     minimiser = std::move(place);
     return *this;
   }
-  PublishedProblem& known_to(double digits) {
-    accuracy = digits;
+  PublishedProblem& printed_to(double error) {
+    printed = error;
     return *this;
   }
   PublishedProblem& ending_at(double other) {
     found = other;
     return *this;
   }
-  PublishedProblem& within(double distance) {
-    closeness = distance;
-    return *this;
-  }
-  PublishedProblem& without_unique_multipliers() {
-    has_unique_multipliers = false;
+  PublishedProblem& flat_to(double distance) {
+    reach = distance;
     return *this;
   }
 
@@ -100,9 +97,20 @@ std::vector<PublishedProblem> problems_in_space();      ///< Inequalities, three
 std::vector<PublishedProblem> problems_of_industry();   ///< Inequalities, large or badly scaled.
 std::vector<PublishedProblem> every_published_problem();
 
-// How the lists are written.
+/// Scales are 1, the base, and one over the base, in turns.
+struct OtherScales {
+  double of_variables = 1.0;
+  double of_rows = 1.0;
+  double of_cost = 1.0;  ///< There is one.
+};
+Program program_of(const PublishedProblem& problem, const std::vector<double>& start,
+                   const OtherScales& scales);
+
+// How the lists are written:
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kRoot2 = std::numbers::sqrt2;
+inline constexpr double kRoot3 = std::numbers::sqrt3;
 inline constexpr Bounds kFree = {};
 inline constexpr Bounds kZero = {0.0, 0.0};
 inline constexpr Bounds kNotNegative = {0.0, kInfinity};

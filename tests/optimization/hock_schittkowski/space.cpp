@@ -8,9 +8,6 @@
 namespace torquewright::optimization {
 namespace {
 
-const double kRoot2 = std::numbers::sqrt2;
-const double kRoot3 = std::numbers::sqrt3;
-
 constexpr auto kMinusVolume = [](auto x) { return -x(1) * x(2) * x(3); };
 constexpr auto kTwoExponentials = [](auto x) {
   return list(x(2) - exponential(x(1)), x(3) - exponential(x(2)));
@@ -45,8 +42,7 @@ std::vector<PublishedProblem> of_three_unknowns() {
           .minimise([](auto x) { return square(x(1)) + square(x(2)) + square(x(3)); })
           .subject_to({kNotNegative},
                       [](auto x) { return list(square(x(1)) + square(x(2)) - 1.0); })
-          .has(1.0, {1.0, 0.0, 0.0})
-          .without_unique_multipliers(),
+          .has(1.0, {1.0, 0.0, 0.0}),
       hs(31, {1.0, 1.0, 1.0}, {{-10, 10}, {1, 10}, {-10, 1}})
           .minimise([](auto x) { return 9.0 * square(x(1)) + square(x(2)) + 9.0 * square(x(3)); })
           .subject_to({kNotNegative}, [](auto x) { return list(x(1) * x(2) - 1.0); })
@@ -103,7 +99,7 @@ std::vector<PublishedProblem> of_four_unknowns() {
                                         2.0 * x(1) + x(2) + x(4));
                       })
           .has(-44.0, {0.0, 1.0, 2.0, -1.0}),
-      // Not convex: vertices are local optima.
+      // Not convex: vertices are local optima, such as (3, 0, 4, 0).
       hs(44, {0.0, 0.0, 0.0, 0.0}, all(4, kNotNegative))
           .minimise([](auto x) {
             return x(1) - x(2) - x(3) - x(1) * x(3) + x(1) * x(4) + x(2) * x(3) - x(2) * x(4);
@@ -114,7 +110,8 @@ std::vector<PublishedProblem> of_four_unknowns() {
                                     12.0 - 3.0 * x(1) - 4.0 * x(2), 8.0 - 2.0 * x(3) - x(4),
                                     8.0 - x(3) - 2.0 * x(4), 5.0 - x(3) - x(4));
                       })
-          .has(-15.0, {0.0, 3.0, 0.0, 4.0}),
+          .has(-15.0, {0.0, 3.0, 0.0, 4.0})
+          .ending_at(-13.0),
       hs(76, {0.5, 0.5, 0.5, 0.5}, all(4, kNotNegative))
           .minimise([](auto x) {
             return square(x(1)) + 0.5 * square(x(2)) + square(x(3)) + 0.5 * square(x(4)) -
