@@ -8,7 +8,7 @@
 #include <span>
 
 #include "optimization/nonlinear/assembly.hpp"
-#include "tests/optimization/hock_schittkowski/published_problem.hpp"
+#include "tests/optimization/nonlinear/hock_schittkowski/published_problem.hpp"
 
 namespace torquewright::optimization {
 namespace {

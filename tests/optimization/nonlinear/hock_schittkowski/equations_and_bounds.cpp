@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/optimization/hock_schittkowski/powers.hpp"
-#include "tests/optimization/hock_schittkowski/published_problem.hpp"
+#include "tests/optimization/nonlinear/hock_schittkowski/powers.hpp"
+#include "tests/optimization/nonlinear/hock_schittkowski/published_problem.hpp"
 
 namespace torquewright::optimization {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
-#include "tests/optimization/hock_schittkowski/powers.hpp"
-#include "tests/optimization/hock_schittkowski/published_problem.hpp"
+#include "tests/optimization/nonlinear/hock_schittkowski/powers.hpp"
+#include "tests/optimization/nonlinear/hock_schittkowski/published_problem.hpp"
 
 namespace torquewright::optimization {
 namespace {

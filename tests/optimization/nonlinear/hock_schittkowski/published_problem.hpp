@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/optimization/formula_rows.hpp"
+#include "tests/optimization/nonlinear/formula_rows.hpp"
 
 namespace torquewright::optimization {
 

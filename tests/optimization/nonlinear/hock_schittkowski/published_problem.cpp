@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/optimization/hock_schittkowski/published_problem.hpp"
+#include "tests/optimization/nonlinear/hock_schittkowski/published_problem.hpp"
 
 #include <cmath>
 

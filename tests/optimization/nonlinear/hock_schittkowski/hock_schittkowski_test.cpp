@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "optimization/nonlinear/solve.hpp"
-#include "tests/optimization/hock_schittkowski/published_problem.hpp"
+#include "tests/optimization/nonlinear/hock_schittkowski/published_problem.hpp"
 
 namespace torquewright::optimization {
 namespace {
