@@ -250,10 +250,18 @@ TEST(NonlinearStatus, HasANameOfItsOwn) {
 }
 
 // Oracle: the cost of the start, which the first iterate is; of the solution, which the last is.
+// The cost's scale, a power of 2, leaves no trace.
 TEST(NonlinearIterates, AreShownFromTheStartToTheEnd) {
+  Program program;
+  program.add({"x", {-2.0, 1.0}, {{}, {}}, {1.0, 1.0}});
+  const auto cost = []<typename N>(const std::vector<N>& x) {
+    return std::vector<N>{kRosenbrock2(x)};
+  };
+  program.add_cost(std::make_unique<FormulaRows<decltype(cost)>>(
+      std::vector<int>{0, 1}, std::vector<Bounds>{{}}, std::vector<double>{8.0}, cost));
   std::vector<NonlinearIterate> iterates;
   const NonlinearSolution solution =
-      solve(valley(),
+      solve(program,
             {.on_iterate = [&](const NonlinearIterate& iterate) { iterates.push_back(iterate); }});
   ASSERT_EQ(iterates.size(), static_cast<std::size_t>(solution.iterations) + 1);
   EXPECT_EQ(iterates.front().objective, kValleyStart);
