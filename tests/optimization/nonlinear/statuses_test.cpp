@@ -200,6 +200,16 @@ TEST(NonlinearStatus, BadNumbersAtTheStart) {
   EXPECT_EQ(solution.largest_violation, HUGE_VAL);
 }
 
+TEST(NonlinearStatus, BadNumbersWhereNothingIsFree) {
+  Program program;
+  program.add({"x", {0.0}, {{-1.0, -1.0}}, {1.0}});
+  program.add_rows(formula_rows({0}, {{0.0, 1.0}}, []<typename N>(const std::vector<N>& x) {
+    using std::sqrt;
+    return std::vector<N>{sqrt(x[0])};
+  }));
+  EXPECT_EQ(solve(program, {}).status, NonlinearStatus::kBadNumbers);
+}
+
 TEST(NonlinearStatus, BadNumbersOfADerivative) {
   const NonlinearSolution solution =
       solve(with_odd_cost([](double x) { return x * x; },
@@ -272,18 +282,20 @@ TEST(NonlinearIterates, AreShownFromTheStartToTheEnd) {
 }
 
 // A search that restores feasibility shows its own cost all the while, not that of restoring it.
-// Oracle: x <= 3, and the violation of x^2 <= -1 is at least 1.
+// Oracle: the cost is x, which is between -4 and 4, and the violation of x^2 <= -1 is at least 1.
 TEST(NonlinearIterates, AreOfTheProgramWhileFeasibilityIsRestored) {
-  Program program = of_one_unknown(3.0, [](const auto& x) { return x[0]; });
+  Program program;
+  program.add({"x", {3.0}, {{-4.0, 4.0}}, {1.0}});
+  program.add_cost(formula_cost({0}, [](const auto& x) { return x[0]; }));
   program.add_rows(formula_rows({0}, {{-HUGE_VAL, -1.0}}, []<typename N>(const std::vector<N>& x) {
     return std::vector<N>{x[0] * x[0]};
   }));
-  NonlinearIterate last;
-  const NonlinearSolution solution =
-      solve(program, {.on_iterate = [&](const NonlinearIterate& iterate) { last = iterate; }});
+  const auto look = [](const NonlinearIterate& iterate) {
+    EXPECT_LE(std::abs(iterate.objective), 4.0) << iterate.iteration;
+    EXPECT_GE(iterate.largest_violation, 1.0 - 1e-6) << iterate.iteration;
+  };
+  const NonlinearSolution solution = solve(program, {.on_iterate = look});
   EXPECT_EQ(solution.status, NonlinearStatus::kLocallyInfeasible);
-  EXPECT_NEAR(last.objective, 0.0, 1e-3);
-  EXPECT_NEAR(last.largest_violation, 1.0, 1e-6);
 }
 
 TEST(Nonlinear, IsDeterministic) {
