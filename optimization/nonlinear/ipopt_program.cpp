@@ -122,23 +122,18 @@ class SparseProblem final : public Ipopt::TNLP {
     });
   }
 
-  // Called in each iteration of the restoration phase too.
-  bool intermediate_callback(Ipopt::AlgorithmMode mode, Index iteration, Number objective,
-                             Number violation, Number, Number, Number, Number, Number, Number,
-                             Index, const Ipopt::IpoptData*,
+  // Called in each iteration of the restoration phase too. Ipopt's own violation is of another
+  // kind: of rows between bounds it says how far they are from their slack variables.
+  bool intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number, Number, Number, Number,
+                             Number, Number, Number, Number, Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
     return guarded([&] {
       end_.iterations = iteration;
       interruption_ = search_.interruption();
       if (interruption_) return false;
-      if (!search_.options().on_iterate) return true;
       NonlinearIterate iterate = search_.last_finite();
       iterate.iteration = iteration;
-      if (mode == Ipopt::RegularMode) {  // else objective and violation are another problem's
-        iterate.objective = objective * search_.assembly().objective_scale();
-        iterate.largest_violation = violation;
-      }
-      search_.options().on_iterate(iterate);
+      if (search_.options().on_iterate) search_.options().on_iterate(iterate);
       return true;
     });
   }

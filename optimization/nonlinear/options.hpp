@@ -6,7 +6,8 @@
 
 namespace torquewright::optimization {
 
-/// What someone who waits may see of each iteration.
+/// What someone who waits may see of each iteration: the point that was evaluated last, which is
+/// the iterate unless steps were taken back.
 struct NonlinearIterate {
   int iteration = 0;
   double objective = 0.0;

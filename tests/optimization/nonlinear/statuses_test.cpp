@@ -294,8 +294,7 @@ TEST(NonlinearIterates, AreOfTheProgramWhileFeasibilityIsRestored) {
   }));
   const auto look = [&](const NonlinearIterate& iterate) {
     ASSERT_TRUE(violations.contains(iterate.objective)) << iterate.iteration;
-    // While the row's slack variable is on its way the search counts how far it has to go.
-    EXPECT_GE(iterate.largest_violation, violations.at(iterate.objective)) << iterate.iteration;
+    EXPECT_EQ(iterate.largest_violation, violations.at(iterate.objective)) << iterate.iteration;
   };
   EXPECT_EQ(solve(program, {.on_iterate = look}).status, NonlinearStatus::kLocallyInfeasible);
 }
