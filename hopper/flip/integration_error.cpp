@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hopper/flip/sagittal_dynamics.hpp"
+#include "hopper/flip/laws.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -20,47 +20,49 @@ struct State {
   VectorXd velocity;
 };
 
-/// What the ground holds and what it gives are unknowns of one linear system.
+/// Accelerations and what the ground gives are the unknowns of one linear system: the equations of
+/// motion, and that what touches does not accelerate.
 class Forward {
  public:
   Forward(const SagittalRobot& robot, const Stance& stance)
-      : stance_(stance), dynamics_(robot), moving_(robot.moving_count()) {
-    const Index held = stance.is_flight() ? 0 : stance.is_flat() ? 3 : 2;
-    first_free_ = held;
-  }
+      : stance_(stance),
+        dynamics_(robot),
+        moving_(robot.moving_count()),
+        forces_(static_cast<Index>(stance.force_count())) {}
 
   /// Accelerations under torques at the drives; not finite where there are none.
   VectorXd operator()(const State& at, const VectorXd& drive_Nm) {
     dynamics_.set(stance_.frame(), at.position, at.velocity);
-    const Index free = moving_ - first_free_;
-    const auto forces = static_cast<Index>(stance_.force_count());
-    const VectorXd rest = residual(VectorXd::Zero(free + forces), drive_Nm);
-    Eigen::MatrixXd columns(moving_, free + forces);
-    for (Index i = 0; i < free + forces; ++i) {
-      columns.col(i) = residual(VectorXd::Unit(free + forces, i), drive_Nm) - rest;
+    const Index size = moving_ + forces_;
+    const VectorXd rest = rows(VectorXd::Zero(size), drive_Nm);
+    Eigen::MatrixXd columns(size, size);
+    for (Index i = 0; i < size; ++i) {
+      columns.col(i) = rows(VectorXd::Unit(size, i), drive_Nm) - rest;
     }
-    VectorXd acceleration = VectorXd::Zero(moving_);
-    acceleration.tail(free) = columns.partialPivLu().solve(-rest).head(free);
-    return acceleration;
+    return columns.partialPivLu().solve(-rest).head(moving_);
   }
 
  private:
-  VectorXd residual(const VectorXd& unknowns, const VectorXd& drive_Nm) {
-    const Index free = moving_ - first_free_;
-    VectorXd acceleration = VectorXd::Zero(moving_);
-    acceleration.tail(free) = unknowns.head(free);
-    std::vector<SoleForceOf<double>> forces;
-    for (std::size_t i = 0; i < stance_.points.size(); ++i) {
-      forces.push_back({stance_.points[i], i == 0 ? unknowns[free] : 0.0,
-                        unknowns[free + 1 + static_cast<Index>(i)]});
-    }
-    return dynamics_.residual(acceleration, drive_Nm, forces).head(moving_);
+  VectorXd rows(const VectorXd& unknowns, const VectorXd& drive_Nm) {
+    const VectorXd acceleration = unknowns.head(moving_);
+    VectorXd held(forces_);
+    stance_rows<double>(
+        dynamics_.robot(), stance_,
+        [&](const dynamics::BodyPoint& point) {
+          return dynamics_.acceleration_m_s2(point, acceleration);
+        },
+        held);
+    VectorXd out(moving_ + forces_);
+    out << dynamics_.residual(acceleration, drive_Nm, forces_of(stance_, unknowns, moving_))
+               .head(moving_),
+        held;
+    return out;
   }
 
   Stance stance_;
   SagittalDynamicsOf<double> dynamics_;
   Index moving_;
-  Index first_free_ = 0;
+  Index forces_;
 };
 
 State advance(const State& from, double h, const VectorXd& rate, const VectorXd& second) {
