@@ -32,6 +32,9 @@ class Forward {
 
   /// Accelerations under torques at the drives; not finite where there are none.
   VectorXd operator()(const State& at, const VectorXd& drive_Nm) {
+    if (!at.position.allFinite() || !at.velocity.allFinite()) {
+      return VectorXd::Constant(moving_, std::numeric_limits<double>::quiet_NaN());
+    }
     dynamics_.set(stance_.frame(), at.position, at.velocity);
     const Index size = moving_ + forces_;
     const VectorXd rest = rows(VectorXd::Zero(size), drive_Nm);
