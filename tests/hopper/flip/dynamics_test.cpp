@@ -205,6 +205,8 @@ struct Touch {
   Stance stance;
 };
 
+std::ostream& operator<<(std::ostream& out, const Touch& one) { return out << one.name; }
+
 class HopperLands : public HopperInItsPlane, public testing::WithParamInterface<Touch> {
  protected:
   Stance stance = GetParam().stance;

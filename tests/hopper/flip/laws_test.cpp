@@ -93,6 +93,8 @@ struct Kind {
   Stance stance;
 };
 
+std::ostream& operator<<(std::ostream& out, const Kind& one) { return out << one.name; }
+
 class Laws : public testing::TestWithParam<Kind> {
  protected:
   PlanModel model = plan_model(test::documented_robot(GetParam().robot), PlanOptions());

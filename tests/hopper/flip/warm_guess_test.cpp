@@ -74,6 +74,19 @@ TEST_F(WarmGuess, IsTheMotion) {
   EXPECT_NEAR(turned_rad, 2.0 * M_PI, 1e-6);
 }
 
+TEST_F(WarmGuess, DoesNotMindTheSignOfQuaternions) {
+  const PlannedMotion as_it_is = guess(order);
+  motion.positions.rightCols(motion.samples() / 2).middleRows<4>(3) *= -1.0;
+  const PlannedMotion turned = guess(order);
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    for (std::size_t i = 0; i < turned.phases[p].instants.size(); ++i) {
+      EXPECT_LT(
+          (turned.phases[p].instants[i].position - as_it_is.phases[p].instants[i].position).norm(),
+          1e-12);
+    }
+  }
+}
+
 TEST_F(WarmGuess, TouchesAndLoadsTheStancesPoints) {
   const PlannedMotion plan = guess(order);
   EXPECT_EQ(plan.phases[0].touches, (std::vector<bool>{true, true, true, true}));
