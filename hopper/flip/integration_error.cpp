@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hopper/flip/sagittal_dynamics.hpp"
+#include "hopper/flip/laws.hpp"
 #include "hopper/flip/sampled_motion.hpp"
 
 namespace torquewright::hopper {
@@ -21,70 +21,72 @@ struct State {
   VectorXd velocity;
 };
 
-/// What the ground holds and what it gives are unknowns of one linear system.
+/// Accelerations and what the ground gives are the unknowns of one linear system: the equations of
+/// motion, and that what touches does not accelerate.
 class Forward {
  public:
   Forward(const SagittalRobot& robot, const Stance& stance)
-      : stance_(stance), dynamics_(robot), moving_(robot.moving_count()) {
-    const Index held = stance.is_flight() ? 0 : stance.is_flat() ? 3 : 2;
-    first_free_ = held;
-  }
+      : stance_(stance),
+        dynamics_(robot),
+        moving_(robot.moving_count()),
+        forces_(static_cast<Index>(stance.force_count())) {}
 
   /// Accelerations under torques at the drives; not finite where there are none.
   VectorXd operator()(const State& at, const VectorXd& drive_Nm) {
-    dynamics_.set(stance_.frame(), at.position, at.velocity);
-    const Index free = moving_ - first_free_;
-    const auto forces = static_cast<Index>(stance_.force_count());
-    const VectorXd rest = residual(VectorXd::Zero(free + forces), drive_Nm);
-    Eigen::MatrixXd columns(moving_, free + forces);
-    for (Index i = 0; i < free + forces; ++i) {
-      columns.col(i) = residual(VectorXd::Unit(free + forces, i), drive_Nm) - rest;
+    if (!at.position.allFinite() || !at.velocity.allFinite()) {
+      return VectorXd::Constant(moving_, std::numeric_limits<double>::quiet_NaN());
     }
-    VectorXd acceleration = VectorXd::Zero(moving_);
-    acceleration.tail(free) = columns.partialPivLu().solve(-rest).head(free);
-    return acceleration;
+    dynamics_.set(stance_.frame(), at.position, at.velocity);
+    const Index size = moving_ + forces_;
+    const VectorXd rest = rows(VectorXd::Zero(size), drive_Nm);
+    Eigen::MatrixXd columns(size, size);
+    for (Index i = 0; i < size; ++i) {
+      columns.col(i) = rows(VectorXd::Unit(size, i), drive_Nm) - rest;
+    }
+    return columns.partialPivLu().solve(-rest).head(moving_);
   }
 
   /// The part of the frame's moment that no force at the points on the ground explains.
-  double unexplained_Nm(const State& at, const VectorXd& motion, const VectorXd& drive_Nm) {
+  double unexplained_Nm(const State& at, const VectorXd& acceleration, const VectorXd& drive_Nm) {
+    constexpr Index kOnOnePoint = 2;
+    if (forces_ > kOnOnePoint) return 0.0;
     dynamics_.set(stance_.frame(), at.position, at.velocity);
-    const auto count = static_cast<Index>(stance_.force_count());
     const auto frame_rows = [&](const VectorXd& forces) {
-      return dynamics_.residual(motion, drive_Nm, sole_forces(forces)).head<3>().eval();
+      return dynamics_.residual(acceleration, drive_Nm, forces_of(stance_, forces, 0))
+          .head<3>()
+          .eval();
     };
-    const Eigen::Vector3d rest = frame_rows(VectorXd::Zero(count));
-    if (count == 0) return rest[2];
-    Eigen::MatrixXd columns(3, count);
-    for (Index i = 0; i < count; ++i) {
-      columns.col(i) = frame_rows(VectorXd::Unit(count, i)) - rest;
+    const Eigen::Vector3d rest = frame_rows(VectorXd::Zero(forces_));
+    if (forces_ == 0) return rest[2];
+    Eigen::Matrix<double, 3, 2> columns;
+    for (Index i = 0; i < kOnOnePoint; ++i) {
+      columns.col(i) = frame_rows(VectorXd::Unit(forces_, i)) - rest;
     }
-    const VectorXd forces = columns.topRows<2>().leftCols<2>().partialPivLu().solve(-rest.head<2>());
-    if (count > 2) return 0.0;
+    const Eigen::Vector2d forces = columns.topRows<2>().partialPivLu().solve(-rest.head<2>());
     return rest[2] + columns.row(2).dot(forces);
   }
 
  private:
-  std::vector<SoleForceOf<double>> sole_forces(const VectorXd& values) const {
-    std::vector<SoleForceOf<double>> forces;
-    for (std::size_t i = 0; i < stance_.points.size(); ++i) {
-      forces.push_back({stance_.points[i], i == 0 ? values[0] : 0.0,
-                        values[1 + static_cast<Index>(i)]});
-    }
-    return forces;
-  }
-  VectorXd residual(const VectorXd& unknowns, const VectorXd& drive_Nm) {
-    const Index free = moving_ - first_free_;
-    VectorXd acceleration = VectorXd::Zero(moving_);
-    acceleration.tail(free) = unknowns.head(free);
-    return dynamics_
-        .residual(acceleration, drive_Nm, sole_forces(unknowns.tail(unknowns.size() - free)))
-        .head(moving_);
+  VectorXd rows(const VectorXd& unknowns, const VectorXd& drive_Nm) {
+    const VectorXd acceleration = unknowns.head(moving_);
+    VectorXd held(forces_);
+    stance_rows<double>(
+        dynamics_.robot(), stance_,
+        [&](const dynamics::BodyPoint& point) {
+          return dynamics_.acceleration_m_s2(point, acceleration);
+        },
+        held);
+    VectorXd out(moving_ + forces_);
+    out << dynamics_.residual(acceleration, drive_Nm, forces_of(stance_, unknowns, moving_))
+               .head(moving_),
+        held;
+    return out;
   }
 
   Stance stance_;
   SagittalDynamicsOf<double> dynamics_;
   Index moving_;
-  Index first_free_ = 0;
+  Index forces_;
 };
 
 State advance(const State& from, double h, const VectorXd& rate, const VectorXd& second) {

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/flip/mesh_refinement.hpp"
 
-#include <algorithm>
-#include <numeric>
-
 namespace torquewright::hopper {
 
 std::vector<double> refined(const std::vector<double>& knots, const std::vector<double>& error,
-                            double allowed, const std::vector<double>& other,
-                            double other_allowed) {
+                            double allowed) {
   const double share = allowed / static_cast<double>(error.size());
   std::vector<double> out;
   for (std::size_t i = 0; i < error.size(); ++i) {
     out.push_back(knots[i]);
-    if (error[i] > share || other[i] > other_allowed) out.push_back(0.5 * (knots[i] + knots[i + 1]));
+    if (error[i] > share) out.push_back(0.5 * (knots[i] + knots[i + 1]));
   }
   out.push_back(knots.back());
   return out;

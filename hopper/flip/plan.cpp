@@ -29,6 +29,7 @@ constexpr double kTolerance = 1e-6;      // of scaled rows and optimality
 constexpr double kColdBarrier = 0.1;     // far from any solution
 constexpr double kWarmBarrier = 1e-2;    // near one: smaller ones stalled at limits (trial)
 constexpr double kUnexplainedShare = 1.0; // of what `hopper check` allows, at any instant: it averages
+constexpr double kUnknownError_rad = std::numeric_limits<double>::infinity();
 constexpr double kRefinedShare = 0.5;    // of the error allowed, that a finer mesh aims at
 
 /// One plan on its way, from mesh to mesh.
@@ -160,13 +161,16 @@ bool Planner::refine() {
   for (std::size_t p = 0; p < mesh_.size(); ++p) {
     const PhaseError& error = errors_[p];
     const bool drifts = error.whole_rad > options_.most_error_rad;
-    const double allowed_rad =
-        drifts ? kRefinedShare * options_.most_error_rad : std::numeric_limits<double>::infinity();
-    std::vector<double> finer = refined(mesh_[p].knots, error.interval_rad, allowed_rad,
-                                        error.unexplained_Nm, most_unexplained_Nm());
+    std::vector<double> interval = error.interval_rad;
+    for (std::size_t i = 0; i < interval.size(); ++i) {
+      if (!drifts) interval[i] = 0.0;
+      if (error.unexplained_Nm[i] > most_unexplained_Nm()) interval[i] = kUnknownError_rad;
+    }
+    const double allowed_rad = kRefinedShare * options_.most_error_rad;
+    std::vector<double> finer = refined(mesh_[p].knots, interval, allowed_rad);
     // An error that no interval shows by itself grows from one to the next: all are cut.
     if (drifts && finer.size() == mesh_[p].knots.size()) {
-      finer = refined(mesh_[p].knots, error.interval_rad, 0.0, error.unexplained_Nm, 0.0);
+      finer = refined(mesh_[p].knots, error.interval_rad, 0.0);
     }
     mesh_[p].knots = std::move(finer);
   }
