@@ -7,10 +7,11 @@
 
 namespace torquewright::hopper {
 
-/// The region of a drive without losses, inductance and saturation: |torque| <= torque_Nm and
+/// The region of a drive without losses, inductance and saturation: |torque| <= both and
 /// |torque + per_speed w| <= per_volt V, everything at the joint.
 struct LinearRegion {
-  double torque_Nm = 0.0;
+  double current_Nm = 0.0;  ///< By current,
+  double gear_Nm = 0.0;     ///< and by the gear, which may carry anything.
   double per_speed_Nm_s_rad = 0.0;
   double per_volt_Nm_V = 0.0;
 };
