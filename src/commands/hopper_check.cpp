@@ -8,6 +8,7 @@
 #include "hopper/candidates/candidates.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
 #include "src/commands/hopper_check_outputs.hpp"
+#include "src/commands/hopper_check_sweep.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/verdict_code.hpp"
 #include "src/report/progress_line.hpp"
@@ -47,6 +48,7 @@ HopperCheckFound compute(const HopperCheckRequest& request, const HopperCheckInp
 }
 
 ExitCode run_hopper_check(const HopperCheckRequest& request) {
+  if (!request.sweep.axes.empty()) return run_hopper_check_sweep(request);
   require_outputs(request);
   auto [inputs, motion] = read_inputs(request);
   check_output_files(request);  // now that the robot's and the candidates' files are known
