@@ -4,22 +4,32 @@
 #include <filesystem>
 
 #include "io/direct_output.hpp"
+#include "src/sweep/ranks.hpp"
 
 namespace torquewright::cli {
 
 void add_point_options(command_line::Command& command, PointOptions& options,
                        const std::string& needed) {
-  command
-      .add_option("--jobs", options.jobs,
-                  "Processes that do it; 0: as many as the processor runs at once")
-      .integer_between(0, 256)
-      .needs(needed);
-  command
-      .add_option("--sweep-journal", options.journal_file,
-                  "Keep each answer in this file as it comes, and take those that it holds; else "
-                  "beside the output, as OUTPUT.journal")
-      .names_a_file()
-      .needs(needed);
+  command_line::Option jobs =
+      command
+          .add_option("--jobs", options.jobs,
+                      "Processes that do it; where not stated, as many as the processor runs at "
+                      "once")
+          .integer_between(1, 256);
+  command_line::Option journal =
+      command
+          .add_option("--sweep-journal", options.journal_file,
+                      "Keep each answer in this file as it comes, and take those that it holds; "
+                      "else beside the output, as OUTPUT.journal")
+          .names_a_file();
+  if (needed.empty()) return;
+  jobs.needs(needed);
+  journal.needs(needed);
+}
+
+bool asks_for_processes(const PointOptions& options) {
+  return options.jobs > 0 || !options.journal_file.empty() ||
+         sweep::ranks_by_environment().count > 1;
 }
 
 void add_sweep_options(command_line::Command& command, SweepOptions& options) {
@@ -29,7 +39,7 @@ void add_sweep_options(command_line::Command& command, SweepOptions& options) {
                   "of these; names are voltage, current, resistance, mass, ratio, of one drive "
                   "knee_ratio, as factors knee_ratio_factor")
       .one_value_each();
-  add_point_options(command, options.points, "--sweep");
+  add_point_options(command, options.points, "");
   command
       .add_option("--plot-sweep", options.plot_file,
                   "Draw the sweep as a chart, or as a map over two quantities, to this SVG or PNG")

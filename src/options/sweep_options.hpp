@@ -11,7 +11,7 @@ namespace torquewright::cli {
 
 /// How points are done, in the words of the command line.
 struct PointOptions {
-  std::size_t jobs = 0;      ///< Processes; 0: as many as the processor runs at once.
+  std::size_t jobs = 0;      ///< Processes; 0: not stated.
   std::string journal_file;  ///< Empty: beside the output.
 };
 
@@ -22,9 +22,13 @@ struct SweepOptions {
   std::string plot_file;  ///< Empty: not asked for.
 };
 
-/// Adds --jobs and --sweep-journal; both need the option that makes points.
+/// Adds --jobs and --sweep-journal; both need the option that makes points, where one is named.
 void add_point_options(command_line::Command& command, PointOptions& options,
                        const std::string& needed);
+
+/// Whether jobs or a journal were stated, or mpirun started this program: for what threads would do
+/// else.
+bool asks_for_processes(const PointOptions& options);
 
 /// Adds --sweep and what goes with it.
 void add_sweep_options(command_line::Command& command, SweepOptions& options);
