@@ -29,7 +29,7 @@ using std::chrono::seconds;
 constexpr int kTag = 0;
 constexpr milliseconds kLookAgain{2};
 constexpr seconds kBeat{1};
-constexpr seconds kPatience{15};  // many beats: a rank that is silent for so long is gone
+constexpr seconds kPatience{10};  // many beats: a rank that is silent for so long is gone
 
 struct Message {
   int rank = 0;

@@ -16,6 +16,7 @@
 #include "src/command_line/exit_status.hpp"
 #include "src/interrupt.hpp"
 #include "src/sweep/sweep.hpp"
+#include "src/sweep/worker_channel.hpp"
 
 namespace torquewright {
 namespace {
@@ -30,6 +31,7 @@ struct Toy {
   int thrown = -1;         ///< The point that throws.
   int refuses = -1;        ///< Exit code with which processes end before they begin.
   int slow_ms = 0;
+  int dies = -1;      ///< The rank of mpirun that is killed after half a second.
   std::string diary;  ///< A file: each point that is done, on a line.
 };
 
@@ -47,6 +49,13 @@ std::string row_of(const Toy& toy, std::size_t point) {
 cli::ExitCode run(const Toy& toy) {
   cli::catch_interrupt();
   if (toy.refuses >= 0 && sweep::is_silent()) std::exit(toy.refuses);
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  if (rank != nullptr && std::atoi(rank) == toy.dies && !sweep::is_worker()) {
+    std::thread([] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+      ::raise(SIGKILL);
+    }).detach();
+  }
   sweep::Request request;
   for (int i = 0; i < toy.points; ++i) request.points.push_back(fmt::format("number={}", i));
   request.fingerprint = toy.is_fickle ? std::to_string(::getpid()) : toy.request;
@@ -80,6 +89,7 @@ int toy_main(int argc, char** argv) {
   top.add_option("--thrown", toy.thrown, "");
   top.add_option("--refuses", toy.refuses, "");
   top.add_option("--slow", toy.slow_ms, "");
+  top.add_option("--dies", toy.dies, "");
   top.add_option("--diary", toy.diary, "");
   top.works([&toy] { return run(toy); });
   return command_line::exit_status([&] { return program.run(argc, argv); });
