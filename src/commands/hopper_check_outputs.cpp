@@ -20,6 +20,8 @@
 #include "src/report/momentum_plot.hpp"
 #include "src/report/stick_figures.hpp"
 #include "src/standard_output.hpp"
+#include "src/sweep/journal_json.hpp"
+#include "src/sweep/sweep.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -86,10 +88,15 @@ void require_outputs(const HopperCheckRequest& request) {
 }
 
 void check_output_files(const HopperCheckRequest& request) {
+  const bool has_journal =
+      !request.candidates_folder.empty() && asks_for_processes(request.sweep.points);
+  const std::string journal =
+      has_journal ? journal_of(request.sweep.points, request.output_file) : std::string();
   io::check_outputs(
       named({request.plot_file, request.loads_file, request.momentum_file, request.figures_file,
-             request.report_file, request.series_file, request.output_file}),
+             request.report_file, request.series_file, request.output_file, journal}),
       {request.robot_file, request.trajectory_file});
+  if (!sweep::is_silent()) sweep::check_journal(journal);  // else who started this process has it
 }
 
 void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& inputs,

@@ -118,6 +118,7 @@ void add_hopper_check_options(command_line::Command& command, HopperCheckRequest
   add_physics_options(command, request.check);
   add_operating_options(command, request.operating);
   add_candidate_options(command, request);
+  add_sweep_options(command, request.sweep);
   add_file_options(command, request);
 }
 

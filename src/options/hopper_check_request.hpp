@@ -6,6 +6,7 @@
 
 #include "hopper/check/checked_motion.hpp"
 #include "src/options/operating_options.hpp"
+#include "src/options/sweep_options.hpp"
 #include "src/options/window_options.hpp"
 
 namespace torquewright::cli {
@@ -25,6 +26,7 @@ struct HopperCheckRequest {
   std::string candidates_folder;
   std::string ratios;  ///< FROM:TO[:STEP]
   std::size_t threads = 1;
+  SweepOptions sweep;
   std::string plot_file;
   std::string loads_file;
   std::string momentum_file;

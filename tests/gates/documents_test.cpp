@@ -29,6 +29,7 @@ const std::vector<Excuse> kWithoutExample = {
     {"replay_report", kWritten},
     {"simulator_file", kWritten},
     {"strength_report", kWritten},
+    {"sweep_result", kWritten},
     {"verification_report", kWritten},
 };
 
