@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "hopper/flip/binding.hpp"
+#include "hopper/flip/explanation.hpp"
 #include "hopper/flip/guess.hpp"
 #include "hopper/flip/integration_error.hpp"
 #include "hopper/flip/least_margins.hpp"
@@ -236,7 +237,13 @@ std::string_view name_of(PlanStatus status) {
 }
 
 PlanResult plan_motion(const Robot& robot, const PlanOptions& options) {
-  return Planner(robot, options).plan();
+  const auto begin = std::chrono::steady_clock::now();
+  PlanResult result = Planner(robot, options).plan();
+  if (options.explain && can_be_explained(result.status)) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    result.changes = changes_that_help(robot, options, options.most_seconds - spent.count());
+  }
+  return result;
 }
 
 }  // namespace torquewright::hopper

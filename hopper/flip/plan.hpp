@@ -129,6 +129,7 @@ struct ChangeTried {
   double to = 0.0;       ///< What made a plan; the farthest tried where nothing did.
   std::string unit;
   bool has_plan = false;
+  bool is_cut_off = false;  ///< A limit of time, or Ctrl-C, came before its last answer.
 };
 
 struct PlanResult {

@@ -106,8 +106,16 @@ std::string round_words(const PlanRound& round) {
 }
 
 std::string change_words(const ChangeTried& change) {
+  if (change.is_cut_off && change.to == change.from) {
+    return fmt::format("{} {}: not tried, no time was left", change.quantity,
+                       with_unit(change.from, change.unit));
+  }
   const std::string what = fmt::format("{} {:.4g} -> {}", change.quantity, change.from,
                                        with_unit(change.to, change.unit));
+  if (change.is_cut_off) {
+    return what + (change.has_plan ? ": a plan is found; no time was left for less"
+                                   : ": still none, no time was left for more");
+  }
   return what + (change.has_plan ? ": a plan is found" : ": still none, tried no further");
 }
 
