@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_result.hpp"
+#include "hopper/flip/plan_variables.hpp"
 #include "optimization/nonlinear/solve.hpp"
 
 namespace torquewright::hopper {

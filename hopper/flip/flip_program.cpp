@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "dynamics/gravity.hpp"
-#include "hopper/flip/guess.hpp"
+#include "hopper/flip/planned_instant.hpp"
 #include "hopper/flip/hermite_simpson.hpp"
 #include "hopper/flip/jet_rows.hpp"
 #include "hopper/flip/objectives/every_objective.hpp"

@@ -8,7 +8,6 @@
 
 #include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
-#include "hopper/flip/sampled_motion.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -20,13 +19,6 @@ constexpr int kInstants = 41;          // of a phase
 constexpr double kHump_m = 0.15;       // of the base, in flight
 constexpr double kToeUp_rad = 0.2;     // of the foot on its heel
 constexpr double kTuckedUntil = 0.35;  // share of the flight by which legs are drawn in
-
-VectorXd cubic(const VectorXd& y0, const VectorXd& r0, const VectorXd& y1, const VectorXd& r1,
-               double h, double s) {
-  const double s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * y0 + (s3 - 2 * s2 + s) * h * r0 + (3 * s2 - 2 * s3) * y1 +
-         (s3 - s2) * h * r1;
-}
 
 /// What joints and foot do at an instant.
 struct Frame {
@@ -270,35 +262,7 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
   return out;
 }
 
-/// Between two instants of a sketch.
-PlannedInstant sketched(const PlannedInstant& a, const PlannedInstant& b, double time_s, double s) {
-  const double h = b.time_s - a.time_s;
-  PlannedInstant out;
-  out.time_s = time_s;
-  out.position = cubic(a.position, a.velocity, b.position, b.velocity, h, s);
-  out.velocity = cubic(a.velocity, a.acceleration, b.velocity, b.acceleration, h, s);
-  out.acceleration = a.acceleration + s * (b.acceleration - a.acceleration);
-  out.drive_Nm = a.drive_Nm + s * (b.drive_Nm - a.drive_Nm);
-  out.contact_N = a.contact_N + s * (b.contact_N - a.contact_N);
-  out.bus_V = a.bus_V + s * (b.bus_V - a.bus_V);
-  return out;
-}
-
 }  // namespace
-
-PlannedInstant instant_at(const PlannedPhase& phase, double share) {
-  const double time_s = phase.begin_s() + share * (phase.end_s() - phase.begin_s());
-  const std::size_t stride = phase.is_collocated ? 2 : 1;
-  std::size_t i = 0;
-  while (i + 2 * stride < phase.instants.size() && phase.instants[i + stride].time_s <= time_s) {
-    i += stride;
-  }
-  const PlannedInstant& a = phase.instants[i];
-  const PlannedInstant& b = phase.instants[i + stride];
-  const double h = b.time_s - a.time_s;
-  const double s = h > 0.0 ? std::clamp((time_s - a.time_s) / h, 0.0, 1.0) : 0.0;
-  return phase.is_collocated ? instant_within(phase, i / 2, s) : sketched(a, b, time_s, s);
-}
 
 PlannedMotion key_frame_guess(const PlanModel& model, const std::vector<MeshPhase>& mesh,
                               const PlanGoal& goal, const PlanOptions& options) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "hopper/flip/binding.hpp"
+#include "hopper/flip/flip_program.hpp"
 #include "hopper/flip/guess.hpp"
 #include "hopper/flip/integration_error.hpp"
 #include "hopper/flip/least_margins.hpp"

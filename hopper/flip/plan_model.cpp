@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_model.hpp"
 #include "hopper/replay/drive_supply.hpp"
 #include "hopper/robot/whole_body.hpp"
 

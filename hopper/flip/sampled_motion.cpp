@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hopper/flip/planned_instant.hpp"
+
 namespace torquewright::hopper {
 namespace {
 
@@ -12,23 +14,6 @@ using Eigen::VectorXd;
 
 // A change of a velocity that is less is no impact, but the solver's tolerance.
 constexpr double kImpact = 1e-4;  // m/s or rad/s
-
-/// a(s) = a0 + b s + c s^2 through what is at 0, 1/2 and 1.
-template <typename Values>
-struct Parabola {
-  Values a0, b, c;
-
-  Parabola(const Values& at_0, const Values& at_half, const Values& at_1)
-      : a0(at_0),
-        b(-3.0 * at_0 + 4.0 * at_half - at_1),
-        c(2.0 * at_0 - 4.0 * at_half + 2.0 * at_1) {}
-  Values at(double s) const { return a0 + s * b + s * s * c; }
-  /// From 0 on, in units of the interval.
-  Values integral(double s) const { return s * a0 + s * s / 2.0 * b + s * s * s / 3.0 * c; }
-  Values second_integral(double s) const {
-    return s * s / 2.0 * a0 + s * s * s / 6.0 * b + s * s * s * s / 12.0 * c;
-  }
-};
 
 /// Rows of a planar base as those of a spatial one.
 VectorXd spatial_position(const VectorXd& planar) {
@@ -105,23 +90,6 @@ bool begins_with_impact(const SagittalRobot& plane, const PlannedPhase& before,
 }
 
 }  // namespace
-
-PlannedInstant instant_within(const PlannedPhase& phase, std::size_t interval, double share) {
-  const PlannedInstant& a = phase.instants[2 * interval];
-  const PlannedInstant& b = phase.instants[2 * interval + 1];
-  const PlannedInstant& c = phase.instants[2 * interval + 2];
-  const double h = c.time_s - a.time_s;
-  const Parabola<VectorXd> acceleration(a.acceleration, b.acceleration, c.acceleration);
-  PlannedInstant out;
-  out.time_s = share == 1.0 ? c.time_s : a.time_s + share * h;
-  out.acceleration = acceleration.at(share);
-  out.velocity = a.velocity + h * acceleration.integral(share);
-  out.position = a.position + h * share * a.velocity + h * h * acceleration.second_integral(share);
-  out.drive_Nm = Parabola<VectorXd>(a.drive_Nm, b.drive_Nm, c.drive_Nm).at(share);
-  out.contact_N = Parabola<Eigen::Matrix3Xd>(a.contact_N, b.contact_N, c.contact_N).at(share);
-  out.bus_V = Parabola<double>(a.bus_V, b.bus_V, c.bus_V).at(share);
-  return out;
-}
 
 Motion sampled_motion(const Robot& robot, const SagittalRobot& plane, const PlannedMotion& plan,
                       double sample_s) {

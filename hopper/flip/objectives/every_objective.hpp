@@ -4,7 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_model.hpp"
+#include "hopper/flip/plan_variables.hpp"
 
 namespace torquewright::hopper {
 
