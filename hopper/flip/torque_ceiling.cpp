@@ -264,6 +264,18 @@ class PieceFit {
     return best;
   }
 
+  /// Where the limiter does not limit: straight on from where it does, so that no bend disturbs
+  /// what is beside it.
+  double begin_rad_s_at(const Stretches& stretches, std::size_t voltage) const {
+    const std::size_t from = nearest(stretches, voltage);
+    const std::size_t next = from > voltage ? from + 1 : from - 1;
+    const double begin_rad_s = stretches[from]->begin_rad_s;
+    if (from == voltage || next >= stretches.size() || !stretches[next]) return begin_rad_s;
+    return begin_rad_s + (begin_rad_s - stretches[next]->begin_rad_s) *
+                             (voltages_[voltage] - voltages_[from]) /
+                             (voltages_[from] - voltages_[next]);
+  }
+
   static std::size_t longest(const Stretches& stretches) {
     std::size_t best = nearest(stretches, 0);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
@@ -296,7 +308,7 @@ class PieceFit {
       const std::size_t from = is_voltage ? nearest(stretches, voltage) : longest(stretches);
       const LimitStretch& stretch = *stretches[from];
       y.push_back(voltages_[voltage]);
-      begins[j] = stretch.begin_rad_s;
+      begins[j] = is_voltage ? begin_rad_s_at(stretches, voltage) : stretch.begin_rad_s;
       logs[j] = std::log(stretch.length_rad_s);
       for (std::size_t i = 0; i < x.size(); ++i) {
         const double speed_rad_s = stretch.begin_rad_s + x[i] * stretch.length_rad_s;
