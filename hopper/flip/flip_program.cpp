@@ -11,7 +11,8 @@
 #include "hopper/flip/planned_instant.hpp"
 #include "hopper/flip/hermite_simpson.hpp"
 #include "hopper/flip/jet_rows.hpp"
-#include "hopper/flip/objectives/every_objective.hpp"
+#include "hopper/flip/objectives/objective.hpp"
+#include "hopper/flip/smoothness.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -107,7 +108,10 @@ class Builder {
       }
       add_begin(phase);
     }
-    for (auto& cost : objective_rows(model_, options_, out_)) out_.program.add_cost(std::move(cost));
+    for (const WeightedObjective& one : objectives_of(options_)) {
+      objective_named(one.name).add(model_, options_, one.weight, out_);
+    }
+    add_smoothness(model_, out_);
   }
 
  private:
