@@ -178,7 +178,10 @@ class Builder {
     set.scales = {kLength_m, kLength_m, kAngle_rad};
     for (Index j = 0; j < k_; ++j) {
       const auto joint = static_cast<std::size_t>(j);
-      set.bounds.push_back(at_rest ? goal_.standing_rad[joint] : model_.joint_rad[joint]);
+      Bounds range = at_rest ? goal_.standing_rad[joint] : model_.joint_rad[joint];
+      static const double stm = getenv("STM") ? atof(getenv("STM")) : 0.0;
+      if (!at_rest && phase + 1 == out_.mesh.size()) { const double m = stm * (range.upper - range.lower); range.lower += m; range.upper -= m; }
+      set.bounds.push_back(range);
       set.scales.push_back(kAngle_rad);
     }
     return add(std::move(set));

@@ -14,6 +14,7 @@
 #include "hopper/flip/integration_error.hpp"
 #include "hopper/flip/least_margins.hpp"
 #include "hopper/flip/mesh_refinement.hpp"
+#include "hopper/flip/objectives/objective.hpp"
 #include "hopper/flip/plan_setup.hpp"
 #include "hopper/flip/sampled_motion.hpp"
 #include "hopper/flip/warm_guess.hpp"
@@ -66,6 +67,8 @@ class Planner {
     });
   }
   void judge();
+  std::vector<ObjectivePart> parts_of(const FlipProgram& program,
+                                      const std::vector<double>& values) const;
   void end(PlanStatus status, std::string reason) {
     result_.status = status;
     result_.reason = std::move(reason);
@@ -129,6 +132,7 @@ bool Planner::take_round(const PlannedMotion& guess, double barrier) {
   result_.largest_violation = solution.largest_violation;
   result_.plan = motion_of(program, model_, solution.values);
   result_.binding = binding_constraints(program, result_.plan, solution);
+  result_.objectives = parts_of(program, solution.values);
   errors_ = integration_errors(model_.plane, stances_, result_.plan);
   for (const PhaseError& error : errors_) {
     round.integration_error_rad = std::max(round.integration_error_rad, error.whole_rad);
@@ -137,6 +141,18 @@ bool Planner::take_round(const PlannedMotion& guess, double barrier) {
   result_.rounds.push_back(round);
   if (!solution.is_solved()) end_unsolved(solution);
   return solution.is_solved();
+}
+
+/// What each objective came to.
+std::vector<ObjectivePart> Planner::parts_of(const FlipProgram& program,
+                                             const std::vector<double>& values) const {
+  std::vector<ObjectivePart> parts;
+  for (const WeightedObjective& one : objectives_of(options_)) {
+    const Objective& objective = objective_named(one.name);
+    parts.push_back({one.name, one.weight, objective.value(model_, options_, program, values),
+                     std::string(objective.unit)});
+  }
+  return parts;
 }
 
 void Planner::end_unsolved(const NonlinearSolution& solution) {
