@@ -10,7 +10,7 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr int kDragKnots = 48;    // on one side of rest
+constexpr int kDragKnots = 48;     // on one side of rest
 constexpr int kTorqueKnots = 128;  // knots
 constexpr int kPowerSpeedKnots = 240;
 constexpr double kRoundedCorner = 1e-3;  // of the cap

@@ -23,7 +23,7 @@ struct DriveRegionOptions {
 /// output) and bus voltage, and the power that it then takes from the bus. Twice continuously
 /// differentiable and finite everywhere. Rows and |torque| <= greatest_torque_Nm() together stay
 /// inside the region that `hopper check` judges by at that voltage (0.4 to 1.3 of the open
-/// circuit's, margin counted). docs/derivations/planned_regions.md.
+/// circuit's, margin counted); how well, docs/derivations/planned_regions.md says.
 class DriveRegion {
  public:
   /// Throws io::SpecError, which names the actuator, where the conditions cannot be met or where
