@@ -11,6 +11,7 @@
 #include "hopper/flip/planned_instant.hpp"
 #include "hopper/flip/hermite_simpson.hpp"
 #include "hopper/flip/jet_rows.hpp"
+#include "hopper/flip/landing_load.hpp"
 #include "hopper/flip/objectives/objective.hpp"
 #include "hopper/flip/smoothness.hpp"
 
@@ -108,6 +109,12 @@ class Builder {
       }
       add_begin(phase);
     }
+    for (std::size_t phase = 0; phase < out_.mesh.size(); ++phase) {
+      if (out_.phases[phase].has_impact) {
+        add_landing_load(model_, options_.check.load_window_s, phase, out_);
+      }
+    }
+    add_lean();
     for (const WeightedObjective& one : objectives_of(options_)) {
       objective_named(one.name).add(model_, options_, one.weight, out_);
     }
@@ -268,11 +275,12 @@ class Builder {
     return out;
   }
 
-  int add_contact_forces(const Stance& stance, const PlannedInstant& guess) {
+  int add_contact_forces(const Stance& stance, const PlannedInstant& guess, bool releases) {
     if (stance.is_flight()) return 0;
     VariableSet set{"forces", of_sole(stance, guess.contact_N), {}, {}};
     set.bounds.assign(set.values.size(), {0.0, kGreatestForce_N});
     set.bounds.front() = within(kGreatestForce_N);
+    if (releases) set.bounds.assign(set.values.size(), equal(0.0));
     set.scales.assign(set.values.size(), kForce_N);
     return add(std::move(set));
   }
@@ -314,8 +322,9 @@ class Builder {
                    : add_velocities({"free", {}}, last_before(phase), false);
       }
       point.acceleration = add_accelerations(mesh.stance, guess, at_rest);
-      point.drives = add_drive_torques(guess);
-      point.forces = add_contact_forces(mesh.stance, guess);
+      static const bool cn=getenv("CN"), rel=getenv("REL");
+      point.drives = joins && !variables.has_impact && cn ? before->drives : add_drive_torques(guess);
+      point.forces = add_contact_forces(mesh.stance, guess, rel && i + 1 == points && phase + 1 < out_.mesh.size() && out_.mesh[phase+1].stance.is_flight());
       point.bus = add_bus(guess);
       variables.points.push_back(point);
     }
@@ -547,25 +556,17 @@ class Builder {
                                    std::vector<double>(on.force_count(), kSpeed),
                                    ContactVelocityLaw{scratch_, on}));
     add_cone(on, variables.impulses, "impulse", kImpulse_N_s, 0.0);
-    add_impact_loads(phase);
   }
 
-  void add_impact_loads(std::size_t phase) {
-    const PointVariables& after = out_.phases[phase].points.front();
-    const PointVariables& before = out_.phases[phase - 1].points.back();
-    std::vector<Bounds> bounds;
-    for (const double most_Nm : model_.gear_Nm) bounds.push_back(within(most_Nm));
-    for (const bool is_after : {true, false}) {
-      const PointVariables& beside = is_after ? after : before;
-      out_.program.add_rows(jet_rows(
-          place(stance(phase), "gears at the impact"),
-          joined({run(after.position + 3, k_), run(out_.phases[phase].velocity_before + 3, k_),
-                  run(after.velocity + 3, k_), run(beside.acceleration + 3, k_),
-                  run(beside.drives, d_)}),
-          bounds, std::vector<double>(bounds.size(), kTorque_Nm),
-          ImpactLoadLaw{&model_.plane, model_.rotors_kg_m2, options_.check.load_window_s,
-                        is_after}));
-    }
+  /// Where the last stance begins the mass is over the sole already, so that it need not creep
+  /// there over an edge.
+  void add_lean() {
+    const std::size_t last = out_.mesh.size() - 1;
+    if (!stance(last).is_flat() || last == 0) return;
+    static const double rm = getenv("RM") ? atof(getenv("RM")) : -1.0;
+    out_.program.add_rows(jet_rows(place(stance(last), "mass over the sole"),
+                                   posture(out_.phases[last].points.front()),
+                                   {{rm, kInfinite}}, {kLength_m}, LeanLaw{scratch_}));
   }
 
   const PlanModel& model_;

@@ -133,6 +133,20 @@ struct PlaceLaw {
   }
 };
 
+/// How far the centre of mass is in front of the rearmost point of the sole. Variables: pitch and
+/// joints about the sole (m - 2). Rows: one.
+struct LeanLaw {
+  std::shared_ptr<SagittalScratch> scratch;
+
+  template <typename T>
+  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
+    SagittalDynamicsOf<T>& body = scratch->on<T>();
+    const Eigen::Index m = body.robot().moving_count();
+    body.set(PlanFrame::kSole, without_place(x, 0, m), dynamics::VectorX<T>::Zero(m));
+    rows[0] = body.position_in(PlanFrame::kMass)[0];
+  }
+};
+
 /// One instant in two frames. Variables: position and velocity about the sole (m, m), about the
 /// centre of mass (m, m). Rows: their differences (2 m).
 struct LinkLaw {

@@ -15,6 +15,10 @@ using Eigen::VectorXd;
 // A change of a velocity that is less is no impact, but the solver's tolerance.
 constexpr double kImpact = 1e-4;  // m/s or rad/s
 
+// Accelerations and torques jump where a point lets go; who reads samples joins them by straight
+// lines, and over a millisecond at take-off those of the hopper turn it by 0.3 rad/s.
+constexpr double kAfterChange_s = 1e-5;
+
 /// Rows of a planar base as those of a spatial one.
 VectorXd spatial_position(const VectorXd& planar) {
   VectorXd out(planar.size() + 4);
@@ -98,6 +102,9 @@ Motion sampled_motion(const Robot& robot, const SagittalRobot& plane, const Plan
     const PlannedPhase& phase = plan.phases[p];
     if (p == 0 || begins_with_impact(plane, plan.phases[p - 1], phase)) {
       samples.add(phase, instant_within(phase, 0, 0.0));
+    } else {
+      const double length_s = phase.instants[2].time_s - phase.begin_s();
+      samples.add(phase, instant_within(phase, 0, kAfterChange_s / length_s));
     }
     for (std::size_t interval = 0; interval < phase.intervals(); ++interval) {
       const double length_s =
