@@ -9,8 +9,8 @@ namespace torquewright::hopper {
 
 /// What holds a plan back: rows and unknowns that stand at a bound that is no equation, or beyond
 /// it, by stance and name, over the instants at which they do. The most often binding first.
-std::vector<BindingConstraint> binding_constraints(
-    const FlipProgram& program, const PlannedMotion& plan,
-    const optimization::NonlinearSolution& solution);
+std::vector<BindingConstraint> binding_constraints(const FlipProgram& program,
+                                                   const PlannedMotion& plan,
+                                                   const optimization::NonlinearSolution& solution);
 
 }  // namespace torquewright::hopper

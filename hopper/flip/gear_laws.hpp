@@ -87,7 +87,7 @@ inline std::vector<int> impulse_numbers(const PhaseVariables& phase, Eigen::Inde
 }
 
 inline std::vector<int> gear_numbers(const PointVariables& point, Eigen::Index joints,
-                              Eigen::Index drives) {
+                                     Eigen::Index drives) {
   return in_order(
       {numbers_from(point.position + 3, joints), numbers_from(point.velocity + 3, joints),
        numbers_from(point.acceleration + 3, joints), numbers_from(point.drives, drives)});

@@ -28,7 +28,8 @@ struct Frame {
 
 Frame between(const Frame& a, const Frame& b, double s) {
   const double smooth = s * s * (3.0 - 2.0 * s);
-  return {a.joints + smooth * (b.joints - a.joints), a.foot_rad + smooth * (b.foot_rad - a.foot_rad)};
+  return {a.joints + smooth * (b.joints - a.joints),
+          a.foot_rad + smooth * (b.foot_rad - a.foot_rad)};
 }
 
 class KeyFrames {
@@ -143,9 +144,8 @@ double KeyFrames::foot_between(const VectorXd& from, const VectorXd& to, const V
 
 void KeyFrames::into_mass_frame(PlannedPhase& phase) const {
   for (PlannedInstant& instant : phase.instants) {
-    const TreeMotion tree =
-        tree_motion(model_.plane, PlanFrame::kSole,
-                    {instant.position, instant.velocity, instant.acceleration});
+    const TreeMotion tree = tree_motion(model_.plane, PlanFrame::kSole,
+                                        {instant.position, instant.velocity, instant.acceleration});
     const TreeMotion mass = frame_motion(model_.plane, PlanFrame::kMass, tree);
     instant.position = mass.position;
     instant.velocity = mass.velocity;
@@ -179,7 +179,8 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
     const bool is_last = p + 1 == mesh.size();
     const double turn_rad = before ? 0.0 : goal.turn_rad;
     const bool on_end = p + 1 < mesh.size() && !mesh[p + 1].stance.is_flat();
-    const double tip_rad = on_end || (p + 1 == flight && !mesh[p].stance.is_flat()) ? -kToeUp_rad : 0.0;
+    const double tip_rad =
+        on_end || (p + 1 == flight && !mesh[p].stance.is_flat()) ? -kToeUp_rad : 0.0;
     Frame frame{crouch, turn_rad + (is_last ? 0.0 : tip_rad)};
     if (p + 1 == flight) frame.joints = take_off;
     if (p + 1 < flight && p + 2 == flight) frame.joints = 0.5 * (crouch + take_off);
@@ -210,11 +211,10 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
       instant.time_s = begin_s + s * duration_s;
       Frame frame = between(ends[p], ends[p + 1], s);
       if (flies) {
-        frame.joints = s < kTuckedUntil
-                           ? between(ends[p], {tuck, 0.0}, s / kTuckedUntil).joints
-                           : between({tuck, 0.0}, ends[p + 1],
-                                     (s - kTuckedUntil) / (1.0 - kTuckedUntil))
-                                 .joints;
+        frame.joints = s < kTuckedUntil ? between(ends[p], {tuck, 0.0}, s / kTuckedUntil).joints
+                                        : between({tuck, 0.0}, ends[p + 1],
+                                                  (s - kTuckedUntil) / (1.0 - kTuckedUntil))
+                                              .joints;
         // The base goes straight, with a hump; the foot as the joints say.
         frame.foot_rad = foot_between(last_position, landing, frame.joints, s);
         instant.position = position(frame, {0.0, 0.0});
@@ -231,8 +231,8 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
       const Index n = instant.position.size();
       instant.velocity = instant.acceleration = VectorXd::Zero(n);
       instant.drive_Nm = VectorXd::Zero(static_cast<Index>(model_.plane.drive_count()));
-      instant.contact_N = Eigen::Matrix3Xd::Zero(
-          3, static_cast<Index>(model_.plane.robot.contacts.size()));
+      instant.contact_N =
+          Eigen::Matrix3Xd::Zero(3, static_cast<Index>(model_.plane.robot.contacts.size()));
       std::size_t members = 0;
       for (const std::size_t one : mesh[p].stance.points) {
         members += model_.plane.sole[one].members.size();

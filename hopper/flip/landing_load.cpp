@@ -15,8 +15,8 @@ using Eigen::Index;
 using optimization::Bounds;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kMost = 100.0;     // of limits; no plan is near it
-constexpr double kTypical = 0.5;    // of a limit
+constexpr double kMost = 100.0;   // of limits; no plan is near it
+constexpr double kTypical = 0.5;  // of a limit
 
 /// Weights of a phase's first instants in the mean over a window from its begin: each interval's
 /// parabola, integrated.
@@ -79,8 +79,7 @@ void add_landing_load(const PlanModel& model, double window_s, std::size_t phase
   const auto k = static_cast<Index>(model.plane.joints.size());
   const PhaseVariables& variables = program.phases[phase];
   const double duration_s = program.program.starts()[static_cast<std::size_t>(variables.duration)];
-  const std::vector<double> weights =
-      mean_weights(program.mesh[phase].knots, duration_s, window_s);
+  const std::vector<double> weights = mean_weights(program.mesh[phase].knots, duration_s, window_s);
   const int impulse = add_shares("impulse loads", drives, 0.0, program);
   program.program.add_rows(jet_rows(
       program.mesh[phase].stance.name + ": rotors at the impact",
@@ -90,11 +89,11 @@ void add_landing_load(const PlanModel& model, double window_s, std::size_t phase
   std::vector<int> loads;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     loads.push_back(add_shares("gear loads", drives, -kMost, program));
-    program.program.add_rows(jet_rows(
-        program.mesh[phase].stance.name + ": gears after the impact",
-        in_order({gear_numbers(variables.points[i], k, d), numbers_from(loads.back(), d)}),
-        std::vector<Bounds>(drives, {0.0, 0.0}), std::vector<double>(drives, 1.0),
-        LoadIsLaw{{&model, limits_Nm}}));
+    program.program.add_rows(
+        jet_rows(program.mesh[phase].stance.name + ": gears after the impact",
+                 in_order({gear_numbers(variables.points[i], k, d), numbers_from(loads.back(), d)}),
+                 std::vector<Bounds>(drives, {0.0, 0.0}), std::vector<double>(drives, 1.0),
+                 LoadIsLaw{{&model, limits_Nm}}));
   }
   for (std::size_t drive = 0; drive < drives; ++drive) {
     if (!std::isfinite(model.gear_Nm[drive])) continue;

@@ -27,12 +27,13 @@ namespace {
 using optimization::NonlinearSolution;
 using optimization::NonlinearStatus;
 
-constexpr double kTolerance = 1e-6;      // of scaled rows and optimality
-constexpr double kColdBarrier = 0.1;     // far from any solution
-constexpr double kWarmBarrier = 1e-2;    // near one: smaller ones stalled at limits (trial)
-constexpr double kUnexplainedShare = 1.0; // of what `hopper check` allows, at any instant: it averages
+constexpr double kTolerance = 1e-6;    // of scaled rows and optimality
+constexpr double kColdBarrier = 0.1;   // far from any solution
+constexpr double kWarmBarrier = 1e-2;  // near one: smaller ones stalled at limits (trial)
+constexpr double kUnexplainedShare =
+    1.0;  // of what `hopper check` allows, at any instant: it averages
 constexpr double kUnknownError_rad = std::numeric_limits<double>::infinity();
-constexpr double kRefinedShare = 0.5;    // of the error allowed, that a finer mesh aims at
+constexpr double kRefinedShare = 0.5;  // of the error allowed, that a finer mesh aims at
 
 /// One plan on its way, from mesh to mesh.
 class Planner {
@@ -200,7 +201,8 @@ void Planner::judge() {
   try {
     result_.check = check_motion(robot_, result_.motion, options_.check);
   } catch (const io::SpecError& refusal) {
-    return end(PlanStatus::kCheckFails, fmt::format("hopper check refuses the solver's motion{}", refusal.what()));
+    return end(PlanStatus::kCheckFails,
+               fmt::format("hopper check refuses the solver's motion{}", refusal.what()));
   }
   result_.least_margins = least_margins(robot_, result_.motion, *result_.check);
   for (const Flight& flight : result_.check->flights) {
@@ -237,18 +239,25 @@ PlanResult Planner::plan() {
 
 std::string_view name_of(PlanTask task) {
   switch (task) {
-    case PlanTask::kFlip: return "flip";
-    case PlanTask::kJump: return "jump";
-    default: return "hop";
+    case PlanTask::kFlip:
+      return "flip";
+    case PlanTask::kJump:
+      return "jump";
+    default:
+      return "hop";
   }
 }
 
 std::string_view name_of(PlanStatus status) {
   switch (status) {
-    case PlanStatus::kPlanned: return "planned";
-    case PlanStatus::kLocallyInfeasible: return "locally_infeasible";
-    case PlanStatus::kCheckFails: return "check_fails";
-    default: return "limit";
+    case PlanStatus::kPlanned:
+      return "planned";
+    case PlanStatus::kLocallyInfeasible:
+      return "locally_infeasible";
+    case PlanStatus::kCheckFails:
+      return "check_fails";
+    default:
+      return "limit";
   }
 }
 

@@ -32,13 +32,13 @@ struct LeastMargin {
 
 /// A constraint that holds a plan back.
 struct BindingConstraint {
-  std::string name;          ///< "knee: region, upper".
+  std::string name;  ///< "knee: region, upper".
   std::string stance;
   std::size_t instants = 0;  ///< At which it binds,
   std::size_t of = 0;        ///< of so many.
   double from_s = 0.0;
   double until_s = 0.0;
-  double violation = 0.0;    ///< The greatest, in `unit`, where the plan is infeasible.
+  double violation = 0.0;  ///< The greatest, in `unit`, where the plan is infeasible.
   std::string unit;
 };
 
@@ -80,8 +80,8 @@ struct PlanResult {
   std::optional<HopperReport> check;
   double objective = 0.0;
   std::vector<ObjectivePart> objectives;
-  int iterations = 0;  ///< Of all rounds.
-  double largest_violation = 0.0;  ///< Of scaled rows.
+  int iterations = 0;                  ///< Of all rounds.
+  double largest_violation = 0.0;      ///< Of scaled rows.
   double integration_error_rad = 0.0;  ///< Of the worst phase.
   double angular_momentum_Nm_s = 0.0;  ///< CAM of the longest flight; 0 without one. Signed: +y.
   double take_off_rad_s = 0.0;         ///< CAV there,

@@ -19,12 +19,11 @@ struct Kind {
 // Long enough for a robot of a metre to gather itself and to come to rest; the last one short
 // enough that it does not creep: a replay falls while it does (trial: 1.6 s fell, 1.0 s stood).
 constexpr Kind kFirst{{0.2, 0.8}, 20.0};
-static const Kind kLast{{0.4, getenv("HZ")?atof(getenv("HZ")):1.0}, 40.0};
+constexpr Kind kLast{{0.4, 1.0}, 40.0};
 // Where contacts change, torques do so fastest (trial: a push-off cut coarsely found motions that
 // are none). A push-off on an edge that lasts has the foot hover: there the whole sole stands.
-static double envd(const char* n,double d){const char*v=getenv(n);return v?atof(v):d;}
-static const Kind kPushOff{{0.02, envd("H1",0.15)}, 30.0};
-static const Kind kLanding{{0.02, envd("H3",0.3)}, 30.0};
+constexpr Kind kPushOff{{0.02, 0.15}, 30.0};
+constexpr Kind kLanding{{0.02, 0.3}, 30.0};
 constexpr Kind kFlight{{0.05, 0.8}, 60.0};
 constexpr std::size_t kFewestIntervals = 4;  // of a phase
 
@@ -55,8 +54,8 @@ std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const Plan
     const Kind kind = kind_of(stances, p);
     const auto intervals =
         static_cast<std::size_t>(std::lround(options.intervals * kind.share / shares));
-    mesh.push_back({stances[p], even_knots(std::max(kFewestIntervals, intervals)),
-                    kind.duration_s});
+    mesh.push_back(
+        {stances[p], even_knots(std::max(kFewestIntervals, intervals)), kind.duration_s});
   }
   return mesh;
 }

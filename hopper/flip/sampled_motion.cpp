@@ -40,8 +40,8 @@ class Samples {
       : is_spatial_(robot.tree.base == dynamics::BaseKind::kSpatial), plane_(plane) {}
 
   void add(const PlannedPhase& phase, const PlannedInstant& instant) {
-    const TreeMotion tree = tree_motion(
-        plane_, phase.frame(), {instant.position, instant.velocity, instant.acceleration});
+    const TreeMotion tree = tree_motion(plane_, phase.frame(),
+                                        {instant.position, instant.velocity, instant.acceleration});
     times_s_.push_back(instant.time_s);
     positions_.push_back(is_spatial_ ? spatial_position(tree.position) : tree.position);
     velocities_.push_back(is_spatial_ ? spatial_rate(tree.velocity) : tree.velocity);

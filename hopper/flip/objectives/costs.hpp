@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "hopper/flip/jet_rows.hpp"
 #include "hopper/flip/plan_model.hpp"
 #include "hopper/flip/plan_variables.hpp"
-#include "hopper/flip/jet_rows.hpp"
 
 namespace torquewright::hopper {
 
