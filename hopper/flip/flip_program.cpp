@@ -11,7 +11,7 @@
 #include "hopper/flip/hermite_simpson.hpp"
 #include "hopper/flip/jet_rows.hpp"
 #include "hopper/flip/landing_load.hpp"
-#include "hopper/flip/objectives/objective.hpp"
+#include "hopper/flip/objectives/library.hpp"
 #include "hopper/flip/planned_instant.hpp"
 #include "hopper/flip/smoothness.hpp"
 

@@ -14,7 +14,7 @@
 #include "hopper/flip/integration_error.hpp"
 #include "hopper/flip/least_margins.hpp"
 #include "hopper/flip/mesh_refinement.hpp"
-#include "hopper/flip/objectives/objective.hpp"
+#include "hopper/flip/objectives/library.hpp"
 #include "hopper/flip/plan_setup.hpp"
 #include "hopper/flip/sampled_motion.hpp"
 #include "hopper/flip/warm_guess.hpp"
@@ -132,7 +132,8 @@ bool Planner::take_round(const PlannedMotion& guess, double barrier) {
   result_.objective = solution.objective;
   result_.largest_violation = solution.largest_violation;
   result_.plan = motion_of(program, model_, solution.values);
-  result_.binding = binding_constraints(program, result_.plan, solution);
+  result_.binding =
+      binding_constraints(program, model_, options_.margins, result_.plan, solution.values);
   result_.objectives = parts_of(program, solution.values);
   errors_ = integration_errors(model_.plane, stances_, result_.plan);
   for (const PhaseError& error : errors_) {
