@@ -28,6 +28,12 @@ sweep::RowVerdict verdict_of(PlanStatus status) {
   }
 }
 
+/// A motion that the check does not pass is told from a search that had no time.
+std::string name_of(PlanStatus status) {
+  if (status == PlanStatus::kCheckFails) return "check_fails";
+  return std::string(hopper::name_of(status));
+}
+
 std::optional<double> measure(const sweep::SweepRow& row, const std::string& name) {
   const auto found =
       std::find_if(row.measures.begin(), row.measures.end(),
@@ -73,13 +79,10 @@ sweep::SweepRow hopper_flip_row(const hopper::Robot& robot, const hopper::CheckO
   if (result.check) checked = hopper_check_row(robot, check, *result.check);
   sweep::SweepRow row;
   row.verdict = verdict_of(result.status);
-  row.status = hopper::name_of(result.status);
+  row.status = name_of(result.status);
   row.measures = measures_of(result, checked);
   row.why = result.reason;
   row.binding = result.status == PlanStatus::kPlanned ? checked.binding : binding_of(result);
-  if (result.status == PlanStatus::kCheckFails && !checked.why.empty()) {
-    row.why += ": " + checked.why;
-  }
   return row;
 }
 

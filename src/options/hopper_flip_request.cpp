@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "hopper/flip/objectives/library.hpp"
 #include "io/nearest.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
-#include "src/options/objective_names.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -37,7 +37,7 @@ void add_task_options(command_line::Command& command, HopperFlipRequest& request
   command
       .add_option("--objective", request.objectives,
                   fmt::format("NAME[=WEIGHT], repeatable: {} (default: the task's)",
-                              fmt::join(objective_names(), ", ")))
+                              fmt::join(hopper::objective_names(), ", ")))
       .one_value_each();
 }
 
@@ -196,7 +196,7 @@ void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& 
 
 std::vector<hopper::WeightedObjective> read_objectives(const std::vector<std::string>& texts) {
   std::vector<hopper::WeightedObjective> objectives;
-  const std::vector<std::string> known = objective_names();
+  const std::vector<std::string> known = hopper::objective_names();
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);

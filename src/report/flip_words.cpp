@@ -27,11 +27,15 @@ std::string verdict_words(const PlanOptions& options, const PlanResult& result) 
       const bool passes = result.check && result.check->check.verdict == actuator::Verdict::kPass;
       return fmt::format("planned: the {} keeps to the {} of all drives and to the contacts{}",
                          name_of(options.task), is_box ? "boxes" : "regions",
-                         passes ? "; `hopper check` passes it" : "");
+                         passes   ? "; `hopper check` passes it"
+                         : is_box ? "; `hopper check` holds it against the regions and fails it"
+                                  : "");
     }
     case PlanStatus::kLocallyInfeasible:
       return fmt::format("locally infeasible: {}",
                          result.reason.empty() ? "no plan was found" : result.reason);
+    case PlanStatus::kCheckFails:
+      return fmt::format("undecided: {}", result.reason);
     default:
       return fmt::format("limit: {}",
                          result.reason.empty() ? "the search was ended" : result.reason);
@@ -46,6 +50,10 @@ std::string proof_words(const PlanResult& result) {
       return "";
     case PlanStatus::kLocallyInfeasible:
       return "no proof that there is no plan: from this guess none was found" + closest;
+    case PlanStatus::kCheckFails:
+      return "neither a plan nor a proof that there is none: larger planning margins, more "
+             "intervals or another guess may make one" +
+             closest;
     default:
       return "neither a plan nor a proof that there is none: the search had not ended" + closest;
   }
