@@ -6,7 +6,7 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kTypical_rad_s = 7.0;  // of the hopper's flip of least effort
+constexpr double kTypical_rad_s = 12.0;  // of the hopper's flip of least effort
 
 /// Variables: the base's pitch rate.
 struct PitchRateLaw {

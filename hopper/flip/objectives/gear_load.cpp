@@ -14,7 +14,7 @@ namespace torquewright::hopper {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kTypical = 0.5;  // of a gear's limit, in the landing of the hopper's flip
+constexpr double kTypical = 0.9;  // of a gear's limit, in the hopper's flip of least effort
 constexpr double kMost = 100.0;   // of limits; no plan is near it
 
 /// What each drive's gears may pass, at its output: their limit, or the greatest torque of a drive
@@ -71,9 +71,9 @@ struct GearLaw {
   }
 };
 
-/// Magnitudes of a law's rows under bounds that are variables: +-rows less them, or with `adds` the
-/// magnitudes and those of another law, under one. Variables: the law's, one a row, and with `adds`
-/// the bound of the sums.
+/// Bounds on the magnitudes of a law's rows, by drive: |row| <= magnitude, or with `adds`
+/// |row| + magnitude <= greatest. Variables: the law's, the magnitudes (d), with `adds` the
+/// greatest.
 template <typename Law>
 struct MagnitudeLaw {
   Law law;
