@@ -11,7 +11,7 @@ namespace {
 // A torque that goes from 0 to the greatest in this time (3.2 ms squared) costs what holding it as
 // long does. A Simpson sum does not see a middle that is off its neighbours as much one way as they
 // are the other: without both terms the torques in the middle of intervals of the hopper's highest
-// flip are up to 303 Nm off their neighbours' mean, with them 51 Nm. Ten times as much takes away 7
+// flip are up to 300 Nm off their neighbours' mean, with them 60 Nm. Ten times as much takes away 7
 // % of the greatest average velocity at take-off.
 constexpr double kTorqueRate_s2 = 1e-5;
 // Joints that accelerate at 100 rad/s^2 cost a thousandth of a drive at its greatest torque. It
