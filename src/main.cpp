@@ -48,6 +48,7 @@ void add_hopper_commands(Command& program) {
       add_group(program, "hopper", "Can it do the motion?",
                 "hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv");
   add_hopper_check_command(hopper);
+  add_flip_command(hopper);
   add_replay_command(hopper);
   add_calibrate_command(hopper);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "actuator/check/drive_check.hpp"
 #include "actuator/check/region_words.hpp"
@@ -318,33 +319,81 @@ void rank(std::vector<CandidateResult>& results) {
                    });
 }
 
+using Judge = std::function<CandidateResult(std::size_t drivetrain, const Candidate& candidate)>;
+
+Judge judging(const CheckedMotion& checked) {
+  return [basis = basis_of(checked)](std::size_t drivetrain, const Candidate& candidate) {
+    return judge(basis, drivetrain, candidate);
+  };
+}
+
+CheckOptions without_traces(CheckOptions options) {
+  options.keep_traces = false;
+  return options;
+}
+
 }  // namespace
+
+struct CandidateTrials::Ready {
+  Ready(const Robot& of, const Motion& motion, const CheckOptions& with, const HopperReport& report,
+        const Shelf& shelf)
+      : robot(of), options(without_traces(with)) {
+    for (std::size_t i = 0; i < shelf.by_drivetrain.size(); ++i) {
+      for (const Candidate& candidate : shelf.by_drivetrain[i]) trials.emplace_back(i, &candidate);
+    }
+    judge_in = judging({robot, options, motion, report.contacts, report.demand});
+  }
+
+  const Robot& robot;
+  CheckOptions options;
+  std::vector<std::pair<std::size_t, const Candidate*>> trials;  ///< In which drivetrain.
+  Judge judge_in;
+};
+
+CandidateTrials::CandidateTrials(const Robot& robot, const Motion& motion,
+                                 const CheckOptions& options, const HopperReport& report,
+                                 const Shelf& shelf)
+    : ready_(std::make_unique<const Ready>(robot, motion, options, report, shelf)) {}
+
+CandidateTrials::~CandidateTrials() = default;
+
+std::size_t CandidateTrials::size() const { return ready_->trials.size(); }
+
+std::string CandidateTrials::name_of(std::size_t number) const {
+  const auto& [drivetrain, candidate] = ready_->trials[number];
+  return fmt::format("{}: {}", drivetrain, candidate->name);
+}
+
+CandidateResult CandidateTrials::result_of(std::size_t number) const {
+  const auto& [drivetrain, candidate] = ready_->trials[number];
+  return ready_->judge_in(drivetrain, *candidate);
+}
+
+CandidateResult CandidateTrials::untried(std::size_t number, std::string why) const {
+  const auto& [drivetrain, candidate] = ready_->trials[number];
+  return refused(described(ready_->robot, drivetrain, *candidate), Verdict::kUndecided,
+                 std::move(why));
+}
+
+std::vector<CandidateResult> ranked(std::vector<CandidateResult> results) {
+  mark_front(results);
+  rank(results);
+  return results;
+}
 
 std::vector<CandidateResult> try_candidates(const Robot& robot, const Motion& motion,
                                             const CheckOptions& options, const HopperReport& report,
                                             const Shelf& shelf, std::size_t threads,
                                             const std::function<void(double)>& on_progress) {
-  CheckOptions quiet = options;
-  quiet.keep_traces = false;
-  const Basis basis = basis_of({robot, quiet, motion, report.contacts, report.demand});
-  struct Task {
-    std::size_t drivetrain;
-    const Candidate* candidate;
-  };
-  std::vector<Task> tasks;
-  for (std::size_t i = 0; i < shelf.by_drivetrain.size(); ++i) {
-    for (const Candidate& candidate : shelf.by_drivetrain[i]) tasks.push_back({i, &candidate});
-  }
-  std::vector<CandidateResult> results(tasks.size());
-  in_parallel(tasks.size(), threads, [&](std::size_t number, std::size_t thread) {
-    results[number] = judge(basis, tasks[number].drivetrain, *tasks[number].candidate);
+  const CandidateTrials trials(robot, motion, options, report, shelf);
+  std::vector<CandidateResult> results(trials.size());
+  in_parallel(trials.size(), threads, [&](std::size_t number, std::size_t thread) {
+    results[number] = trials.result_of(number);
     if (thread == 0 && on_progress) {
-      on_progress(static_cast<double>(number) / static_cast<double>(tasks.size()));
+      on_progress(static_cast<double>(number) / static_cast<double>(trials.size()));
     }
   });
-  mark_front(results);
-  rank(results);
-  return results;
+  return ranked(std::move(results));
 }
 
 }  // namespace torquewright::hopper

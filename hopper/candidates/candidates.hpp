@@ -2,6 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "hopper/candidates/shelf.hpp"
 #include "hopper/check/hopper_check.hpp"
@@ -34,15 +37,37 @@ struct CandidateResult {
   std::string why;           ///< Where it does not pass: the first violation, in one line.
 };
 
-/// Tries every candidate in every drivetrain. Its demand is that of the dynamics with its rotor and
-/// ratio, and with its mass where both masses are known and the drivetrain says where they are
-/// mounted; what a file holds of torques is that of another rotor and counts only if
+/// Every candidate in every drivetrain, to be tried one by one. Its demand is that of the dynamics
+/// with its rotor and ratio, and with its mass where both masses are known and the drivetrain says
+/// where they are mounted; what a file holds of torques is that of another rotor and counts only if
 /// `options.torques` is kFile, or where there are no dynamics: then what the exchange changes is
 /// added to it. Torques of the dynamics have the doubt of torque_doubts(), with the candidate's
 /// rotor; where it decides, the verdict is undecided. Where nothing says whether the file's torques
-/// hold the old rotor's, both readings are judged, undecided if they differ. Those that pass come
-/// first in each drivetrain, by margin; the others after them, by margin too. `report` is
-/// check_motion()'s of the same. `threads` at least 1.
+/// hold the old rotor's, both readings are judged, undecided if they differ. `report` is
+/// check_motion()'s of the same. Refers to what it is made of.
+class CandidateTrials {
+ public:
+  CandidateTrials(const Robot& robot, const Motion& motion, const CheckOptions& options,
+                  const HopperReport& report, const Shelf& shelf);
+  ~CandidateTrials();
+
+  std::size_t size() const;
+  /// Of its drivetrain and itself: the same for no other.
+  std::string name_of(std::size_t number) const;
+  /// May be called by several threads at once.
+  CandidateResult result_of(std::size_t number) const;
+  /// Stands for one that was not tried, and why.
+  CandidateResult untried(std::size_t number, std::string why) const;
+
+ private:
+  struct Ready;
+  std::unique_ptr<const Ready> ready_;
+};
+
+/// Those that pass come first in each drivetrain, by margin; the others after them, by margin too.
+std::vector<CandidateResult> ranked(std::vector<CandidateResult> results);
+
+/// All of them, ranked. `threads` at least 1.
 std::vector<CandidateResult> try_candidates(
     const Robot& robot, const Motion& motion, const CheckOptions& options,
     const HopperReport& report, const Shelf& shelf, std::size_t threads,

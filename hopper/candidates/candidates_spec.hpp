@@ -2,6 +2,8 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "hopper/candidates/candidates.hpp"
 
@@ -10,5 +12,9 @@ namespace torquewright::hopper {
 /// The `candidates` of a check_report, in the order given.
 nlohmann::ordered_json candidates_json(const Robot& robot,
                                        const std::vector<CandidateResult>& results);
+
+/// A candidate's result on one line, as processes hand it on, and what such a line holds.
+std::string candidate_text(const CandidateResult& result);
+CandidateResult candidate_of(const std::string& text);
 
 }  // namespace torquewright::hopper

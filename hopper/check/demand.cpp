@@ -133,6 +133,7 @@ class DemandPass {
     demand_.center_of_mass_m.setZero(3, samples);
     demand_.angular_momentum_Nm_s.setZero(3, samples);
     demand_.angular_velocity_rad_s.setZero(3, samples);
+    demand_.lateral_inertia_kg_m2.setZero(1, samples);
     jacobians_.setZero(size_, 3 * points_);
     columns_.setZero(rows_.size(), 3 * points_);
     scaled_.setZero(rows_.size(), 3 * points_);
@@ -277,6 +278,7 @@ class DemandPass {
     demand_.center_of_mass_m.col(sample) = all.position_m;
     demand_.angular_momentum_Nm_s.col(sample) = all.angular_momentum_Nm_s;
     demand_.angular_velocity_rad_s.col(sample) = all.angular_velocity_rad_s;
+    demand_.lateral_inertia_kg_m2(0, sample) = all.inertia_kg_m2(1, 1);
   }
 
   void take_file_forces(Index sample) {

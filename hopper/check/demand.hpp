@@ -49,6 +49,8 @@ struct Demand {
   Eigen::MatrixXd center_of_mass_m;        ///< (3 x samples), world's axes; so the next two.
   Eigen::MatrixXd angular_momentum_Nm_s;   ///< CAM.
   Eigen::MatrixXd angular_velocity_rad_s;  ///< CAV.
+  /// (1 x samples): of all bodies as one, about world's y through the centre of mass.
+  Eigen::MatrixXd lateral_inertia_kg_m2;
   std::vector<Jolt> jolts;
   double weight_N = 0.0;
   double size_m = 0.0;       ///< Radius of gyration of all bodies at the first sample.

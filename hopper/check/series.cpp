@@ -140,6 +140,7 @@ class SeriesPass {
     add_axes("center_of_mass", "m", demand().center_of_mass_m);
     add_axes("angular_momentum", "Nm_s", demand().angular_momentum_Nm_s);
     add_axes("centroidal_velocity", "rad_s", demand().angular_velocity_rad_s);
+    add_row("composite_inertia_y_kg_m2", demand().lateral_inertia_kg_m2, 0);
     add_impacts();
   }
 

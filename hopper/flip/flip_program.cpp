@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "dynamics/gravity.hpp"
-#include "hopper/flip/guess.hpp"
+#include "hopper/flip/planned_instant.hpp"
 #include "hopper/flip/hermite_simpson.hpp"
 #include "hopper/flip/jet_rows.hpp"
-#include "hopper/flip/objectives/objective.hpp"
+#include "hopper/flip/objectives/library.hpp"
 #include "hopper/flip/smoothness.hpp"
 
 namespace torquewright::hopper {
@@ -31,6 +30,7 @@ constexpr double kAcceleration = 100.0;
 constexpr double kTorque_Nm = 100.0;
 constexpr double kForce_N = 100.0;
 constexpr double kImpulse_N_s = 10.0;
+constexpr double kImpulseGuess_N_s = 5.0;
 constexpr double kDuration_s = 0.3;
 // Wide enough for any such robot, tight enough to keep the search from running away (trial: loose
 // bounds did not converge).
@@ -40,11 +40,12 @@ constexpr double kFastest_m_s = 10.0;
 constexpr double kFastest_rad_s = 30.0;
 constexpr double kHardest_m_s2 = 500.0;
 constexpr double kHardest_rad_s2 = 3000.0;
+constexpr double kGreatestForce_N = 1e4;
 constexpr double kClear_m = 0.03;  // bodies that must not touch, above the ground
 // From the middle of the sole to where the mass stands at the begin and at the end, of its length.
 constexpr double kStandsWithin = 0.1;
 // Part of a phase before the foot tips, over which its load may go to the edge.
-static const double kTips = getenv("TIPS") ? atof(getenv("TIPS")) : 0.3;
+constexpr double kTips = 0.3;
 
 Bounds equal(double value) { return {value, value}; }
 Bounds at_least(double value) { return {value, kInfinite}; }
@@ -158,7 +159,7 @@ class Builder {
     return 0.0;
   }
 
-  int add_positions(std::size_t phase, bool is_last, const PlannedInstant& guess) {
+  int add_positions(std::size_t phase, bool is_last, bool at_rest, const PlannedInstant& guess) {
     VariableSet set{"position", moving_of(guess.position), {}, {}};
     set.bounds = {within(kFarthest_m), {0.0, kHighest_m}, within(4.0 * std::numbers::pi)};
     // The last instant of a phase is the first of the next as well.
@@ -171,10 +172,16 @@ class Builder {
       set.bounds[2] = equal(turned_rad(lands ? phase + 1 : phase));
     }
     // Where it begins is the origin of x: the foot's own.
-    if (phase == 0) set.bounds[0] = equal(model_.plane.sole.front().point.p_B_m.x());
+    const double origin_m = model_.plane.sole.front().point.p_B_m.x();
+    if (phase == 0) set.bounds[0] = equal(origin_m);
+    if (phase > 0 && at_rest && goal_.stride_m) set.bounds[0] = equal(origin_m + *goal_.stride_m);
     set.scales = {kLength_m, kLength_m, kAngle_rad};
     for (Index j = 0; j < k_; ++j) {
-      set.bounds.push_back(model_.joint_rad[static_cast<std::size_t>(j)]);
+      const auto joint = static_cast<std::size_t>(j);
+      Bounds range = at_rest ? goal_.standing_rad[joint] : model_.joint_rad[joint];
+      static const double stm = getenv("STM") ? atof(getenv("STM")) : 0.0;
+      if (!at_rest && phase + 1 == out_.mesh.size()) { const double m = stm * (range.upper - range.lower); range.lower += m; range.upper -= m; }
+      set.bounds.push_back(range);
       set.scales.push_back(kAngle_rad);
     }
     return add(std::move(set));
@@ -186,7 +193,8 @@ class Builder {
     if (holds_pitch(on)) set.bounds[2] = equal(0.0);
   }
 
-  int add_velocities(const Stance& on, const PlannedInstant& guess, bool at_rest) {
+  int add_velocities(const Stance& on, const PlannedInstant& guess, bool at_rest,
+                     bool takes_off = false) {
     VariableSet set{"velocity", moving_of(guess.velocity), {}, {}};
     set.bounds = {within(kFastest_m_s), within(kFastest_m_s), within(kFastest_rad_s)};
     for (Index j = 0; j < k_; ++j) {
@@ -194,6 +202,10 @@ class Builder {
     }
     hold(on, set);
     if (at_rest) set.bounds.assign(set.values.size(), equal(0.0));
+    if (takes_off && goal_.rise_m) {
+      const double gravity_m_s2 = model_.plane.robot.tree.gravity_m_s2;
+      set.bounds[1].lower = std::sqrt(2.0 * gravity_m_s2 * *goal_.rise_m);
+    }
     set.scales.assign(set.values.size(), kSpeed);
     return add(std::move(set));
   }
@@ -223,39 +235,53 @@ class Builder {
     return add(std::move(set));
   }
 
-  /// Contact forces of the guess, left and right together.
-  std::vector<double> forces_of_guess(const Stance& stance, const PlannedInstant& guess) const {
+  /// By force of the stance, of what contact points give: left and right together.
+  std::vector<double> of_sole(const Stance& stance, const Eigen::Matrix3Xd& contacts) const {
     std::vector<double> out(stance.force_count(), 0.0);
     for (std::size_t i = 0; i < stance.points.size(); ++i) {
       for (const std::size_t member : model_.plane.sole[stance.points[i]].members) {
-        out[0] += guess.contact_N(0, static_cast<Index>(member));
-        out[1 + i] += guess.contact_N(2, static_cast<Index>(member));
+        out[0] += contacts(0, static_cast<Index>(member));
+        out[1 + i] += contacts(2, static_cast<Index>(member));
       }
     }
     return out;
   }
 
-  /// What lets go does so without a load: `next` is the stance that follows at once.
-  int add_contact_forces(const Stance& stance, const PlannedInstant& guess, const Stance* next) {
+  std::vector<double> impulses_of_guess(std::size_t phase) const {
+    const Eigen::Matrix3Xd& known = guess_.phases[phase].impulse_N_s;
+    if (known.size() > 0) return of_sole(stance(phase), known);
+    std::vector<double> out(stance(phase).force_count(), kImpulseGuess_N_s);
+    out.front() = 0.0;
+    return out;
+  }
+
+  /// The guess where the phase before ends, in this phase's frame.
+  PlannedInstant last_before(std::size_t phase) const {
+    const PlannedPhase& before = guess_.phases[phase - 1];
+    PlannedInstant out = before.instants.back();
+    const TreeMotion here = frame_motion(
+        model_.plane, stance(phase).frame(),
+        tree_motion(model_.plane, before.frame(), {out.position, out.velocity, out.acceleration}));
+    out.position = here.position;
+    out.velocity = here.velocity;
+    out.acceleration = here.acceleration;
+    return out;
+  }
+
+  int add_contact_forces(const Stance& stance, const PlannedInstant& guess) {
     if (stance.is_flight()) return 0;
-    VariableSet set{"forces", forces_of_guess(stance, guess), {}, {}};
-    set.bounds.assign(set.values.size(), {0.0, 1e4});
-    set.bounds.front() = within(1e4);
-    for (std::size_t i = 0; next != nullptr && i < stance.points.size(); ++i) {
-      const bool stays = std::find(next->points.begin(), next->points.end(), stance.points[i]) !=
-                         next->points.end();
-      if (!stays) set.bounds[1 + i] = equal(0.0);
-    }
-    if (next != nullptr && next->is_flight()) set.bounds.front() = equal(0.0);
+    VariableSet set{"forces", of_sole(stance, guess.contact_N), {}, {}};
+    set.bounds.assign(set.values.size(), {0.0, kGreatestForce_N});
+    set.bounds.front() = within(kGreatestForce_N);
     set.scales.assign(set.values.size(), kForce_N);
     return add(std::move(set));
   }
 
-  int add_bus() {
+  int add_bus(const PlannedInstant& guess) {
     VariableSet set{"bus", {}, {}, {}};
     for (const PlanSupply& supply : *model_.supplies) {
       if (!(supply.resistance_ohm > 0.0)) continue;
-      set.values.push_back(supply.open_V);
+      set.values.push_back(guess.bus_V > 0.0 ? guess.bus_V : supply.open_V);
       set.bounds.push_back({0.55 * supply.open_V, 1.3 * supply.open_V});
       set.scales.push_back(0.1 * supply.open_V);
     }
@@ -278,28 +304,23 @@ class Builder {
       const bool shares = joins && stance(phase - 1).frame() == mesh.stance.frame();
       const PointVariables* before = joins ? &out_.phases.back().points.back() : nullptr;
       point.position =
-          shares ? before->position : add_positions(phase, i + 1 == points, guess);
+          shares ? before->position : add_positions(phase, i + 1 == points, at_rest, guess);
       point.velocity = shares && !variables.has_impact
                            ? before->velocity
-                           : add_velocities(mesh.stance, guess, at_rest);
+                           : add_velocities(mesh.stance, guess, at_rest, joins && mesh.stance.is_flight());
       if (joins && variables.has_impact) {
         variables.velocity_before =
             shares ? before->velocity
-                   : add_velocities({"free", {}}, guessed(phase, 0), false);
+                   : add_velocities({"free", {}}, last_before(phase), false);
       }
       point.acceleration = add_accelerations(mesh.stance, guess, at_rest);
-      // Motors do not jump; what a replay does a moment early or late is then nearly the same.
-      static const bool cont_all=getenv("CA"), cont=getenv("CN"), rel=getenv("REL");
-      point.drives = joins && ((cont&&!variables.has_impact)||cont_all) ? before->drives : add_drive_torques(guess);
-      const bool releases = rel && i + 1 == points && phase + 1 < out_.mesh.size() && (getenv("RELF")==nullptr||stance(phase+1).is_flight());
-      point.forces =
-          add_contact_forces(mesh.stance, guess, releases ? &stance(phase + 1) : nullptr);
-      point.bus = add_bus();
+      point.drives = add_drive_torques(guess);
+      point.forces = add_contact_forces(mesh.stance, guess);
+      point.bus = add_bus(guess);
       variables.points.push_back(point);
     }
     if (variables.has_impact) {
-      VariableSet set{"impulses", std::vector<double>(mesh.stance.force_count(), 5.0), {}, {}};
-      set.values.front() = 0.0;
+      VariableSet set{"impulses", impulses_of_guess(phase), {}, {}};
       set.bounds.assign(set.values.size(), {0.0, 500.0});
       set.bounds.front() = within(500.0);
       set.scales.assign(set.values.size(), kImpulse_N_s);
@@ -575,6 +596,22 @@ PlannedMotion motion_of(const FlipProgram& program, const PlanModel& model,
   };
   const Index m = plane.moving_count();
   const auto d = static_cast<Index>(plane.drive_count());
+  /// What a stance's points give, shared alike by the contact points that are one in the plane.
+  const auto on_contacts = [&plane](const Stance& stance, const Eigen::VectorXd& forces) {
+    Eigen::Matrix3Xd out =
+        Eigen::Matrix3Xd::Zero(3, static_cast<Index>(plane.robot.contacts.size()));
+    const double load = forces.size() > 0 ? forces.tail(forces.size() - 1).sum() : 0.0;
+    for (std::size_t f = 0; f < stance.points.size(); ++f) {
+      const SolePoint& sole = plane.sole[stance.points[f]];
+      const double up = forces[1 + static_cast<Index>(f)];
+      for (const std::size_t member : sole.members) {
+        const double share = 1.0 / static_cast<double>(sole.members.size());
+        out(2, static_cast<Index>(member)) = up * share;
+        out(0, static_cast<Index>(member)) = load > 0.0 ? forces[0] * up / load * share : 0.0;
+      }
+    }
+    return out;
+  };
   PlannedMotion out;
   double begin_s = 0.0;
   for (std::size_t p = 0; p < program.phases.size(); ++p) {
@@ -596,21 +633,8 @@ PlannedMotion motion_of(const FlipProgram& program, const PlanModel& model,
       instant.velocity = plane.all_rows(read(point.velocity, m));
       instant.acceleration = plane.all_rows(read(point.acceleration, m));
       instant.drive_Nm = read(point.drives, d);
-      instant.contact_N =
-          Eigen::Matrix3Xd::Zero(3, static_cast<Index>(plane.robot.contacts.size()));
-      const auto forces = read(point.forces, static_cast<Index>(mesh.stance.force_count()));
-      double load_N = 0.0;
-      for (Index f = 1; f < forces.size(); ++f) load_N += forces[f];
-      for (std::size_t f = 0; f < mesh.stance.points.size(); ++f) {
-        const SolePoint& sole = plane.sole[mesh.stance.points[f]];
-        const double up_N = forces[1 + static_cast<Index>(f)];
-        for (const std::size_t member : sole.members) {
-          const double share_of = 1.0 / static_cast<double>(sole.members.size());
-          instant.contact_N(2, static_cast<Index>(member)) = up_N * share_of;
-          instant.contact_N(0, static_cast<Index>(member)) =
-              load_N > 0.0 ? forces[0] * up_N / load_N * share_of : 0.0;
-        }
-      }
+      instant.contact_N = on_contacts(
+          mesh.stance, read(point.forces, static_cast<Index>(mesh.stance.force_count())));
       if (!model.supplies->empty()) {
         const PlanSupply& supply = model.supplies->front();
         instant.bus_V = supply.resistance_ohm > 0.0
@@ -618,6 +642,11 @@ PlannedMotion motion_of(const FlipProgram& program, const PlanModel& model,
                             : supply.open_V;
       }
       phase.instants.push_back(std::move(instant));
+    }
+    phase.is_collocated = true;
+    if (variables.has_impact) {
+      phase.impulse_N_s = on_contacts(
+          mesh.stance, read(variables.impulses, static_cast<Index>(mesh.stance.force_count())));
     }
     begin_s += duration_s;
     out.phases.push_back(std::move(phase));

@@ -20,13 +20,6 @@ constexpr double kHump_m = 0.15;       // of the base, in flight
 constexpr double kToeUp_rad = 0.2;     // of the foot on its heel
 constexpr double kTuckedUntil = 0.35;  // share of the flight by which legs are drawn in
 
-VectorXd cubic(const VectorXd& y0, const VectorXd& r0, const VectorXd& y1, const VectorXd& r1,
-               double h, double s) {
-  const double s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * y0 + (s3 - 2 * s2 + s) * h * r0 + (3 * s2 - 2 * s3) * y1 +
-         (s3 - s2) * h * r1;
-}
-
 /// What joints and foot do at an instant.
 struct Frame {
   VectorXd joints;        ///< Those that move.
@@ -172,7 +165,7 @@ void KeyFrames::perturb(std::vector<Frame>& frames) {
 }
 
 PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal& goal) {
-  const VectorXd crouch = balanced(named("crouch", bent(0.8)));
+  const VectorXd crouch = balanced(named("stand", bent(0.5)));
   const VectorXd take_off = named("takeoff", bent(0.5));
   const VectorXd tuck = goal.turn_rad != 0.0 ? named("tuck", bent(0.95)) : take_off;
   std::size_t flight = mesh.size();
@@ -270,25 +263,6 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
 }
 
 }  // namespace
-
-PlannedInstant instant_at(const PlannedPhase& phase, double share) {
-  const double time_s = phase.begin_s() + share * (phase.end_s() - phase.begin_s());
-  std::size_t i = 0;
-  while (i + 2 < phase.instants.size() && phase.instants[i + 1].time_s <= time_s) ++i;
-  const PlannedInstant& a = phase.instants[i];
-  const PlannedInstant& b = phase.instants[i + 1];
-  const double h = b.time_s - a.time_s;
-  const double s = h > 0.0 ? std::clamp((time_s - a.time_s) / h, 0.0, 1.0) : 0.0;
-  PlannedInstant out;
-  out.time_s = time_s;
-  out.position = cubic(a.position, a.velocity, b.position, b.velocity, h, s);
-  out.velocity = cubic(a.velocity, a.acceleration, b.velocity, b.acceleration, h, s);
-  out.acceleration = a.acceleration + s * (b.acceleration - a.acceleration);
-  out.drive_Nm = a.drive_Nm + s * (b.drive_Nm - a.drive_Nm);
-  out.contact_N = a.contact_N + s * (b.contact_N - a.contact_N);
-  out.bus_V = a.bus_V + s * (b.bus_V - a.bus_V);
-  return out;
-}
 
 PlannedMotion key_frame_guess(const PlanModel& model, const std::vector<MeshPhase>& mesh,
                               const PlanGoal& goal, const PlanOptions& options) {

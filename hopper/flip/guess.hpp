@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_goal.hpp"
+#include "hopper/flip/plan_model.hpp"
 
 namespace torquewright::hopper {
-
-/// Between the instants of a phase: positions cubic by their velocities, velocities cubic by their
-/// accelerations, torques and forces straight. `share` of the phase's duration.
-PlannedInstant instant_at(const PlannedPhase& phase, double share);
 
 /// A first guess by key frames: the document's postures "crouch", "takeoff" and "tuck" where it has
 /// them, feet where the stances hold them, a hump of the base in flight. No motion: it obeys no

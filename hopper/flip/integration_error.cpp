@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "hopper/flip/sagittal_dynamics.hpp"
+#include "hopper/flip/laws.hpp"
+#include "hopper/flip/planned_instant.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -20,47 +21,72 @@ struct State {
   VectorXd velocity;
 };
 
-/// What the ground holds and what it gives are unknowns of one linear system.
+/// Accelerations and what the ground gives are the unknowns of one linear system: the equations of
+/// motion, and that what touches does not accelerate.
 class Forward {
  public:
   Forward(const SagittalRobot& robot, const Stance& stance)
-      : stance_(stance), dynamics_(robot), moving_(robot.moving_count()) {
-    const Index held = stance.is_flight() ? 0 : stance.is_flat() ? 3 : 2;
-    first_free_ = held;
-  }
+      : stance_(stance),
+        dynamics_(robot),
+        moving_(robot.moving_count()),
+        forces_(static_cast<Index>(stance.force_count())) {}
 
   /// Accelerations under torques at the drives; not finite where there are none.
   VectorXd operator()(const State& at, const VectorXd& drive_Nm) {
-    dynamics_.set(stance_.frame(), at.position, at.velocity);
-    const Index free = moving_ - first_free_;
-    const auto forces = static_cast<Index>(stance_.force_count());
-    const VectorXd rest = residual(VectorXd::Zero(free + forces), drive_Nm);
-    Eigen::MatrixXd columns(moving_, free + forces);
-    for (Index i = 0; i < free + forces; ++i) {
-      columns.col(i) = residual(VectorXd::Unit(free + forces, i), drive_Nm) - rest;
+    if (!at.position.allFinite() || !at.velocity.allFinite()) {
+      return VectorXd::Constant(moving_, std::numeric_limits<double>::quiet_NaN());
     }
-    VectorXd acceleration = VectorXd::Zero(moving_);
-    acceleration.tail(free) = columns.partialPivLu().solve(-rest).head(free);
-    return acceleration;
+    dynamics_.set(stance_.frame(), at.position, at.velocity);
+    const Index size = moving_ + forces_;
+    const VectorXd rest = rows(VectorXd::Zero(size), drive_Nm);
+    Eigen::MatrixXd columns(size, size);
+    for (Index i = 0; i < size; ++i) {
+      columns.col(i) = rows(VectorXd::Unit(size, i), drive_Nm) - rest;
+    }
+    return columns.partialPivLu().solve(-rest).head(moving_);
+  }
+
+  /// The part of the frame's moment that no force at the points on the ground explains.
+  double unexplained_Nm(const State& at, const VectorXd& acceleration, const VectorXd& drive_Nm) {
+    constexpr Index kOnOnePoint = 2;
+    if (forces_ > kOnOnePoint) return 0.0;
+    dynamics_.set(stance_.frame(), at.position, at.velocity);
+    const auto frame_rows = [&](const VectorXd& forces) {
+      return dynamics_.residual(acceleration, drive_Nm, forces_of(stance_, forces, 0))
+          .head<3>()
+          .eval();
+    };
+    const Eigen::Vector3d rest = frame_rows(VectorXd::Zero(forces_));
+    if (forces_ == 0) return rest[2];
+    Eigen::Matrix<double, 3, 2> columns;
+    for (Index i = 0; i < kOnOnePoint; ++i) {
+      columns.col(i) = frame_rows(VectorXd::Unit(forces_, i)) - rest;
+    }
+    const Eigen::Vector2d forces = columns.topRows<2>().partialPivLu().solve(-rest.head<2>());
+    return rest[2] + columns.row(2).dot(forces);
   }
 
  private:
-  VectorXd residual(const VectorXd& unknowns, const VectorXd& drive_Nm) {
-    const Index free = moving_ - first_free_;
-    VectorXd acceleration = VectorXd::Zero(moving_);
-    acceleration.tail(free) = unknowns.head(free);
-    std::vector<SoleForceOf<double>> forces;
-    for (std::size_t i = 0; i < stance_.points.size(); ++i) {
-      forces.push_back({stance_.points[i], i == 0 ? unknowns[free] : 0.0,
-                        unknowns[free + 1 + static_cast<Index>(i)]});
-    }
-    return dynamics_.residual(acceleration, drive_Nm, forces).head(moving_);
+  VectorXd rows(const VectorXd& unknowns, const VectorXd& drive_Nm) {
+    const VectorXd acceleration = unknowns.head(moving_);
+    VectorXd held(forces_);
+    stance_rows<double>(
+        dynamics_.robot(), stance_,
+        [&](const dynamics::BodyPoint& point) {
+          return dynamics_.acceleration_m_s2(point, acceleration);
+        },
+        held);
+    VectorXd out(moving_ + forces_);
+    out << dynamics_.residual(acceleration, drive_Nm, forces_of(stance_, unknowns, moving_))
+               .head(moving_),
+        held;
+    return out;
   }
 
   Stance stance_;
   SagittalDynamicsOf<double> dynamics_;
   Index moving_;
-  Index first_free_ = 0;
+  Index forces_;
 };
 
 State advance(const State& from, double h, const VectorXd& rate, const VectorXd& second) {
@@ -95,6 +121,16 @@ class Integrator {
                       a1 + 2.0 * a2 + 2.0 * a3 + a4);
     }
     return state;
+  }
+  double unexplained_Nm(std::size_t interval) {
+    double greatest = 0.0;
+    for (const double share : {0.25, 0.75}) {
+      const PlannedInstant at = instant_within(phase_, interval, share);
+      greatest = std::max(
+          greatest, std::abs(forward_.unexplained_Nm({moving(at.position), moving(at.velocity)},
+                                                     moving(at.acceleration), at.drive_Nm)));
+    }
+    return greatest;
   }
   double length_s(std::size_t interval) const {
     return phase_.instants[2 * interval + 2].time_s - phase_.instants[2 * interval].time_s;
@@ -137,6 +173,7 @@ PhaseError error_of(const SagittalRobot& robot, const Stance& stance, const Plan
     error.interval_rad.push_back(
         std::max(integrator.apart_rad(anew.position, planned.position),
                  integrator.length_s(i) * integrator.apart_rad(anew.velocity, planned.velocity)));
+    error.unexplained_Nm.push_back(integrator.unexplained_Nm(i));
     whole = integrator.over(i, whole);
     error.whole_rad =
         std::max(error.whole_rad, integrator.apart_rad(whole.position, planned.position));
@@ -145,6 +182,10 @@ PhaseError error_of(const SagittalRobot& robot, const Stance& stance, const Plan
 }
 
 }  // namespace
+
+double PhaseError::greatest_unexplained_Nm() const {
+  return *std::max_element(unexplained_Nm.begin(), unexplained_Nm.end());
+}
 
 std::vector<PhaseError> integration_errors(const SagittalRobot& robot,
                                            const std::vector<Stance>& stances,

@@ -16,6 +16,11 @@ struct PhaseError {
   /// By interval: the same where each begins anew at its own first instant; with its velocities'
   /// difference times the interval, which a position does not show yet.
   std::vector<double> interval_rad;
+  /// By interval: the greatest moment, a quarter of the way from either end, that the ground would
+  /// have to give beside what the contact points can. It vanishes at ends and middles alone.
+  std::vector<double> unexplained_Nm;
+
+  double greatest_unexplained_Nm() const;
 };
 
 /// By phase. Classical Runge-Kutta of fourth order, `steps` an interval, of the equations of motion

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/flip/mesh_refinement.hpp"
 
-#include <algorithm>
-#include <numeric>
-
 namespace torquewright::hopper {
 
 std::vector<double> refined(const std::vector<double>& knots, const std::vector<double>& error,

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_model.hpp"
 #include "hopper/replay/drive_supply.hpp"
 #include "hopper/robot/whole_body.hpp"
 
@@ -75,29 +75,34 @@ PlanModel plan_model(const Robot& robot, const PlanOptions& options) {
   model.plane = sagittal(robot);
   add_joints(model, options.margins);
   const WholeBody body(model.plane.robot);
-  auto regions = std::make_shared<std::vector<DriveRegion>>();
   std::vector<const actuator::Actuator*> drives;
   for (const Drivetrain& drivetrain : model.plane.robot.drivetrains) {
     for (const actuator::Actuator& actuator : drivetrain.actuators) {
       drives.push_back(&actuator);
       model.gear_Nm.push_back(gear_limit_Nm(drivetrain, actuator, options.margins.gear_load));
       model.rotors_kg_m2.push_back(body.before_gears_kg_m2(drives.size() - 1));
-      regions->push_back(DriveRegion(actuator, options.check.conditions,
-                                     {options.limits, options.margins.voltage,
-                                      options.margins.current}));
     }
   }
   auto supplies = std::make_shared<std::vector<PlanSupply>>();
+  std::vector<bool> shares_battery(drives.size(), false);
   for (const DriveSupply& supply : drive_supplies(drives, options.check.conditions)) {
     const bool is_stiff = options.limits == DriveLimits::kBox;
     supplies->push_back({supply.drives, supply.supply.open_circuit_V,
                          is_stiff ? 0.0 : supply.supply.resistance_ohm});
+    for (const std::size_t drive : supply.drives) shares_battery[drive] = supply.drives.size() > 1;
+  }
+  auto regions = std::make_shared<std::vector<DriveRegion>>();
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    regions->emplace_back(*drives[i], options.check.conditions,
+                          DriveRegionOptions{options.limits, options.margins.voltage,
+                                             options.margins.current, shares_battery[i]});
   }
   model.regions = std::move(regions);
   model.supplies = std::move(supplies);
-  double mass_kg = 0.0;
-  for (const dynamics::Body& one : robot.tree.bodies) mass_kg += one.inertia.mass_kg;
-  model.weight_N = mass_kg * robot.tree.gravity_m_s2;
+  model.weight_N = model.plane.mass_kg * robot.tree.gravity_m_s2;
+  const Posture straight{"", Eigen::VectorXd::Zero(static_cast<Index>(robot.tree.bodies.size()) - 1)};
+  model.size_m =
+      std::sqrt(pitch_inertia_kg_m2(model.plane.robot.tree, straight) / model.plane.mass_kg);
   model.foot_length_m = model.plane.sole.back().point.p_B_m.x() -
                         model.plane.sole.front().point.p_B_m.x();
   return model;

@@ -34,6 +34,9 @@ struct PlannedPhase {
   std::string stance;            ///< Words: "flat", "heel", "toe", "flight".
   std::vector<bool> touches;     ///< By contact point of the robot.
   std::vector<PlannedInstant> instants;
+  /// What the ground gives where the phase begins with an impact (3 x contact points), else empty.
+  Eigen::Matrix3Xd impulse_N_s = {};
+  bool is_collocated = false;  ///< Whether all that is said here of instants holds: no sketch.
 
   bool flies() const {
     return std::none_of(touches.begin(), touches.end(), [](bool one) { return one; });

@@ -198,8 +198,8 @@ Eigen::Matrix<T, 2, 1> SagittalDynamicsOf<T>::velocity_m_s(const BodyPoint& poin
 }
 
 template <typename T>
-Eigen::Matrix<T, 2, 1> SagittalDynamicsOf<T>::acceleration_m_s2(
-    const BodyPoint& point, const VectorX<T>& acceleration) {
+Eigen::Matrix<T, 2, 1> SagittalDynamicsOf<T>::acceleration_m_s2(const BodyPoint& point,
+                                                                const VectorX<T>& acceleration) {
   Eigen::Matrix<T, 3, Eigen::Dynamic> jacobian(3, robot_->robot.tree.velocity_size());
   dynamics::point_jacobian(state(), point, jacobian);
   const dynamics::Vector3<T> sum =

@@ -15,8 +15,9 @@ struct SoleForceOf {
 };
 
 /// The equations of motion in the plane, on any scalar for which dynamics/ stands. Vectors of what
-/// moves by SagittalRobot::moving, in a frame. On its place nothing depends but places of points. Keeps its room: for one thread. A mechanism that does not reach a posture
-/// makes numbers that are not finite: a solver steps back from there.
+/// moves by SagittalRobot::moving, in a frame. On its place nothing depends but places of points.
+/// Keeps its room: for one thread. A mechanism that does not reach a posture makes numbers that are
+/// not finite: a solver steps back from there.
 template <typename T>
 class SagittalDynamicsOf {
  public:
@@ -33,7 +34,8 @@ class SagittalDynamicsOf {
   dynamics::VectorX<T> residual(const dynamics::VectorX<T>& acceleration,
                                 const dynamics::VectorX<T>& drive_Nm,
                                 const std::vector<SoleForceOf<T>>& forces);
-  /// M change - J^T impulses, by moving row: 0 across an impact. Held rows are the ground's.
+  /// M change - J^T impulses, by moving row: 0 across an impact. Held rows are the ground's. Only
+  /// where it was set about the sole, whose velocities change.
   dynamics::VectorX<T> impact_residual(const dynamics::VectorX<T>& change,
                                        const std::vector<SoleForceOf<T>>& impulses);
   /// x and z of a point of the robot, its velocity and, for an acceleration, how it accelerates.
@@ -52,9 +54,7 @@ class SagittalDynamicsOf {
   Eigen::Matrix<T, 2, 1> origin_m(PlanFrame frame) const;
   Eigen::Matrix<T, 2, 1> origin_m_s(PlanFrame frame) const;
   T turned(const dynamics::VectorX<T>& moving) const;
-  const dynamics::TreeStateOf<T>& state() const {
-    return const_cast<WholeBodyOf<T>&>(body_).state();
-  }
+  const dynamics::TreeStateOf<T>& state() const { return body_.state(); }
   dynamics::VectorX<T> picked(const dynamics::VectorX<T>& rows, bool with_held) const;
   void subtract(const std::vector<SoleForceOf<T>>& forces, dynamics::VectorX<T>& rows) const;
 
@@ -64,17 +64,17 @@ class SagittalDynamicsOf {
   PlanFrame frame_ = PlanFrame::kSole;
   dynamics::VectorX<T> position_;  ///< As set.
   dynamics::VectorX<T> velocity_;
-  Eigen::Matrix<T, 2, 1> base_m_;      ///< Where the base is, and how it moves: set() leaves the
-  Eigen::Matrix<T, 2, 1> base_m_s_;    ///< tree's own at 0.
+  Eigen::Matrix<T, 2, 1> base_m_;    ///< Where the base is, and how it moves: set() leaves the
+  Eigen::Matrix<T, 2, 1> base_m_s_;  ///< tree's own at 0.
 };
 
 /// How drives move with the joints: A, and the rates that follow. For drives and limits, which
 /// depend on joints alone.
 template <typename T>
 struct DriveMotionOf {
-  dynamics::VectorX<T> speed_rad_s;         ///< (drives x 1)
-  dynamics::VectorX<T> acceleration_rad_s2; ///< (drives x 1)
-  dynamics::VectorX<T> joint_Nm;            ///< By joint that moves, of the drives' torques.
+  dynamics::VectorX<T> speed_rad_s;          ///< (drives x 1)
+  dynamics::VectorX<T> acceleration_rad_s2;  ///< (drives x 1)
+  dynamics::VectorX<T> joint_Nm;             ///< By joint that moves, of the drives' torques.
 };
 
 /// By what the joints that move do; torques (drives x 1). Not finite where a mechanism does not

@@ -11,9 +11,9 @@ namespace torquewright::hopper {
 
 /// Contact points that are one where nothing leaves the plane.
 struct SolePoint {
-  std::string name;  ///< "heel", "toe".
-  dynamics::BodyPoint point;  ///< In the plane.
-  std::vector<std::size_t> members;  ///< Contact points of the robot.
+  std::string name;                   ///< "heel", "toe".
+  dynamics::BodyPoint point;          ///< In the plane.
+  std::vector<std::size_t> members;   ///< Contact points of the robot.
   double friction_coefficient = 0.0;  ///< The least of theirs.
 };
 
@@ -23,12 +23,13 @@ struct SolePoint {
 struct SagittalRobot {
   Robot robot;  ///< On a planar base.
   double mass_kg = 0.0;
-  std::vector<std::size_t> joints;    ///< Bodies of those that move.
-  std::vector<Eigen::Index> moving;   ///< Rows of what moves: the frame's, then those joints.
-  std::vector<Eigen::Index> held;     ///< Rows of joints that stay at 0.
-  std::vector<double> directions;     ///< By joint of `joints`: +1 about +y, -1 about -y.
-  std::size_t foot = 0;               ///< The body with the contact points.
-  std::vector<SolePoint> sole;        ///< From back to front.
+  std::vector<std::size_t> joints;   ///< Bodies of those that move.
+  std::vector<Eigen::Index> moving;  ///< Rows of what moves: the frame's, then those joints.
+  std::vector<Eigen::Index> held;    ///< Rows of joints that stay at 0.
+  std::vector<double> directions;    ///< By joint of `joints`: +1 about +y, -1 about -y, 0
+                                     ///< where it does not carry the foot.
+  std::size_t foot = 0;              ///< The body with the contact points.
+  std::vector<SolePoint> sole;       ///< From back to front.
 
   Eigen::Index moving_count() const { return static_cast<Eigen::Index>(moving.size()); }
   std::size_t drive_count() const;
@@ -49,8 +50,8 @@ TreeMotion frame_motion(const SagittalRobot& robot, PlanFrame frame, const TreeM
 
 /// The robot in its plane. io::SpecError, naming what and by how much, where it has no plane that
 /// its motion stays in: masses or contacts beside it, mechanisms whose two sides are not mirror
-/// images, joints that lean out of it; where more than one body has contact points, or where
-/// nothing pulls it down. docs/derivations/collocation.md, "The plane".
+/// images, joints that lean out of it; where more than one body has contact points or its sole is
+/// not level, or where nothing pulls it down. docs/derivations/collocation.md, "The plane".
 SagittalRobot sagittal(const Robot& robot);
 
 }  // namespace torquewright::hopper

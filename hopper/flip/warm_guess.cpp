@@ -17,7 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kInPlane = 1e-3;  // rad, m: of what must not leave the plane
+constexpr double kInPlane = 1e-3;    // rad, m: of what must not leave the plane
 constexpr double kChatter_s = 4e-3;  // a shorter contact or loss of it is none
 
 /// Samples of one stance, both ends within.
@@ -110,6 +110,25 @@ std::vector<Run> runs_of(const PlanModel& model, const Motion& motion,
   return out;
 }
 
+/// By contact point of the robot.
+std::vector<bool> touching(const SagittalRobot& plane, const Stance& stance) {
+  std::vector<bool> out(plane.robot.contacts.size(), false);
+  for (const std::size_t point : stance.points) {
+    for (const std::size_t member : plane.sole[point].members) out[member] = true;
+  }
+  return out;
+}
+
+/// Borne alike by all that touch.
+Eigen::Matrix3Xd shared_weight_N(const std::vector<bool>& touches, double weight_N) {
+  const auto count = std::count(touches.begin(), touches.end(), true);
+  Eigen::Matrix3Xd out = Eigen::Matrix3Xd::Zero(3, static_cast<Index>(touches.size()));
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (touches[i]) out(2, static_cast<Index>(i)) = weight_N / static_cast<double>(count);
+  }
+  return out;
+}
+
 void require_order(const std::vector<Run>& runs, const std::vector<Stance>& stances,
                    const std::string& file) {
   std::vector<std::string> found, wanted;
@@ -132,28 +151,22 @@ PlannedMotion warm_guess(const Robot& robot, const PlanModel& model,
   require_order(runs, stances, file);
   PlannedMotion out;
   for (std::size_t p = 0; p < runs.size(); ++p) {
-    PlannedPhase phase{runs[p].stance,
-                       std::vector<bool>(robot.contacts.size(), runs[p].stance != "flight"),
-                       {}};
+    const std::vector<bool> touches = touching(model.plane, stances[p]);
+    PlannedPhase phase{runs[p].stance, touches, {}};
     // Up to the next phase's first sample, unless an impact lies between.
     const bool shares_end = p + 1 < runs.size() && !known.is_break(runs[p + 1].from);
     for (Index sample = runs[p].from; sample <= runs[p].until + (shares_end ? 1 : 0); ++sample) {
+      const TreeMotion rows = frame_motion(
+          model.plane, phase.frame(),
+          {reader.planar_position(sample), reader.planar_rate(known.velocities, sample),
+           reader.planar_rate(known.accelerations, sample)});
       PlannedInstant instant;
       instant.time_s = known.time_s(sample);
-      const TreeMotion rows = frame_motion(model.plane, phase.frame(), {reader.planar_position(sample),
-                                                        reader.planar_rate(known.velocities, sample),
-                                                        reader.planar_rate(known.accelerations, sample)});
       instant.position = rows.position;
       instant.velocity = rows.velocity;
       instant.acceleration = rows.acceleration;
       instant.drive_Nm = VectorXd::Zero(static_cast<Index>(model.plane.drive_count()));
-      instant.contact_N =
-          Eigen::Matrix3Xd::Zero(3, static_cast<Index>(robot.contacts.size()));
-      for (std::size_t point = 0; point < robot.contacts.size(); ++point) {
-        if (runs[p].stance == "flight") break;
-        instant.contact_N(2, static_cast<Index>(point)) =
-            model.weight_N / static_cast<double>(robot.contacts.size());
-      }
+      instant.contact_N = shared_weight_N(touches, model.weight_N);
       phase.instants.push_back(std::move(instant));
     }
     if (phase.instants.size() < 2) {

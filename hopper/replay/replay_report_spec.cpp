@@ -2,6 +2,7 @@
 #include "hopper/replay/replay_report_spec.hpp"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "actuator/check/check_report_spec.hpp"
@@ -87,14 +88,25 @@ const char* name_of(TrialEnd end) {
   }
 }
 
-ordered_json trial_json(std::size_t number, const TrialOutcome& outcome) {
-  return {{"number", number},
-          {"verdict", name_of(outcome.end)},
+/// Of all keys but its number.
+ordered_json outcome_json(const TrialOutcome& outcome) {
+  return {{"verdict", name_of(outcome.end)},
           {"end_s", outcome.end_time_s},
           {"reason", outcome.reason},
           {"touch_down_s", or_null(outcome.touch_down_time_s)},
           {"rotation_short_rad", or_null(outcome.rotation_short_rad)},
           {"transmission_load_Nm", outcome.peak_transmission_Nm}};
+}
+
+ordered_json trial_json(std::size_t number, const TrialOutcome& outcome) {
+  ordered_json keys = {{"number", number}};
+  keys.update(outcome_json(outcome));
+  return keys;
+}
+
+std::optional<double> number_or_none(const ordered_json& value) {
+  if (!value.is_number()) return std::nullopt;
+  return value.get<double>();
 }
 
 ordered_json trials_json(const ReplayTrials& trials) {
@@ -114,6 +126,27 @@ ordered_json trials_json(const ReplayTrials& trials) {
 }
 
 }  // namespace
+
+std::string trial_text(const TrialOutcome& outcome) {
+  return outcome_json(outcome).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+TrialOutcome trial_of(const std::string& text) {
+  const ordered_json keys = ordered_json::parse(text);
+  TrialOutcome outcome;
+  for (const TrialEnd end : {TrialEnd::kStands, TrialEnd::kFell, TrialEnd::kUnfinished}) {
+    if (keys.at("verdict") == name_of(end)) outcome.end = end;
+  }
+  outcome.reason = keys.at("reason");
+  outcome.end_time_s = keys.at("end_s");
+  outcome.touch_down_time_s = number_or_none(keys.at("touch_down_s"));
+  outcome.rotation_short_rad = number_or_none(keys.at("rotation_short_rad"));
+  for (const ordered_json& load : keys.at("transmission_load_Nm")) {
+    outcome.peak_transmission_Nm.push_back(
+        number_or_none(load).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return outcome;
+}
 
 ordered_json replay_report_json(const ReplayReport& report) {
   const ReplayOptions& options = report.options;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "hopper/replay/replay_report.hpp"
 
@@ -10,5 +11,9 @@ namespace torquewright::hopper {
 /// A document of kind `replay_report` without its provenance ("tool", "inputs", "options"). What is
 /// not known is null.
 nlohmann::ordered_json replay_report_json(const ReplayReport& report);
+
+/// A trial on one line, as processes hand it on, and what such a line holds.
+std::string trial_text(const TrialOutcome& outcome);
+TrialOutcome trial_of(const std::string& text);
 
 }  // namespace torquewright::hopper

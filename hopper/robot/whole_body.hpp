@@ -42,6 +42,7 @@ class WholeBodyOf {
 
   /// Its reflected inertias are those of no rotor of a drivetrain.
   dynamics::TreeStateOf<T>& state() { return state_; }
+  const dynamics::TreeStateOf<T>& state() const { return state_; }
   const Robot& robot() const { return *robot_; }
   std::size_t drive_count() const { return rotors_kg_m2_.size(); }
   /// N^2 J, the gears' and the crank's; 0 where what the joints state of it stays in the tree.

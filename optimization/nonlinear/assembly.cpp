@@ -20,37 +20,39 @@ std::size_t width_of(const Rows& rows) { return rows.variables().size(); }
 }  // namespace
 
 Assembly::Assembly(const Program& program) : program_(program) {
-  std::size_t most_rows = 1, widest = 0, largest = 0;
-  const auto make_room = [&](const Rows& rows) {
-    most_rows = std::max(most_rows, size_of(rows));
-    widest = std::max(widest, width_of(rows));
-    largest = std::max(largest, width_of(rows) * std::max(size_of(rows), width_of(rows)));
-  };
-  std::size_t first_row = 0;
   for (const auto& rows : program.rows()) {
-    make_room(*rows);
-    rows_.push_back({rows.get(), first_row, jacobian_places_.size(), {}});
-    for (const int variable : rows->variables()) {
-      for (std::size_t i = 0; i < size_of(*rows); ++i) {
-        jacobian_places_.push_back({static_cast<int>(first_row + i), variable});
-      }
-    }
-    first_row += size_of(*rows);
+    rows_.push_back({rows.get(), here_.rows.size(), jacobian_places_.size(), {}});
+    place_jacobian(rows_.back());
+    here_.rows.resize(here_.rows.size() + size_of(*rows));
   }
   for (const auto& cost : program.costs()) {
-    make_room(*cost);
     costs_.push_back({cost.get(), 0, 0, {}});
     const double scale = cost->scales().front();
     objective_scale_ = costs_.size() == 1 ? scale : std::max(objective_scale_, scale);
   }
   place_hessian();
   here_.values.resize(program.starts().size());
-  here_.rows.resize(first_row);
   jacobian_.resize(jacobian_places_.size());
-  local_values_.resize(widest);
-  local_rows_.resize(most_rows);
-  local_multipliers_.resize(most_rows);
-  local_matrix_.resize(largest);
+  for (const Block& block : rows_) make_room(*block.rows);
+  for (const Block& block : costs_) make_room(*block.rows);
+}
+
+void Assembly::make_room(const Rows& rows) {
+  const auto grow = [](std::vector<double>& room, std::size_t size) {
+    room.resize(std::max(room.size(), size));
+  };
+  grow(local_values_, width_of(rows));
+  grow(local_rows_, size_of(rows));
+  grow(local_multipliers_, size_of(rows));
+  grow(local_matrix_, width_of(rows) * width_of(rows));
+}
+
+void Assembly::place_jacobian(const Block& block) {
+  for (const int variable : block.rows->variables()) {
+    for (std::size_t i = 0; i < size_of(*block.rows); ++i) {
+      jacobian_places_.push_back({static_cast<int>(block.first_row + i), variable});
+    }
+  }
 }
 
 void Assembly::place_hessian() {
@@ -120,17 +122,17 @@ bool Assembly::hessian(std::span<const double> scaled, double objective_factor,
   move_to(scaled);
   std::fill(entries.begin(), entries.end(), 0.0);
   for (const Block& block : rows_) {
-    if (block.hessian.empty()) continue;
-    double largest = 0.0;
+    bool has_multipliers = false;
     for (std::size_t i = 0; i < size_of(*block.rows); ++i) {
       local_multipliers_[i] = multipliers[block.first_row + i] / block.rows->scales()[i];
-      largest = std::max(largest, std::abs(local_multipliers_[i]));
+      has_multipliers = has_multipliers || local_multipliers_[i] != 0.0;
     }
-    if (largest != 0.0) scatter_curvatures(block, entries);
+    if (has_multipliers) scatter_curvatures(block, entries);
   }
-  local_multipliers_[0] = objective_factor / objective_scale_;
+  if (objective_factor == 0.0) return are_finite(entries);
   for (const Block& block : costs_) {
-    if (!block.hessian.empty() && objective_factor != 0.0) scatter_curvatures(block, entries);
+    local_multipliers_[0] = objective_factor / objective_scale_;
+    scatter_curvatures(block, entries);
   }
   return are_finite(entries);
 }
@@ -188,6 +190,7 @@ void Assembly::scatter_slopes(Block& block) {
 
 void Assembly::scatter_curvatures(const Block& block, std::span<double> entries) {
   const Rows& rows = *block.rows;
+  if (rows.is_affine()) return;
   gather(rows);
   LocalMatrix local(local_matrix_.data(), rows.width(), rows.width());
   rows.curvatures(LocalVector(local_values_.data(), rows.width()),

@@ -61,7 +61,8 @@ class Assembly {
     bool is_constant = false;          ///< Its entries of the Jacobian stand.
   };
 
-  Block block_of(const Rows& rows) const;
+  void make_room(const Rows& rows);
+  void place_jacobian(const Block& block);
   void place_hessian();
   void move_to(std::span<const double> scaled);
   void evaluate();

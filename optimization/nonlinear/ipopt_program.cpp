@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The only file that includes Ipopt for nonlinear programs; of the search over discrete designs it
 // is discrete/ipopt_relaxation.cpp.
+#include "optimization/nonlinear/ipopt_program.hpp"
+
 #include <algorithm>
-#include <cmath>
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpTNLP.hpp>
 #include <exception>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
-
-#include "optimization/nonlinear/search.hpp"
 
 namespace torquewright::optimization {
 namespace {
@@ -22,20 +24,20 @@ constexpr double kMostPush = 1e-2;
 constexpr double kAcceptableFactor = 100.0;
 constexpr int kAcceptableIterations = 10;
 
-std::span<const double> numbers(const Number* first, Index count) {
-  return {first, static_cast<std::size_t>(count)};
-}
-std::span<double> numbers(Number* first, Index count) {
-  return {first, static_cast<std::size_t>(count)};
-}
-
 double bound_over(double bound, double scale) {
   return std::clamp(bound / scale, -kNoBound, kNoBound);
 }
 
+/// The search's program. Of one with as many equations as free unknowns Ipopt would take any point
+/// that meets the equations and leave multipliers as they are, which is wrong where equations
+/// depend on each other (Hock and Schittkowski's problem 55): it gets a spare unknown t, costing
+/// t^2/2, that nothing depends on.
 class SparseProblem final : public Ipopt::TNLP {
  public:
-  explicit SparseProblem(Search& search) : search_(search), program_(search.program()) {}
+  explicit SparseProblem(Search& search)
+      : search_(search),
+        program_(search.program()),
+        has_spare_(program_.equation_count() == program_.free_variable_count()) {}
 
   SearchEnd take(NonlinearStatus status) {
     if (thrown_) std::rethrow_exception(thrown_);
@@ -45,19 +47,23 @@ class SparseProblem final : public Ipopt::TNLP {
 
   bool get_nlp_info(Index& n, Index& m, Index& nnz_jac_g, Index& nnz_h_lag,
                     IndexStyleEnum& index_style) override {
-    n = program_.variable_count();
+    n = program_.variable_count() + (has_spare_ ? 1 : 0);
     m = program_.row_count();
     nnz_jac_g = static_cast<Index>(search_.assembly().jacobian_places().size());
-    nnz_h_lag = static_cast<Index>(search_.assembly().hessian_places().size());
+    nnz_h_lag =
+        static_cast<Index>(search_.assembly().hessian_places().size()) + (has_spare_ ? 1 : 0);
     index_style = C_STYLE;
     return true;
   }
 
-  bool get_bounds_info(Index n, Number* x_l, Number* x_u, Index, Number* g_l,
-                       Number* g_u) override {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
-      x_l[i] = bound_over(program_.bounds()[i].lower, program_.scales()[i]);
-      x_u[i] = bound_over(program_.bounds()[i].upper, program_.scales()[i]);
+  bool get_bounds_info(Index, Number* x_l, Number* x_u, Index, Number* g_l, Number* g_u) override {
+    for (std::size_t i = 0; i < unknown_count(); ++i) {
+      *x_l++ = bound_over(program_.bounds()[i].lower, program_.scales()[i]);
+      *x_u++ = bound_over(program_.bounds()[i].upper, program_.scales()[i]);
+    }
+    if (has_spare_) {
+      *x_l = -kNoBound;
+      *x_u = kNoBound;
     }
     for (const auto& rows : program_.rows()) {
       for (std::size_t i = 0; i < rows->bounds().size(); ++i) {
@@ -68,72 +74,82 @@ class SparseProblem final : public Ipopt::TNLP {
     return true;
   }
 
-  bool get_starting_point(Index n, bool, Number* x, bool, Number*, Number*, Index, bool,
+  bool get_starting_point(Index, bool, Number* x, bool, Number*, Number*, Index, bool,
                           Number*) override {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
-      x[i] = program_.starts()[i] / program_.scales()[i];
+    for (std::size_t i = 0; i < unknown_count(); ++i) {
+      *x++ = program_.starts()[i] / program_.scales()[i];
     }
+    if (has_spare_) *x = 0.0;
     return true;
   }
 
-  bool eval_f(Index n, const Number* x, bool, Number& value) override {
+  bool eval_f(Index, const Number* x, bool, Number& value) override {
     return guarded([&] {
-      const Evaluation& here = search_.at(numbers(x, n));
+      const Evaluation& here = search_.at(unknowns(x));
       value = here.objective / search_.assembly().objective_scale();
+      if (has_spare_) value += 0.5 * x[unknown_count()] * x[unknown_count()];
       return here.is_finite;
     });
   }
-  bool eval_grad_f(Index n, const Number* x, bool, Number* gradient) override {
-    return guarded([&] { return search_.gradient(numbers(x, n), numbers(gradient, n)); });
+  bool eval_grad_f(Index, const Number* x, bool, Number* gradient) override {
+    if (has_spare_) gradient[unknown_count()] = x[unknown_count()];
+    return guarded([&] { return search_.gradient(unknowns(x), {gradient, unknown_count()}); });
   }
-  bool eval_g(Index n, const Number* x, bool, Index, Number* g) override {
+  bool eval_g(Index, const Number* x, bool, Index, Number* g) override {
     return guarded([&] {
-      const Evaluation& here = search_.at(numbers(x, n));
+      const Evaluation& here = search_.at(unknowns(x));
       std::copy(here.rows.begin(), here.rows.end(), g);
       return here.is_finite;
     });
   }
-  bool eval_jac_g(Index n, const Number* x, bool, Index, Index count, Index* rows, Index* columns,
+  bool eval_jac_g(Index, const Number* x, bool, Index, Index, Index* rows, Index* columns,
                   Number* values) override {
-    if (values == nullptr) return give(search_.assembly().jacobian_places(), rows, columns);
-    return guarded([&] { return search_.jacobian(numbers(x, n), numbers(values, count)); });
+    const std::vector<Place>& places = search_.assembly().jacobian_places();
+    if (values == nullptr) return give(places, rows, columns);
+    return guarded([&] { return search_.jacobian(unknowns(x), {values, places.size()}); });
   }
-  bool eval_h(Index n, const Number* x, bool, Number factor, Index m, const Number* lambda, bool,
-              Index count, Index* rows, Index* columns, Number* values) override {
-    if (values == nullptr) return give(search_.assembly().hessian_places(), rows, columns);
+  bool eval_h(Index, const Number* x, bool, Number factor, Index m, const Number* lambda, bool,
+              Index, Index* rows, Index* columns, Number* values) override {
+    const std::vector<Place>& places = search_.assembly().hessian_places();
+    if (values == nullptr) {
+      if (has_spare_) rows[places.size()] = columns[places.size()] = program_.variable_count();
+      return give(places, rows, columns);
+    }
+    if (has_spare_) values[places.size()] = factor;
     return guarded([&] {
-      return search_.hessian(numbers(x, n), factor, numbers(lambda, m), numbers(values, count));
+      const std::span<const double> multipliers(lambda, static_cast<std::size_t>(m));
+      return search_.hessian(unknowns(x), factor, multipliers, {values, places.size()});
     });
   }
 
-  // Called in each iteration of the restoration phase too.
-  bool intermediate_callback(Ipopt::AlgorithmMode mode, Index iteration, Number objective,
-                             Number violation, Number, Number, Number, Number, Number, Number,
-                             Index, const Ipopt::IpoptData*,
+  // Called in each iteration of the restoration phase too. Ipopt's own violation is of another
+  // kind: of rows between bounds it says how far they are from their slack variables.
+  bool intermediate_callback(Ipopt::AlgorithmMode, Index iteration, Number, Number, Number, Number,
+                             Number, Number, Number, Number, Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
-    if (thrown_) return false;
-    end_.iterations = iteration;
-    interruption_ = search_.interruption();
-    if (interruption_) return false;
-    if (!search_.options().on_iterate) return true;
-    NonlinearIterate iterate{iteration, objective * search_.assembly().objective_scale(),
-                             violation};
-    if (mode == Ipopt::RestorationPhaseMode) {  // its objective is another
-      iterate.objective = search_.last().objective;
-      iterate.largest_violation = search_.last().largest_violation;
-    }
-    search_.options().on_iterate(iterate);
-    return true;
+    return guarded([&] {
+      end_.iterations = iteration;
+      interruption_ = search_.interruption();
+      if (interruption_) return false;
+      NonlinearIterate iterate = search_.last_finite();
+      iterate.iteration = iteration;
+      if (search_.options().on_iterate) search_.options().on_iterate(iterate);
+      return true;
+    });
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* x, const Number*,
-                         const Number*, Index m, const Number*, const Number* lambda, Number,
+  void finalize_solution(Ipopt::SolverReturn, Index, const Number* x, const Number*, const Number*,
+                         Index m, const Number*, const Number* lambda, Number,
                          const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    end_.scaled.assign(x, x + n);
+    end_.scaled.assign(x, x + unknown_count());
     end_.multipliers.assign(lambda, lambda + m);
   }
 
  private:
+  /// Without the spare one.
+  std::size_t unknown_count() const { return program_.starts().size(); }
+  std::span<const double> unknowns(const Number* x) const { return {x, unknown_count()}; }
+
   static bool give(const std::vector<Place>& places, Index* rows, Index* columns) {
     for (const Place& place : places) {
       *rows++ = place.row;
@@ -156,37 +172,49 @@ class SparseProblem final : public Ipopt::TNLP {
 
   Search& search_;
   const Program& program_;
+  bool has_spare_;
   SearchEnd end_;
   std::optional<NonlinearStatus> interruption_;
   std::exception_ptr thrown_;
 };
 
+/// Ipopt's list takes no note of what it does not know.
+void require_known(bool is_known, const std::string& option) {
+  if (!is_known) throw std::logic_error("Ipopt does not take option " + option);
+}
+
 void set_options(Ipopt::OptionsList& list, const NonlinearOptions& options) {
-  const double tolerance = options.tolerance;
-  list.SetIntegerValue("print_level", 0);
-  list.SetStringValue("sb", "yes");
-  list.SetStringValue("linear_solver", "mumps");
-  list.SetStringValue("mu_strategy", "monotone");
-  list.SetNumericValue("mu_init", options.first_barrier);
-  list.SetNumericValue("bound_push", std::min(kMostPush, options.first_barrier));
-  list.SetNumericValue("slack_bound_push", std::min(kMostPush, options.first_barrier));
-  list.SetNumericValue("tol", tolerance);
-  list.SetNumericValue("constr_viol_tol", tolerance);
-  list.SetNumericValue("acceptable_tol", kAcceptableFactor * tolerance);
-  list.SetIntegerValue("acceptable_iter", kAcceptableIterations);
-  list.SetIntegerValue("max_iter", options.most_iterations);
+  const auto set_name = [&](const std::string& option, const std::string& value) {
+    require_known(list.SetStringValue(option, value), option);
+  };
+  const auto set_number = [&](const std::string& option, double value) {
+    require_known(list.SetNumericValue(option, value), option);
+  };
+  const auto set_count = [&](const std::string& option, int value) {
+    require_known(list.SetIntegerValue(option, value), option);
+  };
+  set_count("print_level", 0);
+  set_name("sb", "yes");
+  set_name("linear_solver", "mumps");
+  set_name("mu_strategy", "monotone");
+  set_number("mu_init", options.first_barrier);
+  set_number("bound_push", std::min(kMostPush, options.first_barrier));
+  set_number("slack_bound_push", std::min(kMostPush, options.first_barrier));
+  set_number("tol", options.tolerance);
+  set_number("constr_viol_tol", options.tolerance);
+  set_number("acceptable_tol", kAcceptableFactor * options.tolerance);
+  set_count("acceptable_iter", kAcceptableIterations);
+  set_count("max_iter", options.most_iterations);
   // Assembly scales, so that every tolerance is one of scaled quantities.
-  list.SetStringValue("nlp_scaling_method", "none");
+  set_name("nlp_scaling_method", "none");
   // Rows are defined within the bounds alone.
-  list.SetNumericValue("bound_relax_factor", 0.0);
-  list.SetStringValue("fixed_variable_treatment", "make_parameter");
+  set_number("bound_relax_factor", 0.0);
+  set_name("fixed_variable_treatment", "make_parameter");
 }
 
 NonlinearStatus status_of(Ipopt::ApplicationReturnStatus status) {
   switch (status) {
     case Ipopt::Solve_Succeeded:
-    case Ipopt::Feasible_Point_Found:  // of as many equations as unknowns: nothing is left to
-                                       // choose
       return NonlinearStatus::kSolved;
     case Ipopt::Solved_To_Acceptable_Level:
       return NonlinearStatus::kAcceptable;
@@ -204,6 +232,7 @@ NonlinearStatus status_of(Ipopt::ApplicationReturnStatus status) {
       return NonlinearStatus::kBadNumbers;
     case Ipopt::Not_Enough_Degrees_Of_Freedom:
       return NonlinearStatus::kOverdefined;
+    case Ipopt::Feasible_Point_Found:  // of square problems, which it is not given
     case Ipopt::Search_Direction_Becomes_Too_Small:
     case Ipopt::Restoration_Failed:
     case Ipopt::Error_In_Step_Computation:

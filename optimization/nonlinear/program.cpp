@@ -46,6 +46,8 @@ void require_known(const Rows* rows, int variable_count) {
   }
 }
 
+bool is_equation(const Bounds& bounds) { return bounds.lower == bounds.upper; }
+
 }  // namespace
 
 Rows::Rows(std::string name, std::vector<int> variables, std::vector<Bounds> bounds,
@@ -86,6 +88,16 @@ void Program::add_cost(std::unique_ptr<const Rows> cost) {
   require_known(cost.get(), variable_count());
   if (cost->size() != 1) throw std::invalid_argument(cost->name() + ": a cost is one row");
   costs_.push_back(std::move(cost));
+}
+
+int Program::equation_count() const {
+  std::ptrdiff_t count = 0;
+  for (const auto& rows : rows_) count += std::ranges::count_if(rows->bounds(), is_equation);
+  return static_cast<int>(count);
+}
+
+int Program::free_variable_count() const {
+  return variable_count() - static_cast<int>(std::ranges::count_if(bounds_, is_equation));
 }
 
 Eigen::VectorXd gathered(const Rows& rows, const std::vector<double>& all) {

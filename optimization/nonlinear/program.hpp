@@ -78,6 +78,8 @@ class Program {
 
   int variable_count() const { return static_cast<int>(starts_.size()); }
   int row_count() const { return row_count_; }
+  int equation_count() const;       ///< Rows whose bounds are equal.
+  int free_variable_count() const;  ///< Variables whose bounds are not.
   /// All by the number of the variable.
   const std::vector<double>& starts() const { return starts_; }
   const std::vector<Bounds>& bounds() const { return bounds_; }

@@ -49,7 +49,7 @@ const Evaluation& Search::at(std::span<const double> scaled) {
     best_.objective = here.objective;
     best_.largest_violation = here.largest_violation;
   }
-  last_ = &here;
+  if (here.is_finite) last_finite_ = {0, here.objective, here.largest_violation};
   return here;
 }
 

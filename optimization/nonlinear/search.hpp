@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "optimization/nonlinear/assembly.hpp"
-#include "optimization/nonlinear/solve.hpp"
+#include "optimization/nonlinear/options.hpp"
+#include "optimization/nonlinear/status.hpp"
 
 namespace torquewright::optimization {
 
@@ -40,8 +41,8 @@ class Search {
   bool jacobian(std::span<const double> scaled, std::span<double> entries);
   bool hessian(std::span<const double> scaled, double objective_factor,
                std::span<const double> multipliers, std::span<double> entries);
-  /// What was evaluated last.
-  const Evaluation& last() const { return *last_; }
+  /// Objective and violation where they were finite last; its iteration counts for nothing.
+  const NonlinearIterate& last_finite() const { return last_finite_; }
 
   /// kTimeLimit or kInterrupted where the search should end now.
   std::optional<NonlinearStatus> interruption() const;
@@ -54,20 +55,8 @@ class Search {
   std::chrono::steady_clock::time_point begin_;
   Assembly assembly_;
   Candidate best_;
-  const Evaluation* last_ = nullptr;
+  NonlinearIterate last_finite_;
   double derivative_seconds_ = 0.0;
 };
-
-/// Where the steps of a search led.
-struct SearchEnd {
-  NonlinearStatus status = NonlinearStatus::kStalled;
-  std::vector<double> scaled;       ///< Its last point over the scales; empty if there is none.
-  std::vector<double> multipliers;  ///< Of the scaled rows and the scaled objective.
-  int iterations = 0;
-};
-
-/// Steps of Ipopt from the program's starts. Requires fewer equations than free unknowns, or as
-/// many, and one free unknown.
-SearchEnd run_ipopt(Search& search);
 
 }  // namespace torquewright::optimization

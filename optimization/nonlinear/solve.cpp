@@ -6,31 +6,19 @@
 #include <stdexcept>
 #include <utility>
 
-#include "optimization/nonlinear/search.hpp"
+#include "optimization/nonlinear/ipopt_program.hpp"
 
 namespace torquewright::optimization {
 namespace {
 
 void require_sound(const NonlinearOptions& options) {
-  const bool is_sound = options.tolerance > 0.0 && options.first_barrier > 0.0 &&
-                        options.most_iterations >= 0 && !std::isnan(options.most_seconds);
-  if (!is_sound) {
-    throw std::invalid_argument(
-        "a nonlinear search needs a positive tolerance and barrier, and limits that are numbers");
-  }
-}
-
-int equations_in(const Program& program) {
-  int count = 0;
-  for (const auto& rows : program.rows()) {
-    for (const auto& [lower, upper] : rows->bounds()) count += lower == upper;
-  }
-  return count;
-}
-
-int free_unknowns_in(const Program& program) {
-  const auto is_free = [](const Bounds& bounds) { return bounds.lower != bounds.upper; };
-  return static_cast<int>(std::count_if(program.bounds().begin(), program.bounds().end(), is_free));
+  const auto is_size = [](double value) { return value > 0.0 && std::isfinite(value); };
+  const bool is_sound = is_size(options.tolerance) && is_size(options.first_barrier) &&
+                        options.most_iterations >= 0 && options.most_seconds >= 0.0;
+  if (is_sound) return;
+  throw std::invalid_argument(
+      "a nonlinear search needs a positive tolerance and barrier, and limits that are not "
+      "negative");
 }
 
 std::vector<double> scaled_starts(const Program& program) {
@@ -44,8 +32,8 @@ std::optional<NonlinearStatus> status_without_steps(Search& search,
                                                     const std::vector<double>& starts) {
   const Evaluation& start = search.at(starts);
   if (!start.is_finite) return NonlinearStatus::kBadNumbers;
-  const int freedom = free_unknowns_in(search.program());
-  if (equations_in(search.program()) > freedom) return NonlinearStatus::kOverdefined;
+  const int freedom = search.program().free_variable_count();
+  if (search.program().equation_count() > freedom) return NonlinearStatus::kOverdefined;
   if (const auto interruption = search.interruption()) return interruption;
   if (freedom > 0) return std::nullopt;
   const bool holds = start.largest_violation <= search.options().tolerance;
@@ -53,60 +41,30 @@ std::optional<NonlinearStatus> status_without_steps(Search& search,
 }
 
 void take_point(NonlinearSolution& solution, Search& search, const SearchEnd& end) {
-  if (solution.is_solved() && !end.scaled.empty()) {
-    const Evaluation& last = search.at(end.scaled);
-    solution.values = last.values;
-    solution.objective = last.objective;
-    solution.largest_violation = last.largest_violation;
+  const Candidate& best = search.best();
+  if (!solution.is_solved() && !best.values.empty()) {
+    solution.values = best.values;
+    solution.objective = best.objective;
+    solution.largest_violation = best.largest_violation;
     return;
   }
-  const Candidate& best = search.best();
-  solution.values = best.values;
-  solution.objective = best.objective;
-  solution.largest_violation = best.largest_violation;
-  if (!best.values.empty()) return;
-  solution.values = search.last().values;
-  solution.objective = HUGE_VAL;
-  solution.largest_violation = HUGE_VAL;
+  const Evaluation& last = search.at(end.scaled);
+  solution.values = last.values;
+  solution.objective = last.is_finite ? last.objective : HUGE_VAL;
+  solution.largest_violation = last.is_finite ? last.largest_violation : HUGE_VAL;
 }
 
 // lambda of the unscaled rows and objective, eq. (3) of docs/derivations/nonlinear_program.md.
 std::vector<double> unscaled_multipliers(const Search& search, std::vector<double> multipliers) {
+  const double objective_scale = search.assembly().objective_scale();
   auto next = multipliers.begin();
   for (const auto& rows : search.program().rows()) {
-    for (const double scale : rows->scales())
-      *next++ *= search.assembly().objective_scale() / scale;
+    for (const double scale : rows->scales()) *next++ *= objective_scale / scale;
   }
   return multipliers;
 }
 
 }  // namespace
-
-std::string_view name_of(NonlinearStatus status) {
-  switch (status) {
-    case NonlinearStatus::kSolved:
-      return "solved";
-    case NonlinearStatus::kAcceptable:
-      return "acceptable";
-    case NonlinearStatus::kLocallyInfeasible:
-      return "locally infeasible";
-    case NonlinearStatus::kIterationLimit:
-      return "iteration limit";
-    case NonlinearStatus::kTimeLimit:
-      return "time limit";
-    case NonlinearStatus::kInterrupted:
-      return "interrupted";
-    case NonlinearStatus::kDiverged:
-      return "diverged";
-    case NonlinearStatus::kStalled:
-      return "stalled";
-    case NonlinearStatus::kBadNumbers:
-      return "bad numbers";
-    case NonlinearStatus::kOverdefined:
-      return "overdefined";
-  }
-  throw std::invalid_argument("a status of a nonlinear search that is none");
-}
 
 NonlinearSolution solve(const Program& program, const NonlinearOptions& options) {
   require_sound(options);

@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "hopper/candidates/candidates.hpp"
+#include "io/refusal.hpp"
+#include "src/commands/hopper_check_candidates.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
 #include "src/commands/hopper_check_outputs.hpp"
+#include "src/commands/hopper_check_sweep.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/verdict_code.hpp"
+#include "src/interrupt.hpp"
 #include "src/report/progress_line.hpp"
 
 namespace torquewright::cli {
@@ -25,10 +29,9 @@ hopper::HopperReport check_whole_body(const HopperCheckInputs& inputs, hopper::M
   return hopper::check_motion(inputs.robot.robot, motion, check);
 }
 
-std::vector<hopper::CandidateResult> try_shelf(const HopperCheckRequest& request,
-                                               const HopperCheckInputs& inputs,
-                                               const HopperCheckFound& found) {
-  if (request.candidates_folder.empty()) return {};
+std::vector<hopper::CandidateResult> try_by_threads(const HopperCheckRequest& request,
+                                                    const HopperCheckInputs& inputs,
+                                                    const HopperCheckFound& found) {
   report::ProgressLine progress;
   return hopper::try_candidates(
       inputs.robot.robot, found.motion, inputs.check, found.report, inputs.shelf, request.threads,
@@ -37,22 +40,41 @@ std::vector<hopper::CandidateResult> try_shelf(const HopperCheckRequest& request
       });
 }
 
-HopperCheckFound compute(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
-                         hopper::Motion motion) {
-  HopperCheckFound found;
-  found.motion = std::move(motion);
-  found.report = check_whole_body(inputs, found.motion);
-  found.candidates = try_shelf(request, inputs, found);
-  return found;
+/// False in a worker, which ends without a word.
+bool try_shelf(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
+               HopperCheckFound& found) {
+  if (request.candidates_folder.empty()) return true;
+  if (!asks_for_processes(request.sweep.points)) {
+    found.candidates = try_by_threads(request, inputs, found);
+    return true;
+  }
+  catch_interrupt();
+  auto tried = try_by_processes(request, inputs, found);
+  if (tried) found.candidates = std::move(*tried);
+  return tried.has_value();
+}
+
+void require_points(const HopperCheckRequest& request) {
+  if (!request.candidates_folder.empty()) return;
+  const PointOptions& points = request.sweep.points;
+  if (points.jobs > 0) io::refuse("--jobs", "is for --sweep or --candidates");
+  if (!points.journal_file.empty()) {
+    io::refuse("--sweep-journal", "is for --sweep or --candidates");
+  }
 }
 
 ExitCode run_hopper_check(const HopperCheckRequest& request) {
+  if (!request.sweep.axes.empty()) return run_hopper_check_sweep(request);
+  require_points(request);
   require_outputs(request);
   auto [inputs, motion] = read_inputs(request);
   check_output_files(request);  // now that the robot's and the candidates' files are known
-  const HopperCheckFound found = compute(request, inputs, std::move(motion));
+  HopperCheckFound found;
+  found.motion = std::move(motion);
+  found.report = check_whole_body(inputs, found.motion);
+  if (!try_shelf(request, inputs, found)) return ExitCode::kPasses;
   write_outputs(request, inputs, found);
-  return verdict_code(found.report.check.verdict);
+  return is_interrupted() ? ExitCode::kUndecided : verdict_code(found.report.check.verdict);
 }
 
 }  // namespace

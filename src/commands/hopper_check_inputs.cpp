@@ -6,24 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "hopper/motion/motion_reader.hpp"
 #include "io/refusal.hpp"
 #include "src/report/progress_line.hpp"
 
 namespace torquewright::cli {
 namespace {
-
-/// Where the motion lies and what its columns are.
-hopper::MotionFile motion_file(const HopperCheckRequest& request) {
-  hopper::MotionFile source;
-  source.file = request.trajectory_file;
-  source.mappings = request.columns;
-  for (const std::string& file : request.columns_files) {
-    source.documents.push_back(io::read_document(file, "trajectory_columns"));
-  }
-  source.window = window_of(request.window);
-  return source;
-}
 
 hopper::TorqueSource torque_source(const std::string& name) {
   if (name == "file") return hopper::TorqueSource::kFile;
@@ -33,6 +20,29 @@ hopper::TorqueSource torque_source(const std::string& name) {
 hopper::LateRows late_rows(const std::string& name) {
   if (name == "keep") return hopper::LateRows::kKeep;
   return name == "shift" ? hopper::LateRows::kShift : hopper::LateRows::kFind;
+}
+
+hopper::Shelf shelf_of(const HopperCheckRequest& request, const hopper::ReadRobot& robot) {
+  if (request.candidates_folder.empty()) {
+    if (!request.ratios.empty()) io::refuse("--ratios", "is for --candidates");
+    return {};
+  }
+  std::optional<hopper::RatioSweep> sweep;
+  if (!request.ratios.empty()) sweep = hopper::read_ratio_sweep(request.ratios);
+  return hopper::read_shelf(request.candidates_folder, robot, sweep);
+}
+
+}  // namespace
+
+hopper::MotionFile motion_file(const HopperCheckRequest& request) {
+  hopper::MotionFile source;
+  source.file = request.trajectory_file;
+  source.mappings = request.columns;
+  for (const std::string& file : request.columns_files) {
+    source.documents.push_back(io::read_document(file, "trajectory_columns"));
+  }
+  source.window = window_of(request.window);
+  return source;
 }
 
 hopper::CheckOptions check_options(const HopperCheckRequest& request,
@@ -57,18 +67,6 @@ hopper::Motion motion_in(hopper::MotionFile source, const hopper::Robot& robot) 
   };
   return hopper::read_motion(robot, source);
 }
-
-hopper::Shelf shelf_of(const HopperCheckRequest& request, const hopper::ReadRobot& robot) {
-  if (request.candidates_folder.empty()) {
-    if (!request.ratios.empty()) io::refuse("--ratios", "is for --candidates");
-    return {};
-  }
-  std::optional<hopper::RatioSweep> sweep;
-  if (!request.ratios.empty()) sweep = hopper::read_ratio_sweep(request.ratios);
-  return hopper::read_shelf(request.candidates_folder, robot, sweep);
-}
-
-}  // namespace
 
 HopperCheckRead read_inputs(const HopperCheckRequest& request) {
   HopperCheckRead read;

@@ -5,7 +5,7 @@
 
 #include "hopper/candidates/shelf.hpp"
 #include "hopper/check/checked_motion.hpp"
-#include "hopper/motion/motion.hpp"
+#include "hopper/motion/motion_reader.hpp"
 #include "hopper/robot/robot_spec.hpp"
 #include "src/options/hopper_check_request.hpp"
 
@@ -25,6 +25,14 @@ struct HopperCheckRead {
   HopperCheckInputs inputs;
   hopper::Motion motion;
 };
+
+/// Where the motion lies and what its columns are. Reads their documents.
+hopper::MotionFile motion_file(const HopperCheckRequest& request);
+/// The motion, with progress on a terminal.
+hopper::Motion motion_in(hopper::MotionFile source, const hopper::Robot& robot);
+/// Throws io::SpecError where an actuator cannot be under the conditions that are asked for.
+hopper::CheckOptions check_options(const HopperCheckRequest& request,
+                                   const hopper::ReadRobot& read);
 
 /// Reads all documents and the motion. Throws io::SpecError.
 HopperCheckRead read_inputs(const HopperCheckRequest& request);

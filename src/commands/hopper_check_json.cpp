@@ -7,7 +7,9 @@
 #include "hopper/candidates/candidates_spec.hpp"
 #include "hopper/check/hopper_report_spec.hpp"
 #include "src/commands/check_options_json.hpp"
+#include "src/commands/fingerprint_json.hpp"
 #include "src/commands/result_json.hpp"
+#include "src/sweep/swept_json.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -35,6 +37,16 @@ nlohmann::ordered_json request_json(const HopperCheckRequest& request) {
   return json;
 }
 
+std::vector<io::Document> read_documents(const HopperCheckInputs& inputs,
+                                         const HopperCheckRequest& request,
+                                         const std::string& motion_sha256) {
+  std::vector<io::Document> read = inputs.robot.documents;
+  read.push_back({request.trajectory_file, "", {}, motion_sha256});
+  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
+  read.insert(read.end(), inputs.shelf.documents.begin(), inputs.shelf.documents.end());
+  return read;
+}
+
 }  // namespace
 
 std::string hopper_check_json(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
@@ -42,11 +54,23 @@ std::string hopper_check_json(const HopperCheckRequest& request, const HopperChe
   nlohmann::ordered_json document = hopper::hopper_report_json(found.report);
   document["candidates"] = hopper::candidates_json(inputs.robot.robot, found.candidates);
   document["options"] = request_json(request);
-  std::vector<io::Document> read = inputs.robot.documents;
-  read.push_back({request.trajectory_file, "", {}, found.report.check.sha256});
-  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
-  read.insert(read.end(), inputs.shelf.documents.begin(), inputs.shelf.documents.end());
-  return result_text(std::move(document), read);
+  return result_text(std::move(document),
+                     read_documents(inputs, request, found.report.check.sha256));
+}
+
+std::string hopper_check_fingerprint(const HopperCheckRequest& request,
+                                     const HopperCheckInputs& inputs,
+                                     const hopper::Motion& motion) {
+  return fingerprint("hopper check", request_json(request),
+                     read_documents(inputs, request, motion.sha256));
+}
+
+std::string hopper_check_sweep_json(const HopperCheckRequest& request,
+                                    const HopperCheckInputs& inputs, const hopper::Motion& motion,
+                                    const sweep::Swept& swept) {
+  nlohmann::ordered_json document = sweep::swept_json(swept);
+  document["options"] = request_json(request);
+  return result_text(std::move(document), read_documents(inputs, request, motion.sha256));
 }
 
 }  // namespace torquewright::cli

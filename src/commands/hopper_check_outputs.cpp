@@ -17,8 +17,11 @@
 #include "src/report/hopper_html.hpp"
 #include "src/report/hopper_plots.hpp"
 #include "src/report/hopper_text.hpp"
+#include "src/report/momentum_plot.hpp"
 #include "src/report/stick_figures.hpp"
 #include "src/standard_output.hpp"
+#include "src/sweep/journal_json.hpp"
+#include "src/sweep/sweep.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -59,6 +62,11 @@ std::vector<io::FileContent> pictures(const HopperCheckRequest& request,
     add(request.loads_file,
         drawn(report::loads_plot(report::plot_format(request.loads_file), page), "--plot-loads"));
   }
+  if (!request.momentum_file.empty()) {
+    add(request.momentum_file,
+        drawn(report::momentum_plot(report::plot_format(request.momentum_file), page),
+              "--plot-momentum"));
+  }
   if (!request.figures_file.empty()) {
     add(request.figures_file, report::stick_figures(page));
   }
@@ -69,18 +77,26 @@ std::vector<io::FileContent> pictures(const HopperCheckRequest& request,
 }  // namespace
 
 void require_outputs(const HopperCheckRequest& request) {
-  for (const std::string* file : {&request.plot_file, &request.loads_file}) {
+  for (const std::string* file :
+       {&request.plot_file, &request.loads_file, &request.momentum_file}) {
     if (!file->empty()) report::plot_format(*file);
   }
   if (!request.plot_file.empty()) report::require_gnuplot("--plot");
   if (!request.loads_file.empty()) report::require_gnuplot("--plot-loads");
+  if (!request.momentum_file.empty()) report::require_gnuplot("--plot-momentum");
   check_output_files(request);
 }
 
 void check_output_files(const HopperCheckRequest& request) {
-  io::check_outputs(named({request.plot_file, request.loads_file, request.figures_file,
-                           request.report_file, request.series_file, request.output_file}),
-                    {request.robot_file, request.trajectory_file});
+  const bool has_journal =
+      !request.candidates_folder.empty() && asks_for_processes(request.sweep.points);
+  const std::string journal =
+      has_journal ? journal_of(request.sweep.points, request.output_file) : std::string();
+  io::check_outputs(
+      named({request.plot_file, request.loads_file, request.momentum_file, request.figures_file,
+             request.report_file, request.series_file, request.output_file, journal}),
+      {request.robot_file, request.trajectory_file});
+  if (!sweep::is_silent()) sweep::check_journal(journal);  // else who started this process has it
 }
 
 void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& inputs,

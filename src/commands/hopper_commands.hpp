@@ -7,6 +7,7 @@ namespace torquewright::cli {
 
 /// Each adds one command to `hopper`.
 void add_hopper_check_command(command_line::Command& hopper);
+void add_flip_command(command_line::Command& hopper);
 void add_replay_command(command_line::Command& hopper);
 void add_calibrate_command(command_line::Command& hopper);
 

@@ -16,19 +16,26 @@
 #include "src/commands/hopper_check_inputs.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/hopper_replay_json.hpp"
+#include "src/commands/hopper_replay_trials.hpp"
 #include "src/interrupt.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/report/replay_html.hpp"
 #include "src/report/replay_text.hpp"
 #include "src/standard_output.hpp"
+#include "src/sweep/journal_json.hpp"
+#include "src/sweep/sweep.hpp"
 
 namespace torquewright::cli {
 namespace {
 
 void check_files(const HopperReplayRequest& request) {
-  io::check_outputs(named({request.report_file, request.series_file, request.output_file}),
+  const std::string journal = asks_for_processes(request.points)
+                                  ? journal_of(request.points, request.output_file)
+                                  : std::string();
+  io::check_outputs(named({request.report_file, request.series_file, request.output_file, journal}),
                     {request.motion.robot_file, request.motion.trajectory_file});
+  if (!sweep::is_silent()) sweep::check_journal(journal);  // else who started this process has it
 }
 
 hopper::ImpactOptions impact_of(const HopperReplayRequest& request) {
@@ -124,30 +131,6 @@ std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& 
   return read;
 }
 
-hopper::ReplayTrials run_all(const hopper::Replay& replay,
-                             const hopper::Randomisation& randomisation,
-                             const HopperReplayRequest& request) {
-  report::ProgressLine progress;
-  hopper::ReplayTrials trials{request.seed, request.success_rate, 0, {}};
-  hopper::TrialRun run;
-  run.count = request.trials;
-  run.threads = static_cast<unsigned>(request.threads);
-  run.should_stop = is_interrupted;
-  run.progress = [&](std::size_t done) {
-    progress.show(fmt::format("trials: {} of {}", done, run.count));
-  };
-  if (request.only_trial >= 0) {
-    trials.first = static_cast<std::size_t>(request.only_trial);
-    run.count = 1;
-  }
-  trials.outcomes = hopper::run_trials(run, [&](std::size_t number) {
-    const hopper::ReplayedRun done =
-        replay.run_trial(randomisation, request.seed, trials.first + number, {is_interrupted, {}});
-    return hopper::trial_outcome(done.result);
-  });
-  return trials;
-}
-
 ExitCode code_of(hopper::RateVerdict verdict) {
   switch (verdict) {
     case hopper::RateVerdict::kReached:
@@ -198,13 +181,19 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
   const auto randomised = read_trials(request, robot);
+  if (randomised) inputs.columns.push_back(randomised->document);
   const hopper::Replay replay(robot, motion, check, replay_options(request, inputs));
+  std::optional<hopper::ReplayTrials> trials;
+  if (randomised) {
+    trials = run_replay_trials(replay, randomised->randomisation, request,
+                               hopper_trials_fingerprint(request, inputs, motion));
+    if (!trials) return ExitCode::kPasses;  // a worker's work is done
+  }
   hopper::ReplayedRun run = run_once(replay, "replaying");
   hopper::ReplayReport report{replay.options(), std::move(run.result), {}, {}};
   if (request.sweep) report.sweep = sweep(replay);
-  if (randomised) report.trials = run_all(replay, randomised->randomisation, request);
+  report.trials = std::move(trials);
   hopper::add_planned_findings(check, report.result.findings);
-  if (randomised) inputs.columns.push_back(randomised->document);
   write_answer(request, inputs, {robot, motion, replay.reference(), run.record, report});
   if (!report.trials) return code_of(report.result.outcome.verdict);
   return code_of(hopper::judged_rate(report.trials->counts(), report.trials->required_share));

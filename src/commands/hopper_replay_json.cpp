@@ -6,6 +6,7 @@
 
 #include "hopper/replay/replay_report_spec.hpp"
 #include "src/commands/check_options_json.hpp"
+#include "src/commands/fingerprint_json.hpp"
 #include "src/commands/result_json.hpp"
 
 namespace torquewright::cli {
@@ -40,16 +41,37 @@ nlohmann::ordered_json request_json(const HopperReplayRequest& request) {
   return json;
 }
 
+std::vector<io::Document> read_documents(const HopperCheckInputs& inputs,
+                                         const hopper::Motion& motion) {
+  std::vector<io::Document> read = inputs.robot.documents;
+  read.push_back({motion.file, "", {}, motion.sha256});
+  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
+  return read;
+}
+
 }  // namespace
 
 std::string hopper_replay_json(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
                                const hopper::Motion& motion, const hopper::ReplayReport& report) {
   nlohmann::ordered_json document = hopper::replay_report_json(report);
   document["options"] = request_json(request);
-  std::vector<io::Document> read = inputs.robot.documents;
-  read.push_back({motion.file, "", {}, motion.sha256});
-  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
-  return result_text(std::move(document), read);
+  return result_text(std::move(document), read_documents(inputs, motion));
+}
+
+std::string hopper_trials_fingerprint(const HopperReplayRequest& request,
+                                      const HopperCheckInputs& inputs,
+                                      const hopper::Motion& motion) {
+  nlohmann::ordered_json options = request_json(request);
+  for (const char* key : {"trials", "trial"}) options.erase(key);
+  options["engine"] = request.engine;
+  options["limits"] = request.limits;
+  options["controller"] = request.controller;
+  options["impact"] = request.impact;
+  options["step_s"] = request.step_s;
+  options["control_period_s"] = request.control_period_s;
+  options["latency_s"] = request.latency_s;
+  options["seed"] = request.seed;
+  return fingerprint("hopper replay", options, read_documents(inputs, motion));
 }
 
 }  // namespace torquewright::cli

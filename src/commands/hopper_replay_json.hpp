@@ -13,4 +13,9 @@ namespace torquewright::cli {
 std::string hopper_replay_json(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
                                const hopper::Motion& motion, const hopper::ReplayReport& report);
 
+/// SHA-256 of all that a trial depends on beside its number.
+std::string hopper_trials_fingerprint(const HopperReplayRequest& request,
+                                      const HopperCheckInputs& inputs,
+                                      const hopper::Motion& motion);
+
 }  // namespace torquewright::cli

@@ -41,6 +41,12 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
                   "Draw torques, ground forces and gear loads over time to this SVG or PNG")
       .names_a_file();
   command
+      .add_option(
+          "--plot-momentum", request.momentum_file,
+          "Draw CAM, CAV and composite inertia about the lateral axis over time to this SVG "
+          "or PNG")
+      .names_a_file();
+  command
       .add_option("--figures", request.figures_file,
                   "Draw the robot at moments of the motion to this SVG")
       .names_a_file();
@@ -58,16 +64,25 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
 
 }  // namespace
 
+void add_column_options(command_line::Command& command, HopperCheckRequest& request,
+                        const std::string& of) {
+  const auto needed = [&of](command_line::Option option) {
+    if (!of.empty()) option.needs(of);
+  };
+  needed(command
+             .add_option("--column", request.columns,
+                         "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are "
+                         "joints, base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
+             .one_value_each());
+  needed(command
+             .add_option("--columns", request.columns_files,
+                         "The same as a document: trajectory_columns")
+             .one_value_each());
+  for (command_line::Option option : add_window_options(command, request.window)) needed(option);
+}
+
 void add_motion_options(command_line::Command& command, HopperCheckRequest& request) {
-  command
-      .add_option("--column", request.columns,
-                  "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are joints, "
-                  "base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
-      .one_value_each();
-  command
-      .add_option("--columns", request.columns_files, "The same as a document: trajectory_columns")
-      .one_value_each();
-  add_window_options(command, request.window);
+  add_column_options(command, request);
   command
       .add_option("--torques", request.torques,
                   "Which torques count: best (the file's where it has all), file, dynamics")
@@ -103,6 +118,7 @@ void add_hopper_check_options(command_line::Command& command, HopperCheckRequest
   add_physics_options(command, request.check);
   add_operating_options(command, request.operating);
   add_candidate_options(command, request);
+  add_sweep_options(command, request.sweep);
   add_file_options(command, request);
 }
 

@@ -6,6 +6,7 @@
 
 #include "hopper/check/checked_motion.hpp"
 #include "src/options/operating_options.hpp"
+#include "src/options/sweep_options.hpp"
 #include "src/options/window_options.hpp"
 
 namespace torquewright::cli {
@@ -25,8 +26,10 @@ struct HopperCheckRequest {
   std::string candidates_folder;
   std::string ratios;  ///< FROM:TO[:STEP]
   std::size_t threads = 1;
+  SweepOptions sweep;
   std::string plot_file;
   std::string loads_file;
+  std::string momentum_file;
   std::string figures_file;
   std::string report_file;
   std::string series_file;
@@ -34,7 +37,11 @@ struct HopperCheckRequest {
   bool json = false;
 };
 
-/// Adds what says how the motion's file is read.
+/// Adds what says which of a motion's columns and rows are read. `of`, where it is not empty, names
+/// the option that must be there too.
+void add_column_options(command_line::Command& command, HopperCheckRequest& request,
+                        const std::string& of = "");
+/// The same, and which of its torques and late rows count.
 void add_motion_options(command_line::Command& command, HopperCheckRequest& request);
 /// Adds what says where the ground is and which points touch it.
 void add_contact_options(command_line::Command& command, hopper::ContactRule& contact);

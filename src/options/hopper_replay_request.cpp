@@ -85,6 +85,7 @@ void add_trial_options(command_line::Command& command, HopperReplayRequest& requ
       .between(0.0, 1.0)
       .needs("--trials");
   command.add_option("--threads", request.threads, "That run trials").integer_between(1, 256);
+  add_point_options(command, request.points, "--trials");
   command.add_flag("--sweep-step", request.sweep,
                    "Run it with other steps of the engine too, and show what depends on the step");
 }

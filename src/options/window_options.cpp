@@ -7,13 +7,14 @@
 
 namespace torquewright::cli {
 
-void add_window_options(command_line::Command& command, WindowOptions& options) {
-  command.add_option("--from", options.from_s, "Only rows from this time on, in s")
-      .takes(1)
-      .between(-1e12, 1e12);
-  command.add_option("--until", options.until_s, "Only rows up to this time, in s")
-      .takes(1)
-      .between(-1e12, 1e12);
+std::vector<command_line::Option> add_window_options(command_line::Command& command,
+                                                     WindowOptions& options) {
+  return {command.add_option("--from", options.from_s, "Only rows from this time on, in s")
+              .takes(1)
+              .between(-1e12, 1e12),
+          command.add_option("--until", options.until_s, "Only rows up to this time, in s")
+              .takes(1)
+              .between(-1e12, 1e12)};
 }
 
 actuator::Window window_of(const WindowOptions& options) {

@@ -15,7 +15,8 @@ struct WindowOptions {
 };
 
 /// Adds --from and --until.
-void add_window_options(command_line::Command& command, WindowOptions& options);
+std::vector<command_line::Option> add_window_options(command_line::Command& command,
+                                                     WindowOptions& options);
 
 /// Throws io::SpecError where it ends before it begins.
 actuator::Window window_of(const WindowOptions& options);

@@ -22,20 +22,6 @@ using hopper::CandidateResult;
 
 constexpr int kMomentRows = 12;
 
-std::string head(const HopperPage& page) {
-  const auto verdict = actuator::name_of(page.report.check.verdict);
-  std::string text = cursor_page_begin(fmt::format("{}: {}", page.robot.name, verdict), "");
-  text += fmt::format(
-      "<section>\n<h1>{}: can it do the motion? <span class=\"badge {}\">{}</span></h1>\n"
-      "<p class=\"soft\">{}</p>\n<ul class=\"bad-words\">\n",
-      escaped(page.robot.name), verdict, verdict, escaped(page.motion.file));
-  for (const actuator::Finding& finding : page.report.check.findings) {
-    if (finding.severity != actuator::Severity::kViolation) continue;
-    text += "<li>" + escaped(finding.sentence) + "</li>\n";
-  }
-  return text + "</ul>\n</section>\n";
-}
-
 std::string drives_table(const HopperPage& page) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < page.report.check.drives.size(); ++i) {
@@ -125,9 +111,10 @@ class Page {
     if (page_.motion.has_base) figure_ = moving_figure(page_, samples_);
   }
 
-  std::string html() const {
+  std::string html(const PageHead& head) const {
     const ChartSource source{page_, series_, violations_};
-    std::string text = head(page_) + cursor_player(hopper_track(source));
+    std::string text =
+        cursor_page_begin(head.title, "") + head.sections + cursor_player(hopper_track(source));
     text += page_section("The motion", stage(source));
     text += page_section("Torque and speed in each region",
                          drives_table(page_) + region_charts(source));
@@ -198,6 +185,22 @@ class Page {
 
 }  // namespace
 
-std::string hopper_html(const HopperPage& page) { return Page(page).html(); }
+PageHead checked_head(const HopperPage& page) {
+  const auto verdict = actuator::name_of(page.report.check.verdict);
+  std::string text = fmt::format(
+      "<section>\n<h1>{}: can it do the motion? <span class=\"badge {}\">{}</span></h1>\n"
+      "<p class=\"soft\">{}</p>\n<ul class=\"bad-words\">\n",
+      escaped(page.robot.name), verdict, verdict, escaped(page.motion.file));
+  for (const actuator::Finding& finding : page.report.check.findings) {
+    if (finding.severity != actuator::Severity::kViolation) continue;
+    text += "<li>" + escaped(finding.sentence) + "</li>\n";
+  }
+  return {fmt::format("{}: {}", page.robot.name, verdict), text + "</ul>\n</section>\n"};
+}
+
+std::string hopper_html(const HopperPage& page, const PageHead& head) {
+  return Page(page).html(head);
+}
+std::string hopper_html(const HopperPage& page) { return hopper_html(page, checked_head(page)); }
 
 }  // namespace torquewright::report

@@ -5,9 +5,11 @@
 
 #include <cstdio>
 
+#include "src/sweep/sweep.hpp"
+
 namespace torquewright::report {
 
-ProgressLine::ProgressLine() : is_watched_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine() : is_watched_(isatty(STDERR_FILENO) == 1 && !sweep::is_silent()) {}
 ProgressLine::~ProgressLine() { show(""); }
 
 void ProgressLine::show(const std::string& text) {

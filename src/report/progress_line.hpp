@@ -5,7 +5,8 @@
 
 namespace torquewright::report {
 
-/// One line on stderr that is rewritten as work goes on; nothing where stderr is no terminal.
+/// One line on stderr that is rewritten as work goes on; nothing where stderr is no
+/// terminal, or where another process of the same work writes there.
 class ProgressLine {
  public:
   ProgressLine();

@@ -116,6 +116,26 @@ TEST_F(HopperCheck, WritesEverythingByTime) {
   expect_refusal(crane(), swing(0.5), "motion.csv", {"--series", "motion.csv"});
 }
 
+// Three panels, and nothing where the file tells no motion of the base.
+TEST_F(HopperCheck, DrawsTheMomentum) {
+  const Outcome outcome = check(crane(), swing(0.5), {"--plot-momentum", "momentum.svg"});
+  if (outcome.err.find("not installed") != std::string::npos) GTEST_SKIP() << "no gnuplot";
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const std::string picture = place_.text("momentum.svg");
+  for (const char* words : {"CAM", "Nm s", "CAV", "rad/s", "composite inertia", "time in s"}) {
+    EXPECT_NE(picture.find(words), std::string::npos) << words;
+  }
+  EXPECT_EQ(picture.find("take-off"), std::string::npos) << "nothing flies";
+  expect_refusal(crane(), swing(0.5), "momentum.pdf", {"--plot-momentum", "momentum.pdf"});
+  expect_refusal(crane(), swing(0.5), "motion.csv", {"--plot-momentum", "motion.csv"});
+  const Outcome floating =
+      check(crane(), "time_s,elbow_position_rad,elbow_torque_Nm\n0,0,5\n1,0,5\n",
+            {"--plot-momentum", "none.svg"});
+  EXPECT_NE(floating.err.find("none.svg: not drawn"), std::string::npos) << floating.err;
+  EXPECT_FALSE(place_.has("none.svg"));
+}
+
 // Pushed at a constant speed beyond no-load, either way: text, JSON and page tell what the drive
 // must do and what it is asked to do. Oracle: the signs; 13 V of 67 lack at that speed, which is
 // braking.

@@ -18,6 +18,7 @@ constexpr std::string_view kWritten = "written, never read: its command shows on
 const std::vector<Excuse> kWithoutExample = {
     {"calibration_report", kWritten},
     {"check_report", kWritten},
+    {"plan_report", kWritten},
     {"gearbox", "read as a part of actuators and gear_strength; a problem stands for it"},
     {"identification_report", kWritten},
     {"lint_report", kWritten},
@@ -28,6 +29,7 @@ const std::vector<Excuse> kWithoutExample = {
     {"replay_report", kWritten},
     {"simulator_file", kWritten},
     {"strength_report", kWritten},
+    {"sweep_result", kWritten},
     {"verification_report", kWritten},
 };
 

@@ -8,8 +8,10 @@
 #include <numbers>
 
 #include "dynamics/momentum.hpp"
+#include "hopper/flip/flip_program.hpp"
 #include "hopper/flip/guess.hpp"
-#include "hopper/flip/objectives/objective.hpp"
+#include "hopper/flip/objectives/library.hpp"
+#include "hopper/flip/plan_setup.hpp"
 #include "hopper/flip/smoothness.hpp"
 #include "hopper/robot/robot_spec.hpp"
 #include "io/spec_error.hpp"
@@ -51,8 +53,7 @@ class Flip {
     for (const Stance& stance : stances_of(model.plane, stances)) {
       mesh.push_back({stance, uneven_knots(4), {0.4, 0.4}});
     }
-    PlanGoal goal;
-    goal.turn_rad = 2.0 * std::numbers::pi;
+    const PlanGoal goal = plan_goal(model, options);
     program = flip_program(model, mesh, goal, options, key_frame_guess(model, mesh, goal, options));
     values = program.program.starts();
   }
@@ -440,6 +441,11 @@ TEST(FlipSmoothness, IsTheIntegralOfSquaredRatesAndAccelerations) {
     flip.at(phase.points[i].acceleration) = 55.0;  // of the frame: free
   }
   EXPECT_NEAR(sum(parts.costs, flip.values), 1e-5 / 0.2 + 1e-3 * 0.2, kExact);
+  // A middle off by half the greatest: rates either way over half an interval, and the bend.
+  flip.rest();
+  flip.at(phase.points[3].drives + 1) = 0.5 * most_Nm;
+  const double interval_s = 0.2 * (flip.program.mesh[1].knots[2] - flip.program.mesh[1].knots[1]);
+  EXPECT_NEAR(sum(parts.costs, flip.values), 1e-5 / interval_s + 1e-3, kExact);
 }
 
 bool says(const std::string& text, const std::string& part) {
@@ -522,8 +528,7 @@ Solved planned(const std::string& objective) {
     mesh.push_back({stances[p], knots, ranges_s[p]});
     fixed.push_back({stances[p], knots, {durations_s[p], durations_s[p]}});
   }
-  PlanGoal goal;
-  goal.turn_rad = 2.0 * std::numbers::pi;
+  const PlanGoal goal = plan_goal(model, options);
   const FlipProgram program =
       flip_program(model, mesh, goal, options, key_frame_guess(model, fixed, goal, options));
   optimization::NonlinearOptions search;

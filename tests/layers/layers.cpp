@@ -72,9 +72,11 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"check", {"robot", "motion", "contact"}},
       {"candidates", {"robot", "check"}},
       {"calibration", {"robot"}},
+      {"variation", {"robot"}},
       {"engines", {"robot", "files"}},
       {"tracking", {"robot", "motion", "contact"}},
-      {"replay", {"mechanisms", "robot", "motion", "contact", "check", "engines", "tracking"}}}},
+      {"replay", {"mechanisms", "robot", "motion", "contact", "check", "engines", "tracking"}},
+      {"flip", {"mechanisms", "robot", "motion", "contact", "check", "variation", "replay"}}}},
     {"identification",
      {{"rig", {}},
       {"imports", {"rig"}},
@@ -89,10 +91,11 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"experiment", {"rig", "simulated", "signals", "findings", "forward"}},
       {"answer", {"log", "signals", "findings", "forward", "selection", "replay"}}}},
     {"src",
-     {{"report", {}},
+     {{"sweep", {}},
+      {"report", {"sweep"}},
       {"command_line", {}},
-      {"options", {"command_line"}},
-      {"commands", {"report", "command_line", "options"}}}},
+      {"options", {"command_line", "sweep"}},
+      {"commands", {"report", "command_line", "options", "sweep"}}}},
 };
 
 /// The only file that stands above the rooms of its folder.

@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "hopper/flip/flip_program.hpp"
 #include "hopper/flip/jet_rows.hpp"
+#include "hopper/flip/plan_model.hpp"
+#include "hopper/flip/plan_variables.hpp"
 
 namespace torquewright::hopper {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_model.hpp"
+#include "hopper/flip/plan_variables.hpp"
 #include "hopper/flip/variable_numbers.hpp"
 
 namespace torquewright::hopper {

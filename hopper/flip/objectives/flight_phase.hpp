@@ -3,7 +3,8 @@
 
 #include <string_view>
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_model.hpp"
+#include "hopper/flip/plan_variables.hpp"
 
 namespace torquewright::hopper {
 

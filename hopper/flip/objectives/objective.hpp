@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_model.hpp"
+#include "hopper/flip/plan_variables.hpp"
 
 namespace torquewright::hopper {
 
@@ -29,13 +30,5 @@ struct Objective {
   double (*value)(const PlanModel& model, const PlanOptions& options, const FlipProgram& program,
                   const std::vector<double>& values);
 };
-
-const std::vector<Objective>& every_objective();
-std::vector<std::string> objective_names();
-/// io::SpecError, with the nearest name and all known ones, where there is none of that name.
-const Objective& objective_named(std::string_view name);
-
-/// Those of the options; effort, where they name none.
-std::vector<WeightedObjective> objectives_of(const PlanOptions& options);
 
 }  // namespace torquewright::hopper

@@ -87,6 +87,7 @@ TEST(Somersault, KeepsItsMomentumWhileItTucks) {
     EXPECT_LE((demand.angular_momentum_Nm_s.col(i) - Eigen::Vector3d(0, kMomentum, 0)).norm(),
               1e-12);
     EXPECT_NEAR(demand.angular_velocity_rad_s(1, i), turning(t), 1e-12);
+    EXPECT_NEAR(demand.lateral_inertia_kg_m2(0, i) * turning(t), kMomentum, 1e-12);
     const Eigen::Vector3d r = reach(t);
     const double push_N = kMass_kg * (r[2] - r[0] * turning(t) * turning(t));
     EXPECT_NEAR(demand.joint_effort(0, i), push_N, 1e-10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/flip/objectives/objective.hpp"
+#include "hopper/flip/objectives/library.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/flip/plan_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using optimization::Bounds;
+
+/// How long a phase may last, and its share of the intervals.
+struct Kind {
+  Bounds duration_s;
+  double share;
+};
+// Long enough for a robot of a metre to gather itself and to come to rest; the last one short
+// enough that it does not creep: a replay falls while it does (trial: 1.6 s fell, 1.0 s stood).
+constexpr Kind kFirst{{0.2, 0.8}, 20.0};
+static const Kind kLast{{0.4, getenv("HZ")?atof(getenv("HZ")):1.0}, 40.0};
+// Where contacts change, torques do so fastest (trial: a push-off cut coarsely found motions that
+// are none). A push-off on an edge that lasts has the foot hover: there the whole sole stands.
+static double envd(const char* n,double d){const char*v=getenv(n);return v?atof(v):d;}
+static const Kind kPushOff{{0.02, envd("H1",0.15)}, 30.0};
+static const Kind kLanding{{0.02, envd("H3",0.3)}, 30.0};
+constexpr Kind kFlight{{0.05, 0.8}, 60.0};
+constexpr std::size_t kFewestIntervals = 4;  // of a phase
+
+Kind kind_of(const std::vector<Stance>& stances, std::size_t phase) {
+  if (stances[phase].is_flight()) return kFlight;
+  if (phase == 0) return kFirst;
+  if (phase + 1 == stances.size()) return kLast;
+  const auto flight = std::find_if(stances.begin(), stances.end(),
+                                   [](const Stance& one) { return one.is_flight(); });
+  return stances.begin() + static_cast<std::ptrdiff_t>(phase) < flight ? kPushOff : kLanding;
+}
+
+std::vector<double> even_knots(std::size_t intervals) {
+  std::vector<double> knots;
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    knots.push_back(static_cast<double>(i) / static_cast<double>(intervals));
+  }
+  return knots;
+}
+
+}  // namespace
+
+std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const PlanOptions& options) {
+  double shares = 0.0;
+  for (std::size_t p = 0; p < stances.size(); ++p) shares += kind_of(stances, p).share;
+  std::vector<MeshPhase> mesh;
+  for (std::size_t p = 0; p < stances.size(); ++p) {
+    const Kind kind = kind_of(stances, p);
+    const auto intervals =
+        static_cast<std::size_t>(std::lround(options.intervals * kind.share / shares));
+    mesh.push_back({stances[p], even_knots(std::max(kFewestIntervals, intervals)),
+                    kind.duration_s});
+  }
+  return mesh;
+}
+
+PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options) {
+  PlanGoal goal;
+  if (options.task == PlanTask::kFlip) goal.turn_rad = 2.0 * std::numbers::pi;
+  if (options.task == PlanTask::kJump) goal.stride_m = 0.0;
+  if (options.task == PlanTask::kHop) goal.stride_m = options.stride_m;
+  if (options.task != PlanTask::kFlip) goal.rise_m = options.rise_m;
+  for (const Bounds& range : model.joint_rad) {
+    const double quarter = 0.25 * (range.upper - range.lower);
+    goal.standing_rad.push_back({range.lower + quarter, range.upper - quarter});
+  }
+  for (const Posture& posture : model.plane.robot.postures) {
+    if (posture.name != "stand") continue;
+    for (std::size_t i = 0; i + 1 < model.plane.joints.size(); ++i) {
+      const double rad = posture.joints[static_cast<Index>(model.plane.joints[i]) - 1];
+      goal.standing_rad[i] = {rad, rad};
+    }
+    goal.standing_rad.back() = model.joint_rad.back();
+  }
+  return goal;
+}
+
+std::vector<Stance> plan_stances(const SagittalRobot& plane, const PlanOptions& options) {
+  if (!options.stances.empty()) return stances_of(plane, options.stances);
+  if (plane.sole.size() > 1 && options.task == PlanTask::kFlip) {
+    return stances_of(plane, {"flat", "heel", "flight", "heel", "flat"});
+  }
+  return stances_of(plane, {"flat", "flight", "flat"});
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/flip/plan_goal.hpp"
+#include "hopper/flip/plan_model.hpp"
+
+namespace torquewright::hopper {
+
+/// The phases of a plan before it is cut more finely: how long each may take, and intervals enough
+/// for `options.intervals` in all, more where contacts change.
+std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const PlanOptions& options);
+
+/// What the options' task asks for. Standing is the posture "stand" of the document, the joint next
+/// to the foot left open to balance it; without one, joints within the middle half of their ranges.
+PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options);
+
+/// The stances that the options name, or their task's on such a foot.
+std::vector<Stance> plan_stances(const SagittalRobot& plane, const PlanOptions& options);
+
+}  // namespace torquewright::hopper

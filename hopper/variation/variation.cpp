@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/variation/variation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "actuator/check/drive_check.hpp"
+#include "actuator/region/operating_conditions.hpp"
+#include "hopper/variation/drive_groups.hpp"
+#include "io/refusal.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using actuator::Actuator;
+
+struct NamedQuantity {
+  std::string_view name;
+  Quantity quantity;
+  std::string_view unit;
+  bool is_of_drives;  ///< May be that of some of them; else of the whole robot.
+};
+constexpr NamedQuantity kQuantities[]{{"voltage", Quantity::kVoltage, "V", false},
+                                      {"current", Quantity::kCurrent, "A", true},
+                                      {"resistance", Quantity::kResistance, "ohm", true},
+                                      {"mass", Quantity::kMass, "kg", false},
+                                      {"ratio", Quantity::kRatio, "", true}};
+constexpr std::string_view kFactor = "_factor";
+constexpr double kSame = 1e-9;  // relative: documents round
+
+double mass_kg(const Robot& robot) {
+  double sum_kg = 0.0;
+  for (const dynamics::Body& body : robot.tree.bodies) sum_kg += body.inertia.mass_kg;
+  return sum_kg;
+}
+
+double value_of(const Actuator& drive, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kVoltage:
+      return actuator::open_circuit_voltage_V(drive, {});
+    case Quantity::kCurrent:
+      return drive.drive.peak_current_A;
+    case Quantity::kResistance:
+      return drive.motor.resistance_ohm;
+    default:
+      return std::abs(drive.transmission.ratio);
+  }
+}
+
+void scale_voltage(Actuator& drive, double factor) {
+  drive.drive.bus_voltage_V *= factor;
+  if (!drive.battery) return;
+  drive.battery->maximum_voltage_V *= factor;
+  for (actuator::ChargePoint& point : drive.battery->cell_open_circuit) point.voltage_V *= factor;
+}
+
+/// What the motor may give for long is the same: at the joint it grows with the ratio.
+void set_ratio(Actuator& drive, double ratio) {
+  const double factor = ratio / std::abs(drive.transmission.ratio);
+  drive.transmission.ratio = std::copysign(ratio, drive.transmission.ratio);
+  if (!drive.datasheet || !drive.datasheet->joint_side) return;
+  if (drive.datasheet->rated_torque_Nm) *drive.datasheet->rated_torque_Nm *= factor;
+}
+
+void set(Actuator& drive, Quantity quantity, double value) {
+  switch (quantity) {
+    case Quantity::kVoltage:
+      return scale_voltage(drive, value / value_of(drive, quantity));
+    case Quantity::kCurrent:
+      drive.drive.peak_current_A = value;
+      return;
+    case Quantity::kResistance:
+      drive.motor.resistance_ohm = value;
+      return;
+    default:
+      return set_ratio(drive, value);
+  }
+}
+
+void scale_mass(Robot& robot, double factor) {
+  for (dynamics::Body& body : robot.tree.bodies) {
+    body.inertia.mass_kg *= factor;
+    body.inertia.inertia_kg_m2 *= factor;
+  }
+}
+
+/// Whether the robot itself holds inertias of these rotors.
+bool holds_rotors(const Robot& robot, const Drivetrain& drivetrain) {
+  const auto weighs = [](double inertia) { return inertia != 0.0; };
+  const auto is_loaded = [&](std::size_t body) {
+    return weighs(robot.tree.bodies[body].joint.reflected_inertia);
+  };
+  const std::vector<double>& stated = drivetrain.stated_rotors_kg_m2;
+  if (std::any_of(stated.begin(), stated.end(), weighs)) return true;
+  return drivetrain.rotors_in_tree &&
+         std::any_of(drivetrain.joints.begin(), drivetrain.joints.end(), is_loaded);
+}
+
+/// By how much the inertia of each drive at its output has grown.
+std::vector<double> inertia_factors(const Robot& robot, const Drivetrain& before,
+                                    const Drivetrain& after, const Variable& variable) {
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < before.actuators.size(); ++i) {
+    const double before_kg_m2 = actuator::armature_kg_m2(before.actuators[i]);
+    const double after_kg_m2 = actuator::armature_kg_m2(after.actuators[i]);
+    const bool is_same =
+        after.actuators[i].transmission.ratio == before.actuators[i].transmission.ratio;
+    if (!is_same && after_kg_m2 == before_kg_m2 && holds_rotors(robot, before)) {
+      io::refuse(variable.name,
+                 fmt::format("the robot states what the rotor of {} weighs, its actuator states "
+                             "no rotor inertia: what another ratio makes of it is not known",
+                             before.actuator_names[i]));
+    }
+    factors.push_back(after_kg_m2 == before_kg_m2 ? 1.0 : after_kg_m2 / before_kg_m2);
+  }
+  return factors;
+}
+
+/// Joints that hold the rotors of several drives hold their sum, which says nothing of each.
+void require_all_alike(const Drivetrain& drivetrain, const std::vector<double>& factors,
+                       const Variable& variable) {
+  const bool are_alike = std::all_of(factors.begin(), factors.end(), [&](double factor) {
+    return std::abs(factor / factors.front() - 1.0) <= kSame;
+  });
+  if (are_alike) return;
+  io::refuse(variable.name,
+             fmt::format("the joints behind {} state what all rotors weigh together: name all of "
+                         "its drives at once",
+                         drivetrain.actuator_names.front()));
+}
+
+/// The rotors of a drivetrain behind another ratio, where the robot itself holds them.
+void follow_ratio(const Robot& before, Robot& after, std::size_t index, const Variable& variable) {
+  const Drivetrain& old = before.drivetrains[index];
+  Drivetrain& changed = after.drivetrains[index];
+  const std::vector<double> factors = inertia_factors(before, old, changed, variable);
+  for (std::size_t i = 0; i < changed.stated_rotors_kg_m2.size(); ++i) {
+    changed.stated_rotors_kg_m2[i] *= factors[i];
+  }
+  for (std::size_t i = 0; i < old.joints.size(); ++i) {
+    dynamics::Joint& joint = after.tree.bodies[old.joints[i]].joint;
+    const bool spins = !joint.rotor_spin_kg_m2.isZero(0);
+    if (!old.rotors_in_tree && !spins) continue;
+    require_all_alike(old, factors, variable);
+    if (old.rotors_in_tree) joint.reflected_inertia *= factors.front();
+    joint.rotor_spin_kg_m2 *=
+        changed.actuators.front().transmission.ratio / old.actuators.front().transmission.ratio;
+  }
+}
+
+Variable robot_variable(const Robot& robot, const NamedQuantity& named) {
+  Variable variable;
+  variable.quantity = named.quantity;
+  variable.unit = named.unit;
+  if (named.quantity != Quantity::kMass) variable.drives = every_drive(robot);
+  return variable;
+}
+
+/// The first value where all are alike.
+std::optional<double> common_value(const Robot& robot, const Variable& variable) {
+  if (variable.quantity == Quantity::kMass) return mass_kg(robot);
+  std::optional<double> common;
+  for (const std::size_t drive : variable.drives) {
+    const double value = value_of(drive_at(robot, drive), variable.quantity);
+    if (common && std::abs(value / *common - 1.0) > kSame) return std::nullopt;
+    common = value;
+  }
+  return common;
+}
+
+std::string values_of(const Robot& robot, const Variable& variable) {
+  const std::vector<std::string> names = every_drive_name(robot);
+  std::string text;
+  for (const std::size_t drive : variable.drives) {
+    text += fmt::format("{}{}: {:.6g}{}{}", text.empty() ? "" : ", ", names[drive],
+                        value_of(drive_at(robot, drive), variable.quantity),
+                        variable.unit.empty() ? "" : " ", variable.unit);
+  }
+  return text;
+}
+
+}  // namespace
+
+Variable variable_named(const Robot& robot, const std::string& name, const std::string& place) {
+  std::string rest = name;
+  const bool is_factor = rest.ends_with(kFactor);
+  if (is_factor) rest.resize(rest.size() - kFactor.size());
+  std::optional<Variable> found;
+  for (const NamedQuantity& named : kQuantities) {
+    if (rest == named.name) found = robot_variable(robot, named);
+    const std::string ending = fmt::format("_{}", named.name);
+    if (!named.is_of_drives || !rest.ends_with(ending)) continue;
+    const auto drives = drives_named(robot, rest.substr(0, rest.size() - ending.size()));
+    if (!drives) continue;
+    found = robot_variable(robot, named);
+    found->drives = *drives;
+  }
+  const bool is_of_none = found && found->quantity != Quantity::kMass && found->drives.empty();
+  if (!found || is_of_none) {
+    refuse_name(place, name, variable_names(robot), kFactor);
+  }
+  found->name = name;
+  found->is_factor = is_factor;
+  const std::optional<double> common = common_value(robot, *found);
+  if (is_factor) {
+    found->present = 1.0;
+    found->unit.clear();
+  } else if (common) {
+    found->present = *common;
+  } else {
+    io::refuse(place, fmt::format("\"{}\" stands for several drives with different values ({}); "
+                                  "name one, or {}{} for all",
+                                  name, values_of(robot, *found), name, kFactor));
+  }
+  return *found;
+}
+
+std::vector<std::string> variable_names(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const NamedQuantity& named : kQuantities) {
+    if (named.quantity != Quantity::kMass && robot.drivetrains.empty()) continue;
+    names.emplace_back(named.name);
+    if (!named.is_of_drives) continue;
+    for (const DriveGroup& group : drive_groups(robot)) {
+      names.push_back(fmt::format("{}_{}", group.name, named.name));
+    }
+  }
+  return names;
+}
+
+Robot varied(const Robot& robot, const Variable& variable, double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) {
+    io::refuse(variable.name, fmt::format("{:g} is not above 0", value));
+  }
+  Robot changed = robot;
+  if (variable.quantity == Quantity::kMass) {
+    scale_mass(changed, value / variable.present);
+    return changed;
+  }
+  for (const std::size_t index : variable.drives) {
+    Actuator& drive = drive_at(changed, index);
+    const double present = value_of(drive, variable.quantity);
+    set(drive, variable.quantity, variable.is_factor ? value * present : value);
+  }
+  if (variable.quantity != Quantity::kRatio) return changed;
+  for (std::size_t i = 0; i < robot.drivetrains.size(); ++i) {
+    follow_ratio(robot, changed, i, variable);
+  }
+  return changed;
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace torquewright::io {
+
+/// Lines that are added one by one, each of them kept from then on, whatever becomes of whoever
+/// writes them. A line that was only half written is none. At most one writer at a time.
+class JournalFile {
+ public:
+  /// Opens the file, or makes it, with this first line. Nothing of a journal that exists is changed
+  /// before a line is added. Throws SpecError: it holds something else, is an input of this
+  /// session, is written by another program, or cannot be read and written.
+  JournalFile(const std::filesystem::path& file, std::string_view first_line);
+  ~JournalFile();
+  JournalFile(const JournalFile&) = delete;
+  JournalFile& operator=(const JournalFile&) = delete;
+
+  /// Those that stood there when it was opened, after the first one.
+  const std::vector<std::string>& lines() const { return lines_; }
+
+  /// Is kept when this returns (fsync). Requires a line without a line break. Throws SpecError
+  /// where it cannot be written.
+  void add(std::string_view line);
+
+ private:
+  void open();
+  void read(std::string_view first_line);
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  std::vector<std::string> lines_;
+  std::size_t whole_bytes_ = 0;  ///< Up to the last line break.
+};
+
+/// Throws SpecError where a journal could not be kept in that file, as far as that shows without
+/// making it: for before the work.
+void check_journal(const std::filesystem::path& file, std::string_view first_line);
+
+}  // namespace torquewright::io

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "optimization/nonlinear/search.hpp"
+
+namespace torquewright::optimization {
+
+/// Where the steps of a search led.
+struct SearchEnd {
+  NonlinearStatus status = NonlinearStatus::kStalled;
+  std::vector<double> scaled;       ///< Its last point over the scales; empty if there is none.
+  std::vector<double> multipliers;  ///< Of the scaled rows and the scaled objective.
+  int iterations = 0;
+};
+
+/// Steps of Ipopt from the program's starts. Requires at least one free unknown, and no more
+/// equations than free unknowns. What rows and the options' functions throw comes through.
+SearchEnd run_ipopt(Search& search);
+
+}  // namespace torquewright::optimization

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/hopper_flip_inputs.hpp"
+
+#include "src/commands/hopper_check_inputs.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+hopper::PlanTask task_of(const std::string& name) {
+  if (name == "jump") return hopper::PlanTask::kJump;
+  return name == "hop" ? hopper::PlanTask::kHop : hopper::PlanTask::kFlip;
+}
+
+std::unique_ptr<hopper::Motion> read_warm(const HopperFlipRequest& request,
+                                          HopperFlipInputs& inputs) {
+  if (request.warm.trajectory_file.empty()) return nullptr;
+  const hopper::MotionFile source = motion_file(request.warm);
+  inputs.columns = source.documents;
+  return std::make_unique<hopper::Motion>(motion_in(source, inputs.robot.robot));
+}
+
+}  // namespace
+
+HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request) {
+  HopperFlipInputs inputs;
+  hopper::PlanOptions& plan = inputs.plan;
+  plan = request.plan;
+  plan.task = task_of(request.task);
+  plan.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
+  plan.stances = request.contacts;
+  plan.objectives = read_objectives(request.objectives);
+  plan.guess_seed = static_cast<unsigned>(request.guess_seed);
+  inputs.robot = hopper::read_robot(request.warm.robot_file);
+  plan.check = check_options(request.warm, inputs.robot);
+  plan.check.keep_traces = !request.report_file.empty();
+  inputs.warm = read_warm(request, inputs);
+  plan.warm = inputs.warm.get();
+  plan.warm_file = request.warm.trajectory_file;
+  return inputs;
+}
+
+}  // namespace torquewright::cli

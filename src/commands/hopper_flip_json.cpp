@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/hopper_flip_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "hopper/flip/plan_report_spec.hpp"
+#include "src/commands/check_options_json.hpp"
+#include "src/commands/result_json.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+void add_margins(const hopper::PlanMargins& margins, ordered_json& json) {
+  const hopper::PlanMargins usual;
+  const auto add = [&json](const char* key, double value, double unless) {
+    if (value != unless) json[key] = value;
+  };
+  add("voltage_margin", margins.voltage, usual.voltage);
+  add("current_margin", margins.current, usual.current);
+  add("friction_margin", margins.friction, usual.friction);
+  add("center_of_pressure_margin", margins.center_of_pressure, usual.center_of_pressure);
+  add("gear_margin", margins.gear_load, usual.gear_load);
+  add("position_margin_rad", margins.position_rad, usual.position_rad);
+  add("speed_margin", margins.speed, usual.speed);
+}
+
+/// What was asked for beyond the files and what the report states itself, where it is not the
+/// default.
+ordered_json request_json(const HopperFlipRequest& request) {
+  const HopperFlipRequest usual;
+  const hopper::PlanOptions& plan = request.plan;
+  const hopper::ContactRule& contact = request.warm.check.contact;
+  ordered_json json =
+      check_options_json(request.warm.columns, request.warm.window, request.warm.operating);
+  const auto add = [&json](const char* key, const auto& value, const auto& unless) {
+    if (value != unless) json[key] = value;
+  };
+  add("contacts", request.contacts, usual.contacts);
+  add("objective", request.objectives, usual.objectives);
+  add_margins(plan.margins, json);
+  add("intervals", plan.intervals, usual.plan.intervals);
+  add("integration_error_rad", plan.most_error_rad, usual.plan.most_error_rad);
+  add("rounds", plan.most_rounds, usual.plan.most_rounds);
+  add("iterations", plan.most_iterations, usual.plan.most_iterations);
+  add("time_limit_s", plan.most_seconds, usual.plan.most_seconds);
+  add("guess_noise_rad", plan.guess_noise_rad, usual.plan.guess_noise_rad);
+  add("seed", request.guess_seed, usual.guess_seed);
+  add("sample_step_s", plan.sample_s, usual.plan.sample_s);
+  add("load_window_s", request.warm.check.load_window_s, usual.warm.check.load_window_s);
+  add("warm", request.warm.trajectory_file, usual.warm.trajectory_file);
+  if (contact.height_m) json["contact_height_m"] = *contact.height_m;
+  if (contact.speed_m_s) json["contact_speed_m_s"] = *contact.speed_m_s;
+  add("explain", plan.explain, usual.plan.explain);
+  return json;
+}
+
+}  // namespace
+
+std::string hopper_flip_json(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
+                             const hopper::PlanResult& result) {
+  const auto seconds =
+      request.timing ? hopper::PlanSeconds::kStated : hopper::PlanSeconds::kLeftOut;
+  ordered_json document = hopper::plan_report_json(inputs.plan, result, seconds);
+  document["options"] = request_json(request);
+  std::vector<io::Document> read = inputs.robot.documents;
+  if (inputs.warm) read.push_back({inputs.warm->file, "", {}, inputs.warm->sha256});
+  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
+  return result_text(std::move(document), read);
+}
+
+}  // namespace torquewright::cli

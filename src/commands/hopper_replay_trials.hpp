@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hopper/replay/randomisation_spec.hpp"
+#include "hopper/replay/replay_report.hpp"
+#include "src/options/hopper_replay_request.hpp"
+
+namespace torquewright::cli {
+
+/// Runs the trials that were asked for: by threads; by processes, or ranks of mpirun, where jobs, a
+/// journal or ranks were named. The outcomes are the same. None in a worker, which ends without a
+/// word. `fingerprint` is of all that a trial depends on beside its number.
+std::optional<hopper::ReplayTrials> run_replay_trials(const hopper::Replay& replay,
+                                                      const hopper::Randomisation& randomisation,
+                                                      const HopperReplayRequest& request,
+                                                      const std::string& fingerprint);
+
+}  // namespace torquewright::cli

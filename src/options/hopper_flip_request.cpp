@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/options/hopper_flip_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "io/nearest.hpp"
+#include "io/spec_error.hpp"
+#include "io/wording.hpp"
+#include "src/options/objective_names.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+constexpr std::int64_t kGreatestSeed = 4294967295;
+
+void add_task_options(command_line::Command& command, HopperFlipRequest& request) {
+  command
+      .add_option("--task", request.task,
+                  "flip: the foot turned once forwards; jump: straight up; hop: with a stride")
+      .one_of({"flip", "jump", "hop"})
+      .shows_default();
+  command
+      .add_option("--limits", request.limits,
+                  "mor: each drive within its region at the voltage of the instant; box: within "
+                  "its peak torque at any speed up to no load, which a real motor cannot do")
+      .one_of({"mor", "box"})
+      .shows_default();
+  command
+      .add_option("--contacts", request.contacts,
+                  "What stands on the ground, in order, by commas: flat, heel, toe, flight "
+                  "(default: the task's, of a flip flat,heel,flight,heel,flat)")
+      .separated_by_commas();
+  command
+      .add_option("--objective", request.objectives,
+                  fmt::format("NAME[=WEIGHT], repeatable: {} (default: the task's)",
+                              fmt::join(objective_names(), ", ")))
+      .one_value_each();
+}
+
+/// Planning margins: what a replay has left to steer with.
+void add_margin_options(command_line::Command& command, hopper::PlanMargins& margins) {
+  command
+      .add_option("--voltage-margin", margins.voltage,
+                  "Share of the bus voltage kept from a region's voltage bound")
+      .between(0.0, 0.9)
+      .shows_default();
+  command
+      .add_option("--current-margin", margins.current,
+                  "Share of a region's current bound that is kept")
+      .between(0.0, 0.9)
+      .shows_default();
+  command
+      .add_option("--friction-margin", margins.friction,
+                  "Share of the ground's friction coefficient that is kept")
+      .between(0.0, 0.95)
+      .shows_default();
+  command
+      .add_option("--center-of-pressure-margin", margins.center_of_pressure,
+                  "Share of the foot's length kept from either end of it")
+      .between(0.0, 0.49)
+      .shows_default();
+  command
+      .add_option("--gear-margin", margins.gear_load,
+                  "Share of each transmission's limit that is kept")
+      .between(0.0, 0.9)
+      .shows_default();
+  command
+      .add_option("--position-margin", margins.position_rad,
+                  "Kept from the ends of the joints' ranges, in rad")
+      .between(0.0, 1.0)
+      .shows_default();
+  command
+      .add_option("--speed-margin", margins.speed, "Share of the joints' speed limits that is kept")
+      .between(0.0, 0.9)
+      .shows_default();
+}
+
+void add_search_options(command_line::Command& command, HopperFlipRequest& request) {
+  hopper::PlanOptions& plan = request.plan;
+  command.add_option("--intervals", plan.intervals, "Of the first mesh, all phases together")
+      .integer_between(10, 2000)
+      .shows_default();
+  command
+      .add_option("--integration-error", plan.most_error_rad,
+                  "Of a phase beside an independent integrator, in rad: the mesh is refined until "
+                  "it is less")
+      .between(1e-6, 0.1)
+      .shows_default();
+  command.add_option("--rounds", plan.most_rounds, "Refined meshes after the first, at most")
+      .integer_between(0, 50)
+      .shows_default();
+  command.add_option("--iterations", plan.most_iterations, "Of the solver on one mesh, at most")
+      .integer_between(1, 1000000)
+      .shows_default();
+  command
+      .add_option("--time-limit", plan.most_seconds,
+                  "End the search after so many seconds, with the best so far and exit code 3")
+      .between(0.01, 1e7)
+      .shows_default();
+  command
+      .add_option("--guess-noise", plan.guess_noise_rad,
+                  "Standard deviation of what is added to the first guess's joint angles, in rad")
+      .between(0.0, 1.0)
+      .shows_default();
+  command.add_option("--seed", request.guess_seed, "Of that noise")
+      .integer_between(0, kGreatestSeed)
+      .needs("--guess-noise");
+  command.add_flag("--explain", plan.explain,
+                   "Where no plan is found, look for the smallest change of one thing (voltage, "
+                   "current, mass, a ratio) that makes one");
+  command
+      .add_option("--load-window", request.warm.check.load_window_s,
+                  "Over which a transmission's load is averaged, in s")
+      .between(1e-6, 10.0)
+      .shows_default();
+}
+
+void add_warm_options(command_line::Command& command, HopperFlipRequest& request) {
+  command.add_option("--warm", request.warm.trajectory_file,
+                     "Begin from this motion of the robot, a CSV as `hopper check` reads it");
+  add_column_options(command, request.warm, "--warm");
+  hopper::ContactRule& contact = request.warm.check.contact;
+  command
+      .add_option("--contact-height", contact.height_m,
+                  "Points of that motion no higher than this touch, in m; searched for where "
+                  "neither this nor contact columns say")
+      .between(0.0, 10.0)
+      .needs("--warm");
+  command
+      .add_option("--contact-speed", contact.speed_m_s,
+                  "and that move up or down no faster, in m/s; likewise")
+      .between(0.0, 100.0)
+      .needs("--warm");
+}
+
+void add_file_options(command_line::Command& command, HopperFlipRequest& request) {
+  command
+      .add_option("-o,--output", request.motion_file,
+                  "Write the plan to this CSV, a motion that `hopper check` and `hopper replay` "
+                  "read; only a plan is written")
+      .names_a_file()
+      .required();
+  command
+      .add_option("--write-best", request.best_file,
+                  "Where no plan is found, write the motion that comes closest to this CSV: it is "
+                  "no plan")
+      .names_a_file();
+  command.add_option("--sample-step", request.plan.sample_s, "Between rows of the motion, in s")
+      .between(1e-5, 0.05)
+      .shows_default();
+  command
+      .add_option("--plot-momentum", request.momentum_file,
+                  "Draw CAM, CAV and composite inertia about the lateral axis over time to this "
+                  "SVG or PNG")
+      .names_a_file();
+  command
+      .add_option("--figures", request.figures_file,
+                  "Draw the robot at moments of the motion to this SVG")
+      .names_a_file();
+  command
+      .add_option("--report", request.report_file,
+                  "Write a page with the plan and all that `hopper check` says of it to this HTML")
+      .names_a_file();
+  command.add_flag("--json", request.json, "The answer as JSON");
+  command.add_flag("--timing", request.timing, "State the seconds (runs then differ in bytes)");
+}
+
+[[noreturn]] void refuse_objective(const std::string& text, const std::string& why) {
+  throw io::SpecError({{"command line", "--objective " + text, why}});
+}
+
+double read_weight(const std::string& text, const std::string& number) {
+  char* end = nullptr;
+  const double weight = std::strtod(number.c_str(), &end);
+  if (number.empty() || *end != '\0' || !std::isfinite(weight) || !(weight > 0.0)) {
+    refuse_objective(text, "WEIGHT is a number greater than 0");
+  }
+  return weight;
+}
+
+}  // namespace
+
+void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& request) {
+  command.add_option("robot", request.warm.robot_file, "Document of kind robot").required();
+  add_task_options(command, request);
+  add_margin_options(command, request.plan.margins);
+  add_operating_options(command, request.warm.operating);
+  add_search_options(command, request);
+  add_warm_options(command, request);
+  add_file_options(command, request);
+}
+
+std::vector<hopper::WeightedObjective> read_objectives(const std::vector<std::string>& texts) {
+  std::vector<hopper::WeightedObjective> objectives;
+  const std::vector<std::string> known = objective_names();
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      const auto near = io::nearest(name, known);
+      refuse_objective(text, fmt::format("no such objective{}",
+                                         near ? fmt::format("; did you mean \"{}\"?", *near)
+                                              : fmt::format("; there are {}", io::listed(known))));
+    }
+    for (const hopper::WeightedObjective& other : objectives) {
+      if (other.name == name) refuse_objective(text, "stands twice: one weight is enough");
+    }
+    const double weight =
+        equals == std::string::npos ? 1.0 : read_weight(text, text.substr(equals + 1));
+    objectives.push_back({name, weight});
+  }
+  return objectives;
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hopper/flip/plan.hpp"
+#include "src/options/hopper_check_request.hpp"
+
+namespace torquewright::cli {
+
+/// What `hopper flip` is asked, in the words of the command line. An empty name of a file: not
+/// asked for.
+struct HopperFlipRequest {
+  std::string task = "flip";
+  std::string limits = "mor";
+  std::vector<std::string> contacts;    ///< Empty: the task's.
+  std::vector<std::string> objectives;  ///< NAME[=WEIGHT]; empty: the task's.
+  hopper::PlanOptions plan;             ///< The numbers that have an option of their own.
+  std::uint64_t guess_seed = 0;
+  /// Robot and conditions; its motion, where one is named, is what is begun from.
+  HopperCheckRequest warm;
+  std::string motion_file;
+  std::string best_file;  ///< For what comes closest where there is no plan.
+  std::string momentum_file;
+  std::string figures_file;
+  std::string report_file;
+  bool json = false;
+  bool timing = false;
+};
+
+/// Adds everything that `hopper flip` takes.
+void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& request);
+
+/// The weighted objectives that NAME[=WEIGHT] state. Throws io::SpecError, with the nearest name,
+/// for one that there is not, that stands twice, or whose weight is no positive number.
+std::vector<hopper::WeightedObjective> read_objectives(const std::vector<std::string>& texts);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// `hopper flip` as users start it: options, refusals, files and exit codes. What it plans is tested
+// where plan_motion() is.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/document.hpp"
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+class HopperFlip : public testing::Test {
+ protected:
+  HopperFlip() {
+    fs::copy(in_repository("specs"), place_.path("specs"), fs::copy_options::recursive);
+  }
+
+  Outcome run(const Words& options, const std::string& robot = "specs/robot/hopper.json") const {
+    Words words{"hopper", "flip", robot, "-o", "plan.csv"};
+    words.insert(words.end(), options.begin(), options.end());
+    return place_.run(words);
+  }
+  /// Exit code 2 with that sentence, and no file written.
+  void expect_refusal(const Words& options, const std::string& sentence,
+                      const std::string& robot = "specs/robot/hopper.json") const {
+    const auto before = place_.files();
+    const Outcome outcome = run(options, robot);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find(sentence), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(place_.files(), before);
+  }
+  /// A copy of the hopper with one place changed.
+  std::string robot_with(const char* pointer, json value) const {
+    json robot = json::parse(place_.text("specs/robot/hopper.json"));
+    robot[json::json_pointer(pointer)] = std::move(value);
+    place_.write("specs/robot/changed.json", robot.dump());
+    return "specs/robot/changed.json";
+  }
+
+  Workplace place_;
+};
+
+TEST_F(HopperFlip, RefusesObjectivesThatThereAreNot) {
+  expect_refusal({"--objective", "hight"}, "did you mean \"height\"?");
+  expect_refusal({"--objective", "height=0"}, "WEIGHT is a number greater than 0");
+  expect_refusal({"--objective", "height=-1"}, "WEIGHT is a number greater than 0");
+  expect_refusal({"--objective", "height="}, "WEIGHT is a number greater than 0");
+  expect_refusal({"--objective", "height=2x"}, "WEIGHT is a number greater than 0");
+  expect_refusal({"--objective", "height=inf"}, "WEIGHT is a number greater than 0");
+  expect_refusal({"--objective", "height=1", "--objective", "height=2"}, "stands twice");
+}
+
+TEST_F(HopperFlip, RefusesNumbersOutOfTheirRange) {
+  expect_refusal({"--voltage-margin", "1"}, "--voltage-margin");
+  expect_refusal({"--center-of-pressure-margin", "0.5"}, "--center-of-pressure-margin");
+  expect_refusal({"--friction-margin", "-0.1"}, "--friction-margin");
+  expect_refusal({"--intervals", "3"}, "--intervals");
+  expect_refusal({"--time-limit", "0"}, "--time-limit");
+  expect_refusal({"--sample-step", "1"}, "--sample-step");
+  expect_refusal({"--guess-noise", "nan"}, "--guess-noise");
+  expect_refusal({"--bus-voltage", "0"}, "--bus-voltage");
+  expect_refusal({"--limits", "torque"}, "--limits");
+  expect_refusal({"--task", "walk"}, "--task");
+}
+
+TEST_F(HopperFlip, RefusesOptionsThatWouldDoNothing) {
+  expect_refusal({"--seed", "3"}, "--guess-noise");
+  for (const char* option :
+       {"--column", "--columns", "--from", "--until", "--contact-height", "--contact-speed"}) {
+    expect_refusal({option, "1"}, "--warm");
+  }
+}
+
+TEST_F(HopperFlip, RefusesFilesThatItCannotWriteAsAsked) {
+  const Outcome nowhere = place_.run({"hopper", "flip", "specs/robot/hopper.json"});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_NE(nowhere.err.find("--output"), std::string::npos) << nowhere.err;
+  expect_refusal({"--write-best", "best.json"}, "which is a CSV");
+  expect_refusal({"--write-best", "plan.csv"}, "plan.csv");
+  expect_refusal({"--write-best", ""}, "--write-best");
+  expect_refusal({"--figures", "figures.png"}, "must end with .svg");
+  expect_refusal({"--plot-momentum", "momentum.pdf"}, "momentum.pdf");
+  expect_refusal({"--report", "no_folder/page.html"}, "no_folder");
+  expect_refusal({"--report", "specs/robot/hopper.json"}, "hopper.json");
+  expect_refusal({"--report", "specs/actuator/d151_knee.json"}, "d151_knee.json");
+  expect_refusal(
+      {"--warm", "specs/trajectory/hopper_hop.csv", "--report", "specs/trajectory/hopper_hop.csv"},
+      "hopper_hop.csv");
+}
+
+TEST_F(HopperFlip, RefusesAMotionToBeginFromThatIsNotThisRobots) {
+  expect_refusal({"--warm", "missing.csv"}, "missing.csv");
+  expect_refusal({"--warm", "specs/trajectory/hopper_flip.csv"}, "no column",
+                 "specs/robot/rabbit.json");
+  expect_refusal({"--warm", "specs/trajectory/hopper_hop.csv", "--column", "none=knee.position"},
+                 "no column \"none\"");
+}
+
+TEST_F(HopperFlip, RefusesRobotsThatHaveNoPlaneOrNoWayBackDown) {
+  expect_refusal({}, "no contact points", "specs/robot/cassie.json");
+  expect_refusal({"--contacts", "flat,hee,flat"}, "'hee'");
+  expect_refusal({"--contacts", "flat,flight"}, "'flat'");
+  const std::string robot = robot_with("/mechanisms/1/rods/0/rod_length_m", 0.16);
+  expect_refusal({}, "symmetric", robot);
+}
+
+TEST_F(HopperFlip, RefusesConditionsThatTheDocumentsDoNotKnow) {
+  expect_refusal({"--bus-voltage", "60", "--state-of-charge", "0.5"}, "one sets the other");
+}
+
+// A jump on a coarse mesh: what is written is a plan by `hopper check`, told nothing more; twice
+// the same bytes.
+TEST_F(HopperFlip, WritesAMotionThatTheCheckPasses) {
+  const Words jump{"--task",    "jump",      "--intervals",  "20",       "--bus-voltage",
+                   "60",        "--json",    "--write-best", "best.csv", "--report",
+                   "page.html", "--figures", "figures.svg"};
+  const Outcome planned = run(jump);
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  EXPECT_EQ(planned.err, "");
+  const json report = json::parse(planned.out);
+  EXPECT_NO_THROW(io::check_document(report, "plan_report", "report", ""));
+  EXPECT_EQ(report["status"], "planned");
+  EXPECT_EQ(report["task"], "jump");
+  EXPECT_EQ(report["options"]["intervals"], 20);
+  EXPECT_EQ(report["options"]["bus_voltage_V"], 60.0);
+  EXPECT_EQ(report["options"].size(), 2u) << report["options"];
+  EXPECT_EQ(report["inputs"][0]["path"], "specs/robot/hopper.json");
+  EXPECT_FALSE(place_.has("best.csv")) << "there is a plan";
+  EXPECT_NE(place_.text("page.html").find(">planned</span>"), std::string::npos);
+  EXPECT_TRUE(place_.text("figures.svg").ends_with("</svg>\n"));
+  const Outcome checked =
+      place_.run({"hopper", "check", "specs/robot/hopper.json", "plan.csv", "--bus-voltage", "60"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+
+  const auto files = place_.files();
+  EXPECT_EQ(run(jump).out, planned.out);
+  EXPECT_EQ(place_.files(), files);
+}
+
+// What ended early is no plan: exit code 3, and no motion that could be taken for one.
+TEST_F(HopperFlip, EndsOnCtrlCWithoutAMotion) {
+  place_.here.interrupt_after = std::chrono::milliseconds(200);
+  const Outcome outcome = run({"--json", "--plot-momentum", "momentum.svg"});
+  if (outcome.err.find("not installed") != std::string::npos) GTEST_SKIP() << "no gnuplot";
+  ASSERT_EQ(outcome.exit_code, 3) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_NO_THROW(io::check_document(report, "plan_report", "report", ""));
+  EXPECT_EQ(report["status"], "limit");
+  EXPECT_NE(report["reason"], "");
+  EXPECT_FALSE(place_.has("plan.csv"));
+  EXPECT_FALSE(place_.has("momentum.svg"));
+  EXPECT_NE(outcome.err.find("plan.csv: not written, there is no plan"), std::string::npos);
+  EXPECT_NE(outcome.err.find("momentum.svg: not written"), std::string::npos);
+}
+
+// Ten milliseconds are no time: whatever there is by then is no plan either.
+TEST_F(HopperFlip, EndsAtItsTimeLimit) {
+  const Outcome outcome = run({"--time-limit", "0.01"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("limit: ")) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nnext: --time-limit 0.02 "), std::string::npos) << outcome.out;
+  EXPECT_FALSE(place_.has("plan.csv"));
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test

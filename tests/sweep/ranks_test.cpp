@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sweeps under mpirun, where it is installed. Oracle: the same sweep without it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+/// Another program in place of toy_sweep, or variables of the environment, as long as it lives.
+class Surroundings {
+ public:
+  explicit Surroundings(const char* variable, const std::string& value) : variable_(variable) {
+    ::setenv(variable, value.c_str(), 1);
+  }
+  ~Surroundings() { ::unsetenv(variable_); }
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+
+ private:
+  const char* variable_;
+};
+
+Outcome by_ranks(const Workplace& place, const char* ranks, std::vector<std::string> toy,
+                 const std::vector<std::string>& options = {}) {
+  const Surroundings mpirun("TORQUEWRIGHT_STAND_IN", TORQUEWRIGHT_MPIRUN);
+  std::vector<std::string> words = {"--allow-run-as-root", "--oversubscribe", "-n", ranks};
+  words.insert(words.end(), options.begin(), options.end());
+  words.emplace_back(TORQUEWRIGHT_PROGRAM);
+  words.insert(words.end(), toy.begin(), toy.end());
+  return place.run(words);
+}
+
+class Ranks : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::string(TORQUEWRIGHT_MPIRUN).empty()) {
+      GTEST_SKIP() << "libopenmpi-dev or openmpi-bin is not installed";
+    }
+  }
+};
+
+TEST_F(Ranks, SayTheSameInAnyNumber) {
+  const Workplace place;
+  const std::string alone = place.run({"--points", "9"}).out;
+  for (const char* ranks : {"1", "2", "4"}) {
+    const Outcome outcome = by_ranks(place, ranks, {"--points", "9"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, alone) << ranks;
+  }
+}
+
+TEST_F(Ranks, LoseThePointOfAProcessThatIsKilled) {
+  const Workplace place;
+  const Outcome outcome =
+      by_ranks(place, "3", {"--points", "6", "--killed", "3", "--journal", "journal"});
+  EXPECT_NE(outcome.out.find("number=3 lost: its process was ended by signal 9"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find(R"(number=5 {"square":25)"), std::string::npos) << outcome.out;
+  // On one machine it goes on with what ranks have done, and finds the one that is lost.
+  const Outcome again = place.run({"--points", "6", "--journal", "journal", "--diary", "diary"});
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(place.text("diary"), "3\n");
+}
+
+// mpirun as it is ends all ranks with the one that was killed; what they had done is kept.
+TEST_F(Ranks, GoOnAfterAllWereEnded) {
+  const Workplace place;
+  by_ranks(place, "3", {"--points", "8", "--slow", "300", "--journal", "journal", "--dies", "2"});
+  const Outcome again = place.run({"--points", "8", "--journal", "journal"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.out, place.run({"--points", "8"}).out);
+}
+
+// With --enable-recovery the others go on.
+TEST_F(Ranks, LoseOnePointWithOneOfThem) {
+  const Workplace place;
+  const Outcome outcome = by_ranks(
+      place, "3", {"--points", "8", "--slow", "300", "--journal", "journal", "--dies", "2"},
+      {"--enable-recovery"});
+  std::size_t lost = 0;
+  for (std::size_t at = outcome.out.find("lost: its rank"); at != std::string::npos;
+       at = outcome.out.find("lost: its rank", at + 1)) {
+    ++lost;
+  }
+  EXPECT_EQ(lost, 1u) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.out.find("not done"), std::string::npos) << outcome.out;
+  const Outcome again = place.run({"--points", "8", "--journal", "journal", "--diary", "diary"});
+  EXPECT_EQ(again.out, place.run({"--points", "8"}).out);
+  EXPECT_EQ(place.text("diary").size(), 2u) << "more than one point was lost";
+}
+
+TEST_F(Ranks, AreRefusedWhereInputsChange) {
+  const Workplace place;
+  const Outcome outcome = by_ranks(place, "3", {"--points", "4", "--fickle"});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("the inputs have changed"), std::string::npos) << outcome.err;
+}
+
+// As a program that was built without MPI sees itself under mpirun.
+TEST(WithoutMpi, SaysWhatToInstall) {
+  const Workplace place;
+  const Surroundings program("TORQUEWRIGHT_STAND_IN", TORQUEWRIGHT_WITHOUT_MPI);
+  EXPECT_EQ(place.run({"--points", "2"}).exit_code, 0);
+  const Surroundings size("OMPI_COMM_WORLD_SIZE", "2");
+  const Outcome outcome = place.run({"--points", "2"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("install libopenmpi-dev and openmpi-bin"), std::string::npos)
+      << outcome.err;
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
