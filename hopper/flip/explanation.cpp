@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "hopper/flip/plan_search.hpp"
 #include "hopper/flip/sagittal_robot.hpp"
 #include "hopper/variation/drive_groups.hpp"
 #include "hopper/variation/variation.hpp"
@@ -125,7 +126,7 @@ std::optional<bool> Attempts::has_plan(const Variable& variable, double value,
   if (is_of_bus) bus_voltage_V = value;
   try {
     const Robot changed = is_of_bus ? robot_ : varied(robot_, variable, value);
-    const PlanStatus status = plan_motion(changed, options).status;
+    const PlanStatus status = search_plan(changed, options).status;
     if (status == PlanStatus::kPlanned) return true;
     if (status == PlanStatus::kLimit && (is_stopped() || Clock::now() >= deadline)) {
       return std::nullopt;

@@ -3,7 +3,9 @@
 
 #include <vector>
 
-#include "hopper/flip/plan.hpp"
+#include "hopper/flip/plan_options.hpp"
+#include "hopper/flip/plan_result.hpp"
+#include "hopper/robot/robot.hpp"
 
 namespace torquewright::hopper {
 

@@ -29,7 +29,7 @@ sweep::RowVerdict verdict_of(PlanStatus status) {
 }
 
 /// A motion that the check does not pass is told from a search that had no time.
-std::string name_of(PlanStatus status) {
+std::string word_of(PlanStatus status) {
   if (status == PlanStatus::kCheckFails) return "check_fails";
   return std::string(hopper::name_of(status));
 }
@@ -79,7 +79,7 @@ sweep::SweepRow hopper_flip_row(const hopper::Robot& robot, const hopper::CheckO
   if (result.check) checked = hopper_check_row(robot, check, *result.check);
   sweep::SweepRow row;
   row.verdict = verdict_of(result.status);
-  row.status = name_of(result.status);
+  row.status = word_of(result.status);
   row.measures = measures_of(result, checked);
   row.why = result.reason;
   row.binding = result.status == PlanStatus::kPlanned ? checked.binding : binding_of(result);
