@@ -12,10 +12,13 @@
 namespace torquewright::hopper {
 
 enum class PlanStatus {
-  kPlanned,            ///< Found, and `hopper check` passes it.
+  /// Found, and `hopper check` passes it; planned in boxes, all but regions and battery do.
+  kPlanned,
   kLocallyInfeasible,  ///< None found from this guess; proves nothing.
-  kCheckFails,         ///< Found, but `hopper check` does not pass it, or its error is too great.
-  kLimit,              ///< A limit of time, or Ctrl-C, came first.
+  /// The solver found a motion, but `hopper check` does not pass it, or its integration error is
+  /// too great. Undecided, as a limit is, and of the same name.
+  kCheckFails,
+  kLimit,  ///< A limit of time, or Ctrl-C, came first.
 };
 std::string_view name_of(PlanStatus status);
 
@@ -70,6 +73,7 @@ struct ChangeTried {
   double to = 0.0;       ///< What made a plan; the farthest tried where nothing did.
   std::string unit;
   bool has_plan = false;
+  bool is_cut_off = false;  ///< A limit of time, or Ctrl-C, came before its last answer.
 };
 
 struct PlanResult {

@@ -8,17 +8,18 @@
 namespace torquewright::hopper {
 namespace {
 
-// A torque that goes from 0 to the greatest in this time costs what holding the greatest as long
-// does: 3.2 ms squared, a third of the interval of a push-off's mesh. Without it the middles of
-// intervals chatter against their ends, which a Simpson sum cannot see; ten times as much rounds
-// off the torque where a region bends, over several intervals.
+// A torque that goes from 0 to the greatest in this time (3.2 ms squared) costs what holding it as
+// long does. A Simpson sum does not see a middle that is off its neighbours as much one way as they
+// are the other: without this and the accelerations' term the torques in the middle of intervals of
+// the hopper's highest flip are up to 300 Nm off their neighbours' mean, with them 60 Nm. Ten times
+// as much takes away 7 % of the greatest average velocity at take-off.
 constexpr double kTorqueRate_s2 = 1e-5;
 // A middle that stands off the straight line between its ends by half the greatest torque costs
 // that much: 1 % of a flip's effort in one interval, next to nothing where torques are resolved.
 constexpr double kTorqueBend = 1e-3;
-// Joints that accelerate at 100 rad/s^2 cost a thousandth of a drive at its greatest torque.
-// Without it nothing chooses among motions alike in effort, and the search wanders there: it took
-// three times the iterations or did not end.
+// Joints that accelerate at 100 rad/s^2 cost a thousandth of a drive at its greatest torque. It
+// chooses among motions that objectives of one instant (height, cav) leave alike: without it and
+// the rates' term the search took twice the iterations. The least effort is 4 % more with them.
 constexpr double kAccelerationShare = 1e-3;
 constexpr double kAcceleration_rad_s2 = 100.0;
 

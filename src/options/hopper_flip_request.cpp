@@ -141,9 +141,8 @@ void add_file_options(command_line::Command& command, HopperFlipRequest& request
   command
       .add_option("-o,--output", request.motion_file,
                   "Write the plan to this CSV, a motion that `hopper check` and `hopper replay` "
-                  "read; only a plan is written")
-      .names_a_file()
-      .required();
+                  "read; only a plan is written. With --sweep: write its result to this file")
+      .names_a_file();
   command
       .add_option("--write-best", request.best_file,
                   "Where no plan is found, write the motion that comes closest to this CSV: it is "
@@ -191,6 +190,7 @@ void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& 
   add_operating_options(command, request.warm.operating);
   add_search_options(command, request);
   add_warm_options(command, request);
+  add_sweep_options(command, request.sweep);
   add_file_options(command, request);
 }
 

@@ -6,7 +6,8 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kTypical_rad_s = 7.0;  // of the hopper's flip of least effort
+// A radian per second counts what it counts for cav; the flip of least effort has 12.
+constexpr double kTypical_rad_s = 8.0;
 
 /// Variables: the base's pitch rate.
 struct PitchRateLaw {

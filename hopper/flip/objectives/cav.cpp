@@ -8,7 +8,7 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kTypical_rad_s = 7.4;  // of the hopper's flip
+constexpr double kTypical_rad_s = 8.0;  // of the hopper's flip
 
 /// Momentum over inertia. Variables: the base's pitch and the joints (m - 2), their rates.
 struct AverageVelocityLaw {

@@ -41,7 +41,7 @@ Costs costs(const PlanModel& model, const FlipProgram& program, double factor) {
   return out;
 }
 
-/// Its value is the cost: in the hopper's flip 0.07 s, by which kTypicalCost is.
+/// Its value is the cost: 0.055 s in the hopper's flip, from which kTypicalCost is.
 void add(const PlanModel& model, const PlanOptions&, double weight, FlipProgram& program) {
   add_costs(costs(model, program, weight), program);
 }

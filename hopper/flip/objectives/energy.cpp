@@ -7,7 +7,7 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kTypical_J = 400.0;  // of the hopper's flip of least effort
+constexpr double kTypical_J = 100.0;  // of the hopper's flip of least effort
 
 /// An instant's part of the integral. Variables: DrivesAt, the phase's duration.
 struct EnergyLaw {

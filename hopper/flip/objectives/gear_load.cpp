@@ -15,7 +15,7 @@ namespace torquewright::hopper {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kTypical = 0.5;  // of a gear's limit, in the landing of the hopper's flip
+constexpr double kTypical = 0.9;  // of a gear's limit, in the hopper's flip of least effort
 constexpr double kMost = 100.0;   // of limits; no plan is near it
 
 /// What each drive's gears may pass, at its output: their limit, or the greatest torque of a drive

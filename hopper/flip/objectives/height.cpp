@@ -6,7 +6,7 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kTypical_m = 1.0;  // apex of the hopper's flip of least effort
+constexpr double kTypical_m = 0.65;  // apex of the hopper's flip of least effort
 
 /// Where the mass would come to rest, falling freely: exact in the frame of the mass. Variables:
 /// its height at take-off, how fast it rises.

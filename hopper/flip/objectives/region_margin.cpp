@@ -10,7 +10,7 @@ namespace torquewright::hopper {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kTypical = 0.2;  // that the hopper's flip can keep
+constexpr double kTypical = 0.15;  // the most that the hopper's flip keeps
 
 /// How far an instant is from the limits of each drive's region, over its greatest torque.
 /// Variables: DrivesAt. Rows: by drive the region's rows, then the greatest torque either way.
