@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/flip/flip_program.hpp"
-#include "optimization/nonlinear/solve.hpp"
+#include "hopper/flip/plan_model.hpp"
+#include "hopper/flip/plan_result.hpp"
+#include "hopper/flip/plan_variables.hpp"
 
 namespace torquewright::hopper {
 
-/// What holds a plan back: rows and unknowns that stand at a bound that is no equation, or beyond
-/// it, by stance and name, over the instants at which they do. The most often binding first.
-std::vector<BindingConstraint> binding_constraints(
-    const FlipProgram& program, const PlannedMotion& plan,
-    const optimization::NonlinearSolution& solution);
+/// What holds a plan back: limits of joints, drives and contacts (planning margins taken off) at
+/// which it stands or beyond which it is, over the instants at which it does, the most often
+/// binding first; before them the rows of the program that the values violate, the worst first.
+std::vector<BindingConstraint> binding_constraints(const FlipProgram& program,
+                                                   const PlanModel& model,
+                                                   const PlanMargins& margins,
+                                                   const PlannedMotion& plan,
+                                                   const std::vector<double>& values);
 
 }  // namespace torquewright::hopper

@@ -51,7 +51,9 @@ DriveRegion::DriveRegion(const actuator::Actuator& actuator,
   jump_width_rad_s_ = kJumpWidth * greatest_speed_rad_s_;
   power_ = std::make_shared<const DrivePower>(
       bus, ratio * torque_Nm(model, greatest_torque_current(model)),
-      kPowerOverNoLoad * greatest_speed_rad_s_, jump_width_rad_s_);
+      actuator::greatest_speed_rad_s(model, kPowerOverNoLoad * ratio * greatest_speed_rad_s_) /
+          ratio,
+      jump_width_rad_s_);
   if (options.limits == DriveLimits::kBox) {
     be_box(rest, options);
   } else {
@@ -86,11 +88,15 @@ void DriveRegion::be_region(const HeldBus& bus, const DriveRegionOptions& option
   greatest_torque_Nm_ = fitted_->greatest_torque_Nm();
   const auto [least_Nm, greatest_Nm] = fitted_->range_Nm(bus.open_circuit_V(), 0.0);
   if (least_Nm < greatest_Nm) return;
+  if (bus.model().supply.least_power_W == 0.0) {
+    throw io::SpecError({{bus.actuator().name, "",
+                          "it gives no power back to its bus (/drive/regeneration), so that its "
+                          "region has no torque that brakes: no motion can be planned with it"}});
+  }
   throw io::SpecError({{bus.actuator().name, "",
                         fmt::format("no torque is possible on both sides of rest, at a bus voltage "
-                                    "of {:.4g} V less the margin: drag is too great, or the drive "
-                                    "takes back no power and cannot brake; no motion can be "
-                                    "planned with it",
+                                    "of {:.4g} V less the margin: drag is too great; no motion can "
+                                    "be planned with it",
                                     bus.open_circuit_V())}});
 }
 

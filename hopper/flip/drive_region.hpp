@@ -23,7 +23,7 @@ struct DriveRegionOptions {
 /// output) and bus voltage, and the power that it then takes from the bus. Twice continuously
 /// differentiable and finite everywhere. Rows and |torque| <= greatest_torque_Nm() together stay
 /// inside the region that `hopper check` judges by at that voltage (0.4 to 1.3 of the open
-/// circuit's, margin counted). docs/derivations/planned_regions.md.
+/// circuit's, margin counted); how well, docs/derivations/planned_regions.md says.
 class DriveRegion {
  public:
   /// Throws io::SpecError, which names the actuator, where the conditions cannot be met or where
@@ -60,9 +60,10 @@ class DriveRegion {
 
   /// How far the rows' bounds are inside the true ones at most, margins apart; 0: not at all.
   double greatest_loss_Nm() const { return fitted_ ? fitted_->loss().greatest_Nm : 0.0; }
-  /// The same within jump_width_rad_s() of a speed where a true bound jumps (drag and gear losses
-  /// at rest, the onset of a regeneration limit), which no smooth bound can follow.
-  double loss_near_jumps_Nm() const { return fitted_ ? fitted_->loss().near_jumps_Nm : 0.0; }
+  /// The same at edges, whose bounds no smooth one follows: within jump_width_rad_s() of a speed
+  /// where a true bound jumps (drag and gear losses at rest, the onset of a regeneration limit),
+  /// and within PlannedRegion::kNose of the speed at which the region ends.
+  double loss_at_edges_Nm() const { return fitted_ ? fitted_->loss().at_edges_Nm : 0.0; }
   double jump_width_rad_s() const { return jump_width_rad_s_; }
   bool is_near_jump(double speed_rad_s) const {
     return fitted_ && fitted_->is_near_jump(speed_rad_s);

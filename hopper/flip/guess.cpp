@@ -6,7 +6,6 @@
 #include <numbers>
 #include <random>
 
-#include "hopper/flip/sampled_motion.hpp"
 #include "hopper/flip/standing.hpp"
 
 namespace torquewright::hopper {
@@ -20,13 +19,6 @@ constexpr double kHump_m = 0.15;       // of the base, in flight
 constexpr double kToeUp_rad = 0.2;     // of the foot on its heel
 constexpr double kTuckedUntil = 0.35;  // share of the flight by which legs are drawn in
 
-VectorXd cubic(const VectorXd& y0, const VectorXd& r0, const VectorXd& y1, const VectorXd& r1,
-               double h, double s) {
-  const double s2 = s * s, s3 = s2 * s;
-  return (2 * s3 - 3 * s2 + 1) * y0 + (s3 - 2 * s2 + s) * h * r0 + (3 * s2 - 2 * s3) * y1 +
-         (s3 - s2) * h * r1;
-}
-
 /// What joints and foot do at an instant.
 struct Frame {
   VectorXd joints;        ///< Those that move.
@@ -35,7 +27,8 @@ struct Frame {
 
 Frame between(const Frame& a, const Frame& b, double s) {
   const double smooth = s * s * (3.0 - 2.0 * s);
-  return {a.joints + smooth * (b.joints - a.joints), a.foot_rad + smooth * (b.foot_rad - a.foot_rad)};
+  return {a.joints + smooth * (b.joints - a.joints),
+          a.foot_rad + smooth * (b.foot_rad - a.foot_rad)};
 }
 
 class KeyFrames {
@@ -142,9 +135,8 @@ double KeyFrames::foot_between(const VectorXd& from, const VectorXd& to, const V
 
 void KeyFrames::into_mass_frame(PlannedPhase& phase) const {
   for (PlannedInstant& instant : phase.instants) {
-    const TreeMotion tree =
-        tree_motion(model_.plane, PlanFrame::kSole,
-                    {instant.position, instant.velocity, instant.acceleration});
+    const TreeMotion tree = tree_motion(model_.plane, PlanFrame::kSole,
+                                        {instant.position, instant.velocity, instant.acceleration});
     const TreeMotion mass = frame_motion(model_.plane, PlanFrame::kMass, tree);
     instant.position = mass.position;
     instant.velocity = mass.velocity;
@@ -167,9 +159,8 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
   const Frame crouch = standing(balanced(model_, named("stand", bent(0.5))));
   const Frame take_off = standing(named("takeoff", bent(0.5)));
   const VectorXd tuck = goal.turn_rad != 0.0 ? named("tuck", bent(0.95)) : take_off.joints;
-  const auto first_flight = std::find_if(mesh.begin(), mesh.end(), [](const MeshPhase& phase) {
-    return phase.stance.is_flight();
-  });
+  const auto first_flight = std::find_if(
+      mesh.begin(), mesh.end(), [](const MeshPhase& phase) { return phase.stance.is_flight(); });
   const auto flight = static_cast<std::size_t>(first_flight - mesh.begin());
   // Frames at the phases' ends.
   std::vector<Frame> ends{crouch};
@@ -205,11 +196,10 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
       instant.time_s = begin_s + s * duration_s;
       Frame frame = between(ends[p], ends[p + 1], s);
       if (flies) {
-        frame.joints = s < kTuckedUntil
-                           ? between(ends[p], {tuck, 0.0}, s / kTuckedUntil).joints
-                           : between({tuck, 0.0}, ends[p + 1],
-                                     (s - kTuckedUntil) / (1.0 - kTuckedUntil))
-                                 .joints;
+        frame.joints = s < kTuckedUntil ? between(ends[p], {tuck, 0.0}, s / kTuckedUntil).joints
+                                        : between({tuck, 0.0}, ends[p + 1],
+                                                  (s - kTuckedUntil) / (1.0 - kTuckedUntil))
+                                              .joints;
         // The base goes straight, with a hump; the foot as the joints say.
         frame.foot_rad = foot_between(last_position, landing, frame.joints, s);
         instant.position = position(frame, {0.0, 0.0});
@@ -226,8 +216,8 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
       const Index n = instant.position.size();
       instant.velocity = instant.acceleration = VectorXd::Zero(n);
       instant.drive_Nm = VectorXd::Zero(static_cast<Index>(model_.plane.drive_count()));
-      instant.contact_N = Eigen::Matrix3Xd::Zero(
-          3, static_cast<Index>(model_.plane.robot.contacts.size()));
+      instant.contact_N =
+          Eigen::Matrix3Xd::Zero(3, static_cast<Index>(model_.plane.robot.contacts.size()));
       std::size_t members = 0;
       for (const std::size_t one : mesh[p].stance.points) {
         members += model_.plane.sole[one].members.size();
@@ -257,35 +247,7 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
   return out;
 }
 
-/// Between two instants of a sketch.
-PlannedInstant sketched(const PlannedInstant& a, const PlannedInstant& b, double time_s, double s) {
-  const double h = b.time_s - a.time_s;
-  PlannedInstant out;
-  out.time_s = time_s;
-  out.position = cubic(a.position, a.velocity, b.position, b.velocity, h, s);
-  out.velocity = cubic(a.velocity, a.acceleration, b.velocity, b.acceleration, h, s);
-  out.acceleration = a.acceleration + s * (b.acceleration - a.acceleration);
-  out.drive_Nm = a.drive_Nm + s * (b.drive_Nm - a.drive_Nm);
-  out.contact_N = a.contact_N + s * (b.contact_N - a.contact_N);
-  out.bus_V = a.bus_V + s * (b.bus_V - a.bus_V);
-  return out;
-}
-
 }  // namespace
-
-PlannedInstant instant_at(const PlannedPhase& phase, double share) {
-  const double time_s = phase.begin_s() + share * (phase.end_s() - phase.begin_s());
-  const std::size_t stride = phase.is_collocated ? 2 : 1;
-  std::size_t i = 0;
-  while (i + 2 * stride < phase.instants.size() && phase.instants[i + stride].time_s <= time_s) {
-    i += stride;
-  }
-  const PlannedInstant& a = phase.instants[i];
-  const PlannedInstant& b = phase.instants[i + stride];
-  const double h = b.time_s - a.time_s;
-  const double s = h > 0.0 ? std::clamp((time_s - a.time_s) / h, 0.0, 1.0) : 0.0;
-  return phase.is_collocated ? instant_within(phase, i / 2, s) : sketched(a, b, time_s, s);
-}
 
 PlannedMotion key_frame_guess(const PlanModel& model, const std::vector<MeshPhase>& mesh,
                               const PlanGoal& goal, const PlanOptions& options) {

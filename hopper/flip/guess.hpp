@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_goal.hpp"
+#include "hopper/flip/plan_model.hpp"
 
 namespace torquewright::hopper {
 

@@ -16,8 +16,7 @@ class HermiteSimpson final : public optimization::Rows {
 
   void values(const VectorIn& x, VectorOut rows) const override;
   void slopes(const VectorIn& x, MatrixOut jacobian) const override;
-  void curvatures(const VectorIn& x, const VectorIn& multipliers,
-                  MatrixOut hessian) const override;
+  void curvatures(const VectorIn& x, const VectorIn& multipliers, MatrixOut hessian) const override;
 
  private:
   double share_;

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "hopper/flip/laws.hpp"
-#include "hopper/flip/sampled_motion.hpp"
+#include "hopper/flip/planned_instant.hpp"
 
 namespace torquewright::hopper {
 namespace {

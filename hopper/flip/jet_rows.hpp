@@ -57,8 +57,7 @@ std::unique_ptr<const optimization::Rows> jet_rows(std::string name, std::vector
                                                    std::vector<optimization::Bounds> bounds,
                                                    std::vector<double> scales, Law law) {
   return std::make_unique<const JetRows<Law>>(std::move(name), std::move(variables),
-                                              std::move(bounds), std::move(scales),
-                                              std::move(law));
+                                              std::move(bounds), std::move(scales), std::move(law));
 }
 
 }  // namespace torquewright::hopper

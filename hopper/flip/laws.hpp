@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a plan must obey at an instant, on any scalar: laws of JetRows. Each says which variables
-// it takes, in which order. m moving rows (three of the stance's frame, then joints), k = m - 3 joints, d
-// drives, f forces of the stance.
+// it takes, in which order. m moving rows (three of the stance's frame, then joints), k = m - 3
+// joints, d drives, f forces of the stance.
 #pragma once
 
 #include <algorithm>
@@ -48,8 +48,8 @@ std::vector<SoleForceOf<T>> forces_of(const Stance& stance, const dynamics::Vect
                                       Eigen::Index from) {
   std::vector<SoleForceOf<T>> out;
   for (std::size_t i = 0; i < stance.points.size(); ++i) {
-    out.push_back({stance.points[i], i == 0 ? x[from] : T(0.0),
-                   x[from + 1 + static_cast<Eigen::Index>(i)]});
+    out.push_back(
+        {stance.points[i], i == 0 ? x[from] : T(0.0), x[from + 1 + static_cast<Eigen::Index>(i)]});
   }
   return out;
 }
@@ -96,7 +96,9 @@ struct ContactAccelerationLaw {
     const dynamics::VectorX<T> acceleration = x.segment(2 * m - 4, m);
     stance_rows<T>(
         body.robot(), stance,
-        [&](const dynamics::BodyPoint& point) { return body.acceleration_m_s2(point, acceleration); },
+        [&](const dynamics::BodyPoint& point) {
+          return body.acceleration_m_s2(point, acceleration);
+        },
         rows);
   }
 };
@@ -143,6 +145,20 @@ struct PlaceLaw {
     for (std::size_t i = 0; i < points.size(); ++i) {
       rows[static_cast<Eigen::Index>(i)] = body.place_m(points[i])[1];
     }
+  }
+};
+
+/// How far the centre of mass is in front of the rearmost point of the sole. Variables: pitch and
+/// joints about the sole (m - 2). Rows: one.
+struct LeanLaw {
+  std::shared_ptr<SagittalScratch> scratch;
+
+  template <typename T>
+  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
+    SagittalDynamicsOf<T>& body = scratch->on<T>();
+    const Eigen::Index m = body.robot().moving_count();
+    body.set(PlanFrame::kSole, without_place(x, 0, m), dynamics::VectorX<T>::Zero(m));
+    rows[0] = body.position_in(PlanFrame::kMass)[0];
   }
 };
 
@@ -198,8 +214,8 @@ struct DriveLaw {
     const auto k = static_cast<Eigen::Index>(robot->joints.size());
     const auto d = static_cast<Eigen::Index>(regions->size());
     const dynamics::VectorX<T> torque = x.segment(3 * k, d);
-    const DriveMotionOf<T> motion = drive_motion<T>(*robot, x.head(k), x.segment(k, k),
-                                                    x.segment(2 * k, k), torque);
+    const DriveMotionOf<T> motion =
+        drive_motion<T>(*robot, x.head(k), x.segment(k, k), x.segment(2 * k, k), torque);
     std::vector<T> bus(static_cast<std::size_t>(d), T(0.0));
     Eigen::Index next = 3 * k + d;
     for (const PlanSupply& supply : *supplies) {
@@ -215,8 +231,8 @@ struct DriveLaw {
       row += static_cast<Eigen::Index>(count);
     }
     for (Eigen::Index i = 0; i < d; ++i) {
-      rows[row++] = torque[i] - rotors_kg_m2[static_cast<std::size_t>(i)] *
-                                    motion.acceleration_rad_s2[i];
+      rows[row++] =
+          torque[i] - rotors_kg_m2[static_cast<std::size_t>(i)] * motion.acceleration_rad_s2[i];
     }
     for (Eigen::Index i = 0; i < k; ++i) rows[row++] = motion.joint_Nm[i];
     for (const PlanSupply& supply : *supplies) {
@@ -248,8 +264,8 @@ struct ImpactLoadLaw {
     const auto d = static_cast<Eigen::Index>(rotors_kg_m2.size());
     const dynamics::VectorX<T> torque = x.segment(4 * k, d);
     const dynamics::VectorX<T> still = dynamics::VectorX<T>::Zero(k);
-    const DriveMotionOf<T> jump = drive_motion<T>(
-        *robot, x.head(k), x.segment(2 * k, k) - x.segment(k, k), still, torque);
+    const DriveMotionOf<T> jump =
+        drive_motion<T>(*robot, x.head(k), x.segment(2 * k, k) - x.segment(k, k), still, torque);
     const DriveMotionOf<T> beside = drive_motion<T>(
         *robot, x.head(k), x.segment(after ? 2 * k : k, k), x.segment(3 * k, k), torque);
     for (Eigen::Index i = 0; i < d; ++i) {

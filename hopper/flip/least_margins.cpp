@@ -46,8 +46,8 @@ void add_regions(const HopperReport& report, Least& least) {
   for (const actuator::DriveReport& drive : report.check.drives) {
     const actuator::WorstSample& worst = drive.interpretation.worst;
     if (!worst.limit_Nm) continue;
-    least.add({"motor-operating-region", drive.name, worst.time_s, worst.torque_Nm,
-               *worst.limit_Nm, drive.interpretation.margin_Nm, "Nm"},
+    least.add({"motor-operating-region", drive.name, worst.time_s, worst.torque_Nm, *worst.limit_Nm,
+               drive.interpretation.margin_Nm, "Nm"},
               std::abs(*worst.limit_Nm));
   }
 }
@@ -56,8 +56,8 @@ void add_transmissions(const HopperReport& report, Least& least) {
   for (const TransmissionLoad& load : report.transmission_loads) {
     if (!load.limit) continue;
     const WindowLoad& judged = load.judged();
-    least.add({"transmission-load", load.drive, judged.time_s, judged.mean,
-               load.limit->torque_Nm, load.limit->torque_Nm - judged.mean, "Nm"},
+    least.add({"transmission-load", load.drive, judged.time_s, judged.mean, load.limit->torque_Nm,
+               load.limit->torque_Nm - judged.mean, "Nm"},
               load.limit->torque_Nm);
   }
 }
@@ -80,8 +80,8 @@ void add_findings(const HopperReport& report, Least& least) {
 
 /// Farthest towards a limit, of a row of a table.
 void add_joints(const Robot& robot, const Motion& motion, Least& least) {
-  const Index base_positions = robot.tree.position_size() + 1 -
-                               static_cast<Index>(robot.tree.bodies.size());
+  const Index base_positions =
+      robot.tree.position_size() + 1 - static_cast<Index>(robot.tree.bodies.size());
   for (std::size_t body = 1; body < robot.tree.bodies.size(); ++body) {
     const dynamics::Joint& joint = robot.tree.bodies[body].joint;
     const auto row = static_cast<Index>(body) - 1;
@@ -94,10 +94,12 @@ void add_joints(const Robot& robot, const Motion& motion, Least& least) {
       if (std::isfinite(range_rad)) {
         const bool is_low = at - joint.limits.position_min < joint.limits.position_max - at;
         const double limit = is_low ? joint.limits.position_min : joint.limits.position_max;
-        least.add({"joint-range", joint.name, time_s, at, limit, std::abs(limit - at) *
-                   (at < joint.limits.position_min || at > joint.limits.position_max ? -1.0 : 1.0),
-                   "rad"},
-                  range_rad);
+        least.add(
+            {"joint-range", joint.name, time_s, at, limit,
+             std::abs(limit - at) *
+                 (at < joint.limits.position_min || at > joint.limits.position_max ? -1.0 : 1.0),
+             "rad"},
+            range_rad);
       }
       if (std::isfinite(joint.limits.speed_max)) {
         least.add({"joint-speed", joint.name, time_s, speed, joint.limits.speed_max,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hopper/check/hopper_check.hpp"
-#include "hopper/flip/plan.hpp"
+#include "hopper/flip/plan_result.hpp"
 
 namespace torquewright::hopper {
 

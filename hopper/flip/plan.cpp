@@ -9,10 +9,13 @@
 #include <limits>
 
 #include "hopper/flip/binding.hpp"
+#include "hopper/flip/explanation.hpp"
+#include "hopper/flip/flip_program.hpp"
 #include "hopper/flip/guess.hpp"
 #include "hopper/flip/integration_error.hpp"
 #include "hopper/flip/least_margins.hpp"
 #include "hopper/flip/mesh_refinement.hpp"
+#include "hopper/flip/objectives/library.hpp"
 #include "hopper/flip/plan_setup.hpp"
 #include "hopper/flip/sampled_motion.hpp"
 #include "hopper/flip/warm_guess.hpp"
@@ -25,12 +28,25 @@ namespace {
 using optimization::NonlinearSolution;
 using optimization::NonlinearStatus;
 
-constexpr double kTolerance = 1e-6;      // of scaled rows and optimality
-constexpr double kColdBarrier = 0.1;     // far from any solution
-constexpr double kWarmBarrier = 1e-2;    // near one: smaller ones stalled at limits (trial)
-constexpr double kUnexplainedShare = 1.0; // of what `hopper check` allows, at any instant: it averages
+constexpr double kTolerance = 1e-6;    // of scaled rows and optimality
+constexpr double kColdBarrier = 0.1;   // far from any solution
+constexpr double kWarmBarrier = 1e-2;  // near one: smaller ones stalled at limits (trial)
+constexpr double kUnexplainedShare =
+    1.0;  // of what `hopper check` allows, at any instant: it averages
 constexpr double kUnknownError_rad = std::numeric_limits<double>::infinity();
-constexpr double kRefinedShare = 0.5;    // of the error allowed, that a finer mesh aims at
+constexpr double kRefinedShare = 0.5;  // of the error allowed, that a finer mesh aims at
+
+/// What of a check speaks against a motion, the gravest first.
+std::string failure_sentence(const HopperReport& report) {
+  const actuator::Finding* worst = nullptr;
+  for (const actuator::Finding& finding : report.check.findings) {
+    if (finding.severity == actuator::Severity::kNote) continue;
+    if (worst == nullptr || finding.severity > worst->severity) worst = &finding;
+  }
+  return fmt::format("the solver's motion does not pass hopper check ({}){}",
+                     actuator::name_of(report.check.verdict),
+                     worst == nullptr ? "" : ": " + worst->sentence);
+}
 
 /// One plan on its way, from mesh to mesh.
 class Planner {
@@ -51,9 +67,7 @@ class Planner {
   NonlinearSolution solve(const FlipProgram& program, double barrier);
   bool take_round(const PlannedMotion& guess, double barrier);
   bool refine();
-  bool is_passed() const {
-    return result_.check && result_.check->check.verdict == actuator::Verdict::kPass;
-  }
+  bool is_passed() const;
   /// Of a moment that nothing explains, as `hopper check` has it.
   double most_unexplained_Nm() const {
     return kUnexplainedShare * options_.check.residual_share * model_.weight_N * model_.size_m;
@@ -65,6 +79,8 @@ class Planner {
     });
   }
   void judge();
+  std::vector<ObjectivePart> parts_of(const FlipProgram& program,
+                                      const std::vector<double>& values) const;
   void end(PlanStatus status, std::string reason) {
     result_.status = status;
     result_.reason = std::move(reason);
@@ -127,7 +143,9 @@ bool Planner::take_round(const PlannedMotion& guess, double barrier) {
   result_.objective = solution.objective;
   result_.largest_violation = solution.largest_violation;
   result_.plan = motion_of(program, model_, solution.values);
-  result_.binding = binding_constraints(program, result_.plan, solution);
+  result_.binding =
+      binding_constraints(program, model_, options_.margins, result_.plan, solution.values);
+  result_.objectives = parts_of(program, solution.values);
   errors_ = integration_errors(model_.plane, stances_, result_.plan);
   for (const PhaseError& error : errors_) {
     round.integration_error_rad = std::max(round.integration_error_rad, error.whole_rad);
@@ -136,6 +154,18 @@ bool Planner::take_round(const PlannedMotion& guess, double barrier) {
   result_.rounds.push_back(round);
   if (!solution.is_solved()) end_unsolved(solution);
   return solution.is_solved();
+}
+
+/// What each objective came to.
+std::vector<ObjectivePart> Planner::parts_of(const FlipProgram& program,
+                                             const std::vector<double>& values) const {
+  std::vector<ObjectivePart> parts;
+  for (const WeightedObjective& one : objectives_of(options_)) {
+    const Objective& objective = objective_named(one.name);
+    parts.push_back({one.name, one.weight, objective.value(model_, options_, program, values),
+                     std::string(objective.unit)});
+  }
+  return parts;
 }
 
 void Planner::end_unsolved(const NonlinearSolution& solution) {
@@ -177,13 +207,15 @@ bool Planner::refine() {
   return true;
 }
 
-/// By `hopper check`. What it refuses has no report, but its refusal as the reason.
+/// By `hopper check`. What it refuses has no report; of a solution its refusal is the reason.
 void Planner::judge() {
   result_.motion = sampled_motion(robot_, model_.plane, result_.plan, options_.sample_s);
   try {
     result_.check = check_motion(robot_, result_.motion, options_.check);
   } catch (const io::SpecError& refusal) {
-    return end(PlanStatus::kCheckFails, fmt::format("hopper check refuses the solver's motion{}", refusal.what()));
+    if (result_.status != PlanStatus::kCheckFails) return;  // no solution: that is the reason
+    return end(PlanStatus::kCheckFails,
+               fmt::format("hopper check refuses the solver's motion{}", refusal.what()));
   }
   result_.least_margins = least_margins(robot_, result_.motion, *result_.check);
   for (const Flight& flight : result_.check->flights) {
@@ -192,6 +224,19 @@ void Planner::judge() {
     result_.take_off_rad_s = flight.take_off_rad_s;
     result_.peak_rad_s = flight.peak_rad_s;
   }
+}
+
+/// `hopper check` passes it. A plan in boxes is not held against regions and battery, which are
+/// what a box leaves out: all other rules must let it pass.
+bool Planner::is_passed() const {
+  if (options_.limits == DriveLimits::kMor) {
+    return result_.check->check.verdict == actuator::Verdict::kPass;
+  }
+  const std::vector<actuator::Finding>& findings = result_.check->check.findings;
+  return std::all_of(findings.begin(), findings.end(), [](const actuator::Finding& finding) {
+    return finding.severity != actuator::Severity::kViolation ||
+           finding.rule == "motor-operating-region" || finding.rule == "battery-power";
+  });
 }
 
 PlanResult Planner::plan() {
@@ -209,7 +254,7 @@ PlanResult Planner::plan() {
                     "the plan; {:.2g} is allowed",
                     result_.integration_error_rad, options_.most_error_rad));
   } else if (!is_passed()) {
-    end(PlanStatus::kCheckFails, "the solver's motion does not pass hopper check");
+    end(PlanStatus::kCheckFails, failure_sentence(*result_.check));
   } else {
     end(PlanStatus::kPlanned, "");
   }
@@ -220,23 +265,34 @@ PlanResult Planner::plan() {
 
 std::string_view name_of(PlanTask task) {
   switch (task) {
-    case PlanTask::kFlip: return "flip";
-    case PlanTask::kJump: return "jump";
-    default: return "hop";
+    case PlanTask::kFlip:
+      return "flip";
+    case PlanTask::kJump:
+      return "jump";
+    default:
+      return "hop";
   }
 }
 
 std::string_view name_of(PlanStatus status) {
   switch (status) {
-    case PlanStatus::kPlanned: return "planned";
-    case PlanStatus::kLocallyInfeasible: return "locally_infeasible";
-    case PlanStatus::kCheckFails: return "check_fails";
-    default: return "limit";
+    case PlanStatus::kPlanned:
+      return "planned";
+    case PlanStatus::kLocallyInfeasible:
+      return "locally_infeasible";
+    default:
+      return "limit";
   }
 }
 
 PlanResult plan_motion(const Robot& robot, const PlanOptions& options) {
-  return Planner(robot, options).plan();
+  const auto begin = std::chrono::steady_clock::now();
+  PlanResult result = Planner(robot, options).plan();
+  if (options.explain && can_be_explained(result.status)) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    result.changes = changes_that_help(robot, options, options.most_seconds - spent.count());
+  }
+  return result;
 }
 
 }  // namespace torquewright::hopper

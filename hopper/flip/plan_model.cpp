@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "hopper/flip/plan_model.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "hopper/flip/flip_program.hpp"
 #include "hopper/replay/drive_supply.hpp"
 #include "hopper/robot/whole_body.hpp"
 
@@ -48,8 +49,9 @@ Bounds reachable(const SagittalRobot& plane, std::size_t body, Bounds range) {
 void add_joints(PlanModel& model, const PlanMargins& margins) {
   for (const std::size_t body : model.plane.joints) {
     const dynamics::JointLimits& limits = model.plane.robot.tree.bodies[body].joint.limits;
-    Bounds range{std::isfinite(limits.position_min) ? limits.position_min + margins.position_rad : -3.0,
-                 std::isfinite(limits.position_max) ? limits.position_max - margins.position_rad : 3.0};
+    Bounds range{
+        std::isfinite(limits.position_min) ? limits.position_min + margins.position_rad : -3.0,
+        std::isfinite(limits.position_max) ? limits.position_max - margins.position_rad : 3.0};
     model.joint_rad.push_back(reachable(model.plane, body, range));
     model.joint_rad_s.push_back(
         std::isfinite(limits.speed_max) ? limits.speed_max * (1.0 - margins.speed) : 40.0);
@@ -61,10 +63,10 @@ double gear_limit_Nm(const Drivetrain& drivetrain, const actuator::Actuator& act
                      double margin) {
   if (!drivetrain.transmission_limit) return kInfinite;
   const TransmissionLimit& limit = *drivetrain.transmission_limit;
-  const double at_joint = limit.side == GearSide::kJoint
-                              ? 1.0
-                              : std::abs(actuator.transmission.ratio) *
-                                    actuator.transmission.forward_efficiency;
+  const double at_joint =
+      limit.side == GearSide::kJoint
+          ? 1.0
+          : std::abs(actuator.transmission.ratio) * actuator.transmission.forward_efficiency;
   return limit.torque_Nm * at_joint * (1.0 - margin);
 }
 
@@ -100,11 +102,12 @@ PlanModel plan_model(const Robot& robot, const PlanOptions& options) {
   model.regions = std::move(regions);
   model.supplies = std::move(supplies);
   model.weight_N = model.plane.mass_kg * robot.tree.gravity_m_s2;
-  const Posture straight{"", Eigen::VectorXd::Zero(static_cast<Index>(robot.tree.bodies.size()) - 1)};
+  const Posture straight{"",
+                         Eigen::VectorXd::Zero(static_cast<Index>(robot.tree.bodies.size()) - 1)};
   model.size_m =
       std::sqrt(pitch_inertia_kg_m2(model.plane.robot.tree, straight) / model.plane.mass_kg);
-  model.foot_length_m = model.plane.sole.back().point.p_B_m.x() -
-                        model.plane.sole.front().point.p_B_m.x();
+  model.foot_length_m =
+      model.plane.sole.back().point.p_B_m.x() - model.plane.sole.front().point.p_B_m.x();
   return model;
 }
 

@@ -100,7 +100,8 @@ ordered_json changes_json(const std::vector<ChangeTried>& changes) {
                     {"from", or_null(change.from)},
                     {"to", or_null(change.to)},
                     {"unit", change.unit},
-                    {"has_plan", change.has_plan}});
+                    {"has_plan", change.has_plan},
+                    {"cut_off", change.is_cut_off}});
   }
   return list;
 }

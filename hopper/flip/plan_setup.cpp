@@ -56,8 +56,8 @@ std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const Plan
     const Kind kind = kind_of(stances, p);
     const auto intervals =
         static_cast<std::size_t>(std::lround(options.intervals * kind.share / shares));
-    mesh.push_back({stances[p], even_knots(std::max(kFewestIntervals, intervals)),
-                    kind.duration_s});
+    mesh.push_back(
+        {stances[p], even_knots(std::max(kFewestIntervals, intervals)), kind.duration_s});
   }
   return mesh;
 }

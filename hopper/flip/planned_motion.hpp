@@ -21,9 +21,9 @@ struct PlannedInstant {
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;
   Eigen::VectorXd acceleration;
-  Eigen::VectorXd drive_Nm;   ///< (drives x 1), at their outputs, what their rotors take included.
-  Eigen::Matrix3Xd contact_N; ///< (3 x contact points of the robot), world's axes, on the robot.
-  double bus_V = 0.0;         ///< Of the shared battery; 0 where drives share none.
+  Eigen::VectorXd drive_Nm;    ///< (drives x 1), at their outputs, what their rotors take included.
+  Eigen::Matrix3Xd contact_N;  ///< (3 x contact points of the robot), world's axes, on the robot.
+  double bus_V = 0.0;          ///< Of the shared battery; 0 where drives share none.
 };
 
 /// While the same points touch. Instants are the ends and the middles of intervals in turn: 2 n + 1
@@ -31,8 +31,8 @@ struct PlannedInstant {
 /// velocity and position are its integrals, so that they meet the next instant's (Hermite-Simpson:
 /// docs/derivations/collocation.md). Torques and forces are the parabolas through theirs.
 struct PlannedPhase {
-  std::string stance;            ///< Words: "flat", "heel", "toe", "flight".
-  std::vector<bool> touches;     ///< By contact point of the robot.
+  std::string stance;         ///< Words: "flat", "heel", "toe", "flight".
+  std::vector<bool> touches;  ///< By contact point of the robot.
   std::vector<PlannedInstant> instants;
   /// What the ground gives where the phase begins with an impact (3 x contact points), else empty.
   Eigen::Matrix3Xd impulse_N_s = {};

@@ -10,15 +10,19 @@ namespace torquewright::hopper {
 namespace {
 
 constexpr double kAnyTorque_Nm = std::numeric_limits<double>::infinity();
-constexpr int kLookedAtSpeeds = 150;  // on either side of rest, close to one another near it
-constexpr int kLookedAtVoltages = 12;
+constexpr int kLookedAtSpeeds = 150;   // on either side of rest, close to one another near it
+constexpr int kLookedAtVoltages = 12;  // at which rows are chosen,
+constexpr int kLossVoltages = 29;      // and at which their loss is sought
+constexpr int kEndSpeeds = 24;         // of them in the last part of the speeds,
+constexpr double kEndPart = 0.05;
+constexpr int kEndHalvings = 30;
 constexpr double kSameBound = 1e-9;  // of the cap: bounds that are one
 
 /// Calls `at(bus_V, speed_rad_s)` all over the region.
 template <typename At>
-void everywhere(const HeldBus& bus, double end_rad_s, double least_voltage, const At& at) {
-  for (int v = 0; v <= kLookedAtVoltages; ++v) {
-    const double share = least_voltage + (kGreatestVoltage - least_voltage) * v / kLookedAtVoltages;
+void everywhere(const HeldBus& bus, double end_rad_s, int voltages, const At& at) {
+  for (int v = 0; v <= voltages; ++v) {
+    const double share = kLeastVoltage + (kGreatestVoltage - kLeastVoltage) * v / voltages;
     for (int i = -kLookedAtSpeeds; i <= kLookedAtSpeeds; ++i) {
       const double place = static_cast<double>(i) / kLookedAtSpeeds;
       at(share * bus.open_circuit_V(), end_rad_s * place * std::abs(place));
@@ -92,7 +96,7 @@ void PlannedRegion::choose_rows(const HeldBus& bus) {
   greatest_torque_Nm_ = without_margins_Nm_ = kAnyTorque_Nm;
   double most_Nm = 0.0;
   double most_without_Nm = 0.0;
-  everywhere(bus, ceiling_.end_rad_s, kLeastVoltage, [&](double bus_V, double speed_rad_s) {
+  everywhere(bus, ceiling_.end_rad_s, kLookedAtVoltages, [&](double bus_V, double speed_rad_s) {
     for (const Side& side : sides_) {
       most_Nm = std::max(most_Nm, least_bound_Nm(side, bus_V, speed_rad_s, true));
       most_without_Nm = std::max(most_without_Nm, least_bound_Nm(side, bus_V, speed_rad_s, false));
@@ -103,7 +107,7 @@ void PlannedRegion::choose_rows(const HeldBus& bus) {
   without_margins_Nm_ = std::min(most_without_Nm, gear_Nm);
   for (Side& side : sides_) {
     std::vector<bool> bounds(side.rows.size(), false);
-    everywhere(bus, ceiling_.end_rad_s, kLeastVoltage, [&](double bus_V, double speed_rad_s) {
+    everywhere(bus, ceiling_.end_rad_s, kLookedAtVoltages, [&](double bus_V, double speed_rad_s) {
       double least_Nm = greatest_torque_Nm_ - kSameBound * ceiling_.cap_Nm;
       std::size_t least = bounds.size();
       for (std::size_t i = 0; i < side.rows.size(); ++i) {
@@ -132,18 +136,41 @@ bool PlannedRegion::is_near_jump(double speed_rad_s) const {
       [&](double jump_rad_s) { return is_near(jump_rad_s) || is_near(-jump_rad_s); });
 }
 
+void PlannedRegion::add_loss(const HeldBus& bus, double bus_V, double speed_rad_s,
+                             Loss& loss) const {
+  const actuator::JointRange range = bus.range(bus_V, speed_rad_s);
+  if (range.is_empty) return;
+  const double least_Nm = range.least.torque_Nm;
+  const double greatest_Nm = range.greatest.torque_Nm;
+  const auto [least, greatest] = range_Nm(bus_V, speed_rad_s, false);
+  const double lost_Nm = least > greatest
+                             ? greatest_Nm - least_Nm
+                             : std::max(greatest_Nm - std::clamp(greatest, least_Nm, greatest_Nm),
+                                        std::clamp(least, least_Nm, greatest_Nm) - least_Nm);
+  const bool is_at_edge =
+      is_near_jump(speed_rad_s) || bus.range(bus_V, (1.0 + kNose) * speed_rad_s).is_empty;
+  double& most_Nm = is_at_edge ? loss.at_edges_Nm : loss.greatest_Nm;
+  most_Nm = std::max(most_Nm, lost_Nm);
+}
+
+/// All over the region, and close to where it ends in a nose.
 PlannedRegion::Loss PlannedRegion::found_loss(const HeldBus& bus) const {
   Loss loss;
-  everywhere(bus, ceiling_.end_rad_s, kLeastVoltage, [&](double bus_V, double speed_rad_s) {
-    const actuator::JointRange range = bus.range(bus_V, speed_rad_s);
-    if (range.is_empty) return;
-    const double least_Nm = range.least.torque_Nm;
-    const double greatest_Nm = range.greatest.torque_Nm;
-    const auto [least, greatest] = range_Nm(bus_V, speed_rad_s, false);
-    const double lost_Nm = std::max(greatest_Nm - std::clamp(greatest, least_Nm, greatest_Nm),
-                                    std::clamp(least, least_Nm, greatest_Nm) - least_Nm);
-    double& most_Nm = is_near_jump(speed_rad_s) ? loss.near_jumps_Nm : loss.greatest_Nm;
-    most_Nm = std::max(most_Nm, lost_Nm);
+  everywhere(bus, ceiling_.end_rad_s, kLossVoltages, [&](double bus_V, double speed_rad_s) {
+    add_loss(bus, bus_V, speed_rad_s, loss);
+    if (speed_rad_s != 0.0) return;
+    for (const double sign : {1.0, -1.0}) {
+      double inside_rad_s = 0.0;
+      double outside_rad_s = sign * ceiling_.end_rad_s;
+      for (int i = 0; i < kEndHalvings; ++i) {
+        const double middle_rad_s = 0.5 * (inside_rad_s + outside_rad_s);
+        (bus.range(bus_V, middle_rad_s).is_empty ? outside_rad_s : inside_rad_s) = middle_rad_s;
+      }
+      for (int i = 0; i < kEndSpeeds; ++i) {
+        const double share = static_cast<double>(i) / kEndSpeeds;
+        add_loss(bus, bus_V, inside_rad_s * (1.0 - kEndPart * share * share), loss);
+      }
+    }
   });
   return loss;
 }

@@ -49,8 +49,11 @@ class PlannedRegion {
   /// Distance of the bounds from the true ones at most, without margins, over speeds and voltages.
   struct Loss {
     double greatest_Nm = 0.0;
-    double near_jumps_Nm = 0.0;  ///< Where a true bound jumps, within the step.
+    /// Where a true bound jumps, within the step, and where the region ends in a nose: within kNose
+    /// of the speed beyond which there is none.
+    double at_edges_Nm = 0.0;
   };
+  static constexpr double kNose = 0.02;
   const Loss& loss() const { return loss_; }
 
   /// Whether a true bound jumps within a step of that speed.
@@ -98,6 +101,7 @@ class PlannedRegion {
   void add_rows(Side& side, double current_margin) const;
   void choose_rows(const HeldBus& bus);
   Loss found_loss(const HeldBus& bus) const;
+  void add_loss(const HeldBus& bus, double bus_V, double speed_rad_s, Loss& loss) const;
 
   double step_rad_s_;
   double keep_;  ///< Of the voltage, by its margin.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hopper/flip/planned_instant.hpp"
+
 namespace torquewright::hopper {
 namespace {
 
@@ -13,22 +15,9 @@ using Eigen::VectorXd;
 // A change of a velocity that is less is no impact, but the solver's tolerance.
 constexpr double kImpact = 1e-4;  // m/s or rad/s
 
-/// a(s) = a0 + b s + c s^2 through what is at 0, 1/2 and 1.
-template <typename Values>
-struct Parabola {
-  Values a0, b, c;
-
-  Parabola(const Values& at_0, const Values& at_half, const Values& at_1)
-      : a0(at_0),
-        b(-3.0 * at_0 + 4.0 * at_half - at_1),
-        c(2.0 * at_0 - 4.0 * at_half + 2.0 * at_1) {}
-  Values at(double s) const { return a0 + s * b + s * s * c; }
-  /// From 0 on, in units of the interval.
-  Values integral(double s) const { return s * a0 + s * s / 2.0 * b + s * s * s / 3.0 * c; }
-  Values second_integral(double s) const {
-    return s * s / 2.0 * a0 + s * s * s / 6.0 * b + s * s * s * s / 12.0 * c;
-  }
-};
+// Accelerations and torques jump where a point lets go; who reads samples joins them by straight
+// lines, and over a millisecond at take-off those of the hopper turn it by 0.3 rad/s.
+constexpr double kAfterChange_s = 1e-5;
 
 /// Rows of a planar base as those of a spatial one.
 VectorXd spatial_position(const VectorXd& planar) {
@@ -51,8 +40,8 @@ class Samples {
       : is_spatial_(robot.tree.base == dynamics::BaseKind::kSpatial), plane_(plane) {}
 
   void add(const PlannedPhase& phase, const PlannedInstant& instant) {
-    const TreeMotion tree = tree_motion(
-        plane_, phase.frame(), {instant.position, instant.velocity, instant.acceleration});
+    const TreeMotion tree = tree_motion(plane_, phase.frame(),
+                                        {instant.position, instant.velocity, instant.acceleration});
     times_s_.push_back(instant.time_s);
     positions_.push_back(is_spatial_ ? spatial_position(tree.position) : tree.position);
     velocities_.push_back(is_spatial_ ? spatial_rate(tree.velocity) : tree.velocity);
@@ -106,23 +95,6 @@ bool begins_with_impact(const SagittalRobot& plane, const PlannedPhase& before,
 
 }  // namespace
 
-PlannedInstant instant_within(const PlannedPhase& phase, std::size_t interval, double share) {
-  const PlannedInstant& a = phase.instants[2 * interval];
-  const PlannedInstant& b = phase.instants[2 * interval + 1];
-  const PlannedInstant& c = phase.instants[2 * interval + 2];
-  const double h = c.time_s - a.time_s;
-  const Parabola<VectorXd> acceleration(a.acceleration, b.acceleration, c.acceleration);
-  PlannedInstant out;
-  out.time_s = share == 1.0 ? c.time_s : a.time_s + share * h;
-  out.acceleration = acceleration.at(share);
-  out.velocity = a.velocity + h * acceleration.integral(share);
-  out.position = a.position + h * share * a.velocity + h * h * acceleration.second_integral(share);
-  out.drive_Nm = Parabola<VectorXd>(a.drive_Nm, b.drive_Nm, c.drive_Nm).at(share);
-  out.contact_N = Parabola<Eigen::Matrix3Xd>(a.contact_N, b.contact_N, c.contact_N).at(share);
-  out.bus_V = Parabola<double>(a.bus_V, b.bus_V, c.bus_V).at(share);
-  return out;
-}
-
 Motion sampled_motion(const Robot& robot, const SagittalRobot& plane, const PlannedMotion& plan,
                       double sample_s) {
   Samples samples(robot, plane);
@@ -130,6 +102,9 @@ Motion sampled_motion(const Robot& robot, const SagittalRobot& plane, const Plan
     const PlannedPhase& phase = plan.phases[p];
     if (p == 0 || begins_with_impact(plane, plan.phases[p - 1], phase)) {
       samples.add(phase, instant_within(phase, 0, 0.0));
+    } else {
+      const double length_s = phase.instants[2].time_s - phase.begin_s();
+      samples.add(phase, instant_within(phase, 0, kAfterChange_s / length_s));
     }
     for (std::size_t interval = 0; interval < phase.intervals(); ++interval) {
       const double length_s =

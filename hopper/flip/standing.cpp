@@ -17,8 +17,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using optimization::Bounds;
 
-constexpr int kSteps = 400;          // of the balancing joint's range
-constexpr double kPostures = 2e4;    // looked at where several joints are free, about
+constexpr int kSteps = 400;        // of the balancing joint's range
+constexpr double kPostures = 2e4;  // looked at where several joints are free, about
 
 double within(const Bounds& range, int i, int steps) {
   return range.lower + (range.upper - range.lower) * i / steps;
@@ -102,7 +102,8 @@ void require_standing(const PlanModel& model, const PlanGoal& goal) {
   for (std::size_t i = 0; i < goal.standing_rad.size(); ++i) {
     const Bounds& stands = goal.standing_rad[i];
     const Bounds& range = model.joint_rad[i];
-    if (stands.lower <= stands.upper && stands.lower >= range.lower && stands.upper <= range.upper) {
+    if (stands.lower <= stands.upper && stands.lower >= range.lower &&
+        stands.upper <= range.upper) {
       continue;
     }
     io::refuse(robot.name,
@@ -114,12 +115,13 @@ void require_standing(const PlanModel& model, const PlanGoal& goal) {
   const Bounds lean_m = leans_m(model, goal.standing_rad);
   const double most_m = kStandsWithin * model.foot_length_m;
   if (lean_m.lower <= most_m && lean_m.upper >= -most_m) return;
-  io::refuse(robot.name,
-             fmt::format("cannot stand: wherever joint '{}' is, its centre of mass is at least "
-                         "{:.3g} m {} the middle of its foot (posture \"stand\")",
-                         robot.tree.bodies[model.plane.joints[balancing_joint(model.plane)]].joint.name,
-                         std::min(std::abs(lean_m.lower), std::abs(lean_m.upper)),
-                         lean_m.lower > 0.0 ? "in front of" : "behind"));
+  io::refuse(
+      robot.name,
+      fmt::format("cannot stand: wherever joint '{}' is, its centre of mass is at least "
+                  "{:.3g} m {} the middle of its foot (posture \"stand\")",
+                  robot.tree.bodies[model.plane.joints[balancing_joint(model.plane)]].joint.name,
+                  std::min(std::abs(lean_m.lower), std::abs(lean_m.upper)),
+                  lean_m.lower > 0.0 ? "in front of" : "behind"));
 }
 
 }  // namespace torquewright::hopper

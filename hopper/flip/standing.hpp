@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/flip/flip_program.hpp"
+#include "hopper/flip/plan_goal.hpp"
+#include "hopper/flip/plan_model.hpp"
 
 namespace torquewright::hopper {
 
@@ -17,8 +18,8 @@ std::size_t balancing_joint(const SagittalRobot& plane);
 /// level.
 double standing_foot_rad(const SagittalRobot& plane, const Eigen::VectorXd& joint_rad);
 
-/// The posture (k x 1) with the balancing joint where in its range the mass is nearest to the middle
-/// of the sole.
+/// The posture (k x 1) with the balancing joint where in its range the mass is nearest to the
+/// middle of the sole.
 Eigen::VectorXd balanced(const PlanModel& model, Eigen::VectorXd joint_rad);
 
 /// io::SpecError where no posture that the goal lets it stand in is within the joints' reach, or

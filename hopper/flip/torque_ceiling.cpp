@@ -27,8 +27,10 @@ constexpr double kEndOver =
 constexpr std::array kBeyondBegin{-0.1, -0.04, -0.015, -0.005};  // knots, and likewise behind
 constexpr double kLeastJump = 0.01;                              // of the cap
 constexpr double kNextTo = 1e-6;                                 // of the speeds: close by
-constexpr double kShortest = 1e-7;                               // of the speeds: a stretch
-constexpr double kLeadUp = 1.05;                                 // of a jump
+constexpr double kShortLength = 0.02;  // of the speeds, which a shorter stretch is taken for
+constexpr double kSteepest = 4.0;      // caps a stretch, straight on
+constexpr double kShortest = 1e-7;     // of the speeds: a stretch
+constexpr double kLeadUp = 1.05;       // of a jump
 constexpr double kWithoutLimit_rad_s = 100.0;  // looked at where no voltage sets a speed
 constexpr double kHeldDown = 1e-4;             // of the cap, for what is between places
 
@@ -88,7 +90,7 @@ struct LimitStretch {
   double begin_slope = 0.0;
   double end_slope = 0.0;
 
-  double length_rad_s() const { return end_rad_s - begin_rad_s; }
+  double length_rad_s = 0.0;  ///< By which its speeds are told; it may be shorter.
 };
 
 double slope_between(const CeilingSlice& slice, double at_rad_s, double towards_rad_s) {
@@ -187,9 +189,12 @@ class PieceFit {
         };
         const auto peak =
             static_cast<std::size_t>(std::max_element(at(first), at(next), least) - values.begin());
-        const double peak_rad_s = peak == first      ? begin_rad_s
-                                  : peak + 1 == next ? end_rad_s
-                                                     : speeds_rad_s[peak];
+        const auto is_cap = [&](std::size_t i) {
+          return i < values.size() && values[i].kind == PieceKind::kCap;
+        };
+        double peak_rad_s = speeds_rad_s[peak];
+        if (is_cap(next)) peak_rad_s = end_rad_s;
+        if (first > 0 && is_cap(first - 1)) peak_rad_s = begin_rad_s;
         add(below_.back(), begin_rad_s, peak_rad_s, false);
         add(above_.back(), peak_rad_s, end_rad_s, true);
       } else if (kind == PieceKind::kRegeneration) {
@@ -216,7 +221,13 @@ class PieceFit {
         slice.at(begin_rad_s).torque_Nm,
         slice.at(end_rad_s).torque_Nm,
         monotone(slope_between(slice, begin_rad_s, begin_rad_s + first_over * length_rad_s)),
-        monotone(slope_between(slice, end_rad_s, end_rad_s - last_over * length_rad_s))};
+        monotone(slope_between(slice, end_rad_s, end_rad_s - last_over * length_rad_s)),
+        length_rad_s};
+    stretch.length_rad_s = std::max(length_rad_s, kShortLength * end_rad_s_);
+    // Where a stretch is short it is steep; straight on it need not be.
+    const double steepest = kSteepest * ceiling_.cap_Nm / stretch.length_rad_s;
+    stretch.begin_slope = std::clamp(stretch.begin_slope, -steepest, steepest);
+    stretch.end_slope = std::clamp(stretch.end_slope, -steepest, steepest);
     if (kind_ == PieceKind::kRegeneration) lead_up(stretch);
     if (!known) {
       known = stretch;
@@ -225,6 +236,7 @@ class PieceFit {
     known->end_rad_s = stretch.end_rad_s;
     known->end_Nm = stretch.end_Nm;
     known->end_slope = stretch.end_slope;
+    known->length_rad_s = stretch.end_rad_s - known->begin_rad_s;
   }
 
   /// Regeneration limits from some speed of braking on, at once.
@@ -252,10 +264,22 @@ class PieceFit {
     return best;
   }
 
+  /// Where the limiter does not limit: straight on from where it does, so that no bend disturbs
+  /// what is beside it.
+  double begin_rad_s_at(const Stretches& stretches, std::size_t voltage) const {
+    const std::size_t from = nearest(stretches, voltage);
+    const std::size_t next = from > voltage ? from + 1 : from - 1;
+    const double begin_rad_s = stretches[from]->begin_rad_s;
+    if (from == voltage || next >= stretches.size() || !stretches[next]) return begin_rad_s;
+    return begin_rad_s + (begin_rad_s - stretches[next]->begin_rad_s) *
+                             (voltages_[voltage] - voltages_[from]) /
+                             (voltages_[from] - voltages_[next]);
+  }
+
   static std::size_t longest(const Stretches& stretches) {
     std::size_t best = nearest(stretches, 0);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-      if (stretches[i] && stretches[i]->length_rad_s() > stretches[best]->length_rad_s()) best = i;
+      if (stretches[i] && stretches[i]->length_rad_s > stretches[best]->length_rad_s) best = i;
     }
     return best;
   }
@@ -284,10 +308,10 @@ class PieceFit {
       const std::size_t from = is_voltage ? nearest(stretches, voltage) : longest(stretches);
       const LimitStretch& stretch = *stretches[from];
       y.push_back(voltages_[voltage]);
-      begins[j] = stretch.begin_rad_s;
-      logs[j] = std::log(stretch.length_rad_s());
+      begins[j] = is_voltage ? begin_rad_s_at(stretches, voltage) : stretch.begin_rad_s;
+      logs[j] = std::log(stretch.length_rad_s);
       for (std::size_t i = 0; i < x.size(); ++i) {
-        const double speed_rad_s = stretch.begin_rad_s + x[i] * stretch.length_rad_s();
+        const double speed_rad_s = stretch.begin_rad_s + x[i] * stretch.length_rad_s;
         values(static_cast<Eigen::Index>(i), j) =
             is_voltage ? continued_Nm(slices_[from], stretch, speed_rad_s)
                        : by_power_Nm(stretches, voltage, speed_rad_s);

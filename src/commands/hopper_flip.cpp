@@ -3,9 +3,11 @@
 
 #include <memory>
 
+#include "io/refusal.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/hopper_flip_inputs.hpp"
 #include "src/commands/hopper_flip_outputs.hpp"
+#include "src/commands/hopper_flip_sweep.hpp"
 #include "src/interrupt.hpp"
 #include "src/report/progress_line.hpp"
 
@@ -35,7 +37,18 @@ ExitCode code_of(hopper::PlanStatus status) {
   }
 }
 
+/// What a single plan needs, and what it would drop.
+void require_single(const HopperFlipRequest& request) {
+  if (request.motion_file.empty()) {
+    io::refuse("--output", "is required: the CSV that the plan is written to");
+  }
+  if (request.sweep.points.jobs > 0) io::refuse("--jobs", "is for --sweep");
+  if (!request.sweep.points.journal_file.empty()) io::refuse("--sweep-journal", "is for --sweep");
+}
+
 ExitCode run_hopper_flip(const HopperFlipRequest& request) {
+  if (!request.sweep.axes.empty()) return run_hopper_flip_sweep(request);
+  require_single(request);
   require_flip_outputs(request);
   const HopperFlipInputs inputs = read_flip_inputs(request);
   check_flip_files(request);  // now that the robot's files are known

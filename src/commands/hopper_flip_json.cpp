@@ -6,7 +6,9 @@
 
 #include "hopper/flip/plan_report_spec.hpp"
 #include "src/commands/check_options_json.hpp"
+#include "src/commands/fingerprint_json.hpp"
 #include "src/commands/result_json.hpp"
+#include "src/sweep/swept_json.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -59,6 +61,20 @@ ordered_json request_json(const HopperFlipRequest& request) {
   return json;
 }
 
+/// The same of a sweep, whose document states nothing of it elsewhere.
+ordered_json sweep_request_json(const HopperFlipRequest& request) {
+  ordered_json json{{"task", request.task}, {"limits", request.limits}};
+  json.update(request_json(request));
+  return json;
+}
+
+std::vector<io::Document> read_documents(const HopperFlipInputs& inputs) {
+  std::vector<io::Document> read = inputs.robot.documents;
+  if (inputs.warm) read.push_back({inputs.warm->file, "", {}, inputs.warm->sha256});
+  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
+  return read;
+}
+
 }  // namespace
 
 std::string hopper_flip_json(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
@@ -67,10 +83,19 @@ std::string hopper_flip_json(const HopperFlipRequest& request, const HopperFlipI
       request.timing ? hopper::PlanSeconds::kStated : hopper::PlanSeconds::kLeftOut;
   ordered_json document = hopper::plan_report_json(inputs.plan, result, seconds);
   document["options"] = request_json(request);
-  std::vector<io::Document> read = inputs.robot.documents;
-  if (inputs.warm) read.push_back({inputs.warm->file, "", {}, inputs.warm->sha256});
-  read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
-  return result_text(std::move(document), read);
+  return result_text(std::move(document), read_documents(inputs));
+}
+
+std::string hopper_flip_fingerprint(const HopperFlipRequest& request,
+                                    const HopperFlipInputs& inputs) {
+  return fingerprint("hopper flip", sweep_request_json(request), read_documents(inputs));
+}
+
+std::string hopper_flip_sweep_json(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
+                                   const sweep::Swept& swept) {
+  ordered_json document = sweep::swept_json(swept);
+  document["options"] = sweep_request_json(request);
+  return result_text(std::move(document), read_documents(inputs));
 }
 
 }  // namespace torquewright::cli

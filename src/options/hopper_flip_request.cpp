@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "hopper/flip/objectives/library.hpp"
 #include "io/nearest.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
-#include "src/options/objective_names.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -24,10 +24,11 @@ void add_task_options(command_line::Command& command, HopperFlipRequest& request
       .one_of({"flip", "jump", "hop"})
       .shows_default();
   command
-      .add_option("--rise", request.rise_m,
-                  fmt::format("Of the centre of mass in the flight of a jump or a hop, at least, in "
-                              "m (default {:g})",
-                              hopper::PlanOptions().rise_m))
+      .add_option(
+          "--rise", request.rise_m,
+          fmt::format("Of the centre of mass in the flight of a jump or a hop, at least, in "
+                      "m (default {:g})",
+                      hopper::PlanOptions().rise_m))
       .between(0.0, 2.0);
   command
       .add_option("--stride", request.stride_m,
@@ -48,7 +49,7 @@ void add_task_options(command_line::Command& command, HopperFlipRequest& request
   command
       .add_option("--objective", request.objectives,
                   fmt::format("NAME[=WEIGHT], repeatable: {} (default: the task's)",
-                              fmt::join(objective_names(), ", ")))
+                              fmt::join(hopper::objective_names(), ", ")))
       .one_value_each();
 }
 
@@ -152,9 +153,8 @@ void add_file_options(command_line::Command& command, HopperFlipRequest& request
   command
       .add_option("-o,--output", request.motion_file,
                   "Write the plan to this CSV, a motion that `hopper check` and `hopper replay` "
-                  "read; only a plan is written")
-      .names_a_file()
-      .required();
+                  "read; only a plan is written. With --sweep: write its result to this file")
+      .names_a_file();
   command
       .add_option("--write-best", request.best_file,
                   "Where no plan is found, write the motion that comes closest to this CSV: it is "
@@ -202,12 +202,13 @@ void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& 
   add_operating_options(command, request.warm.operating);
   add_search_options(command, request);
   add_warm_options(command, request);
+  add_sweep_options(command, request.sweep);
   add_file_options(command, request);
 }
 
 std::vector<hopper::WeightedObjective> read_objectives(const std::vector<std::string>& texts) {
   std::vector<hopper::WeightedObjective> objectives;
-  const std::vector<std::string> known = objective_names();
+  const std::vector<std::string> known = hopper::objective_names();
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);

@@ -24,8 +24,9 @@ struct HopperFlipRequest {
   std::uint64_t guess_seed = 0;
   /// Robot and conditions; its motion, where one is named, is what is begun from.
   HopperCheckRequest warm;
-  std::string motion_file;
-  std::string best_file;  ///< For what comes closest where there is no plan.
+  SweepOptions sweep;
+  std::string motion_file;  ///< Of a sweep: its result.
+  std::string best_file;    ///< For what comes closest where there is no plan.
   std::string momentum_file;
   std::string figures_file;
   std::string report_file;

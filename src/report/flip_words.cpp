@@ -27,11 +27,15 @@ std::string verdict_words(const PlanOptions& options, const PlanResult& result) 
       const bool passes = result.check && result.check->check.verdict == actuator::Verdict::kPass;
       return fmt::format("planned: the {} keeps to the {} of all drives and to the contacts{}",
                          name_of(options.task), is_box ? "boxes" : "regions",
-                         passes ? "; `hopper check` passes it" : "");
+                         passes   ? "; `hopper check` passes it"
+                         : is_box ? "; `hopper check` holds it against the regions and fails it"
+                                  : "");
     }
     case PlanStatus::kLocallyInfeasible:
       return fmt::format("locally infeasible: {}",
                          result.reason.empty() ? "no plan was found" : result.reason);
+    case PlanStatus::kCheckFails:
+      return fmt::format("undecided: {}", result.reason);
     default:
       return fmt::format("limit: {}",
                          result.reason.empty() ? "the search was ended" : result.reason);
@@ -46,6 +50,10 @@ std::string proof_words(const PlanResult& result) {
       return "";
     case PlanStatus::kLocallyInfeasible:
       return "no proof that there is no plan: from this guess none was found" + closest;
+    case PlanStatus::kCheckFails:
+      return "neither a plan nor a proof that there is none: larger planning margins, more "
+             "intervals or another guess may make one" +
+             closest;
     default:
       return "neither a plan nor a proof that there is none: the search had not ended" + closest;
   }
@@ -106,8 +114,16 @@ std::string round_words(const PlanRound& round) {
 }
 
 std::string change_words(const ChangeTried& change) {
+  if (change.is_cut_off && change.to == change.from) {
+    return fmt::format("{} {}: not tried, no time was left", change.quantity,
+                       with_unit(change.from, change.unit));
+  }
   const std::string what = fmt::format("{} {:.4g} -> {}", change.quantity, change.from,
                                        with_unit(change.to, change.unit));
+  if (change.is_cut_off) {
+    return what + (change.has_plan ? ": a plan is found; no time was left for less"
+                                   : ": still none, no time was left for more");
+  }
   return what + (change.has_plan ? ": a plan is found" : ": still none, tried no further");
 }
 

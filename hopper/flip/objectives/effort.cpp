@@ -1,58 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/flip/jet_rows.hpp"
+#include "hopper/flip/objectives/costs.hpp"
 #include "hopper/flip/objectives/every_objective.hpp"
+#include "hopper/flip/simpson.hpp"
+#include "hopper/flip/variable_numbers.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
+/// An instant's part of the integral. Variables: drives (d), the phase's duration.
 struct EffortLaw {
-  double share, most, smooth, chatter;
+  std::vector<double> most_Nm;
+  double factor;
+
   template <typename T>
   void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
-    const T a = x[0] * (1 / most), b = x[1] * (1 / most), c = x[2] * (1 / most);
-    const T bend = a - b - b + c;
-    rows[0] = x[3] * (share / 6.0) * (a * a + 4.0 * (b * b) + c * c) +
-              (2.0 * smooth / share) * ((b - a) * (b - a) + (c - b) * (c - b)) / x[3] +
-              chatter * (bend * bend);
+    T sum(0.0);
+    for (std::size_t i = 0; i < most_Nm.size(); ++i) {
+      const T share = x[static_cast<Eigen::Index>(i)] * (1.0 / most_Nm[i]);
+      sum += share * share;
+    }
+    rows[0] = factor * x[x.size() - 1] * sum;
   }
 };
 
+Costs costs(const PlanModel& model, const FlipProgram& program, double factor) {
+  std::vector<double> most_Nm;
+  for (const DriveRegion& region : *model.regions) most_Nm.push_back(region.greatest_torque_Nm());
+  Costs out;
+  for (std::size_t phase = 0; phase < program.phases.size(); ++phase) {
+    const PhaseVariables& variables = program.phases[phase];
+    const std::vector<double> shares = simpson_shares(program.mesh[phase].knots);
+    for (std::size_t point = 0; point < shares.size(); ++point) {
+      out.push_back(jet_cost("effort",
+                             in_order({numbers_from(variables.points[point].drives,
+                                                    static_cast<Eigen::Index>(most_Nm.size())),
+                                       {variables.duration}}),
+                             EffortLaw{most_Nm, factor * shares[point]}));
+    }
+  }
+  return out;
+}
+
+/// Its value is the cost: 0.055 s in the hopper's flip, from which kTypicalCost is.
+void add(const PlanModel& model, const PlanOptions&, double weight, FlipProgram& program) {
+  add_costs(costs(model, program, weight), program);
+}
+
+double value(const PlanModel& model, const PlanOptions&, const FlipProgram& program,
+             const std::vector<double>& values) {
+  return sum_of(costs(model, program, 1.0), values);
+}
+
 }  // namespace
 
-Costs objective_rows(const PlanModel& model, const PlanOptions&, FlipProgram& program) {
-  Costs costs;
-  const std::size_t drives = model.plane.drive_count();
-  for (std::size_t p = 0; p < program.phases.size(); ++p) {
-    const PhaseVariables& phase = program.phases[p];
-    const auto& knots = program.mesh[p].knots;
-    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-      for (std::size_t d = 0; d < drives; ++d) {
-        const int at = static_cast<int>(d);
-        costs.push_back(jet_rows("effort",
-                                 {phase.points[2 * i].drives + at, phase.points[2 * i + 1].drives + at,
-                                  phase.points[2 * i + 2].drives + at, phase.duration},
-                                 {{}}, {1.0},
-                                 EffortLaw{knots[i + 1] - knots[i],
-                                           (*model.regions)[d].greatest_torque_Nm(), 1e-5, 1e-3}));
-      }
-    }
-  }
-  const double ac = 1e-3;
-  for (std::size_t p = 0; p < program.phases.size(); ++p) {
-    const PhaseVariables& phase = program.phases[p];
-    const auto& knots = program.mesh[p].knots;
-    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-      for (std::size_t j = 3; j < model.plane.moving.size(); ++j) {
-        const int at = static_cast<int>(j);
-        costs.push_back(jet_rows("smooth",
-                                 {phase.points[2 * i].acceleration + at, phase.points[2 * i + 1].acceleration + at,
-                                  phase.points[2 * i + 2].acceleration + at, phase.duration},
-                                 {{}}, {1.0},
-                                 EffortLaw{ac * (knots[i + 1] - knots[i]), 100.0, 0.0, 0.0}));
-      }
-    }
-  }
-  return costs;
-}
+const Objective objectives::effort{
+    "effort",
+    "least integral of the squared torques of all drives, each over the greatest that its region "
+    "gives: the seconds in which one drive at its limit would heat as much",
+    "s", add, value};
 
 }  // namespace torquewright::hopper

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
-#include <vector>
+#include "hopper/flip/objectives/objective.hpp"
 
-#include "hopper/flip/flip_program.hpp"
+// One line for each objective; its file defines the constant of that name.
+#define TORQUEWRIGHT_EVERY_OBJECTIVE(objective)                                     \
+  objective(effort) objective(energy) objective(gear_load) objective(region_margin) \
+      objective(height) objective(time) objective(cam) objective(cav) objective(bav)
 
-namespace torquewright::hopper {
+namespace torquewright::hopper::objectives {
 
-using Costs = std::vector<std::unique_ptr<const optimization::Rows>>;
+#define TORQUEWRIGHT_DECLARE(name) extern const Objective name;
+TORQUEWRIGHT_EVERY_OBJECTIVE(TORQUEWRIGHT_DECLARE)
+#undef TORQUEWRIGHT_DECLARE
 
-/// The costs of a plan's objectives, weighted.
-Costs objective_rows(const PlanModel& model, const PlanOptions& options, FlipProgram& program);
-
-}  // namespace torquewright::hopper
+}  // namespace torquewright::hopper::objectives

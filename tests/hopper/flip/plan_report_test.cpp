@@ -84,7 +84,8 @@ TEST(PlanReport, HoldsWhatThePlanHolds) {
                                         {"from", 48.0},
                                         {"to", 52.0},
                                         {"unit", "V"},
-                                        {"has_plan", true}}));
+                                        {"has_plan", true},
+                                        {"cut_off", false}}));
 }
 
 TEST(PlanReport, StatesSecondsOnlyWhereAsked) {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+namespace torquewright::hopper {
+
+/// By instant of a phase (knots and middles in turn: 2 n + 1), the share of its duration with which
+/// an integral over the phase counts it: of the parabola through each interval's three instants.
+/// They add up to 1. docs/derivations/collocation.md eq. (1).
+std::vector<double> simpson_shares(const std::vector<double>& knots);
+
+}  // namespace torquewright::hopper
