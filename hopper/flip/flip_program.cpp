@@ -14,6 +14,7 @@
 #include "hopper/flip/objectives/library.hpp"
 #include "hopper/flip/planned_instant.hpp"
 #include "hopper/flip/smoothness.hpp"
+#include "hopper/flip/standing.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -43,8 +44,6 @@ constexpr double kHardest_m_s2 = 500.0;
 constexpr double kHardest_rad_s2 = 3000.0;
 constexpr double kGreatestForce_N = 1e4;
 constexpr double kClear_m = 0.03;  // bodies that must not touch, above the ground
-// From the middle of the sole to where the mass stands at the begin and at the end, of its length.
-constexpr double kStandsWithin = 0.1;
 // Part of a phase before the foot tips, over which its load may go to the edge.
 constexpr double kTips = 0.3;
 
@@ -108,6 +107,9 @@ class Builder {
       }
       add_begin(phase);
     }
+    add_level_base(0, out_.phases.front().points.front(), 0.0);
+    const std::size_t last = out_.mesh.size() - 1;
+    add_level_base(last, out_.phases[last].points.back(), goal_.turn_rad);
     for (std::size_t phase = 0; phase < out_.mesh.size(); ++phase) {
       if (out_.phases[phase].has_impact) {
         add_landing_load(model_, options_.check.load_window_s, phase, out_);
@@ -492,6 +494,12 @@ class Builder {
     out_.program.add_rows(jet_rows(place(stance(phase), "above the ground"),
                                    run(point.position, m_), std::move(bounds),
                                    std::vector<double>(rows, kLength_m), std::move(law)));
+  }
+
+  void add_level_base(std::size_t phase, const PointVariables& point, double pitch_rad) {
+    if (!goal_.has_level_base) return;
+    out_.program.add_rows(jet_rows(place(stance(phase), "base upright"), posture(point),
+                                   {equal(pitch_rad)}, {kAngle_rad}, BasePitchLaw{&model_.plane}));
   }
 
   std::vector<dynamics::BodyPoint> points_of(const Stance& on, const Stance* before) const {

@@ -6,8 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "dynamics/momentum.hpp"
-#include "dynamics/point.hpp"
+#include "hopper/flip/standing.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -35,15 +34,15 @@ Frame between(const Frame& a, const Frame& b, double s) {
 class KeyFrames {
  public:
   KeyFrames(const PlanModel& model, const PlanOptions& options)
-      : model_(model), options_(options), state_(model.plane.robot.tree) {}
+      : model_(model), options_(options) {}
 
   PlannedMotion make(const std::vector<MeshPhase>& mesh, const PlanGoal& goal);
 
  private:
   VectorXd named(const char* name, const VectorXd& otherwise) const;
   VectorXd bent(double share) const;
-  VectorXd balanced(VectorXd joints);
-  double lean_m(const VectorXd& joints);
+  Frame standing(const VectorXd& joints) const;
+  double tip_rad(const std::vector<MeshPhase>& mesh, std::size_t phase, std::size_t flight) const;
   VectorXd held(const Frame& frame, std::size_t sole_point, const Eigen::Vector2d& at) const;
   Eigen::Vector2d base(const VectorXd& position) const;
   VectorXd position(const Frame& frame, const Eigen::Vector2d& rear) const;
@@ -55,7 +54,6 @@ class KeyFrames {
 
   const PlanModel& model_;
   const PlanOptions& options_;
-  dynamics::TreeState state_;
 };
 
 /// Rows of the plan, the rearmost point of the sole there.
@@ -104,29 +102,22 @@ VectorXd KeyFrames::bent(double share) const {
   return joints;
 }
 
-/// How far the centre of mass is in front of the sole's middle, standing.
-double KeyFrames::lean_m(const VectorXd& joints) {
-  const VectorXd at = held({joints, 0.0}, 0, Eigen::Vector2d::Zero());
-  const VectorXd still = VectorXd::Zero(at.size());
-  state_.set(tree_motion(model_.plane, PlanFrame::kSole, {at, still, still}).position, still);
-  return dynamics::centroid(state_).position_m.x() - 0.5 * model_.foot_length_m;
+/// Joints, and the foot as they stand on it.
+Frame KeyFrames::standing(const VectorXd& joints) const {
+  return {joints, standing_foot_rad(model_.plane, joints)};
 }
 
-/// With the last joint, next to the foot, turned so that it stands, or nearly.
-VectorXd KeyFrames::balanced(VectorXd joints) {
-  const Index last = joints.size() - 1;
-  const optimization::Bounds range = model_.joint_rad.back();
-  VectorXd best = joints;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= 400; ++i) {
-    joints[last] = range.lower + (range.upper - range.lower) * i / 400.0;
-    const double lean = std::abs(lean_m(joints));
-    if (lean < least_m) {
-      least_m = lean;
-      best = joints;
-    }
-  }
-  return best;
+/// How far the foot has tipped at a phase's end: there it stands, or will, on one end of its sole.
+double KeyFrames::tip_rad(const std::vector<MeshPhase>& mesh, std::size_t phase,
+                          std::size_t flight) const {
+  const auto by_end = [&](std::size_t of) {
+    if (of >= mesh.size() || model_.plane.sole.size() == 1) return 0.0;
+    const std::vector<std::size_t>& points = mesh[of].stance.points;
+    if (points.size() != 1) return 0.0;
+    return points.front() == 0 ? -kToeUp_rad : kToeUp_rad;
+  };
+  const double next_rad = by_end(phase + 1);
+  return next_rad == 0.0 && phase + 1 == flight ? by_end(phase) : next_rad;
 }
 
 /// The base's.
@@ -165,25 +156,19 @@ void KeyFrames::perturb(std::vector<Frame>& frames) {
 }
 
 PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal& goal) {
-  const VectorXd crouch = balanced(named("stand", bent(0.5)));
-  const VectorXd take_off = named("takeoff", bent(0.5));
-  const VectorXd tuck = goal.turn_rad != 0.0 ? named("tuck", bent(0.95)) : take_off;
-  std::size_t flight = mesh.size();
-  for (std::size_t p = 0; p < mesh.size(); ++p) {
-    if (mesh[p].stance.is_flight() && flight == mesh.size()) flight = p;
-  }
+  const Frame crouch = standing(balanced(model_, named("stand", bent(0.5))));
+  const Frame take_off = standing(named("takeoff", bent(0.5)));
+  const VectorXd tuck = goal.turn_rad != 0.0 ? named("tuck", bent(0.95)) : take_off.joints;
+  const auto first_flight = std::find_if(
+      mesh.begin(), mesh.end(), [](const MeshPhase& phase) { return phase.stance.is_flight(); });
+  const auto flight = static_cast<std::size_t>(first_flight - mesh.begin());
   // Frames at the phases' ends.
-  std::vector<Frame> ends{{crouch, 0.0}};
+  std::vector<Frame> ends{crouch};
   for (std::size_t p = 0; p < mesh.size(); ++p) {
-    const bool before = p < flight;
-    const bool is_last = p + 1 == mesh.size();
-    const double turn_rad = before ? 0.0 : goal.turn_rad;
-    const bool on_end = p + 1 < mesh.size() && !mesh[p + 1].stance.is_flat();
-    const double tip_rad =
-        on_end || (p + 1 == flight && !mesh[p].stance.is_flat()) ? -kToeUp_rad : 0.0;
-    Frame frame{crouch, turn_rad + (is_last ? 0.0 : tip_rad)};
-    if (p + 1 == flight) frame.joints = take_off;
-    if (p + 1 < flight && p + 2 == flight) frame.joints = 0.5 * (crouch + take_off);
+    Frame frame = crouch;
+    if (p + 1 == flight) frame = take_off;
+    if (p + 2 == flight) frame = between(crouch, take_off, 0.5);
+    frame.foot_rad += (p < flight ? 0.0 : goal.turn_rad) + tip_rad(mesh, p, flight);
     ends.push_back(frame);
   }
   perturb(ends);

@@ -119,6 +119,19 @@ struct ContactVelocityLaw {
   }
 };
 
+/// The base's pitch. Variables: pitch of the foot, joints (m - 2). Rows: one.
+struct BasePitchLaw {
+  const SagittalRobot* robot = nullptr;
+
+  template <typename T>
+  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
+    rows[0] = x[0];
+    for (std::size_t i = 0; i < robot->directions.size(); ++i) {
+      rows[0] -= robot->directions[i] * x[1 + static_cast<Eigen::Index>(i)];
+    }
+  }
+};
+
 /// Heights of points. Variables: position in the frame (m). Rows: one a point.
 struct PlaceLaw {
   std::shared_ptr<SagittalScratch> scratch;

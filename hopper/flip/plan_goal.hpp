@@ -25,6 +25,9 @@ struct PlanGoal {
   std::optional<double> rise_m;    ///< Of the centre of mass in flight, at least.
   /// By joint that moves: between what it stands at the begin and at the end.
   std::vector<optimization::Bounds> standing_rad;
+  /// Whether the base is level at the begin, and turned by `turn_rad` at the end: of a foot of one
+  /// point, whose own pitch is free.
+  bool has_level_base = false;
 };
 
 }  // namespace torquewright::hopper

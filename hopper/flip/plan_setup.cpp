@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "hopper/flip/standing.hpp"
+
 namespace torquewright::hopper {
 namespace {
 
@@ -66,18 +68,21 @@ PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options) {
   if (options.task == PlanTask::kJump) goal.stride_m = 0.0;
   if (options.task == PlanTask::kHop) goal.stride_m = options.stride_m;
   if (options.task != PlanTask::kFlip) goal.rise_m = options.rise_m;
+  goal.has_level_base = model.plane.sole.size() == 1;
   for (const Bounds& range : model.joint_rad) {
     const double quarter = 0.25 * (range.upper - range.lower);
     goal.standing_rad.push_back({range.lower + quarter, range.upper - quarter});
   }
   for (const Posture& posture : model.plane.robot.postures) {
     if (posture.name != "stand") continue;
-    for (std::size_t i = 0; i + 1 < model.plane.joints.size(); ++i) {
+    for (std::size_t i = 0; i < model.plane.joints.size(); ++i) {
       const double rad = posture.joints[static_cast<Index>(model.plane.joints[i]) - 1];
       goal.standing_rad[i] = {rad, rad};
     }
-    goal.standing_rad.back() = model.joint_rad.back();
+    const std::size_t free = balancing_joint(model.plane);
+    goal.standing_rad[free] = model.joint_rad[free];
   }
+  require_standing(model, goal);
   return goal;
 }
 

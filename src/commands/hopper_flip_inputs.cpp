@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/commands/hopper_flip_inputs.hpp"
 
+#include "io/refusal.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
 
 namespace torquewright::cli {
@@ -9,6 +10,18 @@ namespace {
 hopper::PlanTask task_of(const std::string& name) {
   if (name == "jump") return hopper::PlanTask::kJump;
   return name == "hop" ? hopper::PlanTask::kHop : hopper::PlanTask::kFlip;
+}
+
+/// What only some tasks have.
+void set_distances(const HopperFlipRequest& request, hopper::PlanOptions& plan) {
+  if (request.rise_m && plan.task == hopper::PlanTask::kFlip) {
+    io::refuse("--rise", "a flip rises as far as it has to; --task jump and --task hop take it");
+  }
+  if (request.stride_m && plan.task != hopper::PlanTask::kHop) {
+    io::refuse("--stride", "only --task hop takes it; a jump lands where it began");
+  }
+  plan.rise_m = request.rise_m.value_or(plan.rise_m);
+  plan.stride_m = request.stride_m.value_or(plan.stride_m);
 }
 
 std::unique_ptr<hopper::Motion> read_warm(const HopperFlipRequest& request,
@@ -26,6 +39,7 @@ HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request) {
   hopper::PlanOptions& plan = inputs.plan;
   plan = request.plan;
   plan.task = task_of(request.task);
+  set_distances(request, plan);
   plan.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
   plan.stances = request.contacts;
   plan.objectives = read_objectives(request.objectives);

@@ -40,6 +40,8 @@ ordered_json request_json(const HopperFlipRequest& request) {
   const auto add = [&json](const char* key, const auto& value, const auto& unless) {
     if (value != unless) json[key] = value;
   };
+  if (request.rise_m) json["rise_m"] = *request.rise_m;
+  if (request.stride_m) json["stride_m"] = *request.stride_m;
   add("contacts", request.contacts, usual.contacts);
   add("objective", request.objectives, usual.objectives);
   add_margins(plan.margins, json);

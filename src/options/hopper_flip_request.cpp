@@ -24,6 +24,18 @@ void add_task_options(command_line::Command& command, HopperFlipRequest& request
       .one_of({"flip", "jump", "hop"})
       .shows_default();
   command
+      .add_option(
+          "--rise", request.rise_m,
+          fmt::format("Of the centre of mass in the flight of a jump or a hop, at least, in "
+                      "m (default {:g})",
+                      hopper::PlanOptions().rise_m))
+      .between(0.0, 2.0);
+  command
+      .add_option("--stride", request.stride_m,
+                  fmt::format("Of a hop, in m; less than 0 is backwards (default {:g})",
+                              hopper::PlanOptions().stride_m))
+      .between(-2.0, 2.0);
+  command
       .add_option("--limits", request.limits,
                   "mor: each drive within its region at the voltage of the instant; box: within "
                   "its peak torque at any speed up to no load, which a real motor cannot do")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace torquewright::cli {
 struct HopperFlipRequest {
   std::string task = "flip";
   std::string limits = "mor";
+  std::optional<double> rise_m;         ///< Empty: the task's, if it has one.
+  std::optional<double> stride_m;       ///< Likewise.
   std::vector<std::string> contacts;    ///< Empty: the task's.
   std::vector<std::string> objectives;  ///< NAME[=WEIGHT]; empty: the task's.
   hopper::PlanOptions plan;             ///< The numbers that have an option of their own.
