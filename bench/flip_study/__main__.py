@@ -32,11 +32,13 @@ def main():
     parser.add_argument("--folder", default="build/study_flip")
     parser.add_argument("--time-limit", default="120", help="of each plan, in s")
     parser.add_argument("--trials", type=int, default=20)
+    parser.add_argument("--keep", action="store_true", help="take plans that lie in the folder from a run before")
     options = parser.parse_args()
     unknown = set(options.parts) - set(PARTS)
     if unknown:
         parser.error(f"no part {', '.join(sorted(unknown))}; there are {', '.join(PARTS)}")
-    runner = program.Program(options.program, options.folder, options.time_limit, options.trials)
+    runner = program.Program(options.program, options.folder, options.time_limit, options.trials,
+                             options.keep)
     for name in options.parts or PARTS:
         text = PARTS[name](runner)
         (runner.folder / f"{name}.md").write_text(text)

@@ -34,13 +34,13 @@ def row(program, what, name, changed, nominal, *options):
 
 
 def nominal_plan(program):
-    return program.plan("drives_nominal", ROBOT)
+    return program.plan("mor", ROBOT, "--limits", "mor")
 
 
 def ratios(program):
     nominal = nominal_plan(program)
     rows = [row(program, f"{ratio}:1", f"ratio_{ratio}", documents.with_knee_ratio(ratio), nominal)
-            for ratio in (14, 16, 18, 20, 22, 24, 28)]
+            for ratio in (12, 16, 18, 20, 22, 24)]
     return ("### Ratio at the knee\n\nThe motor is the same; the joint's limits of speed and torque, which are the "
             "drive's, follow the ratio.\n\n") + words.table(NAMES, rows)
 
@@ -80,13 +80,11 @@ def sensitivity(program):
              ("resistance x0.5", "resistance_half", documents.with_resistance(0.5), ()),
              ("resistance x2", "resistance_double", documents.with_resistance(2.0), ()),
              ("3.3 V a cell", "cells_3.3", documents.with_cell_voltage(3.3), ()),
-             ("3.7 V a cell", "cells_3.7", documents.with_cell_voltage(3.7), ()),
              ("winding at 100 degrees C", "hot_winding", None, ("--winding-temperature", 373.15)),
              ("gear friction 0.05", "friction_0.05", documents.with_gear_friction(0.05), ()),
              ("gear friction 0.10", "friction_0.10", documents.with_gear_friction(0.10), ()),
              ("gear friction 0.15", "friction_0.15", documents.with_gear_friction(0.15), ()),
-             ("thigh's inertia 0.25 kg m2", "thigh_0.25", documents.with_thigh_inertia(0.25), ()),
-             ("thigh's inertia 0.30 kg m2", "thigh_0.30", documents.with_thigh_inertia(0.30), ())]
+             ("thigh's inertia 0.25 kg m2", "thigh_0.25", documents.with_thigh_inertia(0.25), ())]
     rows = [row(program, what, name, changed, nominal, *options) for what, name, changed, options in cases]
     return "### What the documents do not know\n\n" + words.table(NAMES, rows)
 

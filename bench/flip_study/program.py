@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the program and remembers what it answered, so that a part can be shown without being run
-again (`--show`)."""
+"""Runs the program and remembers what it answered, so that plans of a run that was broken off
+can be taken by the next one (`--keep`)."""
 import json
 import pathlib
 import shlex
@@ -14,12 +14,14 @@ MESH = ("--intervals", "180")  # one round in most plans, where the default of 1
 class Program:
     """The program, and the folder in which its answers stay."""
 
-    def __init__(self, path, folder, time_limit_s, trials):
+    def __init__(self, path, folder, time_limit_s, trials, keeps=False):
         self.path = path
         self.folder = pathlib.Path(folder)
         self.folder.mkdir(parents=True, exist_ok=True)
         self.time_limit_s = time_limit_s
         self.trials = trials
+        self.keeps = keeps
+        self.plans = {}
 
     def run(self, *arguments):
         """Its text and exit code; more than 3 ends the study."""
@@ -41,7 +43,15 @@ class Program:
 
     def plan(self, name, robot=ROBOT, *options):
         """A plan as NAME.csv, or the motion that comes closest as NAME.best.csv; with `motion` the
-        file's path and with `seconds` what it took."""
+        file's path and with `seconds` what it took. Of one name only the first is searched for."""
+        if name not in self.plans:
+            kept = self.folder / f"{name}.found.json"
+            if not (self.keeps and kept.exists()):
+                kept.write_text(json.dumps(self.search(name, robot, *options)))
+            self.plans[name] = json.loads(kept.read_text())
+        return self.plans[name]
+
+    def search(self, name, robot, *options):
         plan, best = self.folder / f"{name}.csv", self.folder / f"{name}.best.csv"
         for path in (plan, best):
             path.unlink(missing_ok=True)

@@ -23,11 +23,13 @@ def status(found):
 def why(found):
     """What holds a search back: rows that are violated or bind most, or the reason."""
     if found["status"] == "planned":
-        least = sorted(found["least_margins"], key=lambda one: one["margin"] / max(abs(one["limit"]), 1e-9))
-        return "least: " + ", ".join(one["rule"] for one in least[:2])
+        region = next((one for one in found["least_margins"] if one["rule"] == "motor-operating-region"), None)
+        return f"region: {region['margin']:.1f} N m left at the {region['place']}" if region else ""
     binding = found.get("binding") or []
     if binding:
-        return "; ".join(str(one.get("constraint", one.get("name", one))) for one in binding[:3])
+        worst = sorted(binding, key=lambda one: (-one["violation"], -one["instants"] / one["of"]))
+        return "; ".join(f"{one['name']} ({one['stance']}, {one['instants']} of {one['of']} instants)"
+                         for one in worst[:3])
     return found.get("reason", "")[:120]
 
 
