@@ -56,6 +56,13 @@ TEST_F(HopperFlip, RefusesObjectivesThatThereAreNot) {
   expect_refusal({"--objective", "height=1", "--objective", "height=2"}, "stands twice");
 }
 
+TEST_F(HopperFlip, RefusesDistancesThatItsTaskDoesNotHave) {
+  expect_refusal({"--rise", "0.2"}, "a flip rises as far as it has to");
+  expect_refusal({"--stride", "0.2"}, "only --task hop takes it");
+  expect_refusal({"--task", "jump", "--stride", "0.2"}, "only --task hop takes it");
+  expect_refusal({"--task", "jump", "--rise", "-0.1"}, "--rise");
+}
+
 TEST_F(HopperFlip, RefusesNumbersOutOfTheirRange) {
   expect_refusal({"--voltage-margin", "1"}, "--voltage-margin");
   expect_refusal({"--center-of-pressure-margin", "0.5"}, "--center-of-pressure-margin");

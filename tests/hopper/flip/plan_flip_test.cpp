@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flip of the documented hopper as one command plans it. Oracles: `hopper check` of the written
+// motion, which knows nothing of the plan; an independent integrator; conservation of angular
+// momentum; the replay in an engine whose contacts are no plan's.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hopper/flip/integration_error.hpp"
+#include "hopper/flip/stance.hpp"
+#include "tests/hopper/flip/planned.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using test::checked;
+using test::hopper_robot_of_plans;
+using test::planned_flip;
+
+// Of the issue: of a phase, in rad; of CAM in flight.
+constexpr double kError_rad = 2e-3;
+constexpr double kDrift_Nm_s = 1e-6;
+
+TEST(PlannedFlip, IsPlannedAndTheCheckPassesIt) {
+  EXPECT_EQ(planned_flip().status, PlanStatus::kPlanned) << planned_flip().reason;
+  EXPECT_EQ(planned_flip().reason, "");
+  EXPECT_EQ(checked(hopper_robot_of_plans(), planned_flip()).check.verdict,
+            actuator::Verdict::kPass);
+}
+
+TEST(PlannedFlip, TurnsOnceForwardsBetweenTwoStandsAtRest) {
+  const PlanResult& flip = planned_flip();
+  ASSERT_EQ(flip.plan.phases.size(), 5u);
+  const PlannedInstant& first = flip.plan.phases.front().instants.front();
+  const PlannedInstant& last = flip.plan.phases.back().instants.back();
+  EXPECT_NEAR(last.position[2] - first.position[2], 2.0 * M_PI, 1e-6);
+  for (const PlannedInstant* at : {&first, &last}) {
+    EXPECT_LT(at->velocity.cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_NEAR(at->position[1], 0.0, 1e-6);  // The sole is on the ground.
+  }
+  EXPECT_TRUE(flip.plan.phases[2].flies());
+}
+
+TEST(PlannedFlip, IsWhatItsTorquesDo) {
+  const PlanResult& flip = planned_flip();
+  const SagittalRobot plane = sagittal(hopper_robot_of_plans());
+  std::vector<std::string> names;
+  for (const PlannedPhase& phase : flip.plan.phases) names.push_back(phase.stance);
+  // Four times the steps that the planner itself integrates with.
+  double worst_rad = 0.0;
+  for (const PhaseError& error :
+       integration_errors(plane, stances_of(plane, names), flip.plan, 32)) {
+    worst_rad = std::max(worst_rad, error.whole_rad);
+  }
+  EXPECT_LE(worst_rad, kError_rad);
+  EXPECT_NEAR(flip.integration_error_rad, worst_rad, 0.05 * worst_rad);
+}
+
+TEST(PlannedFlip, KeepsItsAngularMomentumInFlight) {
+  const PlannedPhase& flight = planned_flip().plan.phases[2];
+  EXPECT_LE(test::momentum_drift_Nm_s(hopper_robot_of_plans(), flight), kDrift_Nm_s);
+}
+
+TEST(PlannedFlip, StatesTheMarginsThatTheCheckHas) {
+  const PlanResult& flip = planned_flip();
+  const HopperReport report = checked(hopper_robot_of_plans(), flip);
+  std::size_t found = 0;
+  for (const LeastMargin& margin : flip.least_margins) {
+    EXPECT_GT(margin.margin, 0.0) << margin.rule;
+    if (margin.rule == "motor-operating-region") {
+      double least = 1e9;
+      for (const auto& drive : report.check.drives) {
+        const auto& stated = drive.interpretation;
+        ASSERT_TRUE(stated.worst.limit_Nm);
+        const double share = stated.margin_Nm / std::abs(*stated.worst.limit_Nm);
+        least = std::min(least, share);
+        if (drive.name == margin.place) EXPECT_NEAR(margin.margin, stated.margin_Nm, 1e-9);
+      }
+      EXPECT_NEAR(margin.margin / std::abs(margin.limit), least, 1e-9);
+      ++found;
+    }
+    if (margin.rule == "transmission-load") {
+      double least = 1e9;
+      for (const TransmissionLoad& load : report.transmission_loads) {
+        ASSERT_TRUE(load.limit);
+        least = std::min(least, 1.0 - load.judged().mean / load.limit->torque_Nm);
+      }
+      EXPECT_NEAR(margin.margin / margin.limit, least, 1e-9);
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 2u);
+}
+
+TEST(PlannedFlip, StandsWhenItIsReplayed) {
+  const ReplayResult run =
+      test::replayed(hopper_robot_of_plans(), planned_flip(), EngineKind::kOwn);
+  EXPECT_EQ(run.outcome.verdict, ReplayVerdict::kStands) << run.outcome.reason;
+}
+
+TEST(PlannedFlip, BegunFromItselfItIsFoundSoon) {
+  PlanOptions options;
+  options.warm = &planned_flip().motion;
+  options.warm_file = "flip.csv";
+  const PlanResult again = plan_motion(hopper_robot_of_plans(), options);
+  EXPECT_EQ(again.status, PlanStatus::kPlanned) << again.reason;
+  EXPECT_LT(again.rounds.front().iterations, planned_flip().rounds.front().iterations);
+  EXPECT_NEAR(again.objective, planned_flip().objective, 0.01 * planned_flip().objective);
+}
+
+}  // namespace
+}  // namespace torquewright::hopper
