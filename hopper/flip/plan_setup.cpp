@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "dynamics/gravity.hpp"
+
 #include "hopper/flip/standing.hpp"
 
 namespace torquewright::hopper {
@@ -49,6 +51,9 @@ std::vector<double> even_knots(std::size_t intervals) {
 }  // namespace
 
 std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const PlanOptions& options) {
+  // A flight that rises has its apex within.
+  const double rise_m = options.task == PlanTask::kFlip ? 0.0 : options.rise_m;
+  const double to_apex_s = std::sqrt(2.0 * rise_m / dynamics::kGravity_m_s2);
   double shares = 0.0;
   for (std::size_t p = 0; p < stances.size(); ++p) shares += kind_of(stances, p).share;
   std::vector<MeshPhase> mesh;
@@ -56,8 +61,9 @@ std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const Plan
     const Kind kind = kind_of(stances, p);
     const auto intervals =
         static_cast<std::size_t>(std::lround(options.intervals * kind.share / shares));
-    mesh.push_back(
-        {stances[p], even_knots(std::max(kFewestIntervals, intervals)), kind.duration_s});
+    Bounds duration_s = kind.duration_s;
+    if (stances[p].is_flight()) duration_s.lower = std::max(duration_s.lower, to_apex_s);
+    mesh.push_back({stances[p], even_knots(std::max(kFewestIntervals, intervals)), duration_s});
   }
   return mesh;
 }

@@ -59,21 +59,6 @@ TEST_F(FlipBesideMujoco, TheGroundGivesWhatTheMotionTakes) {
   }
 }
 
-TEST_F(FlipBesideMujoco, AngularMomentumStaysInFlight) {
-  const PlannedPhase& flight = planned_flip().plan.phases[2];
-  ASSERT_TRUE(flight.flies());
-  double least = 1e9, greatest = -1e9;
-  for (const PlannedInstant& instant : flight.instants) {
-    const TreeMotion at = tree(flight, instant);
-    mujoco.set(at.position, at.velocity);
-    const double momentum_Nm_s = mujoco.angular_momentum_Nm_s().y();
-    least = std::min(least, momentum_Nm_s);
-    greatest = std::max(greatest, momentum_Nm_s);
-  }
-  EXPECT_GT(least, 1.0);  // It turns forwards.
-  EXPECT_LE(greatest - least, 1e-6);
-}
-
 TEST_F(FlipBesideMujoco, StandsWhenItIsReplayed) {
   const ReplayResult run =
       test::replayed(hopper_robot_of_plans(), planned_flip(), EngineKind::kMujoco);

@@ -44,20 +44,6 @@ TEST(RefusedPlan, OfAPostureBeyondTheJointsReach) {
   EXPECT_SAYS(refusal(robot), "cannot stand: joint 'knee' would be at 2.26 rad");
 }
 
-TEST(RefusedPlan, WithADriveThatCanDoNothingAtRest) {
-  Robot robot = test::documented_robot("hopper");
-  PlanOptions options;
-  options.check.conditions.bus_voltage_V = 1e-3;
-  EXPECT_SAYS(refusal(robot, options), "region");
-}
-
-TEST(RefusedPlan, BegunFromAnotherRobotsMotion) {
-  PlanOptions options;
-  options.warm = &test::planned_flip().motion;
-  options.warm_file = "flip.csv";
-  EXPECT_SAYS(refusal(test::documented_robot("planar_leg"), options), "flip.csv");
-}
-
 TEST(RefusedPlan, BegunFromAnotherOrderOfContacts) {
   PlanOptions options;
   options.warm = &test::planned_flip().motion;
