@@ -40,7 +40,7 @@ def nominal_plan(program):
 def ratios(program):
     nominal = nominal_plan(program)
     rows = [row(program, f"{ratio}:1", f"ratio_{ratio}", documents.with_knee_ratio(ratio), nominal)
-            for ratio in (12, 16, 18, 20, 22, 24)]
+            for ratio in (12, 16, 18, 20, 22, 24, 28, 32)]
     return ("### Ratio at the knee\n\nThe motor is the same; the joint's limits of speed and torque, which are the "
             "drive's, follow the ratio.\n\n") + words.table(NAMES, rows)
 
@@ -49,7 +49,7 @@ def gearbox(program):
     """Another target ratio in the gearbox problem, the teeth found, the actuator with them."""
     nominal = nominal_plan(program)
     rows = []
-    for ratio in (16, 20, 24):
+    for ratio in (16, 19, 20, 22, 25):
         problem = documents.load("specs/gearbox/d151_knee.json")
         problem["target_ratio"] = ratio
         folder = program.folder / f"gearbox_{ratio}"
