@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables by time, and what the study reads out of them. SI units."""
+import bisect
 import csv
 import math
 
@@ -34,12 +35,12 @@ def at(times, values, time_s):
     """Straight between samples, the first and last beyond them."""
     if time_s <= times[0]:
         return values[0]
-    for i in range(1, len(times)):
-        if times[i] >= time_s:
-            span = times[i] - times[i - 1]
-            share = (time_s - times[i - 1]) / span if span > 0 else 1.0
-            return values[i - 1] + share * (values[i] - values[i - 1])
-    return values[-1]
+    if time_s >= times[-1]:
+        return values[-1]
+    i = bisect.bisect_left(times, time_s)
+    span = times[i] - times[i - 1]
+    share = (time_s - times[i - 1]) / span if span > 0 else 1.0
+    return values[i - 1] + share * (values[i] - values[i - 1])
 
 
 def gear_motor_Nm(table, drive, rotor_kg_m2, ratio, window_s=0.01):

@@ -16,6 +16,8 @@ def reached(is_reached):
 
 
 def status(found):
+    if found["status"] == "limit" and found.get("rounds"):
+        return f"none: {found['rounds'][-1]['solver']}"
     return {"planned": "planned", "locally_infeasible": "locally infeasible", "limit": "none within the limit",
             "check_fails": "solved, check fails", "refused": "refused"}.get(found["status"], found["status"])
 
