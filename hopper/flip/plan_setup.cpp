@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "dynamics/gravity.hpp"
-
 #include "hopper/flip/standing.hpp"
 
 namespace torquewright::hopper {
@@ -97,6 +96,8 @@ std::vector<Stance> plan_stances(const SagittalRobot& plane, const PlanOptions& 
   if (plane.sole.size() > 1 && options.task == PlanTask::kFlip) {
     return stances_of(plane, {"flat", "heel", "flight", "heel", "flat"});
   }
+  // Off a whole sole at once no jump of the hopper was found, over the toe at once.
+  if (plane.sole.size() > 1) return stances_of(plane, {"flat", "toe", "flight", "toe", "flat"});
   return stances_of(plane, {"flat", "flight", "flat"});
 }
 

@@ -44,10 +44,12 @@ TEST_P(PlannedTask, RisesAndLandsWhereItIsToAndTheCheckPassesIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, PlannedTask,
-                         testing::Values(Task{"JumpOfTheLeg", "planar_leg", PlanTask::kJump, 0.12,
-                                              0.0}),
-                         [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    , PlannedTask,
+    testing::Values(Task{"JumpOfTheHopper", "hopper", PlanTask::kJump, 0.15, 0.0},
+                    Task{"HopOfTheHopper", "hopper", PlanTask::kHop, 0.1, 0.2},
+                    Task{"JumpOfTheLeg", "planar_leg", PlanTask::kJump, 0.12, 0.0}),
+    [](const auto& one) { return std::string(one.param.name); });
 
 TEST(PlannedLeg, StandsOnItsPointWithALevelBase) {
   const Robot robot = test::documented_robot("planar_leg");
