@@ -72,7 +72,12 @@ void add_findings(const HopperReport& report, Least& least) {
     if (finding.rule == "friction-cone") {
       margin.margin = -above;
       least.add(std::move(margin), *finding.limit);
-    } else if (finding.rule == "centre-of-pressure" || finding.rule == "mechanism-margin") {
+    } else if (finding.rule == "centre-of-pressure") {
+      least.add(std::move(margin), 1.0);
+    } else if (finding.rule == "mechanism-margin") {
+      // Some of its limits are upper ones; what is broken is a violation.
+      const bool is_broken = finding.severity == actuator::Severity::kViolation;
+      margin.margin = is_broken ? -std::abs(above) : std::abs(above);
       least.add(std::move(margin), 1.0);
     }
   }

@@ -50,7 +50,7 @@ hopper check specs/robot/rabbit.json tests/fuzz/corpus/rabbit_leap.csv --residua
 hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --plot a.svg --plot-loads b.svg --torques dynamics
 hopper check specs/robot/hopper.json specs/trajectory/hopper_hop.csv --plot-momentum c.svg --from 0.3
 hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flight,flat --objective effort=2 --intervals 10 --rounds 0 --iterations 3 --time-limit 2 --voltage-margin 0.1 --guess-noise 0.05 --seed 2 --write-best best.csv --plot-momentum d.svg --figures e.svg --report f.html --json
-hopper flip specs/robot/hopper.json -o plan.csv --task hop --warm specs/trajectory/hopper_hop.csv --limits box --time-limit 1 --intervals 10 --sample-step 0.01
+hopper flip specs/robot/hopper.json -o plan.csv --task hop --warm specs/trajectory/hopper_hop.csv --contacts flat,flight,flat --limits box --time-limit 1 --intervals 10 --sample-step 0.01
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.2 --json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv --from 0.75 --step 0.0005 --stand 0.1 --limits box --controller pd --impact invariant --impact-metric inertia --latency 0.001 --series run.csv -o run.txt
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.1 --trials 2 --randomise specs/randomisation/hopper.json --seed 3 --success-rate 0.5 --threads 2
