@@ -105,7 +105,7 @@ TEST_F(Calibrate, RefusesWhatDoesNotRead) {
   EXPECT_NE(refusal({"--target", "cam=nan"}).find("must be cam=N"), std::string::npos);
   EXPECT_NE(refusal({"--target", "speed=6"}).find("must be cam=N"), std::string::npos);
   EXPECT_NE(refusal({"--target", "cam=6", "--target", "cav@nowhere=3"})
-                .find("the robot has no posture \"nowhere\" (it has: takeoff, tuck, stand)"),
+                .find("the robot has no posture \"nowhere\" (it has: stand, takeoff, tuck)"),
             std::string::npos);
   EXPECT_NE(refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture", "x"})
                 .find("must be NAME="),
