@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stdexcept>
 #include <utility>
 
 #include "dynamics/seeds.hpp"
@@ -17,7 +18,11 @@ class JetRows final : public optimization::Rows {
   JetRows(std::string name, std::vector<int> variables, std::vector<optimization::Bounds> bounds,
           std::vector<double> scales, Law law)
       : Rows(std::move(name), std::move(variables), std::move(bounds), std::move(scales)),
-        law_(std::move(law)) {}
+        law_(std::move(law)) {
+    if (width() > dynamics::kMostVariables) {
+      throw std::invalid_argument(this->name() + ": more variables than a jet has slopes");
+    }
+  }
 
   void values(const VectorIn& x, VectorOut rows) const override {
     dynamics::VectorX<double> out(size());

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include "hopper/flip/affine_rows.hpp"
 #include "hopper/flip/gear_laws.hpp"
 #include "hopper/flip/jet_rows.hpp"
 
@@ -46,18 +48,14 @@ struct LoadIsLaw {
   }
 };
 
-/// +-(mean of loads) + impulse's size. Variables: loads by instant, the impulse's.
-struct MeanLaw {
-  std::vector<double> weights;
-
-  template <typename T>
-  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
-    T mean(0.0);
-    for (std::size_t i = 0; i < weights.size(); ++i) mean += weights[i] * x[static_cast<Index>(i)];
-    rows[0] = mean + x[x.size() - 1];
-    rows[1] = x[x.size() - 1] - mean;
-  }
-};
+/// +-(mean of loads) + impulse's size. Columns: loads by instant, the impulse's.
+Eigen::MatrixXd mean_rows(const std::vector<double>& weights) {
+  const auto count = static_cast<Index>(weights.size());
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Ones(2, count + 1);
+  rows.row(0).head(count) = Eigen::Map<const Eigen::RowVectorXd>(weights.data(), count);
+  rows.row(1).head(count) = -rows.row(0).head(count);
+  return rows;
+}
 
 int add_shares(const char* name, std::size_t drives, double least, FlipProgram& program) {
   return program.program.add({name, std::vector<double>(drives, 0.1),
@@ -100,9 +98,10 @@ void add_landing_load(const PlanModel& model, double window_s, std::size_t phase
     std::vector<int> numbers;
     for (const int first : loads) numbers.push_back(first + static_cast<int>(drive));
     numbers.push_back(impulse + static_cast<int>(drive));
-    program.program.add_rows(jet_rows(
+    program.program.add_rows(std::make_unique<const AffineRows>(
         program.mesh[phase].stance.name + ": mean gear load at the impact", std::move(numbers),
-        {{-kInfinite, 1.0}, {-kInfinite, 1.0}}, {1.0, 1.0}, MeanLaw{weights}));
+        std::vector<Bounds>(2, {-kInfinite, 1.0}), std::vector<double>(2, 1.0),
+        mean_rows(weights)));
   }
 }
 

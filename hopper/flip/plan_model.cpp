@@ -8,6 +8,7 @@
 
 #include "hopper/replay/drive_supply.hpp"
 #include "hopper/robot/whole_body.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -70,11 +71,21 @@ double gear_limit_Nm(const Drivetrain& drivetrain, const actuator::Actuator& act
   return limit.torque_Nm * at_joint * (1.0 - margin);
 }
 
+/// The widest law (LinkLaw) takes positions and velocities in two frames.
+void require_room(const SagittalRobot& plane) {
+  constexpr std::size_t kMostJoints = dynamics::kMostVariables / 4 - 3;
+  if (plane.joints.size() <= kMostJoints) return;
+  io::refuse(plane.robot.name,
+             fmt::format("has {} joints that move in the plane; plans are made for {} at most",
+                         plane.joints.size(), kMostJoints));
+}
+
 }  // namespace
 
 PlanModel plan_model(const Robot& robot, const PlanOptions& options) {
   PlanModel model;
   model.plane = sagittal(robot);
+  require_room(model.plane);
   add_joints(model, options.margins);
   const WholeBody body(model.plane.robot);
   std::vector<const actuator::Actuator*> drives;
