@@ -139,11 +139,23 @@ void require_order(const std::vector<Run>& runs, const std::vector<Stance>& stan
                                fmt::join(wanted, ", ")));
 }
 
+void require_rows(const Robot& robot, const Motion& motion, const std::string& file) {
+  if (motion.positions.rows() == robot.tree.position_size() &&
+      motion.velocities.rows() == robot.tree.velocity_size()) {
+    return;
+  }
+  io::refuse(file, fmt::format("is a motion of another robot: {} positions and {} velocities a "
+                               "sample, where {} has {} and {}",
+                               motion.positions.rows(), motion.velocities.rows(), robot.name,
+                               robot.tree.position_size(), robot.tree.velocity_size()));
+}
+
 }  // namespace
 
 PlannedMotion warm_guess(const Robot& robot, const PlanModel& model,
                          const std::vector<Stance>& stances, const Motion& motion,
                          const ContactRule& contact, const std::string& file) {
+  require_rows(robot, motion, file);
   Motion known = motion;
   Reader reader(robot, model, known, file);
   const ContactSchedule contacts = schedule_contacts(robot, contact, known);

@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <functional>
+#include <numeric>
+#include <stdexcept>
 
 #include "dynamics/jet_functions.hpp"
 #include "hopper/flip/flip_program.hpp"
@@ -336,6 +338,18 @@ TEST(JetRows, HaveTheDerivativesOfTheirLaw) {
   rows->curvatures(at, Eigen::Vector3d(2.0, 3.0, 4.0), curvatures);
   expected << -3.0 * std::sin(x), 4.0 * y, 4.0 * y, 4.0 * x;
   EXPECT_LT((curvatures - expected).norm(), 1e-14);
+}
+
+// What a jet has no slope for would be written past its end.
+TEST(JetRows, RefuseMoreVariablesThanAJetHasSlopes) {
+  const auto first_of = [](const auto& x, auto& rows) { rows[0] = x[0]; };
+  const auto rows_of = [&](int count) {
+    std::vector<int> variables(static_cast<std::size_t>(count));
+    std::iota(variables.begin(), variables.end(), 0);
+    return jet_rows("wide", variables, {{0.0, 0.0}}, {1.0}, first_of);
+  };
+  EXPECT_NO_THROW(rows_of(dynamics::kMostVariables));
+  EXPECT_THROW(rows_of(dynamics::kMostVariables + 1), std::invalid_argument);
 }
 
 TEST(JetRows, HaveNoCurvatureOfRowsThatCountForNothing) {

@@ -44,6 +44,13 @@ TEST(RefusedPlan, OfAPostureBeyondTheJointsReach) {
   EXPECT_SAYS(refusal(robot), "cannot stand: joint 'knee' would be at 2.26 rad");
 }
 
+TEST(RefusedPlan, BegunFromAnotherRobotsMotion) {
+  PlanOptions options;
+  options.warm = &test::planned_flip().motion;
+  options.warm_file = "flip.csv";
+  EXPECT_SAYS(refusal(test::documented_robot("planar_leg"), options), "motion of another robot");
+}
+
 TEST(RefusedPlan, BegunFromAnotherOrderOfContacts) {
   PlanOptions options;
   options.warm = &test::planned_flip().motion;
