@@ -90,6 +90,21 @@ TEST(PlannedFlip, StatesTheMarginsThatTheCheckHas) {
   EXPECT_EQ(found, 2u);
 }
 
+// Other guesses lead to the same optimum: joints of the key frames off by up to 0.15 rad.
+TEST(PlannedFlip, IsFoundFromGuessesThatAreOff) {
+  PlanOptions options;
+  options.most_rounds = 0;
+  const double cold = plan_motion(hopper_robot_of_plans(), options).objective;
+  options.guess_noise_rad = 0.15;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    options.guess_seed = seed;
+    const PlanResult other = plan_motion(hopper_robot_of_plans(), options);
+    ASSERT_EQ(other.rounds.size(), 1u);
+    EXPECT_EQ(other.rounds[0].solver, "solved") << seed;
+    EXPECT_NEAR(other.objective, cold, 0.01 * cold) << seed;
+  }
+}
+
 // The program holds the mean over the window after the impact to 90 % of each limit, at its own
 // instants; `hopper check` integrates samples of 1 ms. Straight lines between them are off by less
 // than the share of a millisecond in the window of ten over which the torque falls most.
