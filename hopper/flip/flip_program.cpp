@@ -15,6 +15,7 @@
 #include "hopper/flip/planned_instant.hpp"
 #include "hopper/flip/smoothness.hpp"
 #include "hopper/flip/standing.hpp"
+#include "hopper/flip/variable_numbers.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -51,18 +52,6 @@ Bounds equal(double value) { return {value, value}; }
 Bounds at_least(double value) { return {value, kInfinite}; }
 Bounds at_most(double value) { return {-kInfinite, value}; }
 Bounds within(double value) { return {-value, value}; }
-
-std::vector<int> run(int first, Index count) {
-  std::vector<int> out(static_cast<std::size_t>(count));
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = first + static_cast<int>(i);
-  return out;
-}
-
-std::vector<int> joined(const std::vector<std::vector<int>>& parts) {
-  std::vector<int> out;
-  for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
-  return out;
-}
 
 struct ConeLaw {
   std::size_t points;
@@ -362,10 +351,10 @@ class Builder {
   }
 
   std::vector<int> posture(const PointVariables& point) const {
-    return run(point.position + 2, m_ - 2);
+    return numbers_from(point.position + 2, m_ - 2);
   }
   std::vector<int> posture_rates(const PointVariables& point) const {
-    return run(point.velocity + 2, m_ - 2);
+    return numbers_from(point.velocity + 2, m_ - 2);
   }
 
   void add_dynamics(std::size_t phase, std::size_t index) {
@@ -378,16 +367,16 @@ class Builder {
     if (on.is_flight()) bounds[0] = bounds[1] = {};
     out_.program.add_rows(jet_rows(
         place(on, "equations of motion"),
-        joined({posture(point), posture_rates(point), run(point.acceleration, m_),
-                run(point.drives, d_), run(point.forces, forces)}),
+        in_order({posture(point), posture_rates(point), numbers_from(point.acceleration, m_),
+                  numbers_from(point.drives, d_), numbers_from(point.forces, forces)}),
         std::move(bounds), std::vector<double>(rows, kForce_N), DynamicsLaw{scratch_, on}));
     if (on.is_flight() || holds_place(on)) return;
-    out_.program.add_rows(
-        jet_rows(place(on, "feet stay"),
-                 joined({posture(point), posture_rates(point), run(point.acceleration, m_)}),
-                 std::vector<Bounds>(on.force_count(), equal(0.0)),
-                 std::vector<double>(on.force_count(), kAcceleration),
-                 ContactAccelerationLaw{scratch_, on}));
+    out_.program.add_rows(jet_rows(
+        place(on, "feet stay"),
+        in_order({posture(point), posture_rates(point), numbers_from(point.acceleration, m_)}),
+        std::vector<Bounds>(on.force_count(), equal(0.0)),
+        std::vector<double>(on.force_count(), kAcceleration),
+        ContactAccelerationLaw{scratch_, on}));
   }
 
   Index bus_count() const {
@@ -410,13 +399,13 @@ class Builder {
       bounds.push_back(equal(0.0));
       scales.push_back(0.1 * supply.open_V);
     }
-    out_.program.add_rows(
-        jet_rows(place(stance(phase), "drives"),
-                 joined({run(point.position + 3, k_), run(point.velocity + 3, k_),
-                         run(point.acceleration + 3, k_), run(point.drives, d_),
-                         run(point.bus, bus_count())}),
-                 std::move(bounds), std::move(scales),
-                 DriveLaw{&model_.plane, model_.regions, model_.supplies, model_.rotors_kg_m2}));
+    out_.program.add_rows(jet_rows(
+        place(stance(phase), "drives"),
+        in_order({numbers_from(point.position + 3, k_), numbers_from(point.velocity + 3, k_),
+                  numbers_from(point.acceleration + 3, k_), numbers_from(point.drives, d_),
+                  numbers_from(point.bus, bus_count())}),
+        std::move(bounds), std::move(scales),
+        DriveLaw{&model_.plane, model_.regions, model_.supplies, model_.rotors_kg_m2}));
   }
 
   /// Affine rows of forces or impulses: friction, and the load's place on the sole.
@@ -428,7 +417,7 @@ class Builder {
     friction *= 1.0 - options_.margins.friction;
     const std::size_t rows = on.is_flat() ? 4 : 2;
     out_.program.add_rows(
-        jet_rows(place(on, what), run(forces, static_cast<Index>(on.force_count())),
+        jet_rows(place(on, what), numbers_from(forces, static_cast<Index>(on.force_count())),
                  std::vector<Bounds>(rows, at_most(0.0)), std::vector<double>(rows, scale),
                  ConeLaw{on.points.size(), friction, edge_share}));
   }
@@ -492,7 +481,7 @@ class Builder {
     if (law.points.empty()) return;
     const std::size_t rows = bounds.size();
     out_.program.add_rows(jet_rows(place(stance(phase), "above the ground"),
-                                   run(point.position, m_), std::move(bounds),
+                                   numbers_from(point.position, m_), std::move(bounds),
                                    std::vector<double>(rows, kLength_m), std::move(law)));
   }
 
@@ -524,11 +513,11 @@ class Builder {
     const int sole_velocity = lands ? out_.phases[phase].velocity_before : sole.velocity;
     std::vector<double> scales(static_cast<std::size_t>(2 * m_), kSpeed);
     std::fill_n(scales.begin(), m_, kLength_m);
-    out_.program.add_rows(jet_rows(place(stance(phase), "goes on"),
-                                   joined({run(sole.position, m_), run(sole_velocity, m_),
-                                           run(mass.position, m_), run(mass.velocity, m_)}),
-                                   std::vector<Bounds>(scales.size(), equal(0.0)), scales,
-                                   LinkLaw{scratch_}));
+    out_.program.add_rows(
+        jet_rows(place(stance(phase), "goes on"),
+                 in_order({numbers_from(sole.position, m_), numbers_from(sole_velocity, m_),
+                           numbers_from(mass.position, m_), numbers_from(mass.velocity, m_)}),
+                 std::vector<Bounds>(scales.size(), equal(0.0)), scales, LinkLaw{scratch_}));
   }
 
   void add_begin(std::size_t phase) {
@@ -538,7 +527,8 @@ class Builder {
     // What the foot's own variables do not hold already.
     const auto touching = points_of(on, phase == 0 ? nullptr : &stance(phase - 1));
     if (!touching.empty() && !holds_place(on)) {
-      out_.program.add_rows(jet_rows(place(on, "feet on the ground"), run(point.position, m_),
+      out_.program.add_rows(jet_rows(place(on, "feet on the ground"),
+                                     numbers_from(point.position, m_),
                                      std::vector<Bounds>(touching.size(), equal(0.0)),
                                      std::vector<double>(touching.size(), kLength_m),
                                      PlaceLaw{scratch_, PlanFrame::kSole, touching}));
@@ -547,15 +537,15 @@ class Builder {
     if (!variables.has_impact) return;
     const auto forces = static_cast<Index>(on.force_count());
     const auto rows = static_cast<std::size_t>(m_);
-    out_.program.add_rows(
-        jet_rows(place(on, "impact"),
-                 joined({posture(point), run(variables.velocity_before, m_),
-                         run(point.velocity, m_), run(variables.impulses, forces)}),
-                 std::vector<Bounds>(rows, equal(0.0)), std::vector<double>(rows, kImpulse_N_s),
-                 ImpactLaw{scratch_, on}));
+    out_.program.add_rows(jet_rows(
+        place(on, "impact"),
+        in_order({posture(point), numbers_from(variables.velocity_before, m_),
+                  numbers_from(point.velocity, m_), numbers_from(variables.impulses, forces)}),
+        std::vector<Bounds>(rows, equal(0.0)), std::vector<double>(rows, kImpulse_N_s),
+        ImpactLaw{scratch_, on}));
     if (!holds_place(on))
       out_.program.add_rows(jet_rows(
-          place(on, "feet stop"), joined({posture(point), run(point.velocity, m_)}),
+          place(on, "feet stop"), in_order({posture(point), numbers_from(point.velocity, m_)}),
           std::vector<Bounds>(on.force_count(), equal(0.0)),
           std::vector<double>(on.force_count(), kSpeed), ContactVelocityLaw{scratch_, on}));
     add_cone(on, variables.impulses, "impulse", kImpulse_N_s, 0.0);

@@ -249,32 +249,4 @@ struct DriveLaw {
   }
 };
 
-/// What an impact's rotors and the torque beside it ask of the gears over a window: its mean.
-/// Variables: joints (k), rates before (k), rates after (k), accelerations beside it (k), drives
-/// beside it (d). Rows: (d), Nm at the output.
-struct ImpactLoadLaw {
-  const SagittalRobot* robot = nullptr;
-  std::vector<double> rotors_kg_m2;
-  double window_s = 0.01;
-  bool after = true;  ///< Whether "beside" is after it.
-
-  template <typename T>
-  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
-    const auto k = static_cast<Eigen::Index>(robot->joints.size());
-    const auto d = static_cast<Eigen::Index>(rotors_kg_m2.size());
-    const dynamics::VectorX<T> torque = x.segment(4 * k, d);
-    const dynamics::VectorX<T> still = dynamics::VectorX<T>::Zero(k);
-    const DriveMotionOf<T> jump =
-        drive_motion<T>(*robot, x.head(k), x.segment(2 * k, k) - x.segment(k, k), still, torque);
-    const DriveMotionOf<T> beside = drive_motion<T>(
-        *robot, x.head(k), x.segment(after ? 2 * k : k, k), x.segment(3 * k, k), torque);
-    for (Eigen::Index i = 0; i < d; ++i) {
-      const double rotor = rotors_kg_m2[static_cast<std::size_t>(i)];
-      // The gears take from the rotor what it loses: less I dw.
-      rows[i] = torque[i] - rotor * beside.acceleration_rad_s2[i] -
-                (rotor / window_s) * jump.speed_rad_s[i];
-    }
-  }
-};
-
 }  // namespace torquewright::hopper

@@ -273,37 +273,15 @@ TEST_P(Laws, OfDrives) {
   }
 }
 
-/// Over a window that begins or ends with the impact: the gears take from the rotor what it loses,
-/// to the jump and to the acceleration beside it; torque less momentum over time, in the mean.
-TEST_P(Laws, OfImpactLoads) {
-  const double window_s = 0.008;
-  for (const bool after : {false, true}) {
-    const ImpactLoadLaw law{&plane, model.rotors_kg_m2, window_s, after};
-    const auto rows = rows_of(law, 4 * k + d, d);
-    WholeBody body(plane.robot);
-    const TreeMotion tree = test::random_motion(dice, plane);
-    const VectorXd w0 = uniform_vector(dice, k, 5), w1 = uniform_vector(dice, k, 5);
-    const VectorXd u = uniform_vector(dice, d, 20);
-    const VectorXd x = joined({moving_of(plane, tree.position).tail(k), w0, w1,
-                               moving_of(plane, tree.acceleration).tail(k), u});
-    VectorXd velocity = tree.velocity, jump = VectorXd::Zero(velocity.size()), jumps(d);
-    velocity.tail(velocity.size() - 3).setZero();
-    for (Index i = 0; i < k; ++i) {
-      velocity[plane.moving[static_cast<std::size_t>(3 + i)]] = (after ? w1 : w0)[i];
-      jump[plane.moving[static_cast<std::size_t>(3 + i)]] = w1[i] - w0[i];
-    }
-    ASSERT_TRUE(body.set(tree.position, velocity));
-    std::vector<DriveInstant> drives;
-    body.drives(tree.acceleration, VectorXd::Zero(velocity.size()), drives);
-    body.speed_changes(jump, jumps);
-    for (Index i = 0; i < d; ++i) {
-      const auto drive = static_cast<std::size_t>(i);
-      const double gained_Nm_s = body.before_gears_kg_m2(drive) *
-                                 (jumps[i] + window_s * drives[drive].acceleration_rad_s2);
-      EXPECT_NEAR(values(*rows, x)[i], u[i] - gained_Nm_s / window_s, 1e-8);
-    }
-    expect_derivatives(*rows, x, dice);
-  }
+/// The centre of mass of the whole tree, which another function than the law's finds.
+TEST_P(Laws, OfTheMassBeforeTheHeel) {
+  const auto rows = rows_of(LeanLaw{scratch}, m - 2, 1);
+  const TreeMotion tree = test::random_motion(dice, plane);
+  const TreeMotion sole = frame_motion(plane, PlanFrame::kSole, tree);
+  const TreeMotion mass = frame_motion(plane, PlanFrame::kMass, tree);
+  const VectorXd x = moving_of(plane, sole.position).tail(m - 2);
+  EXPECT_NEAR(values(*rows, x)[0], mass.position[0] - sole.position[0], 1e-12);
+  expect_derivatives(*rows, x, dice);
 }
 
 INSTANTIATE_TEST_SUITE_P(, Laws,
