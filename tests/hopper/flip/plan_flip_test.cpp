@@ -119,6 +119,21 @@ TEST(PlannedFlip, KeepsItsGearMarginByTheChecksOwnCount) {
   EXPECT_LE(most, 1.0 - PlanOptions().margins.gear_load + kSampled);
 }
 
+// Torques jump at take-off: a reader who joins samples by straight lines must not spread that over
+// a sample of 1 ms.
+TEST(PlannedFlip, IsSampledOnBothSidesOfItsTakeOff) {
+  const PlannedPhase& flight = planned_flip().plan.phases[2];
+  ASSERT_TRUE(flight.flies());
+  const Motion& motion = planned_flip().motion;
+  Eigen::Index after = 0;
+  while (motion.time_s(after) <= flight.begin_s()) ++after;
+  ASSERT_GT(after, 0);
+  EXPECT_EQ(motion.time_s(after - 1), flight.begin_s());
+  EXPECT_LT(motion.time_s(after) - flight.begin_s(), 2e-5);
+  EXPECT_GT(motion.touching.col(after - 1).sum(), 0.0);
+  EXPECT_EQ(motion.touching.col(after).sum(), 0.0);
+}
+
 TEST(PlannedFlip, StandsWhenItIsReplayed) {
   const ReplayResult run =
       test::replayed(hopper_robot_of_plans(), planned_flip(), EngineKind::kOwn);
