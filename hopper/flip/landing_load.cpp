@@ -20,20 +20,33 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kMost = 100.0;   // of limits; no plan is near it
 constexpr double kTypical = 0.5;  // of a limit
 
-/// Weights of a phase's first instants in the mean over a window from its begin: each interval's
-/// parabola, integrated.
-std::vector<double> mean_weights(const std::vector<double>& knots, double duration_s,
-                                 double window_s) {
+/// Weights of instants in the mean over a window: from its one end on, ends and middles of
+/// intervals of these lengths; each interval's parabola, integrated.
+std::vector<double> mean_weights(const std::vector<double>& lengths_s, double window_s) {
   std::vector<double> weights(1, 0.0);
-  for (std::size_t i = 0; i + 1 < knots.size() && knots[i] * duration_s < window_s; ++i) {
-    const double length_s = (knots[i + 1] - knots[i]) * duration_s;
-    const double s = std::min(1.0, (window_s - knots[i] * duration_s) / length_s);
+  double from_s = 0.0;
+  for (const double length_s : lengths_s) {
+    if (from_s >= window_s) break;
+    const double s = std::min(1.0, (window_s - from_s) / length_s);
     const double of_window = length_s / window_s;
     weights.back() += of_window * (s - 1.5 * s * s + 2.0 / 3.0 * s * s * s);
     weights.push_back(of_window * (2.0 * s * s - 4.0 / 3.0 * s * s * s));
     weights.push_back(of_window * (-0.5 * s * s + 2.0 / 3.0 * s * s * s));
+    from_s += length_s;
   }
   return weights;
+}
+
+/// Of a phase's intervals, at the guess's duration.
+std::vector<double> lengths_s(const FlipProgram& program, std::size_t phase) {
+  const std::vector<double>& knots = program.mesh[phase].knots;
+  const double duration_s =
+      program.program.starts()[static_cast<std::size_t>(program.phases[phase].duration)];
+  std::vector<double> out;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    out.push_back((knots[i + 1] - knots[i]) * duration_s);
+  }
+  return out;
 }
 
 /// Variables: by drive, its gears' load at an instant less the variable that stands for it.
@@ -63,46 +76,88 @@ int add_shares(const char* name, std::size_t drives, double least, FlipProgram& 
                               std::vector<double>(drives, kTypical)});
 }
 
+/// Rows of one impact.
+class LandingLoad {
+ public:
+  LandingLoad(const PlanModel& model, double window_s, std::size_t phase, FlipProgram& program)
+      : model_(model),
+        window_s_(window_s),
+        phase_(phase),
+        program_(program),
+        limits_Nm_(model.gear_Nm),
+        d_(static_cast<Index>(model.gear_Nm.size())),
+        k_(static_cast<Index>(model.plane.joints.size())) {
+    // Loads are shares of the limits; a drive without one is measured by its greatest torque.
+    for (std::size_t i = 0; i < limits_Nm_.size(); ++i) {
+      if (!std::isfinite(limits_Nm_[i])) {
+        limits_Nm_[i] = (*model.regions)[i].greatest_torque_Nm();
+      }
+    }
+  }
+
+  void add() {
+    impulse_ = add_shares("impulse loads", limits_Nm_.size(), 0.0, program_);
+    const std::size_t rows = 2 * limits_Nm_.size();
+    program_.program.add_rows(jet_rows(
+        name("rotors at the impact"),
+        in_order({impulse_numbers(program_.phases[phase_], k_), numbers_from(impulse_, d_)}),
+        std::vector<Bounds>(rows, {-kInfinite, 0.0}), std::vector<double>(rows, 1.0),
+        MagnitudeLaw<ImpulseLaw>{{&model_, limits_Nm_, window_s_}, d_, false}));
+    add_window(program_.phases[phase_].points, lengths_s(program_, phase_));
+    std::vector<PointVariables> before = program_.phases[phase_ - 1].points;
+    std::vector<double> lengths_before_s = lengths_s(program_, phase_ - 1);
+    std::reverse(before.begin(), before.end());
+    std::reverse(lengths_before_s.begin(), lengths_before_s.end());
+    add_window(before, lengths_before_s);
+  }
+
+ private:
+  std::string name(const char* what) const {
+    return program_.mesh[phase_].stance.name + ": " + what;
+  }
+
+  /// From the impact on, to either side: points and the lengths between.
+  void add_window(const std::vector<PointVariables>& points, const std::vector<double>& lengths) {
+    const std::vector<double> weights = mean_weights(lengths, window_s_);
+    std::vector<int> loads;
+    for (std::size_t i = 0; i < weights.size(); ++i) loads.push_back(load_at(points[i]));
+    for (std::size_t drive = 0; drive < limits_Nm_.size(); ++drive) {
+      if (!std::isfinite(model_.gear_Nm[drive])) continue;
+      std::vector<int> numbers;
+      for (const int first : loads) numbers.push_back(first + static_cast<int>(drive));
+      numbers.push_back(impulse_ + static_cast<int>(drive));
+      program_.program.add_rows(std::make_unique<const AffineRows>(
+          name("mean gear load at the impact"), std::move(numbers),
+          std::vector<Bounds>(2, {-kInfinite, 1.0}), std::vector<double>(2, 1.0),
+          mean_rows(weights)));
+    }
+  }
+
+  /// Unknowns that stand for the gears' loads there, by drive.
+  int load_at(const PointVariables& point) {
+    const int load = add_shares("gear loads", limits_Nm_.size(), -kMost, program_);
+    program_.program.add_rows(
+        jet_rows(name("gears beside the impact"),
+                 in_order({gear_numbers(point, k_, d_), numbers_from(load, d_)}),
+                 std::vector<Bounds>(limits_Nm_.size(), {0.0, 0.0}),
+                 std::vector<double>(limits_Nm_.size(), 1.0), LoadIsLaw{{&model_, limits_Nm_}}));
+    return load;
+  }
+
+  const PlanModel& model_;
+  double window_s_;
+  std::size_t phase_;
+  FlipProgram& program_;
+  std::vector<double> limits_Nm_;
+  Index d_, k_;
+  int impulse_ = 0;
+};
+
 }  // namespace
 
 void add_landing_load(const PlanModel& model, double window_s, std::size_t phase,
                       FlipProgram& program) {
-  // Loads are shares of the limits; a drive without one is measured by its greatest torque.
-  std::vector<double> limits_Nm = model.gear_Nm;
-  for (std::size_t i = 0; i < limits_Nm.size(); ++i) {
-    if (!std::isfinite(limits_Nm[i])) limits_Nm[i] = (*model.regions)[i].greatest_torque_Nm();
-  }
-  const std::size_t drives = limits_Nm.size();
-  const auto d = static_cast<Index>(drives);
-  const auto k = static_cast<Index>(model.plane.joints.size());
-  const PhaseVariables& variables = program.phases[phase];
-  const double duration_s = program.program.starts()[static_cast<std::size_t>(variables.duration)];
-  const std::vector<double> weights = mean_weights(program.mesh[phase].knots, duration_s, window_s);
-  const int impulse = add_shares("impulse loads", drives, 0.0, program);
-  program.program.add_rows(jet_rows(
-      program.mesh[phase].stance.name + ": rotors at the impact",
-      in_order({impulse_numbers(variables, k), numbers_from(impulse, d)}),
-      std::vector<Bounds>(2 * drives, {-kInfinite, 0.0}), std::vector<double>(2 * drives, 1.0),
-      MagnitudeLaw<ImpulseLaw>{{&model, limits_Nm, window_s}, d, false}));
-  std::vector<int> loads;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    loads.push_back(add_shares("gear loads", drives, -kMost, program));
-    program.program.add_rows(
-        jet_rows(program.mesh[phase].stance.name + ": gears after the impact",
-                 in_order({gear_numbers(variables.points[i], k, d), numbers_from(loads.back(), d)}),
-                 std::vector<Bounds>(drives, {0.0, 0.0}), std::vector<double>(drives, 1.0),
-                 LoadIsLaw{{&model, limits_Nm}}));
-  }
-  for (std::size_t drive = 0; drive < drives; ++drive) {
-    if (!std::isfinite(model.gear_Nm[drive])) continue;
-    std::vector<int> numbers;
-    for (const int first : loads) numbers.push_back(first + static_cast<int>(drive));
-    numbers.push_back(impulse + static_cast<int>(drive));
-    program.program.add_rows(std::make_unique<const AffineRows>(
-        program.mesh[phase].stance.name + ": mean gear load at the impact", std::move(numbers),
-        std::vector<Bounds>(2, {-kInfinite, 1.0}), std::vector<double>(2, 1.0),
-        mean_rows(weights)));
-  }
+  LandingLoad(model, window_s, phase, program).add();
 }
 
 }  // namespace torquewright::hopper

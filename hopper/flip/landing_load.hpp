@@ -6,11 +6,12 @@
 
 namespace torquewright::hopper {
 
-/// Rows that hold what passes each drive's gears in the window after a phase's impact to
-/// PlanModel::gear_Nm: the size of the mean torque over the window and that of the rotor's impulse
-/// spread over it, as `hopper check` adds them (docs/derivations/whole_body_check.md eq. (12)). The
-/// window reaches over the instants that it covers at the guess's duration of the phase. Drives
-/// without a limit get no rows.
+/// Rows that hold what passes each drive's gears in the windows after and before a phase's impact
+/// to PlanModel::gear_Nm: the size of the mean torque over the window and that of the rotor's
+/// impulse spread over it, as `hopper check` adds them (docs/derivations/whole_body_check.md eq.
+/// (12)). The windows reach over the instants that they cover at the guess's durations of the
+/// phases; those that lie on both sides of the impact are between. Drives without a limit get no
+/// rows.
 void add_landing_load(const PlanModel& model, double window_s, std::size_t phase,
                       FlipProgram& program);
 
