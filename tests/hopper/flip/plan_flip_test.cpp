@@ -9,6 +9,7 @@
 
 #include "hopper/flip/integration_error.hpp"
 #include "hopper/flip/stance.hpp"
+#include "hopper/variation/variation.hpp"
 #include "tests/hopper/flip/planned.hpp"
 
 namespace torquewright::hopper {
@@ -138,6 +139,14 @@ TEST(PlannedFlip, StandsWhenItIsReplayed) {
   const ReplayResult run =
       test::replayed(hopper_robot_of_plans(), planned_flip(), EngineKind::kOwn);
   EXPECT_EQ(run.outcome.verdict, ReplayVerdict::kStands) << run.outcome.reason;
+}
+
+// At 8:1 most passes the knee's gears before the heel's impact, not after it.
+TEST(PlannedFlip, KeepsItsGearsAtALowRatioToo) {
+  const Robot& hopper = hopper_robot_of_plans();
+  const Robot robot = varied(hopper, variable_named(hopper, "knee_ratio", "test"), 8.0);
+  const PlanResult flip = plan_motion(robot, PlanOptions());
+  EXPECT_EQ(flip.status, PlanStatus::kPlanned) << flip.reason;
 }
 
 }  // namespace
