@@ -181,7 +181,17 @@ class Finder {
   Bindings bindings_;
 };
 
-/// The worst violation of scaled rows, by their name ("heel: impact").
+/// A row's name is its stance's, then what it states: "heel: impact".
+BindingConstraint constraint_of(const std::string& name) {
+  BindingConstraint out;
+  const std::size_t colon = name.find(": ");
+  out.stance = colon == std::string::npos ? "" : name.substr(0, colon);
+  out.name = colon == std::string::npos ? name : name.substr(colon + 2);
+  out.has_times = false;
+  return out;
+}
+
+/// The worst violation of scaled rows, by their name.
 std::vector<BindingConstraint> violated(const FlipProgram& program,
                                         const std::vector<double>& values) {
   std::vector<BindingConstraint> out;
@@ -195,11 +205,11 @@ std::vector<BindingConstraint> violated(const FlipProgram& program,
           std::max(rows->bounds()[row].lower - at[i], at[i] - rows->bounds()[row].upper);
       worst = std::max(worst, beyond / rows->scales()[row]);
     }
+    const BindingConstraint named = constraint_of(rows->name());
     const auto same = std::find_if(out.begin(), out.end(), [&](const BindingConstraint& one) {
-      return one.name == rows->name();
+      return one.name == named.name && one.stance == named.stance;
     });
-    BindingConstraint& one = same != out.end() ? *same : out.emplace_back();
-    one.name = rows->name();
+    BindingConstraint& one = same != out.end() ? *same : out.emplace_back(named);
     ++one.of;
     if (worst > kViolated) ++one.instants;
     one.violation = std::max(one.violation, worst);
@@ -219,10 +229,8 @@ std::vector<BindingConstraint> binding_constraints(const FlipProgram& program,
                                                    const PlanMargins& margins,
                                                    const PlannedMotion& plan,
                                                    const std::vector<double>& values) {
-  std::vector<BindingConstraint> out = violated(program, values);
-  for (BindingConstraint& one : Finder(program, model, margins, plan, values).found()) {
-    out.push_back(std::move(one));
-  }
+  std::vector<BindingConstraint> out = Finder(program, model, margins, plan, values).found();
+  for (BindingConstraint& one : violated(program, values)) out.push_back(std::move(one));
   return out;
 }
 

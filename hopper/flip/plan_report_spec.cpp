@@ -68,8 +68,8 @@ ordered_json binding_json(const std::vector<BindingConstraint>& binding) {
                     {"stance", one.stance},
                     {"instants", one.instants},
                     {"of", one.of},
-                    {"from_s", or_null(one.from_s)},
-                    {"until_s", or_null(one.until_s)},
+                    {"from_s", one.has_times ? or_null(one.from_s) : nullptr},
+                    {"until_s", one.has_times ? or_null(one.until_s) : nullptr},
                     {"violation", or_null(one.violation)},
                     {"unit", one.unit}});
   }

@@ -43,6 +43,7 @@ struct BindingConstraint {
   double until_s = 0.0;
   double violation = 0.0;  ///< The greatest, in `unit`, where the plan is infeasible.
   std::string unit;
+  bool has_times = true;  ///< False: rows of the program, without any.
 };
 
 /// A mesh and what came of it.
@@ -91,7 +92,7 @@ struct PlanResult {
   double take_off_rad_s = 0.0;         ///< CAV there,
   double peak_rad_s = 0.0;             ///< and its greatest.
   std::vector<LeastMargin> least_margins;  ///< One a rule, the least first.
-  std::vector<BindingConstraint> binding;  ///< The most often binding first.
+  std::vector<BindingConstraint> binding;  ///< As of binding_constraints().
   std::vector<PlanRound> rounds;
   std::vector<ChangeTried> changes;  ///< Where asked to explain.
 };

@@ -60,15 +60,10 @@ std::vector<sweep::Measure> measures_of(const PlanResult& result, const sweep::S
           of_check("least_bus_V")};
 }
 
-/// What holds the search back: what is violated before what is only at its limit.
+/// What holds the search back most often.
 std::string binding_of(const PlanResult& result) {
   if (result.binding.empty()) return "";
-  const auto violated = std::find_if(
-      result.binding.begin(), result.binding.end(),
-      [](const hopper::BindingConstraint& constraint) { return constraint.violation > 0.0; });
-  const hopper::BindingConstraint& named =
-      violated != result.binding.end() ? *violated : result.binding.front();
-  return fmt::format("{} ({})", named.name, named.stance);
+  return fmt::format("{} ({})", result.binding.front().name, result.binding.front().stance);
 }
 
 }  // namespace

@@ -96,6 +96,10 @@ std::string margin_words(const LeastMargin& margin) {
 }
 
 std::string binding_words(const BindingConstraint& binding) {
+  if (!binding.has_times) {
+    return fmt::format("{} of {} rows of {}, violated by {:.2g} of their scale at most",
+                       binding.instants, binding.of, binding.stance, binding.violation);
+  }
   std::string text =
       fmt::format("{} of {} instants of {}, t = {:.4f} to {:.4f} s", binding.instants, binding.of,
                   binding.stance, binding.from_s, binding.until_s);
