@@ -60,7 +60,9 @@ ExitCode run_hopper_check_sweep(const HopperCheckRequest& request) {
   const std::vector<std::filesystem::path> named_inputs{request.robot_file,
                                                         request.trajectory_file};
   require_sweep_outputs(request.sweep, request.output_file, named_inputs);
-  auto [inputs, motion] = read_inputs(request);
+  HopperCheckRead read = read_inputs(request);
+  const HopperCheckInputs& inputs = read.inputs;
+  hopper::Motion& motion = read.motion;
   // Now that the robot's files are known.
   require_sweep_outputs(request.sweep, request.output_file, named_inputs);
   const hopper::Robot& robot = inputs.robot.robot;
