@@ -11,6 +11,7 @@
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/robot_commands.hpp"
+#include "src/commands/schema_commands.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -72,6 +73,8 @@ ExitCode run(int argc, const char* const* argv) {
   add_identify_command(top);
   add_hopper_commands(top);
   add_robot_commands(top);
+  add_init_command(top);
+  add_schema_command(top);
   return program.run(argc, argv);
 }
 
