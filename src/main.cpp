@@ -8,6 +8,7 @@
 #include "src/command_line/exit_status.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/gearbox_commands.hpp"
+#include "src/commands/help_commands.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/robot_commands.hpp"
@@ -75,6 +76,9 @@ ExitCode run(int argc, const char* const* argv) {
   add_robot_commands(top);
   add_init_command(top);
   add_schema_command(top);
+  add_help_command(top);
+  add_man_command(top);
+  add_completion_command(top);
   return program.run(argc, argv);
 }
 
