@@ -173,10 +173,16 @@ long double bearable_hob(long double addendum, std::int64_t ring) {
 }
 
 // Of their own dice: a seed's problems are else as they always were.
-void draw_addenda(Dice& dice, Problem& problem) {
+void draw_addenda(Dice& dice, Problem& problem, const Model& model) {
   if (problem.constraints != ConstraintSet::kBuildable) return;
   if (dice.chance(40)) problem.cutters.hob_addendum = hundredths(dice.between(112, 140));
   if (dice.chance(40)) problem.cutters.shaper_addendum = hundredths(dice.between(105, 140));
+  if (!dice.chance(25)) return;
+  // Large enough for the ring that it just can be fed in, or just not.
+  const Teeth& z = model.teeth;
+  const std::int64_t ring =
+      z.output_ring > 0 ? std::min(z.fixed_ring, z.output_ring) : z.fixed_ring;
+  problem.cutters.shaper_teeth = std::max<std::int64_t>(14, ring - dice.between(13, 22));
 }
 
 void draw_cutters(Dice& dice, Problem& problem, const Model& model) {
@@ -190,7 +196,8 @@ void draw_cutters(Dice& dice, Problem& problem, const Model& model) {
         draw_tip_radius(dice, bearable_hob(to_long_double(cutters.hob_depth()), ring), 38);
   }
   if (dice.chance(60)) {
-    cutters.shaper_teeth = dice.between(14, 40);
+    const std::int64_t teeth = dice.between(14, 40);
+    if (!cutters.shaper_teeth) cutters.shaper_teeth = teeth;
     std::int64_t radius = 30;
     while (radius > 0 &&
            reach_of_shaper(*cutters.shaper_teeth, to_long_double(cutters.shaper_depth()),
@@ -219,7 +226,7 @@ Problem draw_problem(Dice& dice, Dice& cutter_dice, Dice* addendum_dice) {
   draw_limits(dice, problem, size, model);
   draw_building(dice, problem);
   draw_materials(dice, problem);
-  if (addendum_dice != nullptr) draw_addenda(*addendum_dice, problem);
+  if (addendum_dice != nullptr) draw_addenda(*addendum_dice, problem, model);
   draw_cutters(cutter_dice, problem, model);
   return problem;
 }
