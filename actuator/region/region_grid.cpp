@@ -26,6 +26,7 @@ constexpr double kBeforeEnd = RegionGrid::kBeforeEnd;
 constexpr double kJumpShare = 1e-6;   // of the peak torque: no jump is smaller
 constexpr double kNearCorner = 1e-6;  // of a place
 constexpr double kNearPlace = 1e-3;   // no two rows are closer
+constexpr double kStraight = 1e-9;    // of the peak torque, off a line: rounding
 constexpr double kInsideEnd = 1e-9;   // of a speed: back into the region after rounding
 
 /// What stays the same from one corner to the next.
@@ -205,6 +206,37 @@ std::optional<std::vector<double>> torques_of(const Region& region, const Corner
   return torques_Nm;
 }
 
+/// Whether under every condition the places between two lie on the line from one to the other.
+bool is_straight(const GridBound& bound, std::size_t from, std::size_t to, double allowed_Nm) {
+  for (const std::vector<double>& torques_Nm : bound.torques_Nm) {
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double share =
+          (bound.places[i] - bound.places[from]) / (bound.places[to] - bound.places[from]);
+      const double line_Nm = std::lerp(torques_Nm[from], torques_Nm[to], share);
+      if (std::abs(torques_Nm[i] - line_Nm) > allowed_Nm) return false;
+    }
+  }
+  return true;
+}
+
+/// Without the places that lie on a line between two others.
+void thin(GridBound& bound, double allowed_Nm) {
+  std::vector<std::size_t> kept{0};
+  for (std::size_t i = 1; i < bound.places.size(); ++i) {
+    const bool is_corner = bound.places[i - 1] == std::floor(bound.places[i - 1]);
+    const bool is_needed = is_corner || !is_straight(bound, kept.back(), i, allowed_Nm);
+    if (is_needed && kept.back() != i - 1) kept.push_back(i - 1);
+  }
+  if (kept.back() != bound.places.size() - 1) kept.push_back(bound.places.size() - 1);
+  const auto thinned = [&](const std::vector<double>& values) {
+    std::vector<double> some;
+    for (const std::size_t i : kept) some.push_back(values[i]);
+    return some;
+  };
+  for (std::vector<double>& torques_Nm : bound.torques_Nm) torques_Nm = thinned(torques_Nm);
+  bound.places = thinned(bound.places);
+}
+
 /// A cell of one axis: between the values of numbers i and i + 1.
 struct Between {
   std::size_t i = 0;
@@ -284,6 +316,8 @@ class GridBuilder {
     refine(grid_.voltages_V, kMostVoltages, true);
     refine(grid_.temperatures_K, kMostTemperatures, false);
     if (!fill(grid_)) return std::nullopt;
+    thin(grid_.least, kStraight * peak_torque_Nm_);
+    thin(grid_.greatest, kStraight * peak_torque_Nm_);
     measure();
     return std::move(grid_);
   }
