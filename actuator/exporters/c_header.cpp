@@ -123,8 +123,8 @@ static inline double {0}_clip_under(double torque_Nm, double velocity_rad_s, dou
 #endif
 )",
                      name, rows_text(view), index_text(view), grid ? grid_arrays(name, *grid) : "",
-                     armature_line(name, subject.armature_kg_m2()), subject.table.peak_torque_Nm,
-                     subject.bus_voltage_V(),
+                     armature_line(name, subject.armature_kg_m2()),
+                     greatest_torque_Nm(subject, grid), subject.bus_voltage_V(),
                      winding_temperature_K(subject.actuator, subject.conditions), view.rows,
                      view.rest.least_Nm, view.rest.greatest_Nm, view.cells, view.cells_per_rad_s,
                      grid_fields(name, grid));

@@ -88,7 +88,7 @@ REGION = Region(
 clip = REGION.clip
 limits = REGION.limits
 )",
-                     identifier(subject.actuator.name), subject.table.peak_torque_Nm,
+                     identifier(subject.actuator.name), greatest_torque_Nm(subject, grid),
                      armature_text(subject.armature_kg_m2()), subject.bus_voltage_V(),
                      winding_temperature_K(subject.actuator, subject.conditions), block(0),
                      block(1), block(2), rest.least_Nm, rest.greatest_Nm, grid_text(grid));

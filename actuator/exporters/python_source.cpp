@@ -75,19 +75,22 @@ class Region:
 
     def _row(self, xp, name, value):
         """Which points lie before a value, and the share of the way to the next."""
+        ends = self._lists[name][0], self._lists[name][-1]
+        value = xp.clip(value, *ends)
         points = self._constant(xp, name, value)
-        row = xp.clip(xp.searchsorted(points, value, side="right") - 1, 0, len(points) - 1)
+        row = xp.clip(xp.searchsorted(points, value, side="right") - 1, 0, len(self._lists[name]) - 1)
         per_width = self._constant(xp, name + " per width", value)
         return row, xp.clip((value - points[row]) * per_width[row], 0.0, 1.0)
 
     def _cell(self, xp, name, value, like):
         """Of an axis of the grid: numbers of the two values around one, and the share between."""
         axis = self._constant(xp, name, like)
-        if len(axis) == 1:
+        last = len(self._lists[name]) - 1
+        if last == 0:
             return 0, 0, 0.0
         if not hasattr(value, "shape"):
             value = 0.0 * axis[0] + value
-        row = xp.clip(xp.searchsorted(axis, value, side="right") - 1, 0, len(axis) - 2)
+        row = xp.clip(xp.searchsorted(axis, value, side="right") - 1, 0, last - 1)
         share = (value - axis[row]) / (axis[row + 1] - axis[row])
         return row, row + 1, xp.clip(share, 0.0, 1.0)
 

@@ -37,6 +37,19 @@ std::vector<std::string> grid_lines(const std::optional<RegionGrid>& grid) {
   return lines;
 }
 
+double greatest_torque_Nm(const Subject& subject, const std::optional<RegionGrid>& grid) {
+  double greatest_Nm = subject.table.peak_torque_Nm;
+  if (!grid) return greatest_Nm;
+  for (const GridBound* bound : {&grid->least, &grid->greatest}) {
+    for (const std::vector<double>& torques_Nm : bound->torques_Nm) {
+      for (const double torque_Nm : torques_Nm) {
+        greatest_Nm = std::max(greatest_Nm, std::abs(torque_Nm));
+      }
+    }
+  }
+  return greatest_Nm;
+}
+
 std::size_t rest_place(const GridBound& bound) {
   const std::vector<double>& corners_rad_s = bound.corners_rad_s.front();
   const auto rest = std::find(corners_rad_s.begin(), corners_rad_s.end(), 0.0);

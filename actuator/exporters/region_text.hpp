@@ -17,6 +17,9 @@ std::optional<RegionGrid> exported_grid(const Subject& subject);
 /// What a file says of its grid, or why it has none: a line each.
 std::vector<std::string> grid_lines(const std::optional<RegionGrid>& grid);
 
+/// Greatest magnitude of a bound, in the table and in the grid.
+double greatest_torque_Nm(const Subject& subject, const std::optional<RegionGrid>& grid);
+
 /// The number of the place at rest from below; the next is from above.
 std::size_t rest_place(const GridBound& bound);
 

@@ -517,17 +517,19 @@ class GridBuilder {
     return worst;
   }
 
-  /// In the middle of every cell.
+  /// Between the conditions of every cell, in quarters.
   void measure() {
-    const auto middles = [](const std::vector<double>& axis) {
+    const auto quarters = [](const std::vector<double>& axis) {
       std::vector<double> all;
-      for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-        all.push_back(0.5 * (axis[i] + axis[i + 1]));
-      if (all.empty()) all = axis;
-      return all;
+      for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+        for (const double share : {0.25, 0.5, 0.75}) {
+          all.push_back(std::lerp(axis[i], axis[i + 1], share));
+        }
+      }
+      return all.empty() ? axis : all;
     };
-    for (const double voltage_V : middles(grid_.voltages_V)) {
-      for (const double temperature_K : middles(grid_.temperatures_K)) {
+    for (const double voltage_V : quarters(grid_.voltages_V)) {
+      for (const double temperature_K : quarters(grid_.temperatures_K)) {
         const Error found = error(grid_, voltage_V, temperature_K);
         grid_.error_before_end_Nm = std::max(grid_.error_before_end_Nm, found.before_end_Nm);
         if (found.torque_Nm <= grid_.error_Nm) continue;

@@ -29,7 +29,7 @@ struct RegionGrid {
   GridBound greatest;
   /// Of the greatest speed: past it a region may end in a point where its bounds stand upright.
   static constexpr double kBeforeEnd = 0.98;
-  double error_before_end_Nm = 0.0;  ///< Greatest found in the middle of its cells, up to there.
+  double error_before_end_Nm = 0.0;  ///< Greatest found between its conditions, up to there.
   double error_Nm = 0.0;             ///< And over all speeds.
   double error_speed_rad_s = 0.0;    ///< Where.
 };
