@@ -65,12 +65,8 @@ class Region:
             return xp.asarray(self._lists[name], dtype=like.dtype)
         key = (name, like.dtype, getattr(like, "device", None))
         if key not in self._kept:
-            if xp.__name__ == "torch":
-                with xp.inference_mode(False):
-                    kept = xp.asarray(self._lists[name], dtype=like.dtype, device=like.device)
-            else:
-                kept = xp.asarray(self._lists[name], dtype=like.dtype)
-            self._kept[key] = kept
+            place = {"device": like.device} if xp.__name__ == "torch" else {}
+            self._kept[key] = xp.asarray(self._lists[name], dtype=like.dtype, **place)
         return self._kept[key]
 
     def _row(self, xp, name, value):

@@ -51,6 +51,9 @@ def as_list(array):
 def answer_of(region, samples):
     arrays = [make(samples[name]) if name in samples else None for name in names]
     answer = {}
+    if library.startswith("torch"):
+        with torch.inference_mode():  # as roll-outs do, before anyone asks for slopes
+            region.clip(*arrays)
     clipped = region.clip(*arrays)
     answer["clipped_Nm"] = as_list(clipped)
     if library.startswith("torch"):
