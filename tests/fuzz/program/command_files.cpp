@@ -10,9 +10,9 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 10> kOutputOptions{
-    "-o",           "--output",  "--draw",   "--plot",  "--plot-loads", "--plot-momentum",
-    "--write-best", "--figures", "--report", "--series"};
+constexpr std::array<std::string_view, 12> kOutputOptions{
+    "-o",           "--output",  "--draw",   "--plot",   "--plot-loads", "--plot-momentum",
+    "--write-best", "--figures", "--report", "--series", "--plot-sweep", "--sweep-journal"};
 
 constexpr std::size_t kLongestName = 200;
 
