@@ -36,12 +36,13 @@ void add_completion_command(command_line::Command& program) {
   auto options = std::make_shared<CompletionOptions>();
   command_line::Command command = program.add_command(
       "completion", "A script by which a shell completes: source <(torquewright completion bash)");
-  command.add_option("shell", options->shell, "Which shell"'s script").required().one_of({"bash", "zsh", "fish"});
+  command.add_option("shell", options->shell, "Which shell's script")
+      .required()
+      .one_of({"bash", "zsh", "fish"});
   command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
   command.example("torquewright completion bash");
   command.works(
-      [options, &declared = program.declared()] {
-    return run_completion(declared, *options); });
+      [options, &declared = program.declared()] { return run_completion(declared, *options); });
 }
 
 }  // namespace torquewright::cli
