@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json_text.hpp"
-#include "io/nearest.hpp"
+#include "io/meant_key.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::io {
@@ -157,7 +157,7 @@ class Diagnosis {
       } else if (additional.is_object()) {
         visit(value, additional, child_path(path, key));
       } else if (additional == false) {
-        report_unknown(key, properties, path);
+        report_unknown(key, object, schema, path);
       }
     }
     for (const json& key : member(schema, "required")) {
@@ -166,10 +166,18 @@ class Diagnosis {
     }
   }
 
-  /// What the missing key must be, where only one value will do.
-  static std::string hint(const json& properties, const json& key) {
-    const json& property = member(properties, key.get<std::string>().c_str());
-    return property.contains("const") ? ", must be " + as_written(property["const"]) : "";
+  /// What the missing key must be, where only one value or one of some words will do.
+  std::string hint(const json& properties, const json& key) const {
+    const json& property = resolved(member(properties, key.get<std::string>().c_str()));
+    if (property.contains("const")) return ", must be " + as_written(property["const"]);
+    if (!property.contains("enum")) return "";
+    std::vector<std::string> choices;
+    for (const json& choice : property["enum"]) choices.push_back(as_written(choice));
+    return ", must be " + either(choices);
+  }
+
+  const json& resolved(const json& schema) const {
+    return schema.contains("$ref") ? resolved(referenced(schema)) : schema;
   }
 
   /// An empty object where the schema says nothing.
@@ -179,16 +187,24 @@ class Diagnosis {
     return found == schema.end() ? kNothing : *found;
   }
 
-  void report_unknown(const std::string& key, const json& properties, const std::string& path) {
-    std::vector<std::string> known, all;
-    for (const auto& property : properties.items()) {
-      known.push_back(property.key());
-      all.push_back(as_written(property.key()));
+  void report_unknown(const std::string& key, const json& object, const json& schema,
+                      const std::string& path) {
+    const std::vector<std::string> meant = meant_keys(key, object, schema);
+    std::string what = "unknown key; ";
+    if (!meant.empty()) {
+      what += "did you mean " + either(quoted(meant)) + "?";
+    } else if (const std::string place = place_of(key, root_); !place.empty()) {
+      what += "it is " + place;
+    } else {
+      what += "known are " + listed(quoted(known_keys(schema)));
     }
-    const auto suggestion = nearest(key, known);
-    report(child_path(path, key),
-           suggestion ? fmt::format("unknown key; did you mean {}?", as_written(*suggestion))
-                      : fmt::format("unknown key; known are {}", listed(all)));
+    report(child_path(path, key), what);
+  }
+
+  static std::vector<std::string> quoted(const std::vector<std::string>& words) {
+    std::vector<std::string> quoted;
+    for (const std::string& word : words) quoted.push_back(as_written(word));
+    return quoted;
   }
 
   const json& root_;

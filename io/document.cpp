@@ -14,6 +14,7 @@
 #include "io/diagnosis.hpp"
 #include "io/file_bytes.hpp"
 #include "io/json_reader.hpp"
+#include "io/letter_case.hpp"
 #include "io/schema.hpp"
 #include "io/sha256.hpp"
 #include "io/wording.hpp"
@@ -142,6 +143,7 @@ JsonText read_complete_text(const std::string& bytes, const std::string& file) {
 
 Document checked(JsonText text, const std::string& bytes, const std::string& file,
                  std::string_view kind) {
+  take_listed_capitals(text.root, schema_of(kind));
   Document document{file, "", std::move(text.root), sha256(bytes)};
   std::vector<Fault> faults = std::move(text.faults);
   for (Fault& fault : find_faults(document, kind)) faults.push_back(std::move(fault));
@@ -170,6 +172,7 @@ Document read_document(const std::filesystem::path& file,
 }
 
 Document check_document(json root, std::string_view kind, std::string file, std::string path) {
+  take_listed_capitals(root, schema_of(kind));
   Document document{std::move(file), std::move(path), std::move(root), ""};
   std::vector<Fault> faults;
   find_infinite_numbers(document, document.root, document.path, faults);

@@ -40,6 +40,13 @@ constexpr Unit kUnits[] = {
     {"m/s^2", Dimension::kAcceleration, 1.0},
     {"N", Dimension::kForce, 1.0},
     {"kN", Dimension::kForce, 1e3},
+    {"A", Dimension::kCurrent, 1.0},
+    {"mA", Dimension::kCurrent, 1e-3},
+    {"V", Dimension::kVoltage, 1.0},
+    {"mV", Dimension::kVoltage, 1e-3},
+    {"K", Dimension::kTemperature, 1.0},
+    {"degC", Dimension::kTemperature, 1.0, 273.15},
+    {"degF", Dimension::kTemperature, 5.0 / 9.0, 459.67 * 5.0 / 9.0},
 };
 
 }  // namespace

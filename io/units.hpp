@@ -18,18 +18,23 @@ enum class Dimension {
   kVelocity,
   kAcceleration,
   kForce,
+  kCurrent,
+  kVoltage,
+  kTemperature,
   kNumber,  ///< Has no unit.
 };
 
-/// A unit of a column or an option, and how much of the SI unit (s, rad, rad/s, Nm, m, ...) one of
-/// it is.
+/// A unit of a column or an option: a value in it is in_SI times it plus zero_in_SI in the SI unit
+/// (s, rad, rad/s, Nm, m, ...).
 struct Unit {
   std::string_view name;
   Dimension dimension;
   double in_SI;
+  double zero_in_SI = 0.0;  ///< Of temperatures alone is it another.
 };
 
-/// By its name: "deg", "deg/s" or "deg_s", "rpm", "mNm", "ms", ... Empty if there is none such.
+/// By its name: "deg", "deg/s" or "deg_s", "rpm", "mNm", "ms", "degC", ... Empty if there is none
+/// such.
 std::optional<Unit> find_unit(std::string_view name);
 
 /// The names of a dimension's units, its SI unit first.

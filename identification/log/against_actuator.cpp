@@ -24,6 +24,9 @@ constexpr double kUpperEnd = 0.999;
 /// No drive's current is so far beyond its limit; a log in mA is, unless it shows less than 2 %.
 constexpr double kMilliamperes = 20.0;
 constexpr double kBeyondPeak = 1.5;
+/// What a test bench or field weakening may reach; rpm read as rad/s goes beyond it from 21 % of
+/// the no-load speed on.
+constexpr double kBeyondNoLoad = 2.0;
 /// Field weakening or a falling load do not reach so far beyond the no-load speed; degrees do,
 /// unless the log shows less than 9 %.
 constexpr double kDegrees = 5.0;
@@ -54,6 +57,8 @@ class Comparison {
     check_speed(actuator, Quantity::kOutputPosition, Quantity::kOutputVelocity, 1.0);
     check_speed(actuator, Quantity::kMotorPosition, Quantity::kMotorVelocity,
                 std::abs(actuator.transmission.ratio));
+    check_velocity(actuator, Quantity::kOutputVelocity, 1.0);
+    check_velocity(actuator, Quantity::kMotorVelocity, std::abs(actuator.transmission.ratio));
     check_motor_side(Quantity::kMotorPosition, Quantity::kOutputPosition, sign);
     check_motor_side(Quantity::kMotorVelocity, Quantity::kOutputVelocity, sign);
     for (const Quantity torque : {Quantity::kOutputTorque, Quantity::kReportedTorque}) {
@@ -130,6 +135,28 @@ class Comparison {
       warn(sentence);
     } else {
       refuse(position, sentence);
+    }
+  }
+
+  /// A velocity without a position that could show its unit.
+  void check_velocity(const actuator::Actuator& actuator, Quantity velocity, double ratio) {
+    const double reached_rad_s = upper_end(velocity, [&](const Run& run) {
+      return has(run, velocity) ? values(run, velocity) : std::vector<double>();
+    });
+    const double no_load = no_load_speed_rad_s(actuator) * ratio;
+    if (reached_rad_s <= kBeyondNoLoad * no_load) return;
+    const io::Unit rpm = *io::find_unit("rpm"), degrees = *io::find_unit("deg/s");
+    const bool may_be_rpm = reached_rad_s * rpm.in_SI <= kBeyondNoLoad * no_load;
+    const io::Unit& unit = may_be_rpm ? rpm : degrees;
+    const std::string sentence = fmt::format(
+        "{} reaches {:.4g} rad/s, {:.1f} times the actuator's no-load speed: it looks like {}; "
+        "{}",
+        name(velocity), reached_rad_s, reached_rad_s / no_load, unit.name,
+        remedy_by_unit({joint_, velocity}, rig_, unit));
+    if (reached_rad_s <= kDegrees * no_load || is_uncertain("/motor/torque_constant_Nm_A")) {
+      warn(sentence);
+    } else {
+      refuse(velocity, sentence);
     }
   }
 

@@ -19,6 +19,14 @@ const ColumnUse* find_use(const ChannelKey& key, const Rig& rig) {
   return found == rig.columns.end() ? nullptr : &*found;
 }
 
+/// What to write for the channel's column, with this said of it.
+std::string advice(const ChannelKey& key, const ColumnUse* use, const std::string& said) {
+  const std::string joint =
+      use == nullptr || use->joint.empty() ? "" : fmt::format(", \"joint\": \"{}\"", use->joint);
+  return fmt::format("write {{\"quantity\": \"{}\", {}{}}} for the column \"{}\"",
+                     name_of(key.second), said, joint, use == nullptr ? "" : use->column);
+}
+
 }  // namespace
 
 std::string path_of(const ChannelKey& key, const Rig& rig) {
@@ -29,10 +37,14 @@ std::string path_of(const ChannelKey& key, const Rig& rig) {
 std::string remedy(const ChannelKey& key, const Rig& rig, double factor) {
   const ColumnUse* use = find_use(key, rig);
   const double scale = factor * (use == nullptr ? 1.0 : use->scale);
-  const std::string joint =
-      use == nullptr || use->joint.empty() ? "" : fmt::format(", \"joint\": \"{}\"", use->joint);
-  return fmt::format("write {{\"quantity\": \"{}\", \"scale\": {:.6g}{}}} for the column \"{}\"",
-                     name_of(key.second), scale, joint, use == nullptr ? "" : use->column);
+  return advice(key, use, fmt::format("\"scale\": {:.6g}", scale));
+}
+
+std::string remedy_by_unit(const ChannelKey& key, const Rig& rig, const io::Unit& unit) {
+  const ColumnUse* use = find_use(key, rig);
+  const bool is_scaled = use != nullptr && (use->scale != 1.0 || use->offset != 0.0);
+  if (is_scaled) return remedy(key, rig, unit.in_SI);
+  return advice(key, use, fmt::format("\"unit\": \"{}\"", unit.name));
 }
 
 }  // namespace torquewright::identification

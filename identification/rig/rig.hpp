@@ -14,7 +14,8 @@ struct Document;
 
 namespace torquewright::identification {
 
-/// Which column of the log is which quantity: quantity = scale column + offset.
+/// Which column of the log is which quantity: quantity = scale column + offset, in the quantity's
+/// unit; what a document says of the column's own unit is in both.
 struct ColumnUse {
   std::string column;
   Quantity quantity = Quantity::kTime;

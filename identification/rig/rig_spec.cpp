@@ -12,6 +12,7 @@
 #include "io/document.hpp"
 #include "io/json_text.hpp"
 #include "io/nearest.hpp"
+#include "io/units.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::identification {
@@ -116,14 +117,34 @@ class RigReader {
         continue;
       }
       const json fields = entry.is_string() ? json::object() : entry;
-      rig_.columns.push_back({column, *quantity, fields.value("scale", 1.0),
-                              fields.value("offset", 0.0), fields.value("joint", "")});
+      const double scale = fields.value("scale", 1.0);
+      const io::Unit unit = unit_of_column(*quantity, fields, path);
+      rig_.columns.push_back({column, *quantity, scale * unit.in_SI,
+                              scale * unit.zero_in_SI + fields.value("offset", 0.0),
+                              fields.value("joint", "")});
       check_column(rig_.columns.back(), fields, path);
     }
   }
 
+  /// That the column is in; the quantity's own where the document says none.
+  io::Unit unit_of_column(Quantity quantity, const json& fields, const std::string& path) {
+    const std::optional<io::Unit> own = io::find_unit(unit_of(quantity));
+    const io::Dimension dimension = own ? own->dimension : io::Dimension::kNumber;
+    const io::Unit none{"", dimension, 1.0};
+    if (!fields.contains("unit")) return none;
+    const std::string name = fields["unit"];
+    const std::optional<io::Unit> unit = io::find_unit(name);
+    if (unit && own && unit->dimension == dimension) return *unit;
+    report(path + "/unit",
+           own ? fmt::format("\"{}\" is no unit of {}, which must be {}", name, name_of(quantity),
+                             io::either(io::unit_names(dimension)))
+               : fmt::format("{} has no unit", name_of(quantity)));
+    return none;
+  }
+
   void check_column(const ColumnUse& use, const json& fields, const std::string& path) {
-    if (use.scale == 0.0) report(path + "/scale", "0 would leave nothing of the column");
+    if (fields.value("scale", 1.0) == 0.0)
+      report(path + "/scale", "0 would leave nothing of the column");
     if (use.quantity == Quantity::kTime && use.scale < 0.0) {
       report(path + "/scale", "is negative; time must run forward");
     }

@@ -59,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "#/motor/torque_constant_convention: \"rms\" is not one of \"dc\", "
                     "\"peak_phase\", \"rms_phase\""},
         BadActuator{"\"resistance_convention\": \"dc\",", "",
-                    "#/motor/resistance_convention: missing"},
+                    "#/motor/resistance_convention: missing, must be \"dc\", \"phase\" or "
+                    "\"line_to_line\""},
         BadActuator{"\"rotor_inertia_kg_m2\"", "\"rotor_inertia_kgm2\"",
                     "#/motor/rotor_inertia_kgm2: unknown key; did you mean "
                     "\"rotor_inertia_kg_m2\"?"},

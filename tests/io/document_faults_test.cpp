@@ -150,7 +150,8 @@ TEST(WholeText, NamesAllFaultsAtOnce) {
             "#/topologi: unknown key; did you mean \"topology\"?\n"
             "#/topology: \"4k\" is not one of \"3k\", \"planetary\"\n"
             "#/min_carrier_clearance_rad: missing\n"
-            "#/objective: missing");
+            "#/objective: missing, must be \"paper_cost\", \"mass\", \"hollow_shaft\", "
+            "\"forward_efficiency\", \"backward_efficiency\" or \"reflected_inertia\"");
 }
 
 // Just inside and just outside the limit, and far beyond what a recursive reader survives.

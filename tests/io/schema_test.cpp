@@ -69,7 +69,8 @@ TEST(Schemas, UseOnlyKeywordsThatTheDiagnosisKnows) {
   const std::vector<std::string> known = {
       "$schema",    "title",    "description", "definitions", "type",     "const",
       "enum",       "minimum",  "maximum",     "minItems",    "maxItems", "items",
-      "properties", "required", "anyOf",       "$ref",        "unit",     "additionalProperties"};
+      "properties", "required", "anyOf",       "$ref",        "unit",     "additionalProperties",
+      "also_called"};
   for (const std::string& kind : document_kinds()) {
     std::vector<std::string> keywords;
     collect_keywords(schema_of(kind), keywords);

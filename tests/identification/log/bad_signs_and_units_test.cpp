@@ -143,6 +143,35 @@ TEST(BadLog, DegreesOfBothAreRefusedAgainstTheActuator) {
   EXPECT_EQ(checked(degrees, rig).finding("it looks like degrees").weight, Weight::kWarning);
 }
 
+// A speed without a position that could show its unit: rpm are 9.55 times rad/s. Oracle: the
+// no-load speed of 24 rad/s, and what the swing's speed is multiplied by.
+TEST(BadLog, SpeedFarBeyondNoLoadSuggestsRpm) {
+  const nlohmann::json rig =
+      test::rig_json({{"t", "time_s"}, {"w", "output_velocity_rad_s"}, {"i", "motor_current_A"}});
+  const auto log_of = [&](double times_no_load) {
+    const double w = times_no_load * 24.0 / (0.8 * kSpeed_rad_s);
+    const MadeLog log =
+        MadeLog(9.0, 200.0)
+            .add("w", [=](double t) { return w * 0.8 * kSpeed_rad_s * std::cos(kSpeed_rad_s * t); })
+            .add("i", [=](double t) { return 3.0 * std::cos(kSpeed_rad_s * t); });
+    ReadLog result = read({{"a.csv", log.text()}}, rig);
+    result.refusal =
+        test::refusal([&] { check_against(result.log, test::rig_of(rig), {nominal()}); });
+    return result;
+  };
+  const ReadLog suspect = log_of(2.7);
+  EXPECT_EQ(suspect.refusal, "");
+  EXPECT_EQ(suspect
+                .finding("2.7 times the actuator's no-load speed: it looks like rpm; write "
+                         "{\"quantity\": \"output_velocity_rad_s\", \"unit\": \"rpm\"} for the "
+                         "column \"w\"")
+                .weight,
+            Weight::kWarning);
+  EXPECT_EQ(log_of(1.9).finding("times the actuator's no-load speed").sentence, "");
+  EXPECT_NE(log_of(5.2).refusal.find("it looks like rpm"), std::string::npos);
+  EXPECT_NE(log_of(25.0).refusal.find("it looks like deg/s"), std::string::npos);
+}
+
 TEST(BadLog, TorqueOfTheWrongSignIsSuspectedAndSaid) {
   const ReadLog result = checked({.tau = -1.0});
   EXPECT_EQ(result.refusal, "");

@@ -20,6 +20,53 @@ std::string refusal_of(const json& rig) {
 
 json plain() { return test::rig_json({{"t_s", "time_s"}, {"q_rad", "output_position_rad"}}); }
 
+// Oracle: the definitions of the units. Of a temperature in degC, 0 is 273.15 K.
+TEST(ReadRig, TakesColumnsInTheirUnits) {
+  const auto use = [](const json& column) {
+    json rig = plain();
+    rig["columns"]["x"] = column;
+    if (column["quantity"] == "time_s") rig["columns"].erase("t_s");
+    for (const ColumnUse& each : test::rig_of(rig).columns) {
+      if (each.column == "x") return each;
+    }
+    return ColumnUse{};
+  };
+  constexpr double kTurn = 2.0 * 3.14159265358979323846;
+  struct Stated {
+    const char* quantity;
+    const char* unit;
+    double scale, offset;
+  };
+  for (const Stated& stated :
+       {Stated{"motor_velocity_rad_s", "rpm", kTurn / 60.0, 0.0},
+        Stated{"output_velocity_rad_s", "deg/s", kTurn / 360.0, 0.0},
+        Stated{"motor_position_rad", "deg", kTurn / 360.0, 0.0},
+        Stated{"winding_temperature_K", "degC", 1.0, 273.15}, Stated{"time_s", "ms", 1e-3, 0.0},
+        Stated{"motor_current_A", "mA", 1e-3, 0.0}, Stated{"output_torque_Nm", "mNm", 1e-3, 0.0},
+        Stated{"bus_voltage_V", "mV", 1e-3, 0.0}}) {
+    const ColumnUse found = use({{"quantity", stated.quantity}, {"unit", stated.unit}});
+    EXPECT_DOUBLE_EQ(found.scale, stated.scale) << stated.unit;
+    EXPECT_DOUBLE_EQ(found.offset, stated.offset) << stated.unit;
+  }
+  // 2 (column + 273.15) + 5
+  const ColumnUse both =
+      use({{"quantity", "case_temperature_K"}, {"unit", "degC"}, {"scale", 2.0}, {"offset", 5.0}});
+  EXPECT_DOUBLE_EQ(both.scale, 2.0);
+  EXPECT_DOUBLE_EQ(both.offset, 551.3);
+}
+
+TEST(ReadRig, RefusesUnitsOfAnotherKind) {
+  json rig = plain();
+  rig["columns"]["q_rad"] = {{"quantity", "output_position_rad"}, {"unit", "rpm"}};
+  EXPECT_EQ(
+      refusal_of(rig),
+      "rig.json#/columns/q_rad/unit: \"rpm\" is no unit of output_position_rad, which must be "
+      "rad, deg or rev");
+  rig["columns"]["q_rad"] = "output_position_rad";
+  rig["columns"]["d"] = {{"quantity", "duty"}, {"unit", "V"}};
+  EXPECT_EQ(refusal_of(rig), "rig.json#/columns/d/unit: duty has no unit");
+}
+
 // The document of the contract (reference, 1.1), word for word.
 TEST(ReadRig, ReadsTheContractsExample) {
   const Rig rig =
