@@ -10,6 +10,7 @@
 #include "actuator/check/findings.hpp"
 #include "actuator/check/shared_battery.hpp"
 #include "actuator/check/velocity_agreement.hpp"
+#include "io/refusal.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::actuator {
@@ -136,6 +137,15 @@ class Pass {
     report.velocity_correlation = agreements_[joints.front()].correlation();
   }
 
+  void require_seen_speeds(const std::vector<DriveReport>& drives) const {
+    const bool differentiated =
+        std::any_of(drives.begin(), drives.end(),
+                    [](const DriveReport& one) { return one.is_speed_differentiated; });
+    if (!differentiated || !hides_motion(longest_step())) return;
+    io::refuse(reader_.file(),
+               hidden_motion_sentence(longest_step(), reader_.clock().origin_s(), "velocities"));
+  }
+
   CheckReport report() {
     CheckReport result;
     for (std::size_t i = 0; i < checks_.size(); ++i) {
@@ -152,6 +162,7 @@ class Pass {
       finding.sentence = shifted;
       result.findings.push_back(std::move(finding));
     }
+    require_seen_speeds(result.drives);
     if (auto gap = gap_finding(longest_step())) result.findings.push_back(std::move(*gap));
     for (Finding& finding : shared_battery_findings(request_.drives)) {
       result.findings.push_back(std::move(finding));

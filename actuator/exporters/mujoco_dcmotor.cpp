@@ -50,7 +50,7 @@ std::string write(const Subject& subject, std::span<const double> shape,
 const Exporter mujoco_dcmotor = {
     .name = "mujoco-dcmotor",
     .simulator = "MuJoCo 3.12 and later, <dcmotor>",
-    .source = "https://mujoco.readthedocs.io/en/stable/XMLreference.html#actuator-dcmotor",
+    .source = "https://github.com/google-deepmind/mujoco doc/dcmotor/dcmotor.tex @ 1d33874b",
     .advice =
         "ctrl is the torque at the rotor in Nm (times gear at the joint); MuJoCo scales the "
         "rotor's "

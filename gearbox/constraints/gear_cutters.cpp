@@ -7,8 +7,7 @@
 #include <span>
 
 #include "gearbox/constraints/cut_ring.hpp"
-#include "gearbox/constraints/shifted_gears.hpp"
-#include "gearbox/teeth/root_form.hpp"
+#include "gearbox/constraints/hob_reach.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -65,12 +64,6 @@ std::vector<GearCutter> gear_cutters(const CutTrain& train) {
   }
   for (const CutMesh& mesh : rings) list.push_back(shaper_of_ring(train, mesh));
   return list;
-}
-
-double undercut_depth(const Cutters& cutters) {
-  const double addendum = cutters.hob_depth();
-  if (cutters.hob_tip_radius) return straight_depth_of_hob(addendum, *cutters.hob_tip_radius);
-  return std::max(1.0, straight_depth_of_hob(addendum, kHobTipRadius));
 }
 
 std::string cutter_sentence(const std::vector<GearCutter>& cutters) {

@@ -24,10 +24,6 @@ struct GearCutter {
 /// many teeth as the planet has, rounded only as much as leaves the mate's tip its involute.
 std::vector<GearCutter> gear_cutters(const CutTrain& train);
 
-/// How deep the hob of sun and planets is straight, where a gear's undercut is judged: the stated
-/// one, else one of 0.38, and to a rack's addendum at least.
-double undercut_depth(const Cutters& cutters);
-
 /// "hob with tip radius 0.38 (assumed)" and so on, in modules.
 std::string cutter_sentence(const std::vector<GearCutter>& cutters);
 

@@ -71,8 +71,8 @@ ConstraintReport shaper_feed(const Problem& problem, std::string_view mesh, std:
   condition.value = Rational(ring);
   condition.limit = Rational(least_fed_ring(cutters));
   condition.meaning = fmt::format(
-      "on the ring, that a shaper of {} teeth cuts whose tips it does not cut away when it is fed "
-      "in radially",
+      "on the ring; a shaper of {} teeth that is fed in radially cuts away the tips of smaller "
+      "ones",
       *cutters.shaper_teeth);
   condition.remedy = "needs a shaper of fewer teeth or a larger ring";
   return judge(condition);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearbox/constraints/condition.hpp"
-#include "gearbox/constraints/gear_cutters.hpp"
+#include "gearbox/constraints/hob_reach.hpp"
 #include "gearbox/teeth/root_form.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/walls.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gearbox/proof/root_form.hpp"
+#include "gearbox/proof/shaper_feed.hpp"
 
 namespace torquewright::gearbox::proof {
 

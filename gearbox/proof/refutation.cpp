@@ -51,8 +51,8 @@ Teeth best_corner(const Constraint& constraint, const Box& box) {
 /// The smallest planet and the largest ring do best, and need not belong to one corner.
 bool fails_shaper_everywhere(const Constraint& constraint, const Alternative& alternative,
                              const Box& box) {
-  const TeethRange range =
-      box.is_point() ? TeethRange{teeth_at(box.lower), teeth_at(box.lower)} : teeth_in(box);
+  const TeethRange range = teeth_in(box);
+  if (!alternative.planetary && range.is_empty()) return true;  // holds no design
   return !has_root_form_of_shaper(*alternative.problem, planet(range.least, constraint.place),
                                   ring(range.most, constraint.place));
 }

@@ -23,7 +23,4 @@ bool has_root_form_of_hob(const Problem& problem, std::int64_t sun, std::int64_t
 /// teeth are not stated has those of the planet. Falls with the planet, grows with the ring.
 bool has_root_form_of_shaper(const Problem& problem, std::int64_t planet, std::int64_t ring);
 
-/// The fewest teeth of a ring into which the stated shaper can be fed radially. Requires its teeth.
-std::int64_t least_fed_ring(const Problem& problem);
-
 }  // namespace torquewright::gearbox::proof

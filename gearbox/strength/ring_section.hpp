@@ -2,11 +2,18 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "gearbox/strength/strength.hpp"
 #include "gearbox/teeth/tooth_form.hpp"
 
 namespace torquewright::gearbox {
+
+/// What is assumed of a ring's root, and on which side.
+inline constexpr std::string_view kRingSectionSentence =
+    "Assumed: a ring's root is as strong as the worst section of the trochoid that its shaper "
+    "leaves, with the beam formula of external teeth; a standard's fixed section would ask for "
+    "less.";
 
 /// A section across a ring's tooth from fillet to fillet, loaded at the tip; lengths in modules.
 struct RingSection {

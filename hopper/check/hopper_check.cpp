@@ -13,6 +13,7 @@
 #include "hopper/check/late_columns.hpp"
 #include "hopper/check/physical.hpp"
 #include "hopper/check/rules/every_rule.hpp"
+#include "hopper/check/time_gap.hpp"
 #include "hopper/motion/rate_agreement.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
@@ -204,6 +205,7 @@ HopperReport check_as_read(const Robot& robot, const CheckOptions& options, RowR
   append(transmission_findings(report.transmission_loads), findings);
   for (const Rule rule : kEveryRule) append(rule(checked), findings);
   append(torques.findings, findings);
+  if (auto gap = actuator::gap_finding(longest_step(motion))) findings.push_back(std::move(*gap));
   append(origin_notes(checked), findings);
   append(assumed_notes(robot), findings);
   report.check.verdict = verdict_of(report);
@@ -304,6 +306,7 @@ void sort_by_severity(std::vector<Finding>& findings) {
 }  // namespace
 
 HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options) {
+  require_seen_rates(motion);
   RowReading rows(robot, options, motion);
   HopperReport report = check_either_way(robot, options, rows, motion);
   append(rows.findings(), report.check.findings);

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "gearbox/strength/ring_section.hpp"
+
 namespace torquewright::report {
 namespace {
 
@@ -89,6 +91,7 @@ ordered_json strength_json(const StrengthReport& report) {
                                  {"flank", strength.demanded_flank_safety}};
   document["assumed"] = report.read.assumed;
   if (!report.read.statements.empty()) document["statements"] = report.read.statements;
+  document["ring_root"] = gearbox::kRingSectionSentence;
   document["gearbox"] = gears_json(report, strength);
   document["other_sizes"] = ordered_json::array();
   for (const StrengthCase& variant : report.variants.cases) {

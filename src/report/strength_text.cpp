@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearbox/strength/ring_section.hpp"
+
 namespace torquewright::report {
 namespace {
 
@@ -46,7 +48,9 @@ std::string cutter_line(const StrengthCase& strength) {
   std::string assumed = cutters.hob_tip_radius ? "" : "hob";
   if (!cutters.shaper_tip_radius) assumed += assumed.empty() ? "shaper" : " and shaper";
   if (!assumed.empty()) assumed = fmt::format("; the {} are assumed", assumed);
-  return fmt::format("Tip radii of the cutters in modules: {}{}.\n", tools, assumed);
+  return fmt::format(
+      "Tip radii of the cutters in modules: {}{}; addenda: hob {:g}, shaper {:g}.\n{}\n", tools,
+      assumed, cutters.hob_depth(), cutters.shaper_depth(), gearbox::kRingSectionSentence);
 }
 
 /// What thin rims do to the roots; nothing where none is stated.

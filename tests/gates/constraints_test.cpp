@@ -21,6 +21,7 @@ gearbox::Problem with_every_constraint(const gearbox::Topology& topology) {
   problem.constraints = gearbox::ConstraintSet::kBuildable;
   problem.objective = gearbox::Objective::kHollowShaft;  // Of either topology; any would do.
   problem.ring_outer_diameter_mm = Rational(90);
+  problem.cutters.shaper_teeth = 20;  // Without them nobody asks how the shaper is fed in.
   problem.min_teeth.clear();
   for (std::size_t i = 0; i < topology.free_gears; ++i) {
     problem.min_teeth[std::string(topology.gears[i])] = 20;

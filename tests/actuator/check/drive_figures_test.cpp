@@ -188,5 +188,24 @@ TEST(DriveFigures, AGapInTimeIsSaid) {
   }
 }
 
+// Slopes of positions run across a gap as of the same motion, and after 0.1 s nobody knows which.
+TEST(DriveFigures, NoVelocityIsDifferentiatedAcrossAGap) {
+  for (const double gap_s : {0.09, 0.11}) {
+    std::string text = "time_s,k_position_rad,k_torque_Nm";
+    for (int i = 0; i <= 100; ++i) text += fmt::format("\n{},{},1", 1e-3 * i, 5e-3 * i);
+    text += fmt::format("\n{},{},1\n", 0.1 + gap_s, 0.5 + 5 * gap_s);
+    std::string refused;
+    try {
+      (void)Checked().report(text);
+    } catch (const io::SpecError& error) {
+      refused = error.what();
+    }
+    EXPECT_EQ(refused != "", gap_s > 0.1) << refused;
+    if (refused.empty()) continue;
+    EXPECT_NE(refused.find("no samples for 0.11 s from t = 0.1 s on"), std::string::npos);
+    EXPECT_NE(refused.find("with --until 0.1 and with --from 0.21"), std::string::npos) << refused;
+  }
+}
+
 }  // namespace
 }  // namespace torquewright::actuator

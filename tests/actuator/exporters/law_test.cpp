@@ -44,6 +44,21 @@ TEST(UnitreeLaw, PassesMjlabsTest) {
   EXPECT_NEAR(lower(0.0), -120.0, kRounding_Nm);
 }
 
+// Oracle: the motor N7520-14.3 of unitree_actuators.py @ b4430e63 (X1 22.63, X2 35.52, Y1 71,
+// Y2 83.3) and that file's rule in words: linear from the whole torque at X1 to none at X2, never
+// below 0, of Y1 where speed and effort have one sign, else of Y2.
+TEST(UnitreeLaw, IsThatOfItsOwnMotor) {
+  const Shape shape{22.63, 35.52, 71.0, 83.3};
+  const auto at = [&](double speed) { return exporters::unitree_xy.law(shape, speed); };
+  const double middle_rad_s = (22.63 + 35.52) / 2.0;
+  EXPECT_NEAR(at(22.0).greatest_Nm, 71.0, kRounding_Nm);
+  EXPECT_NEAR(at(22.0).least_Nm, -83.3, kRounding_Nm);
+  EXPECT_NEAR(at(middle_rad_s).greatest_Nm, 35.5, 1e-11);
+  EXPECT_NEAR(at(-middle_rad_s).greatest_Nm, 41.65, 1e-11);
+  EXPECT_NEAR(at(40.0).greatest_Nm, 0.0, kRounding_Nm);
+  EXPECT_NEAR(at(40.0).least_Nm, 0.0, kRounding_Nm);
+}
+
 // Oracle: the numbers of RaiSim 2's documentation at the joint: gear 10, 15 Nm at rest, no-load
 // speed 24 rad/s, 1 Nm left at 23.8 rad/s, overspeed 27 rad/s; past it the voltage limit alone.
 TEST(Raisim2Law, IsTheDocumentedMotor) {

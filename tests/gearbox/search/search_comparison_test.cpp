@@ -63,6 +63,19 @@ TEST(Search, AgreesWithEnumerationOnOtherCutters) {
   EXPECT_GE(index, 20U);
 }
 
+// The search cuts off slabs in which planet 2 has no teeth by whatever constraint it meets first,
+// here by the shaper's root form: they hold no design, and the checker has to see that.
+TEST(Search, CutsOffWhatHoldsNoDesignByAnyConstraint) {
+  const Problem problem = problem_in(R"({
+      "kind": "gearbox_problem", "version": 1, "topology": "3k", "target_ratio": 27.3,
+      "ratio_tolerance": 0.005, "rotor_inner_diameter_mm": 212.3, "ring_outer_diameter_mm": 219.5,
+      "module_mm": 1, "planet_count": 3, "min_teeth": {"sun": 51, "planet_1": 12, "planet_2": 19},
+      "min_carrier_clearance_rad": 0, "min_contact_ratio": 1.6, "constraints": "buildable",
+      "objective": "hollow_shaft", "cutter": {"hob_tip_radius": 0.27, "shaper_addendum": 1.06,
+      "shaper_teeth": 32, "shaper_tip_radius": 0.18}})");
+  expect_agreement(problem, RelaxationUse::kNever, 1);
+}
+
 // The answers, found by enumeration, to problems on which other solvers were seen to be wrong.
 TEST(Search, IsRightWhereOthersFail) {
   for (const oracles::HardProblem& hard : oracles::hard_problems()) {

@@ -94,6 +94,17 @@ TEST(ShiftedTrain, WithoutShiftIsTheTrainItself) {
   expect_the_plain_numbers(whole_problem("planetary"), {{40, 36}, 4, Rational(4, 5)});
 }
 
+TEST(ShiftedTrain, WithoutShiftIsTheTrainItselfByOtherCutters) {
+  for (const char* topology : {"3k", "planetary"}) {
+    Problem problem = whole_problem(topology);
+    problem.cutters = {Rational(1, 5), Rational(1, 10), {}, Rational(27, 20), Rational(11, 10)};
+    const bool is_3k = problem.topology == "3k";
+    expect_the_plain_numbers(
+        problem, {is_3k ? std::vector<std::int64_t>{44, 44, 32} : std::vector<std::int64_t>{25, 65},
+                  is_3k ? 4 : 3, Rational(3, 5)});
+  }
+}
+
 Problem bilateral_drive(const Rational& friction) {
   Problem problem = whole_problem("3k");
   problem.target_ratio = 96;

@@ -132,9 +132,9 @@ TEST(Rates, OfABaseAreInItsOwnAxes) {
 
 /// A brick of 10 kg and 0.4 kg m2 about y that turns at 15 rad/s (6 Nm s) in the air for 0.5 s, its
 /// rates each other's: spun up and pulled down by what nothing gives.
-Motion flight(double spin_rad_s2, double gravity_m_s2) {
+Motion flight(double spin_rad_s2, double gravity_m_s2, double gap_s = 0.0) {
   Motion motion;
-  for (int i = 0; i <= 500; ++i) motion.times_s.push_back(1e-3 * i);
+  for (int i = 0; i <= 500; ++i) motion.times_s.push_back(1e-3 * i + (i > 250 ? gap_s : 0.0));
   motion.positions.setZero(3, motion.samples());
   motion.velocities.setZero(3, motion.samples());
   motion.accelerations.setZero(3, motion.samples());
@@ -164,6 +164,38 @@ std::string refusal_of(Motion motion, double residual_share = 0.1) {
     return error.what();
   }
   return "";
+}
+
+// A flight of which nobody has seen a part, between t = 0.25 s and a step more. Where its rates are
+// stated it is judged, and the gap is said; where they are derived a gap of more than 0.1 s is
+// refused.
+TEST(TimeGap, IsSaidAndNothingIsDifferentiatedAcrossIt) {
+  for (const double gap_s : {0.0, 0.018, 0.02, 0.098, 0.1, 5.0}) {
+    Motion stated = flight(0.0, 9.81, gap_s);
+    Motion derived = stated;
+    derived.acceleration_origin = Origin::kAbsent;
+    Robot robot;
+    robot.tree.base = dynamics::BaseKind::kPlanar;
+    dynamics::Body brick;
+    brick.inertia = {10.0, Eigen::Vector3d::Zero(), 0.4 * Eigen::Matrix3d::Identity()};
+    robot.tree.bodies = {brick};
+    const auto findings = check_motion(robot, stated, {}).check.findings;
+    const auto gap = std::find_if(findings.begin(), findings.end(),
+                                  [](const auto& one) { return one.rule == "time-gap"; });
+    ASSERT_EQ(gap != findings.end(), gap_s > 0.019) << gap_s;
+    if (gap != findings.end()) {
+      EXPECT_EQ(gap->severity, actuator::Severity::kWarning);
+      EXPECT_NEAR(*gap->time_s, 0.25, 1e-12);
+      EXPECT_NEAR(*gap->value, gap_s + 1e-3, 1e-12);
+    }
+    const std::string refused = refusal_of(derived);
+    EXPECT_EQ(refused != "", gap_s > 0.099) << gap_s << refused;
+    if (gap_s != 5.0) continue;
+    EXPECT_NE(refused.find("no samples for 5.001 s from t = 0.25 s on"), std::string::npos);
+    EXPECT_NE(refused.find("accelerations are differentiated across them"), std::string::npos);
+    EXPECT_NE(refused.find("with --until 0.25 and with --from 5.251"), std::string::npos)
+        << refused;
+  }
 }
 
 // Radius of gyration sqrt(0.6/10): 1 % of 98.1 N at 0.245 m make 0.12 Nm s in 0.5 s, 2 % of 6 Nm s

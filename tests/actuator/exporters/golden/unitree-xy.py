@@ -1,6 +1,6 @@
 # origin
 # knee D151 for Unitree RL Lab, UnitreeActuatorCfg.
-# Fields as in https://github.com/unitreerobotics/unitree_rl_lab README.md, UnitreeActuatorCfg
+# Fields as in https://github.com/Milad-Rakhsha/unitree_rl_lab unitree_actuators.py @ b4430e63, a fork
 # Fit: conservative (inside the region wherever that holds zero torque).
 # Side: joint. Rating: peak. Bus voltage: 67.2 V. Winding temperature: 298.15 K.
 # Friction included: gearbox efficiencies 1 driving, 1 back-driven. Do not also apply friction or an efficiency.

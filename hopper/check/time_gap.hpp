@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "actuator/check/report.hpp"
+#include "hopper/motion/motion.hpp"
+
+namespace torquewright::hopper {
+
+actuator::LongestStep longest_step(const Motion& motion);
+
+/// Throws io::SpecError with place and length where rates are differentiated across a step in which
+/// nobody has seen the motion (actuator::hides_motion).
+void require_seen_rates(const Motion& motion);
+
+}  // namespace torquewright::hopper
