@@ -2,12 +2,16 @@
 #include "io/direct_output.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "io/refusal.hpp"
 
@@ -23,10 +27,35 @@ std::optional<int> number_after(std::string_view path, std::string_view folder) 
   return is_number ? std::optional(number) : std::nullopt;
 }
 
+bool is_named_pipe(const std::filesystem::path& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
+}
+
+/// Opened for good when a reader has opened it too.
+int opened_pipe(const std::filesystem::path& file) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kLookAgain{20};
+  const auto deadline = Clock::now() + std::chrono::seconds(kReaderPatience_s);
+  int descriptor = -1;
+  while ((descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK)) < 0) {
+    if (errno != ENXIO && errno != EINTR) return -1;
+    if (Clock::now() > deadline) {
+      refuse_output(file, fmt::format("it is a named pipe, and nobody read from it within {} s",
+                                      kReaderPatience_s));
+    }
+    std::this_thread::sleep_for(kLookAgain);
+  }
+  ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  return descriptor;
+}
+
 /// To be closed: a second one of the same open file, or a new one.
 int opened(const std::filesystem::path& file) {
-  const std::optional<int> named = named_descriptor(file);
-  return named ? ::fcntl(*named, F_DUPFD_CLOEXEC, 0) : ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  if (const std::optional<int> named = named_descriptor(file)) {
+    return ::fcntl(*named, F_DUPFD_CLOEXEC, 0);
+  }
+  return is_named_pipe(file) ? opened_pipe(file) : ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
 }
 
 }  // namespace

@@ -15,8 +15,11 @@ std::optional<int> named_descriptor(const std::filesystem::path& file);
 /// Throws SpecError where the path names a descriptor that is not open for writing.
 void require_open(const std::filesystem::path& file);
 
-/// Writes into a pipe, a device or a named descriptor, which cannot be replaced. Waits for a reader
-/// as long as none comes. Throws SpecError where it fails.
+/// Seconds for which a named pipe's reader is waited for.
+inline constexpr int kReaderPatience_s = 5;
+
+/// Writes into a pipe, a device or a named descriptor, which cannot be replaced. Throws SpecError
+/// where it fails, or where nobody opens a named pipe for reading within kReaderPatience_s.
 void write_into(const std::filesystem::path& file, std::string_view content);
 
 /// Writes all of it: 0, or the errno of what failed.

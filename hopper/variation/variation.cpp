@@ -22,12 +22,14 @@ struct NamedQuantity {
   Quantity quantity;
   std::string_view unit;
   bool is_of_drives;  ///< May be that of some of them; else of the whole robot.
+  /// What the documents may hold of it; of a mass, of many bodies.
+  double least, most;
 };
-constexpr NamedQuantity kQuantities[]{{"voltage", Quantity::kVoltage, "V", false},
-                                      {"current", Quantity::kCurrent, "A", true},
-                                      {"resistance", Quantity::kResistance, "ohm", true},
-                                      {"mass", Quantity::kMass, "kg", false},
-                                      {"ratio", Quantity::kRatio, "", true}};
+constexpr NamedQuantity kQuantities[]{{"voltage", Quantity::kVoltage, "V", false, 0.5, 5000.0},
+                                      {"current", Quantity::kCurrent, "A", true, 0.01, 5000.0},
+                                      {"resistance", Quantity::kResistance, "ohm", true, 1e-5, 1e3},
+                                      {"mass", Quantity::kMass, "kg", false, 1e-6, 1e6},
+                                      {"ratio", Quantity::kRatio, "", true, 1e-4, 1e4}};
 constexpr std::string_view kFactor = "_factor";
 constexpr double kSame = 1e-9;  // relative: documents round
 
@@ -84,6 +86,17 @@ void scale_mass(Robot& robot, double factor) {
   for (dynamics::Body& body : robot.tree.bodies) {
     body.inertia.mass_kg *= factor;
     body.inertia.inertia_kg_m2 *= factor;
+  }
+}
+
+/// Throws io::SpecError: no document may hold that value.
+void require_legal(const Variable& variable, double value) {
+  for (const NamedQuantity& named : kQuantities) {
+    if (named.quantity != variable.quantity) continue;
+    if (value >= named.least && value <= named.most) return;
+    io::refuse(variable.name,
+               fmt::format("{:g}{}{} is out of range, must be {:g} to {:g}", value,
+                           named.unit.empty() ? "" : " ", named.unit, named.least, named.most));
   }
 }
 
@@ -237,13 +250,16 @@ Robot varied(const Robot& robot, const Variable& variable, double value) {
   }
   Robot changed = robot;
   if (variable.quantity == Quantity::kMass) {
+    require_legal(variable, variable.is_factor ? value * mass_kg(robot) : value);
     scale_mass(changed, value / variable.present);
     return changed;
   }
   for (const std::size_t index : variable.drives) {
     Actuator& drive = drive_at(changed, index);
     const double present = value_of(drive, variable.quantity);
-    set(drive, variable.quantity, variable.is_factor ? value * present : value);
+    const double wanted = variable.is_factor ? value * present : value;
+    require_legal(variable, wanted);
+    set(drive, variable.quantity, wanted);
   }
   if (variable.quantity != Quantity::kRatio) return changed;
   for (std::size_t i = 0; i < robot.drivetrains.size(); ++i) {

@@ -36,7 +36,7 @@ std::vector<std::string> variable_names(const Robot& robot);
 
 /// The robot with that value and nothing else changed but what follows from it (docs/sweeps.md,
 /// "What changes"). Robot::battery, the document's text, stays. Throws io::SpecError: the value is
-/// not above 0, or what follows from it is not known.
+/// not one that documents may hold, or what follows from it is not known.
 Robot varied(const Robot& robot, const Variable& variable, double value);
 
 }  // namespace torquewright::hopper

@@ -109,9 +109,13 @@ std::string beginning(PlotFormat format, const Swept& swept) {
                      gnuplot_quoted(label_of(swept.axes.front())));
 }
 
+/// To either side of a value that stands alone: seen in the nine digits that gnuplot is given.
+double width_alone(double value) { return std::max(0.05 * std::abs(value), 1e-9); }
+
 std::string chart(const Swept& swept) {
   const SweptAxis& axis = swept.axes.front();
-  const double room = 0.03 * std::max(axis.values.back() - axis.values.front(), 1e-9);
+  const double width = axis.values.back() - axis.values.front();
+  const double room = width > 0.0 ? 0.03 * width : width_alone(axis.values.front());
   std::string text = fmt::format(
       "set ylabel {}\nset offsets 0, 0, graph 0.06, graph 0.06\nset xrange [{:.9g}:{:.9g}]\n"
       "set xzeroaxis linetype 1 linecolor rgb '#888888' linewidth 1\n",
@@ -127,7 +131,7 @@ std::string chart(const Swept& swept) {
 /// Where the cells of values begin and end: half way to the neighbours.
 std::vector<double> cell_edges(const std::vector<double>& values) {
   if (values.size() == 1) {
-    const double half = std::max(0.5 * std::abs(values.front()) * 0.1, 1e-9);
+    const double half = width_alone(values.front());
     return {values.front() - half, values.front() + half};
   }
   std::vector<double> edges{1.5 * values[0] - 0.5 * values[1]};

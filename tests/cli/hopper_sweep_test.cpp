@@ -131,6 +131,15 @@ TEST_F(HopperSweep, DrawsAChartAndAMap) {
   EXPECT_TRUE(map.find("margin_share") != std::string::npos);
 }
 
+TEST_F(HopperSweep, DrawsOnePoint) {
+  const Outcome chart = check({"--sweep", "knee_ratio=20", "--plot-sweep", "chart.svg"});
+  EXPECT_EQ(chart.exit_code, 0) << chart.err;
+  EXPECT_NE(place_.text("chart.svg").find("</svg>"), std::string::npos);
+  const Outcome map =
+      check({"--sweep", "knee_ratio=20", "--sweep", "voltage=60", "--plot-sweep", "map.svg"});
+  EXPECT_EQ(map.exit_code, 0) << map.err;
+}
+
 TEST_F(HopperSweep, ListsEveryPointInWords) {
   const Outcome outcome = check({"--sweep", "voltage=8,67.2"});
   EXPECT_EQ(outcome.exit_code, 0);

@@ -57,6 +57,8 @@ bool become_nobody() {
   std::vector<char*> words;
   for (std::string& argument : arguments) words.push_back(argument.data());
   words.push_back(nullptr);
+  std::vector<std::string> environment = circumstances.environment;
+  for (std::string& variable : environment) ::putenv(variable.data());
   int to = out.ends[1];
   if (!circumstances.stdout_file.empty()) {
     to = ::open(circumstances.stdout_file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);

@@ -18,8 +18,9 @@ struct Circumstances {
   std::optional<rlim_t> memory_limit{};     ///< Of its address space [bytes].
   /// Ctrl-C so long after it has begun to listen for it.
   std::optional<std::chrono::milliseconds> interrupt_after{};
-  bool as_nobody = false;               ///< Without root's rights. Requires root.
-  std::filesystem::path stdout_file{};  ///< Instead of a pipe, as by `>>`; `out` stays empty.
+  bool as_nobody = false;                  ///< Without root's rights. Requires root.
+  std::filesystem::path stdout_file{};     ///< Instead of a pipe, as by `>>`; `out` stays empty.
+  std::vector<std::string> environment{};  ///< More variables, NAME=VALUE.
 };
 
 /// What came of it.

@@ -10,9 +10,12 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 10> kOutputOptions{
-    "-o",           "--output",  "--draw",   "--plot",  "--plot-loads", "--plot-momentum",
-    "--write-best", "--figures", "--report", "--series"};
+constexpr std::array<std::string_view, 12> kOutputOptions{
+    "-o",           "--output",  "--draw",   "--plot",   "--plot-loads", "--plot-momentum",
+    "--write-best", "--figures", "--report", "--series", "--plot-sweep", "--sweep-journal"};
+
+/// Of what is done point by point, beside its output (docs/sweeps.md).
+constexpr std::string_view kJournal = ".journal";
 
 constexpr std::size_t kLongestName = 200;
 
@@ -33,6 +36,12 @@ std::string attached_output(const std::string& word) {
     if (word.size() > start.size() && word.starts_with(start)) return word.substr(start.size());
   }
   return "";
+}
+
+std::set<std::string> with_journals(std::set<std::string> outputs) {
+  const std::set<std::string> plain = outputs;
+  for (const std::string& output : plain) outputs.insert(output + std::string(kJournal));
+  return outputs;
 }
 
 void add_files_at(const fs::path& path, std::vector<fs::path>& files) {
@@ -61,14 +70,21 @@ void add_named_in(const fs::path& document, const fs::path& folder, std::vector<
 
 }  // namespace
 
+bool is_journal(const Words& arguments, const std::string& file) {
+  if (file.ends_with(kJournal)) return true;
+  const auto option = std::find(arguments.begin(), arguments.end(), "--sweep-journal");
+  return std::find(option, arguments.end(), file) != arguments.end();
+}
+
 bool names_output(const std::string& word) {
   return std::find(kOutputOptions.begin(), kOutputOptions.end(), word) != kOutputOptions.end();
 }
 
 std::set<std::string> outputs_of(const Words& arguments) {
   std::set<std::string> outputs;
-  bool follows = false, follows_at_once = false;
+  bool follows = false, follows_at_once = false, has_points = false;
   for (const std::string& word : arguments) {
+    has_points = has_points || word.starts_with("--sweep") || word.starts_with("--jobs");
     const std::string attached = attached_output(word);
     if (!attached.empty()) outputs.insert(attached);
     // Some take several; the first may look like an option.
@@ -78,7 +94,7 @@ std::set<std::string> outputs_of(const Words& arguments) {
     if (is_option(word) && !follows_at_once) follows = names_output(word);
     follows_at_once = !follows_at_once && names_output(word);
   }
-  return outputs;
+  return has_points ? with_journals(outputs) : outputs;
 }
 
 std::set<std::string> inputs_of(const Words& arguments, const Scene& scene) {

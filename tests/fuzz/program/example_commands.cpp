@@ -49,11 +49,17 @@ hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --candidat
 hopper check specs/robot/rabbit.json tests/fuzz/corpus/rabbit_leap.csv --residual-limit 0.1 --contact-speed 0.1
 hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --plot a.svg --plot-loads b.svg --torques dynamics
 hopper check specs/robot/hopper.json specs/trajectory/hopper_hop.csv --plot-momentum c.svg --from 0.3
+hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --sweep knee_ratio=18:22:2 --sweep voltage=60,67.2 --jobs 2 -o map.json --plot-sweep map.svg --json
+hopper check specs/robot/hopper.json specs/trajectory/hopper_squat.csv --sweep mass_factor=0.9:1.1:0.1 --jobs 1 --sweep-journal checks.journal
 hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flight,flat --objective effort=2 --intervals 10 --rounds 0 --iterations 3 --time-limit 2 --voltage-margin 0.1 --guess-noise 0.05 --seed 2 --write-best best.csv --plot-momentum d.svg --figures e.svg --report f.html --json
 hopper flip specs/robot/hopper.json -o plan.csv --task hop --warm specs/trajectory/hopper_hop.csv --contacts flat,flight,flat --limits box --time-limit 1 --intervals 10 --sample-step 0.01
+hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flight,flat --explain --current-margin 0.6 --intervals 10 --rounds 0 --iterations 20 --time-limit 1 --bus-voltage 60 --sample-step 0.01 --figures e.svg
+hopper flip specs/robot/hopper.json -o plan.csv --task flip --center-of-pressure-margin 0.2 --friction-margin 0.3 --gear-margin 0.2 --position-margin 0.1 --speed-margin 0.1 --integration-error 0.01 --intervals 10 --rounds 1 --time-limit 0.5 --write-best best.csv --report f.html
+hopper flip specs/robot/hopper.json -o flips.json --task hop --stride 0.2 --rise 0.05 --sweep knee_ratio=18:22:4 --sweep voltage=60,67.2 --jobs 2 --contacts flat,flight,flat --intervals 10 --rounds 0 --iterations 2 --time-limit 1 --plot-sweep flips.svg --sweep-journal flips.journal --json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.2 --json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv --from 0.75 --step 0.0005 --stand 0.1 --limits box --controller pd --impact invariant --impact-metric inertia --latency 0.001 --series run.csv -o run.txt
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.1 --trials 2 --randomise specs/randomisation/hopper.json --seed 3 --success-rate 0.5 --threads 2
+hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0 --until 0.2 --trials 3 --randomise specs/randomisation/hopper.json --jobs 2 --trial 1 --sweep-journal trials.journal -o trials.json --report trials.html
 hopper calibrate specs/robot/hopper.json --target cam=6.0 --target cav=7.4:10.6 --free /bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45 --free /postures/takeoff/knee --free /postures/tuck/knee -o fitted.json --plot valley.svg
 hopper calibrate specs/robot/hopper.json --target cam=6 --target cav@stretched=6 --posture stretched=knee:0.1,ankle_pitch:0.3 --free /bodies/0/inertia_kg_m2/yy=0.05:0.45 --tolerance 0.005 --json
 identify specs/log/bench_as_built.csv --rig specs/log/bench_rig.json --actuator specs/log/bench_actuator.json -o refined.json --report report.html
@@ -67,6 +73,7 @@ identify simulate specs/actuator/d151_knee.json --rig specs/rig/knee_sweep.json 
 identify import moteus specs/log/wheel_moteus.csv -o imported
 robot import specs/robot/rabbit.urdf -o rabbit.json
 robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
+robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/actuator/d151_knee.json --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links --link-error 0.1
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
 robot export specs/robot/cassie.json --format urdf
 robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf

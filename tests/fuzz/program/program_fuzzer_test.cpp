@@ -75,6 +75,21 @@ TEST(ProgramRules, SeeEveryKindOfBreach) {
   }
 }
 
+// A journal is written before something else may be refused; no other output is.
+TEST(ProgramRules, LetAJournalBeWrittenFirst) {
+  Ran run = good_run();
+  run.one.arguments = {"hopper", "check", "--sweep", "mass=12", "-o", "x.json"};
+  run.outputs = outputs_of(run.one.arguments);
+  run.changed = {"work/x.json.journal"};
+  run.outcome.exit_code = 2;
+  run.outcome.err = "no";
+  EXPECT_EQ(breach_in(run, {}).rule, "");
+  run.changed.emplace_back("work/x.json");
+  EXPECT_EQ(breach_in(run, {}).rule, "files");
+  run.changed = {"work/y.journal"};
+  EXPECT_EQ(breach_in(run, {}).rule, "files");
+}
+
 TEST(ProgramRules, KnowWhatIsNoNumber) {
   for (const char* text : {"torque -nan Nm", "inf", "[inf,1]", "to inf.", "nan,nan"}) {
     EXPECT_TRUE(test::says_no_number(text)) << text;

@@ -257,6 +257,27 @@ TEST(VariedRobot, IsRefusedWhereTheValueIsNone) {
   }
 }
 
+// Oracle: the ranges of specs/schema/actuator.json; mass has no document of its own. At 1e308 V the
+// region of a motor was searched without end.
+TEST(VariedRobot, IsRefusedWhereNoDocumentCouldHoldTheValue) {
+  const Robot robot = Documents().robot();
+  struct Range {
+    const char* name;
+    double least, most;
+  };
+  for (const auto& [name, least, most] : {Range{"voltage", 0.5, 5000},
+                                          {"knee_current", 0.01, 5000},
+                                          {"knee_resistance", 1e-5, 1000},
+                                          {"mass", 1e-6, 1e6},
+                                          {"knee_ratio", 1e-4, 1e4}}) {
+    EXPECT_EQ(refusal([&] { with(robot, name, least); }), "") << name;
+    EXPECT_EQ(refusal([&] { with(robot, name, most); }), "") << name;
+    EXPECT_NE(refusal([&] { with(robot, name, 0.999 * least); }), "") << name;
+    EXPECT_NE(refusal([&] { with(robot, name, 1.001 * most); }), "") << name;
+    EXPECT_NE(refusal([&] { with(robot, name + std::string("_factor"), 1e300); }), "") << name;
+  }
+}
+
 // What a robot states of a rotor that its actuator knows nothing of has no law by the ratio.
 TEST(VariedRobot, IsRefusedWhereNothingSaysWhatTheRotorsBecome) {
   Robot robot = Documents().robot("mini_cheetah");
