@@ -94,7 +94,7 @@ std::string write(const Subject& subject, std::span<const double> shape,
   const std::optional<RegionGrid> grid = exported_grid(subject);
   const ClipTable table(points_of(shape));
   const TableView view = table.view();
-  return block_comment(note) + block_comment(grid_lines(grid)) +
+  return line_comment(note, "// ") + line_comment(grid_lines(grid), "// ") +
          fmt::format("#ifndef TORQUEWRIGHT_REGION_OF_{0}\n#define TORQUEWRIGHT_REGION_OF_{0}\n\n",
                      name) +
          std::string(kCSource) +

@@ -55,6 +55,14 @@ struct ShapeParameter {
 /// The numbers of a law, in the order of its parameters. All positive.
 using Shape = std::vector<double>;
 
+/// One drive of a robot, or several that are alike: an entry of a file of all.
+struct DriveEntry {
+  std::string name;                 ///< An identifier, of no other entry.
+  std::vector<std::string> joints;  ///< That have it, each alone.
+  Shape shape;                      ///< Of the law, at the joint.
+  double armature_kg_m2 = 0.0;      ///< Of the joint.
+};
+
 /// A simulator's way to limit an actuator. One file each in this folder, one line in
 /// every_exporter.hpp.
 struct Exporter {
@@ -74,6 +82,9 @@ struct Exporter {
   /// The file's text; `note` is put into it as comment lines.
   std::string (*write)(const Subject&, std::span<const double> shape,
                        const std::vector<std::string>& note);
+  /// A file of all drives of a robot; null where the simulator takes one file for each.
+  std::string (*write_all)(std::span<const DriveEntry> entries,
+                           const std::vector<std::string>& note) = nullptr;
 };
 
 }  // namespace torquewright::actuator

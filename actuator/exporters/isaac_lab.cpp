@@ -4,6 +4,8 @@
 // groups keep the solver effort limit": joint_effort_limit at least actuator_effort_limit). Law:
 // DCMotor._clip_effort in actuator_pd.py: the speed is clamped to +-w0 (1 + cap / stall) first, so
 // that past it both limits are the cap against the motion. N m, rad/s, kg m^2.
+#include <fmt/format.h>
+
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/fit.hpp"
 #include "actuator/exporters/line_law.hpp"
@@ -14,22 +16,40 @@ namespace {
 
 Shape shape(const Subject& subject) { return fitted(subject, isaac_lab, line_start(subject)); }
 
+/// `joints`: expressions, behind commas; the user's where no joints are known.
+std::vector<PythonArgument> arguments(const std::string& joints, bool is_yours,
+                                      std::span<const double> shape, double armature_kg_m2) {
+  const Parallelogram line = parallelogram_of(shape);
+  return {{"joint_names_expr", "[" + joints + "]", is_yours},
+          python_argument("saturation_effort", line.stall_torque_Nm),
+          python_argument("actuator_velocity_limit", line.no_load_speed_rad_s),
+          python_argument("actuator_effort_limit", line.greatest_torque_Nm),
+          python_argument("joint_effort_limit", line.greatest_torque_Nm),
+          armature_argument(armature_kg_m2),
+          {"friction", "0.0"},
+          {"dynamic_friction", "0.0"},
+          {"viscous_friction", "0.0"},
+          {"stiffness", "0.0", true},
+          {"damping", "0.0", true}};
+}
+
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
-  const Parallelogram line = parallelogram_of(shape);
-  return python_configuration(note, "isaaclab.actuators", "DCMotorCfg",
-                              identifier(subject.actuator.name),
-                              {{"joint_names_expr", "[\"joint\"]", true},
-                               python_argument("saturation_effort", line.stall_torque_Nm),
-                               python_argument("actuator_velocity_limit", line.no_load_speed_rad_s),
-                               python_argument("actuator_effort_limit", line.greatest_torque_Nm),
-                               python_argument("joint_effort_limit", line.greatest_torque_Nm),
-                               armature_argument(subject.armature_kg_m2()),
-                               {"friction", "0.0"},
-                               {"dynamic_friction", "0.0"},
-                               {"viscous_friction", "0.0"},
-                               {"stiffness", "0.0", true},
-                               {"damping", "0.0", true}});
+  const PythonCall call{identifier(subject.actuator.name),
+                        arguments("\"joint\"", true, shape, subject.armature_kg_m2())};
+  return python_configurations(note, "isaaclab.actuators", "DCMotorCfg", {&call, 1});
+}
+
+std::string write_all(std::span<const DriveEntry> entries, const std::vector<std::string>& note) {
+  std::vector<PythonCall> calls;
+  std::string names;
+  for (const DriveEntry& entry : entries) {
+    calls.push_back({entry.name, arguments(python_expressions(entry.joints), false, entry.shape,
+                                           entry.armature_kg_m2)});
+    names += fmt::format("    \"{0}\": {0},\n", entry.name);
+  }
+  return python_configurations(note, "isaaclab.actuators", "DCMotorCfg", calls) +
+         "\n# ArticulationCfg(actuators=ACTUATORS)\nACTUATORS = {\n" + names + "}\n";
 }
 
 }  // namespace
@@ -46,6 +66,7 @@ const Exporter isaac_lab = {
     .shape = shape,
     .law = line_law,
     .write = write,
+    .write_all = write_all,
 };
 
 }  // namespace torquewright::actuator::exporters

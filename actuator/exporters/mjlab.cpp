@@ -3,6 +3,8 @@
 // saturation_effort is the stall torque, velocity_limit the no-load speed, effort_limit the cap;
 // the speed is clamped to the overspeed first) and the base class's target_names_expr, armature and
 // frictionloss (mujocolab.github.io/mjlab/source/api/actuator.html). N m, rad/s, kg m^2.
+#include <fmt/format.h>
+
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/fit.hpp"
 #include "actuator/exporters/line_law.hpp"
@@ -13,19 +15,37 @@ namespace {
 
 Shape shape(const Subject& subject) { return fitted(subject, mjlab, line_start(subject)); }
 
+/// `joints`: expressions, behind commas; the user's where no joints are known.
+std::vector<PythonArgument> arguments(const std::string& joints, bool is_yours,
+                                      std::span<const double> shape, double armature_kg_m2) {
+  const Parallelogram line = parallelogram_of(shape);
+  return {{"target_names_expr", "(" + joints + ",)", is_yours},
+          python_argument("saturation_effort", line.stall_torque_Nm),
+          python_argument("velocity_limit", line.no_load_speed_rad_s),
+          python_argument("effort_limit", line.greatest_torque_Nm),
+          armature_argument(armature_kg_m2),
+          {"frictionloss", "0.0"},
+          {"stiffness", "0.0", true},
+          {"damping", "0.0", true}};
+}
+
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
-  const Parallelogram line = parallelogram_of(shape);
-  return python_configuration(note, "mjlab.actuator", "DcMotorActuatorCfg",
-                              identifier(subject.actuator.name),
-                              {{"target_names_expr", "(\"joint\",)", true},
-                               python_argument("saturation_effort", line.stall_torque_Nm),
-                               python_argument("velocity_limit", line.no_load_speed_rad_s),
-                               python_argument("effort_limit", line.greatest_torque_Nm),
-                               armature_argument(subject.armature_kg_m2()),
-                               {"frictionloss", "0.0"},
-                               {"stiffness", "0.0", true},
-                               {"damping", "0.0", true}});
+  const PythonCall call{identifier(subject.actuator.name),
+                        arguments("\"joint\"", true, shape, subject.armature_kg_m2())};
+  return python_configurations(note, "mjlab.actuator", "DcMotorActuatorCfg", {&call, 1});
+}
+
+std::string write_all(std::span<const DriveEntry> entries, const std::vector<std::string>& note) {
+  std::vector<PythonCall> calls;
+  std::string names;
+  for (const DriveEntry& entry : entries) {
+    calls.push_back({entry.name, arguments(python_expressions(entry.joints), false, entry.shape,
+                                           entry.armature_kg_m2)});
+    names += fmt::format("    {},\n", entry.name);
+  }
+  return python_configurations(note, "mjlab.actuator", "DcMotorActuatorCfg", calls) +
+         "\n# EntityArticulationInfoCfg(actuators=ACTUATORS)\nACTUATORS = (\n" + names + ")\n";
 }
 
 }  // namespace
@@ -40,6 +60,7 @@ const Exporter mjlab = {
     .shape = shape,
     .law = line_law,
     .write = write,
+    .write_all = write_all,
 };
 
 }  // namespace torquewright::actuator::exporters

@@ -33,12 +33,13 @@ std::string armature_line(double armature_kg_m2) {
   return fmt::format("    builder.joint_armature[dof] = {}\n", armature_kg_m2);
 }
 
-std::string write(const Subject& subject, std::span<const double> shape,
-                  const std::vector<std::string>& note) {
-  const Parallelogram line = parallelogram_of(shape);
-  return line_comment(note, "# ") +
-         fmt::format(R"(from newton.actuators import ClampingDCMotor, ControllerPD
+constexpr const char* kImports = "from newton.actuators import ClampingDCMotor, ControllerPD\n";
 
+/// The function that adds one drive.
+std::string function_text(const std::string& name, std::span<const double> shape,
+                          double armature_kg_m2) {
+  const Parallelogram line = parallelogram_of(shape);
+  return fmt::format(R"(
 
 def add_{0}(builder, joint, kp=0.0, kd=0.0):
     """Adds the actuator to a newton.ModelBuilder, at the index of a joint of one degree of freedom."""
@@ -61,9 +62,37 @@ def add_{0}(builder, joint, kp=0.0, kd=0.0):
         ],
     )
 {4})",
-                     identifier(subject.actuator.name), line.stall_torque_Nm,
-                     line.no_load_speed_rad_s, line.greatest_torque_Nm,
-                     armature_line(subject.armature_kg_m2()));
+                     name, line.stall_torque_Nm, line.no_load_speed_rad_s, line.greatest_torque_Nm,
+                     armature_line(armature_kg_m2));
+}
+
+std::string write(const Subject& subject, std::span<const double> shape,
+                  const std::vector<std::string>& note) {
+  return line_comment(note, "# ") + kImports +
+         function_text(identifier(subject.actuator.name), shape, subject.armature_kg_m2());
+}
+
+std::string write_all(std::span<const DriveEntry> entries, const std::vector<std::string>& note) {
+  std::string text = line_comment(note, "# ") + kImports;
+  std::string table;
+  for (const DriveEntry& entry : entries) {
+    text += function_text(entry.name, entry.shape, entry.armature_kg_m2);
+    for (const std::string& joint : entry.joints) {
+      table += fmt::format("    {}: add_{},\n", python_string(joint), entry.name);
+    }
+  }
+  return text + fmt::format(R"(
+
+ACTUATORS = {{
+{}}}
+
+
+def add_actuators(builder, joints, kp=0.0, kd=0.0):
+    """Adds every actuator to a newton.ModelBuilder; `joints` are indices by names of joints."""
+    for name, add in ACTUATORS.items():
+        add(builder, joints[name], kp, kd)
+)",
+                            table);
 }
 
 }  // namespace
@@ -81,6 +110,7 @@ const Exporter newton = {
     .shape = shape,
     .law = law,
     .write = write,
+    .write_all = write_all,
 };
 
 }  // namespace torquewright::actuator::exporters

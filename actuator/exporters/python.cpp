@@ -5,6 +5,8 @@
 // and NumPy 1.24 alike. N m, rad/s, V, K, kg m^2.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/python_source.hpp"
 #include "actuator/exporters/region_text.hpp"
@@ -13,6 +15,8 @@
 
 namespace torquewright::actuator::exporters {
 namespace {
+
+constexpr double kOnLine = 2e-12;  // of the peak torque: some roundings
 
 std::string rows_text(const std::vector<std::vector<double>>& rows) {
   std::string text;
@@ -56,13 +60,39 @@ std::string armature_text(double armature_kg_m2) {
   return armature_kg_m2 > 0.0 ? fmt::format("{}", armature_kg_m2) : "None";
 }
 
+/// The points that the lines between the others do not hold already: fewer are found sooner.
+std::vector<std::size_t> points_needed(std::span<const double> shape, double allowed_Nm) {
+  const std::size_t rows = shape.size() / 3;
+  const auto is_on_line = [&](std::size_t from, std::size_t i, std::size_t to) {
+    const double share = (shape[i] - shape[from]) / (shape[to] - shape[from]);
+    for (const std::size_t column : {rows, 2 * rows}) {
+      const double line_Nm = std::lerp(shape[column + from], shape[column + to], share);
+      if (!(std::abs(shape[column + i] - line_Nm) <= allowed_Nm)) return false;
+    }
+    return true;
+  };
+  std::vector<std::size_t> needed{0};
+  for (std::size_t to = 2; to < rows; ++to) {
+    bool is_straight = shape[to] > shape[to - 1] && shape[to - 1] > shape[needed.back()];
+    for (std::size_t i = needed.back() + 1; i < to && is_straight; ++i) {
+      is_straight = is_on_line(needed.back(), i, to);
+    }
+    if (!is_straight) needed.push_back(to - 1);
+  }
+  needed.push_back(rows - 1);
+  return needed;
+}
+
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
   const std::optional<RegionGrid> grid = exported_grid(subject);
   const std::size_t rows = shape.size() / 3;
   const TorqueLimits rest = table_law(shape, 0.0);
-  const auto block = [&](std::size_t i) {
-    return number_lines(shape.subspan(i * rows, rows), "            ", false);
+  const auto needed = points_needed(shape, kOnLine * subject.table.peak_torque_Nm);
+  const auto block = [&](std::size_t column) {
+    std::vector<double> values;
+    for (const std::size_t i : needed) values.push_back(shape[column * rows + i]);
+    return number_lines(values, "            ", false);
   };
   return line_comment(note, "# ") + line_comment(grid_lines(grid), "# ") +
          std::string(kPythonSource) +

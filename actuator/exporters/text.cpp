@@ -29,26 +29,12 @@ std::string one_line(std::string_view text) {
 std::string line_comment(const std::vector<std::string>& lines, std::string_view mark) {
   std::string text;
   for (const std::string& line : lines) {
-    // A backslash at the end would join the next line to a C++ comment.
+    // A backslash at the end, or its trigraph in C, would join the next line to the comment.
     const std::string whole = one_line(line);
-    text += std::string(mark) + whole + (whole.ends_with('\\') ? "." : "") + "\n";
+    const bool joins = whole.ends_with('\\') || whole.ends_with("?\?/");
+    text += std::string(mark) + whole + (joins ? "." : "") + "\n";
   }
   return text;
-}
-
-std::string block_comment(const std::vector<std::string>& lines) {
-  std::string inside;
-  for (const std::string& line : lines) inside += " * " + one_line(line) + "\n";
-  std::string text = "/*\n";
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    text += inside[i];
-    // No end of the comment, no begin of another and no trigraph.
-    const bool is_start = inside[i] == '*' || inside[i] == '/' || inside[i] == '?';
-    const bool is_end = i + 1 < inside.size() &&
-                        (inside[i + 1] == '/' || inside[i + 1] == '*' || inside[i + 1] == '?');
-    if (is_start && is_end) text += ' ';
-  }
-  return text + " */\n";
 }
 
 std::string xml_comment(const std::vector<std::string>& lines) {
@@ -105,17 +91,47 @@ std::string armature_attribute(double armature_kg_m2) {
   return armature_kg_m2 == 0.0 ? "" : fmt::format(" armature=\"{}\"", armature_kg_m2);
 }
 
-std::string python_configuration(const std::vector<std::string>& note, std::string_view module,
-                                 std::string_view class_name, std::string_view variable,
-                                 const std::vector<PythonArgument>& arguments) {
-  std::string text = line_comment(note, "# ");
-  text += fmt::format("from {0} import {1}\n\n{2} = {1}(\n", module, class_name, variable);
-  for (const PythonArgument& argument : arguments) {
-    if (argument.value.empty()) continue;
-    text += fmt::format("    {}={},{}\n", argument.name, argument.value,
-                        argument.is_yours ? "  # yours" : "");
+std::string python_string(std::string_view text) {
+  std::string literal = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') literal += '\\';
+    literal +=
+        is_control(letter)
+            ? fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(letter)))
+            : std::string(1, letter);
   }
-  return text + ")\n";
+  return literal + "\"";
+}
+
+std::string python_expressions(std::span<const std::string> names) {
+  std::string all;
+  for (const std::string& name : names) {
+    std::string expression;
+    for (const char letter : name) {
+      const bool is_plain =
+          is_word(letter) || letter == '_' || static_cast<unsigned char>(letter) >= 0x80;
+      if (!is_plain) expression += '\\';
+      expression += letter;
+    }
+    all += (all.empty() ? "" : ", ") + python_string(expression);
+  }
+  return all;
+}
+
+std::string python_configurations(const std::vector<std::string>& note, std::string_view module,
+                                  std::string_view class_name, std::span<const PythonCall> calls) {
+  std::string text = line_comment(note, "# ");
+  text += fmt::format("from {} import {}\n", module, class_name);
+  for (const PythonCall& call : calls) {
+    text += fmt::format("\n{} = {}(\n", call.variable, class_name);
+    for (const PythonArgument& argument : call.arguments) {
+      if (argument.value.empty()) continue;
+      text += fmt::format("    {}={},{}\n", argument.name, argument.value,
+                          argument.is_yours ? "  # yours" : "");
+    }
+    text += ")\n";
+  }
+  return text;
 }
 
 }  // namespace torquewright::actuator

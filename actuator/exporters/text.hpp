@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,9 +12,6 @@ namespace torquewright::actuator {
 
 /// Lines behind a mark ("# ", "// ").
 std::string line_comment(const std::vector<std::string>& lines, std::string_view mark);
-
-/// A comment of C, which ends nowhere inside.
-std::string block_comment(const std::vector<std::string>& lines);
 
 /// <!-- ... -->, in which no two hyphens may meet.
 std::string xml_comment(const std::vector<std::string>& lines);
@@ -38,9 +36,21 @@ PythonArgument armature_argument(double armature_kg_m2);
 /// The same as an attribute, with a space before it.
 std::string armature_attribute(double armature_kg_m2);
 
+/// A literal of Python.
+std::string python_string(std::string_view text);
+
+/// Regular expressions of Python that match these names and nothing else, as literals behind
+/// commas.
+std::string python_expressions(std::span<const std::string> names);
+
+/// A call of a class, kept under a name.
+struct PythonCall {
+  std::string variable;
+  std::vector<PythonArgument> arguments;
+};
+
 /// Python that imports a configuration class from its module and calls it; `note` in front.
-std::string python_configuration(const std::vector<std::string>& note, std::string_view module,
-                                 std::string_view class_name, std::string_view variable,
-                                 const std::vector<PythonArgument>& arguments);
+std::string python_configurations(const std::vector<std::string>& note, std::string_view module,
+                                  std::string_view class_name, std::span<const PythonCall> calls);
 
 }  // namespace torquewright::actuator

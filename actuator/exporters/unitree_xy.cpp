@@ -40,18 +40,19 @@ TorqueLimits law(std::span<const double> shape, double speed_rad_s) {
 
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
-  return python_configuration(note, "unitree_rl_lab.assets.robots.unitree_actuators",
-                              "UnitreeActuatorCfg", identifier(subject.actuator.name),
-                              {{"joint_names_expr", "[\"joint\"]", true},
-                               python_argument("X1", shape[0]),
-                               python_argument("X2", shape[1]),
-                               python_argument("Y1", shape[2]),
-                               python_argument("Y2", shape[3]),
-                               {"Fs", "0.0"},
-                               {"Fd", "0.0"},
-                               armature_argument(subject.armature_kg_m2()),
-                               {"stiffness", "0.0", true},
-                               {"damping", "0.0", true}});
+  const PythonCall call{identifier(subject.actuator.name),
+                        {{"joint_names_expr", "[\"joint\"]", true},
+                         python_argument("X1", shape[0]),
+                         python_argument("X2", shape[1]),
+                         python_argument("Y1", shape[2]),
+                         python_argument("Y2", shape[3]),
+                         {"Fs", "0.0"},
+                         {"Fd", "0.0"},
+                         armature_argument(subject.armature_kg_m2()),
+                         {"stiffness", "0.0", true},
+                         {"damping", "0.0", true}}};
+  return python_configurations(note, "unitree_rl_lab.assets.robots.unitree_actuators",
+                               "UnitreeActuatorCfg", {&call, 1});
 }
 
 }  // namespace

@@ -5,41 +5,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "hopper/files/postures_in_range.hpp"
 #include "hopper/robot/mechanism_reach.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
-using Eigen::Index;
-
-constexpr int kPostures = 9;      // along the range of each joint
-constexpr double kReach_rad = 1;  // where a joint has no range
-
-double posture_rad(const dynamics::JointLimits& limits, double home_rad, int step) {
-  const double share = static_cast<double>(step) / (kPostures - 1);
-  const bool has_range = std::isfinite(limits.position_min) && std::isfinite(limits.position_max);
-  const double least = has_range ? limits.position_min : home_rad - kReach_rad;
-  const double most = has_range ? limits.position_max : home_rad + kReach_rad;
-  return least + share * (most - least);
-}
-
 /// The greatest change of an entry of the reflected inertia within the joints' ranges, couplings
 /// included, where the mechanism reaches.
 double greatest_change_kg_m2(const dynamics::Tree& tree, const Drivetrain& drivetrain,
                              const SmallVector& armature_kg_m2, const SmallMatrix& held_kg_m2) {
-  const Index joints = held_kg_m2.rows();
-  const SmallVector home = home_posture_rad(tree, drivetrain.joints);
   double greatest = 0;
-  const int count = joints > 1 ? kPostures * kPostures : kPostures;
-  for (int sample = 0; sample < count; ++sample) {
-    SmallVector q = home;
-    for (Index k = 0; k < joints; ++k) {
-      const auto& limits = tree.bodies[drivetrain.joints[static_cast<std::size_t>(k)]].joint.limits;
-      q[k] = posture_rad(limits, home[k], k == 0 ? sample % kPostures : sample / kPostures);
-    }
-    const auto transfer = drivetrain.mechanism->transfer(q, SmallVector::Zero(joints));
+  for (const SmallVector& q : postures_in_range(tree, drivetrain)) {
+    const auto transfer = drivetrain.mechanism->transfer(q, SmallVector::Zero(q.size()));
     if (!transfer) continue;
     const SmallMatrix off = reflected_inertia_kg_m2(*transfer, armature_kg_m2) - held_kg_m2;
     greatest = std::max(greatest, off.cwiseAbs().maxCoeff());

@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include "actuator/exporters/simulator_file_json.hpp"
-#include "io/provenance.hpp"
+#include "io/spec_error.hpp"
+#include "src/commands/origin_lines.hpp"
 #include "src/commands/result_json.hpp"
 
 namespace torquewright::cli {
@@ -21,15 +22,8 @@ std::string exported_file(const actuator::ReadActuator& read,
   }
   const actuator::MorTable table = actuator::mor_table(region, table_accuracy);
   const actuator::Subject subject{read.actuator, conditions, region, table, fit};
-  std::vector<std::string> origin{
-      fmt::format("Written by torquewright {}, actuator mor, from:", io::tool_version())};
-  for (const io::Document& document : read.documents) {
-    for (const auto& input : io::input_provenance({&document, 1})) {
-      origin.push_back(fmt::format("{} sha256 {}", input.at("path").get<std::string>(),
-                                   input.at("sha256").get<std::string>()));
-    }
-  }
-  const actuator::SimulatorFile file = actuator::simulator_file(subject, exporter, origin);
+  const actuator::SimulatorFile file =
+      actuator::simulator_file(subject, exporter, origin_of("actuator mor", read.documents));
   if (!as_json) return file.text;
   return result_text(actuator::simulator_file_json(subject, file), read.documents);
 }

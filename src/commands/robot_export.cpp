@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "actuator/exporters/library.hpp"
+#include "hopper/files/actuator_file.hpp"
 #include "hopper/files/mjcf_writer.hpp"
 #include "hopper/files/urdf_writer.hpp"
 #include "hopper/robot/robot_spec.hpp"
 #include "io/atomic_file.hpp"
 #include "io/refusal.hpp"
+#include "src/commands/origin_lines.hpp"
 #include "src/commands/robot_commands.hpp"
 #include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
@@ -21,19 +27,53 @@ struct ExportOptions {
   hopper::MjcfParts parts;
 };
 
-hopper::Robot read(const ExportOptions& options) {
+/// Null for files of bodies and joints.
+const actuator::Exporter* actuators_only(const ExportOptions& options) {
+  const actuator::Exporter* exporter = actuator::find_exporter(options.format);
+  return exporter && exporter->write_all ? exporter : nullptr;
+}
+
+void require_parts(const ExportOptions& options) {
   const hopper::MjcfParts& parts = options.parts;
-  if (options.format == "urdf" &&
-      (parts.actuators || parts.ground || parts.collisions || parts.closed_loops)) {
+  const bool has_mjcf_parts = parts.ground || parts.collisions || parts.closed_loops;
+  if (actuators_only(options)) {
+    if (has_mjcf_parts) {
+      io::refuse("--format", "--ground, --collisions and --closed-loops are for mjcf");
+    }
+    if (!parts.actuators) {
+      io::refuse("--format",
+                 fmt::format("{} holds drives and nothing else: say --actuators", options.format));
+    }
+  } else if (options.format == "urdf" && (parts.actuators || has_mjcf_parts)) {
     io::refuse("--format", "--actuators, --ground, --collisions and --closed-loops are for mjcf");
   }
-  hopper::Robot robot = hopper::read_robot(options.robot_file).robot;
+}
+
+hopper::ReadRobot read(const ExportOptions& options) {
+  require_parts(options);
+  hopper::ReadRobot robot = hopper::read_robot(options.robot_file);
+  if (actuators_only(options) && robot.robot.drivetrains.empty()) {
+    throw io::SpecError({{options.robot_file, "/mechanisms", "missing: there are no drives"}});
+  }
   io::check_outputs(named({options.output_file}), {});
   return robot;
 }
 
-hopper::Exported compute(const ExportOptions& options, const hopper::Robot& robot) {
-  return options.format == "urdf" ? hopper::urdf_of(robot) : hopper::mjcf_of(robot, options.parts);
+hopper::Exported compute(const ExportOptions& options, const hopper::ReadRobot& read) {
+  if (const actuator::Exporter* exporter = actuators_only(options)) {
+    return hopper::actuators_of(read.robot, *exporter, origin_of("robot export", read.documents));
+  }
+  return options.format == "urdf" ? hopper::urdf_of(read.robot)
+                                  : hopper::mjcf_of(read.robot, options.parts);
+}
+
+/// mjcf, urdf, and every simulator that takes the drives of a robot in one file.
+std::vector<std::string> export_formats() {
+  std::vector<std::string> names{"urdf", "mjcf"};
+  for (const actuator::Exporter* exporter : actuator::exporter_library()) {
+    if (exporter->write_all) names.emplace_back(exporter->name);
+  }
+  return names;
 }
 
 void write(const ExportOptions& options, const hopper::Exported& exported) {
@@ -45,7 +85,7 @@ void write(const ExportOptions& options, const hopper::Exported& exported) {
 }
 
 ExitCode run_export(const ExportOptions& options) {
-  const hopper::Robot robot = read(options);
+  const hopper::ReadRobot robot = read(options);
   write(options, compute(options, robot));
   return ExitCode::kPasses;
 }
@@ -54,13 +94,16 @@ ExitCode run_export(const ExportOptions& options) {
 
 void add_export_command(command_line::Command& robot) {
   auto options = std::make_shared<ExportOptions>();
-  command_line::Command command = robot.add_command("export", "URDF or MJCF out");
+  command_line::Command command =
+      robot.add_command("export", "URDF or MJCF out, or a simulator's file of all drives");
   command.add_option("robot", options->robot_file, "Document of kind robot").required();
-  command.add_option("--format", options->format, "urdf or mjcf")
+  command
+      .add_option("--format", options->format,
+                  "urdf, mjcf, or with --actuators isaac-lab, mjlab or newton")
       .required()
-      .one_of({"urdf", "mjcf"});
+      .one_of(export_formats());
   command.add_flag("--actuators", options->parts.actuators,
-                   "MJCF: each drive's torque and speed limits, its control the voltage");
+                   "Every drive's torque and speed limits; in MJCF its control is the voltage");
   command.add_flag("--ground", options->parts.ground,
                    "MJCF: a plane, and keyframes of the postures standing on it");
   command.add_flag("--collisions", options->parts.collisions,
@@ -69,6 +112,8 @@ void add_export_command(command_line::Command& robot) {
                    "MJCF: cranks and rods of linkages as bodies, their loops closed by <connect>");
   command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
   command.example("torquewright robot export specs/robot/hopper.json --format mjcf");
+  command.example(
+      "torquewright robot export specs/robot/cassie.json --format isaac-lab --actuators");
   command.works([options] { return run_export(*options); });
 }
 

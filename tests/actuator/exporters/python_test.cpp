@@ -59,10 +59,16 @@ class Builder:
         given.extend(clamps)
 
 for name, value in list(names.items()):
-    if name.startswith("add_"):
+    if name == "add_actuators":
+        builder = Builder()
+        value(builder, {joint: 3 for joint in names["ACTUATORS"]})
+        given.append(["joints", {"joints": list(names["ACTUATORS"])}])
+    elif name.startswith("add_"):
         builder = Builder()
         value(builder, 3)
-        given.append(["armature", {"armature": builder.joint_armature[8]}])
+        given.append(["armature", {"armature": builder.joint_armature.get(8)}])
+if "ACTUATORS" in names:
+    given.append(["entries", {"entries": len(names["ACTUATORS"])}])
 print(json.dumps(given))
 )";
 
@@ -77,23 +83,26 @@ std::string output_of(const std::string& command, int& status) {
   return text;
 }
 
-/// Every keyword of every call, by its name.
-json arguments_in(const Exporter& exporter, const Example& example) {
+/// Every call that the file makes, in order: what is called, and its keywords.
+json calls_in(const std::string& configuration) {
   const test::ScratchFolder folder;
   const std::string runner = folder.write("runner.py", kStandIns).string();
-  const std::string file =
-      folder
-          .write("config.py",
-                 simulator_file(example.subject(LawFit::kConservative), exporter, {"origin"}).text)
-          .string();
+  const std::string file = folder.write("config.py", configuration).string();
   int status = 0;
   const std::string text =
       output_of(std::string(TORQUEWRIGHT_PYTHON) + " " + runner + " " + file + " 2>&1", status);
   EXPECT_EQ(status, 0) << text;
-  json all = json::object();
   const json calls = json::parse(text, nullptr, false);
-  if (calls.is_discarded()) return all;
-  for (const json& call : calls) all.update(call[1]);
+  return calls.is_discarded() ? json::array() : calls;
+}
+
+/// Every keyword of every call, by its name.
+json arguments_in(const Exporter& exporter, const Example& example) {
+  json all = json::object();
+  for (const json& call : calls_in(
+           simulator_file(example.subject(LawFit::kConservative), exporter, {"origin"}).text)) {
+    all.update(call[1]);
+  }
   return all;
 }
 
@@ -132,6 +141,42 @@ TEST(Python, RunsTheConfigurationsAndFindsTheNumbers) {
     EXPECT_NEAR(arguments[field.name].get<double>(), field.value, 1e-6 * field.value)
         << field.exporter->name << " " << field.name;
   }
+}
+
+/// Two entries of a robot's file, of which the first has joints of names that no one should choose.
+std::vector<DriveEntry> robot_entries() {
+  return {{"hip", {"left.hip (1)", "right\\hip\"+\n"}, {1536.0, 10.5, 320.0}, 0.25},
+          {"knee", {"knee"}, {640.0, 21.0, 160.0}, 0.0}};
+}
+
+// By hand: in a regular expression a backslash stands before what is neither letter nor digit.
+TEST(Python, RunsTheFilesOfAllDrives) {
+  for (const auto& [exporter, joints] : {std::pair{&exporters::isaac_lab, "joint_names_expr"},
+                                         std::pair{&exporters::mjlab, "target_names_expr"}}) {
+    SCOPED_TRACE(exporter->name);
+    const json calls = calls_in(exporter->write_all(robot_entries(), {"note"}));
+    ASSERT_EQ(calls.size(), 3U);
+    EXPECT_EQ(calls[0][1].at(joints),
+              json::array({R"(left\.hip\ \(1\))", "right\\\\hip\\\"\\+\\\n"}));
+    EXPECT_EQ(calls[0][1].at("saturation_effort"), 1536.0);
+    EXPECT_EQ(calls[0][1].at("armature"), 0.25);
+    EXPECT_EQ(calls[1][1].at(joints), json::array({"knee"}));
+    EXPECT_EQ(calls[1][1].at("saturation_effort"), 640.0);
+    EXPECT_FALSE(calls[1][1].contains("armature"));  // nobody stated one
+    EXPECT_EQ(calls[2][1].at("entries"), 2);
+  }
+}
+
+TEST(Python, RunsNewtonsFileOfAllDrives) {
+  const json calls = calls_in(exporters::newton.write_all(robot_entries(), {"note"}));
+  json joints;
+  std::size_t controllers = 0;
+  for (const json& call : calls) {
+    if (call[0] == "joints") joints = call[1].at("joints");
+    if (call[0] == "ControllerPD") ++controllers;
+  }
+  EXPECT_EQ(joints, json::array({"left.hip (1)", "right\\hip\"+\n", "knee"}));
+  EXPECT_EQ(controllers, 2U + 3U);  // add_hip, add_knee, and add_actuators for three joints
 }
 
 // Names come from documents.
