@@ -32,6 +32,7 @@ const std::string kOld = "old";
 struct Options {
   std::string program = TORQUEWRIGHT_PROGRAM;
   int count = 1000;
+  std::string only;  ///< Command lines that begin so; empty: all.
   std::uint64_t seed = 1;
 };
 
@@ -65,7 +66,8 @@ class Bench {
         "| command | kills | as before | finished | cut short by Ctrl-C | KILL in the "
         "exchange | its temporary file | wrong |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const Words& command : example_commands()) {
-      if (outputs_of(command).empty()) continue;
+      const bool is_asked = fmt::format("{}", fmt::join(command, " ")).starts_with(options_.only);
+      if (!is_asked || outputs_of(command).empty()) continue;
       const Victim victim = whole_run(command);
       if (victim.finished.empty()) continue;  // it found nothing to be written
       const Counts counts = kill_many(victim);
@@ -184,6 +186,7 @@ int main(int argc, char** argv) {
   command_line::Command& top = line.top();
   top.add_option("--program", options.program, "Another build of it").existing_file();
   top.add_option("--count", options.count, "Kills of each command");
+  top.add_option("--only", options.only, "Only command lines that begin so");
   top.add_option("--seed", options.seed, "Of signals and moments");
   top.works([&] {
     return bench::Bench(options).run() == 0 ? cli::ExitCode::kPasses : cli::ExitCode::kFails;
