@@ -29,6 +29,7 @@ const std::map<std::string, std::vector<RelaxationUse>> kRelaxations{
 struct Options {
   std::uint64_t seed = 1;
   std::size_t count = 1000;
+  bool addenda = false;
   std::string relaxation = "all";
   double slow_s = 5;
 };
@@ -114,7 +115,9 @@ cli::ExitCode run(const Options& options) {
   Tally tally;
   bool agrees = true;
   std::size_t index = 0;
-  for (const Problem& problem : oracles::random_problems(options.seed, options.count)) {
+  for (const Problem& problem : oracles::random_problems(
+           options.seed, options.count,
+           options.addenda ? oracles::Addenda::kSomeStated : oracles::Addenda::kStandard)) {
     agrees = compare(problem, 1 + index++ % 5, options, tally) && agrees;
   }
   fmt::print("\n");
@@ -133,6 +136,7 @@ int main(int argc, char** argv) {
   command_line::Command& top = program.top();
   top.add_option("--seed", options.seed, "Of the problems (default 1)");
   top.add_option("--count", options.count, "How many problems (default 1000)");
+  top.add_flag("--addenda", options.addenda, "State addenda of hob and shaper in some of them");
   top.add_option("--relaxation", options.relaxation, "auto, always, never or all (default)")
       .one_of({"auto", "always", "never", "all"});
   top.add_option("--slow", options.slow_s, "Also print what takes longer than this, s (default 5)");

@@ -46,12 +46,18 @@ constexpr std::string_view objective_name(Objective objective) {
   return "";
 }
 
-/// What cuts the teeth, as far as the document says; tip radii in modules, dedendum 1.25. What is
-/// absent is assumed: docs/gearbox_constraints.md, "Cutters".
+/// What cuts the teeth, as far as the document says; lengths in modules. What is absent is assumed:
+/// docs/gearbox_constraints.md, "Cutters".
 struct StatedCutters {
-  std::optional<Rational> hob_tip_radius;     ///< Of sun and planets.
-  std::optional<Rational> shaper_tip_radius;  ///< Of rings.
-  std::optional<std::int64_t> shaper_teeth;   ///< Of rings.
+  std::optional<Rational> hob_tip_radius = {};     ///< Of sun and planets.
+  std::optional<Rational> shaper_tip_radius = {};  ///< Of rings.
+  std::optional<std::int64_t> shaper_teeth = {};   ///< Of rings.
+  std::optional<Rational> hob_addendum = {};       ///< Below its middle line; 1.25 where absent.
+  std::optional<Rational> shaper_addendum = {};    ///< Beyond its pitch circle; likewise.
+
+  /// How deep the roots of sun and planets lie, and those of rings.
+  Rational hob_depth() const { return hob_addendum.value_or(Rational(5, 4)); }
+  Rational shaper_depth() const { return shaper_addendum.value_or(Rational(5, 4)); }
 };
 
 /// Which teeth? A document of kind `gearbox_problem`. Every number is the decimal that was written.

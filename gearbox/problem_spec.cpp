@@ -34,11 +34,11 @@ Parts parts_of(std::string_view topology) {
 
 /// Half the angle left of a shaper's tip between two roundings, docs/derivations/tooth_outline.md
 /// eq. (13), without profile shift.
-double shaper_land_rad(double teeth, double rounding) {
+double shaper_land_rad(double teeth, double addendum, double rounding) {
   constexpr double kAngle_rad = std::numbers::pi / 9.0;
   const double base = 0.5 * teeth * std::cos(kAngle_rad);
   const auto involute = [](double angle_rad) { return std::tan(angle_rad) - angle_rad; };
-  const double profile_rad = std::acos(base / (0.5 * teeth + 1.25 - rounding));
+  const double profile_rad = std::acos(base / (0.5 * teeth + addendum - rounding));
   return std::numbers::pi / (2.0 * teeth) + involute(kAngle_rad) - involute(profile_rad) -
          rounding / base;
 }
@@ -120,7 +120,9 @@ class Reader {
     problem_.sun_under_second_layer =
         root().value("sun_under_second_layer", problem_.sun_under_second_layer);
     problem_.cutters.hob_tip_radius = find("/cutter/hob_tip_radius");
+    problem_.cutters.hob_addendum = find("/cutter/hob_addendum");
     problem_.cutters.shaper_tip_radius = find("/cutter/shaper_tip_radius");
+    problem_.cutters.shaper_addendum = find("/cutter/shaper_addendum");
     if (root().contains("/cutter/shaper_teeth"_json_pointer)) {
       problem_.cutters.shaper_teeth = root()["cutter"]["shaper_teeth"].get<std::int64_t>();
     }
@@ -175,6 +177,7 @@ class Reader {
              "is reserved: modules, profile shifts and face widths are not searched yet; leave it "
              "out");
     }
+    check_hob();
     check_shaper();
     const std::string objective = root()["objective"];
     const bool needs_friction = objective.ends_with("_efficiency");
@@ -200,13 +203,32 @@ class Reader {
     }
   }
 
+  /// Only a hob that is longer than the standard one is straight deep enough with more.
+  void check_hob() {
+    const StatedCutters& cutters = problem_.cutters;
+    if (!cutters.hob_tip_radius || cutters.hob_addendum) return;
+    if (*cutters.hob_tip_radius <= Rational(38, 100)) return;
+    report("/cutter/hob_tip_radius",
+           root()["cutter"]["hob_tip_radius"].dump() +
+               " is more than the 0.38 of a hob of addendum 1.25; state /cutter/hob_addendum too");
+  }
+
   void check_shaper() {
     const StatedCutters& cutters = problem_.cutters;
-    if (!cutters.shaper_teeth || !cutters.shaper_tip_radius) return;
+    if (!cutters.shaper_teeth) return;
     const auto teeth = static_cast<double>(*cutters.shaper_teeth);
-    if (shaper_land_rad(teeth, io::nearest(*cutters.shaper_tip_radius)) >= 0.0) return;
+    const double addendum = io::nearest(cutters.shaper_depth());
+    if (shaper_land_rad(teeth, addendum, 0.0) < 0.0) {
+      report("/cutter/shaper_addendum",
+             fmt::format("a shaper of {} teeth is pointed before an addendum of {:g}", teeth,
+                         addendum));
+      return;
+    }
+    if (!cutters.shaper_tip_radius) return;
+    const double stated = io::nearest(*cutters.shaper_tip_radius);
+    if (shaper_land_rad(teeth, addendum, stated) >= 0.0) return;
     double most = 0.0;  // To a hundredth; the land falls with the rounding.
-    while (shaper_land_rad(teeth, most + 0.01) >= 0.0) most += 0.01;
+    while (shaper_land_rad(teeth, addendum, most + 0.01) >= 0.0) most += 0.01;
     report("/cutter/shaper_tip_radius",
            fmt::format("{} does not fit on the tip of a shaper of {} teeth; at most {:.2f}",
                        root()["cutter"]["shaper_tip_radius"].dump(), teeth, most));

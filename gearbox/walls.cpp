@@ -13,7 +13,8 @@ Rational hollow_shaft_wall_mm(const Problem& problem, const Rational& module_mm)
 }
 
 Rational ring_blank_mm(const Problem& problem, const Rational& module_mm, const Rational& teeth) {
-  return module_mm * (teeth + Rational(5, 2)) + 2 * ring_wall_mm(problem, module_mm);
+  return module_mm * (teeth + 2 * problem.cutters.shaper_depth()) +
+         2 * ring_wall_mm(problem, module_mm);
 }
 
 Rational ring_space_mm(const Problem& problem) {

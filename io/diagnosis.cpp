@@ -183,7 +183,7 @@ class Diagnosis {
     std::vector<std::string> known, all;
     for (const auto& property : properties.items()) {
       known.push_back(property.key());
-      all.push_back(as_written(property.key()));
+      if (!property.key().starts_with('$')) all.push_back(as_written(property.key()));
     }
     const auto suggestion = nearest(key, known);
     report(child_path(path, key),

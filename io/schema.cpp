@@ -23,27 +23,46 @@ struct Kind {
   valijson::Schema compiled;
 };
 
-json load(std::string_view kind);
+std::string_view text_of(std::string_view kind) {
+  for (const EmbeddedSchema& schema : embedded_schemas()) {
+    if (schema.kind == kind) return schema.text;
+  }
+  throw std::invalid_argument("no schema for documents of kind " + std::string(kind));
+}
+
+template <typename Json>
+Json load(std::string_view kind);
 
 /// Replaces {"$ref": "other_kind.json"} by that schema. (References inside one file stay.)
-void inline_other_kinds(json& node) {
+template <typename Json>
+void inline_other_kinds(Json& node) {
   if (node.is_object() && node.contains("$ref")) {
     const std::string reference = node["$ref"];
-    if (reference.ends_with(".json")) node = load(reference.substr(0, reference.size() - 5));
+    if (!reference.ends_with(".json")) return;
+    Json other = load<Json>(reference.substr(0, reference.size() - 5));
+    if (node.contains("description")) other["description"] = node["description"];
+    node = std::move(other);
     return;
   }
   if (!node.is_structured()) return;
-  for (json& child : node) inline_other_kinds(child);
+  for (Json& child : node) inline_other_kinds(child);
 }
 
-json load(std::string_view kind) {
-  for (const EmbeddedSchema& schema : embedded_schemas()) {
-    if (schema.kind != kind) continue;
-    json text = json::parse(schema.text);
-    inline_other_kinds(text);
-    return text;
+template <typename Json>
+Json load(std::string_view kind) {
+  Json schema = Json::parse(text_of(kind));
+  inline_other_kinds(schema);
+  return schema;
+}
+
+/// Without what says nothing of a document's shape. The validator would look for the "$id".
+json checked_part(json schema) {
+  schema.erase("$id");
+  schema.erase("examples");
+  for (auto& [key, child] : schema["properties"].items()) {
+    if (child.contains("$id")) child = checked_part(child);
   }
-  throw std::invalid_argument("no schema for documents of kind " + std::string(kind));
+  return schema;
 }
 
 /// Each is read and compiled when it is first asked for: most commands need one or two of them.
@@ -52,7 +71,7 @@ const Kind& find_kind(std::string_view name) {
   static std::map<std::string, Kind, std::less<>> kinds;  // whose entries stay where they are
   const std::lock_guard lock(mutex);
   if (const auto known = kinds.find(name); known != kinds.end()) return known->second;
-  json text = load(name);
+  json text = checked_part(load<json>(name));
   Kind& kind = kinds[std::string(name)];
   kind.text = std::move(text);
   valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
@@ -69,6 +88,10 @@ std::vector<std::string> document_kinds() {
 }
 
 const json& schema_of(std::string_view kind) { return find_kind(kind).text; }
+
+nlohmann::ordered_json schema_as_written(std::string_view kind) {
+  return load<nlohmann::ordered_json>(kind);
+}
 
 bool conforms(const json& document, std::string_view kind) {
   valijson::Validator validator(valijson::Validator::kStrongTypes);

@@ -15,6 +15,9 @@ std::vector<std::string> document_kinds();
 /// Requires a known kind.
 const nlohmann::json& schema_of(std::string_view kind);
 
+/// The same with its "$id" and "examples", its keys in the order in which they were written.
+nlohmann::ordered_json schema_as_written(std::string_view kind);
+
 /// True if the document satisfies the schema of that kind. Requires a known kind.
 bool conforms(const nlohmann::json& document, std::string_view kind);
 

@@ -8,9 +8,11 @@
 #include "src/command_line/exit_status.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/gearbox_commands.hpp"
+#include "src/commands/help_commands.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/robot_commands.hpp"
+#include "src/commands/schema_commands.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -72,6 +74,11 @@ ExitCode run(int argc, const char* const* argv) {
   add_identify_command(top);
   add_hopper_commands(top);
   add_robot_commands(top);
+  add_init_command(top);
+  add_schema_command(top);
+  add_help_command(top);
+  add_man_command(top);
+  add_completion_command(top);
   return program.run(argc, argv);
 }
 

@@ -36,6 +36,21 @@ std::string line_comment(const std::vector<std::string>& lines, std::string_view
   return text;
 }
 
+std::string block_comment(const std::vector<std::string>& lines) {
+  std::string inside;
+  for (const std::string& line : lines) inside += " * " + one_line(line) + "\n";
+  std::string text = "/*\n";
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    text += inside[i];
+    // No end of the comment, no begin of another and no trigraph.
+    const bool is_start = inside[i] == '*' || inside[i] == '/' || inside[i] == '?';
+    const bool is_end = i + 1 < inside.size() &&
+                        (inside[i + 1] == '/' || inside[i + 1] == '*' || inside[i + 1] == '?');
+    if (is_start && is_end) text += ' ';
+  }
+  return text + " */\n";
+}
+
 std::string xml_comment(const std::vector<std::string>& lines) {
   std::string inside;
   for (const std::string& line : lines) inside += "  " + one_line(line) + "\n";

@@ -12,6 +12,9 @@ namespace torquewright::actuator {
 /// Lines behind a mark ("# ", "// ").
 std::string line_comment(const std::vector<std::string>& lines, std::string_view mark);
 
+/// A comment of C, which ends nowhere inside.
+std::string block_comment(const std::vector<std::string>& lines);
+
 /// <!-- ... -->, in which no two hyphens may meet.
 std::string xml_comment(const std::vector<std::string>& lines);
 

@@ -87,3 +87,21 @@ def with_thigh_inertia(inertia_kg_m2):
     inertia = documents.robot["bodies"][0]["inertia_kg_m2"]
     inertia["xx"] = inertia["yy"] = inertia_kg_m2
     return documents
+
+
+def quiet_randomisation(path):
+    document = load(path)
+    document.pop("sensor_noise")
+    document["name"] += ", sensors without noise"
+    return document
+
+
+def known_randomisation(path):
+    """Of a robot that was weighed and calibrated."""
+    document = quiet_randomisation(path)
+    document["name"] += ", masses measured"
+    document["total_mass_factor"] = {"least": 0.98, "greatest": 1.02}
+    document["body_inertia_factor"] = [{"least": 0.98, "greatest": 1.02}]
+    document["center_of_mass_shift_m"][0].update(least=-0.003, greatest=0.003)
+    document["controller_gain_factor"] = [{"least": 0.95, "greatest": 1.05}]
+    return document

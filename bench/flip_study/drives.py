@@ -18,12 +18,22 @@ def effort(found):
     return ""
 
 
+def plan_of(program, name, robot, nominal, *options):
+    """From key frames; where that finds none, once more from the documented robot's plan."""
+    found = program.plan(f"{name}_plan", robot, *options)
+    if found["status"] != "planned":
+        warm = program.plan(f"{name}_warm", robot, "--warm", nominal["motion"], *options)
+        if warm["status"] == "planned":
+            return warm
+    return found
+
+
 def row(program, what, name, changed, nominal, *options):
     """A plan with changed documents, and what `hopper check` says there of the documented robot's."""
     robot = changed.write(program.folder / name) if changed is not None else ROBOT
     # Conditions of a check are those of a plan.
     is_same = changed is None and not options
-    found = nominal if is_same else program.plan(f"{name}_plan", robot, *options)
+    found = nominal if is_same else plan_of(program, name, robot, nominal, *options)
     checked = program.check(f"{name}_nominal", nominal["motion"], robot, "--torques", "dynamics", *options)
     if checked is None:
         verdict = "refused"
@@ -42,7 +52,8 @@ def ratios(program):
     nominal = nominal_plan(program)
     rows = [row(program, f"{ratio}:1", f"ratio_{ratio}", documents.with_knee_ratio(ratio), nominal)
             for ratio in (12, 16, 18, 20, 22, 24, 28, 32)]
-    return ("### Ratio at the knee\n\nThe motor is the same; the joint's limits of speed and torque, which are the "
+    return ("### Ratio at the knee\n\nWhere a search from key frames finds none, another begins at the documented "
+            "robot's plan. The motor is the same; the joint's limits of speed and torque, which are the "
             "drive's, follow the ratio.\n\n") + words.table(NAMES, rows)
 
 

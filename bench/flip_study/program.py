@@ -8,7 +8,6 @@ import subprocess
 import time
 
 ROBOT = "specs/robot/hopper.json"
-MESH = ("--intervals", "180")  # one round in most plans, where the default of 100 takes four
 
 
 class Program:
@@ -57,7 +56,7 @@ class Program:
             path.unlink(missing_ok=True)
         begin = time.monotonic()
         found = self.answer(name, "hopper", "flip", robot, "-o", plan, "--write-best", best,
-                            "--time-limit", self.time_limit_s, *MESH, *options)
+                            "--time-limit", self.time_limit_s, *options)
         if found is None:
             words = (self.folder / f"{name}.txt").read_text().strip().splitlines()
             return {"status": "refused", "reason": words[0] if words else "", "motion": None, "seconds": 0.0}

@@ -17,7 +17,8 @@ def reached(is_reached):
 
 def status(found):
     if found["status"] == "limit" and found.get("rounds"):
-        return f"none: {found['rounds'][-1]['solver']}"
+        solver = found["rounds"][-1]["solver"]
+        return "solved, check fails" if solver == "solved" else f"none: {solver}"
     return {"planned": "planned", "locally_infeasible": "locally infeasible", "limit": "none within the limit",
             "check_fails": "solved, check fails", "refused": "refused"}.get(found["status"], found["status"])
 

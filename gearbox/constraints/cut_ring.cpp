@@ -6,8 +6,12 @@ namespace torquewright::gearbox {
 PlanetInRing planet_in_ring(const CutTrain& train, const CutMesh& mesh) {
   const CutGear& planet = train.gears[mesh.gear_1];
   const CutGear& ring = train.gears[mesh.gear_2];
-  return {planet.count(), planet.shift, ring.count(), ring.tip_diameter / 2.0,
-          train.centre_mm / ring.module_mm};
+  return {planet.count(),
+          planet.shift,
+          ring.count(),
+          ring.tip_diameter / 2.0,
+          train.centre_mm / ring.module_mm,
+          train.train.cutters.hob_depth()};
 }
 
 std::optional<ShaperAtDepth> shaper_of(const CutTrain& train, const CutMesh& mesh) {

@@ -109,9 +109,11 @@ std::vector<ConstraintReport> existence_conditions(const GearTrain& train) {
   const std::span rings = std::span(cut->meshes).subspan(1);
   for (const CutMesh& mesh : rings) list.push_back(neighbours(*cut, cut->gears[mesh.gear_1]));
   list.push_back(tip_thickness(cut->gears.front()));
-  if (!is_plain(train)) {
+  if (!is_plain(train) || train.cutters.hob_addendum) {
     list.push_back(
         external_root_form(*cut, cut->meshes.front(), train.cutters.hob_tip_radius.value_or(0.0)));
+  }
+  if (!is_plain(train)) {
     for (const CutMesh& mesh : cut->meshes) list.push_back(bottom_clearance(*cut, mesh));
   }
   for (const CutMesh& mesh : rings) {

@@ -7,41 +7,51 @@
 #include <span>
 
 #include "gearbox/constraints/cut_ring.hpp"
+#include "gearbox/constraints/shifted_gears.hpp"
+#include "gearbox/teeth/root_form.hpp"
 
 namespace torquewright::gearbox {
 namespace {
 
 GearCutter hob_of(const CutGear& gear, const Cutters& cutters) {
-  return {gear.name, cutters.hob_tip_radius.value_or(kHobTipRadius), 0, !cutters.hob_tip_radius,
-          false};
+  return {.gear = gear.name,
+          .tip_radius = cutters.hob_tip_radius.value_or(kHobTipRadius),
+          .addendum = cutters.hob_depth(),
+          .is_radius_assumed = !cutters.hob_tip_radius,
+          .is_addendum_assumed = !cutters.hob_addendum};
+}
+
+/// An assumed rounding leaves the mate its involute.
+void sharpen(GearCutter& cutter, const std::optional<double>& largest) {
+  if (!cutter.is_radius_assumed || !largest) return;
+  cutter.tip_radius = std::clamp(*largest, 0.0, cutter.tip_radius);
 }
 
 GearCutter hob_of_planet(const CutTrain& train, const CutMesh& mesh) {
   GearCutter cutter = hob_of(train.gears[mesh.gear_1], train.train.cutters);
-  if (!cutter.is_radius_assumed) return cutter;
-  if (const auto largest = largest_hob_tip_radius(planet_in_ring(train, mesh))) {
-    cutter.tip_radius = std::clamp(*largest, 0.0, kHobTipRadius);
-  }
+  sharpen(cutter, largest_hob_tip_radius(planet_in_ring(train, mesh)));
   return cutter;
 }
 
 GearCutter shaper_of_ring(const CutTrain& train, const CutMesh& mesh) {
   const Cutters& cutters = train.train.cutters;
   const CutGear& planet = train.gears[mesh.gear_1];
-  GearCutter cutter{train.gears[mesh.gear_2].name,
-                    cutters.shaper_tip_radius.value_or(kRingFilletRadius),
-                    cutters.shaper_teeth.value_or(planet.teeth), !cutters.shaper_tip_radius,
-                    !cutters.shaper_teeth};
+  GearCutter cutter{.gear = train.gears[mesh.gear_2].name,
+                    .tip_radius = cutters.shaper_tip_radius.value_or(kRingFilletRadius),
+                    .addendum = cutters.shaper_depth(),
+                    .shaper_teeth = cutters.shaper_teeth.value_or(planet.teeth),
+                    .is_radius_assumed = !cutters.shaper_tip_radius,
+                    .are_teeth_assumed = !cutters.shaper_teeth,
+                    .is_addendum_assumed = !cutters.shaper_addendum};
   const auto shaper = shaper_of(train, mesh);
   if (!shaper) return cutter;
   cutter.tip_radius = std::min(cutter.tip_radius, full_shaper_rounding(*shaper));
-  const auto largest =
-      largest_shaper_tip_radius(*shaper, planet_in_ring(train, mesh), planet.tip_diameter / 2.0);
-  if (cutter.is_radius_assumed && largest) {
-    cutter.tip_radius = std::clamp(*largest, 0.0, cutter.tip_radius);
-  }
+  sharpen(cutter, largest_shaper_tip_radius(*shaper, planet_in_ring(train, mesh),
+                                            planet.tip_diameter / 2.0));
   return cutter;
 }
+
+std::string_view if_assumed(bool assumed) { return assumed ? " (assumed)" : ""; }
 
 }  // namespace
 
@@ -49,8 +59,18 @@ std::vector<GearCutter> gear_cutters(const CutTrain& train) {
   std::vector<GearCutter> list{hob_of(train.gears.front(), train.train.cutters)};
   const std::span rings = std::span(train.meshes).subspan(1);
   for (const CutMesh& mesh : rings) list.push_back(hob_of_planet(train, mesh));
+  if (const auto largest = largest_hob_tip_radii(train, train.meshes.front())) {
+    sharpen(list[0], (*largest)[0]);
+    sharpen(list[1], (*largest)[1]);
+  }
   for (const CutMesh& mesh : rings) list.push_back(shaper_of_ring(train, mesh));
   return list;
+}
+
+double undercut_depth(const Cutters& cutters) {
+  const double addendum = cutters.hob_depth();
+  if (cutters.hob_tip_radius) return straight_depth_of_hob(addendum, *cutters.hob_tip_radius);
+  return std::max(1.0, straight_depth_of_hob(addendum, kHobTipRadius));
 }
 
 std::string cutter_sentence(const std::vector<GearCutter>& cutters) {
@@ -58,12 +78,16 @@ std::string cutter_sentence(const std::vector<GearCutter>& cutters) {
   for (const GearCutter& cutter : cutters) {
     const bool is_shaper = cutter.shaper_teeth > 0;
     text += fmt::format("{}{} {:.3g}{}", text.empty() ? "" : ", ", cutter.gear, cutter.tip_radius,
-                        cutter.is_radius_assumed ? " (assumed)" : "");
+                        if_assumed(cutter.is_radius_assumed));
     if (!is_shaper) continue;
     text += fmt::format(" of a shaper of {} teeth{}", cutter.shaper_teeth,
-                        cutter.are_teeth_assumed ? " (assumed)" : "");
+                        if_assumed(cutter.are_teeth_assumed));
   }
-  return "tip radii of the cutters in modules: " + text;
+  const GearCutter& hob = cutters.front();
+  const GearCutter& shaper = cutters.back();
+  return fmt::format("tip radii of the cutters in modules: {}; addenda: hob {:g}{}, shaper {:g}{}",
+                     text, hob.addendum, if_assumed(hob.is_addendum_assumed), shaper.addendum,
+                     if_assumed(shaper.is_addendum_assumed));
 }
 
 }  // namespace torquewright::gearbox

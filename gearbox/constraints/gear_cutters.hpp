@@ -13,14 +13,20 @@ namespace torquewright::gearbox {
 struct GearCutter {
   std::string_view gear;
   double tip_radius = 0.0;        ///< In modules.
+  double addendum = 0.0;          ///< How deep it cuts below the middle line, likewise.
   std::int64_t shaper_teeth = 0;  ///< 0: a hob.
   bool is_radius_assumed = false;
   bool are_teeth_assumed = false;
+  bool is_addendum_assumed = false;
 };
 
 /// Of each gear in the topology's order: what is stated, else ISO 53 profile A and a shaper of as
 /// many teeth as the planet has, rounded only as much as leaves the mate's tip its involute.
 std::vector<GearCutter> gear_cutters(const CutTrain& train);
+
+/// How deep the hob of sun and planets is straight, where a gear's undercut is judged: the stated
+/// one, else one of 0.38, and to a rack's addendum at least.
+double undercut_depth(const Cutters& cutters);
 
 /// "hob with tip radius 0.38 (assumed)" and so on, in modules.
 std::string cutter_sentence(const std::vector<GearCutter>& cutters);

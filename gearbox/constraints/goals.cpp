@@ -15,14 +15,20 @@ Blank blank(const Problem& problem, const Rational& module_mm) {
     const auto found = problem.face_width_mm.find(layer);
     return found == problem.face_width_mm.end() ? 0.0 : io::nearest(found->second) / 1000.0;
   };
-  return {io::nearest(module_mm) / 1000.0, io::nearest(problem.density_kg_m3.value_or(0)),
-          width_m("layer_1"), width_m("layer_2"),
-          io::nearest(ring_wall_mm(problem, module_mm)) / 1000.0};
+  return {io::nearest(module_mm) / 1000.0,
+          io::nearest(problem.density_kg_m3.value_or(0)),
+          width_m("layer_1"),
+          width_m("layer_2"),
+          io::nearest(ring_wall_mm(problem, module_mm)) / 1000.0,
+          io::nearest(problem.cutters.hob_depth()),
+          io::nearest(problem.cutters.shaper_depth())};
 }
 
 Goal hollow_shaft(const Problem& problem, const Rational& module_mm, const Expression& sun) {
   const Rational walls_mm = 2 * hollow_shaft_wall_mm(problem, module_mm);
-  return {"hollow_shaft", "mm", Expression(module_mm) * (sun - 2.5) - Expression(walls_mm),
+  return {"hollow_shaft", "mm",
+          Expression(module_mm) * (sun - Expression(Rational(2 * problem.cutters.hob_depth()))) -
+              Expression(walls_mm),
           /*maximise=*/true, /*exact=*/true};
 }
 
@@ -61,9 +67,12 @@ Loosening most_contact(const Expression& contact_ratio) {
 
 Loosening least_blank(const Problem& problem, const Rational& module_mm, const Expression& ring) {
   const Rational walls_mm = 2 * ring_wall_mm(problem, module_mm);
-  return {ring_space_key(problem),
-          {"ring_blank_diameter_mm", "mm",
-           Expression(module_mm) * (ring + 2.5) + Expression(walls_mm), false, true}};
+  return {
+      ring_space_key(problem),
+      {"ring_blank_diameter_mm", "mm",
+       Expression(module_mm) * (ring + Expression(Rational(2 * problem.cutters.shaper_depth()))) +
+           Expression(walls_mm),
+       false, true}};
 }
 
 }  // namespace torquewright::gearbox

@@ -20,6 +20,13 @@ DesignCondition hob_condition(std::string_view mesh, const Rational& module_mm, 
 DesignCondition shaper_condition(std::string_view mesh, const Rational& module_mm, double largest,
                                  const std::optional<Rational>& stated, double shaper_teeth);
 
+/// The fewest teeth of a ring without profile shift into which the stated shaper can be fed
+/// radially; a tip radius that is not stated counts as none. Requires stated teeth.
+std::int64_t least_fed_ring(const Cutters& cutters);
+
+/// The ring has as many.
+ConstraintReport shaper_feed(const Problem& problem, std::string_view mesh, std::int64_t ring);
+
 // Of a design without profile shift.
 ConstraintReport root_form_of_gears(const Problem& problem, const Rational& module_mm,
                                     std::string_view mesh, std::int64_t teeth_1,

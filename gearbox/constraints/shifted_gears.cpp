@@ -8,7 +8,10 @@
 #include <numbers>
 
 #include "gearbox/constraints/condition.hpp"
+#include "gearbox/constraints/cut_ring.hpp"
+#include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/teeth/root_form.hpp"
+#include "gearbox/teeth/shaper_feed.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/walls.hpp"
 
@@ -51,14 +54,23 @@ CutPair seen_from_the_mate(const CutPair& cut) {
 }
 
 /// docs/derivations/tooth_outline.md eq. (8), with the reach of an external mate.
-double largest_hob_tip_radius_of_first(const CutPair& cut) {
+double largest_hob_tip_radius_of_first(const CutPair& cut, double hob_addendum) {
   const double to_tangent_point = cut.pair.teeth_1 / 2.0 * kReferenceSine;
   const double straight_depth =
       cut.pair.shift_1 + kReferenceSine * (to_tangent_point - lowest_contact(cut));
-  return (kDedendum - straight_depth) / (1.0 - kReferenceSine);
+  return largest_hob_tip_radius_for(hob_addendum, straight_depth);
 }
 
 }  // namespace
+
+std::optional<std::array<double, 2>> largest_hob_tip_radii(const CutTrain& train,
+                                                           const CutMesh& mesh) {
+  const CutPair of_planet = seen_from_the_mate(*mesh.cut);
+  if (lowest_contact(*mesh.cut) <= 0.0 || lowest_contact(of_planet) <= 0.0) return std::nullopt;
+  const double addendum = train.train.cutters.hob_depth();
+  return std::array{largest_hob_tip_radius_of_first(*mesh.cut, addendum),
+                    largest_hob_tip_radius_of_first(of_planet, addendum)};
+}
 
 ConstraintReport coaxiality(const CutTrain& train, const CutMesh& mesh) {
   const CutGear& ring = train.gears[mesh.gear_2];
@@ -94,9 +106,8 @@ ConstraintReport neighbour_clearance(const CutGear& planet, double centre_mm,
 
 ConstraintReport undercut(const Cutters& cutters, const CutGear& gear) {
   DesignCondition condition{fmt::format("undercut.{}", gear.name), "", "teeth"};
-  const auto& hob = cutters.hob_tip_radius;
-  const double depth = hob ? straight_depth_of_hob(*hob) : 1.0;
-  const double limit = hob ? undercut_limit_teeth(depth) : kUndercutLimit_teeth;
+  const double depth = undercut_depth(cutters);
+  const double limit = undercut_limit_teeth(depth);
   condition.value = Rational(gear.teeth);
   condition.limit = fraction_of(limit * (1.0 - gear.shift / depth));
   condition.meaning = fmt::format("on this gear, shifted by {:.6g} modules", gear.shift);
@@ -189,19 +200,37 @@ ConstraintReport bottom_clearance(const CutTrain& train, const CutMesh& mesh) {
   return judge(condition);
 }
 
+ConstraintReport shaper_feed(const CutTrain& train, const CutMesh& mesh) {
+  const CutGear& ring = train.gears[mesh.gear_2];
+  DesignCondition condition{fmt::format("shaper_feed.{}", mesh.name), "", "rad"};
+  condition.meaning =
+      "at the ring between its tips and those of the shaper that is fed in radially";
+  condition.remedy = "needs a shaper of fewer teeth or a larger ring";
+  const auto shaper = shaper_of(train, mesh);
+  const auto margin = shaper
+                          ? feed_margin_rad({shaper->teeth, shaper->tip_radius,
+                                             train.train.cutters.shaper_tip_radius.value_or(0.0)},
+                                            {ring.count(), ring.shift, ring.tip_diameter / 2.0})
+                          : std::nullopt;
+  if (!margin) {
+    return violated_without_value(condition,
+                                  "does not exist: the shaper does not fit into this ring.");
+  }
+  condition.value = fraction_of(*margin);
+  return judge(condition);
+}
+
 ConstraintReport external_root_form(const CutTrain& train, const CutMesh& mesh,
                                     double hob_tip_radius) {
   DesignCondition condition{fmt::format("root_form.hob.{}", mesh.name), "", "mm"};
   const CutGear& sun = train.gears[mesh.gear_1];
-  const CutPair of_sun = *mesh.cut;
-  const CutPair of_planet = seen_from_the_mate(of_sun);
-  if (lowest_contact(of_sun) <= 0.0 || lowest_contact(of_planet) <= 0.0) {
+  const auto largest = largest_hob_tip_radii(train, mesh);
+  if (!largest) {
     return violated_without_value(
         condition,
         "does not exist: a tip reaches inside the base circle of its mate; needs other shifts.");
   }
-  condition.value = length_mm(sun, std::min(largest_hob_tip_radius_of_first(of_sun),
-                                            largest_hob_tip_radius_of_first(of_planet)));
+  condition.value = length_mm(sun, std::min((*largest)[0], (*largest)[1]));
   condition.limit = length_mm(sun, hob_tip_radius);
   condition.meaning =
       "of rounding at most on the tip of the hob that leaves the flanks of sun and planet down to "

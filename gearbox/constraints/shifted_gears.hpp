@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "gearbox/constraints/design_report.hpp"
 #include "gearbox/train/cut_train.hpp"
 
@@ -39,6 +42,15 @@ ConstraintReport contact_ratio_limit(const Problem& problem, const CutMesh& mesh
 
 /// From the tip of one gear to the root of its mate, the narrower of both, above 0.
 ConstraintReport bottom_clearance(const CutTrain& train, const CutMesh& mesh);
+
+/// Of the hobs of sun and planet, that leave each involute down to where the mate's tip touches it,
+/// in modules. Negative: none does. Nothing where a tip reaches inside a base circle.
+std::optional<std::array<double, 2>> largest_hob_tip_radii(const CutTrain& train,
+                                                           const CutMesh& mesh);
+
+/// The stated shaper can be fed into the ring radially without cutting away its tips. Requires
+/// stated teeth.
+ConstraintReport shaper_feed(const CutTrain& train, const CutMesh& mesh);
 
 /// The hob leaves the involutes of both external gears down to where the mate's tip touches them.
 ConstraintReport external_root_form(const CutTrain& train, const CutMesh& mesh,

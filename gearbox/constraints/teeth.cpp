@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearbox/constraints/condition.hpp"
+#include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/teeth/root_form.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/walls.hpp"
@@ -100,9 +101,8 @@ ConstraintReport tooth_difference(std::int64_t planet_1, std::int64_t planet_2,
 
 ConstraintReport undercut(const Problem& problem, std::string_view gear, std::int64_t teeth) {
   DesignCondition condition{fmt::format("undercut.{}", gear), "", "teeth"};
-  const auto& hob = problem.cutters.hob_tip_radius;
-  const double depth = hob ? straight_depth_of_hob(io::nearest(*hob)) : 1.0;
-  const double limit = hob ? undercut_limit_teeth(depth) : kUndercutLimit_teeth;
+  const double depth = undercut_depth(stated_cutters(problem));
+  const double limit = undercut_limit_teeth(depth);
   condition.value = Rational(teeth);
   condition.limit = fraction_of(limit);
   condition.meaning = "on this gear";
@@ -125,7 +125,7 @@ ConstraintReport sun_under_layer_2(const Rational& module_mm, std::int64_t plane
 
 ConstraintReport ring_wall(const Problem& problem, const Rational& module_mm, std::string_view gear,
                            std::int64_t teeth) {
-  const Rational root_mm = module_mm * (Rational(teeth) + Rational(5, 2));
+  const Rational root_mm = module_mm * (Rational(teeth) + 2 * problem.cutters.shaper_depth());
   DesignCondition condition{fmt::format("ring_wall.{}", gear), ring_space_key(problem), "mm"};
   condition.value = (ring_space_mm(problem) - root_mm) / 2;
   condition.limit = ring_wall_mm(problem, module_mm);

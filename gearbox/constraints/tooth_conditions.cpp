@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/constraints/tooth_conditions.hpp"
 
+#include "gearbox/constraints/root_form.hpp"
 #include "gearbox/teeth/mesh.hpp"
 #include "gearbox/teeth/root_form.hpp"
+#include "gearbox/teeth/shaper_feed.hpp"
 #include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
@@ -12,6 +14,18 @@ Expression constant(std::int64_t number) { return Expression(static_cast<double>
 Expression half_pitch_angle(std::int64_t planet_count) {
   return Expression::pi() / constant(planet_count);
 }
+
+Expression straight_depth(const StatedCutters& cutters, const Rational& tip_radius) {
+  return straight_depth_of_hob(Expression(cutters.hob_depth()), Expression(tip_radius));
+}
+
+/// As constraints/gear_cutters.hpp has it.
+Expression undercut_depth(const StatedCutters& cutters) {
+  if (cutters.hob_tip_radius) return straight_depth(cutters, *cutters.hob_tip_radius);
+  if (!cutters.hob_addendum) return Expression(1.0);
+  return max(straight_depth(cutters, Rational(19, 50)), 1.0);
+}
+
 Expression reference_angle() { return Expression::pi() / 9.0; }
 
 }  // namespace
@@ -63,9 +77,7 @@ Expression neighbour_clearance_mm(std::int64_t planet_count, const Rational& mod
 
 Condition undercut(const Problem& problem, const std::string& gear, const Expression& teeth) {
   const std::string name = "undercut." + gear;
-  const auto& hob = problem.cutters.hob_tip_radius;
-  const Expression depth = hob ? straight_depth_of_hob(Expression(*hob)) : Expression(1.0);
-  return {name, name, "", teeth - undercut_limit_teeth(depth)};
+  return {name, name, "", teeth - undercut_limit_teeth(undercut_depth(problem.cutters))};
 }
 
 Condition ring_tip(const std::string& ring, const Rational& module_mm, const Expression& teeth) {
@@ -77,7 +89,8 @@ Condition ring_tip(const std::string& ring, const Rational& module_mm, const Exp
 Condition ring_wall(const Problem& problem, const std::string& ring, const Rational& module_mm,
                     const Expression& teeth) {
   const std::string name = "ring_wall." + ring;
-  const Expression root_mm = Expression(module_mm) * (teeth + 2.5);
+  const Expression root_mm =
+      Expression(module_mm) * (teeth + Expression(Rational(2 * problem.cutters.shaper_depth())));
   const Rational wall_mm = ring_wall_mm(problem, module_mm);
   return {name, name, ring_space_key(problem),
           (Expression(ring_space_mm(problem)) - root_mm) / 2.0 - Expression(wall_mm)};
@@ -96,21 +109,35 @@ std::vector<Condition> root_form(const Problem& problem, const std::string& mesh
                                  const Expression& planet, const Expression& ring) {
   std::vector<Condition> result;
   const StatedCutters& cutters = problem.cutters;
-  if (cutters.hob_tip_radius) {
+  if (cutters.hob_tip_radius || cutters.hob_addendum) {
     const std::string name = "root_form.hob." + mesh;
     const Expression spare =
-        straight_depth_of_hob(Expression(*cutters.hob_tip_radius)) - depth_reached_by_ring(ring);
+        straight_depth(cutters, cutters.hob_tip_radius.value_or(0)) - depth_reached_by_ring(ring);
     result.push_back({name, name, "", min(spare, ring_tip_margin(ring))});
   }
-  if (cutters.shaper_teeth) {
+  if (cutters.shaper_teeth || (cutters.shaper_addendum && cutters.shaper_tip_radius)) {
     const std::string name = "root_form.shaper." + mesh;
-    const Expression shaper = constant(*cutters.shaper_teeth);
-    const Expression spare =
-        path_left_by_shaper(shaper, Expression(cutters.shaper_tip_radius.value_or(0))) -
-        path_reached_by_planet(planet);
+    const Expression shaper = cutters.shaper_teeth ? constant(*cutters.shaper_teeth) : planet;
+    const Expression left = path_left_by_shaper(shaper, Expression(cutters.shaper_depth()),
+                                                Expression(cutters.shaper_tip_radius.value_or(0)));
+    const Expression spare = left - path_reached_by_planet(planet);
     result.push_back({name, name, "", min(spare, ring - shaper - 1.0)});
   }
+  if (cutters.shaper_teeth) {
+    const std::string name = "shaper_feed." + mesh;
+    result.push_back({name, name, "", ring - constant(least_fed_ring(stated_cutters(problem)))});
+  }
   return result;
+}
+
+std::vector<Condition> root_form_of_gears(const Problem& problem, const std::string& mesh,
+                                          const Expression& gear_1, const Expression& gear_2) {
+  const StatedCutters& cutters = problem.cutters;
+  if (!cutters.hob_tip_radius || !cutters.hob_addendum) return {};
+  const std::string name = "root_form.hob." + mesh;
+  const Expression depth = straight_depth(cutters, *cutters.hob_tip_radius);
+  return {{name, name, "",
+           min(depth - depth_reached_by_gear(gear_1), depth - depth_reached_by_gear(gear_2))}};
 }
 
 Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& gear_1,

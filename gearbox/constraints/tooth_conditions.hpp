@@ -47,10 +47,14 @@ Condition ring_wall(const Problem& problem, const std::string& ring, const Ratio
 /// Involute and trochoid interference of a planet in a ring; judged at points.
 std::vector<Condition> interference(const std::string& mesh, const Expression& planet,
                                     const Expression& ring);
-/// What stated cutters leave of the involutes in a ring's mesh; of what is assumed nothing needs to
-/// be asked (docs/derivations/tooth_outline.md, "Which cutters never fail").
+/// What stated cutters leave of the involutes in a ring's mesh, and whether its shaper can be fed
+/// in; of what is assumed nothing needs to be asked (docs/derivations/tooth_outline.md, "Which
+/// cutters never fail").
 std::vector<Condition> root_form(const Problem& problem, const std::string& mesh,
                                  const Expression& planet, const Expression& ring);
+/// The same of two external gears.
+std::vector<Condition> root_form_of_gears(const Problem& problem, const std::string& mesh,
+                                          const Expression& gear_1, const Expression& gear_2);
 /// Of two external gears.
 Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& gear_1,
                         const Expression& gear_2);

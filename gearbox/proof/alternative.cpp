@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "gearbox/proof/root_form.hpp"
+
 namespace torquewright::gearbox::proof {
 
 Alternative::Alternative(const Problem& the_problem, std::int64_t count, const Rational& module)
@@ -17,7 +19,8 @@ Alternative::Alternative(const Problem& the_problem, std::int64_t count, const R
           the_problem.ring_outer_diameter_mm.value_or(the_problem.rotor_inner_diameter_mm)),
       ring_wall_mm(the_problem.ring_wall_mm.value_or(Rational(module * Rational(9, 4)))),
       hollow_shaft_wall_mm(the_problem.hollow_shaft_wall_mm.value_or(ring_wall_mm)),
-      sine(sin(pi() / Interval(static_cast<long>(count)))) {
+      sine(sin(pi() / Interval(static_cast<long>(count)))),
+      least_fed_ring(the_problem.cutters.shaper_teeth ? proof::least_fed_ring(the_problem) : 0) {
   // A reversed output has a negative target, for which the factors change places.
   if (least_ratio > greatest_ratio) std::swap(least_ratio, greatest_ratio);
 }

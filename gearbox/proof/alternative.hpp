@@ -28,6 +28,7 @@ struct Alternative {
   Rational ring_wall_mm;
   Rational hollow_shaft_wall_mm;  ///< Stated, or a rim as thick as a ring's wall.
   Interval sine;                  ///< sin(pi/n)
+  std::int64_t least_fed_ring;    ///< Where a shaper's teeth are stated, else 0.
 };
 
 bool is_planetary(const Problem& problem);

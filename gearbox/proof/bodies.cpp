@@ -29,9 +29,9 @@ Body annulus(const Interval& areal_kg_mm2, const Rational& outer_mm, const Ratio
   return {mass, mass * Interval(Rational((outer + inner) / 8 / 1'000'000))};
 }
 
-/// Root circle and wall beyond the pitch circle, both sides: 2.5 m + 2 w.
-Rational rim_mm(const Alternative& alternative) {
-  return alternative.module_mm * Rational(5, 2) + 2 * alternative.ring_wall_mm;
+/// Root circle and wall beyond the pitch circle, both sides: 2 h m + 2 w.
+Rational rim_mm(const Alternative& alternative, const Rational& root_depth) {
+  return 2 * alternative.module_mm * root_depth + 2 * alternative.ring_wall_mm;
 }
 
 Interval mass_at(const Alternative& alternative, const Teeth& teeth) {
@@ -65,7 +65,8 @@ Interval planet_inertia(const Alternative& alternative, const Teeth& teeth,
 
 Body sun_body(const Alternative& alternative, std::int64_t teeth) {
   const Rational pitch_mm = pitch_diameter_mm(alternative, teeth);
-  const Rational bore_mm = std::max(Rational(0), Rational(pitch_mm - rim_mm(alternative)));
+  const Rational depth = alternative.problem->cutters.hob_depth();
+  const Rational bore_mm = std::max(Rational(0), Rational(pitch_mm - rim_mm(alternative, depth)));
   return annulus(areal_mass(alternative, 1), pitch_mm, bore_mm);
 }
 
@@ -75,7 +76,9 @@ Body planet_disc(const Alternative& alternative, std::int64_t teeth, int layer) 
 
 Body ring_body(const Alternative& alternative, std::int64_t teeth, int layer) {
   const Rational pitch_mm = pitch_diameter_mm(alternative, teeth);
-  return annulus(areal_mass(alternative, layer), pitch_mm + rim_mm(alternative), pitch_mm);
+  return annulus(areal_mass(alternative, layer),
+                 pitch_mm + rim_mm(alternative, alternative.problem->cutters.shaper_depth()),
+                 pitch_mm);
 }
 
 Interval total_mass_kg(const Alternative& alternative, const TeethRange& range) {

@@ -74,7 +74,7 @@ Linearization neighbour_clearance_form(const Alternative& alternative, int layer
 }
 
 Linearization undercut_form(const Problem& problem, int gear, const RealPoint& point) {
-  return teeth_form(1, -2 * straight_depth(problem) / square(sin(pressure_angle())), gear, point);
+  return teeth_form(1, -2 * undercut_depth(problem) / square(sin(pressure_angle())), gear, point);
 }
 
 Linearization sun_under_layer_2_form(const Alternative& alternative, const RealPoint& point) {
@@ -84,7 +84,9 @@ Linearization sun_under_layer_2_form(const Alternative& alternative, const RealP
 
 Linearization ring_wall_form(const Alternative& alternative, int layer, const RealPoint& point) {
   const Rational room_mm =
-      (alternative.ring_space_mm - alternative.module_mm * Rational(5, 2)) / 2 -
+      (alternative.ring_space_mm -
+       2 * alternative.module_mm * alternative.problem->cutters.shaper_depth()) /
+          2 -
       alternative.ring_wall_mm;
   return ring_form(-Interval(alternative.module_mm) / 2, Interval(room_mm), layer, point);
 }
@@ -92,6 +94,10 @@ Linearization ring_wall_form(const Alternative& alternative, int layer, const Re
 Linearization ring_tip_form(const Alternative& alternative, int layer, const RealPoint& point) {
   const Interval module(alternative.module_mm);
   return ring_form(module * (1 - cos(pressure_angle())) / 2, -module, layer, point);
+}
+
+Linearization shaper_feed_form(const Alternative& alternative, int layer, const RealPoint& point) {
+  return ring_form(1, -number(alternative.least_fed_ring), layer, point);
 }
 
 std::optional<Linearization> ratio_max_form(const Alternative& alternative,

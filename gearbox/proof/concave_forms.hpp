@@ -38,11 +38,14 @@ Linearization undercut_form(const Problem& problem, int gear, const RealPoint& p
 /// m (d/2 - 2)
 Linearization sun_under_layer_2_form(const Alternative& alternative, const RealPoint& point);
 
-/// (ring_outer_diameter - m (z + 2.5))/2 - wall
+/// (ring_outer_diameter - m (z + 2 h))/2 - wall
 Linearization ring_wall_form(const Alternative& alternative, int layer, const RealPoint& point);
 
 /// m (z - 2 - z cos alpha)/2
 Linearization ring_tip_form(const Alternative& alternative, int layer, const RealPoint& point);
+
+/// z less the fewest teeth into which the shaper can be fed
+Linearization shaper_feed_form(const Alternative& alternative, int layer, const RealPoint& point);
 
 /// Concave for G' >= 1 only, else empty. Planetary: linear.
 std::optional<Linearization> ratio_max_form(const Alternative& alternative, const RealPoint& point);

@@ -51,14 +51,28 @@ void add_for_rings(const Problem& problem, const std::string& prefix, Constraint
 }
 
 void add_for_meshes(const Problem& problem, const std::string& prefix, ConstraintFamily family,
-                    const std::string& key, Constraints& all) {
+                    const std::string& key, bool internal_only, Constraints& all) {
   static const std::vector<std::string> stepped{"sun_planet_1", "planet_1_fixed_ring",
                                                 "planet_2_output_ring"};
   static const std::vector<std::string> single{"sun_planet", "planet_ring"};
   const std::vector<std::string>& meshes = is_planetary(problem) ? single : stepped;
-  const bool internal_only = family != ConstraintFamily::kContactRatio;
   for (std::size_t mesh = internal_only ? 1 : 0; mesh < meshes.size(); ++mesh) {
     all.push_back({prefix + meshes[mesh], family, static_cast<int>(mesh), key});
+  }
+}
+
+/// What is stated of the cutters and can fail.
+void add_cutters(const Problem& problem, Constraints& all) {
+  const StatedCutters& cutters = problem.cutters;
+  if (cutters.hob_tip_radius || cutters.hob_addendum) {
+    const bool rings_only = !cutters.hob_tip_radius || !cutters.hob_addendum;
+    add_for_meshes(problem, "root_form.hob.", ConstraintFamily::kHobRootForm, "", rings_only, all);
+  }
+  if (cutters.shaper_teeth || (cutters.shaper_addendum && cutters.shaper_tip_radius)) {
+    add_for_meshes(problem, "root_form.shaper.", ConstraintFamily::kShaperRootForm, "", true, all);
+  }
+  if (cutters.shaper_teeth) {
+    add_for_meshes(problem, "shaper_feed.", ConstraintFamily::kShaperFeed, "", true, all);
   }
 }
 
@@ -74,17 +88,12 @@ Constraints constraints_of(const Problem& problem) {
       problem.ring_outer_diameter_mm ? "/ring_outer_diameter_mm" : "/rotor_inner_diameter_mm", all);
   add_for_rings(problem, "ring_tip.", ConstraintFamily::kRingTip, "", all);
   add_for_meshes(problem, "interference.involute.", ConstraintFamily::kInvoluteInterference, "",
-                 all);
+                 true, all);
   add_for_meshes(problem, "interference.trochoid.", ConstraintFamily::kTrochoidInterference, "",
-                 all);
+                 true, all);
   add_for_meshes(problem, "contact_ratio.", ConstraintFamily::kContactRatio, "/min_contact_ratio",
-                 all);
-  if (problem.cutters.hob_tip_radius) {
-    add_for_meshes(problem, "root_form.hob.", ConstraintFamily::kHobRootForm, "", all);
-  }
-  if (problem.cutters.shaper_teeth) {
-    add_for_meshes(problem, "root_form.shaper.", ConstraintFamily::kShaperRootForm, "", all);
-  }
+                 false, all);
+  add_cutters(problem, all);
   return all;
 }
 

@@ -27,6 +27,7 @@ enum class ConstraintFamily {
   kTrochoidInterference,
   kHobRootForm,
   kShaperRootForm,
+  kShaperFeed,
   kContactRatio,
 };
 

@@ -8,8 +8,8 @@ namespace {
 /// The sun is an annulus for every sun of the box: m S_l >= k. Then its mass is linear in S.
 bool is_annulus(const Alternative& alternative, std::int64_t least_sun) {
   const Rational pitch_mm = alternative.module_mm * static_cast<long>(least_sun);
-  return pitch_mm >=
-         Rational(alternative.module_mm * Rational(5, 2) + 2 * alternative.ring_wall_mm);
+  const Rational depth = alternative.problem->cutters.hob_depth();
+  return pitch_mm >= Rational(2 * alternative.module_mm * depth + 2 * alternative.ring_wall_mm);
 }
 
 /// A function that is linear in z, from two of its values.

@@ -23,7 +23,7 @@ Rational bore_teeth(const Alternative& alternative) {
 }
 
 Rational hollow_shaft_mm(const Alternative& alternative, std::int64_t sun) {
-  return alternative.module_mm * (whole(sun) - Rational(5, 2)) -
+  return alternative.module_mm * (whole(sun) - 2 * alternative.problem->cutters.hob_depth()) -
          2 * alternative.hollow_shaft_wall_mm;
 }
 
@@ -32,7 +32,8 @@ Rational ring_pitch_mm(const Alternative& alternative, const Teeth& teeth) {
 }
 
 Rational ring_blank_mm(const Alternative& alternative, const Teeth& teeth) {
-  return alternative.module_mm * (whole(ring(teeth, 1)) + Rational(5, 2)) +
+  return alternative.module_mm *
+             (whole(ring(teeth, 1)) + 2 * alternative.problem->cutters.shaper_depth()) +
          2 * alternative.ring_wall_mm;
 }
 

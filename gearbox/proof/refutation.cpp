@@ -35,8 +35,12 @@ Teeth best_corner(const Constraint& constraint, const Box& box) {
     case ConstraintFamily::kMinTeeth:
     case ConstraintFamily::kUndercut:
     case ConstraintFamily::kRingTip:
+    case ConstraintFamily::kShaperFeed:
+      if (is_second) corner[2] = box.lower[2];
+      break;
     case ConstraintFamily::kHobRootForm:
       if (is_second) corner[2] = box.lower[2];
+      if (constraint.place == 0) corner = box.lower;
       break;
     default:
       break;

@@ -30,6 +30,8 @@ std::optional<Linearization> linearize_constraint(const Constraint& constraint,
       return ring_wall_form(alternative, constraint.place, point);
     case ConstraintFamily::kRingTip:
       return ring_tip_form(alternative, constraint.place, point);
+    case ConstraintFamily::kShaperFeed:
+      return shaper_feed_form(alternative, constraint.place, point);
     default:
       return std::nullopt;
   }
@@ -45,7 +47,8 @@ std::optional<Linearization> linearize_quantity(const Claim& claim, const Altern
       return paper_cost_form(alternative, value, box, point);
     case Measure::kHollowShaft:
       return affine(point,
-                    -value - module * Interval(Rational(5, 2)) -
+                    -value -
+                        module * Interval(Rational(2 * alternative.problem->cutters.hob_depth())) -
                         2 * Interval(alternative.hollow_shaft_wall_mm),
                     {module, 0, 0});
     case Measure::kTeeth:

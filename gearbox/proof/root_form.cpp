@@ -6,8 +6,6 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
-Rational dedendum() { return Rational(5, 4); }
-
 /// From the base tangent point to a circle of this radius, in modules.
 Interval string_to(const Rational& radius, std::int64_t teeth) {
   const Interval base = number(teeth) * cos(pressure_angle()) / 2;
@@ -18,16 +16,53 @@ Interval string_to_pitch_point(std::int64_t teeth) {
   return number(teeth) * sin(pressure_angle()) / 2;
 }
 
+Interval straight_depth(const Problem& problem, const Rational& tip_radius) {
+  return Interval(problem.cutters.hob_depth()) - Interval(tip_radius) * (1 - sin(pressure_angle()));
+}
+
+/// Half the angle of a tooth at a radius, without profile shift.
+Interval half_angle(std::int64_t teeth, const Rational& radius) {
+  const Interval base = number(teeth) * cos(pressure_angle()) / 2;
+  return pi() / (2 * number(teeth)) + involute(pressure_angle()) -
+         involute(acos(base / Interval(radius)));
+}
+
+/// Whether a ring of so many teeth keeps its tips when the shaper is fed in. At the turn where the
+/// shaper's rounding, with its centre at the radius c, passes the ring's tip closest, the heights
+/// of both agree, s + rho = t sin(theta_2), s = c sin(theta_1), and so do their speeds, c
+/// cos(theta_1) = k t cos(theta_2), k the shaper's teeth over the ring's: two equations for s.
+bool is_fed(const Problem& problem, std::int64_t ring) {
+  const std::int64_t shaper = *problem.cutters.shaper_teeth;
+  const Rational rounding = problem.cutters.shaper_tip_radius.value_or(Rational(0));
+  const Rational centre = whole(shaper) / 2 + problem.cutters.shaper_depth() - rounding;
+  const Rational tip = whole(ring) / 2 - 1;
+  if (centre + rounding > tip) return false;
+  const Rational k = whole(shaper) / whole(ring);
+  const Rational square_k = k * k;
+  const Rational root =
+      square_k * square_k * rounding * rounding +
+      (1 - square_k) * (centre * centre + square_k * rounding * rounding - square_k * tip * tip);
+  if (root < 0) return false;
+  const Interval height =
+      (Interval(Rational(square_k * rounding)) + sqrt(Interval(root))) / Interval(1 - square_k);
+  const Interval sine_1 = height / Interval(centre);
+  const Interval sine_2 = (height + Interval(rounding)) / Interval(tip);
+  if (sign(1 - sine_1) < 0 || sign(1 - sine_2) < 0) return false;
+  const Interval base = number(shaper) * cos(pressure_angle()) / 2;
+  const Interval turn = asin(sine_1) - (half_angle(shaper, centre) - Interval(rounding) / base);
+  return sign(Interval(k) * turn + half_angle(ring, tip) - asin(sine_2)) >= 0;
+}
+
 }  // namespace
 
-Interval straight_depth(const Problem& problem) {
-  if (!problem.cutters.hob_tip_radius) return 1;
-  return Interval(dedendum()) -
-         Interval(*problem.cutters.hob_tip_radius) * (1 - sin(pressure_angle()));
+Interval undercut_depth(const Problem& problem) {
+  const auto& cutters = problem.cutters;
+  if (cutters.hob_tip_radius) return straight_depth(problem, *cutters.hob_tip_radius);
+  return max(Interval(1), straight_depth(problem, Rational(38, 100)));
 }
 
 bool is_not_undercut(const Problem& problem, std::int64_t teeth) {
-  return sign(number(teeth) * square(sin(pressure_angle())) - 2 * straight_depth(problem)) >= 0;
+  return sign(number(teeth) * square(sin(pressure_angle())) - 2 * undercut_depth(problem)) >= 0;
 }
 
 bool has_root_form_of_hob(const Problem& problem, std::int64_t ring) {
@@ -35,19 +70,38 @@ bool has_root_form_of_hob(const Problem& problem, std::int64_t ring) {
   // The ring's tip lies this far before the pitch point; the hob goes sin(alpha) as deep there.
   const Rational tip = whole(ring) / 2 - 1;
   const Interval before = string_to_pitch_point(ring) - string_to(tip, ring);
-  return sign(straight_depth(problem) - sin(pressure_angle()) * before) >= 0;
+  const Rational rounding = problem.cutters.hob_tip_radius.value_or(Rational(0));
+  return sign(straight_depth(problem, rounding) - sin(pressure_angle()) * before) >= 0;
+}
+
+bool has_root_form_of_hob(const Problem& problem, std::int64_t sun, std::int64_t planet) {
+  const Interval depth = straight_depth(problem, *problem.cutters.hob_tip_radius);
+  for (const std::int64_t mate : {sun, planet}) {
+    const Rational tip = whole(mate) / 2 + 1;
+    const Interval before = string_to(tip, mate) - string_to_pitch_point(mate);
+    if (sign(depth - sin(pressure_angle()) * before) < 0) return false;
+  }
+  return true;
 }
 
 bool has_root_form_of_shaper(const Problem& problem, std::int64_t planet, std::int64_t ring) {
-  const std::int64_t shaper = *problem.cutters.shaper_teeth;
+  const std::int64_t shaper = problem.cutters.shaper_teeth.value_or(planet);
   if (ring <= shaper) return false;
   const Rational rounding = problem.cutters.shaper_tip_radius.value_or(Rational(0));
-  const Rational centre = whole(shaper) / 2 + dedendum() - rounding;
+  const Rational centre = whole(shaper) / 2 + problem.cutters.shaper_depth() - rounding;
   const Rational tip = whole(planet) / 2 + 1;
   const Interval left =
       string_to(centre, shaper) + Interval(rounding) - string_to_pitch_point(shaper);
   const Interval needed = string_to(tip, planet) - string_to_pitch_point(planet);
   return sign(left - needed) >= 0;
+}
+
+std::int64_t least_fed_ring(const Problem& problem) {
+  const std::int64_t shaper = *problem.cutters.shaper_teeth;
+  std::int64_t ring = shaper + 1;
+  const std::int64_t most = 2 * shaper + 100;
+  while (ring < most && !(has_tip_outside_base(ring) && is_fed(problem, ring))) ++ring;
+  return ring;
 }
 
 }  // namespace torquewright::gearbox::proof

@@ -53,7 +53,8 @@ bool has_neighbour_clearance(const Alternative& alternative, const Teeth& teeth,
 /// Root circle and wall within the blank.
 bool has_ring_wall(const Alternative& alternative, std::int64_t teeth) {
   const Rational blank_mm =
-      alternative.module_mm * (Rational(static_cast<long>(teeth)) + Rational(5, 2)) +
+      alternative.module_mm *
+          (Rational(static_cast<long>(teeth)) + 2 * alternative.problem->cutters.shaper_depth()) +
       2 * alternative.ring_wall_mm;
   return blank_mm <= alternative.ring_space_mm;
 }
@@ -106,10 +107,13 @@ bool satisfies(const Constraint& constraint, const Alternative& alternative, con
       return has_ring_tip_outside_base(ring(teeth, place)) &&
              is_free_of_trochoid_interference(planet(teeth, place), ring(teeth, place));
     case ConstraintFamily::kHobRootForm:
+      if (place == 0) return has_root_form_of_hob(*alternative.problem, teeth.sun, teeth.planet_1);
       return has_root_form_of_hob(*alternative.problem, ring(teeth, place));
     case ConstraintFamily::kShaperRootForm:
       return has_root_form_of_shaper(*alternative.problem, planet(teeth, place),
                                      ring(teeth, place));
+    case ConstraintFamily::kShaperFeed:
+      return ring(teeth, place) >= alternative.least_fed_ring;
     case ConstraintFamily::kContactRatio:
       return has_contact_ratio(alternative, teeth, place);
   }

@@ -38,7 +38,10 @@ class MeshBuilder {
     for (LoadedMesh& mesh : built_.meshes) {
       for (const std::size_t which : {0U, 1U}) {
         for (const GearCutter& cutter : cutters) {
-          if (cutter.gear == mesh.gears[which]) mesh.cutter_tip_radius[which] = cutter.tip_radius;
+          if (cutter.gear != mesh.gears[which]) continue;
+          mesh.cutter_tip_radius[which] = cutter.tip_radius;
+          mesh.cutter_addendum[which] = cutter.addendum;
+          if (cutter.shaper_teeth > 0) mesh.shaper_teeth = cutter.shaper_teeth;
         }
       }
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ struct LoadedMesh {
   double face_width_mm = 0.0;
   /// Tangential, on the working pitch circles, all planets sharing alike, without losses.
   double force_per_sun_torque_N_Nm = 0.0;
+  std::array<double, 2> cutter_addendum{};  ///< How deep it cut below the middle line, modules.
+  std::int64_t shaper_teeth = 0;            ///< Of a ring's cutter.
 };
 
 /// The meshes of a train with their forces, docs/derivations/strength.md eq. (1)...(3).

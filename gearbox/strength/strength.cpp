@@ -65,8 +65,12 @@ RootFactors din3990_root_factors(double teeth, double shift, double tip_diameter
       ((std::cos(half_tooth_rad) - std::sin(half_tooth_rad) * std::tan(load_rad)) * load_diameter -
        teeth * std::cos(std::numbers::pi / 3.0 - root.fillet_angle_rad) -
        root.fillet_offset / std::cos(root.fillet_angle_rad) + tool.root_radius);
-  return {6.0 * lever * std::cos(load_rad) / (square(root.chord) * kReferenceCosine),
-          stress_concentration(root.chord / lever, root.chord / (2.0 * root.fillet_radius))};
+  return cantilever_factors(lever, root.chord, root.fillet_radius, load_rad);
+}
+
+RootFactors cantilever_factors(double lever, double chord, double fillet_radius, double load_rad) {
+  return {6.0 * lever * std::cos(load_rad) / (square(chord) * kReferenceCosine),
+          stress_concentration(chord / lever, chord / (2.0 * fillet_radius))};
 }
 
 RootFactors din3990_ring_root_factors(double height, const RackTool& tool) {

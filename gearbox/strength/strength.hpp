@@ -26,6 +26,11 @@ RootFactors din3990_root_factors(double teeth, double shift, double tip_diameter
 /// from tip to root in modules. docs/derivations/strength.md eq. (6).
 RootFactors din3990_ring_root_factors(double tooth_height_in_modules, const RackTool& tool);
 
+/// Y_F = 6 h cos(alpha_F)/(s^2 cos(alpha)) and Y_S of a tooth that is bent like a beam; lengths in
+/// modules: the lever from the force's line on the tooth's middle to the section, the section's
+/// chord, the radius of its fillet, and the force's angle to the chord.
+RootFactors cantilever_factors(double lever, double chord, double fillet_radius, double load_rad);
+
 /// Y_eps = 0.25 + 0.75/eps_alpha, which goes with tip factors only. Dimensionless.
 double contact_ratio_factor(double contact_ratio);
 

@@ -158,6 +158,10 @@ Cutters read_cutters(const json& root, ReadStrength& read) {
   if (keys.contains("hob_tip_radius")) {
     cutters.hob_tip_radius = keys["hob_tip_radius"].get<double>();
   }
+  if (keys.contains("hob_addendum")) cutters.hob_addendum = keys["hob_addendum"].get<double>();
+  if (keys.contains("shaper_addendum")) {
+    cutters.shaper_addendum = keys["shaper_addendum"].get<double>();
+  }
   if (keys.contains("shaper_tip_radius")) {
     cutters.shaper_tip_radius = keys["shaper_tip_radius"].get<double>();
   }

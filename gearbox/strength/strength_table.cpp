@@ -8,8 +8,8 @@
 namespace torquewright::gearbox {
 namespace {
 
-/// A ring's root circle and two walls of one tooth height, in modules (docs/decisions/0004).
-constexpr double kBeyondPitchCircle = 2.5 + 2.0 * 2.25;
+/// Two walls of one tooth height, in modules (docs/decisions/0004).
+constexpr double kWalls = 2.0 * 2.25;
 
 std::vector<StrengthCase> over_widths(const StrengthCase& strength,
                                       const std::vector<double>& widths_mm) {
@@ -29,7 +29,8 @@ std::vector<std::int64_t> stage_with_most_teeth(const GearTrain& stage, double m
   GearTrain tried = stage;
   tried.module_mm = module_mm;
   tried.shifts.assign(3, 0.0);
-  const double blank_teeth = ring_space_mm / module_mm - kBeyondPitchCircle;
+  const double blank_teeth =
+      ring_space_mm / module_mm - 2.0 * stage.cutters.shaper_depth() - kWalls;
   const auto most = static_cast<std::int64_t>(std::floor(blank_teeth + 1e-9));
   const std::int64_t own_sun = stage.teeth[0];
   const std::int64_t own_ring = stage.teeth[2];

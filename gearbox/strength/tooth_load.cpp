@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "gearbox/strength/rim_factor.hpp"
+#include "gearbox/strength/ring_section.hpp"
 #include "gearbox/strength/strength.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 
 namespace torquewright::gearbox {
 namespace {
-
-constexpr double kFullToothHeight = 2.25;  // in modules; shift moves tip and root of a ring alike
 
 /// Root factors with the load at the tip, and Y_S with it at the outer point of single contact,
 /// which the static notch factor asks for. A ring has factors for the tip only.
@@ -20,11 +19,26 @@ struct RootShape {
   double working_concentration = 0.0;
 };
 
+/// Of the trochoid that its shaper leaves; of a rack's tooth where the shaper leaves none.
+RootFactors ring_root(const LoadedMesh& mesh, const RackTool& tool) {
+  const ShiftedPair& pair = mesh.cut.pair;
+  const double middle = pair.teeth_2 / 2.0 + pair.shift_2;
+  const ToothForm form{.teeth = std::llround(pair.teeth_2),
+                       .internal = true,
+                       .profile_shift = pair.shift_2,
+                       .tip_radius = mesh.cut.tip_diameter_2 / 2.0,
+                       .root_radius = middle + tool.dedendum,
+                       .fillet_radius = tool.root_radius,
+                       .shaper_teeth = mesh.shaper_teeth};
+  if (const auto section = critical_ring_section(form)) return section->factors;
+  return din3990_ring_root_factors(form.root_radius - form.tip_radius, tool);
+}
+
 RootShape root_shape(const LoadedMesh& mesh, std::size_t which) {
   const CutPair& cut = mesh.cut;
-  const RackTool tool{kDedendum, mesh.cutter_tip_radius[which]};
+  const RackTool tool{mesh.cutter_addendum[which], mesh.cutter_tip_radius[which]};
   if (which == 1 && cut.pair.kind == MeshKind::kInternal) {
-    const RootFactors ring = din3990_ring_root_factors(kFullToothHeight, tool);
+    const RootFactors ring = ring_root(mesh, tool);
     return {ring, ring.concentration};
   }
   const double teeth = which == 0 ? cut.pair.teeth_1 : cut.pair.teeth_2;
@@ -52,7 +66,10 @@ Rim rim_of(const LoadedMesh& mesh, std::size_t which, double rim_mm) {
   const double teeth = which == 0 ? cut.pair.teeth_1 : cut.pair.teeth_2;
   const double shift = which == 0 ? cut.pair.shift_1 : cut.pair.shift_2;
   const double tip = which == 0 ? cut.tip_diameter_1 : cut.tip_diameter_2;
-  const double height = internal ? kFullToothHeight : tip / 2.0 - (teeth / 2.0 + shift - kDedendum);
+  // Of a ring the tip lies inside the root.
+  const double middle = teeth / 2.0 + shift;
+  const double depth = mesh.cutter_addendum[which];
+  const double height = internal ? middle + depth - tip / 2.0 : tip / 2.0 - middle + depth;
   return {internal, rim_mm, mesh.module_mm, height * mesh.module_mm};
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "gearbox/teeth/shaper.hpp"
@@ -127,6 +128,18 @@ PolarPoint trochoid_point(const ShaperTrochoid& trochoid, double turn_rad) {
   // Eq. (16): seen from the ring's axis and turned back by the ring's turn.
   const double ring_turn_rad = trochoid.teeth_ratio * (turn_rad - trochoid.arc_center_angle_rad);
   return {std::hypot(cut_x, cut_y), std::atan2(cut_y, cut_x) - ring_turn_rad};
+}
+
+double curvature_radius(const ShaperTrochoid& trochoid, double turn_rad) {
+  using Complex = std::complex<double>;
+  // Eq. (22): the path of the rounding's centre as the ring sees it, and the rounding around it.
+  const double k = trochoid.teeth_ratio;
+  const Complex arm = std::polar(trochoid.arc_center_radius, turn_rad);
+  const Complex place = trochoid.center_distance + arm;
+  const Complex first = Complex(0.0, 1.0) * (arm - k * place);
+  const Complex second = (2.0 * k - 1.0) * arm - k * k * place;
+  const double speed = std::abs(first);
+  return speed * speed * speed / (std::conj(first) * second).imag() + trochoid.tip_radius;
 }
 
 }  // namespace torquewright::gearbox

@@ -57,4 +57,7 @@ std::optional<ShaperTrochoid> shaper_trochoid(const ToothForm& internal);
 /// the shaper's axis: 0 at the root circle, the trochoid's end at the involute.
 PolarPoint trochoid_point(const ShaperTrochoid& trochoid, double turn_rad);
 
+/// The radius of the trochoid's curvature there, eq. (22); concave towards the space.
+double curvature_radius(const ShaperTrochoid& trochoid, double turn_rad);
+
 }  // namespace torquewright::gearbox

@@ -17,10 +17,10 @@ T path_in_modules(const T& base_pitches) {
   return circle_constant<T>() * reference_cosine<T>() * base_pitches;
 }
 
-/// How deep below its middle line a hob with this tip radius is straight.
+/// How deep below its middle line a hob with this addendum and tip radius is straight.
 template <class T>
-T straight_depth_of_hob(const T& tip_radius) {
-  return kDedendum - (1.0 - reference_sine<T>()) * tip_radius;
+T straight_depth_of_hob(const T& addendum, const T& tip_radius) {
+  return addendum - (1.0 - reference_sine<T>()) * tip_radius;
 }
 
 /// How deep it has to be straight, so that the involute goes down to where the tip of a ring of so
@@ -36,12 +36,13 @@ T depth_reached_by_gear(const T& teeth) {
   return reference_sine<T>() * path_in_modules<T>(external_path_end(teeth));
 }
 
-/// Beyond the pitch point, how far along the path of contact a shaper with this many teeth and this
-/// tip radius leaves a ring's involute.
+/// Beyond the pitch point, how far along the path of contact a shaper with this many teeth,
+/// addendum and tip radius leaves a ring's involute. With as many teeth as the planet, what is left
+/// beyond the path that the planet reaches falls with the teeth.
 template <class T>
-T path_left_by_shaper(const T& shaper, const T& tip_radius) {
+T path_left_by_shaper(const T& shaper, const T& addendum, const T& tip_radius) {
   using std::sqrt;
-  const T centre = shaper / 2.0 + kDedendum - tip_radius;  // Of the rounding, from the axis.
+  const T centre = shaper / 2.0 + addendum - tip_radius;  // Of the rounding, from the axis.
   const T base = reference_cosine<T>() * shaper / 2.0;
   return sqrt(square(centre) - square(base)) + tip_radius - reference_sine<T>() * shaper / 2.0;
 }
@@ -59,8 +60,8 @@ T undercut_limit_teeth(const T& straight_depth) {
 }
 
 /// The largest tip radius of a hob that is straight as deep as is asked; negative: none.
-inline double largest_hob_tip_radius_for(double depth) {
-  return (kDedendum - depth) / (1.0 - kReferenceSine);
+inline double largest_hob_tip_radius_for(double addendum, double depth) {
+  return (addendum - depth) / (1.0 - kReferenceSine);
 }
 
 }  // namespace torquewright::gearbox

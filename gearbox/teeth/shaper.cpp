@@ -35,7 +35,7 @@ std::optional<ShaperAtDepth> shaper_at_depth(const ShapedRing& ring) {
   shaper.tip_radius = ring.root_radius - shaper.center_distance;
   shaper.base_radius = 0.5 * ring.shaper_teeth * kReferenceCosine;
   shaper.tangent_distance = shaper.center_distance * std::sin(*angle);
-  if (shaper.tip_radius <= shaper.base_radius) return std::nullopt;
+  if (land_rad(shaper, 0.0) < 0.0) return std::nullopt;
   return shaper;
 }
 

@@ -25,7 +25,7 @@ struct ShaperAtDepth {
   double tangent_distance = 0.0;  ///< Between the base tangent points of ring and shaper.
 };
 
-/// Nothing where a shaper of so many teeth does not mesh with the ring.
+/// Nothing where a shaper of so many teeth does not mesh with the ring or is pointed at its tips.
 std::optional<ShaperAtDepth> shaper_at_depth(const ShapedRing& ring);
 
 /// docs/derivations/tooth_outline.md eq. (12): the largest rounding of a shaper's tips that leaves

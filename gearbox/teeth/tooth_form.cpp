@@ -35,14 +35,14 @@ double half_angle_rad(const ToothForm& form, double radius) {
   return base_half_angle_rad(form) - involute(std::acos(ratio));
 }
 
-ToothForm external_gear(std::int64_t teeth, double profile_shift) {
+ToothForm external_gear(std::int64_t teeth, double profile_shift, double hob_addendum) {
   require_drawable(teeth, profile_shift);
   const double pitch_radius = 0.5 * static_cast<double>(teeth);
   const ToothForm form{.teeth = teeth,
                        .internal = false,
                        .profile_shift = profile_shift,
                        .tip_radius = pitch_radius + kAddendum + profile_shift,
-                       .root_radius = pitch_radius - kDedendum + profile_shift,
+                       .root_radius = pitch_radius - hob_addendum + profile_shift,
                        .fillet_radius = kHobTipRadius};
   if (form.tip_radius <= base_radius(form) || half_angle_rad(form, form.tip_radius) <= 0.0) {
     throw std::invalid_argument("tooth form: no tooth tip with this profile shift");
@@ -50,14 +50,14 @@ ToothForm external_gear(std::int64_t teeth, double profile_shift) {
   return form;
 }
 
-ToothForm internal_gear(std::int64_t teeth, double profile_shift) {
+ToothForm internal_gear(std::int64_t teeth, double profile_shift, double dedendum) {
   require_drawable(teeth, profile_shift);
   const double pitch_radius = 0.5 * static_cast<double>(teeth);
   const ToothForm form{.teeth = teeth,
                        .internal = true,
                        .profile_shift = profile_shift,
                        .tip_radius = pitch_radius - kAddendum + profile_shift,
-                       .root_radius = pitch_radius + kDedendum + profile_shift,
+                       .root_radius = pitch_radius + dedendum + profile_shift,
                        .fillet_radius = kRingFilletRadius};
   if (form.root_radius <= base_radius(form) || half_angle_rad(form, form.root_radius) <= 0.0) {
     throw std::invalid_argument("tooth form: no tooth space with this profile shift");
@@ -82,15 +82,15 @@ std::optional<double> largest_hob_tip_radius(const PlanetInRing& mesh) {
   if (lowest_contact <= 0.0) return std::nullopt;
   const double straight_depth =
       mesh.profile_shift + sine * (0.5 * mesh.teeth * sine - lowest_contact);
-  return (kDedendum - straight_depth) / (1.0 - sine);
+  return (mesh.hob_addendum - straight_depth) / (1.0 - sine);
 }
 
 ToothForm external_gear_in_ring(std::int64_t teeth, double profile_shift, const ToothForm& ring,
-                                double center_distance) {
-  ToothForm form = external_gear(teeth, profile_shift);
-  const auto largest =
-      largest_hob_tip_radius({static_cast<double>(teeth), profile_shift,
-                              static_cast<double>(ring.teeth), ring.tip_radius, center_distance});
+                                double center_distance, double hob_addendum) {
+  ToothForm form = external_gear(teeth, profile_shift, hob_addendum);
+  const auto largest = largest_hob_tip_radius({static_cast<double>(teeth), profile_shift,
+                                               static_cast<double>(ring.teeth), ring.tip_radius,
+                                               center_distance, hob_addendum});
   if (largest) form.fillet_radius = std::clamp(*largest, 0.0, kHobTipRadius);
   return form;
 }

@@ -25,17 +25,23 @@ struct ToothForm {
 /// Tip radius of the hob of ISO 53 profile A, in modules: assumed where no cutter is stated.
 inline constexpr double kHobTipRadius = 0.38;
 
+/// Of hob and shaper in modules where no other is stated: ISO 53 profiles A, B and C.
+inline constexpr double kStandardAddendum = 1.25;
+
 /// Root fillet of a ring, in modules: assumed where no shaper is stated. It stays clear of a
 /// standard planet's tip (docs/derivations/tooth_outline.md).
 inline constexpr double kRingFilletRadius = 0.3;
 
-/// A gear with addendum 1 and dedendum 1.25, cut by the hob of ISO 53 profile A. Requires at least
-/// kMinDrawnTeeth teeth; throws std::invalid_argument otherwise and where the tip is pointed.
-ToothForm external_gear(std::int64_t teeth, double profile_shift = 0.0);
+/// A gear with addendum 1, cut by a hob of this addendum and else that of ISO 53 profile A.
+/// Requires at least kMinDrawnTeeth teeth; throws std::invalid_argument otherwise and where the tip
+/// is pointed.
+ToothForm external_gear(std::int64_t teeth, double profile_shift = 0.0,
+                        double hob_addendum = kStandardAddendum);
 
-/// A ring with addendum 1 and dedendum 1.25. Requires at least kMinDrawnTeeth teeth; throws
+/// A ring with addendum 1 and this dedendum. Requires at least kMinDrawnTeeth teeth; throws
 /// std::invalid_argument otherwise and where the flanks of a space cross before its root.
-ToothForm internal_gear(std::int64_t teeth, double profile_shift = 0.0);
+ToothForm internal_gear(std::int64_t teeth, double profile_shift = 0.0,
+                        double dedendum = kStandardAddendum);
 
 /// A planet in a ring; lengths in modules.
 struct PlanetInRing {
@@ -44,18 +50,19 @@ struct PlanetInRing {
   double ring_teeth = 0.0;
   double ring_tip_radius = 0.0;
   double center_distance = 0.0;
+  double hob_addendum = kStandardAddendum;  ///< Of the hob that cuts the planet.
 };
 
-/// Eq. (8): the largest tip radius of a hob of dedendum 1.25 that leaves the planet's involute down
-/// to where the ring's tip touches it. Negative: no hob does. Nothing where the ring's tip touches
-/// no involute at all.
+/// Eq. (8): the largest tip radius of the planet's hob that leaves its involute down to where the
+/// ring's tip touches it. Negative: no hob does. Nothing where the ring's tip touches no involute
+/// at all.
 std::optional<double> largest_hob_tip_radius(const PlanetInRing& mesh);
 
 /// An external gear that runs in `ring` at `center_distance` [modules]: its hob is rounded only as
 /// much as lets the involute reach down to the ring's tip (eq. (8)). Where that is below the base
 /// circle no hob helps: the standard one remains, and the two gears interfere.
 ToothForm external_gear_in_ring(std::int64_t teeth, double profile_shift, const ToothForm& ring,
-                                double center_distance);
+                                double center_distance, double hob_addendum = kStandardAddendum);
 
 /// With fewer teeth the flanks of a standard ring's space cross before its root.
 inline constexpr std::int64_t kMinDrawnTeeth = 7;

@@ -8,13 +8,12 @@
 
 namespace torquewright::gearbox {
 
-// The reference profile: 20 degrees, addendum 1 and dedendum 1.25 modules, no profile shift.
+// The reference profile: 20 degrees, addendum 1 module, no profile shift.
 inline constexpr double kReferenceAngle_rad = std::numbers::pi / 9.0;
 inline constexpr double kReferenceSine = 0.34202014332566873304;
 inline constexpr double kReferenceCosine = 0.93969262078590838405;
 inline constexpr double kReferenceTangent = 0.36397023426620236135;
 inline constexpr double kReferenceInvolute = kReferenceTangent - kReferenceAngle_rad;
-inline constexpr double kDedendum = 1.25;  ///< In modules.
 
 /// The same and pi as numbers of a scalar T: a double and what it lacks, so that where T has more
 /// digits than a double the search and its checker, which has them all, agree on the last digit.

@@ -61,10 +61,13 @@ std::vector<Remark> common_remarks(const Problem& problem, const DesignReport& r
                        : fmt::format("{:.4g} mm are there", io::nearest(ring_space_mm(problem))))});
   const auto cut = cut_train(gear_train(problem, report.design));
   if (problem.constraints == ConstraintSet::kBuildable && cut) {
-    list.push_back({"cutters", fmt::format("cutters: {}; dedendum 1.25, so that every tip stays "
-                                           "{:.4g} mm away from the root circle of its mate.",
-                                           cutter_sentence(gear_cutters(*cut)),
-                                           0.25 * io::nearest(report.design.module_mm))});
+    const std::vector<GearCutter> cutters = gear_cutters(*cut);
+    const double clearance = std::min(cutters.front().addendum, cutters.back().addendum) - 1.0;
+    list.push_back(
+        {"cutters",
+         fmt::format("cutters: {}; so that every tip stays at least {:.4g} mm "
+                     "away from the root circle of its mate.",
+                     cutter_sentence(cutters), clearance * io::nearest(report.design.module_mm))});
   }
   if (report.hollow_shaft_diameter_mm <= 0.0) {
     list.push_back({"hollow_shaft", "hollow_shaft: no hollow shaft fits through this sun."});

@@ -33,15 +33,17 @@ struct Stage {
 void describe_gears(const Stage& stage, DesignReport& report) {
   const PlanetaryTeeth<double> teeth = stage.real_teeth();
   const Rational& module = stage.module_mm;
+  const StatedCutters& cutters = stage.problem.cutters;
   const double planet = planet_speed_per_sun(teeth.sun, teeth.planet, teeth.ring);
   report.carrier_speed_per_input = carrier_speed_per_sun(teeth.sun, teeth.ring);
   if (stage.cut) {
     report.gears = gearbox::describe_gears(*stage.cut, {1.0, planet, 0.0});
     return;
   }
-  report.gears = {describe_gear("sun", stage.teeth.sun, "layer_1", false, module, 1.0),
-                  describe_gear("planet", stage.teeth.planet, "layer_1", false, module, planet),
-                  describe_gear("ring", stage.teeth.ring, "layer_1", true, module, 0.0)};
+  report.gears = {
+      describe_gear("sun", stage.teeth.sun, "layer_1", false, module, cutters, 1.0),
+      describe_gear("planet", stage.teeth.planet, "layer_1", false, module, cutters, planet),
+      describe_gear("ring", stage.teeth.ring, "layer_1", true, module, cutters, 0.0)};
 }
 
 /// By mesh: sun, ring.
@@ -131,6 +133,9 @@ std::vector<ConstraintReport> further_constraints(const Stage& stage) {
   list.push_back(root_form_of_planet(problem, stage.module_mm, "planet_ring", teeth.ring));
   list.push_back(
       root_form_of_ring(problem, stage.module_mm, "planet_ring", teeth.planet, teeth.ring));
+  if (problem.cutters.shaper_teeth) {
+    list.push_back(shaper_feed(problem, "planet_ring", teeth.ring));
+  }
   if (teeth.ring != teeth.sun + 2 * teeth.planet) {
     list.push_back(coaxiality("ring", teeth.planet, teeth.ring, teeth.sun + teeth.planet));
   }

@@ -46,6 +46,7 @@ std::vector<Condition> conditions(const Problem& problem, std::int64_t planet_co
        undercut(problem, "sun", teeth.sun), undercut(problem, "planet", teeth.planet)});
   add({ring_wall(problem, "ring", module_mm, teeth.ring), ring_tip("ring", module_mm, teeth.ring)});
   add(interference("planet_ring", teeth.planet, teeth.ring));
+  add(root_form_of_gears(problem, "sun_planet", teeth.sun, teeth.planet));
   add(root_form(problem, "planet_ring", teeth.planet, teeth.ring));
   add({contact_ratio(problem, "sun_planet", teeth.sun, teeth.planet),
        contact_ratio_in_ring(problem, "planet_ring", teeth.planet, teeth.ring)});

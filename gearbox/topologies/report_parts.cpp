@@ -23,10 +23,12 @@ constexpr double kMetresPerMillimetre = 1e-3;
 }  // namespace
 
 GearReport describe_gear(const std::string& name, std::int64_t teeth, const std::string& layer,
-                         bool internal, const Rational& module_mm, double speed_per_input) {
+                         bool internal, const Rational& module_mm, const StatedCutters& cutters,
+                         double speed_per_input) {
   const double sign = internal ? -1.0 : 1.0;
   const double module = io::nearest(module_mm);
   const auto count = static_cast<double>(teeth);
+  const double root_depth = io::nearest(internal ? cutters.shaper_depth() : cutters.hob_depth());
   GearReport gear;
   gear.name = name;
   gear.teeth = teeth;
@@ -35,7 +37,7 @@ GearReport describe_gear(const std::string& name, std::int64_t teeth, const std:
   gear.module_mm = module;
   gear.pitch_diameter_mm = module * count;
   gear.tip_diameter_mm = module * (count + sign * 2.0);
-  gear.root_diameter_mm = module * (count - sign * 2.0 * kDedendum);
+  gear.root_diameter_mm = module * (count - sign * 2.0 * root_depth);
   gear.base_diameter_mm = module * count * kReferenceCosine;
   gear.speed_per_input = speed_per_input;
   return gear;
@@ -142,8 +144,8 @@ double share_backlash(const std::vector<double>& coefficients, std::vector<MeshR
 }
 
 double hollow_shaft_mm(const Problem& problem, const Rational& module_mm, std::int64_t sun) {
-  const Rational diameter_mm =
-      module_mm * (Rational(sun) - Rational(5, 2)) - 2 * hollow_shaft_wall_mm(problem, module_mm);
+  const Rational diameter_mm = module_mm * (Rational(sun) - 2 * problem.cutters.hob_depth()) -
+                               2 * hollow_shaft_wall_mm(problem, module_mm);
   return io::nearest(diameter_mm);
 }
 
@@ -162,6 +164,8 @@ std::optional<Blank> blank_of(const Problem& problem, const Rational& module_mm,
   blank.face_width_1_m = widths_m[0];
   blank.face_width_2_m = widths_m.size() > 1 ? widths_m[1] : 0.0;
   blank.wall_m = io::nearest(ring_wall_mm(problem, module_mm)) * kMetresPerMillimetre;
+  blank.hob_depth = io::nearest(problem.cutters.hob_depth());
+  blank.shaper_depth = io::nearest(problem.cutters.shaper_depth());
   return blank;
 }
 

@@ -16,7 +16,8 @@ namespace torquewright::gearbox {
 
 /// Diameters of a gear.
 GearReport describe_gear(const std::string& name, std::int64_t teeth, const std::string& layer,
-                         bool internal, const Rational& module_mm, double speed_per_input);
+                         bool internal, const Rational& module_mm, const StatedCutters& cutters,
+                         double speed_per_input);
 
 /// Contact ratios and basic efficiency of a mesh, given its loss per unit of friction. A contact
 /// ratio below 1 does not run: efficiency 0.
@@ -48,7 +49,7 @@ std::vector<ConstraintReport> choices(const Problem& problem, const Design& desi
 /// Sets every backlash_share and returns the sum of the coefficients.
 double share_backlash(const std::vector<double>& coefficients, std::vector<MeshReport>& meshes);
 
-/// The hollow shaft's diameter m (S - 2.5) - 2 wall [mm]; negative where none fits.
+/// The hollow shaft's diameter m (S - 2 h) - 2 wall [mm]; negative where none fits.
 double hollow_shaft_mm(const Problem& problem, const Rational& module_mm, std::int64_t sun);
 
 /// Face widths and density as the mass formulas need them; nothing where the problem lacks one.

@@ -184,6 +184,9 @@ std::vector<ConstraintReport> shifted_conditions(const Problem& problem, const C
   list.push_back(
       external_root_form(cut, cut.meshes.front(), cut.train.cutters.hob_tip_radius.value_or(0.0)));
   for (const CutMesh& mesh : cut.meshes) list.push_back(bottom_clearance(cut, mesh));
+  if (cut.train.cutters.shaper_teeth) {
+    for (const CutMesh& mesh : ring_meshes(cut)) list.push_back(shaper_feed(cut, mesh));
+  }
   for (ConstraintReport& condition : existence_conditions(cut.train)) {
     const bool is_listed = condition.name == "equal_spacing" ||
                            std::any_of(list.begin(), list.end(), [&](const ConstraintReport& each) {

@@ -26,6 +26,7 @@ ThreeKRadii radii_mm(const ThreeKTeeth<double>& teeth, double radius_per_tooth_m
 void describe_gears(const ThreeKDesign& design, DesignReport& report) {
   const ThreeKTeeth<double> teeth = design.real_teeth();
   const Rational& module = design.module_mm;
+  const StatedCutters& cutters = design.problem.cutters;
   const double planet = planet_speed_per_sun(teeth.sun, teeth.planet_1, teeth.fixed_ring);
   const double output = report.ratio == 0 ? 0.0 : io::nearest(Rational(1 / report.ratio));
   const std::vector<std::int64_t>& counts = report.design.teeth;
@@ -34,11 +35,12 @@ void describe_gears(const ThreeKDesign& design, DesignReport& report) {
     report.gears = gearbox::describe_gears(*design.cut, {1.0, planet, planet, 0.0, output});
     return;
   }
-  report.gears = {describe_gear("sun", counts[0], "layer_1", false, module, 1.0),
-                  describe_gear("planet_1", counts[1], "layer_1", false, module, planet),
-                  describe_gear("planet_2", counts[2], "layer_2", false, module, planet),
-                  describe_gear("fixed_ring", counts[3], "layer_1", true, module, 0.0),
-                  describe_gear("output_ring", counts[4], "layer_2", true, module, output)};
+  report.gears = {
+      describe_gear("sun", counts[0], "layer_1", false, module, cutters, 1.0),
+      describe_gear("planet_1", counts[1], "layer_1", false, module, cutters, planet),
+      describe_gear("planet_2", counts[2], "layer_2", false, module, cutters, planet),
+      describe_gear("fixed_ring", counts[3], "layer_1", true, module, cutters, 0.0),
+      describe_gear("output_ring", counts[4], "layer_2", true, module, cutters, output)};
 }
 
 /// By mesh: sun, fixed ring, output ring.

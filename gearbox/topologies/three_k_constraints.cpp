@@ -34,6 +34,9 @@ void append_root_forms(const ThreeKDesign& design, std::vector<ConstraintReport>
   list.push_back(root_form_of_planet(problem, module_mm, kOutputMesh, z.output_ring));
   list.push_back(root_form_of_ring(problem, module_mm, kFixedMesh, z.planet_1, z.fixed_ring));
   list.push_back(root_form_of_ring(problem, module_mm, kOutputMesh, z.planet_2, z.output_ring));
+  if (!problem.cutters.shaper_teeth) return;
+  list.push_back(shaper_feed(problem, kFixedMesh, z.fixed_ring));
+  list.push_back(shaper_feed(problem, kOutputMesh, z.output_ring));
 }
 
 void append_mesh_constraints(const ThreeKDesign& design, std::vector<ConstraintReport>& list) {

@@ -94,6 +94,7 @@ void add_buildable_conditions(const Problem& problem, std::int64_t planet_count,
        ring_tip("output_ring", module_mm, teeth.output_ring)});
   add(interference("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
   add(interference("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
+  add(root_form_of_gears(problem, "sun_planet_1", teeth.sun, teeth.planet_1));
   add(root_form(problem, "planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
   add(root_form(problem, "planet_2_output_ring", teeth.planet_2, teeth.output_ring));
   add({contact_ratio(problem, "sun_planet_1", teeth.sun, teeth.planet_1),

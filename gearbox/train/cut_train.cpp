@@ -31,6 +31,7 @@ CutTrain named_parts(const GearTrain& train) {
     gear.teeth = train.teeth[i];
     gear.shift = i < train.shifts.size() ? train.shifts[i] : 0.0;
     gear.module_mm = train.module_of_layer_mm(gear.layer);
+    gear.root_depth = gear.internal ? train.cutters.shaper_depth() : train.cutters.hob_depth();
   }
   return parts;
 }
@@ -70,7 +71,7 @@ void close_ring(const CutTrain& parts, CutMesh& mesh) {
 }  // namespace
 
 double CutGear::root_diameter() const {
-  return middle_diameter() + (internal ? 2.0 : -2.0) * kDedendum;
+  return middle_diameter() + (internal ? 2.0 : -2.0) * root_depth;
 }
 
 double CutGear::base_diameter() const { return count() * kReferenceCosine; }

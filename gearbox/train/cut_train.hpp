@@ -21,6 +21,7 @@ struct CutGear {
   double shift = 0.0;
   double module_mm = 0.0;
   double tip_diameter = 0.0;
+  double root_depth = 0.0;  ///< Below the middle line: how far its cutter reaches.
 
   double count() const { return static_cast<double>(teeth); }
   double root_diameter() const;

@@ -2,18 +2,17 @@
 #include "gearbox/train/gear_train.hpp"
 
 namespace torquewright::gearbox {
-namespace {
 
-/// As far as the problem states them.
-Cutters cutters_of(const StatedCutters& stated) {
+Cutters stated_cutters(const Problem& problem) {
+  const StatedCutters& stated = problem.cutters;
   Cutters cutters;
   if (stated.hob_tip_radius) cutters.hob_tip_radius = io::nearest(*stated.hob_tip_radius);
   if (stated.shaper_tip_radius) cutters.shaper_tip_radius = io::nearest(*stated.shaper_tip_radius);
   cutters.shaper_teeth = stated.shaper_teeth;
+  if (stated.hob_addendum) cutters.hob_addendum = io::nearest(*stated.hob_addendum);
+  if (stated.shaper_addendum) cutters.shaper_addendum = io::nearest(*stated.shaper_addendum);
   return cutters;
 }
-
-}  // namespace
 
 GearTrain gear_train(const Problem& problem, const Design& design) {
   GearTrain train{problem.topology,
@@ -22,7 +21,7 @@ GearTrain gear_train(const Problem& problem, const Design& design) {
                   design.planet_count,
                   io::nearest(design.module_mm),
                   {},
-                  cutters_of(problem.cutters)};
+                  stated_cutters(problem)};
   if (train.shifts.empty()) train.shifts.assign(design.teeth.size(), 0.0);
   if (design.layer_2_module_mm) train.layer_2_module_mm = io::nearest(*design.layer_2_module_mm);
   return train;

@@ -11,7 +11,7 @@
 
 namespace torquewright::gearbox {
 
-/// What cuts the roots; tip radii in modules, dedendum 1.25.
+/// What cuts the roots; lengths in modules.
 struct Cutters {
   /// Of sun and planets. Absent: ISO 53 profile A (0.38) is assumed, and a planet's hob is rounded
   /// less where its ring reaches deeper (docs/derivations/tooth_outline.md eq. (8)).
@@ -19,7 +19,16 @@ struct Cutters {
   /// Of rings. Absent: 0.3 is assumed, less where a planet's tip reaches deeper.
   std::optional<double> shaper_tip_radius = {};
   std::optional<std::int64_t> shaper_teeth = {};  ///< Absent: as many as the planet has.
+  /// How deep they cut the roots below the reference profile's middle line; absent: 1.25.
+  std::optional<double> hob_addendum = {};
+  std::optional<double> shaper_addendum = {};
+
+  double hob_depth() const { return hob_addendum.value_or(1.25); }
+  double shaper_depth() const { return shaper_addendum.value_or(1.25); }
 };
+
+/// As far as the problem states them.
+Cutters stated_cutters(const Problem& problem);
 
 /// A train as it was made.
 struct GearTrain {

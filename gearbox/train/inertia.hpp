@@ -20,14 +20,14 @@ template <class T>
 T ring_inertia_kg_m2(const Blank& blank, double face_width_m, const T& teeth) {
   const T pitch_m = blank.module_m * teeth;
   return ring_mass_kg(blank, face_width_m, teeth) *
-         (square(pitch_m) + square(pitch_m + blank.rim_m())) / 8.0;
+         (square(pitch_m) + square(pitch_m + blank.ring_rim_m())) / 8.0;
 }
 
 /// Inertia of the sun's annulus [kg m^2].
 template <class T>
 T sun_inertia_kg_m2(const Blank& blank, const T& teeth) {
   const T pitch_m = blank.module_m * teeth;
-  const T bore_m = max(pitch_m - blank.rim_m(), 0.0);
+  const T bore_m = max(pitch_m - blank.sun_rim_m(), 0.0);
   return sun_mass_kg(blank, teeth) * (square(pitch_m) + square(bore_m)) / 8.0;
 }
 

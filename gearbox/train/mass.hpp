@@ -17,8 +17,12 @@ struct Blank {
   double face_width_2_m = 0.0;  ///< Layer of the output ring; 0 in a single stage.
   double wall_m = 0.0;          ///< Behind the root.
 
+  double hob_depth = 1.25;     ///< Of the sun's root below its pitch circle, in modules.
+  double shaper_depth = 1.25;  ///< Of the rings' likewise.
+
   /// Diameter of a rim's far side beyond its pitch circle: root circle plus two walls.
-  double rim_m() const { return 2.5 * module_m + 2.0 * wall_m; }
+  double ring_rim_m() const { return 2.0 * shaper_depth * module_m + 2.0 * wall_m; }
+  double sun_rim_m() const { return 2.0 * hob_depth * module_m + 2.0 * wall_m; }
   double area_density(double face_width_m) const {
     return density_kg_m3 * std::numbers::pi / 4.0 * face_width_m;
   }
@@ -34,15 +38,15 @@ T disc_mass_kg(const Blank& blank, double face_width_m, const T& teeth) {
 template <class T>
 T ring_mass_kg(const Blank& blank, double face_width_m, const T& teeth) {
   // (m z + k)^2 - (m z)^2 = k (2 m z + k)
-  return blank.area_density(face_width_m) * blank.rim_m() *
-         (2.0 * blank.module_m * teeth + blank.rim_m());
+  return blank.area_density(face_width_m) * blank.ring_rim_m() *
+         (2.0 * blank.module_m * teeth + blank.ring_rim_m());
 }
 
 /// Mass of the sun: an annulus with a rim like a ring's, or a disc where the bore would vanish
 /// [kg].
 template <class T>
 T sun_mass_kg(const Blank& blank, const T& teeth) {
-  const T bore_m = max(blank.module_m * teeth - blank.rim_m(), 0.0);
+  const T bore_m = max(blank.module_m * teeth - blank.sun_rim_m(), 0.0);
   return blank.area_density(blank.face_width_1_m) *
          (square(blank.module_m * teeth) - square(bore_m));
 }

@@ -65,7 +65,10 @@ class Planner {
   PlannedMotion first_guess() const;
   NonlinearSolution solve(const FlipProgram& program, double barrier);
   bool take_round(const PlannedMotion& guess, double barrier);
+  bool is_done();
   bool refine();
+  void refine_for_physics();
+  bool refine_for_check();
   bool is_passed() const;
   /// Of a moment that nothing explains, as `hopper check` has it.
   double most_unexplained_Nm() const {
@@ -151,6 +154,7 @@ bool Planner::take_round(const PlannedMotion& guess, double barrier) {
   }
   result_.integration_error_rad = round.integration_error_rad;
   result_.rounds.push_back(round);
+  result_.check.reset();
   if (!solution.is_solved()) end_unsolved(solution);
   return solution.is_solved();
 }
@@ -184,9 +188,23 @@ void Planner::end_unsolved(const NonlinearSolution& solution) {
       fmt::format("the solver ended without a plan: {}", optimization::name_of(solution.status)));
 }
 
-/// Cuts the phases whose error is too great. False where that is no more allowed.
+/// Nothing that a finer mesh could mend.
+bool Planner::is_done() {
+  if (!is_fine()) return false;
+  judge();
+  return !result_.check || is_passed();
+}
+
+/// False where that is no more allowed, or would not help.
 bool Planner::refine() {
   if (static_cast<int>(result_.rounds.size()) > options_.most_rounds) return false;
+  if (is_fine()) return refine_for_check();
+  refine_for_physics();
+  return true;
+}
+
+/// Cuts the phases whose error is too great.
+void Planner::refine_for_physics() {
   for (std::size_t p = 0; p < mesh_.size(); ++p) {
     const PhaseError& error = errors_[p];
     const bool drifts = error.whole_rad > options_.most_error_rad;
@@ -203,11 +221,34 @@ bool Planner::refine() {
     }
     mesh_[p].knots = std::move(finer);
   }
-  return true;
 }
 
-/// By `hopper check`. What it refuses has no report; of a solution its refusal is the reason.
+/// Limits hold at knots and middles; cuts the intervals in which one is passed between them. False
+/// where there is none.
+bool Planner::refine_for_check() {
+  bool is_cut = false;
+  for (std::size_t p = 0; p < mesh_.size(); ++p) {
+    const PlannedPhase& phase = result_.plan.phases[p];
+    std::vector<double> interval(phase.intervals(), 0.0);
+    for (const actuator::Finding& finding : result_.check->check.findings) {
+      if (finding.severity != actuator::Severity::kViolation || !finding.time_s) continue;
+      for (std::size_t i = 0; i < interval.size(); ++i) {
+        const bool is_within = phase.instants[2 * i].time_s < *finding.time_s &&
+                               *finding.time_s < phase.instants[2 * i + 2].time_s;
+        if (is_within) interval[i] = kUnknownError_rad;
+      }
+    }
+    std::vector<double> finer = refined(mesh_[p].knots, interval, options_.most_error_rad);
+    is_cut = is_cut || finer.size() > mesh_[p].knots.size();
+    mesh_[p].knots = std::move(finer);
+  }
+  return is_cut;
+}
+
+/// By `hopper check`, once a round. What it refuses has no report; of a solution its refusal is the
+/// reason.
 void Planner::judge() {
+  if (result_.check) return;
   result_.motion = sampled_motion(robot_, model_.plane, result_.plan, options_.sample_s);
   try {
     result_.check = check_motion(robot_, result_.motion, options_.check);
@@ -217,6 +258,7 @@ void Planner::judge() {
                fmt::format("hopper check refuses the solver's motion{}", refusal.what()));
   }
   result_.least_margins = least_margins(robot_, result_.motion, *result_.check);
+  result_.angular_momentum_Nm_s = 0.0;
   for (const Flight& flight : result_.check->flights) {
     if (flight.angular_momentum_Nm_s < result_.angular_momentum_Nm_s) continue;
     result_.angular_momentum_Nm_s = flight.angular_momentum_Nm_s;
@@ -240,7 +282,7 @@ bool Planner::is_passed() const {
 
 PlanResult Planner::plan() {
   bool is_solved = take_round(first_guess(), kColdBarrier);
-  while (is_solved && !is_fine() && refine()) {
+  while (is_solved && !is_done() && refine()) {
     const PlannedMotion last = result_.plan;
     is_solved = take_round(last, kWarmBarrier) || take_round(last, kColdBarrier);
   }

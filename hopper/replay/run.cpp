@@ -95,6 +95,7 @@ class Run {
     Observation seen;
     seen.time_s = time_s();
     seen.latency_s = options_.latency_steps * options_.step_s;
+    seen.hold_s = record_.control_period_s;
     seen.position = parts_.engine.position();
     seen.velocity = parts_.engine.velocity();
     seen.touches = seen_touches_;

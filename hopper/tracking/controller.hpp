@@ -13,7 +13,8 @@ namespace torquewright::hopper {
 /// What a controller sees of the robot: of the moment that latency allows.
 struct Observation {
   double time_s = 0.0;     ///< On the reference's clock, when it was so.
-  double latency_s = 0.0;  ///< So much later what is asked for begins to act.
+  double latency_s = 0.0;  ///< So much later what is asked for begins to act,
+  double hold_s = 0.0;     ///< and it acts so long.
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;
   TouchingPoints touches;  ///< Points that the ground pressed on since the last look.

@@ -35,7 +35,7 @@ class LqrController final : public Controller {
       handle_velocity_error(impact_, *reference_, reading, body_, lacking);
       here.error.tail(n) = -lacking;
     }
-    fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s);
+    fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s, seen.hold_s);
     torque_Nm = fed_forward_Nm_ -
                 gains_->at(reference_->mode_at(reading.time_s), reading.time_s) * here.error;
   }

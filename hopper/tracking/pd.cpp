@@ -44,7 +44,7 @@ class PdController final : public Controller {
     const dynamics::Tree& tree = body_.robot().tree;
     const ClockReading reading = clock_.read(seen.time_s, seen.touches);
     instant_at(*reference_, tree, reading, wanted_);
-    fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s);
+    fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s, seen.hold_s);
     torque_Nm = fed_forward_Nm_;
     const AlignedError here = aligned_error(tree, wanted_, seen.position, seen.velocity);
     // Where a mechanism does not reach one of the postures its drives have no position there.

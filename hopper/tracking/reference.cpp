@@ -43,6 +43,12 @@ std::size_t Reference::interval_at(double time_s) const {
   return std::clamp<std::size_t>(index, 1, std::max<std::size_t>(times_s_.size(), 2) - 1) - 1;
 }
 
+/// Of an interval, up to a time.
+double Reference::share_of(std::size_t interval, double time_s) const {
+  const double length_s = times_s_[interval + 1] - times_s_[interval];
+  return length_s > 0.0 ? std::clamp((time_s - times_s_[interval]) / length_s, 0.0, 1.0) : 0.0;
+}
+
 void Reference::at(double time_s, ReferenceInstant& out) const {
   const auto last = static_cast<Index>(times_s_.size()) - 1;
   if (time_s >= times_s_.back() || last == 0) {
@@ -53,8 +59,7 @@ void Reference::at(double time_s, ReferenceInstant& out) const {
   const std::size_t index = interval_at(time_s);
   const auto from = static_cast<Index>(index);
   const double length_s = times_s_[index + 1] - times_s_[index];
-  const double share =
-      length_s > 0.0 ? std::clamp((time_s - times_s_[index]) / length_s, 0.0, 1.0) : 0.0;
+  const double share = share_of(index, time_s);
   const auto straight = [&](const Eigen::MatrixXd& table) -> VectorXd {
     return (1.0 - share) * table.col(from) + share * table.col(from + 1);
   };
@@ -69,7 +74,32 @@ void Reference::at(double time_s, ReferenceInstant& out) const {
   dynamics::step_position(tree_, positions_.col(from), way, 1.0, out.position);
   out.velocity = straight(velocities_);
   out.acceleration = straight(accelerations_);
-  out.drive_Nm = straight(drive_Nm_);
+  out.drive_Nm = drive_Nm(time_s);
+}
+
+VectorXd Reference::drive_Nm(double time_s) const {
+  const auto last = static_cast<Index>(times_s_.size()) - 1;
+  if (time_s >= times_s_.back() || last == 0) return drive_Nm_.col(last);
+  const auto from = static_cast<Index>(interval_at(time_s));
+  const double share = share_of(static_cast<std::size_t>(from), time_s);
+  return (1.0 - share) * drive_Nm_.col(from) + share * drive_Nm_.col(from + 1);
+}
+
+VectorXd Reference::mean_drive_Nm(double from_s, double until_s) const {
+  if (!(until_s > from_s)) return drive_Nm(from_s);
+  // Trapezoids from corner to corner; where two samples share a time none lies between them.
+  VectorXd sum = VectorXd::Zero(drive_Nm_.rows());
+  double at_s = from_s;
+  VectorXd here = drive_Nm(from_s);
+  auto corner = std::upper_bound(times_s_.begin(), times_s_.end(), from_s);
+  for (; corner != times_s_.end() && *corner < until_s; ++corner) {
+    const VectorXd there = drive_Nm_.col(corner - times_s_.begin());
+    sum += 0.5 * (*corner - at_s) * (here + there);
+    at_s = *corner;
+    here = there;
+  }
+  sum += 0.5 * (until_s - at_s) * (here + drive_Nm(until_s));
+  return sum / (until_s - from_s);
 }
 
 std::size_t Reference::mode_at(double time_s) const {

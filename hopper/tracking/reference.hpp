@@ -40,6 +40,10 @@ class Reference {
   /// one's.
   void at(double time_s, ReferenceInstant& out) const;
 
+  /// Of the drives' torques (drives x 1), which are straight between samples; at the time itself
+  /// where both are one.
+  Eigen::VectorXd mean_drive_Nm(double from_s, double until_s) const;
+
   double begins_s() const { return times_s_.front(); }
   double ends_s() const { return times_s_.back(); }
   const std::vector<ContactMode>& modes() const { return modes_; }
@@ -50,6 +54,8 @@ class Reference {
 
  private:
   std::size_t interval_at(double time_s) const;
+  double share_of(std::size_t interval, double time_s) const;
+  Eigen::VectorXd drive_Nm(double time_s) const;
 
   dynamics::Tree tree_;
   std::vector<double> times_s_;

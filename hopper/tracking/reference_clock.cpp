@@ -55,16 +55,17 @@ void instant_at(const Reference& reference, const dynamics::Tree& tree, const Cl
 }
 
 Eigen::VectorXd fed_forward_Nm(const Reference& reference, const ClockReading& reading,
-                               double latency_s) {
-  double time_s = reading.time_s + latency_s;
+                               double latency_s, double hold_s) {
+  double from_s = reading.time_s + latency_s;
+  double until_s = from_s + hold_s;
   const std::vector<ContactMode>& modes = reference.modes();
   const std::size_t next = reference.mode_at(reading.time_s) + 1;
-  if (next < modes.size() && modes[next].begins_with_impact && time_s >= modes[next].from_s) {
-    time_s = std::max(reading.time_s, std::nextafter(modes[next].from_s, 0.0));
+  if (next < modes.size() && modes[next].begins_with_impact) {
+    const double last_s = std::max(reading.time_s, std::nextafter(modes[next].from_s, 0.0));
+    from_s = std::min(from_s, last_s);
+    until_s = std::min(until_s, last_s);
   }
-  ReferenceInstant then;
-  reference.at(time_s, then);
-  return then.drive_Nm;
+  return reference.mean_drive_Nm(from_s, until_s);
 }
 
 }  // namespace torquewright::hopper

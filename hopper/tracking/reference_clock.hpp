@@ -44,9 +44,9 @@ class ReferenceClock {
 void instant_at(const Reference& reference, const dynamics::Tree& tree, const ClockReading& reading,
                 ReferenceInstant& out);
 
-/// The motion's own torques (drives x 1) for when they will act, latency_s later; but not those of
-/// after an impact that is still to come.
+/// The motion's own torques (drives x 1), as the mean of the time that they will act: from
+/// latency_s on for hold_s; but not those of after an impact that is still to come.
 Eigen::VectorXd fed_forward_Nm(const Reference& reference, const ClockReading& reading,
-                               double latency_s);
+                               double latency_s, double hold_s);
 
 }  // namespace torquewright::hopper

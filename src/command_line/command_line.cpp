@@ -1,21 +1,76 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/command_line/command_line.hpp"
 
-#include <CLI/CLI.hpp>
-#include <cmath>
-#include <cstdlib>
+#include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+#include "io/nearest.hpp"
 #include "io/spec_error.hpp"
+#include "io/wording.hpp"
+#include "src/command_line/help_text.hpp"
+#include "src/command_line/misspelling.hpp"
 
 namespace torquewright::command_line {
 namespace {
 
+/// Bounds so far out that they only keep out what is no quantity at all.
+constexpr double kFarOut = 1e9;
+
+/// "a number from 0 to 1", for refusals to the last digit.
+std::string range_in_words(const std::string& what, const std::string& least,
+                           const std::string& greatest) {
+  return fmt::format("{} from {} to {}", what, least, greatest);
+}
+
+/// The same for the help, which leaves out what is far out.
+std::string range_in_help(const std::string& what, double least, double greatest) {
+  if (least <= -kFarOut && greatest >= kFarOut) return what;
+  if (greatest >= kFarOut) return fmt::format("{} of {} or more", what, least);
+  if (least <= -kFarOut) return fmt::format("{} of {} or less", what, greatest);
+  return range_in_words(what, fmt::format("{}", least), fmt::format("{}", greatest));
+}
+
+template <typename Number>
+std::optional<Number> whole_number(const std::string& text) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && rest == end ? std::optional(number) : std::nullopt;
+}
+
 /// No quantity is "nan" or "inf", and every comparison lets "nan" pass.
-const CLI::Validator kFinite(
-    [](const std::string& text) {
-      return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : text + " is no finite number";
-    },
-    "");
+std::optional<double> finite_number(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+/// What a value must be, with the words that say so.
+template <typename Accepts>
+CLI::Validator must_be(const std::string& what, Accepts accepts) {
+  return CLI::Validator(
+      [what, accepts](const std::string& text) {
+        return accepts(text) ? std::string() : fmt::format("\"{}\" is not {}", text, what);
+      },
+      "");
+}
+
+const CLI::Validator kFinite = must_be(
+    "a finite number", [](const std::string& text) { return finite_number(text).has_value(); });
+
+template <typename Number>
+CLI::Validator whole() {
+  return must_be("a whole number",
+                 [](const std::string& text) { return whole_number<Number>(text).has_value(); });
+}
 
 const CLI::Validator kNamed(
     [](const std::string& file) {
@@ -23,92 +78,230 @@ const CLI::Validator kNamed(
     },
     "");
 
+std::string not_among(const std::string& word, const std::vector<std::string>& words) {
+  const auto near = io::nearest(word, words);
+  return fmt::format("\"{}\" is none of {}{}", word, io::listed(words),
+                     near ? fmt::format("; did you mean {}?", *near) : "");
+}
+
+/// "-o,--output" as its parts; "!--no-check" is shown as it is typed.
+std::vector<std::string> parts_of(const std::string& names) {
+  std::vector<std::string> parts;
+  std::istringstream stream(names);
+  for (std::string part; std::getline(stream, part, ',');) {
+    parts.push_back(part.starts_with('!') ? part.substr(1) : part);
+  }
+  return parts;
+}
+
+DeclaredOption declared_option(const std::vector<std::string>& names, const std::string& value,
+                               const std::string& help) {
+  DeclaredOption option;
+  option.names = names;
+  option.value = value;
+  option.help = help;
+  option.is_argument = !names.front().starts_with('-');
+  return option;
+}
+
 }  // namespace
 
-Option Option::required() { return Option(*option_->required()); }
+Option Option::required() {
+  option_->required();
+  declared_->is_required = true;
+  declared_->otherwise.clear();
+  return *this;
+}
 
-Option Option::one_value_each() { return Option(*option_->allow_extra_args(false)); }
+Option Option::needed_by_its_work() {
+  declared_->is_required = true;
+  declared_->otherwise.clear();
+  return *this;
+}
 
-Option Option::separated_by_commas() { return Option(*option_->delimiter(',')); }
+Option Option::one_value_each() {
+  option_->allow_extra_args(false);
+  declared_->is_repeated = true;
+  return *this;
+}
 
-Option Option::takes(int values) { return Option(*option_->expected(values)); }
+Option Option::separated_by_commas() {
+  option_->delimiter(',');
+  declared_->has_commas = true;
+  return *this;
+}
 
-Option Option::shows_default() { return Option(*option_->capture_default_str()); }
+Option Option::takes(int values) {
+  option_->expected(values);
+  declared_->is_list = values > 1;
+  return *this;
+}
+
+Option Option::otherwise(const std::string& what) {
+  declared_->otherwise = what;
+  is_default_said_ = true;
+  return *this;
+}
+
+/// The range's check refuses what is no number too, and says more.
+void Option::says_more_than_its_kind() { option_->get_validator(0)->active(false); }
+
+void Option::drop_default_unless(bool is_allowed) {
+  if (!is_allowed && !is_default_said_) declared_->otherwise.clear();
+}
 
 Option Option::between(double least, double greatest) {
-  return Option(*option_->check(CLI::Range(least, greatest)));
+  says_more_than_its_kind();
+  const auto is_inside = [least, greatest](const std::string& text) {
+    const auto number = finite_number(text);
+    return number && *number >= least && *number <= greatest;
+  };
+  option_->check(
+      must_be(range_in_words("a number", fmt::format("{}", least), fmt::format("{}", greatest)),
+              is_inside));
+  declared_->range = range_in_help("a number", least, greatest);
+  drop_default_unless(is_inside(declared_->otherwise));
+  return *this;
 }
 
 Option Option::integer_between(std::int64_t least, std::int64_t greatest) {
-  return Option(*option_->check(CLI::Range(least, greatest)));
+  says_more_than_its_kind();
+  const auto is_inside = [least, greatest](const std::string& text) {
+    const auto number = whole_number<std::int64_t>(text);
+    return number && *number >= least && *number <= greatest;
+  };
+  option_->check(
+      must_be(range_in_words("a whole number", std::to_string(least), std::to_string(greatest)),
+              is_inside));
+  declared_->range =
+      range_in_help("a whole number", static_cast<double>(least), static_cast<double>(greatest));
+  drop_default_unless(is_inside(declared_->otherwise));
+  return *this;
 }
 
-Option Option::positive() { return Option(*option_->check(CLI::PositiveNumber)); }
+Option Option::positive() {
+  says_more_than_its_kind();
+  option_->check(must_be("a number above 0", [](const std::string& text) {
+    const auto number = finite_number(text);
+    return number && *number > 0.0;
+  }));
+  declared_->range = "a number above 0";
+  return *this;
+}
 
 Option Option::one_of(const std::vector<std::string>& words) {
-  return Option(*option_->check(CLI::IsMember(words)));
+  const auto is_among = [words](const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  option_->check(CLI::Validator(
+      [words, is_among](const std::string& word) {
+        return is_among(word) ? std::string() : not_among(word, words);
+      },
+      ""));
+  declared_->value = "WORD";
+  declared_->choices = words;
+  drop_default_unless(is_among(declared_->otherwise));
+  return *this;
 }
 
-Option Option::existing_file() { return Option(*option_->check(CLI::ExistingFile)); }
+Option Option::existing_file() {
+  option_->check(CLI::ExistingFile);
+  declared_->value = "FILE";
+  return *this;
+}
 
-Option Option::names_a_file() { return Option(*option_->check(kNamed)); }
+Option Option::names_a_file() {
+  option_->check(kNamed);
+  declared_->value = "FILE";
+  declared_->writes_file = true;
+  return *this;
+}
 
-Option Option::excludes(const std::string& other) { return Option(*option_->excludes(other)); }
+Option Option::excludes(const std::string& other) {
+  option_->excludes(other);
+  declared_->excludes.push_back(other);
+  return *this;
+}
 
-Option Option::needs(const std::string& other) { return Option(*option_->needs(other)); }
+Option Option::needs(const std::string& other) {
+  option_->needs(other);
+  declared_->needs.push_back(other);
+  return *this;
+}
+
+Option Command::add(CLI::Option& option, const std::string& names, const std::string& value,
+                    const std::string& help, const std::string& present, bool is_list) {
+  DeclaredOption declared = declared_option(parts_of(names), value, help);
+  declared.otherwise = present;
+  declared.is_list = is_list;
+  return Option(option, declared_->options.emplace_back(std::move(declared)));
+}
 
 Option Command::add_option(const std::string& names, std::string& value, const std::string& help) {
-  return Option(*app_->add_option(names, value, help));
+  return add(*app_->add_option(names, value), names, "TEXT", help, value);
 }
 
 Option Command::add_option(const std::string& names, double& value, const std::string& help) {
-  return Option(*app_->add_option(names, value, help)->check(kFinite));
+  return add(*app_->add_option(names, value)->check(kFinite), names, "NUMBER", help,
+             fmt::format("{}", value));
 }
 
 Option Command::add_option(const std::string& names, std::optional<double>& value,
                            const std::string& help) {
-  return Option(*app_->add_option(names, value, help)->check(kFinite));
+  return add(*app_->add_option(names, value)->check(kFinite), names, "NUMBER", help,
+             value ? fmt::format("{}", *value) : "");
 }
 
 Option Command::add_option(const std::string& names, int& value, const std::string& help) {
-  return Option(*app_->add_option(names, value, help));
+  return add(*app_->add_option(names, value)->check(whole<int>()), names, "N", help,
+             std::to_string(value));
 }
 
 Option Command::add_option(const std::string& names, std::int64_t& value, const std::string& help) {
-  return Option(*app_->add_option(names, value, help));
+  return add(*app_->add_option(names, value)->check(whole<std::int64_t>()), names, "N", help,
+             std::to_string(value));
 }
 
 Option Command::add_option(const std::string& names, std::uint64_t& value,
                            const std::string& help) {
-  return Option(*app_->add_option(names, value, help));
+  return add(*app_->add_option(names, value)->check(whole<std::uint64_t>()), names, "N", help,
+             std::to_string(value));
 }
 
 Option Command::add_option(const std::string& names, std::vector<std::string>& values,
                            const std::string& help) {
-  return Option(*app_->add_option(names, values, help));
+  return add(*app_->add_option(names, values), names, "TEXT", help, "", true);
 }
 
 Option Command::add_option(const std::string& names, std::vector<double>& values,
                            const std::string& help) {
-  return Option(*app_->add_option(names, values, help)->check(kFinite));
+  return add(*app_->add_option(names, values)->check(kFinite), names, "NUMBER", help, "", true);
 }
 
 Option Command::add_option(const std::string& names, std::vector<std::int64_t>& values,
                            const std::string& help) {
-  return Option(*app_->add_option(names, values, help));
+  return add(*app_->add_option(names, values)->check(whole<std::int64_t>()), names, "N", help, "",
+             true);
 }
 
 Option Command::add_flag(const std::string& names, bool& value, const std::string& help) {
-  return Option(*app_->add_flag(names, value, help));
+  return add(*app_->add_flag(names, value), names, "", help, "");
 }
 
 Command Command::add_command(const std::string& name, const std::string& help) {
-  return Command(*app_->add_subcommand(name, help), *named_);
+  DeclaredCommand& declared = declared_->commands.emplace_back();
+  declared.name = name;
+  declared.help = help;
+  declared.options.push_back(declared_option({"-h", "--help"}, "", "Print this help"));
+  return Command(*app_->add_subcommand(name), declared, *named_);
 }
 
-void Command::require_command() { app_->require_subcommand(1); }
+void Command::require_command() {
+  app_->require_subcommand(1);
+  declared_->needs_command = true;
+}
 
-void Command::example(const std::string& line) { app_->footer("Example:\n  " + line); }
+void Command::example(const std::string& line) { declared_->example = line; }
 
 void Command::works(Work work) {
   app_->callback([app = app_, named = named_, work = std::move(work)] {
@@ -117,19 +310,60 @@ void Command::works(Work work) {
 }
 
 Program::Program(const std::string& name, const std::string& help, const std::string& version)
-    : app_(std::make_unique<CLI::App>(help, name)), top_(*app_, named_) {
-  if (!version.empty()) app_->set_version_flag("--version", version);
+    : app_(std::make_unique<CLI::App>(help, name)),
+      version_(version),
+      top_(*app_, declared_, named_) {
+  declared_.name = name;
+  declared_.help = help;
+  declared_.options.push_back(declared_option({"-h", "--help"}, "", "Print this help"));
+  if (version.empty()) return;
+  app_->set_version_flag("-V,--version", version);
+  declared_.options.push_back(declared_option({"-V", "--version"}, "", "Print the version"));
 }
 
 Program::~Program() = default;
 
+/// Prints what --help and --version ask for, and the help of a command that only leads to others
+/// where nothing follows it. False: the arguments are wrong.
+bool Program::is_answered(const std::vector<std::string>& words,
+                          const std::exception& error) const {
+  const Reached reached = reached_by(declared_, words);
+  if (dynamic_cast<const CLI::CallForVersion*>(&error)) {
+    std::fputs((version_ + "\n").c_str(), stdout);
+    return true;
+  }
+  const bool leads_on = reached.command->needs_command && reached.rest == words.size();
+  const bool asks = dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr;
+  if (!asks && (!leads_on || misspelling(declared_, words))) return false;
+  std::fputs(help_text(*reached.command, reached.path).c_str(), stdout);
+  return true;
+}
+
+void Program::refuse_words(const std::vector<std::string>& words, const std::string& why) const {
+  if (const auto misspelt = misspelling(declared_, words)) refuse(*misspelt);
+  const DeclaredCommand& command = *reached_by(declared_, words).command;
+  for (const DeclaredOption& option : command.options) {
+    if (why != longest_name(option) + " is required" || option.choices.empty()) continue;
+    refuse(why + ": " + io::either(option.choices));
+  }
+  refuse(why);
+}
+
 cli::ExitCode Program::run(int argc, const char* const* argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const Reached leads = reached_by(declared_, words);
+  if (leads.rest + 1 == words.size() && words.back() == "help" && leads.command->needs_command) {
+    std::fputs(help_text(*leads.command, leads.path).c_str(), stdout);
+    return cli::ExitCode::kPasses;
+  }
   try {
     app_->parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    const Reached reached = reached_by(declared_, words);
+    refuse_words(words,
+                 fmt::format("{}; it is {}", error.what(), usage(*reached.command, reached.path)));
   } catch (const CLI::ParseError& error) {
-    // --help and --version come this way too, with exit code 0.
-    if (error.get_exit_code() != 0) refuse(error.what());
-    app_->exit(error);
+    if (!is_answered(words, error)) refuse_words(words, error.what());
     return cli::ExitCode::kPasses;
   }
   cli::ExitCode code = cli::ExitCode::kPasses;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "src/command_line/declaration.hpp"
 #include "src/exit_code.hpp"
 
 // CLI11's, which only command_line.cpp includes: its headers cost seconds in every file.
@@ -21,15 +22,18 @@ namespace torquewright::command_line {
 /// An option or an argument that was declared; a handle, to say more of it.
 class Option {
  public:
-  explicit Option(CLI::Option& option) : option_(&option) {}
+  Option(CLI::Option& option, DeclaredOption& declared) : option_(&option), declared_(&declared) {}
 
   Option required();
+  /// Required by what the command does, which looks itself: where another command may be named.
+  Option needed_by_its_work();
   /// A value each time it is named; else a list takes all words up to the next option.
   Option one_value_each();
   Option separated_by_commas();
   /// A list of exactly so many values.
   Option takes(int values);
-  Option shows_default();  ///< In the help.
+  /// What holds where it is not named, in words, where no value stands for it: "the document's".
+  Option otherwise(const std::string& what);
 
   /// Both ends included.
   Option between(double least, double greatest);
@@ -46,7 +50,13 @@ class Option {
   Option needs(const std::string& other);
 
  private:
+  /// The value at declaration is no default where it lies outside what is allowed.
+  void drop_default_unless(bool is_allowed);
+  void says_more_than_its_kind();
+
   CLI::Option* option_;
+  DeclaredOption* declared_;
+  bool is_default_said_ = false;  ///< By otherwise().
 };
 
 /// Runs what was asked for. Called after all arguments were read.
@@ -56,11 +66,12 @@ using Work = std::function<cli::ExitCode()>;
 /// commands and its work.
 class Command {
  public:
-  Command(CLI::App& app, std::vector<Work>& named) : app_(&app), named_(&named) {}
+  Command(CLI::App& app, DeclaredCommand& declared, std::vector<Work>& named)
+      : app_(&app), declared_(&declared), named_(&named) {}
 
   /// The arguments fill `value`, which must live until they are read; what stands in it before is
-  /// the default. A number must be finite. Names are "--name", "-n,--name", or "name" for an
-  /// argument by its place.
+  /// the default, and in the help unless it lies outside what is allowed. A number must be finite.
+  /// Names are "--name", "-n,--name", or "name" for an argument by its place.
   Option add_option(const std::string& names, std::string& value, const std::string& help);
   Option add_option(const std::string& names, double& value, const std::string& help);
   Option add_option(const std::string& names, std::optional<double>& value,
@@ -84,8 +95,15 @@ class Command {
   /// What it does. Where one of its commands is named, that one works in its place.
   void works(Work work);
 
+  /// All that was declared so far; it stays where it is.
+  const DeclaredCommand& declared() const { return *declared_; }
+
  private:
+  Option add(CLI::Option& option, const std::string& names, const std::string& value,
+             const std::string& help, const std::string& present, bool is_list = false);
+
   CLI::App* app_;
+  DeclaredCommand* declared_;
   std::vector<Work>* named_;  ///< Of the commands that the arguments name.
 };
 
@@ -98,12 +116,19 @@ class Program {
 
   Command& top() { return top_; }
 
-  /// Reads the arguments and runs the command that they name; --help and --version print and pass.
+  /// Reads the arguments and runs the command that they name; --help and --version print and pass,
+  /// and so does a command that only leads to others where none of them is named: with its help.
   /// Throws io::SpecError where arguments are not understood, and whatever the work throws.
   cli::ExitCode run(int argc, const char* const* argv);
 
  private:
+  bool is_answered(const std::vector<std::string>& words, const std::exception& error) const;
+  [[noreturn]] void refuse_words(const std::vector<std::string>& words,
+                                 const std::string& why) const;
+
   std::unique_ptr<CLI::App> app_;
+  DeclaredCommand declared_;
+  std::string version_;
   std::vector<Work> named_;
   Command top_;
 };

@@ -152,33 +152,39 @@ void add_strength_command(command_line::Command& gearbox) {
   command.add_option("--side", options->side, "Of the torques: motor (at the sun) or joint")
       .one_of({"motor", "joint"});
   command.add_option("--face-widths", options->face_widths_mm, "Also with these, in mm: 6,8,10")
+      .otherwise("only the document's")
       .separated_by_commas();
   command
       .add_option("--modules", options->modules_mm,
                   "Also with these, in mm; a single stage gets the most teeth that fit")
+      .otherwise("only the document's")
       .separated_by_commas();
-  command.add_option("--cycles", options->cycles, "Loads, instead of the document's");
+  command.add_option("--cycles", options->cycles, "Loads that the most loaded tooth takes")
+      .otherwise("the document's");
   command
       .add_option("--steel", options->steel,
                   "Of the gears of a gearbox_result, NAME or GEAR=NAME: " + steel_names())
+      .otherwise("the document's")
       .separated_by_commas()
       .one_value_each();
   command
-      .add_option(
-          "--rim", options->rim,
-          "Behind the roots of a gearbox_result's gears, in mm: sun=1.2,ring=2 (else thick)")
+      .add_option("--rim", options->rim,
+                  "Behind the roots of a gearbox_result's gears, in mm: sun=1.2,ring=2")
+      .otherwise("too thick to matter")
       .separated_by_commas()
       .one_value_each();
   command
       .add_option("--load-sharing", options->load_sharing,
-                  "K_gamma, the most loaded planet over the mean, from 1 (else the document's)")
+                  "K_gamma, the most loaded planet over the mean")
+      .otherwise("the document's")
       .between(1.0, 10.0);
   command
       .add_option("--face-width", options->face_width_mm,
-                  "Of the gears of a gearbox_result, in mm, by layer: 10,8 (else its problem's)")
+                  "Of the gears of a gearbox_result, in mm, by layer: 10,8")
+      .otherwise("that of its problem")
       .separated_by_commas();
-  command
-      .add_option("--design", options->design, "Which design of a gearbox_result (else the first)")
+  command.add_option("--design", options->design, "Which design of a gearbox_result")
+      .otherwise("1")
       .integer_between(1, 1'000'000);
   command.add_flag("--json", options->json, "Print the report as JSON");
   command.example(

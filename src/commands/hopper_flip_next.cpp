@@ -3,25 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
+#include "src/shell_word.hpp"
 
 namespace torquewright::cli {
 namespace {
-
-/// A word as a shell takes it.
-std::string quoted(const std::string& word) {
-  const bool is_plain =
-      !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char letter) {
-        return std::isalnum(letter) != 0 ||
-               std::string("._/-+=:,@%").find(static_cast<char>(letter)) != std::string::npos;
-      });
-  if (is_plain) return word;
-  std::string text = "'";
-  for (const char letter : word)
-    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return text + "'";
-}
 
 /// The conditions that a check or a replay must be told too.
 std::string conditions(const HopperFlipRequest& request) {
@@ -40,8 +25,8 @@ std::string conditions(const HopperFlipRequest& request) {
 }
 
 std::vector<std::string> after_a_plan(const HopperFlipRequest& request) {
-  const std::string files =
-      quoted(request.warm.robot_file) + " " + quoted(request.motion_file) + conditions(request);
+  const std::string files = shell_word(request.warm.robot_file) + " " +
+                            shell_word(request.motion_file) + conditions(request);
   std::vector<std::string> lines{"torquewright hopper check " + files,
                                  "torquewright hopper replay " + files};
   if (request.limits == "box") {

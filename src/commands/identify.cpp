@@ -24,7 +24,6 @@ namespace torquewright::cli {
 namespace {
 
 using identification::Identification;
-using identification::Verdict;
 
 /// What was found, and what follows from it for the actuators.
 struct IdentifyFound {
@@ -109,15 +108,15 @@ std::string output_text(const IdentifyRequest& request, const IdentifyInputs& in
   return text;
 }
 
-ExitCode exit_code_of(Verdict verdict) {
+ExitCode exit_code_of(identification::Verdict verdict) {
   switch (verdict) {
-    case Verdict::kExplained:
-    case Verdict::kNothingMissing:
+    case identification::Verdict::kExplained:
+    case identification::Verdict::kNothingMissing:
       return ExitCode::kPasses;
-    case Verdict::kPartlyExplained:
-    case Verdict::kUnexplained:
+    case identification::Verdict::kPartlyExplained:
+    case identification::Verdict::kUnexplained:
       return ExitCode::kFails;
-    case Verdict::kCannotTell:
+    case identification::Verdict::kCannotTell:
       break;
   }
   return ExitCode::kUndecided;
@@ -177,21 +176,23 @@ void add_identify_command(command_line::Command& program) {
   command
       .add_option("--only", request->only,
                   "Effects that may be named, separated by commas (docs/effects.md)")
+      .otherwise("any")
       .separated_by_commas()
       .one_value_each();
   command.add_option("--without", request->without, "Effects that may not be named, as for --only")
+      .otherwise("none")
       .separated_by_commas()
       .one_value_each();
   command
       .add_option("--tolerance", request->tolerance,
                   "What changes the prediction by less than this share of it is not named")
-      .between(0.0, 1.0)
-      .shows_default();
+      .between(0.0, 1.0);
   std::string outputs;
   for (const identification::Output* output : identification::output_library()) {
     outputs += fmt::format("{}{}: {}", outputs.empty() ? "" : "; ", output->name, output->what);
   }
   command.add_option("--as", request->as, "In place of the report, numbers for others. " + outputs)
+      .otherwise("the report")
       .excludes("--json");
   command.example(
       "torquewright identify specs/log/bench_as_built.csv --rig "

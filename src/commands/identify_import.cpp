@@ -69,9 +69,12 @@ void add_identify_import(command_line::Command& identify) {
   command_line::Command command = identify.add_command("import", "Logs of other programs");
   command.add_option("format", options->format, formats()).required();
   command.add_option("files", options->files, "Its files; each is a run, or holds runs").required();
-  command.add_option("--joint", options->joint, "Where a file holds several: which one");
-  command.add_option("--units", options->units,
-                     "sysid_csv: what positions are in (Rotations, Meters, ...)");
+  command.add_option("--joint", options->joint, "Where a file holds several: which one")
+      .otherwise("the only one");
+  command
+      .add_option("--units", options->units,
+                  "sysid_csv: what positions are in (Rotations, Meters, ...)")
+      .otherwise("not needed");
   command.add_option("-o,--output", options->folder, "log.csv and rig.json are written into it")
       .required()
       .names_a_file();

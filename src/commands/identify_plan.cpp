@@ -86,22 +86,23 @@ void add_identify_plan(command_line::Command& identify) {
   command.add_option("actuator", request->actuator, "Document of kind actuator, as designed")
       .required();
   command.add_option("--rig", request->rig, "Document of kind rig: load and columns").required();
-  command
-      .add_option("--separate", request->options.separate,
-                  "Effects, with commas; else friction, saturation and inertia")
+  command.add_option("--separate", request->options.separate, "Effects that are to be told apart")
+      .otherwise("friction, saturation and inertia")
       .separated_by_commas();
-  command.add_option("--duration", request->options.duration_s, "Of all runs together, in s")
-      .shows_default();
+  command.add_option("--duration", request->options.duration_s, "Of all runs together, in s");
   command
       .add_option("--position-range", request->options.limits.position_rad,
                   "The output stays within this of where it starts, in rad")
+      .otherwise("not limited")
       .positive();
   command
       .add_option("--speed-limit", request->options.limits.speed_rad_s,
                   "Of the rig's output, in rad/s")
+      .otherwise("not limited")
       .positive();
-  command.add_option("--noise", request->noise,
-                     "QUANTITY=SIGMA: white noise of a column, repeatable; else typical ones");
+  command
+      .add_option("--noise", request->noise, "QUANTITY=SIGMA: white noise of a column, repeatable")
+      .otherwise("typical ones");
   command.add_option("--seed", request->options.seed, "Of the search");
   command.add_option("-o,--output", request->excitation, "The excitation as CSV").names_a_file();
   command.add_flag("--json", request->json, "The plan as JSON");

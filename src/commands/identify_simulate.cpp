@@ -62,8 +62,9 @@ void add_identify_simulate(command_line::Command& identify) {
                   "CSV: time_s, what drives (motor_current_A, commanded_torque_Nm, "
                   "winding_voltage_V or duty), on a dynamometer output_velocity_rad_s")
       .required();
-  command.add_option("--noise", options->noise,
-                     "QUANTITY=SIGMA: white noise on a column, repeatable");
+  command
+      .add_option("--noise", options->noise, "QUANTITY=SIGMA: white noise on a column, repeatable")
+      .otherwise("none");
   command.add_option("--seed", options->seed, "Of the noise");
   command.add_option("-o,--output", options->log, "The log; else stdout").names_a_file();
   command.example(

@@ -114,9 +114,12 @@ void add_import_command(command_line::Command& robot) {
   command_line::Command command = robot.add_command("import", "URDF or MJCF in");
   command.add_option("file", options->file, "A URDF file (.urdf) or an MJCF file").required();
   command.add_option("--format", options->format, "Where the file's ending does not say it")
+      .otherwise("by the file's ending, else mjcf")
       .one_of({"urdf", "mjcf"});
-  command.add_option("--body", options->reading.body,
-                     "Of an MJCF file's world: the body that is the robot, where several move");
+  command
+      .add_option("--body", options->reading.body,
+                  "Of an MJCF file's world: the body that is the robot, where several move")
+      .otherwise("the only one that moves");
   command.add_flag("--drop-base-armature", options->reading.drops_base_armature,
                    "Read a free joint with armature as one without");
   command.add_flag("--free-couplings", options->reading.frees_couplings,
@@ -128,11 +131,12 @@ void add_import_command(command_line::Command& robot) {
       .add_option("--actuator", options->actuators,
                   "NAME=FILE, the actuator's document of the drive of a linkage that <connect> "
                   "closes; repeatable")
+      .otherwise("none")
       .one_value_each();
   command
       .add_option("--link-error", options->reading.greatest_link_error,
                   "Share of a motion's kinetic energy by which it may be off where cranks' and "
-                  "rods' mass goes to their neighbours; 0.01 where absent")
+                  "rods' mass goes to their neighbours")
       .between(0, 1);
   command.add_flag("--massless-links", options->reading.drops_link_mass,
                    "Leave out what cranks and rods of linkages weigh");

@@ -20,6 +20,7 @@ void add_calibration_options(command_line::Command& command, CalibrationRequest&
   command
       .add_option("--posture", request.postures,
                   "NAME=JOINT:POSITION,...: instead of the document's, in rad or m")
+      .otherwise("the document's")
       .one_value_each();
   command
       .add_option("--tolerance", request.tolerance,

@@ -8,13 +8,16 @@ void add_reading_options(command_line::Command& command, CheckOptions& options) 
   command
       .add_option("--column", options.columns,
                   "NAME=JOINT.QUANTITY[:unit][*factor]: what a column is; NAME=time[:unit]")
+      .otherwise("the header's names")
       .one_value_each();
   command
       .add_option("--columns", options.columns_files, "The same as a document: trajectory_columns")
+      .otherwise("the header's names")
       .one_value_each();
   command
       .add_option("--jacobian", options.jacobian_files,
                   "Document of kind jacobian: two joints moved by two actuators together")
+      .otherwise("each joint has an actuator of its own")
       .one_value_each();
   add_window_options(command, options.window);
   command.add_flag("--torque-includes-inertia", options.torque_includes_inertia,

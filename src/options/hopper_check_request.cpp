@@ -12,7 +12,8 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
       .between(0.0, 10.0);
   command
       .add_option("--residual-limit", check.residual_share,
-                  "Force that nothing explains, in weights: more is no motion")
+                  "How much of the force on the base may stay unexplained, in weights of the "
+                  "robot: a motion with more is no motion")
       .between(0.0, 1e9);
   command
       .add_option("--load-window", check.load_window_s,
@@ -24,11 +25,16 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
 }
 
 void add_candidate_options(command_line::Command& command, HopperCheckRequest& request) {
-  command.add_option("--candidates", request.candidates_folder,
-                     "Folder of actuators and gearboxes to try in every place");
-  command.add_option("--ratios", request.ratios,
-                     "FROM:TO[:STEP]: try the candidates with these gear ratios");
-  command.add_option("--threads", request.threads, "That try candidates").integer_between(1, 256);
+  command
+      .add_option("--candidates", request.candidates_folder,
+                  "Folder of actuators and gearboxes to try in every place")
+      .otherwise("none is tried");
+  command
+      .add_option("--ratios", request.ratios,
+                  "FROM:TO[:STEP]: try the candidates with these gear ratios")
+      .otherwise("their own");
+  command.add_option("--threads", request.threads, "Threads that try candidates")
+      .integer_between(1, 256);
 }
 
 void add_file_options(command_line::Command& command, HopperCheckRequest& request) {
@@ -73,10 +79,12 @@ void add_column_options(command_line::Command& command, HopperCheckRequest& requ
              .add_option("--column", request.columns,
                          "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are "
                          "joints, base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
+             .otherwise("the header's names")
              .one_value_each());
   needed(command
              .add_option("--columns", request.columns_files,
                          "The same as a document: trajectory_columns")
+             .otherwise("the header's names")
              .one_value_each());
   for (command_line::Option option : add_window_options(command, request.window)) needed(option);
 }
@@ -97,13 +105,13 @@ void add_motion_options(command_line::Command& command, HopperCheckRequest& requ
 void add_contact_options(command_line::Command& command, hopper::ContactRule& contact) {
   command.add_option("--ground-height", contact.ground_height_m, "z of the ground, in m")
       .between(-1e6, 1e6);
-  command
-      .add_option("--contact-height", contact.height_m,
-                  "Points no higher than this touch, in m; searched for where not stated")
+  command.add_option("--contact-height", contact.height_m, "Points no higher than this touch, in m")
+      .otherwise("searched for")
       .between(0.0, 10.0);
   command
       .add_option("--contact-speed", contact.speed_m_s,
-                  "and that move up or down no faster, in m/s; likewise")
+                  "Points that move up or down no faster touch, in m/s")
+      .otherwise("searched for")
       .between(0.0, 100.0);
 }
 

@@ -21,35 +21,30 @@ void add_task_options(command_line::Command& command, HopperFlipRequest& request
   command
       .add_option("--task", request.task,
                   "flip: the foot turned once forwards; jump: straight up; hop: with a stride")
-      .one_of({"flip", "jump", "hop"})
-      .shows_default();
+      .one_of({"flip", "jump", "hop"});
   command
-      .add_option(
-          "--rise", request.rise_m,
-          fmt::format("Of the centre of mass in the flight of a jump or a hop, at least, in "
-                      "m (default {:g})",
-                      hopper::PlanOptions().rise_m))
+      .add_option("--rise", request.rise_m,
+                  "Of the centre of mass in the flight of a jump or a hop, at least, in m")
+      .otherwise(fmt::format("{:g}", hopper::PlanOptions().rise_m))
       .between(0.0, 2.0);
-  command
-      .add_option("--stride", request.stride_m,
-                  fmt::format("Of a hop, in m; less than 0 is backwards (default {:g})",
-                              hopper::PlanOptions().stride_m))
+  command.add_option("--stride", request.stride_m, "Of a hop, in m; less than 0 is backwards")
+      .otherwise(fmt::format("{:g}", hopper::PlanOptions().stride_m))
       .between(-2.0, 2.0);
   command
       .add_option("--limits", request.limits,
                   "mor: each drive within its region at the voltage of the instant; box: within "
                   "its peak torque at any speed up to no load, which a real motor cannot do")
-      .one_of({"mor", "box"})
-      .shows_default();
+      .one_of({"mor", "box"});
   command
       .add_option("--contacts", request.contacts,
-                  "What stands on the ground, in order, by commas: flat, heel, toe, flight "
-                  "(default: the task's, of a flip flat,heel,flight,heel,flat)")
+                  "What stands on the ground, in order, by commas: flat, heel, toe, flight")
+      .otherwise("the task's, of a flip flat,heel,flight,heel,flat")
       .separated_by_commas();
   command
-      .add_option("--objective", request.objectives,
-                  fmt::format("NAME[=WEIGHT], repeatable: {} (default: the task's)",
-                              fmt::join(hopper::objective_names(), ", ")))
+      .add_option(
+          "--objective", request.objectives,
+          fmt::format("NAME[=WEIGHT], repeatable: {}", fmt::join(hopper::objective_names(), ", ")))
+      .otherwise("the task's")
       .one_value_each();
 }
 
@@ -58,66 +53,53 @@ void add_margin_options(command_line::Command& command, hopper::PlanMargins& mar
   command
       .add_option("--voltage-margin", margins.voltage,
                   "Share of the bus voltage kept from a region's voltage bound")
-      .between(0.0, 0.9)
-      .shows_default();
+      .between(0.0, 0.9);
   command
       .add_option("--current-margin", margins.current,
                   "Share of a region's current bound that is kept")
-      .between(0.0, 0.9)
-      .shows_default();
+      .between(0.0, 0.9);
   command
       .add_option("--friction-margin", margins.friction,
                   "Share of the ground's friction coefficient that is kept")
-      .between(0.0, 0.95)
-      .shows_default();
+      .between(0.0, 0.95);
   command
       .add_option("--center-of-pressure-margin", margins.center_of_pressure,
                   "Share of the foot's length kept from either end of it")
-      .between(0.0, 0.49)
-      .shows_default();
+      .between(0.0, 0.49);
   command
       .add_option("--gear-margin", margins.gear_load,
                   "Share of each transmission's limit that is kept")
-      .between(0.0, 0.9)
-      .shows_default();
+      .between(0.0, 0.9);
   command
       .add_option("--position-margin", margins.position_rad,
                   "Kept from the ends of the joints' ranges, in rad")
-      .between(0.0, 1.0)
-      .shows_default();
+      .between(0.0, 1.0);
   command
       .add_option("--speed-margin", margins.speed, "Share of the joints' speed limits that is kept")
-      .between(0.0, 0.9)
-      .shows_default();
+      .between(0.0, 0.9);
 }
 
 void add_search_options(command_line::Command& command, HopperFlipRequest& request) {
   hopper::PlanOptions& plan = request.plan;
   command.add_option("--intervals", plan.intervals, "Of the first mesh, all phases together")
-      .integer_between(10, 2000)
-      .shows_default();
+      .integer_between(10, 2000);
   command
       .add_option("--integration-error", plan.most_error_rad,
                   "Of a phase beside an independent integrator, in rad: the mesh is refined until "
                   "it is less")
-      .between(1e-6, 0.1)
-      .shows_default();
+      .between(1e-6, 0.1);
   command.add_option("--rounds", plan.most_rounds, "Refined meshes after the first, at most")
-      .integer_between(0, 50)
-      .shows_default();
+      .integer_between(0, 50);
   command.add_option("--iterations", plan.most_iterations, "Of the solver on one mesh, at most")
-      .integer_between(1, 1000000)
-      .shows_default();
+      .integer_between(1, 1000000);
   command
       .add_option("--time-limit", plan.most_seconds,
                   "End the search after so many seconds, with the best so far and exit code 3")
-      .between(0.01, 1e7)
-      .shows_default();
+      .between(0.01, 1e7);
   command
       .add_option("--guess-noise", plan.guess_noise_rad,
                   "Standard deviation of what is added to the first guess's joint angles, in rad")
-      .between(0.0, 1.0)
-      .shows_default();
+      .between(0.0, 1.0);
   command.add_option("--seed", request.guess_seed, "Of that noise")
       .integer_between(0, kGreatestSeed)
       .needs("--guess-noise");
@@ -127,24 +109,26 @@ void add_search_options(command_line::Command& command, HopperFlipRequest& reque
   command
       .add_option("--load-window", request.warm.check.load_window_s,
                   "Over which a transmission's load is averaged, in s")
-      .between(1e-6, 10.0)
-      .shows_default();
+      .between(1e-6, 10.0);
 }
 
 void add_warm_options(command_line::Command& command, HopperFlipRequest& request) {
-  command.add_option("--warm", request.warm.trajectory_file,
-                     "Begin from this motion of the robot, a CSV as `hopper check` reads it");
+  command
+      .add_option("--warm", request.warm.trajectory_file,
+                  "Begin from this motion of the robot, a CSV as `hopper check` reads it")
+      .otherwise("a guess of its own");
   add_column_options(command, request.warm, "--warm");
   hopper::ContactRule& contact = request.warm.check.contact;
   command
       .add_option("--contact-height", contact.height_m,
-                  "Points of that motion no higher than this touch, in m; searched for where "
-                  "neither this nor contact columns say")
+                  "Points of that motion no higher than this touch, in m")
+      .otherwise("the motion's contact columns, else searched for")
       .between(0.0, 10.0)
       .needs("--warm");
   command
       .add_option("--contact-speed", contact.speed_m_s,
-                  "and that move up or down no faster, in m/s; likewise")
+                  "Points of that motion that move up or down no faster touch, in m/s")
+      .otherwise("the motion's contact columns, else searched for")
       .between(0.0, 100.0)
       .needs("--warm");
 }
@@ -161,8 +145,7 @@ void add_file_options(command_line::Command& command, HopperFlipRequest& request
                   "no plan")
       .names_a_file();
   command.add_option("--sample-step", request.plan.sample_s, "Between rows of the motion, in s")
-      .between(1e-5, 0.05)
-      .shows_default();
+      .between(1e-5, 0.05);
   command
       .add_option("--plot-momentum", request.momentum_file,
                   "Draw CAM, CAV and composite inertia about the lateral axis over time to this "

@@ -70,13 +70,16 @@ void add_tracking_options(command_line::Command& command, HopperReplayRequest& r
 
 void add_trial_options(command_line::Command& command, HopperReplayRequest& request) {
   command.add_option("--trials", request.trials, "Randomised runs, beside the one as documented")
+      .otherwise("none")
       .integer_between(1, 1000000);
   command
       .add_option("--randomise", request.randomise_file,
                   "Document of kind randomisation: what differs from trial to trial")
+      .otherwise("what the robot is")
       .needs("--trials");
-  command.add_option("--seed", request.seed, "Of the trials").needs("--trials");
+  command.add_option("--seed", request.seed, "Of the trials' drawn numbers").needs("--trials");
   command.add_option("--trial", request.only_trial, "Run this one of the trials alone, from 0")
+      .otherwise("all")
       .integer_between(0, 999999)
       .needs("--trials");
   command
@@ -84,7 +87,9 @@ void add_trial_options(command_line::Command& command, HopperReplayRequest& requ
                   "Share of the trials that must stand for exit code 0")
       .between(0.0, 1.0)
       .needs("--trials");
-  command.add_option("--threads", request.threads, "That run trials").integer_between(1, 256);
+  command.add_option("--threads", request.threads, "Threads that run trials")
+      .otherwise("as many as the processor runs at once")
+      .integer_between(1, 256);
   add_point_options(command, request.points, "--trials");
   command.add_flag("--sweep-step", request.sweep,
                    "Run it with other steps of the engine too, and show what depends on the step");

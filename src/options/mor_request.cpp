@@ -44,13 +44,21 @@ std::vector<std::string> mor_formats() {
 /// Questions that no table, file or picture of the region answers: each is asked without those.
 void add_questions(command_line::Command& command, MorRequest& request) {
   command_line::Option need =
-      command.add_option("--need", request.need,
-                         "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do");
-  command_line::Option ratio = command.add_option(
-      "--ratio", request.ratios, "LOW:HIGH: what these gear ratios would make of the motor");
-  command_line::Option compare = command.add_option(
-      "--compare", request.compare_file,
-      "An actuator from whose region this one's differs: where torque is lost and won");
+      command
+          .add_option("--need", request.need,
+                      "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do")
+          .otherwise("not asked");
+  command_line::Option ratio =
+      command
+          .add_option("--ratio", request.ratios,
+                      "LOW:HIGH: what these gear ratios would make of the motor")
+          .otherwise("not asked");
+  command_line::Option compare =
+      command
+          .add_option(
+              "--compare", request.compare_file,
+              "An actuator from whose region this one's differs: where torque is lost and won")
+          .otherwise("not compared");
   compare.excludes("--need").excludes("--ratio");
   for (command_line::Option* question : {&need, &ratio, &compare}) {
     for (const char* other : {"--format", "--at-speed", "--accuracy"}) question->excludes(other);
@@ -67,12 +75,14 @@ void add_mor_plot_options(command_line::Command& command, MorPlotOptions& option
                   "--json, --at-speed or -o")
       .names_a_file();
   command.add_option("--plot-voltage", options.voltages_V, "Over it, at these bus voltages, in V")
+      .otherwise("none")
       .separated_by_commas()
       .between(0.5, 2000.0)
       .needs("--plot");
   command
       .add_option("--plot-temperature", options.temperatures_K,
                   "Over it, at these winding temperatures, in K")
+      .otherwise("none")
       .separated_by_commas()
       .between(200.0, 600.0)
       .needs("--plot");
@@ -85,20 +95,24 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
   add_operating_options(command, request.operating);
   command.add_option("--side", request.side, "joint, or motor: at the rotor, before friction")
       .one_of({"joint", "motor"});
-  command.add_option("--format", request.format, "csv (default), json or a simulator's file")
+  command.add_option("--format", request.format, "csv, json or a simulator's file")
+      .otherwise("csv")
       .one_of(mor_formats());
   command
       .add_option("--fit", request.fit,
                   "Of a simulator's law that cannot take the region's shape: conservative (inside "
-                  "it; default) or best (least squares)")
+                  "it) or best (least squares)")
+      .otherwise("conservative")
       .one_of({"conservative", "best"})
       .needs("--format");
   command.add_option("--at-speed", request.speeds_rad_s, "Rows at these speeds only, in rad/s")
+      .otherwise("as many as --accuracy asks for")
       .separated_by_commas()
       .between(-kMostSpeed_rad_s, kMostSpeed_rad_s);
   command
       .add_option("--accuracy", request.accuracy,
-                  "Part of the peak torque within which lines between the rows stay, 1e-8 to 0.1")
+                  "Part of the peak torque within which lines between the rows stay; a number from "
+                  "1e-8 to 0.1")
       .excludes("--at-speed");
   command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
   add_mor_plot_options(command, request.plot);

@@ -7,13 +7,15 @@ void add_optimize_options(command_line::Command& command, OptimizeRequest& reque
   command.add_option("problem", request.problem_file, "Document of kind gearbox_problem")
       .required();
   add_output_options(command, request.outputs);
-  command.add_option("--top", request.top, "How many of the best designs (default 1)")
+  command.add_option("--top", request.top, "How many of the best designs")
       .integer_between(1, 1000000);
-  command.add_option("--relaxation", request.relaxation, "When Ipopt is asked (default auto)")
+  command.add_option("--relaxation", request.relaxation, "When Ipopt is asked")
       .one_of({"auto", "always", "never"});
   command.add_option("--max-nodes", request.max_nodes, "End the search after so many boxes")
+      .otherwise("as many as it takes")
       .integer_between(1, std::int64_t{1} << 60);
   command.add_option("--time-limit", request.time_limit_s, "End the search after so many seconds")
+      .otherwise("as long as it takes")
       .between(0.001, 1e7);
   command.add_flag("--verify", request.verify, "Check the proof with the independent checker");
   command.add_flag("--json", request.json, "Print the result as JSON");

@@ -10,17 +10,14 @@ namespace torquewright::cli {
 
 void add_point_options(command_line::Command& command, PointOptions& options,
                        const std::string& needed) {
-  command_line::Option jobs =
-      command
-          .add_option("--jobs", options.jobs,
-                      "Processes that do it; where not stated, as many as the processor runs at "
-                      "once")
-          .integer_between(1, 256);
+  command_line::Option jobs = command.add_option("--jobs", options.jobs, "Processes that do it")
+                                  .otherwise("as many as the processor runs at once")
+                                  .integer_between(1, 256);
   command_line::Option journal =
       command
           .add_option("--sweep-journal", options.journal_file,
-                      "Keep each answer in this file as it comes, and take those that it holds; "
-                      "else beside the output, as OUTPUT.journal")
+                      "Keep each answer in this file as it comes, and take those that it holds")
+          .otherwise("beside the output, as OUTPUT.journal")
           .names_a_file();
   if (needed.empty()) return;
   jobs.needs(needed);
@@ -38,6 +35,7 @@ void add_sweep_options(command_line::Command& command, SweepOptions& options) {
                   "NAME=FROM:TO:STEP or NAME=A,B,C, once or twice: answer for the robot with each "
                   "of these; names are voltage, current, resistance, mass, ratio, of one drive "
                   "knee_ratio, as factors knee_ratio_factor")
+      .otherwise("none")
       .one_value_each();
   add_point_options(command, options.points, "");
   command

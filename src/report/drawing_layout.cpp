@@ -63,8 +63,9 @@ struct NamedGear {
 std::optional<gearbox::ToothForm> form_of(const gearbox::CutGear& gear) {
   if (gear.teeth < gearbox::kMinDrawnTeeth || gear.teeth > kMaxDrawnTeeth) return std::nullopt;
   try {
-    gearbox::ToothForm form = gear.internal ? gearbox::internal_gear(gear.teeth, gear.shift)
-                                            : gearbox::external_gear(gear.teeth, gear.shift);
+    gearbox::ToothForm form = gear.internal
+                                  ? gearbox::internal_gear(gear.teeth, gear.shift, gear.root_depth)
+                                  : gearbox::external_gear(gear.teeth, gear.shift, gear.root_depth);
     form.tip_radius = 0.5 * gear.tip_diameter;
     return form;
   } catch (const std::invalid_argument&) {

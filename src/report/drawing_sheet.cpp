@@ -92,17 +92,20 @@ std::array<std::string, 9> cells_of(const DrawingLayout& layout, const DrawnGear
 
 /// How the teeth were cut; shifts need a line of their own.
 std::vector<std::string> note_lines(const DrawingLayout& layout) {
-  const std::string roots = "External roots as hobbed, ring roots with a 0.3 module fillet.";
+  const std::string dedenda =
+      fmt::format("addendum 1, dedendum {:g} (rings {:g}) module",
+                  layout.drawing.cutters.hob_depth(), layout.drawing.cutters.shaper_depth());
+  const std::string roots = "Roots as hobbed and shaped.";
   const std::string involute = "Involute 20\xC2\xB0, ";
   if (layout.drawing.profile_shift.empty()) {
-    return {involute + "no profile shift, no backlash; addendum 1, dedendum 1.25 module. " + roots};
+    return {involute + "no profile shift, no backlash; " + dedenda + ". " + roots};
   }
   std::string shifts;
   for (const DrawnGear& gear : layout.gears) {
     shifts += fmt::format("{} {} {:.4g}", shifts.empty() ? "" : ",", gear.symbol, gear.shift);
   }
   return {fmt::format("{}profile shift{} module, no backlash.", involute, shifts),
-          "Addendum 1 (S, P1 less for clearance), dedendum 1.25 module. " + roots};
+          "S and P1 shortened for clearance; " + dedenda + ". " + roots};
 }
 
 std::string warnings(const DrawingLayout& layout, const Point& place) {

@@ -100,8 +100,8 @@ TEST(CommandLine, WorksOnlyWhenAllWordsAreUnderstood) {
     return ExitCode::kPasses;
   });
   EXPECT_EQ(refusal(program, {"command", "more"}),
-            "command line: The following argument was not expected: more; --help shows what is "
-            "allowed");
+            "command line: The following argument was not expected: more; it is program command "
+            "[OPTIONS]; --help shows what is allowed");
   EXPECT_FALSE(has_worked);
 }
 

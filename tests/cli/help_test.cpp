@@ -34,7 +34,7 @@ std::string help_of(Words command) {
   return outcome.out;
 }
 
-/// The words that stand first in the lines below "Subcommands:".
+/// The words that stand first in the lines below "Commands:".
 Words subcommands(const std::string& help) {
   Words names;
   bool is_listed = false;
@@ -42,7 +42,7 @@ Words subcommands(const std::string& help) {
     const Words words = words_of(line);
     if (is_listed && words.empty()) break;
     if (is_listed) names.push_back(words.front());
-    if (line == "Subcommands:") is_listed = true;
+    if (line == "Commands:") is_listed = true;
   }
   return names;
 }
@@ -67,6 +67,76 @@ std::vector<Words> examples(const std::string& help) {
     if (line == "Example:") is_listed = true;
   }
   return examples;
+}
+
+/// What stands below "Options:" and "Arguments:", an entry for each, its further lines joined to
+/// it.
+std::vector<std::string> entries(const std::string& help) {
+  std::vector<std::string> entries;
+  bool is_listed = false;
+  for (const std::string& line : lines_of(help)) {
+    if (line.empty()) is_listed = false;
+    if (is_listed && line.starts_with("   ")) {
+      entries.back() += line;
+    } else if (is_listed) {
+      entries.push_back(line);
+    }
+    if (line == "Options:" || line == "Arguments:") is_listed = true;
+  }
+  return entries;
+}
+
+bool holds(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+// Each option that takes a value says what holds where it is not named, but for files that are then
+// not written. What "not named" does is for the tests of each option to hold.
+TEST(Help, SaysEveryDefaultAndNoRangeInSymbols) {
+  std::size_t count = 0;
+  for (const Words& command : all_commands()) {
+    for (const std::string& entry : entries(help_of(command))) {
+      const Words words = words_of(entry);
+      std::size_t at = 0;
+      while (words[at].ends_with(',')) ++at;  // -o, --output
+      const bool is_argument = words[0].front() != '-';
+      const bool takes_value =
+          at + 1 < words.size() &&
+          (words[at + 1] == "NUMBER" || words[at + 1] == "N" || words[at + 1] == "TEXT" ||
+           words[at + 1] == "WORD" || words[at + 1] == "FILE");
+      const bool may_be_silent = holds(entry, "; required") || words[at + 1] == "FILE";
+      if (takes_value && !may_be_silent && !is_argument) {
+        EXPECT_TRUE(holds(entry, "(default: ")) << testing::PrintToString(command) << entry;
+        ++count;
+      }
+      for (const char* symbol : {" in [", " INT:", "FLOAT", ":{", "(default)", "where absent"}) {
+        EXPECT_FALSE(holds(entry, symbol)) << testing::PrintToString(command) << entry;
+      }
+      EXPECT_EQ(entry.find("(default"), entry.rfind("(default")) << entry;
+    }
+  }
+  EXPECT_GT(count, 80u);
+}
+
+TEST(Help, IsPrintedWhereNothingElseIsAsked) {
+  const std::string whole = help_of({});
+  for (const Words& words : {Words{}, Words{"help"}, Words{"-h"}}) {
+    EXPECT_EQ(run(words).out, whole);
+    EXPECT_EQ(run(words).exit_code, 0);
+  }
+  const std::string gearbox = help_of({"gearbox"});
+  for (const Words& words :
+       {Words{"gearbox"}, Words{"help", "gearbox"}, Words{"gearbox", "help"}}) {
+    EXPECT_EQ(run(words).out, gearbox);
+  }
+  EXPECT_EQ(run({"help", "gearbox", "optimize"}).out, help_of({"gearbox", "optimize"}));
+}
+
+TEST(Version, IsPrinted) {
+  for (const char* option : {"-V", "--version"}) {
+    EXPECT_EQ(run({option}).out, TORQUEWRIGHT_VERSION "\n");
+    EXPECT_EQ(run({option}).exit_code, 0);
+  }
 }
 
 TEST(Help, FindsTheCommands) {

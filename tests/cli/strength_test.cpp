@@ -194,9 +194,9 @@ TEST(StrengthOfAResult, TakesASteelForEachGear) {
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=nan"}, "needs a length");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=0.5"}, "too thin");
   refused({"--steel", "case_hardened", "--face-width", "10", "--load-sharing", "0.9"},
-          "0.9 not in range 1");
+          "\"0.9\" is not a number from 1 to 10");
   refused({"--steel", "case_hardened", "--face-width", "10", "--load-sharing", "0"},
-          "0 not in range 1");
+          "\"0\" is not a number from 1 to 10");
 }
 
 TEST(StrengthOfAResult, RefusesAResultThatIsInfeasible) {

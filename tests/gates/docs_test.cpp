@@ -2,6 +2,11 @@
 // Every page of docs/ can be reached from its index, and no link leads nowhere. Oracle: the files.
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include "tests/gates/source_tree.hpp"
 
 namespace torquewright::gates {
@@ -61,6 +66,39 @@ TEST(Docs, ShowEveryPicture) {
   for (const fs::path& page : files_in("docs", ".md")) shown.merge(links_of(page));
   for (const fs::path& picture : files_in("docs/pictures", ".png")) {
     EXPECT_TRUE(shown.contains(picture.generic_string())) << picture << " is on no page";
+  }
+}
+
+/// Of a page's prose: no commands and output, no tables, no headings.
+std::vector<std::string> sentences_of(const std::string& page) {
+  std::istringstream stream(page);
+  std::string prose;
+  for (std::string line; std::getline(stream, line);) {
+    const bool is_prose = !line.empty() && std::string(" #|!").find(line[0]) == std::string::npos;
+    prose += is_prose ? " " + line : ". ";
+  }
+  std::vector<std::string> sentences{""};
+  for (std::size_t i = 0; i < prose.size(); ++i) {
+    sentences.back() += prose[i];
+    const bool ends = prose[i] == '.' || prose[i] == '?' || prose[i] == ':' || prose[i] == ';';
+    if (ends && (i + 1 == prose.size() || prose[i + 1] == ' ')) sentences.emplace_back();
+  }
+  return sentences;
+}
+
+// Who reads it for the first time reads it once.
+TEST(Readme, IsSaidInShortSentences) {
+  for (const std::string& sentence : sentences_of(text_of("README.md"))) {
+    std::istringstream words(sentence);
+    const auto count = std::distance(std::istream_iterator<std::string>(words), {});
+    EXPECT_LE(count, 30) << sentence;
+  }
+}
+
+TEST(Readme, HasNoWordsOfTheHouse) {
+  const std::string page = text_of("README.md");
+  for (const std::string word : {" seed", "pitfall", "oracle"}) {
+    EXPECT_EQ(page.find(word), std::string::npos) << word;
   }
 }
 

@@ -50,7 +50,7 @@ Names named_in_first_column(const std::string& page) {
   Names names;
   std::istringstream lines(page);
   for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("| `")) continue;
+    if (!line.starts_with("| `") && !line.starts_with("| [`")) continue;
     const std::string cell = line.substr(1, line.find(" | ", 2));
     std::string before;
     for (std::sregex_iterator found(cell.begin(), cell.end(), kName), end; found != end; ++found) {

@@ -77,14 +77,18 @@ TEST(ReadProblem, LeavesOutWhatIsNotGiven) {
 
 TEST(ReadProblem, ReadsEveryOptionalKey) {
   json root = document_of("finger_joint.json");
-  root.update(
-      {{"min_contact_ratio", 1.1},
-       {"min_neighbour_clearance_mm", 0.15},
-       {"ring_outer_diameter_mm", 19.5},
-       {"ring_wall_mm", 0.45},
-       {"sun_under_second_layer", false},
-       {"cutter", {{"hob_tip_radius", 0.25}, {"shaper_tip_radius", 0.2}, {"shaper_teeth", 25}}},
-       {"hollow_shaft_wall_mm", 0.25}});
+  root.update({{"min_contact_ratio", 1.1},
+               {"min_neighbour_clearance_mm", 0.15},
+               {"ring_outer_diameter_mm", 19.5},
+               {"ring_wall_mm", 0.45},
+               {"sun_under_second_layer", false},
+               {"cutter",
+                {{"hob_tip_radius", 0.25},
+                 {"hob_addendum", 1.3},
+                 {"shaper_tip_radius", 0.2},
+                 {"shaper_addendum", 1.15},
+                 {"shaper_teeth", 25}}},
+               {"hollow_shaft_wall_mm", 0.25}});
   const Problem problem = problem_of(root);
   EXPECT_EQ(problem.min_contact_ratio, Rational(11, 10));
   EXPECT_EQ(problem.min_neighbour_clearance_mm, Rational(3, 20));
@@ -95,6 +99,8 @@ TEST(ReadProblem, ReadsEveryOptionalKey) {
   EXPECT_EQ(problem.cutters.hob_tip_radius, Rational(1, 4));
   EXPECT_EQ(problem.cutters.shaper_tip_radius, Rational(1, 5));
   EXPECT_EQ(problem.cutters.shaper_teeth, 25);
+  EXPECT_EQ(problem.cutters.hob_addendum, Rational(13, 10));
+  EXPECT_EQ(problem.cutters.shaper_addendum, Rational(23, 20));
   EXPECT_EQ(problem.face_width_mm,
             (std::map<std::string, Rational>{{"layer_1", 2}, {"layer_2", 3}}));
   EXPECT_EQ(problem.density_kg_m3, 7850);
@@ -114,6 +120,28 @@ TEST(ReadProblem, RefusesARoundingThatTheShaperHasNoRoomFor) {
             "at most 0.25");
   root["cutter"] = {{"hob_tip_radius", 0.39}};
   EXPECT_NE(refusal(root), "");
+}
+
+// Oracle: half the angle of a shaper's tooth at its tip, pi/2q + inv(20 deg) - inv(acos(q cos(20
+// deg)/(q + 2 h))): of 11 teeth 0.0012 at h = 1.37 and -0.00006 at 1.38. ISO 53 profile D is 1.4
+// and 0.39.
+TEST(ReadProblem, RefusesAddendaThatMakeNoTool) {
+  const auto refused = [](const json& cutter) {
+    json root = document_of("finger_joint.json");
+    root["cutter"] = cutter;
+    return refusal(root);
+  };
+  EXPECT_EQ(refused({{"hob_tip_radius", 0.39}, {"hob_addendum", 1.4}}), "");
+  EXPECT_NE(refused({{"hob_tip_radius", 0.391}, {"hob_addendum", 1.4}}), "");
+  EXPECT_NE(refused({{"hob_addendum", 1.41}}), "");
+  EXPECT_NE(refused({{"hob_addendum", 1.0}}), "");  // No clearance is left.
+  EXPECT_EQ(refused({{"hob_tip_radius", 0.39}}),
+            "f#/cutter/hob_tip_radius: 0.39 is more than the 0.38 of a hob of addendum 1.25; state "
+            "/cutter/hob_addendum too");
+  EXPECT_EQ(refused({{"shaper_teeth", 11}, {"shaper_addendum", 1.37}}), "");
+  EXPECT_EQ(
+      refused({{"shaper_teeth", 11}, {"shaper_addendum", 1.38}}),
+      "f#/cutter/shaper_addendum: a shaper of 11 teeth is pointed before an addendum of 1.38");
 }
 
 TEST(ReadProblem, SortsLists) {

@@ -56,14 +56,15 @@ Rule identical_planets(std::int64_t planets) {
           }};
 }
 
-// (D_out - m (z + 2.5))/2 >= wall solved for z; the rotor's bore stands for a D_out not stated.
+// (D_out - m (z + 2 h))/2 >= wall solved for z; the rotor's bore stands for a D_out not stated.
 std::int64_t largest_walled_ring(const Setting& setting) {
   const gearbox::Problem& problem = setting.problem;
   const Rational& module = setting.module_mm;
   const Rational wall = problem.ring_wall_mm.value_or(Rational(9, 4) * module);
   const auto& stated = problem.ring_outer_diameter_mm;
   const Rational space = stated ? *stated : problem.rotor_inner_diameter_mm;
-  return floor_of((space - 2 * wall) / module - Rational(5, 2));
+  return floor_of((space - 2 * wall) / module -
+                  2 * problem.cutters.shaper_addendum.value_or(Rational(5, 4)));
 }
 
 void add_size_rules(const Setting& setting, std::vector<Rule>& list) {

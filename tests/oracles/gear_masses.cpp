@@ -18,7 +18,8 @@ struct Body {
 struct Stock {
   long double density_kg_m3;
   long double module_m;
-  long double thickness_m;  ///< k = 2.5 m + 2 w, of a ring and of the sun, on the diameter.
+  long double ring_thickness_m;  ///< k = 2 h m + 2 w, on the diameter.
+  long double sun_thickness_m;
   long double width_1_m;
   long double width_2_m;
 };
@@ -27,13 +28,16 @@ Stock stock(const Setting& setting) {
   const gearbox::Problem& problem = setting.problem;
   const Rational& module = setting.module_mm;
   const Rational wall = problem.ring_wall_mm.value_or(Rational(9, 4) * module);
-  const Rational thickness = Rational(5, 2) * module + 2 * wall;
+  const auto thickness = [&](const std::optional<Rational>& depth) {
+    return to_long_double(2 * depth.value_or(Rational(5, 4)) * module + 2 * wall) / 1000;
+  };
   const auto metres = [](const Rational& millimetres) {
     return to_long_double(millimetres) / 1000;
   };
   const Rational second = is_3k(problem) ? problem.face_width_mm.at("layer_2") : Rational(0);
-  return {to_long_double(problem.density_kg_m3.value()), metres(module), metres(thickness),
-          metres(problem.face_width_mm.at("layer_1")), metres(second)};
+  return {to_long_double(problem.density_kg_m3.value()), metres(module),
+          thickness(problem.cutters.shaper_addendum),    thickness(problem.cutters.hob_addendum),
+          metres(problem.face_width_mm.at("layer_1")),   metres(second)};
 }
 
 // A disc is an annulus without a hole.
@@ -47,12 +51,12 @@ Body annulus(const Stock& of, long double width_m, long double outer_m, long dou
 
 Body ring(const Stock& of, long double width_m, std::int64_t teeth) {
   const long double pitch_m = of.module_m * real(teeth);
-  return annulus(of, width_m, pitch_m + of.thickness_m, pitch_m);
+  return annulus(of, width_m, pitch_m + of.ring_thickness_m, pitch_m);
 }
 
 Body sun(const Stock& of, const Teeth& teeth) {
   const long double pitch_m = of.module_m * real(teeth.sun);
-  return annulus(of, of.width_1_m, pitch_m, std::max(0.0L, pitch_m - of.thickness_m));
+  return annulus(of, of.width_1_m, pitch_m, std::max(0.0L, pitch_m - of.sun_thickness_m));
 }
 
 Body planet(const Stock& of, const Teeth& teeth) {

@@ -14,7 +14,8 @@ namespace {
 Rational hollow_shaft_mm(const Setting& setting, const Teeth& teeth) {
   const gearbox::Problem& problem = setting.problem;
   const Rational rim = problem.ring_wall_mm.value_or(Rational(9, 4) * setting.module_mm);
-  return setting.module_mm * (teeth.sun - Rational(5, 2)) -
+  return setting.module_mm *
+             (teeth.sun - 2 * problem.cutters.hob_addendum.value_or(Rational(5, 4))) -
          2 * problem.hollow_shaft_wall_mm.value_or(rim);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "tests/oracles/reals.hpp"
@@ -77,9 +78,9 @@ long double trochoid_margin_rad(std::int64_t planet, std::int64_t ring) {
 // from there and the line rises by the pressure angle against the tangent, so that the squared
 // distance to the axis is s^2 +- 2 s r sin(alpha) + r^2: + away from the axis.
 
-long double straight_depth(long double hob_tip_radius) {
+long double straight_depth(long double hob_addendum, long double hob_tip_radius) {
   // The rounding touches flank and tip line: its lower 1 - sin(alpha) is all that is not straight.
-  return 1.25L - hob_tip_radius * (1 - std::sin(pressure_angle_rad()));
+  return hob_addendum - hob_tip_radius * (1 - std::sin(pressure_angle_rad()));
 }
 
 long double depth_at_ring_tip(std::int64_t ring) {
@@ -93,10 +94,14 @@ long double depth_at_ring_tip(std::int64_t ring) {
   return s * sine;
 }
 
-long double reach_of_shaper(std::int64_t shaper, long double tip_radius) {
+long double depth_at_gear_tip(std::int64_t teeth) {
+  return reach_of_planet(teeth) * std::sin(pressure_angle_rad());
+}
+
+long double reach_of_shaper(std::int64_t shaper, long double addendum, long double tip_radius) {
   // Where the rounding begins its centre lies on the line too, the tip radius nearer.
   const long double half = real(shaper) / 2 * std::sin(pressure_angle_rad());
-  const long double centre = real(shaper) / 2 + 1.25L - tip_radius;
+  const long double centre = real(shaper) / 2 + addendum - tip_radius;
   const long double pitch = real(shaper) / 2;
   return std::sqrt(half * half - (pitch * pitch - centre * centre)) - half + tip_radius;
 }
@@ -105,6 +110,40 @@ long double reach_of_planet(std::int64_t planet) {
   const long double half = real(planet) / 2 * std::sin(pressure_angle_rad());
   const long double pitch = real(planet) / 2;
   return std::sqrt(half * half + 2 * pitch + 1) - half;
+}
+
+long double height_over_fed_shaper(std::int64_t ring, std::int64_t shaper, long double addendum,
+                                   long double tip_radius) {
+  const long double quarter = std::numbers::pi_v<long double> / 2;
+  const long double at_reference = involute(pressure_angle_rad());
+  const long double cosine = std::cos(pressure_angle_rad());
+  const long double tip = real(ring) / 2 - 1;
+  const long double centre = real(shaper) / 2 + addendum - tip_radius;
+  if (tip <= real(ring) / 2 * cosine || centre + tip_radius > tip) return std::nanl("");
+  const long double base = real(shaper) / 2 * cosine;
+  // Both from the middle of the space, which is the middle of the tooth, at no turn.
+  const long double centre_rad = quarter / real(shaper) + at_reference -
+                                 involute(std::acos(base / centre)) - tip_radius / base;
+  const long double tip_rad =
+      quarter / real(ring) + at_reference - involute(std::acos(cos_at_ring_tip(ring)));
+  const auto height = [&](long double turn_rad) {
+    return tip * std::sin(tip_rad + turn_rad * real(shaper) / real(ring)) -
+           centre * std::sin(centre_rad + turn_rad) - tip_radius;
+  };
+  constexpr int kSteps = 400;
+  const long double step = (quarter - centre_rad) / kSteps;
+  int least = 0;
+  for (int i = 1; i <= kSteps; ++i) {
+    if (height(step * i) < height(step * least)) least = i;
+  }
+  // Between its neighbours the height has one least value; a third is cut off at a time.
+  long double low = step * std::max(0, least - 1), high = step * std::min(kSteps, least + 1);
+  for (int i = 0; i < 120; ++i) {
+    const long double third = (high - low) / 3;
+    (height(low + third) < height(high - third) ? high : low) +=
+        height(low + third) < height(high - third) ? -third : third;
+  }
+  return height(low);
 }
 
 long double loss_factor(const ContactPath& path) {

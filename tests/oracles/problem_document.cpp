@@ -67,6 +67,8 @@ json problem_document(const gearbox::Problem& problem) {
   put(document, "/ring_wall_mm", problem.ring_wall_mm);
   put(document, "/cutter/hob_tip_radius", problem.cutters.hob_tip_radius);
   put(document, "/cutter/shaper_tip_radius", problem.cutters.shaper_tip_radius);
+  put(document, "/cutter/hob_addendum", problem.cutters.hob_addendum);
+  put(document, "/cutter/shaper_addendum", problem.cutters.shaper_addendum);
   if (problem.cutters.shaper_teeth) {
     document["cutter"]["shaper_teeth"] = *problem.cutters.shaper_teeth;
   }

@@ -168,8 +168,21 @@ std::optional<Rational> draw_tip_radius(Dice& dice, long double bearable, std::i
 }
 
 // The largest rounding of the hob that leaves what the ring's tip asks for.
-long double bearable_hob(std::int64_t ring) {
-  return (1.25L - depth_at_ring_tip(ring)) / (1.25L - straight_depth(1));
+long double bearable_hob(long double addendum, std::int64_t ring) {
+  return (addendum - depth_at_ring_tip(ring)) / (addendum - straight_depth(addendum, 1));
+}
+
+// Of their own dice: a seed's problems are else as they always were.
+void draw_addenda(Dice& dice, Problem& problem, const Model& model) {
+  if (problem.constraints != ConstraintSet::kBuildable) return;
+  if (dice.chance(40)) problem.cutters.hob_addendum = hundredths(dice.between(112, 140));
+  if (dice.chance(40)) problem.cutters.shaper_addendum = hundredths(dice.between(105, 140));
+  if (!dice.chance(25)) return;
+  // Large enough for the ring that it just can be fed in, or just not.
+  const Teeth& z = model.teeth;
+  const std::int64_t ring =
+      z.output_ring > 0 ? std::min(z.fixed_ring, z.output_ring) : z.fixed_ring;
+  problem.cutters.shaper_teeth = std::max<std::int64_t>(14, ring - dice.between(13, 22));
 }
 
 void draw_cutters(Dice& dice, Problem& problem, const Model& model) {
@@ -179,13 +192,16 @@ void draw_cutters(Dice& dice, Problem& problem, const Model& model) {
   gearbox::StatedCutters& cutters = problem.cutters;
   if (dice.chance(70)) {
     const std::int64_t ring = three_k ? std::min(z.fixed_ring, z.output_ring) : z.fixed_ring;
-    cutters.hob_tip_radius = draw_tip_radius(dice, bearable_hob(ring), 38);
+    cutters.hob_tip_radius =
+        draw_tip_radius(dice, bearable_hob(to_long_double(cutters.hob_depth()), ring), 38);
   }
   if (dice.chance(60)) {
-    cutters.shaper_teeth = dice.between(14, 40);
+    const std::int64_t teeth = dice.between(14, 40);
+    if (!cutters.shaper_teeth) cutters.shaper_teeth = teeth;
     std::int64_t radius = 30;
-    while (radius > 0 && reach_of_shaper(*cutters.shaper_teeth, 0.01L * real(radius)) <
-                             reach_of_planet(z.planet_1)) {
+    while (radius > 0 &&
+           reach_of_shaper(*cutters.shaper_teeth, to_long_double(cutters.shaper_depth()),
+                           0.01L * real(radius)) < reach_of_planet(z.planet_1)) {
       --radius;
     }
     if (dice.chance(80)) {
@@ -195,7 +211,7 @@ void draw_cutters(Dice& dice, Problem& problem, const Model& model) {
   }
 }
 
-Problem draw_problem(Dice& dice, Dice& cutter_dice) {
+Problem draw_problem(Dice& dice, Dice& cutter_dice, Dice* addendum_dice) {
   Problem problem;
   draw_kind(dice, problem);
   problem.module_mm = dice.one_or_more_of<Rational>(
@@ -210,20 +226,23 @@ Problem draw_problem(Dice& dice, Dice& cutter_dice) {
   draw_limits(dice, problem, size, model);
   draw_building(dice, problem);
   draw_materials(dice, problem);
+  if (addendum_dice != nullptr) draw_addenda(*addendum_dice, problem, model);
   draw_cutters(cutter_dice, problem, model);
   return problem;
 }
 
 }  // namespace
 
-std::vector<Problem> random_problems(std::uint64_t seed, std::size_t count) {
+std::vector<Problem> random_problems(std::uint64_t seed, std::size_t count, Addenda addenda) {
   std::vector<Problem> problems{d151_problem()};
   for (const HardProblem& hard : hard_problems()) problems.push_back(hard.problem);
   problems.resize(std::min(problems.size(), count));
   Dice dice(seed);
   Dice cutter_dice(~seed);  // Of their own: the rest of a seed's problems is as it always was.
+  Dice addendum_dice(seed ^ 0xaddUL);
+  Dice* const stating = addenda == Addenda::kSomeStated ? &addendum_dice : nullptr;
   while (problems.size() < count) {
-    problems.push_back(draw_problem(dice, cutter_dice));
+    problems.push_back(draw_problem(dice, cutter_dice, stating));
     problems.back().name = "random " + std::to_string(problems.size());
   }
   return problems;

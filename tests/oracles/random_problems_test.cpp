@@ -58,6 +58,30 @@ TEST(RandomProblems, RootFormDecidesSomeOfThem) {
   EXPECT_GE(decided, 5);
 }
 
+// Likewise for what addenda add, and for the shaper's way into its ring.
+TEST(RandomProblems, AddendaAndFeedDecideSomeOfThem) {
+  int addenda = 0, fed = 0, feed_decided = 0, decided = 0;
+  for (Problem problem : random_problems(kSeed, 300, Addenda::kSomeStated)) {
+    const Enumeration with = enumerate(problem);
+    EXPECT_TRUE(with.near_ties.empty()) << problem.name;
+    if (problem.cutters.shaper_teeth) {
+      ++fed;
+      const Enumeration without = enumerate(problem, Loops::kInverse, {"shaper_feed"});
+      feed_decided += as_set(problem, with.best) != as_set(problem, without.best) ? 1 : 0;
+    }
+    if (!problem.cutters.hob_addendum && !problem.cutters.shaper_addendum) continue;
+    ++addenda;
+    problem.cutters.hob_addendum.reset();
+    problem.cutters.shaper_addendum.reset();
+    decided += as_set(problem, with.best) != as_set(problem, enumerate(problem).best) ? 1 : 0;
+  }
+  std::cout << addenda << " of 300 state an addendum, which decides " << decided << "; " << fed
+            << " a shaper, whose feed decides " << feed_decided << "\n";
+  EXPECT_GT(addenda, 60);
+  EXPECT_GE(decided, 15);
+  EXPECT_GE(feed_decided, 3);
+}
+
 TEST(Loops, InverseFindsWhatTheNaiveOnesFindInAWideBore) {
   for (const Rational& tolerance : {Rational(0), Rational(1, 100)}) {
     Problem problem = paper_problem({12, 12, 12}, 0);

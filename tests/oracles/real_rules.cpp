@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
 
 #include "tests/oracles/involute_meshes.hpp"
 #include "tests/oracles/reals.hpp"
@@ -63,8 +67,11 @@ Rule neighbour_clearance(const Setting& setting, std::string name, Count planet)
 
 Rule undercut(const Setting& setting, std::string name, Count gear) {
   const long double sine = std::sin(pressure_angle_rad());
-  const auto& hob = setting.problem.cutters.hob_tip_radius;
-  const long double depth = hob ? straight_depth(to_long_double(*hob)) : 1;
+  const auto& cutters = setting.problem.cutters;
+  const long double addendum = to_long_double(cutters.hob_depth());
+  const long double depth = cutters.hob_tip_radius
+                                ? straight_depth(addendum, to_long_double(*cutters.hob_tip_radius))
+                                : std::max(1.0L, straight_depth(addendum, 0.38L));
   const long double least = 2 * depth / (sine * sine);
   return {std::move(name),
           [=](const Teeth& teeth) { return not_negative(real(teeth.*gear) - least); }};
@@ -95,21 +102,48 @@ Rule contact_ratio(const Setting& setting, std::string name, Path path, Count fi
 void add_root_form(const Setting& setting, const std::string& mesh, Count planet, Count ring,
                    std::vector<Rule>& list) {
   const gearbox::StatedCutters& cutters = setting.problem.cutters;
-  if (cutters.hob_tip_radius) {
-    const long double depth = straight_depth(to_long_double(*cutters.hob_tip_radius));
+  if (cutters.hob_tip_radius || cutters.hob_addendum) {
+    const long double depth = straight_depth(to_long_double(cutters.hob_depth()),
+                                             to_long_double(cutters.hob_tip_radius.value_or(0)));
     list.push_back({"root_form.hob." + mesh, [=](const Teeth& teeth) {
                       return not_negative(depth - depth_at_ring_tip(teeth.*ring));
                     }});
   }
-  if (cutters.shaper_teeth) {
-    const std::int64_t shaper = *cutters.shaper_teeth;
-    const long double reach =
-        reach_of_shaper(shaper, to_long_double(cutters.shaper_tip_radius.value_or(0)));
+  const long double radius = to_long_double(cutters.shaper_tip_radius.value_or(0));
+  const long double addendum = to_long_double(cutters.shaper_depth());
+  const std::optional<std::int64_t> stated = cutters.shaper_teeth;
+  if (stated || (cutters.shaper_addendum && cutters.shaper_tip_radius)) {
     list.push_back({"root_form.shaper." + mesh, [=](const Teeth& teeth) {
+                      const std::int64_t shaper = stated.value_or(teeth.*planet);
                       if (teeth.*ring <= shaper) return Judgement{false, false, 0};
-                      return not_negative(reach - reach_of_planet(teeth.*planet));
+                      return not_negative(reach_of_shaper(shaper, addendum, radius) -
+                                          reach_of_planet(teeth.*planet));
                     }});
   }
+  if (stated) {
+    // The simulation is slow, and rings repeat.
+    auto known = std::make_shared<std::map<std::int64_t, long double>>();
+    list.push_back({"shaper_feed." + mesh, [=](const Teeth& teeth) {
+                      const std::int64_t z = teeth.*ring;
+                      if (z <= *stated) return Judgement{false, false, 0};
+                      if (!known->contains(z)) {
+                        (*known)[z] = height_over_fed_shaper(z, *stated, addendum, radius);
+                      }
+                      return not_negative(known->at(z));
+                    }});
+  }
+}
+
+void add_root_form_of_gears(const Setting& setting, const std::string& mesh,
+                            std::vector<Rule>& list) {
+  const gearbox::StatedCutters& cutters = setting.problem.cutters;
+  if (!cutters.hob_tip_radius || !cutters.hob_addendum) return;
+  const long double depth = straight_depth(to_long_double(*cutters.hob_addendum),
+                                           to_long_double(*cutters.hob_tip_radius));
+  list.push_back({"root_form.hob." + mesh, [=](const Teeth& teeth) {
+                    return not_negative(depth - std::max(depth_at_gear_tip(teeth.sun),
+                                                         depth_at_gear_tip(teeth.planet_1)));
+                  }});
 }
 
 std::vector<Rule> rules_of_3k(const Setting& setting) {
@@ -155,9 +189,11 @@ std::vector<Rule> real_rules(const Setting& setting) {
   const auto buildable = is_3k(setting.problem) ? rules_of_3k : rules_of_planetary;
   for (Rule& rule : buildable(setting)) list.push_back(std::move(rule));
   if (is_3k(setting.problem)) {
+    add_root_form_of_gears(setting, "sun_planet_1", list);
     add_root_form(setting, "planet_1_fixed_ring", &Teeth::planet_1, &Teeth::fixed_ring, list);
     add_root_form(setting, "planet_2_output_ring", &Teeth::planet_2, &Teeth::output_ring, list);
   } else {
+    add_root_form_of_gears(setting, "sun_planet", list);
     add_root_form(setting, "planet_ring", &Teeth::planet_1, &Teeth::fixed_ring, list);
   }
   return list;

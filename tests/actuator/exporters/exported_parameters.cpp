@@ -200,10 +200,8 @@ Law jaxsim(const std::string& text) {
   };
 }
 
-Law table(const std::string& text) {
-  const std::vector<double> speeds = array(text, "kSpeed");
-  const std::vector<double> least = array(text, "kLeast");
-  const std::vector<double> greatest = array(text, "kGreatest");
+Law table(const std::vector<double>& speeds, const std::vector<double>& least,
+          const std::vector<double>& greatest) {
   return [=](double speed) {
     TorqueLimits rest{1e300, -1e300};
     for (std::size_t i = 0; i < speeds.size(); ++i) {
@@ -221,6 +219,33 @@ Law table(const std::string& text) {
   };
 }
 
+/// What stands between a mark and the next end, as numbers.
+std::vector<double> numbers_after(const std::string& text, const std::string& mark,
+                                  const std::string& end) {
+  const std::size_t begin = text.find(mark);
+  if (begin == std::string::npos) throw std::runtime_error("no " + mark);
+  const std::size_t open = begin + mark.size();
+  std::string inside = text.substr(open, text.find(end, open) - open);
+  std::replace_if(
+      inside.begin(), inside.end(),
+      [](char letter) { return letter == ',' || letter == '{' || letter == '}'; }, ' ');
+  return numbers(inside);
+}
+
+Law python(const std::string& text) {
+  return table(numbers_after(text, "\"speed_rad_s\": [", "]"),
+               numbers_after(text, "\"least_Nm\": [", "]"),
+               numbers_after(text, "\"greatest_Nm\": [", "]"));
+}
+
+/// Rows of speed, next speed, least, its slope, greatest, its slope.
+Law c_rows(const std::string& text) {
+  const std::vector<double> all = numbers_after(text, "_row[] = {", "};");
+  std::vector<double> columns[6];
+  for (std::size_t i = 0; i < all.size(); ++i) columns[i % 6].push_back(all[i]);
+  return table(columns[0], columns[2], columns[4]);
+}
+
 }  // namespace
 
 Law law_of_file(const std::string& format, const std::string& text) {
@@ -231,7 +256,11 @@ Law law_of_file(const std::string& format, const std::string& text) {
   if (format == "physx") return physx(text);
   if (format == "urdf") return urdf(text);
   if (format == "jaxsim") return jaxsim(text);
-  if (format == "raisim1" || format == "drake") return table(text);
+  if (format == "raisim1" || format == "drake") {
+    return table(array(text, "kSpeed"), array(text, "kLeast"), array(text, "kGreatest"));
+  }
+  if (format == "python") return python(text);
+  if (format == "c") return c_rows(text);
   if (format == "isaac-lab") {
     return line(literal(text, "saturation_effort"), literal(text, "actuator_velocity_limit"),
                 literal(text, "actuator_effort_limit"), true);

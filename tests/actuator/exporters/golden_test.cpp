@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/library.hpp"
 #include "actuator/exporters/simulator_file.hpp"
 #include "io/file_bytes.hpp"
@@ -45,6 +46,8 @@ TEST(Golden, EveryFormatIsAsItWasReadBesideItsDocumentation) {
   const Example example(knee());
   for (const Exporter* exporter : exporter_library()) {
     SCOPED_TRACE(exporter->name);
+    // No simulator's fields: they are run, and held against clip.hpp (region_file_test.cpp).
+    if (exporter == &exporters::python || exporter == &exporters::c_header) continue;
     const std::filesystem::path file = golden_file(exporter->name);
     ASSERT_FALSE(file.empty());
     const std::string golden = io::read_file_bytes(file);

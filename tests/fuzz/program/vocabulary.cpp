@@ -24,32 +24,26 @@ Words words_of(const std::string& line) {
   return words;
 }
 
-/// "-o,--output" is --output.
-std::string longest_name(const std::string& names) {
-  const std::size_t dashes = names.find("--");
-  const std::string name = dashes == std::string::npos ? names : names.substr(dashes);
-  return name.substr(0, name.find(','));
-}
-
-/// Those in "TEXT:{a,b}".
-Words choices_in(const std::string& type) {
-  const std::size_t open = type.find('{');
-  if (open == std::string::npos) return {};
-  std::string list = type.substr(open + 1, type.find('}') - open - 1);
+/// Those after "one of ", which the entry's other lines may follow.
+Words choices_in(const std::string& entry) {
+  const std::string before = "one of ";
+  const std::size_t begin = entry.find(before);
+  if (begin == std::string::npos) return {};
+  std::string list = entry.substr(begin + before.size());
+  list = list.substr(0, list.find_first_of(";("));
   std::replace(list.begin(), list.end(), ',', ' ');
   return words_of(list);
 }
 
-/// As CLI11 lists it: names, then the type of the value in capitals, then the help.
-DeclaredOption option_in(const Words& line) {
-  const auto is_type = [](const std::string& word) {
-    for (const std::string type : {"TEXT", "FLOAT", "INT", "UINT"}) {
-      if (word.starts_with(type)) return true;
-    }
-    return false;
-  };
-  const bool has_value = line.size() > 1 && is_type(line[1]);
-  return {longest_name(line[0]), has_value, has_value ? choices_in(line[1]) : Words{}};
+/// As the help lists it: names, then in capitals what its value is, then its meaning.
+DeclaredOption option_in(const std::string& entry) {
+  const Words words = words_of(entry);
+  std::size_t at = 0;
+  while (words[at].ends_with(',')) ++at;  // -o, --output
+  const Words kinds = {"TEXT", "NUMBER", "N", "WORD", "FILE"};
+  const bool has_value =
+      at + 1 < words.size() && std::find(kinds.begin(), kinds.end(), words[at + 1]) != kinds.end();
+  return {words[at], has_value, has_value ? choices_in(entry) : Words{}};
 }
 
 Help help_of(const std::filesystem::path& program, Words command) {
@@ -58,15 +52,18 @@ Help help_of(const std::filesystem::path& program, Words command) {
   std::istringstream lines(run(command, here).out);
   Help help;
   std::string section;
+  std::vector<std::string> options;
   for (std::string line; std::getline(lines, line);) {
-    const Words words = words_of(line);
-    if (words.empty()) section.clear();
-    if (words.empty()) continue;
+    if (line.empty()) section.clear();
+    if (line.empty()) continue;
     if (line.front() != ' ') section = line;
     const bool is_entry = line.size() > 2 && line.starts_with("  ") && line[2] != ' ';
-    if (is_entry && section == "Subcommands:") help.commands.push_back(words[0]);
-    const bool is_option = is_entry && words[0].front() == '-';
-    if (is_option && words[0] != "-h,--help") help.options.push_back(option_in(words));
+    if (is_entry && section == "Commands:") help.commands.push_back(words_of(line)[0]);
+    if (is_entry && section == "Options:") options.push_back(line);
+    if (!is_entry && section == "Options:" && line.front() == ' ') options.back() += line;
+  }
+  for (const std::string& entry : options) {
+    if (words_of(entry)[0] != "-h,") help.options.push_back(option_in(entry));
   }
   return help;
 }

@@ -47,7 +47,9 @@ double quantity_form(const PlainClaim& claim, const Choice& c, const PlainBox& b
     const auto& stated = c.problem->hollow_shaft_wall_mm;
     const auto& ring = c.problem->ring_wall_mm;
     const double wall = stated ? number(*stated) : ring ? number(*ring) : 2.25 * c.module_mm;
-    return c.module_mm * (x[0] - 2.5) - 2 * wall - threshold;
+    return c.module_mm *
+               (x[0] - 2 * number(c.problem->cutters.hob_addendum.value_or(Rational(5, 4)))) -
+           2 * wall - threshold;
   }
   if (claim.quantity.rfind("teeth.", 0) == 0) return teeth(claim.quantity.substr(6), x) - threshold;
   if (claim.quantity == "ring_pitch_diameter_mm") {
@@ -85,18 +87,26 @@ double concave_form(const std::string& name, const PlainClaim& claim, const Choi
   }
   const double alpha = kPi / 9;
   if (family == "undercut") {
-    const double hob = p.cutters.hob_tip_radius ? number(*p.cutters.hob_tip_radius) : -1;
-    const double depth = hob < 0 ? 1 : 1.25 - hob * (1 - std::sin(alpha));
+    const double hob = number(p.cutters.hob_tip_radius.value_or(Rational(19, 50)));
+    const double straight =
+        number(p.cutters.hob_addendum.value_or(Rational(5, 4))) - hob * (1 - std::sin(alpha));
+    const double depth = p.cutters.hob_tip_radius ? straight : std::max(1.0, straight);
     return teeth(part, x) - 2 * depth / (std::sin(alpha) * std::sin(alpha));
   }
   if (family == "sun_under_layer_2") return c.module_mm * (x[2] / 2 - 2);
   if (family == "ring_tip") {
     return c.module_mm * (teeth(part, x) * (1 - std::cos(alpha)) - 2) / 2;
   }
+  if (family == "shaper_feed") {
+    const bool is_second = part == "planet_2_output_ring";
+    const char* const ring = is_planetary(p) ? "ring" : is_second ? "output_ring" : "fixed_ring";
+    return teeth(ring, x) - static_cast<double>(fewest_fed(p));
+  }
   if (family == "ring_wall") {
     const double wall = p.ring_wall_mm ? number(*p.ring_wall_mm) : 2.25 * c.module_mm;
     return (number(p.ring_outer_diameter_mm.value_or(p.rotor_inner_diameter_mm)) -
-            c.module_mm * (teeth(part, x) + 2.5)) /
+            c.module_mm *
+                (teeth(part, x) + 2 * number(p.cutters.shaper_addendum.value_or(Rational(5, 4))))) /
                2 -
            wall;
   }

@@ -118,10 +118,10 @@ TEST(Enclosure, HoldsEveryPlanetaryDesignOfABox) {
 
 // Oracle: a box is refuted only if no design in it satisfies the condition; constraints are linear
 // or monotone, so that on a box of designs the reverse holds too.
-TEST(Refutation, AgreesWithJudgingEveryPoint) {
+void expect_refutations(const StatedCutters& cutters) {
   Problem problem = widened(buildable_inertia());
   problem.min_contact_ratio = Rational(8, 5);  // small gears miss it
-  problem.cutters = {Rational(1, 5), Rational(1, 5), 14};
+  problem.cutters = cutters;
   std::mt19937 random(3);
   proof::Claim claim;
   claim.hypotheses = proof::constraints_of(problem);
@@ -156,6 +156,17 @@ TEST(Refutation, AgreesWithJudgingEveryPoint) {
     EXPECT_GT(count, 0) << condition;
     EXPECT_EQ(missed[condition], 0) << condition;
   }
+}
+
+TEST(Refutation, AgreesWithJudgingEveryPoint) {
+  expect_refutations({Rational(1, 5), Rational(1, 5), 14});
+}
+
+// A hob too short for its rounding, a shaper that has the planet's teeth, and one that is too large
+// for small rings.
+TEST(Refutation, AgreesWithJudgingEveryPointForOtherAddenda) {
+  expect_refutations({Rational(39, 100), Rational(3, 10), {}, Rational(23, 20), Rational(23, 20)});
+  expect_refutations({{}, {}, 30, Rational(6, 5), Rational(7, 5)});
 }
 
 // The linearisation of a concave h_c at any point lies above h_c, which lies above g_c: at a design

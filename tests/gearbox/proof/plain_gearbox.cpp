@@ -2,7 +2,9 @@
 #include "tests/gearbox/proof/plain_gearbox.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -42,22 +44,53 @@ double path_ring(long z) {
   return real(z) * (std::tan(kAlpha) - std::tan(ring_angle(z))) / (2 * kPi);
 }
 
+double hob_addendum(const Problem& p) {
+  return number(p.cutters.hob_addendum.value_or(Rational(5, 4)));
+}
+double shaper_addendum(const Problem& p) {
+  return number(p.cutters.shaper_addendum.value_or(Rational(5, 4)));
+}
+
 /// To which the hob is straight: its rounding hides 1 - sin of its radius.
 double hob_depth(const Problem& p) {
-  return p.cutters.hob_tip_radius
-             ? 1.25 - number(*p.cutters.hob_tip_radius) * (1 - std::sin(kAlpha))
-             : 1.0;
+  return hob_addendum(p) - number(p.cutters.hob_tip_radius.value_or(0)) * (1 - std::sin(kAlpha));
+}
+
+double undercut_depth(const Problem& p) {
+  if (p.cutters.hob_tip_radius) return hob_depth(p);
+  return std::max(1.0, hob_addendum(p) - .38 * (1 - std::sin(kAlpha)));
 }
 
 /// Beyond the pitch point: where the shaper's involute goes over into its rounding, in modules.
-double shaper_path(const Problem& p) {
-  const double r = real(*p.cutters.shaper_teeth) / 2;
+double shaper_path(const Problem& p, long planet) {
+  const double r = real(p.cutters.shaper_teeth.value_or(planet)) / 2;
   const double rounding = number(p.cutters.shaper_tip_radius.value_or(0));
-  const double at_centre = std::acos(r * std::cos(kAlpha) / (r + 1.25 - rounding));
+  const double at_centre = std::acos(r * std::cos(kAlpha) / (r + shaper_addendum(p) - rounding));
   return r * std::cos(kAlpha) * (std::tan(at_centre) - std::tan(kAlpha)) + rounding;
 }
 
 double involute(double angle) { return std::tan(angle) - angle; }
+
+/// The fewest teeth of a ring whose tip stays above the rounding of the shaper's tip at every turn,
+/// which is tried in steps; below it every ring loses its tips.
+long simulated_fewest_fed(const Problem& p) {
+  const long q = *p.cutters.shaper_teeth;
+  const double rounding = number(p.cutters.shaper_tip_radius.value_or(0));
+  const double centre = real(q) / 2 + shaper_addendum(p) - rounding;
+  const double base = real(q) / 2 * std::cos(kAlpha);
+  const double middle =
+      kPi / 2 / real(q) + involute(kAlpha) - involute(std::acos(base / centre)) - rounding / base;
+  for (long z = std::max(q + 1, 34L);; ++z) {
+    const double tip = real(z) / 2 - 1;
+    const double corner = kPi / 2 / real(z) + involute(kAlpha) - involute(ring_angle(z));
+    double least = tip - centre - rounding;
+    for (double turn = 0; turn + middle < kPi / 2; turn += 1e-4) {
+      least = std::min(least, tip * std::sin(corner + turn * real(q) / real(z)) -
+                                  centre * std::sin(middle + turn) - rounding);
+    }
+    if (least >= 0) return z;
+  }
+}
 
 double wall_mm(const Choice& c) {
   return c.problem->ring_wall_mm ? number(*c.problem->ring_wall_mm) : 2.25 * c.module_mm;
@@ -151,10 +184,12 @@ struct Bodies {
 };
 
 Bodies bodies(const Choice& c, const Gears& g) {
-  const double m = c.module_mm, k = 2.5 * m + 2 * wall_mm(c);
+  const double m = c.module_mm, rims = 2 * wall_mm(c);
+  const double k = 2 * shaper_addendum(*c.problem) * m + rims;
+  const double k_sun = 2 * hob_addendum(*c.problem) * m + rims;
   const bool planetary = is_planetary(*c.problem);
   const double f = m * real(ring_1(g)), o = m * real(ring_2(g));
-  return {annulus(c, 1, m * real(g.sun), std::max(0.0, m * real(g.sun) - k)),
+  return {annulus(c, 1, m * real(g.sun), std::max(0.0, m * real(g.sun) - k_sun)),
           annulus(c, 1, m * real(g.first), 0),
           planetary ? Body{} : annulus(c, 2, m * real(g.second), 0), annulus(c, 1, f + k, f),
           planetary ? Body{} : annulus(c, 2, o + k, o)};
@@ -202,6 +237,14 @@ bool holds_in_paper(const std::string& name, const Choice& c, const Gears& g) {
 
 }  // namespace
 
+long fewest_fed(const Problem& p) {
+  static std::map<std::array<double, 3>, long> known;
+  const std::array<double, 3> tool{real(*p.cutters.shaper_teeth), shaper_addendum(p),
+                                   number(p.cutters.shaper_tip_radius.value_or(0))};
+  if (!known.contains(tool)) known[tool] = simulated_fewest_fed(p);
+  return known.at(tool);
+}
+
 double number(const Rational& value) {
   // mpq's own conversion truncates; whole numbers this small are exact, their quotient is rounded.
   return value.get_num().get_d() / value.get_den().get_d();
@@ -220,12 +263,12 @@ bool holds(const std::string& name, const Choice& c, const Gears& g) {
            number(p.min_neighbour_clearance_mm) + kSlack;
   }
   if (starts_with(name, "undercut.")) {
-    return real(gear(part, g)) >= 2 * hob_depth(p) / std::pow(std::sin(kAlpha), 2);
+    return real(gear(part, g)) >= 2 * undercut_depth(p) / std::pow(std::sin(kAlpha), 2);
   }
   if (name == "sun_under_layer_2") return g.first - g.second > 4;
   if (starts_with(name, "ring_wall.")) {
     return (number(p.ring_outer_diameter_mm.value_or(p.rotor_inner_diameter_mm)) -
-            c.module_mm * (real(gear(part, g)) + 2.5)) /
+            c.module_mm * (real(gear(part, g)) + 2 * shaper_addendum(p))) /
                2 >=
            wall_mm(c) - kSlack;
   }
@@ -237,13 +280,18 @@ bool holds(const std::string& name, const Choice& c, const Gears& g) {
     return real(planet) / real(ring) - 1 + std::tan(ring_angle(ring)) / std::tan(kAlpha) >= 0;
   }
   if (starts_with(name, "interference.trochoid.")) return trochoid(planet, ring) >= 0;
+  if (starts_with(name, "root_form.hob.sun")) {
+    const double reach = std::max(path_external(g.sun), path_external(g.first));
+    return reach * kPi * std::sin(2 * kAlpha) / 2 <= hob_depth(p);
+  }
   if (starts_with(name, "root_form.hob.")) {
     return ring >= 34 && path_ring(ring) * kPi * std::sin(2 * kAlpha) / 2 <= hob_depth(p);
   }
   if (starts_with(name, "root_form.shaper.")) {
-    return ring > *p.cutters.shaper_teeth &&
-           path_external(planet) * kPi * std::cos(kAlpha) <= shaper_path(p);
+    return ring > p.cutters.shaper_teeth.value_or(planet) &&
+           path_external(planet) * kPi * std::cos(kAlpha) <= shaper_path(p, planet);
   }
+  if (starts_with(name, "shaper_feed.")) return ring >= fewest_fed(p);
   if (starts_with(name, "contact_ratio.")) {
     const int mesh = starts_with(part, "sun") ? 0 : second ? 2 : 1;
     return contact_ratio(mesh, g) >= number(p.min_contact_ratio);
@@ -266,8 +314,15 @@ std::vector<std::string> constraint_names(const Problem& problem) {
   for (const std::string& mesh :
        planetary ? std::vector<std::string>{"planet_ring"}
                  : std::vector<std::string>{"planet_1_fixed_ring", "planet_2_output_ring"}) {
-    if (problem.cutters.hob_tip_radius) add({"root_form.hob." + mesh});
-    if (problem.cutters.shaper_teeth) add({"root_form.shaper." + mesh});
+    const StatedCutters& cutters = problem.cutters;
+    if (cutters.hob_tip_radius || cutters.hob_addendum) add({"root_form.hob." + mesh});
+    if (cutters.shaper_teeth || (cutters.shaper_addendum && cutters.shaper_tip_radius)) {
+      add({"root_form.shaper." + mesh});
+    }
+    if (cutters.shaper_teeth) add({"shaper_feed." + mesh});
+  }
+  if (problem.cutters.hob_tip_radius && problem.cutters.hob_addendum) {
+    add({planetary ? "root_form.hob.sun_planet" : "root_form.hob.sun_planet_1"});
   }
   if (planetary) {
     add({"ring_wall.ring"});
@@ -308,7 +363,7 @@ double quantity(const std::string& name, const Choice& c, const Gears& g) {
   const bool planetary = is_planetary(p);
   if (name == "paper_cost") return paper_cost(c, g);
   if (name == "hollow_shaft") {
-    return c.module_mm * (real(g.sun) - 2.5) - 2 * sun_wall_mm(c);
+    return c.module_mm * (real(g.sun) - 2 * hob_addendum(p)) - 2 * sun_wall_mm(c);
   }
   if (name == "mass") {
     const Bodies b = bodies(c, g);
@@ -326,7 +381,7 @@ double quantity(const std::string& name, const Choice& c, const Gears& g) {
   if (name == "ring_pitch_diameter_mm") return c.module_mm * real(ring_1(g));
   if (name == "ratio_error") return std::abs(ratio(c, g) / number(p.target_ratio) - 1);
   if (name == "ring_blank_diameter_mm") {
-    return c.module_mm * (real(ring_1(g)) + 2.5) + 2 * wall_mm(c);
+    return c.module_mm * (real(ring_1(g)) + 2 * shaper_addendum(p)) + 2 * wall_mm(c);
   }
   if (name == "contact_ratio") {
     const double first = std::min(contact_ratio(0, g), contact_ratio(1, g));

@@ -26,6 +26,9 @@ struct Gears {
 /// The oracle of these tests: the tables of docs/gearbox_constraints.md typed in doubles, once more
 /// and as naively as possible. Limits are compared with 1e-9 of slack, which no tooth count meets
 /// but by equality.
+/// Teeth of a ring into which the stated shaper can be fed.
+long fewest_fed(const Problem& problem);
+
 bool holds(const std::string& constraint, const Choice& choice, const Gears& gears);
 std::vector<std::string> constraint_names(const Problem& problem);
 

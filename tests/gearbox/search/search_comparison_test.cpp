@@ -50,6 +50,19 @@ TEST(Search, AgreesWithEnumerationOnRandomProblems) {
   }
 }
 
+// Of hobs and shapers of other addenda, and shapers that have to be fed in.
+TEST(Search, AgreesWithEnumerationOnOtherCutters) {
+  std::size_t index = 0;
+  for (const Problem& problem :
+       oracles::random_problems(kSeed + 16, 70, oracles::Addenda::kSomeStated)) {
+    const gearbox::StatedCutters& cutters = problem.cutters;
+    if (!cutters.hob_addendum && !cutters.shaper_addendum && !cutters.shaper_teeth) continue;
+    expect_agreement(problem, kUses[index % 3], 1 + index % 5);
+    ++index;
+  }
+  EXPECT_GE(index, 20U);
+}
+
 // The answers, found by enumeration, to problems on which other solvers were seen to be wrong.
 TEST(Search, IsRightWhereOthersFail) {
   for (const oracles::HardProblem& hard : oracles::hard_problems()) {

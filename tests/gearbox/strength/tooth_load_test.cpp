@@ -47,10 +47,10 @@ TEST(ToothForces, OfTheAnkleBalancePlanetAndCarrier) {
   EXPECT_NEAR(sun_torque_Nm(strength.train, -168, TorqueSide::kJoint), 21, 1e-12);
 }
 
-// Oracle: DIN 3990 in its printed form (lever by D.5.12, ring by D.5.05/15/16) in another language.
-// Tools of 0.375 modules, what GEARpie's C14 has: Y_Fa, Y_Sa 2.76309, 1.56336 (21 teeth), 2.27643,
-// 1.73925 (63), 2.06300, 2.47398 (ring). What is stated counts, also where, as here, the planet's
-// ring asks for 0.29129; a document would be refused.
+// Oracle: DIN 3990 in its printed form (lever by D.5.12) in another language. Tools of 0.375
+// modules, what GEARpie's C14 has: Y_Fa, Y_Sa 2.76309, 1.56336 (21 teeth), 2.27643, 1.73925 (63). A
+// ring's section has a test of its own, ring_section_test.cpp. What is stated counts, also where,
+// as here, the planet's ring asks for 0.29129; a document would be refused.
 TEST(RootStress, OfTheAnkleIsThatOfAnIndependentProgram) {
   StrengthCase strength = d110a_strength();
   strength.train.cutters = {.375, .375};
@@ -58,16 +58,14 @@ TEST(RootStress, OfTheAnkleIsThatOfAnIndependentProgram) {
   EXPECT_NEAR(at(loads, "sun", "sun_planet").root.stress_MPa, 735.1879558, 1e-6);
   EXPECT_NEAR(at(loads, "planet", "sun_planet").root.stress_MPa, 673.8490320, 1e-6);
   EXPECT_NEAR(at(loads, "planet", "planet_ring").root.stress_MPa, 615.2914907, 1e-6);
-  EXPECT_NEAR(at(loads, "ring", "planet_ring").root.stress_MPa, 793.1570887, 1e-6);
 }
 
-// The same program with 0.38, 0.29129 (2.29499, 1.80987) and 0.3, which are assumed where the
-// document says nothing.
+// The same program with 0.38 and 0.29129 (2.29499, 1.80987), which are assumed where the document
+// says nothing.
 TEST(RootStress, IsThatOfTheAssumedCutters) {
   const auto loads = tooth_loads(d110a_strength(), 21);
   EXPECT_NEAR(at(loads, "sun", "sun_planet").root.stress_MPa, 733.2541565, 1e-6);
   EXPECT_NEAR(at(loads, "planet", "sun_planet").root.stress_MPa, 706.9255068, 1e-6);
-  EXPECT_NEAR(at(loads, "ring", "planet_ring").root.stress_MPa, 850.4677641, 1e-6);
 }
 
 // Oracle: Hertz. Pressure of two cylinders p = Z_E sqrt(F_bn/(b rho)), radii of curvature at the

@@ -37,7 +37,7 @@ TEST(RootForm, DepthsApproachThatOfARack) {
 TEST(RootForm, LargestHobIsThatOfEquationEight) {
   for (const auto& [planet, ring] : {std::pair{44.0, 132.0}, {32.0, 120.0}, {63.0, 147.0}}) {
     const double a = (ring - planet) / 2.0;
-    EXPECT_NEAR(largest_hob_tip_radius_for(depth_reached_by_ring(ring)),
+    EXPECT_NEAR(largest_hob_tip_radius_for(1.25, depth_reached_by_ring(ring)),
                 *largest_hob_tip_radius({planet, 0.0, ring, ring / 2.0 - 1.0, a}), kRound);
   }
 }
@@ -45,10 +45,10 @@ TEST(RootForm, LargestHobIsThatOfEquationEight) {
 // docs/derivations/tooth_outline.md, "Which cutters never fail": what the search does not ask.
 TEST(RootForm, OfAssumedCuttersNeverFails) {
   // The hob of ISO 53 profile A between external gears, up to all teeth that a document admits.
-  EXPECT_LT(depth_reached_by_gear(200000.0), straight_depth_of_hob(0.38));
-  EXPECT_GT(depth_reached_by_gear(250000.0), straight_depth_of_hob(0.38));
+  EXPECT_LT(depth_reached_by_gear(200000.0), straight_depth_of_hob(1.25, 0.38));
+  EXPECT_GT(depth_reached_by_gear(250000.0), straight_depth_of_hob(1.25, 0.38));
   // A planet's hob in rings that go with gears that are not undercut: S, P1, P2 >= 18.
-  EXPECT_GT(largest_hob_tip_radius_for(depth_reached_by_ring(54.0)), 0.05);
+  EXPECT_GT(largest_hob_tip_radius_for(1.25, depth_reached_by_ring(54.0)), 0.05);
   // A shaper of as many teeth as the planet; 0.25/(1 - sin(alpha)) = 0.37995 is the limit.
   double before = 1.0;
   for (double planet = 10; planet < 1e6; planet = std::ceil(planet * 1.07)) {
@@ -59,7 +59,7 @@ TEST(RootForm, OfAssumedCuttersNeverFails) {
   }
   // And two external gears of 17 teeth and more: a standard pair passes with that hob.
   for (double teeth = 17; teeth < 500; teeth += 1) {
-    EXPECT_GT(largest_hob_tip_radius_for(depth_reached_by_gear(teeth)), 0.38);
+    EXPECT_GT(largest_hob_tip_radius_for(1.25, depth_reached_by_gear(teeth)), 0.38);
   }
 }
 
@@ -67,14 +67,15 @@ TEST(RootForm, OfAssumedCuttersNeverFails) {
 TEST(RootForm, LargestShaperIsWhereThePathsMeet) {
   for (const auto& [shaper, planet] : {std::pair{20.0, 44.0}, {25.0, 32.0}, {40.0, 63.0}}) {
     const double radius = largest(shaper, planet, 150.0);
-    EXPECT_NEAR(path_left_by_shaper(shaper, radius), path_reached_by_planet(planet), kRound);
+    EXPECT_NEAR(path_left_by_shaper(shaper, 1.25, radius), path_reached_by_planet(planet), kRound);
   }
   EXPECT_LT(largest(12.0, 44.0, 132.0), 0.0);
 }
 
 TEST(RootForm, UndercutOfTheReferenceHob) {
   EXPECT_NEAR(undercut_limit_teeth(1.0), kUndercutLimit_teeth, kRound);
-  EXPECT_NEAR(undercut_limit_teeth(straight_depth_of_hob(0.0)), 21.37158, 1e-5);  // 2.5/sin^2(20)
+  EXPECT_NEAR(undercut_limit_teeth(straight_depth_of_hob(1.25, 0.0)), 21.37158,
+              1e-5);  // 2.5/sin^2(20)
 }
 
 // The shaper's tooth, drawn on a circle: half its angle at the centres of two roundings that touch

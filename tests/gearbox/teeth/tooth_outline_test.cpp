@@ -15,15 +15,15 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Half the width of a hob's tooth at a depth below its middle line; negative beyond its tip.
-double hob_half_width(double depth, double tip_radius) {
+double hob_half_width(double addendum, double depth, double tip_radius) {
   const double tangent = std::tan(kPressureAngle_rad);
   const double sine = std::sin(kPressureAngle_rad);
-  const double arc_start = 1.25 - tip_radius * (1.0 - sine);
-  if (depth > 1.25) return -1.0;
+  const double arc_start = addendum - tip_radius * (1.0 - sine);
+  if (depth > addendum) return -1.0;
   if (depth <= arc_start) return 0.25 * kPi - depth * tangent;
   const double arc_center =
       0.25 * kPi - arc_start * tangent - tip_radius * std::cos(kPressureAngle_rad);
-  const double below_center = depth - (1.25 - tip_radius);
+  const double below_center = depth - (addendum - tip_radius);
   return arc_center +
          std::sqrt(std::max(0.0, tip_radius * tip_radius - below_center * below_center));
 }
@@ -38,7 +38,8 @@ double deepest_cut(const ToothForm& form, const Point& point) {
   for (double roll = -6.0; roll <= 6.0; roll += 1e-4) {
     const Point rolled = turned(start, -roll / pitch_radius);
     const double depth = pitch_radius + form.profile_shift - rolled.y;
-    const double width = hob_half_width(depth, form.fillet_radius);
+    const double addendum = pitch_radius + form.profile_shift - form.root_radius;
+    const double width = hob_half_width(addendum, depth, form.fillet_radius);
     if (width < 0.0) continue;
     deepest = std::max(deepest, width - std::abs(rolled.x - roll));
   }
@@ -48,13 +49,15 @@ double deepest_cut(const ToothForm& form, const Point& point) {
 // Oracle: the hob itself, as an area rolled in small steps. What it leaves must be the outline: no
 // point is cut into, and each is touched. Step 1e-4 leaves out at most 1e-8 / (2 * 0.03 radius).
 TEST(ToothOutline, IsWhatTheHobLeaves) {
-  for (const auto& [teeth, shift] : {std::pair<std::int64_t, double>{9, 0.0},
-                                     {12, 0.0},
-                                     {12, 0.476},
-                                     {18, 0.0},
-                                     {44, 0.0},
-                                     {39, 0.762}}) {
-    const ToothForm form = external_gear(teeth, shift);
+  struct Case {
+    std::int64_t teeth;
+    double shift, addendum;
+  };
+  for (const auto& [teeth, shift, addendum] :
+       {Case{9, 0.0, 1.25}, Case{12, 0.0, 1.25}, Case{12, 0.476, 1.25}, Case{18, 0.0, 1.25},
+        Case{44, 0.0, 1.25}, Case{39, 0.762, 1.25}, Case{18, 0.0, 1.4}, Case{44, 0.0, 1.05},
+        Case{39, 0.3, 1.4}}) {
+    const ToothForm form = external_gear(teeth, shift, addendum);
     const std::vector<OutlineCurve> curves = half_pitch_curves(form);
     for (const OutlineCurve& curve : {curves.at(1), curves.at(2)}) {  // Flank and fillet.
       for (int i = 1; i < 12; ++i) {
@@ -94,13 +97,16 @@ TEST(ToothOutline, HobOfEquationEightReachesTheRingsTip) {
   struct Case {
     std::int64_t planet, ring;
     double planet_shift, ring_shift;
+    double hob_addendum = 1.25;
   };
   for (const Case& each :
        {Case{44, 132, 0.0, 0.0}, Case{32, 120, 0.0, 0.0}, Case{63, 147, 0.0, 0.0},
-        Case{40, 64, 0.3, 0.3}, Case{39, 90, -0.1, -0.1}}) {
+        Case{40, 64, 0.3, 0.3}, Case{39, 90, -0.1, -0.1}, Case{44, 132, 0.0, 0.0, 1.2},
+        Case{25, 64, 0.0, 0.0, 1.4}}) {
     const double a = 0.5 * static_cast<double>(each.ring - each.planet);
-    ToothForm form = external_gear_in_ring(each.planet, each.planet_shift,
-                                           internal_gear(each.ring, each.ring_shift), a);
+    ToothForm form =
+        external_gear_in_ring(each.planet, each.planet_shift,
+                              internal_gear(each.ring, each.ring_shift), a, each.hob_addendum);
     ASSERT_GT(form.fillet_radius, 0.0);
     ASSERT_LT(form.fillet_radius, kHobTipRadius) << each.planet << "/" << each.ring;
     const double radius = lowest_contact_radius(each.planet, each.ring, each.ring_shift, a);

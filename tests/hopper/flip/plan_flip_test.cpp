@@ -139,6 +139,9 @@ TEST(PlannedFlip, StandsWhenItIsReplayed) {
   const ReplayResult run =
       test::replayed(hopper_robot_of_plans(), planned_flip(), EngineKind::kOwn);
   EXPECT_EQ(run.outcome.verdict, ReplayVerdict::kStands) << run.outcome.reason;
+  // Asked for: a degree.
+  ASSERT_TRUE(run.outcome.touch_down);
+  EXPECT_LT(std::abs(run.outcome.touch_down->rotation_short_rad), test::kDegree_rad);
 }
 
 // At 8:1 most passes the knee's gears before the heel's impact, not after it.

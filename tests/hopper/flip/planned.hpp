@@ -6,6 +6,8 @@
 
 namespace torquewright::test {
 
+constexpr double kDegree_rad = 0.017453292519943295;
+
 const hopper::Robot& hopper_robot_of_plans();  ///< specs/robot/hopper.json
 /// Its flip by the default options, planned once.
 const hopper::PlanResult& planned_flip();

@@ -37,7 +37,8 @@ bool ClosedLoop::run_until(double until_s, const std::function<void()>& look) {
   const double from_s = time_s_;
   const auto periods = static_cast<int>(std::ceil((until_s - from_s) / timing_.control_s - 1e-9));
   for (int period = 1; period <= periods; ++period) {
-    controller_->control({time_s_, 0.0, position(), velocity(), touches_}, torque_Nm_);
+    controller_->control({time_s_, 0.0, timing_.control_s, position(), velocity(), touches_},
+                         torque_Nm_);
     touches_.setConstant(false);
     for (int i = 0; i < timing_.steps; ++i) {
       if (!body_.set(position(), velocity())) return false;

@@ -31,7 +31,7 @@ class Pd : public testing::Test {
   VectorXd added_Nm(Controller& pd, const VectorXd& position, const VectorXd& velocity) const {
     VectorXd torque_Nm;
     pd.start();
-    pd.control({0.0, 0.0, position, velocity, TouchingPoints::Constant(4, true)}, torque_Nm);
+    pd.control({0.0, 0.0, 0.0, position, velocity, TouchingPoints::Constant(4, true)}, torque_Nm);
     return torque_Nm - wanted.drive_Nm;
   }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oracles: the motion's own rows, and a cubic, which Hermite's polynomial repeats.
+// Oracles: the motion's own rows; a cubic, which Hermite's polynomial repeats; areas under lines.
 #include "hopper/tracking/reference.hpp"
 
 #include <gtest/gtest.h>
 
 #include "dynamics/position_step.hpp"
+#include "hopper/tracking/reference_clock.hpp"
 #include "tests/hopper/tracking/closed_loop.hpp"
 
 namespace torquewright::hopper {
@@ -116,6 +117,47 @@ TEST(Reference, RepeatsACubic) {
     reference.at(t, at);
     EXPECT_LT((at.position - place(t)).norm(), 1e-14) << t;
   }
+}
+
+// Torques of one drive: 0 to 10 Nm over 0.1 s, held over 0.1 s, then at once -20 Nm by an impact,
+// held over 0.1 s.
+class DriveTorques : public testing::Test {
+ protected:
+  Reference reference() const {
+    Motion motion;
+    motion.times_s = {0.0, 0.1, 0.2, 0.2, 0.3};
+    const Index n = robot.tree.velocity_size();
+    motion.positions = motion.velocities = motion.accelerations = Eigen::MatrixXd::Zero(n, 5);
+    motion.breaks = {3};
+    ContactSchedule contacts;
+    contacts.touches = Touching::Constant(static_cast<Index>(robot.contacts.size()), 5, false);
+    Eigen::MatrixXd drive_Nm(1, 5);
+    drive_Nm << 0.0, 10.0, 10.0, -20.0, -20.0;
+    return {robot, motion, contacts, drive_Nm};
+  }
+  Robot robot = test::robot_of("rabbit.json");
+};
+
+TEST_F(DriveTorques, MeansAreAreasUnderLines) {
+  const Reference of = reference();
+  const auto mean_Nm = [&](double from_s, double until_s) {
+    return of.mean_drive_Nm(from_s, until_s)[0];
+  };
+  EXPECT_NEAR(mean_Nm(0.04, 0.04), 4.0, 1e-12);
+  EXPECT_NEAR(mean_Nm(0.02, 0.06), 4.0, 1e-12);
+  EXPECT_NEAR(mean_Nm(0.08, 0.14), (0.02 * 9.0 + 0.04 * 10.0) / 0.06, 1e-12);
+  EXPECT_NEAR(mean_Nm(0.19, 0.22), (0.01 * 10.0 - 0.02 * 20.0) / 0.03, 1e-12);
+  EXPECT_NEAR(mean_Nm(0.0, 0.4), (0.5 + 1.0 - 2.0 - 2.0) / 0.4, 1e-12);  // on after its end
+  EXPECT_NEAR(mean_Nm(1.0, 2.0), -20.0, 1e-12);
+}
+
+TEST_F(DriveTorques, AreFedForwardForWhenTheyActButNotFromBeyondAnImpact) {
+  const Reference of = reference();
+  EXPECT_NEAR(fed_forward_Nm(of, {0.02, 0.0}, 0.01, 0.02)[0], 4.0, 1e-12);
+  // Held across the impact: only what comes before it counts, the ramp's end and 0.1 s of 10 Nm.
+  EXPECT_NEAR(fed_forward_Nm(of, {0.09, 0.0}, 0.0, 0.2)[0], (0.01 * 9.5 + 0.1 * 10.0) / 0.11, 1e-9);
+  EXPECT_NEAR(fed_forward_Nm(of, {0.19, 0.0}, 0.05, 0.01)[0], 10.0, 1e-9);
+  EXPECT_NEAR(fed_forward_Nm(of, {0.2, 0.0}, 0.0, 0.05)[0], -20.0, 1e-12);
 }
 
 }  // namespace

@@ -89,14 +89,14 @@ TEST_F(Standing, GainsDoNotCareWhereItStandsAndWhereItLooks) {
   const TouchingPoints all = TouchingPoints::Constant(4, true);
   VectorXd here_Nm, there_Nm;
   lqr->start();
-  lqr->control({0.0, 0.0, position, velocity, all}, here_Nm);
+  lqr->control({0.0, 0.0, 0.0, position, velocity, all}, here_Nm);
   const Eigen::Quaterniond base =
       turn * Eigen::Quaterniond(position[3], position[4], position[5], position[6]);
   position.segment<4>(3) << base.w(), base.x(), base.y(), base.z();
   position.head<2>() += Eigen::Vector2d(5.0, -7.0);
   velocity.head<3>() = (turn * Eigen::Vector3d(velocity.head<3>())).eval();
   lqr->start();
-  lqr->control({0.0, 0.0, position, velocity, all}, there_Nm);
+  lqr->control({0.0, 0.0, 0.0, position, velocity, all}, there_Nm);
   EXPECT_GT((here_Nm - wanted.drive_Nm).norm(), 1.0);
   EXPECT_LT((there_Nm - here_Nm).norm(), 1e-9 * here_Nm.norm());
 }

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fields, methods and shapes of the simulators' classes: Isaac Lab,
+// source/isaaclab/isaaclab/actuators/actuator_pd.py @ eafe554d (IdealPDActuator.compute of the
+// action, position and velocity, then _clip_effort of the effort, all (num_envs, num_joints)) and
+// actuator_base_cfg.py @ 01ff1d86 (the names of Isaac Lab 3); mjlab, src/mjlab/actuator/actuator.py
+// @ 018e7ee3 (ActuatorCmd; build), pd_actuator.py @ 6624f2b0 (IdealPdActuator) and fused_group.py @
+// 95f44d89 (an actuator with a compute of its own is not fused).
+#include "actuator/exporters/python_source.hpp"
+
+namespace torquewright::actuator {
+
+const std::string_view kPythonSource = R"(
+import sys
+
+
+def _namespace(array):
+    """The array's own library. It is loaded, since its array is here: nothing is imported."""
+    if hasattr(array, "__array_namespace__"):
+        return array.__array_namespace__()
+    library = type(array).__module__.partition(".")[0]
+    if library == "builtins":
+        raise TypeError("velocity must be an array of floats, as of NumPy, PyTorch or JAX")
+    return sys.modules["jax.numpy" if library in ("jax", "jaxlib") else library]
+
+
+class Region:
+    """The torques that an actuator can have, by velocity, supply voltage and temperature."""
+
+    def __init__(self, name, peak_torque_Nm, armature_kg_m2, voltage_V, temperature_K, table, grid):
+        self.name = name
+        self.peak_torque_Nm = peak_torque_Nm
+        self.armature_kg_m2 = armature_kg_m2
+        self.voltage_V = voltage_V
+        self.temperature_K = temperature_K
+        self.table = table
+        self.grid = grid
+        self._lists = {"rest": table["rest_Nm"]}
+        self._kept = {}
+        self._add_lines("speed", table["speed_rad_s"])
+        for bound in ("least", "greatest"):
+            self._add_values(bound, table[bound + "_Nm"])
+        if grid is None:
+            return
+        self._lists["voltages"] = grid["voltage_V"]
+        self._lists["temperatures"] = grid["temperature_K"]
+        for bound in ("least", "greatest"):
+            of = grid[bound]
+            self._add_lines(bound + " places", of["place"])
+            self._lists[bound + " corners"] = [w for row in of["corner_rad_s"] for w in row]
+            self._lists[bound + " torques"] = [t for row in of["torque_Nm"] for t in row]
+
+    def _add_lines(self, name, points):
+        widths = [after - before for before, after in zip(points, points[1:])]
+        self._lists[name] = points
+        self._lists[name + " per width"] = [1.0 / w if w > 0.0 else 0.0 for w in widths] + [0.0]
+
+    def _add_values(self, name, values):
+        self._lists[name] = values
+        changes = [after - before for before, after in zip(values, values[1:])]
+        self._lists[name + " change"] = changes + [0.0]
+
+    def _constant(self, xp, name, like):
+        """A list as an array beside `like`; kept, but for JAX, whose traces must not meet."""
+        if "jax" in xp.__name__:
+            return xp.asarray(self._lists[name], dtype=like.dtype)
+        key = (name, like.dtype, getattr(like, "device", None))
+        if key not in self._kept:
+            place = {"device": like.device} if xp.__name__ == "torch" else {}
+            self._kept[key] = xp.asarray(self._lists[name], dtype=like.dtype, **place)
+        return self._kept[key]
+
+    def _row(self, xp, name, value):
+        """Which points lie before a value, and the share of the way to the next."""
+        ends = self._lists[name][0], self._lists[name][-1]
+        value = xp.clip(value, *ends)
+        points = self._constant(xp, name, value)
+        row = xp.clip(xp.searchsorted(points, value, side="right") - 1, 0, len(self._lists[name]) - 1)
+        per_width = self._constant(xp, name + " per width", value)
+        return row, xp.clip((value - points[row]) * per_width[row], 0.0, 1.0)
+
+    def _cell(self, xp, name, value, like):
+        """Of an axis of the grid: numbers of the two values around one, and the share between."""
+        axis = self._constant(xp, name, like)
+        last = len(self._lists[name]) - 1
+        if last == 0:
+            return 0, 0, 0.0
+        if not hasattr(value, "shape"):
+            value = 0.0 * axis[0] + value
+        row = xp.clip(xp.searchsorted(axis, value, side="right") - 1, 0, last - 1)
+        share = (value - axis[row]) / (axis[row + 1] - axis[row])
+        return row, row + 1, xp.clip(share, 0.0, 1.0)
+
+    def _mixture(self, xp, voltage, temperature, like):
+        """The conditions around one, and how much of each."""
+        v0, v1, v = self._cell(xp, "voltages", voltage, like)
+        t0, t1, t = self._cell(xp, "temperatures", temperature, like)
+        columns = len(self.grid["temperature_K"])
+        mixture = [(v0 * columns + t0, (1.0 - v) * (1.0 - t))]
+        if columns > 1:
+            mixture.append((v0 * columns + t1, (1.0 - v) * t))
+        if len(self.grid["voltage_V"]) > 1:
+            mixture.append((v1 * columns + t0, v * (1.0 - t)))
+            if columns > 1:
+                mixture.append((v1 * columns + t1, v * t))
+        return mixture
+
+    def _conditions(self, xp, name, count, mixture, like):
+        """A list of every condition, `count` numbers each; one mixed list, where all share it."""
+        values = self._constant(xp, name, like)
+        if any(getattr(condition, "ndim", 0) > 0 for condition, _ in mixture):
+            return values, mixture
+        rows = xp.reshape(values, (-1, count))
+        return sum(weight * rows[condition] for condition, weight in mixture), [(0, 1.0)]
+
+    def _grid_bound(self, xp, name, velocity, mixture, pick):
+        """A bound between conditions: corners and the torques at a place are mixed."""
+        count = len(self.grid[name]["corner_rad_s"][0])
+        places = len(self.grid[name]["place"])
+        corners, mixture_of_corners = self._conditions(
+            xp, name + " corners", count, mixture, velocity
+        )
+        torques, mixture = self._conditions(xp, name + " torques", places, mixture, velocity)
+
+        def mixed(values, width, i, mixture):
+            return sum(weight * values[condition * width + i] for condition, weight in mixture)
+
+        corner = [mixed(corners, count, i, mixture_of_corners) for i in range(count)]
+        one = corner[0] * 0.0 + 1.0
+        low, high, place = corner[0], corner[1], 0.0 * one
+        for i in range(1, count - 1):
+            passed = velocity >= corner[i]
+            low = xp.where(passed, corner[i], low)
+            high = xp.where(passed, corner[i + 1], high)
+            place = xp.where(passed, i * one, place)
+        has_width = high > low
+        share = (velocity - low) / xp.where(has_width, high - low, one)
+        place = place + xp.where(has_width, xp.clip(share, 0.0, 1.0), 0.0 * one)
+        row, share = self._row(xp, name + " places", place)
+        after = xp.clip(row + 1, 0, places - 1)
+        before = mixed(torques, places, row, mixture)
+        bound = before + share * (mixed(torques, places, after, mixture) - before)
+        at_rest = self.grid[name]["rest_place"]
+        from_below = mixed(torques, places, at_rest, mixture)
+        rest = pick(from_below, mixed(torques, places, at_rest + 1, mixture))
+        return xp.where(velocity == 0.0, rest, bound)
+
+    def limits(self, velocity, voltage=None, temperature=None):
+        """Least and greatest torque [Nm] at a velocity [rad/s].
+
+        Without voltage and temperature the region is that of its table. With either, numbers or
+        arrays that broadcast, it is interpolated in the grid; beyond the grid its edge holds.
+        The voltage is that of the supply without load: its sag is in the region. [V], [K].
+        """
+        xp = _namespace(velocity)
+        if voltage is None and temperature is None:
+            row, share = self._row(xp, "speed", velocity)
+            rest = self._constant(xp, "rest", velocity)
+            is_at_rest = velocity == 0.0
+            bounds = []
+            for i, name in enumerate(("least", "greatest")):
+                change = self._constant(xp, name + " change", velocity)
+                bound = self._constant(xp, name, velocity)[row] + share * change[row]
+                bounds.append(xp.where(is_at_rest, rest[i], bound))
+            return bounds
+        if self.grid is None:
+            raise ValueError(self.name + ": no grid over voltage and temperature in this file")
+        voltage = self.voltage_V if voltage is None else voltage
+        temperature = self.temperature_K if temperature is None else temperature
+        mixture = self._mixture(xp, voltage, temperature, velocity)
+        return [
+            self._grid_bound(xp, "least", velocity, mixture, xp.minimum),
+            self._grid_bound(xp, "greatest", velocity, mixture, xp.maximum),
+        ]
+
+    def clip(self, torque, velocity, voltage=None, temperature=None):
+        """The torque [Nm] within the limits at a velocity [rad/s]: arrays of floats, one shape."""
+        xp = _namespace(velocity)
+        least, greatest = self.limits(velocity, voltage, temperature)
+        raised = xp.where(torque < least, least, torque)
+        clipped = xp.where(raised > greatest, greatest, raised)
+        return xp.where(velocity == velocity, clipped, velocity)  # what is no number stays none
+
+    def isaac_lab_class(self):
+        """Isaac Lab's IdealPDActuator with its clip replaced by this region's.
+
+        Set voltage_V or temperature_K of an object of it to (num_envs, 1) tensors to train over
+        supplies and temperatures.
+        """
+        from isaaclab.actuators import IdealPDActuator
+
+        region = self
+
+        class RegionActuator(IdealPDActuator):
+            voltage_V = None
+            temperature_K = None
+
+            def compute(self, control_action, joint_pos, joint_vel):
+                self._velocity_rad_s = joint_vel
+                return super().compute(control_action, joint_pos, joint_vel)
+
+            def _clip_effort(self, effort):
+                within = super()._clip_effort(effort)
+                return region.clip(
+                    within, self._velocity_rad_s, self.voltage_V, self.temperature_K
+                )
+
+        return RegionActuator
+
+    def isaac_lab(self, joint_names_expr, stiffness, damping, **more):
+        """Isaac Lab's configuration of joints that this actuator drives."""
+        from isaaclab.actuators import IdealPDActuatorCfg
+
+        peak = self.peak_torque_Nm
+        given = {
+            "class_type": self.isaac_lab_class(),
+            "joint_names_expr": joint_names_expr,
+            "stiffness": stiffness,
+            "damping": damping,
+            "armature": self.armature_kg_m2,
+            "friction": 0.0,
+            "dynamic_friction": 0.0,
+            "viscous_friction": 0.0,
+        }
+        fields = IdealPDActuatorCfg.__dataclass_fields__
+        if "actuator_effort_limit" in fields:  # Isaac Lab 3
+            given.update(actuator_effort_limit=peak, joint_effort_limit=peak)
+        else:
+            given.update(effort_limit=peak, effort_limit_sim=peak)
+        given = {name: value for name, value in given.items() if name in fields}
+        given.update(more)
+        return IdealPDActuatorCfg(**given)
+
+    def mjlab_class(self):
+        """mjlab's IdealPdActuator with its clip replaced by this region's."""
+        from mjlab.actuator import IdealPdActuator
+
+        region = self
+
+        class RegionActuator(IdealPdActuator):
+            voltage_V = None
+            temperature_K = None
+
+            def compute(self, cmd):
+                torque = self.stiffness * (cmd.position_target - cmd.pos)
+                torque = torque + self.damping * (cmd.velocity_target - cmd.vel)
+                torque = torque + cmd.effort_target
+                limit = self.force_limit
+                torque = torque.clip(-limit, limit)
+                return region.clip(torque, cmd.vel, self.voltage_V, self.temperature_K)
+
+        return RegionActuator
+
+    def mjlab(self, target_names_expr, stiffness, damping, **more):
+        """mjlab's configuration of joints that this actuator drives."""
+        from mjlab.actuator import IdealPdActuatorCfg
+
+        actuator = self.mjlab_class()
+
+        class RegionActuatorCfg(IdealPdActuatorCfg):
+            def build(self, entity, target_ids, target_names):
+                return actuator(self, entity, target_ids, target_names)
+
+        given = {"effort_limit": self.peak_torque_Nm, "frictionloss": 0.0}
+        if self.armature_kg_m2 is not None:
+            given["armature"] = self.armature_kg_m2
+        given.update(more)
+        return RegionActuatorCfg(
+            target_names_expr=target_names_expr, stiffness=stiffness, damping=damping, **given
+        )
+
+)";
+
+}  // namespace torquewright::actuator

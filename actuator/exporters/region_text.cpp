@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/exporters/region_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace torquewright::actuator {
+
+std::optional<RegionGrid> exported_grid(const Subject& subject) {
+  std::optional<RegionGrid> grid =
+      region_grid(subject.actuator, subject.conditions, subject.region.side());
+  if (!grid || subject.fit == LawFit::kBest) return grid;
+  for (std::vector<double>& torques_Nm : grid->least.torques_Nm) {
+    for (double& torque_Nm : torques_Nm) torque_Nm += grid->error_before_end_Nm;
+  }
+  for (std::vector<double>& torques_Nm : grid->greatest.torques_Nm) {
+    for (double& torque_Nm : torques_Nm) torque_Nm -= grid->error_before_end_Nm;
+  }
+  return grid;
+}
+
+std::vector<std::string> grid_lines(const std::optional<RegionGrid>& grid) {
+  if (!grid) {
+    return {"Over voltage and temperature: no grid, the region has a gap; one condition per file."};
+  }
+  std::vector<std::string> lines{fmt::format(
+      "Over voltage and temperature: {:.6g} to {:.6g} V without load ({} values), {:.6g} to {:.6g} "
+      "K ({} values); beyond them the nearest holds.",
+      grid->voltages_V.front(), grid->voltages_V.back(), grid->voltages_V.size(),
+      grid->temperatures_K.front(), grid->temperatures_K.back(), grid->temperatures_K.size())};
+  lines.push_back(fmt::format(
+      "Between them the bounds are off by {:.3g} Nm at most up to {:.2g} of the greatest speed, by "
+      "{:.3g} Nm over all speeds (at {:.6g} rad/s).",
+      grid->error_before_end_Nm, RegionGrid::kBeforeEnd, grid->error_Nm, grid->error_speed_rad_s));
+  return lines;
+}
+
+double greatest_torque_Nm(const Subject& subject, const std::optional<RegionGrid>& grid) {
+  double greatest_Nm = subject.table.peak_torque_Nm;
+  if (!grid) return greatest_Nm;
+  for (const GridBound* bound : {&grid->least, &grid->greatest}) {
+    for (const std::vector<double>& torques_Nm : bound->torques_Nm) {
+      for (const double torque_Nm : torques_Nm) {
+        greatest_Nm = std::max(greatest_Nm, std::abs(torque_Nm));
+      }
+    }
+  }
+  return greatest_Nm;
+}
+
+std::size_t rest_place(const GridBound& bound) {
+  const std::vector<double>& corners_rad_s = bound.corners_rad_s.front();
+  const auto rest = std::find(corners_rad_s.begin(), corners_rad_s.end(), 0.0);
+  const auto corner = static_cast<double>(rest - corners_rad_s.begin());
+  const auto place = std::find(bound.places.begin(), bound.places.end(), corner);
+  return static_cast<std::size_t>(place - bound.places.begin());
+}
+
+std::string number_lines(std::span<const double> values, std::string_view indent, bool is_rounded) {
+  const std::size_t kPerLine = is_rounded ? 8 : 4;
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += i % kPerLine == 0 ? std::string(indent) : " ";
+    text += is_rounded ? fmt::format("{:.10g}", values[i]) : fmt::format("{}", values[i]);
+    text += i % kPerLine == kPerLine - 1 || i + 1 == values.size() ? ",\n" : ",";
+  }
+  return text;
+}
+
+}  // namespace torquewright::actuator

@@ -1,0 +1,573 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/region/region_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "actuator/region/mor_table.hpp"
+
+namespace torquewright::actuator {
+namespace {
+
+constexpr double kCornerAccuracy = 0.1;  // of a table that is asked for its corners only
+constexpr double kPlaceAccuracy = 5e-4;  // of the table whose rows become places
+constexpr double kGridError = 1e-3;      // of the peak torque: what further conditions are for
+constexpr std::size_t kMostVoltages = 9;
+constexpr std::size_t kMostTemperatures = 5;
+constexpr double kLeastVoltage = 0.5;  // of the supply's, as the next
+constexpr double kGreatestVoltage = 1.2;
+constexpr double kFreezing_K = 273.15;
+constexpr double kWarm_K = 393.15;    // where the document states no limit of its winding
+constexpr int kRangeHalvings = 7;     // until a range is known to about a hundredth
+constexpr int kSpeedsCompared = 100;  // in each direction
+constexpr double kBeforeEnd = RegionGrid::kBeforeEnd;
+constexpr double kJumpShare = 1e-6;   // of the peak torque: no jump is smaller
+constexpr double kNearCorner = 1e-6;  // of a place
+constexpr double kNearPlace = 1e-3;   // no two rows are closer
+constexpr double kStraight = 1e-9;    // of the peak torque, off a line: rounding
+constexpr double kInsideEnd = 1e-9;   // of a speed: back into the region after rounding
+
+/// What stays the same from one corner to the next.
+struct Stretch {
+  Limiter limiter;
+  int sign;
+  friend bool operator==(const Stretch&, const Stretch&) = default;
+};
+
+struct Corners {
+  std::vector<double> speeds_rad_s;
+  std::vector<Stretch> stretches;  ///< One less: from each corner to the next.
+  std::size_t rest = 0;            ///< The corner at rest from below; the next is from above.
+};
+
+const JointBound& bound_of(const JointRange& range, bool is_greatest) {
+  return is_greatest ? range.greatest : range.least;
+}
+
+Stretch stretch_of(const JointRange& range, bool is_greatest) {
+  const JointBound& bound = bound_of(range, is_greatest);
+  return {bound.limiter, (bound.torque_Nm > 0.0) - (bound.torque_Nm < 0.0)};
+}
+
+/// From rest to rest: the jump between the two directions.
+constexpr Stretch kAtRest{Limiter::kCurrent, 2};
+/// From the last row on one side of a jump to the first on the other, which are as close as
+/// rounding allows.
+constexpr Stretch kJump{Limiter::kCurrent, 3};
+
+/// Rows of one direction from rest outward, up to where the region ends; nothing if it has a gap.
+std::optional<std::vector<MorRow>> outward(const MorTable& table, double direction) {
+  std::vector<MorRow> rows;
+  for (const MorRow& row : table.rows) {
+    if (row.speed_rad_s * direction >= 0.0) rows.push_back(row);
+  }
+  if (direction < 0.0) std::reverse(rows.begin(), rows.end());
+  // Of two rows at rest the one of the other direction stands last (below) or first (above).
+  while (rows.size() > 1 && rows[1].speed_rad_s == 0.0) rows.erase(rows.begin());
+  const auto is_empty = [](const MorRow& row) { return row.range.is_empty; };
+  const auto end = std::find_if(rows.begin(), rows.end(), is_empty);
+  if (!std::all_of(end, rows.end(), is_empty) || end - rows.begin() < 2) return std::nullopt;
+  rows.erase(end, rows.end());
+  return rows;
+}
+
+/// Of one direction, from rest outward, rest and end included.
+Corners half_corners(const std::vector<MorRow>& rows, bool is_greatest, double jump_Nm) {
+  Corners corners{{0.0}, {}, 0};
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Stretch here = stretch_of(rows[i - 1].range, is_greatest);
+    if (stretch_of(rows[i].range, is_greatest) == here) continue;
+    const double change_Nm = bound_of(rows[i].range, is_greatest).torque_Nm -
+                             bound_of(rows[i - 1].range, is_greatest).torque_Nm;
+    corners.speeds_rad_s.push_back(rows[i - 1].speed_rad_s);
+    corners.stretches.push_back(here);
+    if (std::abs(change_Nm) <= jump_Nm) continue;
+    corners.speeds_rad_s.push_back(rows[i].speed_rad_s);
+    corners.stretches.push_back(kJump);
+  }
+  corners.speeds_rad_s.push_back(rows.back().speed_rad_s);
+  corners.stretches.push_back(stretch_of(rows.back().range, is_greatest));
+  return corners;
+}
+
+std::optional<Corners> corners_of(const MorTable& table, bool is_greatest) {
+  const auto below = outward(table, -1.0);
+  const auto above = outward(table, 1.0);
+  if (!below || !above) return std::nullopt;
+  const double jump_Nm = kJumpShare * table.peak_torque_Nm;
+  const Corners negative = half_corners(*below, is_greatest, jump_Nm);
+  const Corners positive = half_corners(*above, is_greatest, jump_Nm);
+  Corners all;
+  all.speeds_rad_s.assign(negative.speeds_rad_s.rbegin(), negative.speeds_rad_s.rend());
+  all.speeds_rad_s.back() = 0.0;  // not -0
+  all.stretches.assign(negative.stretches.rbegin(), negative.stretches.rend());
+  all.rest = all.speeds_rad_s.size() - 1;
+  all.stretches.push_back(kAtRest);
+  all.speeds_rad_s.insert(all.speeds_rad_s.end(), positive.speeds_rad_s.begin(),
+                          positive.speeds_rad_s.end());
+  all.stretches.insert(all.stretches.end(), positive.stretches.begin(), positive.stretches.end());
+  return all;
+}
+
+/// The same corners with every stretch of the reference: one that is not there has no width.
+/// Nothing where the reference lacks one that is.
+std::optional<Corners> stretched(const Corners& found, const std::vector<Stretch>& reference) {
+  Corners all{{found.speeds_rad_s.front()}, reference, 0};
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    if (reference[i] == kAtRest) all.rest = i;
+    if (next < found.stretches.size() && found.stretches[next] == reference[i]) ++next;
+    all.speeds_rad_s.push_back(found.speeds_rad_s[next]);
+  }
+  if (next < found.stretches.size()) return std::nullopt;
+  return all;
+}
+
+/// Both bounds' corners under one condition.
+struct Outline {
+  Corners least;
+  Corners greatest;
+};
+
+/// Whether one's stretches are those of the other, or some of them.
+bool is_part_of(const Corners& one, const Corners& other) {
+  return stretched(one, other.stretches).has_value();
+}
+
+std::optional<Outline> outline_of(const MorTable& table) {
+  auto least = corners_of(table, false);
+  auto greatest = corners_of(table, true);
+  if (!least || !greatest) return std::nullopt;
+  return Outline{std::move(*least), std::move(*greatest)};
+}
+
+double speed_at(const std::vector<double>& corners_rad_s, double place) {
+  const auto last = static_cast<double>(corners_rad_s.size() - 2);
+  const double corner = std::clamp(std::floor(place), 0.0, last);
+  const auto i = static_cast<std::size_t>(corner);
+  return std::lerp(corners_rad_s[i], corners_rad_s[i + 1], place - corner);
+}
+
+/// Where a speed lies; speeds beyond the ends at the ends.
+double place_of(const std::vector<double>& corners_rad_s, double speed_rad_s) {
+  const std::size_t corners = corners_rad_s.size();
+  const auto after = std::upper_bound(corners_rad_s.begin(), corners_rad_s.end(), speed_rad_s);
+  const auto passed = static_cast<std::size_t>(after - corners_rad_s.begin());
+  const std::size_t i = std::clamp<std::size_t>(passed, 1, corners - 1) - 1;
+  const double width_rad_s = corners_rad_s[i + 1] - corners_rad_s[i];
+  const double share = width_rad_s > 0.0 ? (speed_rad_s - corners_rad_s[i]) / width_rad_s : 0.0;
+  return static_cast<double>(i) + std::clamp(share, 0.0, 1.0);
+}
+
+void add_rows(const Corners& corners, const MorTable& table, std::vector<double>& places) {
+  for (const MorRow& row : table.rows) {
+    if (row.range.is_empty || row.speed_rad_s == 0.0) continue;
+    places.push_back(place_of(corners.speeds_rad_s, row.speed_rad_s));
+  }
+}
+
+/// Every corner, and the rows of both tables between them.
+std::vector<double> places_of(const Corners& corners, const MorTable& table, const Corners& other,
+                              const MorTable& other_table) {
+  std::vector<double> rows;
+  add_rows(corners, table, rows);
+  if (&table != &other_table) {
+    add_rows(*stretched(other, corners.stretches), other_table, rows);
+  }
+  std::vector<double> places;
+  for (std::size_t i = 0; i < corners.speeds_rad_s.size(); ++i) {
+    places.push_back(static_cast<double>(i));
+  }
+  std::sort(rows.begin(), rows.end());
+  double last = 0.0;
+  for (const double place : rows) {
+    if (std::abs(place - std::round(place)) <= kNearCorner || place - last <= kNearPlace) continue;
+    places.push_back(place);
+    last = place;
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+/// The bound under one condition; nothing where the region ends before its corner says.
+std::optional<std::vector<double>> torques_of(const Region& region, const Corners& corners,
+                                              const std::vector<double>& places, bool is_greatest) {
+  std::vector<double> torques_Nm;
+  for (const double place : places) {
+    const double direction = place <= static_cast<double>(corners.rest) ? -1.0 : 1.0;
+    const double speed_rad_s = speed_at(corners.speeds_rad_s, place);
+    JointRange range = region.at(speed_rad_s, direction);
+    if (range.is_empty) range = region.at((1.0 - kInsideEnd) * speed_rad_s, direction);
+    if (range.is_empty) return std::nullopt;
+    torques_Nm.push_back(bound_of(range, is_greatest).torque_Nm);
+  }
+  return torques_Nm;
+}
+
+/// Whether under every condition the places between two lie on the line from one to the other.
+bool is_straight(const GridBound& bound, std::size_t from, std::size_t to, double allowed_Nm) {
+  for (const std::vector<double>& torques_Nm : bound.torques_Nm) {
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double share =
+          (bound.places[i] - bound.places[from]) / (bound.places[to] - bound.places[from]);
+      const double line_Nm = std::lerp(torques_Nm[from], torques_Nm[to], share);
+      if (std::abs(torques_Nm[i] - line_Nm) > allowed_Nm) return false;
+    }
+  }
+  return true;
+}
+
+/// Without the places that lie on a line between two others.
+void thin(GridBound& bound, double allowed_Nm) {
+  std::vector<std::size_t> kept{0};
+  for (std::size_t i = 1; i < bound.places.size(); ++i) {
+    const bool is_corner = bound.places[i - 1] == std::floor(bound.places[i - 1]);
+    const bool is_needed = is_corner || !is_straight(bound, kept.back(), i, allowed_Nm);
+    if (is_needed && kept.back() != i - 1) kept.push_back(i - 1);
+  }
+  if (kept.back() != bound.places.size() - 1) kept.push_back(bound.places.size() - 1);
+  const auto thinned = [&](const std::vector<double>& values) {
+    std::vector<double> some;
+    for (const std::size_t i : kept) some.push_back(values[i]);
+    return some;
+  };
+  for (std::vector<double>& torques_Nm : bound.torques_Nm) torques_Nm = thinned(torques_Nm);
+  bound.places = thinned(bound.places);
+}
+
+/// A cell of one axis: between the values of numbers i and i + 1.
+struct Between {
+  std::size_t i = 0;
+  double share = 0.0;
+};
+
+Between between(const std::vector<double>& ascending, double value) {
+  if (ascending.size() < 2) return {};
+  const auto after = std::upper_bound(ascending.begin(), ascending.end(), value);
+  const auto passed = static_cast<std::size_t>(after - ascending.begin());
+  const std::size_t i = std::clamp<std::size_t>(passed, 1, ascending.size() - 1) - 1;
+  return {i, std::clamp((value - ascending[i]) / (ascending[i + 1] - ascending[i]), 0.0, 1.0)};
+}
+
+/// Conditions to be mixed, and how much of each.
+struct Mixture {
+  std::size_t condition[4];
+  double weight[4];
+};
+
+Mixture mixture(const RegionGrid& grid, double voltage_V, double temperature_K) {
+  const Between v = between(grid.voltages_V, voltage_V);
+  const Between t = between(grid.temperatures_K, temperature_K);
+  const std::size_t columns = grid.temperatures_K.size();
+  const std::size_t next_v = grid.voltages_V.size() > 1 ? v.i + 1 : 0;
+  const std::size_t next_t = columns > 1 ? t.i + 1 : 0;
+  return {{v.i * columns + t.i, v.i * columns + next_t, next_v * columns + t.i,
+           next_v * columns + next_t},
+          {(1.0 - v.share) * (1.0 - t.share), (1.0 - v.share) * t.share, v.share * (1.0 - t.share),
+           v.share * t.share}};
+}
+
+double mixed(const std::vector<std::vector<double>>& of, const Mixture& mixture, std::size_t i) {
+  double sum = 0.0;
+  for (int k = 0; k < 4; ++k) sum += mixture.weight[k] * of[mixture.condition[k]][i];
+  return sum;
+}
+
+double torque_at_place_Nm(const GridBound& bound, const Mixture& mixture, double place) {
+  const auto after = std::upper_bound(bound.places.begin(), bound.places.end(), place);
+  const auto passed = static_cast<std::size_t>(after - bound.places.begin());
+  const std::size_t i = std::clamp<std::size_t>(passed, 1, bound.places.size() - 1) - 1;
+  const double share = (place - bound.places[i]) / (bound.places[i + 1] - bound.places[i]);
+  return std::lerp(mixed(bound.torques_Nm, mixture, i), mixed(bound.torques_Nm, mixture, i + 1),
+                   share);
+}
+
+/// Of one direction where the speed is 0 (-1, 1).
+double bound_Nm(const GridBound& bound, const Mixture& mixture, double speed_rad_s,
+                double direction) {
+  std::vector<double> corners_rad_s;
+  for (std::size_t i = 0; i < bound.corners_rad_s[0].size(); ++i) {
+    corners_rad_s.push_back(mixed(bound.corners_rad_s, mixture, i));
+  }
+  double place = place_of(corners_rad_s, speed_rad_s);
+  if (speed_rad_s == 0.0 && direction < 0.0) place -= 1.0;  // across the corners at rest
+  return torque_at_place_Nm(bound, mixture, place);
+}
+
+/// Whatever has been computed under a condition is kept.
+class GridBuilder {
+ public:
+  GridBuilder(const Actuator& actuator, const OperatingConditions& conditions, Side side)
+      : actuator_(actuator),
+        conditions_(conditions),
+        side_(side),
+        voltage_V_(open_circuit_voltage_V(actuator, conditions)),
+        temperature_K_(winding_temperature_K(actuator, conditions)) {}
+
+  std::optional<RegionGrid> run() {
+    const std::optional<Start> here = start(voltage_V_, temperature_K_);
+    if (!here) return std::nullopt;
+    peak_torque_Nm_ = here->table.peak_torque_Nm;
+    choose_places(*here);
+    choose_temperatures();
+    choose_voltages();
+    refine(grid_.voltages_V, kMostVoltages, true);
+    refine(grid_.temperatures_K, kMostTemperatures, false);
+    if (!fill(grid_)) return std::nullopt;
+    thin(grid_.least, kStraight * peak_torque_Nm_);
+    thin(grid_.greatest, kStraight * peak_torque_Nm_);
+    measure();
+    return std::move(grid_);
+  }
+
+ private:
+  /// A condition at which the grid may begin, or one of those at its far ends.
+  struct Start {
+    MorTable table;
+    Outline outline;
+  };
+
+  std::optional<Start> start(double voltage_V, double temperature_K) const {
+    const std::optional<Region> region = this->region(voltage_V, temperature_K);
+    if (!region || region->at(0.0).is_empty) return std::nullopt;
+    MorTable table = mor_table(*region, kPlaceAccuracy);
+    std::optional<Outline> outline = outline_of(table);
+    if (!outline) return std::nullopt;
+    return Start{std::move(table), std::move(*outline)};
+  }
+
+  double warm_K() const {
+    return std::max(temperature_K_,
+                    actuator_.thermal ? actuator_.thermal->winding_limit_K : kWarm_K);
+  }
+  double cold_K() const { return std::min(kFreezing_K, temperature_K_); }
+
+  /// The stretches of the first condition, or those of a far end of the grid that has more.
+  void choose_places(const Start& here) {
+    const Start* of_least = &here;
+    const Start* of_greatest = &here;
+    std::vector<Start> ends;
+    for (const double share : {kLeastVoltage, kGreatestVoltage}) {
+      for (const double kelvin : {cold_K(), temperature_K_, warm_K()}) {
+        std::optional<Start> end = start(share * voltage_V_, kelvin);
+        if (end) ends.push_back(std::move(*end));
+      }
+    }
+    for (const Start& end : ends) {
+      if (is_part_of(of_least->outline.least, end.outline.least)) of_least = &end;
+      if (is_part_of(of_greatest->outline.greatest, end.outline.greatest)) of_greatest = &end;
+    }
+    stretches_of_least_ = of_least->outline.least.stretches;
+    stretches_of_greatest_ = of_greatest->outline.greatest.stretches;
+    grid_.least.places =
+        places_of(of_least->outline.least, of_least->table, here.outline.least, here.table);
+    grid_.greatest.places = places_of(of_greatest->outline.greatest, of_greatest->table,
+                                      here.outline.greatest, here.table);
+  }
+
+  struct Condition {
+    Outline outline;
+    std::vector<double> least_Nm;
+    std::vector<double> greatest_Nm;
+  };
+
+  std::optional<Region> region(double voltage_V, double temperature_K) const {
+    OperatingConditions changed = conditions_;
+    changed.bus_voltage_V = voltage_V;
+    changed.state_of_charge.reset();
+    changed.winding_temperature_K = temperature_K;
+    if (!objections(actuator_, changed).empty()) return std::nullopt;
+    return Region(actuator_, changed, side_);
+  }
+
+  /// Nothing where the region has other corners than under the first conditions.
+  const std::optional<Condition>& condition(double voltage_V, double temperature_K) {
+    const auto [place, is_new] = known_.try_emplace({voltage_V, temperature_K});
+    if (is_new) place->second = computed(voltage_V, temperature_K);
+    return place->second;
+  }
+
+  std::optional<Condition> computed(double voltage_V, double temperature_K) const {
+    const std::optional<Region> region = this->region(voltage_V, temperature_K);
+    if (!region || region->at(0.0).is_empty) return std::nullopt;
+    const std::optional<Outline> outline = outline_of(mor_table(*region, kCornerAccuracy));
+    if (!outline) return std::nullopt;
+    auto least = stretched(outline->least, stretches_of_least_);
+    auto greatest = stretched(outline->greatest, stretches_of_greatest_);
+    if (!least || !greatest) return std::nullopt;
+    auto least_Nm = torques_of(*region, *least, grid_.least.places, false);
+    auto greatest_Nm = torques_of(*region, *greatest, grid_.greatest.places, true);
+    if (!least_Nm || !greatest_Nm) return std::nullopt;
+    return Condition{
+        {std::move(*least), std::move(*greatest)}, std::move(*least_Nm), std::move(*greatest_Nm)};
+  }
+
+  /// The furthest from the first conditions towards `end`, that still has the same corners.
+  template <typename IsAlike>
+  static double furthest(double start, double end, const IsAlike& is_alike) {
+    if (is_alike(end)) return end;
+    double inside = start;
+    double outside = end;
+    for (int i = 0; i < kRangeHalvings; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      (is_alike(middle) ? inside : outside) = middle;
+    }
+    return inside;
+  }
+
+  void choose_temperatures() {
+    const auto is_alike = [&](double temperature_K) {
+      return condition(voltage_V_, temperature_K).has_value();
+    };
+    grid_.temperatures_K = {furthest(temperature_K_, cold_K(), is_alike), temperature_K_,
+                            furthest(temperature_K_, warm_K(), is_alike)};
+    std::vector<double>& all = grid_.temperatures_K;
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  }
+
+  void choose_voltages() {
+    const auto is_alike = [&](double voltage_V) {
+      return std::all_of(grid_.temperatures_K.begin(), grid_.temperatures_K.end(),
+                         [&](double kelvin) { return condition(voltage_V, kelvin).has_value(); });
+    };
+    grid_.voltages_V = {furthest(voltage_V_, kLeastVoltage * voltage_V_, is_alike), voltage_V_,
+                        furthest(voltage_V_, kGreatestVoltage * voltage_V_, is_alike)};
+    std::vector<double>& all = grid_.voltages_V;
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  }
+
+  /// Halves the interval with the greatest error, while that is worth it; the other condition as
+  /// asked for.
+  void refine(std::vector<double>& axis, std::size_t most, bool is_voltage) {
+    while (axis.size() > 1 && axis.size() < most) {
+      std::size_t worst = 0;
+      double greatest_Nm = 0.0;
+      for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+        const double error_Nm = middle_error_Nm(axis[i], axis[i + 1], is_voltage);
+        if (error_Nm <= greatest_Nm) continue;
+        greatest_Nm = error_Nm;
+        worst = i;
+      }
+      if (greatest_Nm <= kGridError * peak_torque_Nm_) return;
+      const double middle = 0.5 * (axis[worst] + axis[worst + 1]);
+      const bool is_alike = is_voltage ? condition(middle, temperature_K_).has_value()
+                                       : condition(voltage_V_, middle).has_value();
+      if (!is_alike) return;
+      axis.insert(axis.begin() + static_cast<std::ptrdiff_t>(worst) + 1, middle);
+    }
+  }
+
+  double middle_error_Nm(double low, double high, bool is_voltage) {
+    const auto [place, is_new] = errors_Nm_.try_emplace({low, high}, 0.0);
+    if (!is_new) return place->second;
+    RegionGrid cell;
+    cell.voltages_V = is_voltage ? std::vector{low, high} : std::vector{voltage_V_};
+    cell.temperatures_K = is_voltage ? std::vector{temperature_K_} : std::vector{low, high};
+    cell.least.places = grid_.least.places;
+    cell.greatest.places = grid_.greatest.places;
+    const double middle = 0.5 * (low + high);
+    if (fill(cell)) {
+      place->second = is_voltage ? error(cell, middle, temperature_K_).before_end_Nm
+                                 : error(cell, voltage_V_, middle).before_end_Nm;
+    }
+    return place->second;
+  }
+
+  bool fill(RegionGrid& grid) {
+    for (const double voltage_V : grid.voltages_V) {
+      for (const double temperature_K : grid.temperatures_K) {
+        const std::optional<Condition>& at = condition(voltage_V, temperature_K);
+        if (!at) return false;
+        grid.least.corners_rad_s.push_back(at->outline.least.speeds_rad_s);
+        grid.greatest.corners_rad_s.push_back(at->outline.greatest.speeds_rad_s);
+        grid.least.torques_Nm.push_back(at->least_Nm);
+        grid.greatest.torques_Nm.push_back(at->greatest_Nm);
+      }
+    }
+    return true;
+  }
+
+  struct Error {
+    double torque_Nm = 0.0;
+    double speed_rad_s = 0.0;
+    double before_end_Nm = 0.0;
+  };
+
+  /// Greatest difference between the grid and the region under that condition.
+  Error error(const RegionGrid& grid, double voltage_V, double temperature_K) const {
+    Error worst;
+    const std::optional<Region> region = this->region(voltage_V, temperature_K);
+    if (!region) return worst;
+    const double end_rad_s = region->greatest_speed_rad_s();
+    for (int i = -kSpeedsCompared; i <= kSpeedsCompared; ++i) {
+      const double speed_rad_s = end_rad_s * i / kSpeedsCompared;
+      const JointRange range = region->at(speed_rad_s);
+      if (range.is_empty) continue;
+      const Interval at = limits(grid, speed_rad_s, voltage_V, temperature_K);
+      const double error_Nm = std::max(std::abs(at.least_Nm - range.least.torque_Nm),
+                                       std::abs(at.greatest_Nm - range.greatest.torque_Nm));
+      const bool is_before_end = std::abs(speed_rad_s) <= kBeforeEnd * end_rad_s;
+      if (is_before_end) worst.before_end_Nm = std::max(worst.before_end_Nm, error_Nm);
+      if (error_Nm <= worst.torque_Nm) continue;
+      worst.torque_Nm = error_Nm;
+      worst.speed_rad_s = speed_rad_s;
+    }
+    return worst;
+  }
+
+  /// Between the conditions of every cell, in quarters.
+  void measure() {
+    const auto quarters = [](const std::vector<double>& axis) {
+      std::vector<double> all;
+      for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+        for (const double share : {0.25, 0.5, 0.75}) {
+          all.push_back(std::lerp(axis[i], axis[i + 1], share));
+        }
+      }
+      return all.empty() ? axis : all;
+    };
+    for (const double voltage_V : quarters(grid_.voltages_V)) {
+      for (const double temperature_K : quarters(grid_.temperatures_K)) {
+        const Error found = error(grid_, voltage_V, temperature_K);
+        grid_.error_before_end_Nm = std::max(grid_.error_before_end_Nm, found.before_end_Nm);
+        if (found.torque_Nm <= grid_.error_Nm) continue;
+        grid_.error_Nm = found.torque_Nm;
+        grid_.error_speed_rad_s = found.speed_rad_s;
+      }
+    }
+  }
+
+  const Actuator& actuator_;
+  OperatingConditions conditions_;
+  Side side_;
+  double voltage_V_;
+  double temperature_K_;
+  std::vector<Stretch> stretches_of_least_;
+  std::vector<Stretch> stretches_of_greatest_;
+  double peak_torque_Nm_ = 0.0;
+  RegionGrid grid_;
+  std::map<std::pair<double, double>, std::optional<Condition>> known_;
+  std::map<std::pair<double, double>, double> errors_Nm_;
+};
+
+}  // namespace
+
+std::optional<RegionGrid> region_grid(const Actuator& actuator,
+                                      const OperatingConditions& conditions, Side side) {
+  return GridBuilder(actuator, conditions, side).run();
+}
+
+Interval limits(const RegionGrid& grid, double speed_rad_s, double voltage_V,
+                double temperature_K) {
+  const Mixture at = mixture(grid, voltage_V, temperature_K);
+  Interval interval{bound_Nm(grid.least, at, speed_rad_s, 1.0),
+                    bound_Nm(grid.greatest, at, speed_rad_s, 1.0)};
+  if (speed_rad_s != 0.0) return interval;
+  interval.least_Nm = std::min(interval.least_Nm, bound_Nm(grid.least, at, 0.0, -1.0));
+  interval.greatest_Nm = std::max(interval.greatest_Nm, bound_Nm(grid.greatest, at, 0.0, -1.0));
+  return interval;
+}
+
+}  // namespace torquewright::actuator

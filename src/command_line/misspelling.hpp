@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "src/command_line/declaration.hpp"
+
+namespace torquewright::command_line {
+
+/// The first word that names no command or no option, and what may have been meant; empty where
+/// every name is known. `words` are the arguments of the program.
+std::optional<std::string> misspelling(const DeclaredCommand& program,
+                                       std::span<const std::string> words);
+
+/// A command, and the words that lead to it.
+struct Reached {
+  const DeclaredCommand* command;
+  std::string path;
+  std::size_t rest;  ///< Index of the first word that is not part of its name.
+};
+
+/// As far as the words lead, options left aside.
+Reached reached_by(const DeclaredCommand& program, std::span<const std::string> words);
+
+/// What is wrong with a word in the place of a command.
+std::string unknown_command(const DeclaredCommand& program, const Reached& where,
+                            const std::string& word);
+
+}  // namespace torquewright::command_line

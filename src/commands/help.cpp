@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/atomic_file.hpp"
+#include "io/provenance.hpp"
+#include "src/command_line/help_text.hpp"
+#include "src/command_line/man_page.hpp"
+#include "src/command_line/misspelling.hpp"
+#include "src/commands/help_commands.hpp"
+#include "src/options/output_files.hpp"
+#include "src/standard_output.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using command_line::DeclaredCommand;
+using command_line::Reached;
+
+struct HelpOptions {
+  std::vector<std::string> words;  ///< Of the command.
+  std::string output_file;
+};
+
+Reached named_command(const DeclaredCommand& program, const std::vector<std::string>& words) {
+  const Reached reached = command_line::reached_by(program, words);
+  if (reached.rest < words.size()) {
+    command_line::refuse(command_line::unknown_command(program, reached, words[reached.rest]));
+  }
+  return reached;
+}
+
+ExitCode run_help(const DeclaredCommand& program, const HelpOptions& options) {
+  const Reached reached = named_command(program, options.words);
+  print_result(command_line::help_text(*reached.command, reached.path));
+  return ExitCode::kPasses;
+}
+
+ExitCode run_man(const DeclaredCommand& program, const HelpOptions& options) {
+  const Reached reached = named_command(program, options.words);
+  io::check_outputs(named({options.output_file}), {});
+  deliver_result(
+      command_line::man_page(*reached.command, reached.path, std::string(io::tool_version())),
+      options.output_file);
+  return ExitCode::kPasses;
+}
+
+}  // namespace
+
+void add_help_command(command_line::Command& program) {
+  auto options = std::make_shared<HelpOptions>();
+  command_line::Command command = program.add_command("help", "What a command does");
+  command.add_option("command", options->words, "Such as gearbox optimize");
+  command.example("torquewright help gearbox optimize");
+  command.works([options, &declared = program.declared()] { return run_help(declared, *options); });
+}
+
+void add_man_command(command_line::Command& program) {
+  auto options = std::make_shared<HelpOptions>();
+  command_line::Command command =
+      program.add_command("man", "The same as a page for man: torquewright man | man -l -");
+  command.add_option("command", options->words, "Such as gearbox optimize");
+  command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
+  command.example("torquewright man gearbox optimize");
+  command.works([options, &declared = program.declared()] { return run_man(declared, *options); });
+}
+
+}  // namespace torquewright::cli

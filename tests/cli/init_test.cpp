@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Documents to start from and pages of keys. Oracle: the commands that such documents are for,
+// which must take them as they are, and the pages in docs/documents as they were committed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "io/schema.hpp"
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+const std::vector<std::string> kStarted = {
+    "actuator",      "gear_strength", "gearbox", "gearbox_problem",   "jacobian",
+    "randomisation", "rig",           "robot",   "trajectory_columns"};
+
+/// A folder with every document to start from, KIND.json.
+struct Started : Workplace {
+  Started() {
+    for (const std::string& kind : kStarted) {
+      EXPECT_EQ(run({"init", kind, "-o", kind + ".json"}).exit_code, 0) << kind;
+    }
+  }
+};
+
+void expect_taken(const Workplace& place, const Words& command) {
+  const Outcome outcome = place.run(command);
+  EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(command) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+/// A motion in the units that the columns to start from state: 1 s of a slow swing.
+std::string swing() {
+  std::string csv = "t,q_knee,qd_knee,tau_knee\n";
+  for (int ms = 0; ms <= 1000; ms += 10) {
+    const double angle = 2.0 * std::numbers::pi * ms / 1000.0;
+    const double speed_deg_s = 20.0 * 2.0 * std::numbers::pi * std::cos(angle);
+    csv += std::to_string(ms) + "," + std::to_string(20.0 * std::sin(angle)) + "," +
+           std::to_string(speed_deg_s / 6.0) + ",5\n";
+  }
+  return csv;
+}
+
+TEST(Init, WritesDocumentsThatTheirCommandsTake) {
+  const Started place;
+  place.write("swing.csv", swing());
+  expect_taken(place, {"gearbox", "optimize", "gearbox_problem.json"});
+  expect_taken(place, {"gearbox", "strength", "gear_strength.json", "--torque", "2"});
+  expect_taken(place, {"actuator", "lint", "actuator.json"});
+  expect_taken(place, {"actuator", "mor", "actuator.json"});
+  expect_taken(place, {"robot", "export", "robot.json", "--format", "mjcf"});
+  expect_taken(place, {"actuator", "check", "swing.csv", "--columns", "trajectory_columns.json",
+                       "--joint", "knee=actuator.json"});
+}
+
+TEST(Init, WritesAGearboxThatAnActuatorTakes) {
+  const Started place;
+  json actuator = json::parse(place.text("actuator.json"));
+  actuator["gearbox"] = {{"file", "gearbox.json"}, {"friction_coefficient", 0.08}};
+  place.write("geared.json", actuator.dump());
+  expect_taken(place, {"actuator", "mor", "geared.json"});
+}
+
+TEST(Init, WritesAJacobianThatACheckTakes) {
+  const Started place;
+  std::string csv = "time_s";
+  for (const char* joint : {"ankle_pitch", "ankle_roll"}) {
+    for (const char* quantity : {"_position_rad", "_velocity_rad_s", "_torque_Nm"}) {
+      csv += std::string(",") + joint + quantity;
+    }
+  }
+  csv += "\n0,0,0.1,3,0,0,0\n0.1,0.01,0.1,3,0,0,0\n0.2,0.02,0.1,3,0,0,0\n";
+  place.write("ankle.csv", csv);
+  expect_taken(place, {"actuator", "check", "ankle.csv", "--jacobian", "jacobian.json", "--joint",
+                       "ankle_inner=actuator.json", "--joint", "ankle_outer=actuator.json"});
+}
+
+TEST(Init, WritesWhatTrialsDraw) {
+  const Started place;
+  const Outcome outcome =
+      place.run({"hopper", "replay", in_repository("specs/robot/hopper.json").string(),
+                 in_repository("specs/trajectory/hopper_squat.csv").string(), "--trials", "2",
+                 "--randomise", "randomisation.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+TEST(Init, PrintsTheDocumentOrWhatItsKeysMean) {
+  const Outcome document = run({"init", "rig"});
+  EXPECT_EQ(json::parse(document.out)["kind"], "rig");
+  const Outcome meaning = run({"init", "rig", "--explain"});
+  EXPECT_NE(meaning.out.find("/load/length_m  (a number from 0.0001 to 100; in m)\n"
+                             "    Pendulum: from its axis to its centre of mass.\n"),
+            std::string::npos)
+      << meaning.out;
+  const Workplace place;
+  const Outcome both = place.run({"init", "rig", "-o", "a rig.json"});
+  EXPECT_EQ(place.text("a rig.json"), document.out);
+  EXPECT_EQ(
+      both.out,
+      meaning.out + "\nnext: torquewright identify LOG --rig 'a rig.json' --actuator ACTUATOR\n");
+}
+
+TEST(Init, WritesOverNothingAndStartsNoReport) {
+  const Workplace place;
+  place.write("rig.json", "{}");
+  const Outcome over = place.run({"init", "rig", "-o", "rig.json"});
+  EXPECT_EQ(over.exit_code, 2);
+  EXPECT_EQ(over.err, "rig.json: is there already; init writes over no document\n");
+  EXPECT_EQ(place.text("rig.json"), "{}");
+  const Outcome report = place.run({"init", "lint_report"});
+  EXPECT_EQ(report.exit_code, 2);
+  EXPECT_EQ(report.err,
+            "init: a lint_report is written by the program; documents to start from are actuator, "
+            "gear_strength, gearbox, gearbox_problem, jacobian, randomisation, rig, robot, "
+            "trajectory_columns\n");
+}
+
+TEST(Schema, IsTheFileWithOtherKindsInIt) {
+  for (const std::string& kind : io::document_kinds()) {
+    json file = json::parse(text_of(in_repository("specs/schema/" + kind + ".json")));
+    if (kind == "gearbox_result") {
+      const json problem = json::parse(text_of(in_repository("specs/schema/gearbox_problem.json")));
+      const json meaning = file["properties"]["problem"]["description"];
+      file["properties"]["problem"] = problem;
+      file["properties"]["problem"]["description"] = meaning;
+    }
+    EXPECT_EQ(json::parse(run({"schema", kind}).out), file) << kind;
+  }
+}
+
+TEST(Schema, IsAcceptedByTheDocumentsThatNameIt) {
+  const Started place;
+  json actuator = json::parse(place.text("actuator.json"));
+  actuator["$schema"] = "actuator.schema.json";
+  place.write("named.json", actuator.dump());
+  expect_taken(place, {"actuator", "mor", "named.json"});
+}
+
+TEST(DocumentPages, AreAsTheProgramWritesThem) {
+  for (const std::string& kind : io::document_kinds()) {
+    EXPECT_EQ(text_of(in_repository("docs/documents/" + kind + ".md")),
+              run({"schema", kind, "--markdown"}).out)
+        << "torquewright schema " << kind << " --markdown -o docs/documents/" << kind << ".md";
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
