@@ -291,9 +291,12 @@ PlanResult Planner::plan() {
   if (!is_solved || !result_.check) return std::move(result_);
   if (!is_fine()) {
     end(PlanStatus::kCheckFails,
-        fmt::format("on the finest mesh tried, integrating the torques leads {:.2g} rad away from "
-                    "the plan; {:.2g} is allowed",
-                    result_.integration_error_rad, options_.most_error_rad));
+        fmt::format("on the finest mesh tried, integrating the torques leads {} away from the "
+                    "plan; {:.2g} is allowed",
+                    std::isfinite(result_.integration_error_rad)
+                        ? fmt::format("{:.2g} rad", result_.integration_error_rad)
+                        : "without bound",
+                    options_.most_error_rad));
   } else if (!is_passed()) {
     end(PlanStatus::kCheckFails, failure_sentence(*result_.check));
   } else {

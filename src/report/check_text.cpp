@@ -29,10 +29,15 @@ std::string clipped_line(const DriveReport& drive, const CheckedInterpretation& 
       outside_words(worst), name_of(worst.limiter));
 }
 
+/// Copper that warms takes more heat at the same current: there is no end to it.
+std::string kelvin(double value_K) {
+  return std::isfinite(value_K) ? fmt::format("{:.4g} K", value_K) : "without bound";
+}
+
 std::string winding_line(const WindingReport& winding) {
   std::string text =
-      fmt::format("  winding  {:.4g} K at most in the first run", winding.first_peak_K);
-  if (winding.runs > 1) text += fmt::format(", {:.4g} K in run {}", winding.peak_K, winding.runs);
+      fmt::format("  winding  {} at most in the first run", kelvin(winding.first_peak_K));
+  if (winding.runs > 1) text += fmt::format(", {} in run {}", kelvin(winding.peak_K), winding.runs);
   if (winding.steady_peak_K && std::isfinite(*winding.steady_peak_K)) {
     text += fmt::format(", {:.4g} K when steady", *winding.steady_peak_K);
     if (winding.runs_to_steady) {
@@ -66,7 +71,7 @@ std::string margin_line(const CheckedInterpretation& interpretation) {
   }
   const std::optional<WindingReport>& winding = interpretation.winding;
   if (!winding) return text + ", heat not judged (no thermal is stated)\n";
-  return text + fmt::format(", heat {:.4g} K\n", winding->limit_K - winding->peak_K);
+  return text + fmt::format(", heat {}\n", kelvin(winding->limit_K - winding->peak_K));
 }
 
 std::string interpretation_lines(const DriveReport& drive,

@@ -53,8 +53,8 @@ std::string rounds_table(const std::vector<PlanRound>& rounds) {
   Rows rows;
   for (const PlanRound& round : rounds) {
     rows.push_back({std::to_string(round.intervals), std::to_string(round.iterations), round.solver,
-                    number(round.objective), fmt::format("{:.1e}", round.largest_violation),
-                    fmt::format("{:.1e} rad", round.integration_error_rad)});
+                    number(round.objective), size_words(round.largest_violation, ""),
+                    size_words(round.integration_error_rad, " rad")});
   }
   return table_of("Rounds",
                   {"intervals", "iterations", "solver", "objective", "constraints off by",

@@ -109,12 +109,16 @@ std::string binding_words(const BindingConstraint& binding) {
   return text;
 }
 
+std::string size_words(double value, const std::string& unit) {
+  return std::isfinite(value) ? fmt::format("{:.1e}{}", value, unit) : "more than any number";
+}
+
 std::string round_words(const PlanRound& round) {
   return fmt::format(
-      "{} intervals, {} iterations, {}; objective {:.6g}, constraints off by {:.1e}, integration "
-      "by {:.1e} rad",
-      round.intervals, round.iterations, round.solver, round.objective, round.largest_violation,
-      round.integration_error_rad);
+      "{} intervals, {} iterations, {}; objective {:.6g}, constraints off by {}, integration by "
+      "{}",
+      round.intervals, round.iterations, round.solver, round.objective,
+      size_words(round.largest_violation, ""), size_words(round.integration_error_rad, " rad"));
 }
 
 std::string change_words(const ChangeTried& change) {

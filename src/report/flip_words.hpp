@@ -21,6 +21,8 @@ std::string flight_words(const hopper::PlanResult& result);
 std::string margin_words(const hopper::LeastMargin& margin);
 /// In how many instants of which stance, and when; by how much where it is violated.
 std::string binding_words(const hopper::BindingConstraint& binding);
+/// Two digits and the unit of a size that a motion which runs away may have without bound.
+std::string size_words(double value, const std::string& unit);
 /// Mesh, iterations, what the solver said; errors.
 std::string round_words(const hopper::PlanRound& round);
 /// What was changed, from what to what, and whether there is a plan.

@@ -23,7 +23,7 @@ using std::chrono::milliseconds;
 
 constexpr std::chrono::seconds kPatience{120};
 constexpr std::chrono::seconds kSignalPatience{20};
-constexpr milliseconds kLookAgain{20};
+constexpr milliseconds kLookAgain{10};
 constexpr uid_t kNobody = 65534;
 
 struct Pipe {
@@ -83,13 +83,17 @@ bool listens_for_interrupt(pid_t process) {
   return false;
 }
 
-/// Sends Ctrl-C when its time has come.
+/// Sends signals when their time has come.
 class Interrupter {
  public:
-  Interrupter(pid_t process, std::optional<milliseconds> delay)
-      : process_(process), delay_(delay) {}
+  Interrupter(pid_t process, const Circumstances& circumstances)
+      : process_(process), delay_(circumstances.interrupt_after), signal_(circumstances.signal) {}
 
   void look() {
+    if (signal_ && Clock::now() - start_ >= signal_->after) {
+      ::kill(process_, signal_->number);
+      signal_.reset();
+    }
     if (!delay_) return;
     if (!listening_since_ && listens_for_interrupt(process_)) listening_since_ = Clock::now();
     if (!listening_since_ || Clock::now() - *listening_since_ < *delay_) return;
@@ -99,7 +103,9 @@ class Interrupter {
 
  private:
   pid_t process_;
+  Clock::time_point start_ = Clock::now();
   std::optional<milliseconds> delay_;
+  std::optional<Signal> signal_;
   std::optional<Clock::time_point> listening_since_;
 };
 
@@ -142,14 +148,15 @@ Outcome run(const std::vector<std::string>& arguments, const Circumstances& circ
   ::close(out.ends[1]);
   ::close(err.ends[1]);
   Outcome outcome;
-  Interrupter interrupter(child, circumstances.interrupt_after);
-  if (!collect(out.ends[0], err.ends[0], interrupter, outcome)) ::kill(child, SIGKILL);
+  outcome.has_ended = collect(out.ends[0], err.ends[0], Interrupter(child, circumstances), outcome);
+  if (!outcome.has_ended) ::kill(child, SIGKILL);
   ::close(out.ends[0]);
   ::close(err.ends[0]);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
   return outcome;
 }
 

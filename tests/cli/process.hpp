@@ -11,6 +11,12 @@
 
 namespace torquewright::cli_test {
 
+/// Sent to the program alone, not to processes that it has started.
+struct Signal {
+  int number = 0;
+  std::chrono::microseconds after{};  ///< From its start.
+};
+
 /// Under what circumstances the program runs.
 struct Circumstances {
   std::filesystem::path folder = ".";       ///< Its working directory.
@@ -18,6 +24,7 @@ struct Circumstances {
   std::optional<rlim_t> memory_limit{};     ///< Of its address space [bytes].
   /// Ctrl-C so long after it has begun to listen for it.
   std::optional<std::chrono::milliseconds> interrupt_after{};
+  std::optional<Signal> signal{};
   bool as_nobody = false;                  ///< Without root's rights. Requires root.
   std::filesystem::path stdout_file{};     ///< Instead of a pipe, as by `>>`; `out` stays empty.
   std::vector<std::string> environment{};  ///< More variables, NAME=VALUE.
@@ -26,6 +33,9 @@ struct Circumstances {
 /// What came of it.
 struct Outcome {
   int exit_code = -1;  ///< -1: ended by a signal, or did not end within two minutes.
+  int signal = 0;      ///< That ended it.
+  /// Within two minutes, and so did all processes that it had started.
+  bool has_ended = false;
   std::string out;
   std::string err;
 };

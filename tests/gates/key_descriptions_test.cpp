@@ -110,8 +110,9 @@ TEST(EveryKey, HasTheUnitThatItsNameEndsIn) {
     for_each_key(schema, [&](const std::string& key, const json& node) {
       const std::string unit = unit_in_name(key);
       const bool is_object = any_of_its_nodes(node, schema, [](const json& each) {
-        return each.value("type", json()) == "object" && !each["properties"].contains("value") &&
-               !each["properties"].contains("least");
+        const json properties = each.value("properties", json::object());
+        return each.value("type", json()) == "object" && !properties.contains("value") &&
+               !properties.contains("least");
       });
       if (unit.empty() || is_object) return;  // widths by layer: the unit stands at the layers
       const bool has_unit = any_of_its_nodes(

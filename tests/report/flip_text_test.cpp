@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "src/report/flip_html.hpp"
 
 namespace torquewright::report {
@@ -67,6 +69,17 @@ TEST(FlipText, OfAPlanNamesPhasesFlightMarginsAndWhatBinds) {
               "0.3900 s");
   expect_line(text, "  knee: region, upper      12 of 45 instants of flat, t = 0.2500 to 0.4000 s");
   expect_line(text, "next: try this");
+}
+
+// A motion of a coarse mesh may run away when it is integrated.
+TEST(FlipText, WritesNoInfinity) {
+  PlanResult result = filled(PlanStatus::kLocallyInfeasible);
+  result.rounds[0].integration_error_rad = HUGE_VAL;
+  const std::string text = text_of(result);
+  EXPECT_NE(text.find("constraints off by 1.0e-08, integration by more than any number"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("inf "), std::string::npos) << text;
 }
 
 TEST(FlipText, StatesSecondsOnlyWhereAsked) {

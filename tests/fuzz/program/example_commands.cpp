@@ -51,11 +51,12 @@ hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --plot a.s
 hopper check specs/robot/hopper.json specs/trajectory/hopper_hop.csv --plot-momentum c.svg --from 0.3
 hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --sweep knee_ratio=18:22:2 --sweep voltage=60,67.2 --jobs 2 -o map.json --plot-sweep map.svg --json
 hopper check specs/robot/hopper.json specs/trajectory/hopper_squat.csv --sweep mass_factor=0.9:1.1:0.1 --jobs 1 --sweep-journal checks.journal
-hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flight,flat --objective effort=2 --intervals 10 --rounds 0 --iterations 3 --time-limit 2 --voltage-margin 0.1 --guess-noise 0.05 --seed 2 --write-best best.csv --plot-momentum d.svg --figures e.svg --report f.html --json
+hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flight,flat --objective effort=2 --intervals 10 --rounds 0 --iterations 3 --time-limit 20 --voltage-margin 0.1 --guess-noise 0.05 --seed 2 --write-best best.csv --plot-momentum d.svg --figures e.svg --report f.html --json
+hopper flip specs/robot/hopper.json -o plan.csv --task jump --intervals 20 --integration-error 0.1 --bus-voltage 60 --sample-step 0.005 --plot-momentum d.svg --figures e.svg --report f.html
 hopper flip specs/robot/hopper.json -o plan.csv --task hop --warm specs/trajectory/hopper_hop.csv --contacts flat,flight,flat --limits box --time-limit 1 --intervals 10 --sample-step 0.01
-hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flight,flat --explain --current-margin 0.6 --intervals 10 --rounds 0 --iterations 20 --time-limit 1 --bus-voltage 60 --sample-step 0.01 --figures e.svg
+hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flight,flat --explain --intervals 10 --rounds 0 --integration-error 0.1 --time-limit 3 --bus-voltage 60 --sample-step 0.01 --figures e.svg
 hopper flip specs/robot/hopper.json -o plan.csv --task flip --center-of-pressure-margin 0.2 --friction-margin 0.3 --gear-margin 0.2 --position-margin 0.1 --speed-margin 0.1 --integration-error 0.01 --intervals 10 --rounds 1 --time-limit 0.5 --write-best best.csv --report f.html
-hopper flip specs/robot/hopper.json -o flips.json --task hop --stride 0.2 --rise 0.05 --sweep knee_ratio=18:22:4 --sweep voltage=60,67.2 --jobs 2 --contacts flat,flight,flat --intervals 10 --rounds 0 --iterations 2 --time-limit 1 --plot-sweep flips.svg --sweep-journal flips.journal --json
+hopper flip specs/robot/hopper.json -o flips.json --task hop --stride 0.2 --rise 0.05 --sweep knee_ratio=18:22:4 --sweep voltage=60,67.2 --jobs 2 --contacts flat,flight,flat --intervals 10 --rounds 0 --iterations 2 --time-limit 20 --plot-sweep flips.svg --sweep-journal flips.journal --json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.2 --json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv --from 0.75 --step 0.0005 --stand 0.1 --limits box --controller pd --impact invariant --impact-metric inertia --latency 0.001 --series run.csv -o run.txt
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.1 --trials 2 --randomise specs/randomisation/hopper.json --seed 3 --success-rate 0.5 --threads 2
@@ -77,6 +78,11 @@ robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/a
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
 robot export specs/robot/cassie.json --format urdf
 robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
+init actuator -o new.json
+init robot --explain
+schema gearbox_problem
+man hopper flip -o flip.1
+completion bash -o completion.sh
 )";
 
 std::vector<Words> read_lines() {

@@ -75,6 +75,18 @@ TEST(ProgramRules, SeeEveryKindOfBreach) {
   }
 }
 
+// A folder around all files, and a file called nan, were taken for breaches.
+TEST(ProgramRules, LetOutputsHaveAnyName) {
+  Ran run = good_run();
+  run.outputs = {".."};
+  run.changed = {"log.csv"};
+  EXPECT_EQ(breach_in(run, {}).rule, "");
+  run = good_run();
+  run.outputs.insert("nan");
+  run.outcome.out = "written to nan";
+  EXPECT_EQ(breach_in(run, {}).rule, "");
+}
+
 // A journal is written before something else may be refused; no other output is.
 TEST(ProgramRules, LetAJournalBeWrittenFirst) {
   Ran run = good_run();
