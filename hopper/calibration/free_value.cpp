@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -81,6 +82,7 @@ void add_pointer(const std::string& text, const io::Document& document, const Ro
                                     value.pointers.front(), value.documented, text, number.value));
   }
   value.documented = number.value;
+  if (value.pointers.empty()) value.words = words_of(*knob, robot);
   value.pointers.push_back(text);
   value.knobs.push_back(*knob);
 }
@@ -145,6 +147,28 @@ void set_stated_bounds(const std::string& bounds, const std::string& whole, cons
 }
 
 }  // namespace
+
+std::string words_of(const Knob& knob, const Robot& robot) {
+  const dynamics::Body& body = robot.tree.bodies[knob.body];
+  constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
+  const char row = kAxes[static_cast<std::size_t>(knob.row)];
+  switch (knob.kind) {
+    case Kind::kMass:
+      return body.name + ": mass, kg";
+    case Kind::kCenterOfMass:
+      return fmt::format("{}: centre of mass {}, m", body.name, row);
+    case Kind::kInertia:
+      return fmt::format("{}: moment of inertia {}{}, kg m^2", body.name, row,
+                         kAxes[static_cast<std::size_t>(knob.column)]);
+    case Kind::kRoundInertia:
+      return body.name + ": moment of inertia, kg m^2";
+    case Kind::kJointPosition:
+      return fmt::format("{}: place {}, m", body.joint.name, row);
+    case Kind::kPosture:
+      break;
+  }
+  return fmt::format("posture {}: {}, rad", robot.postures[knob.posture].name, body.joint.name);
+}
 
 std::string FreeValue::name() const { return fmt::format("{}", fmt::join(pointers, ",")); }
 

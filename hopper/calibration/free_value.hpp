@@ -25,10 +25,14 @@ struct Knob {
 /// Sets it. Both of two mirrored elements of an inertia.
 void turn(const Knob& knob, double value, dynamics::Tree& tree, std::vector<Posture>& postures);
 
+/// What it is, of what, in which unit: "thigh: moment of inertia yy, kg m^2".
+std::string words_of(const Knob& knob, const Robot& robot);
+
 /// A value that a calibration may choose within bounds; several pointers take the same value.
 struct FreeValue {
   std::vector<std::string> pointers;
   std::vector<Knob> knobs;
+  std::string words;  ///< Of the first knob.
   double documented = 0.0;
   double lowest = 0.0;
   double highest = 0.0;

@@ -49,7 +49,7 @@ std::string valley_panel(const CalibrationReport& report, std::size_t index) {
       fmt::format("set arrow from {:.9g},0 to {:.9g},{:.9g} nohead linecolor rgb '{}' dashtype 2\n",
                   fitted, fitted, top, kFittedColor);
   text += fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange [0:{:.9g}]\nset xlabel {}\n",
-                      free.lowest, free.highest, top, gnuplot_quoted(free.pointers.front()));
+                      free.lowest, free.highest, top, gnuplot_quoted(free.words));
   text += fmt::format(
       "plot $p{} using 1:2 with linespoints pointtype 7 pointsize 0.4 linewidth 2 "
       "linecolor rgb '{}' notitle, {:.9g} with lines dashtype 3 linecolor rgb "

@@ -14,8 +14,9 @@ class Pictures {
   /// `option` asked for the page: messages name it.
   explicit Pictures(std::string option) : option_(std::move(option)) {}
 
-  /// What the script draws, as an SVG element; nothing of an empty script.
-  std::string draw(const std::string& script);
+  /// What the script draws, as an SVG element that is read out as `words`; nothing of an empty
+  /// script.
+  std::string draw(const std::string& script, const std::string& words);
 
  private:
   std::string option_;

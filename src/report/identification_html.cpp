@@ -133,7 +133,8 @@ std::string remainder(const EquationResult& equation) {
 }
 
 std::string coordinates_section(const EquationResult& equation, Pictures& pictures) {
-  const std::string picture = pictures.draw(structure_plot(equation));
+  const std::string picture =
+      pictures.draw(structure_plot(equation), "Residual over each coordinate, before and after");
   if (picture.empty()) return "";
   return "<h3>Residual along each coordinate</h3>\n<p class=\"soft\"><span class=\"key\" "
          "style=\"background:#d55e00\"></span>as stated <span class=\"key\" "
@@ -186,7 +187,10 @@ std::string equation_section(const EquationResult& equation, bool select, Pictur
                   equation.band_Hz, rms_text(equation.before.holdout_rms, equation.unit),
                   rms_text(equation.before.train_rms, equation.unit),
                   rms_text(equation.noise_floor_rms, equation.unit)));
-  if (select) text += pictures.draw(waterfall_plot(equation)) + effects_table(equation);
+  if (select)
+    text += pictures.draw(waterfall_plot(equation),
+                          "Error on runs that were not fitted, after each effect") +
+            effects_table(equation);
   text += corrections(equation) + runs_section(equation, pictures) +
           coordinates_section(equation, pictures);
   if (select) text += remainder(equation);
@@ -202,7 +206,8 @@ std::string equation_section(const EquationResult& equation, bool select, Pictur
 std::string region_section(const RegionSection& region, Pictures& pictures) {
   return fmt::format(
       "<section>\n<h2>Operating region, refined over stated{}</h2>\n{}<pre>{}</pre>\n</section>\n",
-      region.joint.empty() ? "" : escaped(": " + region.joint), pictures.draw(region.plot),
+      region.joint.empty() ? "" : escaped(": " + region.joint),
+      pictures.draw(region.plot, "Torque over speed, as stated and refined"),
       escaped_lines(region.comparison));
 }
 
@@ -231,8 +236,10 @@ std::string head(const Identification& found, const IdentificationContext& conte
       "{}: is the model true?", context.rig_name.empty() ? context.rig_file : context.rig_name);
   const auto verdict = identification::name_of(found.verdict);
   std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>{0}</title>\n"
-      "<style>{1}</style>\n</head>\n<body>\n<main>\n<section>\n<h1>{0} <span class=\"badge "
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<section>\n<h1>{0} <span "
+      "class=\"badge "
       "{2}\">{2}</span></h1>\n",
       escaped(title), kPageStyle, verdict);
   text += paragraph(verdict_sentence(found, context.select));

@@ -18,7 +18,7 @@ using namespace identification;
 constexpr int kWidth = 900;
 constexpr int kBarHeight = 38;
 constexpr int kPanelHeight = 230;
-constexpr int kStripHeight = 150;
+constexpr int kStripHeight = 165;
 constexpr std::size_t kMostStrips = 16;
 constexpr std::size_t kColumns = 3;
 constexpr std::size_t kMostPanels = 9;
@@ -77,13 +77,14 @@ double percent(const ResidualStructure* structure) {
   return structure == nullptr ? 0.0 : 100.0 * std::max(0.0, structure->share);
 }
 
-std::string panel_script(const Panel& panel, std::size_t index) {
+std::string panel_script(const Panel& panel, std::size_t index, const std::string& unit) {
   const std::string before = fmt::format("before{}", index), after = fmt::format("after{}", index);
   std::string script = data_block(before, panel.before) + data_block(after, panel.after);
-  script += fmt::format(
-      "set title {}\n",
-      gnuplot_quoted(fmt::format("{}: {:.0f} % → {:.0f} %", name_of_coordinate(*panel.before),
-                                 percent(panel.before), percent(panel.after))));
+  script += fmt::format("set title {}\nset xlabel {} offset 0,0.6\nset ylabel {} offset 1,0\n",
+                        gnuplot_quoted(fmt::format("{:.0f} % → {:.0f} % explained by it",
+                                                   percent(panel.before), percent(panel.after))),
+                        gnuplot_quoted(name_of_coordinate(*panel.before)),
+                        gnuplot_quoted("residual, " + unit));
   script += fmt::format(
       "plot ${} using 1:2 with linespoints pointtype 7 pointsize 0.45 linewidth 1.6 linecolor rgb "
       "'{}' notitle",
@@ -147,10 +148,11 @@ std::string strip_script(const RunResult& run, const EquationResult& equation, s
                                  ? fmt::format("{:.3g} → {:.3g}", run.rms_before, run.rms_after)
                                  : fmt::format("{:.3g}", run.rms_before);
   script += fmt::format(
-      "set title {}\nset xlabel '{}' offset 0,0.6\nset ylabel {}\nplot {}\n",
+      "set title {}\nset xlabel \"{}\" offset 0,0.6\nset ylabel {}\nplot {}\n",
       gnuplot_quoted(fmt::format("{}{}: {} {} rms", run.run, run.is_held_out ? ", held out" : "",
                                  errors, equation.unit)),
-      run.is_map ? "sample" : "s", gnuplot_quoted(equation.unit), curves);
+      run.is_map ? "sample" : "time from the run's begin, s", gnuplot_quoted(equation.unit),
+      curves);
   return script;
 }
 
@@ -205,7 +207,7 @@ std::string run_plot(const EquationResult& equation) {
   std::string script =
       gnuplot_terminal(PlotFormat::kSvg, kWidth, static_cast<int>(strips.size()) * kStripHeight) +
       thin_axes();
-  script += "set title font ',10' offset 0,-0.6\nset tics font ',9'\nset format y '%.3g'\n";
+  script += "set title font ',10' offset 0,-0.6\nset tics font ',9'\nset format y '%.3g'\nset ytics font ',8'\n";
   script += fmt::format("set lmargin 9\nset multiplot layout {},1\n", strips.size());
   for (std::size_t i = 0; i < strips.size(); ++i) {
     script += strip_script(*strips[i], equation, i, is_refined);
@@ -223,7 +225,8 @@ std::string structure_plot(const EquationResult& equation) {
   script += "set xzeroaxis linetype 1 linecolor rgb '#888888'\nset title font ',10'\n";
   script += "set format x '%.3g'\nset format y '%.2g'\nset tics font ',9'\nset xtics autofreq\n";
   script += fmt::format("set multiplot layout {},{}\n", rows, kColumns);
-  for (std::size_t i = 0; i < panels.size(); ++i) script += panel_script(panels[i], i);
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    script += panel_script(panels[i], i, equation.unit);
   return script + "unset multiplot\n";
 }
 

@@ -43,7 +43,9 @@ std::string runs_section(const EquationResult& equation, Pictures& pictures) {
       "style=\"background:#d55e00\"></span>as stated <span class=\"key\" "
       "style=\"background:#0072b2\"></span>refined; up to {:g} Hz, where a point was used; of more "
       "than 600 points the least and the greatest of each three-hundredth{}</p>\n{}{}",
-      equation.band_Hz, which, pictures.draw(run_plot(equation)), runs_table(equation));
+      equation.band_Hz, which,
+      pictures.draw(run_plot(equation), "Measured and predicted by time, run by run"),
+      runs_table(equation));
 }
 
 }  // namespace torquewright::report

@@ -55,6 +55,7 @@ INSTANTIATE_TEST_SUITE_P(ReadMe, Pages, testing::Values("README.md"));
 INSTANTIATE_TEST_SUITE_P(Gearbox, Pages, testing::Values("docs/gearbox.md"));
 INSTANTIATE_TEST_SUITE_P(Actuator, Pages, testing::Values("docs/actuator.md"));
 INSTANTIATE_TEST_SUITE_P(Model, Pages, testing::Values("docs/model.md"));
+INSTANTIATE_TEST_SUITE_P(Training, Pages, testing::Values("docs/training.md"));
 INSTANTIATE_TEST_SUITE_P(Motion, Pages, testing::Values("docs/motion.md"));
 
 TEST(ShownCommands, AreReadFromIndentedBlocks) {

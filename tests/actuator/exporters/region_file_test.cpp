@@ -370,8 +370,8 @@ int main(void) {
 /// Compiled by that command, run on the samples.
 std::vector<std::array<double, 4>> run_header(const std::string& compiler, const Samples& samples) {
   const test::ScratchFolder folder;
-  folder.write("first.h", text_of(Example(lossy_knee()), exporters::c_header, LawFit::kBest));
-  folder.write("second.h", text_of(Example(knee()), exporters::c_header, LawFit::kBest));
+  folder.write("first.h", text_of(Example(lossy_knee()), exporters::c, LawFit::kBest));
+  folder.write("second.h", text_of(Example(knee()), exporters::c, LawFit::kBest));
   folder.write("main.c", kCProgram);
   std::ostringstream lines;
   lines.precision(17);

@@ -132,7 +132,7 @@ static inline double {0}_clip_under(double torque_Nm, double velocity_rad_s, dou
 
 }  // namespace
 
-const Exporter c_header = {
+const Exporter c = {
     .name = "c",
     .simulator = "C99 or C++, a header without dependencies",
     .source = "ISO/IEC 9899:1999; docs/simulator_formats.md",
