@@ -60,7 +60,8 @@ std::string write(const Subject& subject, std::span<const double> shape,
 const Exporter unitree_xy = {
     .name = "unitree-xy",
     .simulator = "Unitree RL Lab, UnitreeActuatorCfg",
-    .source = "https://github.com/Milad-Rakhsha/unitree_rl_lab unitree_actuators.py @ b4430e63, a fork",
+    .source =
+        "https://github.com/Milad-Rakhsha/unitree_rl_lab unitree_actuators.py @ b4430e63, a fork",
     .advice =
         "Braking falls with driving from X1 on and ends at X2, where a motor brakes fully. mjlab's "
         "names: X1 velocity_at_full_effort, X2 velocity_at_zero_effort, Y1 drive_effort_limit, Y2 "

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "io/provenance.hpp"
 
@@ -15,12 +14,9 @@ std::vector<std::string> origin_of(std::string_view command,
   std::vector<std::string> lines{
       fmt::format("Written by torquewright {}, {}, from:", io::tool_version(), command)};
   for (const io::Document& document : documents) {
-    for (const auto& input : io::input_provenance({&document, 1})) {
-      const std::string line = fmt::format("{} sha256 {}", input.at("path").get<std::string>(),
-                                           input.at("sha256").get<std::string>());
-      // Drives of one kind name one file.
-      if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
-    }
+    const std::string line = fmt::format("{} sha256 {}", document.file, document.sha256);
+    // Drives of one kind name one file.
+    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
   }
   return lines;
 }

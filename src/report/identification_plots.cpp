@@ -207,7 +207,9 @@ std::string run_plot(const EquationResult& equation) {
   std::string script =
       gnuplot_terminal(PlotFormat::kSvg, kWidth, static_cast<int>(strips.size()) * kStripHeight) +
       thin_axes();
-  script += "set title font ',10' offset 0,-0.6\nset tics font ',9'\nset format y '%.3g'\nset ytics font ',8'\n";
+  script +=
+      "set title font ',10' offset 0,-0.6\nset tics font ',9'\nset format y '%.3g'\nset ytics font "
+      "',8'\n";
   script += fmt::format("set lmargin 9\nset multiplot layout {},1\n", strips.size());
   for (std::size_t i = 0; i < strips.size(); ++i) {
     script += strip_script(*strips[i], equation, i, is_refined);
