@@ -21,6 +21,7 @@ using Ipopt::Number;
 constexpr double kNoBound = 2e19;  // Ipopt takes 1e19 and beyond for infinite
 // How far first points are moved off their bounds, over the unknowns' scales; Ipopt's default.
 constexpr double kMostPush = 1e-2;
+constexpr int kMinimumDegree = 0;  // MUMPS users' guide, ICNTL(7)
 constexpr double kAcceptableFactor = 100.0;
 constexpr int kAcceptableIterations = 10;
 
@@ -196,6 +197,9 @@ void set_options(Ipopt::OptionsList& list, const NonlinearOptions& options) {
   set_count("print_level", 0);
   set_name("sb", "yes");
   set_name("linear_solver", "mumps");
+  // By approximate minimum degree: left to itself MUMPS asks Scotch, whose order is another one in
+  // each run, and with it the last digits of every answer.
+  set_count("mumps_pivot_order", kMinimumDegree);
   set_name("mu_strategy", "monotone");
   set_number("mu_init", options.first_barrier);
   set_number("bound_push", std::min(kMostPush, options.first_barrier));

@@ -12,7 +12,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr double kSmall = 1e-3;
+constexpr double kSmall = 5e-3;
 const std::string kIndent = "    ";
 const std::string kAny = "...";
 

@@ -18,7 +18,7 @@ std::vector<ShownCommand> commands_of(const std::string& page);
 
 /// The first shown line that is not in the output where it should be; empty where all are. Blank
 /// lines do not count, runs of blanks count as one, a line that ends with "..." may go on, and
-/// numbers may differ by `share`, or by 1e-3 where they are small: the page is of another machine.
+/// numbers may differ by `share`, or by 5e-3 where they are small: the page is of another machine.
 std::string first_unprinted(const std::vector<std::string>& shown, const std::string& output,
                             double share);
 

@@ -144,6 +144,15 @@ TEST(PlannedFlip, StandsWhenItIsReplayed) {
   EXPECT_LT(std::abs(run.outcome.touch_down->rotation_short_rad), test::kDegree_rad);
 }
 
+// Oracle: the first of two like searches, to the last digit.
+TEST(PlannedFlip, IsTheSameEachTime) {
+  const Motion& once = planned_flip().motion;
+  const Motion again = plan_motion(hopper_robot_of_plans(), PlanOptions()).motion;
+  EXPECT_EQ(once.times_s, again.times_s);
+  EXPECT_EQ(once.positions, again.positions);
+  EXPECT_EQ(once.accelerations, again.accelerations);
+}
+
 // At 8:1 most passes the knee's gears before the heel's impact, not after it.
 TEST(PlannedFlip, KeepsItsGearsAtALowRatioToo) {
   const Robot& hopper = hopper_robot_of_plans();
