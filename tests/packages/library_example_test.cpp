@@ -54,8 +54,8 @@ class LibraryExample : public testing::Test {
   /// As a user would, out of the tree.
   static fs::path built_by_cmake(const std::string& folder, const std::string& options = "") {
     const std::string cmake = sh_word(TORQUEWRIGHT_CMAKE);
-    text_by(cmake + " -S " + sh_word(example()) + " -B " + sh_word(place(folder)) +
-            " -DCMAKE_PREFIX_PATH=" + sh_word(prefix()) +
+    text_by(cmake + " -S " + sh_word(example()) + " -B " + sh_word(place(folder)) + " -G " +
+            sh_word(TORQUEWRIGHT_GENERATOR) + " -DCMAKE_PREFIX_PATH=" + sh_word(prefix()) +
             " -DCMAKE_CXX_COMPILER=" + sh_word(TORQUEWRIGHT_COMPILER) + " " + options);
     text_by(cmake + " --build " + sh_word(place(folder)));
     return place(folder) / "can_it_push";
@@ -155,9 +155,10 @@ TEST_F(LibraryExample, IsRefusedAnotherVersion) {
   std::ofstream(place("CMakeLists.txt"))
       << "cmake_minimum_required(VERSION 3.22)\nproject(later LANGUAGES CXX)\n"
          "find_package(Torquewright 99 REQUIRED)\n";
-  const Said said = said_by(
-      sh_word(TORQUEWRIGHT_CMAKE) + " -S . -B later -DCMAKE_PREFIX_PATH=" + sh_word(prefix()),
-      place(""));
+  const Said said =
+      said_by(sh_word(TORQUEWRIGHT_CMAKE) + " -S . -B later -G " + sh_word(TORQUEWRIGHT_GENERATOR) +
+                  " -DCMAKE_PREFIX_PATH=" + sh_word(prefix()),
+              place(""));
   EXPECT_NE(said.exit_code, 0);
   EXPECT_NE(said.text.find("version: " TORQUEWRIGHT_VERSION), std::string::npos) << said.text;
 }
