@@ -157,14 +157,18 @@ class Bench {
     const std::size_t all = victim.finished.size();
     const std::size_t left = strangers(victim, before);
     const bool is_kill = signal == SIGKILL;
-    const bool is_cut_short = signal == SIGINT && outcome.exit_code == 3 && whole == all;
+    // Ctrl-C ends a search, a count or a proof, and the files say so; what a time limit ends is
+    // never twice the same.
+    const bool is_cut_short = signal == SIGINT && outcome.exit_code >= 0 && whole == all;
+    const bool is_timed = std::find(victim.command.begin(), victim.command.end(), "--time-limit") !=
+                          victim.command.end();
     if (untouched == all && left == 0) {
       ++counts.as_before;
-    } else if (finished == all && left == 0) {
+    } else if ((finished == all || (is_timed && whole == all)) && left == 0) {
       ++counts.done;
     } else if (is_cut_short && left == 0) {
       ++counts.cut_short;
-    } else if (is_kill && untouched + finished == all && left <= 1) {
+    } else if (is_kill && untouched + (is_timed ? whole : finished) == all && left <= 1) {
       counts.torn_by_kill += untouched < all && finished < all ? 1 : 0;
       counts.left_by_kill += left > 0 ? 1 : 0;
     } else {
