@@ -217,6 +217,13 @@ Option Option::names_a_file() {
   return *this;
 }
 
+Option Option::not_standard_output() {
+  option_->check(must_be("a file but standard output, which cannot hold this",
+                         [](const std::string& file) { return file != "-"; }));
+  declared_->is_never_printed = true;
+  return *this;
+}
+
 Option Option::excludes(const std::string& other) {
   option_->excludes(other);
   declared_->excludes.push_back(other);

@@ -44,6 +44,8 @@ class Option {
   /// A file to be written. An unset variable of a script leaves "": nothing would be written, and
   /// nobody would know.
   Option names_a_file();
+  /// Such a file for which "-", standard output, is refused by name.
+  Option not_standard_output();
 
   /// Other options by their names, declared before: not with this one, or only with it.
   Option excludes(const std::string& other);

@@ -54,6 +54,9 @@ std::string meaning(const DeclaredOption& option) {
   if (option.is_repeated) text += "; may be named several times";
   if (!option.needs.empty()) text += "; only with " + io::listed(option.needs);
   if (!option.excludes.empty()) text += "; not with " + io::either(option.excludes);
+  if (option.writes_file && !option.is_never_printed && longest_name(option) == "--output") {
+    text += "; - is standard output";
+  }
   if (option.is_required) text += "; required";
   if (!option.otherwise.empty()) text += " (default: " + option.otherwise + ")";
   return text;

@@ -163,10 +163,10 @@ Evaluation compute(const EvaluateOptions& options, const EvaluateInputs& inputs)
 
 void write(const EvaluateOptions& options, const EvaluateInputs& inputs, const Evaluation& found) {
   const std::string json = evaluation_json(inputs.read, found.report, found.standing);
-  write_outputs(options.outputs, json, found.drawing);
-  print_result(options.json
-                   ? json
-                   : report::evaluation_text(inputs.read.problem, found.report, found.standing));
+  write_outputs(options.outputs, json, found.drawing,
+                options.json
+                    ? json
+                    : report::evaluation_text(inputs.read.problem, found.report, found.standing));
 }
 
 ExitCode run_evaluate(const EvaluateOptions& options) {

@@ -105,10 +105,10 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
 }
 
 void write(const OptimizeRequest& request, const OptimizeAnswer& answer) {
-  write_outputs(request.outputs, answer.json, answer.drawing);
-  print_result(!request.json  ? answer.text
-               : answer.check ? with_verdict(answer.json, *answer.check)
-                              : answer.json);
+  write_outputs(request.outputs, answer.json, answer.drawing,
+                !request.json  ? answer.text
+                : answer.check ? with_verdict(answer.json, *answer.check)
+                               : answer.json);
 }
 
 ExitCode exit_code_of(const OptimizeAnswer& answer) {

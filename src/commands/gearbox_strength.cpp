@@ -13,6 +13,7 @@
 #include "io/refusal.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/result_json.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/strength_json.hpp"
 #include "src/standard_output.hpp"
 
@@ -21,6 +22,7 @@ namespace {
 
 struct StrengthOptions {
   std::string file;
+  std::string output_file;
   std::vector<double> torques_Nm;
   std::string side = "motor";
   std::vector<double> face_widths_mm;
@@ -103,6 +105,7 @@ gearbox::ReadStrength read(const StrengthOptions& options) {
   check_options(options, read);
   if (options.cycles != 0.0) read.strength.cycles = options.cycles;
   if (options.load_sharing != 0.0) read.strength.factors.load_sharing = options.load_sharing;
+  check_written(named({options.output_file}), {});
   return read;
 }
 
@@ -120,8 +123,9 @@ report::StrengthReport compute(const StrengthOptions& options, gearbox::ReadStre
 }
 
 void write(const StrengthOptions& options, const report::StrengthReport& report) {
-  print_result(options.json ? result_text(report::strength_json(report), report.read.documents)
-                            : report::strength_text(report));
+  deliver_report({result_text(report::strength_json(report), report.read.documents),
+                  report::strength_text(report)},
+                 options.output_file, options.json);
 }
 
 /// For the help: the names and their sources.
@@ -186,6 +190,8 @@ void add_strength_command(command_line::Command& gearbox) {
   command.add_option("--design", options->design, "Which design of a gearbox_result")
       .otherwise("1")
       .integer_between(1, 1'000'000);
+  command.add_option("-o,--output", options->output_file, "Write the report as JSON to this file")
+      .names_a_file();
   command.add_flag("--json", options->json, "Print the report as JSON");
   command.example(
       "torquewright gearbox strength specs/gearbox/d110a_strength.json --torque 21,17 "

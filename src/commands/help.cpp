@@ -39,7 +39,7 @@ ExitCode run_help(const DeclaredCommand& program, const HelpOptions& options) {
 
 ExitCode run_man(const DeclaredCommand& program, const HelpOptions& options) {
   const Reached reached = named_command(program, options.words);
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   deliver_result(
       command_line::man_page(*reached.command, reached.path, std::string(io::tool_version())),
       options.output_file);
@@ -61,7 +61,9 @@ void add_man_command(command_line::Command& program) {
   command_line::Command command =
       program.add_command("man", "The same as a page for man: torquewright man | man -l -");
   command.add_option("command", options->words, "Such as gearbox optimize");
-  command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
+  command.add_option("-o,--output", options->output_file, "Write the page to this file")
+      .otherwise("standard output")
+      .names_a_file();
   command.example("torquewright man gearbox optimize");
   command.works([options, &declared = program.declared()] { return run_man(declared, *options); });
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "identification/forward/candidates.hpp"
@@ -82,7 +83,7 @@ IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inpu
   IdentifyFound found;
   found.identification = identification_of(request, inputs);
   found.refined = refined_actuators(inputs, found.identification);
-  if (!inputs.outputs.empty() || !request.as.empty())
+  if (!inputs.refined.empty() || !request.as.empty())
     require_promise(request, inputs, found.identification, found.refined);
   if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
   return found;
@@ -122,6 +123,13 @@ ExitCode exit_code_of(identification::Verdict verdict) {
   return ExitCode::kUndecided;
 }
 
+std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                    const IdentifyFound& found, const report::IdentificationContext& context) {
+  if (!request.as.empty()) return output_text(request, inputs, found);
+  return request.json ? identify_json(request, inputs, found.identification)
+                      : report::identification_text(found.identification, context);
+}
+
 void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
            const IdentifyFound& found) {
   report::IdentificationContext context{
@@ -132,13 +140,19 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
     files.push_back({request.report_file,
                      report::identification_html(found.identification, context, found.regions)});
   }
-  io::write_whole_files(files);
-  if (!request.as.empty()) return print_result(output_text(request, inputs, found));
-  print_result(request.json ? identify_json(request, inputs, found.identification)
-                            : report::identification_text(found.identification, context));
+  if (!request.outputs.empty()) {
+    files.push_back(
+        {report_document(request), identify_json(request, inputs, found.identification)});
+  }
+  deliver(std::move(files), printed(request, inputs, found, context));
+  if (request.is_old_spelling) {
+    say_old_spelling(request.refined.front(), "the refined actuator",
+                     "--refined " + request.refined.front());
+  }
 }
 
-ExitCode run_identify(const IdentifyRequest& request) {
+ExitCode run_identify(const IdentifyRequest& asked) {
+  const IdentifyRequest request = with_refined(asked);
   const IdentifyInputs inputs = read(request);
   const IdentifyFound found = compute(request, inputs);
   write(request, inputs, found);
@@ -147,12 +161,18 @@ ExitCode run_identify(const IdentifyRequest& request) {
 
 }  // namespace
 
+void add_report_document(command_line::Command& command, IdentifyRequest& request,
+                         const std::string& help) {
+  command.add_option("-o,--output", request.outputs, help).names_a_file().one_value_each();
+}
+
 void add_residual_command(command_line::Command& identify) {
   auto request = std::make_shared<IdentifyRequest>();
   request->select = false;
   command_line::Command command =
       identify.add_command("residual", "How large is the error, and is it more than noise?");
   add_log_options(command, *request);
+  add_report_document(command, *request, "Write the report as JSON to this file");
   command.example(
       "torquewright identify residual specs/log/bench_as_built.csv --rig "
       "specs/log/bench_rig.json --actuator specs/log/bench_refined.json");
@@ -165,10 +185,13 @@ void add_identify_command(command_line::Command& program) {
       program.add_command("identify", "Is the model true, and if not, which effect is missing?");
   add_log_options(command, *request);
   command
-      .add_option("-o,--output", request->outputs,
+      .add_option("--refined", request->refined,
                   "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
       .names_a_file()
       .one_value_each();
+  add_report_document(command, *request,
+                      "Write the report as JSON to this file. Without --refined, a file so named "
+                      "gets the actuator, in this version only");
   command.add_option("--report", request->report_file, "Write the report with pictures, as HTML")
       .names_a_file();
   command.add_flag("--empirical", request->empirical,

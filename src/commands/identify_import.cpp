@@ -75,9 +75,12 @@ void add_identify_import(command_line::Command& identify) {
       .add_option("--units", options->units,
                   "sysid_csv: what positions are in (Rotations, Meters, ...)")
       .otherwise("not needed");
-  command.add_option("-o,--output", options->folder, "log.csv and rig.json are written into it")
+  command
+      .add_option("-o,--output", options->folder,
+                  "Write log.csv and rig.json into this folder, which is made where it is missing")
       .required()
-      .names_a_file();
+      .names_a_file()
+      .not_standard_output();
   command.example("torquewright identify import moteus specs/log/wheel_moteus.csv -o imported");
   command.works([options] { return run_import(*options); });
 }

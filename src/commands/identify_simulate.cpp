@@ -36,7 +36,7 @@ SimulateInputs read(const SimulateOptions& options) {
   inputs.rig = identification::read_rig(io::read_document(options.rig, "rig"));
   inputs.truth = actuator::read_actuator(options.actuator);
   inputs.runs = identification::read_excitation(options.excitation, inputs.rig);
-  io::check_outputs(named({options.log}), {});
+  check_written(named({options.log}), {});
   return inputs;
 }
 
@@ -66,7 +66,9 @@ void add_identify_simulate(command_line::Command& identify) {
       .add_option("--noise", options->noise, "QUANTITY=SIGMA: white noise on a column, repeatable")
       .otherwise("none");
   command.add_option("--seed", options->seed, "Of the noise");
-  command.add_option("-o,--output", options->log, "The log; else stdout").names_a_file();
+  command.add_option("-o,--output", options->log, "Write the log to this file")
+      .otherwise("standard output")
+      .names_a_file();
   command.example(
       "torquewright identify simulate specs/actuator/d151_knee.json "
       "--rig specs/rig/knee_sweep.json --excitation specs/excitation/knee_sweep.csv "

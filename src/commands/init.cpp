@@ -76,13 +76,16 @@ std::string next_line(const StartedKind& kind, const std::string& file) {
 ExitCode run_init(const InitOptions& options) {
   const StartedKind& kind = started(options.kind);
   refuse_existing(options.output_file);
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   const std::string document = io::document_to_start_from(options.kind);
-  if (!options.output_file.empty()) {
+  const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
+  if (is_file) {
     deliver_result(document, options.output_file);
     print_result(report::key_table_text(options.kind) + next_line(kind, options.output_file));
   } else {
-    print_result(options.explains ? report::key_table_text(options.kind) : document);
+    print_result(options.explains && options.output_file.empty()
+                     ? report::key_table_text(options.kind)
+                     : document);
   }
   return ExitCode::kPasses;
 }
@@ -100,6 +103,7 @@ void add_init_command(command_line::Command& program) {
       .add_option("-o,--output", options->output_file,
                   "Write the document to this file, which must not exist, and print what its keys "
                   "mean")
+      .otherwise("standard output")
       .names_a_file();
   command.add_flag("--explain", options->explains, "Print what its keys mean, and no document");
   command.example("torquewright init actuator");

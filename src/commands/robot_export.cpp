@@ -55,7 +55,7 @@ hopper::ReadRobot read(const ExportOptions& options) {
   if (actuators_only(options) && robot.robot.drivetrains.empty()) {
     throw io::SpecError({{options.robot_file, "/mechanisms", "missing: there are no drives"}});
   }
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   return robot;
 }
 
@@ -78,7 +78,7 @@ std::vector<std::string> export_formats() {
 
 void write(const ExportOptions& options, const hopper::Exported& exported) {
   deliver_result(exported.text, options.output_file);
-  if (options.output_file.empty()) return;
+  if (options.output_file.empty() || is_standard_output(options.output_file)) return;
   std::string said;
   for (const std::string& note : exported.notes) said += "note: " + note + "\n";
   print_result(said);
@@ -110,7 +110,9 @@ void add_export_command(command_line::Command& robot) {
                    "MJCF: shapes at contact points and collision spheres");
   command.add_flag("--closed-loops", options->parts.closed_loops,
                    "MJCF: cranks and rods of linkages as bodies, their loops closed by <connect>");
-  command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
+  command.add_option("-o,--output", options->output_file, "Write the file to this file")
+      .otherwise("standard output")
+      .names_a_file();
   command.example("torquewright robot export specs/robot/hopper.json --format mjcf");
   command.example(
       "torquewright robot export specs/robot/cassie.json --format isaac-lab --actuators");

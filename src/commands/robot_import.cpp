@@ -37,14 +37,14 @@ hopper::Imported read(const ImportOptions& options) {
                            : options.format == "urdf";
   hopper::Imported imported = is_urdf ? hopper::read_urdf(options.file, options.reading)
                                       : hopper::read_mjcf(options.file, options.reading);
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   return imported;
 }
 
 /// Where the document will be; on standard output, where it is asked for.
 std::filesystem::path place_of(const ImportOptions& options) {
-  return std::filesystem::absolute(options.output_file.empty() ? "robot.json"
-                                                               : options.output_file);
+  const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
+  return std::filesystem::absolute(is_file ? options.output_file : "robot.json");
 }
 
 /// Documents of the drives of linkages, as the result names them.
@@ -91,7 +91,7 @@ std::string compute(const ImportOptions& options, const hopper::Imported& import
 void write(const ImportOptions& options, const hopper::Imported& imported,
            const std::string& document) {
   deliver_result(document, options.output_file);
-  if (options.output_file.empty()) return;
+  if (options.output_file.empty() || is_standard_output(options.output_file)) return;
   const std::size_t bodies = imported.robot.tree.bodies.size();
   std::string said =
       fmt::format("{}: {} bodies, {} joints\n", options.output_file, bodies, bodies - 1);
@@ -141,6 +141,7 @@ void add_import_command(command_line::Command& robot) {
   command.add_flag("--massless-links", options->reading.drops_link_mass,
                    "Leave out what cranks and rods of linkages weigh");
   command.add_option("-o,--output", options->output_file, "Write the document to this file")
+      .otherwise("standard output")
       .names_a_file();
   command.example("torquewright robot import specs/robot/rabbit.urdf -o rabbit.json");
   command.works([options] { return run_import(*options); });

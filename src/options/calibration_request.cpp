@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/calibration_request.hpp"
 
+#include <utility>
+
 namespace torquewright::cli {
 
 void add_calibration_options(command_line::Command& command, CalibrationRequest& request) {
@@ -28,12 +30,25 @@ void add_calibration_options(command_line::Command& command, CalibrationRequest&
                   "7.4")
       .between(1e-6, 0.5);
   command
-      .add_option("-o,--output", request.output_file,
+      .add_option("--refined", request.refined_file,
                   "Write the robot with the fitted values to this file")
+      .names_a_file();
+  command
+      .add_option("-o,--output", request.output_file,
+                  "Write the report as JSON to this file. Without --refined, a file so named gets "
+                  "the robot, in this version only")
       .names_a_file();
   command.add_option("--plot", request.plot_file, "Draw the valley to this SVG or PNG")
       .names_a_file();
   command.add_flag("--json", request.json, "Print the report as JSON");
+}
+
+CalibrationRequest with_refined(CalibrationRequest request) {
+  if (request.refined_file.empty() && !request.output_file.empty() && request.output_file != "-") {
+    std::swap(request.refined_file, request.output_file);
+    request.is_old_spelling = true;
+  }
+  return request;
 }
 
 }  // namespace torquewright::cli

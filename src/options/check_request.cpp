@@ -47,7 +47,8 @@ void add_check_options(command_line::Command& command, CheckOptions& options) {
   command.add_option("--pause", options.pause_s, "After each run, in s").between(0.0, 1e9);
   command.add_option("--plot", options.plot_file, "Draw regions and motion to this SVG or PNG")
       .names_a_file();
-  command.add_option("-o,--output", options.output_file, "Write to this file").names_a_file();
+  command.add_option("-o,--output", options.output_file, "Write the report as JSON to this file")
+      .names_a_file();
   command.add_flag("--json", options.json, "The report as JSON");
 }
 

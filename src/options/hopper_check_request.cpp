@@ -64,7 +64,8 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
       .add_option("--series", request.series_file,
                   "Write everything that was computed, by time, to this CSV")
       .names_a_file();
-  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
+  command.add_option("-o,--output", request.output_file, "Write the report as JSON to this file")
+      .names_a_file();
   command.add_flag("--json", request.json, "The report as JSON");
 }
 

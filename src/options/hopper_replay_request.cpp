@@ -104,7 +104,8 @@ void add_output_options(command_line::Command& command, HopperReplayRequest& req
       .add_option("--series", request.series_file,
                   "Write the run by time, a motion that `hopper check` reads, to this CSV")
       .names_a_file();
-  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
+  command.add_option("-o,--output", request.output_file, "Write the report as JSON to this file")
+      .names_a_file();
   command.add_flag("--json", request.json, "The report as JSON");
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/identify_request.hpp"
 
+#include <utility>
+
+#include "io/refusal.hpp"
+
 namespace torquewright::cli {
 
 void add_log_options(command_line::Command& command, IdentifyRequest& request) {
@@ -15,6 +19,23 @@ void add_log_options(command_line::Command& command, IdentifyRequest& request) {
       .needed_by_its_work()
       .one_value_each();
   command.add_flag("--json", request.json, "The report as JSON");
+}
+
+IdentifyRequest with_refined(IdentifyRequest request) {
+  const bool is_printed = request.outputs == std::vector<std::string>{"-"};
+  if (request.select && request.refined.empty() && !request.outputs.empty() && !is_printed) {
+    std::swap(request.refined, request.outputs);
+    request.is_old_spelling = true;
+  }
+  if (request.outputs.size() > 1) io::refuse("--output", "there is one report, for one file");
+  if (is_printed && !request.as.empty()) {
+    io::refuse("--as", "standard output takes the report of -o -");
+  }
+  return request;
+}
+
+std::string report_document(const IdentifyRequest& request) {
+  return request.outputs.empty() ? std::string() : request.outputs.front();
 }
 
 void require_log_options(const IdentifyRequest& request) {

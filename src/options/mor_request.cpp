@@ -114,20 +114,35 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
                   "Part of the peak torque within which lines between the rows stay; a number from "
                   "1e-8 to 0.1")
       .excludes("--at-speed");
-  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
+  command.add_option("--export", request.export_file, "Write the simulator's file of --format here")
+      .otherwise("standard output")
+      .names_a_file()
+      .needs("--format");
+  command
+      .add_option("-o,--output", request.output_file,
+                  "Write the answer to this file: JSON where its name ends with .json, else the "
+                  "table as CSV")
+      .otherwise("standard output")
+      .names_a_file();
   add_mor_plot_options(command, request.plot);
   add_questions(command, request);
   command.add_flag("--json", request.json, "The same as JSON");
 }
 
 bool is_json(const MorRequest& request) {
-  return request.json || request.format == "json" || names_json(request.output_file);
+  const bool is_beside_export = !request.export_file.empty() && !request.output_file.empty();
+  return request.json || request.format == "json" || names_json(request.output_file) ||
+         is_beside_export;
 }
 
 void require_formats(const MorRequest& request) {
   const actuator::Exporter* exporter = actuator::find_exporter(request.format);
   if (!request.fit.empty() && !exporter) {
     io::refuse("--fit", fmt::format("--format {} fits no law", request.format));
+  }
+  if (!request.export_file.empty() && !exporter) {
+    io::refuse("--export",
+               fmt::format("--format {} is no simulator's; the table goes to -o", request.format));
   }
   if (exporter && !request.speeds_rad_s.empty()) {
     io::refuse("--at-speed", "rows are for csv and json");

@@ -18,7 +18,8 @@ void add_point_options(command_line::Command& command, PointOptions& options,
           .add_option("--sweep-journal", options.journal_file,
                       "Keep each answer in this file as it comes, and take those that it holds")
           .otherwise("beside the output, as OUTPUT.journal")
-          .names_a_file();
+          .names_a_file()
+          .not_standard_output();
   if (needed.empty()) return;
   jobs.needs(needed);
   journal.needs(needed);
@@ -46,7 +47,9 @@ void add_sweep_options(command_line::Command& command, SweepOptions& options) {
 }
 
 std::string journal_of(const PointOptions& options, const std::string& output_file) {
-  if (!options.journal_file.empty() || output_file.empty()) return options.journal_file;
+  if (!options.journal_file.empty() || output_file.empty() || output_file == "-") {
+    return options.journal_file;
+  }
   std::error_code unknown;
   const bool is_file = !std::filesystem::is_other(output_file, unknown);
   return is_file && !io::named_descriptor(output_file) ? output_file + ".journal" : std::string();

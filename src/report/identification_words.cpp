@@ -160,7 +160,7 @@ std::vector<std::string> next_steps(const Identification& found,
       [](const EquationResult& each) { return !each.added.empty() || !each.corrected.empty(); });
   if (!has_added || !identification::has_anything_certain(found)) return steps;
   if (context.refined_files.empty()) {
-    steps.push_back("-o REFINED writes the refined actuator; then " +
+    steps.push_back("--refined REFINED writes the refined actuator; then " +
                     compare_command(context, 0, "REFINED"));
   }
   for (std::size_t i = 0; i < context.refined_files.size(); ++i) {
