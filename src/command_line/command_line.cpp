@@ -204,6 +204,11 @@ Option Option::one_of(const std::vector<std::string>& words) {
   return *this;
 }
 
+Option Option::offers(const std::vector<std::string>& words) {
+  declared_->choices = words;
+  return *this;
+}
+
 Option Option::existing_file() {
   option_->check(CLI::ExistingFile);
   declared_->value = "FILE";

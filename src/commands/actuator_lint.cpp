@@ -55,14 +55,14 @@ ExitCode run_lint(const LintOptions& options) {
 void add_lint_command(command_line::Command& actuator) {
   auto options = std::make_shared<LintOptions>();
   command_line::Command command =
-      actuator.add_command("lint", "Contradictions between stated numbers");
+      actuator.add_command("lint", "Find contradictions between stated numbers");
   command
       .add_option("actuator", options->actuator_files,
                   "Documents of kind actuator; several are compared with one another too")
       .required();
   command.add_option("-o,--output", options->output_file, "Write the report as JSON to this file")
       .names_a_file();
-  command.add_flag("--json", options->json, "The same as JSON");
+  command.add_flag("--json", options->json, "Print the same as JSON");
   command.example("torquewright actuator lint specs/actuator/d151_knee.json");
   command.works([options] { return run_lint(*options); });
 }

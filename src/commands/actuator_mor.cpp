@@ -189,7 +189,8 @@ ExitCode run_mor(const MorRequest& request) {
 
 void add_mor_command(command_line::Command& actuator) {
   auto request = std::make_shared<MorRequest>();
-  command_line::Command command = actuator.add_command("mor", "The motor operating region");
+  command_line::Command command = actuator.add_command(
+      "mor", "Compute the motor operating region: which torques are there at each speed");
   add_mor_options(command, *request);
   command.example("torquewright actuator mor specs/actuator/d151_knee.json --at-speed 0,5,10");
   command.works([request] { return run_mor(*request); });

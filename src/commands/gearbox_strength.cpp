@@ -150,44 +150,51 @@ void add_strength_command(command_line::Command& gearbox) {
   command_line::Command command = gearbox.add_command("strength", "What torques do to the teeth");
   command.add_option("strength", options->file, "Document of kind gear_strength or gearbox_result")
       .required();
-  command.add_option("--torque", options->torques_Nm, "In Nm; several: 21,17")
+  command.add_option("--torque", options->torques_Nm, "Torques that are tried, in Nm: 21,17")
       .required()
       .separated_by_commas();
-  command.add_option("--side", options->side, "Of the torques: motor (at the sun) or joint")
+  command
+      .add_option("--side", options->side, "Where these torques act: motor (at the sun) or joint")
       .one_of({"motor", "joint"});
-  command.add_option("--face-widths", options->face_widths_mm, "Also with these, in mm: 6,8,10")
+  command
+      .add_option("--face-widths", options->face_widths_mm,
+                  "Try these face widths too, in mm: 6,8,10")
       .otherwise("only the document's")
       .separated_by_commas();
   command
       .add_option("--modules", options->modules_mm,
-                  "Also with these, in mm; a single stage gets the most teeth that fit")
+                  "Try these modules too, in mm; a single stage gets the most teeth that fit")
       .otherwise("only the document's")
       .separated_by_commas();
-  command.add_option("--cycles", options->cycles, "Loads that the most loaded tooth takes")
+  command
+      .add_option("--cycles", options->cycles,
+                  "How often the most loaded tooth is loaded; a number from 1 to 1e12")
       .otherwise("the document's");
   command
-      .add_option("--steel", options->steel,
-                  "Of the gears of a gearbox_result, NAME or GEAR=NAME: " + steel_names())
+      .add_option(
+          "--steel", options->steel,
+          "Steel of the gears of a gearbox_result, NAME or GEAR=NAME; names are " + steel_names())
       .otherwise("the document's")
       .separated_by_commas()
       .one_value_each();
   command
       .add_option("--rim", options->rim,
-                  "Behind the roots of a gearbox_result's gears, in mm: sun=1.2,ring=2")
+                  "How thick the rim behind the roots of a gearbox_result's gears is, in mm: "
+                  "sun=1.2,ring=2")
       .otherwise("too thick to matter")
       .separated_by_commas()
       .one_value_each();
   command
       .add_option("--load-sharing", options->load_sharing,
-                  "K_gamma, the most loaded planet over the mean")
+                  "How much the most loaded planet takes, over the mean of all (K_gamma)")
       .otherwise("the document's")
       .between(1.0, 10.0);
   command
       .add_option("--face-width", options->face_width_mm,
-                  "Of the gears of a gearbox_result, in mm, by layer: 10,8")
+                  "Face width of the gears of a gearbox_result, in mm, by layer: 10,8")
       .otherwise("that of its problem")
       .separated_by_commas();
-  command.add_option("--design", options->design, "Which design of a gearbox_result")
+  command.add_option("--design", options->design, "Which design of a gearbox_result is taken")
       .otherwise("1")
       .integer_between(1, 1'000'000);
   command.add_option("-o,--output", options->output_file, "Write the report as JSON to this file")

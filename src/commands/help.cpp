@@ -50,8 +50,8 @@ ExitCode run_man(const DeclaredCommand& program, const HelpOptions& options) {
 
 void add_help_command(command_line::Command& program) {
   auto options = std::make_shared<HelpOptions>();
-  command_line::Command command = program.add_command("help", "What a command does");
-  command.add_option("command", options->words, "Such as gearbox optimize");
+  command_line::Command command = program.add_command("help", "Say what a command does");
+  command.add_option("command", options->words, "Words of the command, such as gearbox optimize");
   command.example("torquewright help gearbox optimize");
   command.works([options, &declared = program.declared()] { return run_help(declared, *options); });
 }
@@ -59,10 +59,10 @@ void add_help_command(command_line::Command& program) {
 void add_man_command(command_line::Command& program) {
   auto options = std::make_shared<HelpOptions>();
   command_line::Command command =
-      program.add_command("man", "The same as a page for man: torquewright man | man -l -");
-  command.add_option("command", options->words, "Such as gearbox optimize");
+      program.add_command("man", "Print the same as a page for man: torquewright man | man -l -");
+  command.add_option("command", options->words, "Words of the command, such as gearbox optimize");
   command.add_option("-o,--output", options->output_file, "Write the page to this file")
-      .otherwise("standard output")
+      .otherwise("-, standard output")
       .names_a_file();
   command.example("torquewright man gearbox optimize");
   command.works([options, &declared = program.declared()] { return run_man(declared, *options); });

@@ -52,7 +52,9 @@ ExitCode run_calibrate(const CalibrationRequest& asked) {
 void add_calibrate_command(command_line::Command& hopper) {
   auto request = std::make_shared<CalibrationRequest>();
   command_line::Command command =
-      hopper.add_command("calibrate", "Unpublished values from published CAM and CAV");
+      hopper.add_command("calibrate",
+                         "Fit unpublished values to published CAM (centroidal angular momentum) "
+                         "and CAV (the mean angular velocity that goes with it)");
   add_calibration_options(command, *request);
   command.example(
       "torquewright hopper calibrate specs/robot/hopper.json --target cam=6.0 --target "

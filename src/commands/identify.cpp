@@ -132,8 +132,11 @@ std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs
 
 void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
            const IdentifyFound& found) {
-  report::IdentificationContext context{
-      request.logs, request.rig_file, inputs.rig.name, request.actuators, {}, request.select};
+  report::IdentificationContext context{request.logs, request.rig_file, inputs.rig.name, {},
+                                        {},           request.select};
+  for (const auto& actuator : inputs.actuators) {
+    context.actuator_files.push_back(actuator.nominal.documents.front().file);
+  }
   std::vector<io::FileContent> files = refined_files(inputs, found.refined);
   for (const io::FileContent& file : files) context.refined_files.push_back(file.file.string());
   if (!request.report_file.empty()) {
@@ -194,11 +197,10 @@ void add_identify_command(command_line::Command& program) {
                       "gets the actuator, in this version only");
   command.add_option("--report", request->report_file, "Write the report with pictures, as HTML")
       .names_a_file();
-  command.add_flag("--empirical", request->empirical,
-                   "Where no effect fits, a table over the coordinate along which most is left");
-  command
-      .add_option("--only", request->only,
-                  "Effects that may be named, separated by commas (docs/effects.md)")
+  command.add_flag(
+      "--empirical", request->empirical,
+      "Where no effect fits, report a table over the coordinate along which most is left");
+  command.add_option("--only", request->only, "Effects that may be named (docs/effects.md)")
       .otherwise("any")
       .separated_by_commas()
       .one_value_each();
@@ -207,14 +209,17 @@ void add_identify_command(command_line::Command& program) {
       .separated_by_commas()
       .one_value_each();
   command
-      .add_option("--tolerance", request->tolerance,
-                  "What changes the prediction by less than this share of it is not named")
+      .add_option(
+          "--tolerance", request->tolerance,
+          "An effect that changes the prediction by less than this share of it is not named")
       .between(0.0, 1.0);
   std::string outputs;
   for (const identification::Output* output : identification::output_library()) {
     outputs += fmt::format("{}{}: {}", outputs.empty() ? "" : "; ", output->name, output->what);
   }
-  command.add_option("--as", request->as, "In place of the report, numbers for others. " + outputs)
+  command
+      .add_option("--as", request->as,
+                  "Print numbers for other programs in place of the report. " + outputs)
       .otherwise("the report")
       .excludes("--json");
   command.example(

@@ -66,10 +66,11 @@ std::string formats() {
 
 void add_identify_import(command_line::Command& identify) {
   auto options = std::make_shared<ImportOptions>();
-  command_line::Command command = identify.add_command("import", "Logs of other programs");
+  command_line::Command command = identify.add_command("import", "Read logs of other programs");
   command.add_option("format", options->format, formats()).required();
-  command.add_option("files", options->files, "Its files; each is a run, or holds runs").required();
-  command.add_option("--joint", options->joint, "Where a file holds several: which one")
+  command.add_option("files", options->files, "Files of that format; each is a run, or holds runs")
+      .required();
+  command.add_option("--joint", options->joint, "Which joint is read, where a file holds several")
       .otherwise("the only one");
   command
       .add_option("--units", options->units,

@@ -86,31 +86,37 @@ ExitCode run_plan(const PlanRequest& request) {
 void add_identify_plan(command_line::Command& identify) {
   auto request = std::make_shared<PlanRequest>();
   command_line::Command command =
-      identify.add_command("plan", "What to play, so that effects can be told apart");
+      identify.add_command("plan", "Plan what to play, so that effects can be told apart");
   command.add_option("actuator", request->actuator, "Document of kind actuator, as designed")
       .required();
-  command.add_option("--rig", request->rig, "Document of kind rig: load and columns").required();
+  command
+      .add_option("--rig", request->rig,
+                  "Document of kind rig, which says what the load and the columns are")
+      .required();
   command.add_option("--separate", request->options.separate, "Effects that are to be told apart")
       .otherwise("friction, saturation and inertia")
       .separated_by_commas();
-  command.add_option("--duration", request->options.duration_s, "Of all runs together, in s");
+  command.add_option("--duration", request->options.duration_s,
+                     "How long all runs take together, in s; a number from 8 to 600");
   command
       .add_option("--position-range", request->options.limits.position_rad,
-                  "The output stays within this of where it starts, in rad")
+                  "How far the output may move from where it starts, in rad")
       .otherwise("not limited")
       .positive();
   command
       .add_option("--speed-limit", request->options.limits.speed_rad_s,
-                  "Of the rig's output, in rad/s")
+                  "How fast the rig's output may turn, in rad/s")
       .otherwise("not limited")
       .positive();
   command
-      .add_option("--noise", request->noise, "QUANTITY=SIGMA: white noise of a column, repeatable")
+      .add_option(
+          "--noise", request->noise,
+          "QUANTITY=SIGMA: the white noise of a column has that standard deviation, in its unit")
       .otherwise("typical ones");
-  command.add_option("--seed", request->options.seed, "Of the search");
+  command.add_option("--seed", request->options.seed, "Seed of the search");
   command.add_option("-o,--output", request->excitation, "Write the excitation to this CSV")
       .names_a_file();
-  command.add_flag("--json", request->json, "The plan as JSON");
+  command.add_flag("--json", request->json, "Print the plan as JSON");
   command.example(
       "torquewright identify plan specs/log/bench_actuator.json "
       "--rig specs/log/bench_rig.json --separate coulomb_friction,viscous_friction --duration 16");

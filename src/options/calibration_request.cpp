@@ -9,8 +9,8 @@ void add_calibration_options(command_line::Command& command, CalibrationRequest&
   command.add_option("robot", request.robot_file, "Document of kind robot").required();
   command
       .add_option("--target", request.targets,
-                  "cam=N in N m s; cav=N:N in rad/s at the postures takeoff and tuck, or "
-                  "cav@POSTURE=N")
+                  "Published figures: cam=N in N m s; cav=N:N in rad/s at the postures takeoff and "
+                  "tuck, or cav@POSTURE=N")
       .required()
       .one_value_each();
   command
@@ -26,8 +26,8 @@ void add_calibration_options(command_line::Command& command, CalibrationRequest&
       .one_value_each();
   command
       .add_option("--tolerance", request.tolerance,
-                  "Within which a CAV counts as met, relative; 0.01 covers the rounding of 6.0 and "
-                  "7.4")
+                  "Share by which a CAV may be off to count as met; 0.01 covers the rounding of "
+                  "6.0 and 7.4")
       .between(1e-6, 0.5);
   command
       .add_option("--refined", request.refined_file,

@@ -10,7 +10,9 @@ namespace torquewright::cli {
 void add_log_options(command_line::Command& command, IdentifyRequest& request) {
   command.add_option("logs", request.logs, "CSV files of one rig, with a header")
       .needed_by_its_work();
-  command.add_option("--rig", request.rig_file, "Document of kind rig: what the columns are")
+  command
+      .add_option("--rig", request.rig_file,
+                  "Document of kind rig, which says what the columns are")
       .needed_by_its_work();
   command
       .add_option(
@@ -18,7 +20,7 @@ void add_log_options(command_line::Command& command, IdentifyRequest& request) {
           "Document of kind actuator, as designed; JOINT=FILE, once for each, on a serial arm")
       .needed_by_its_work()
       .one_value_each();
-  command.add_flag("--json", request.json, "The report as JSON");
+  command.add_flag("--json", request.json, "Print the report as JSON");
 }
 
 IdentifyRequest with_refined(IdentifyRequest request) {

@@ -10,9 +10,10 @@ namespace torquewright::cli {
 
 void add_point_options(command_line::Command& command, PointOptions& options,
                        const std::string& needed) {
-  command_line::Option jobs = command.add_option("--jobs", options.jobs, "Processes that do it")
-                                  .otherwise("as many as the processor runs at once")
-                                  .integer_between(1, 256);
+  command_line::Option jobs =
+      command.add_option("--jobs", options.jobs, "How many processes share the work")
+          .otherwise("as many as the processor runs at once")
+          .integer_between(1, 256);
   command_line::Option journal =
       command
           .add_option("--sweep-journal", options.journal_file,

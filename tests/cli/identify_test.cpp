@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "io/schema.hpp"
+#include "tests/cli/shell_words.hpp"
 #include "tests/cli/well_formed.hpp"
 #include "tests/cli/workplace.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"
@@ -192,6 +193,19 @@ TEST(Identify, RefinedActuatorIsReadBackWithLessTorque) {
               1e-9 * from);
   const Outcome region = bench.place.run({"actuator", "mor", "refined.json", "--json"});
   EXPECT_EQ(json::parse(region.out)["effects"], json({"load_dependent_friction (identified)"}));
+}
+
+// Oracle: /bin/sh takes the line apart into words, with which the program then does it.
+TEST(Identify, NextLineIsWhatAShellTakes) {
+  const Bench bench;
+  const std::string stated = "stated " + kAwkwardName, refined = "refined " + kAwkwardName;
+  bench.place.write(stated, bench.place.text("actuator.json"));
+  const Outcome outcome = bench.place.run(
+      {"identify", "log.csv", "--rig", "rig.json", "--actuator", stated, "--refined", refined});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto words = suggested_words(outcome.out, "next           torquewright");
+  EXPECT_EQ(words, (std::vector<std::string>{"actuator", "mor", refined, "--compare", stated}));
+  EXPECT_EQ(bench.place.run(words).exit_code, 0);
 }
 
 // Linux allows any bytes in a file's name, JSON only UTF-8 (RFC 8259, 8.1): U+FFFD stands for the
