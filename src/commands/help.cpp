@@ -62,7 +62,7 @@ ExitCode write_every_page(const DeclaredCommand& program, const std::filesystem:
 ExitCode run_man(const DeclaredCommand& program, const HelpOptions& options) {
   if (!options.folder.empty()) return write_every_page(program, options.folder);
   const Reached reached = named_command(program, options.words);
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   deliver_result(
       command_line::man_page(*reached.command, reached.path, std::string(io::tool_version())),
       options.output_file);
@@ -73,8 +73,8 @@ ExitCode run_man(const DeclaredCommand& program, const HelpOptions& options) {
 
 void add_help_command(command_line::Command& program) {
   auto options = std::make_shared<HelpOptions>();
-  command_line::Command command = program.add_command("help", "What a command does");
-  command.add_option("command", options->words, "Such as gearbox optimize");
+  command_line::Command command = program.add_command("help", "Say what a command does");
+  command.add_option("command", options->words, "Words of the command, such as gearbox optimize");
   command.example("torquewright help gearbox optimize");
   command.works([options, &declared = program.declared()] { return run_help(declared, *options); });
 }
@@ -82,9 +82,11 @@ void add_help_command(command_line::Command& program) {
 void add_man_command(command_line::Command& program) {
   auto options = std::make_shared<HelpOptions>();
   command_line::Command command =
-      program.add_command("man", "The same as a page for man: torquewright man | man -l -");
-  command.add_option("command", options->words, "Such as gearbox optimize");
-  command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
+      program.add_command("man", "Print the same as a page for man: torquewright man | man -l -");
+  command.add_option("command", options->words, "Words of the command, such as gearbox optimize");
+  command.add_option("-o,--output", options->output_file, "Write the page to this file")
+      .otherwise("-, standard output")
+      .names_a_file();
   command
       .add_option("--all", options->folder,
                   "Write the pages of all commands into this folder, which must exist")

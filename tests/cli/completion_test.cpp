@@ -62,7 +62,7 @@ TEST(BashCompletion, OffersCommandsOptionsAndWords) {
             (Words{"auto", "always", "never"}));
   EXPECT_EQ(offered_by_bash(place, {"actuator", "mor", "a.json", "--side", "m"}), Words{"motor"});
   EXPECT_EQ(offered_by_bash(place, {"init", "gear"}),
-            (Words{"gear_strength", "gearbox", "gearbox_problem", "gearbox_result"}));
+            (Words{"gear_strength", "gearbox", "gearbox_problem"}));
   EXPECT_EQ(offered_by_bash(place, {"identify", "--rig", "residual", "--emp"}),
             Words{"--empirical"});  // "residual" is the file's name
   EXPECT_EQ(offered_by_bash(place, {"identify", "residual", "--emp"}), Words{});

@@ -108,11 +108,12 @@ TEST(Datasheets, AreCriedAtWhereTheyContradictThemselves) {
             (Names{"maxon_ecmax40_120w", "uav_motor_36v"}));
 }
 
-// Oracle: the culprit that each verdict of the open group names (of the last: one of the two).
+// Oracle: the culprit that each verdict of the open group names (of the last: one of the two). A
+// miss, not in the list: of orbray_bms10_1008 the rated torque is blamed, which contradicts as
+// well, since its stall torque is within tolerance once the drag is taken off.
 TEST(Datasheets, OfTheOpenGroupNameTheirCulprit) {
   const std::map<std::string, Names> kCulprits = {
       {"maxon_ec45flat_30w_200142", {"/datasheet/stall_torque_Nm"}},
-      {"orbray_bms10_1008", {"/datasheet/stall_torque_Nm"}},
       {"mit_mini_cheetah_2019_10",
        {"/motor/back_emf_constant_V_s_rad", "/motor/torque_constant_Nm_A"}}};
   for (const auto& [name, culprits] : kCulprits) {
@@ -143,11 +144,12 @@ TEST(SecondDatasheets, AreAllJudgedByHand) {
   EXPECT_EQ(judged(kSecond).size(), 34u);
 }
 
-// Misses: three of 20 are cried at. They may only become fewer.
+// Misses: two of 20 are cried at (three before stall torques might lack the drag's share). They may
+// only become fewer.
 TEST(SecondDatasheets, AreSilentWhereTheyAreSound) {
-  EXPECT_EQ(judged_and_cried_at(kSecond, "sound", false).size(), 17u);
+  EXPECT_EQ(judged_and_cried_at(kSecond, "sound", false).size(), 18u);
   EXPECT_EQ(judged_and_cried_at(kSecond, "sound", true),
-            (Names{"damiao_j10010l_48v", "pololu_micro_100_12v", "steadywin_gim8108_8"}));
+            (Names{"damiao_j10010l_48v", "steadywin_gim8108_8"}));
 }
 
 TEST(SecondDatasheets, AreCriedAtWhereTheyContradictThemselves) {
@@ -179,8 +181,8 @@ bool is_any_within(const Numerals& set, const Names& culprits) {
   return std::ranges::any_of(set, [&](const auto& numeral) { return culprits.contains(numeral); });
 }
 
-// Oracle: the numerals that each verdict names. Misses: of three sheets the first set that is
-// blamed holds numerals that the verdict holds sound (a rated torque, a peak power, a voltage).
+// Oracle: the numerals that each verdict names. Misses: of two sheets the first set that is
+// blamed holds numerals that the verdict holds sound (a rated torque, a voltage).
 TEST(SecondDatasheets, NameTheirCulprit) {
   const Names pair = {"/motor/torque_constant_Nm_A", "/drive/continuous_current_A",
                       "/datasheet/rated_torque_Nm"};
@@ -208,7 +210,7 @@ TEST(SecondDatasheets, NameTheirCulprit) {
     })) << name;
     if (!is_all_within(sets.front(), culprits)) others_first.insert(name);
   }
-  EXPECT_EQ(others_first, (Names{"damiao_j3507", "emrax_228_mv", "haitai_ht6010"}));
+  EXPECT_EQ(others_first, (Names{"damiao_j3507", "haitai_ht6010"}));
 }
 
 TEST(SecondDatasheets, AreCriedAtWhereTheTorqueConstantIsOffByRootThree) {
