@@ -90,6 +90,7 @@ void add_man_command(command_line::Command& program) {
   command
       .add_option("--all", options->folder,
                   "Write the pages of all commands into this folder, which must exist")
+      .names_a_file()
       .excludes("command")
       .excludes("--output");
   command.example("torquewright man gearbox optimize");

@@ -183,6 +183,7 @@ TEST(ManPages, AreOfAllCommandsOrOfOne) {
   const Workplace place;
   EXPECT_EQ(place.run({"man", "gearbox", "--all", "."}).exit_code, 2);
   EXPECT_EQ(place.run({"man", "--all", ".", "-o", "page.1"}).exit_code, 2);
+  EXPECT_EQ(place.run({"man", "--all", ""}).exit_code, 2);
   const Outcome outcome = place.run({"man", "--all", "nowhere"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("nowhere"), std::string::npos);
