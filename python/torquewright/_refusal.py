@@ -34,6 +34,6 @@ def refuse(place: str, message: str) -> Refusal:
 def _line(fault: Fault) -> str:
     place = f"{fault.file}#{fault.path}" if fault.path else fault.file
     return "".join(
-        character if character.isprintable() else f"\\u{ord(character):04x}"
-        for character in f"{place}: {fault.message}"
+        f"\\u{ord(one):04x}" if one < " " or one == "\x7f" else one
+        for one in f"{place}: {fault.message}"
     )

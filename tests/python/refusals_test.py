@@ -129,6 +129,12 @@ class Refusals(unittest.TestCase):
             for call in (torquewright.read, torquewright.lint, torquewright.optimize):
                 self.refusal_of(call, path)
 
+    def test_stay_on_their_lines(self):
+        _, _, err = program.run("gearbox", "optimize", "no\nsuch\x7ffile é")
+        refusal = self.refusal_of(torquewright.optimize, "no\nsuch\x7ffile é")
+        self.assertEqual(str(refusal) + "\n", err)
+        self.assertEqual(len(str(refusal).splitlines()), 1)
+
     def test_name_effects_that_are_not_known(self):
         log, rig = "specs/log/bench_as_built.csv", "specs/log/bench_rig.json"
         refusal = self.refusal_of(
