@@ -55,8 +55,9 @@ void add_hopper_commands(Command& program) {
 }
 
 void add_robot_commands(Command& program) {
-  Command robot = add_group(program, "robot", "Robots from and for other programs",
-                            "robot export specs/robot/rabbit.json --format urdf");
+  Command robot =
+      add_group(program, "robot", "Read robots of other programs, and write robots for them",
+                "robot export specs/robot/rabbit.json --format urdf");
   add_import_command(robot);
   add_export_command(robot);
 }

@@ -174,7 +174,7 @@ def identify(
         question.flag("empirical", "--empirical", empirical)
         if refined is not None:
             refined = path_word("refined", refined)
-        question.text("refined", "--output", refined)
+        question.text("refined", "--refined", refined)
         return question.answer()
 
 

@@ -83,7 +83,7 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
 }  // namespace
 
 PlotFormat plot_format(const std::filesystem::path& file) {
-  if (file.extension() == ".svg") return PlotFormat::kSvg;
+  if (file.extension() == ".svg" || file == "-") return PlotFormat::kSvg;
   if (file.extension() == ".png") return PlotFormat::kPng;
   throw io::SpecError(
       {{"--plot", "", fmt::format("\"{}\" must end with .svg or .png", file.string())}});

@@ -235,7 +235,7 @@ std::string refined_lines(const Identification& found, const IdentificationConte
   }
   const bool is_sure = identification::has_anything_certain(found);
   if (text.empty()) {
-    text = line(step, is_sure ? "not asked for (-o)" : "none: there is nothing sure to add");
+    text = line(step, is_sure ? "not asked for (--refined)" : "none: there is nothing sure to add");
   }
   return "\n" + text;
 }
