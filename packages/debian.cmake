@@ -37,8 +37,27 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 regions, gearbox searches with their proofs, rigid-body dynamics, checks and
 plans of motions, and identification from logs, for programs in C++20.")
 
+set(all_packages torquewright libtorquewright-dev)
+
+# The compiled part is of one version of Python; shared libraries are known to be needed, Python and
+# what its own files import are not.
+if(TARGET torquewright_python)
+  list(APPEND all_packages python3-torquewright)
+  set(python_version ${DEBIAN_PYTHON_MAJOR}.${DEBIAN_PYTHON_MINOR})
+  math(EXPR next_minor "${DEBIAN_PYTHON_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-torquewright)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${python_version}), \
+python3 (<< ${DEBIAN_PYTHON_MAJOR}.${next_minor}), python3-numpy")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+"Torquewright's answers in Python: documents and reports as dictionaries, the
+motor operating region and torques cut off at it as arrays, checks of motions,
+identification from logs, and gearbox searches, in ten calls.")
+endif()
+
 # A changelog and the copyright for each package.
-foreach(package torquewright libtorquewright-dev)
+foreach(package ${all_packages})
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${package})
   file(MAKE_DIRECTORY ${folder})
   configure_file(changelog.in ${folder}/changelog @ONLY)
@@ -53,4 +72,7 @@ function(install_papers package component)
 endfunction()
 install_papers(torquewright program)
 install_papers(libtorquewright-dev development)
+if(TARGET torquewright_python)
+  install_papers(python3-torquewright python)
+endif()
 include(CPack)

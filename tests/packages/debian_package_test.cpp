@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr bool kHasPython = TORQUEWRIGHT_HAS_PYTHON;
+
 class DebianPackage : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -26,7 +28,7 @@ class DebianPackage : public testing::Test {
     text_by(sh_word(TORQUEWRIGHT_CPACK) + " -G DEB --config " +
             sh_word(fs::path(TORQUEWRIGHT_BUILD_DIR) / "CPackConfig.cmake") + " -B " +
             sh_word(scratch_->path()));
-    for (const std::string package : {"torquewright", "libtorquewright-dev"}) {
+    for (const std::string& package : packages()) {
       text_by("dpkg-deb -x " + file_of(package) + " " + sh_word(root()));
     }
   }
@@ -35,7 +37,13 @@ class DebianPackage : public testing::Test {
     if (!missing_.empty()) GTEST_SKIP() << "not installed:" << missing_;
   }
 
-  /// Where both packages are unpacked.
+  /// Of Python only where it is built.
+  static std::vector<std::string> packages() {
+    std::vector<std::string> names{"torquewright", "libtorquewright-dev"};
+    if (kHasPython) names.emplace_back("python3-torquewright");
+    return names;
+  }
+  /// Where all packages are unpacked.
   static fs::path root() { return scratch_->path() / "root"; }
   static fs::path program() { return root() / "usr/bin/torquewright"; }
   /// The package's file, for sh.
@@ -64,8 +72,9 @@ TEST_F(DebianPackage, IsInLintiansOrder) {
   if (const std::string missing = missing_programs({"lintian"}); !missing.empty()) {
     GTEST_SKIP() << "not installed:" << missing;
   }
-  const Said said = said_by("lintian --allow-root --fail-on error,warning " +
-                            file_of("torquewright") + " " + file_of("libtorquewright-dev"));
+  std::string files;
+  for (const std::string& package : packages()) files += " " + file_of(package);
+  const Said said = said_by("lintian --allow-root --fail-on error,warning" + files);
   EXPECT_EQ(said.exit_code, 0) << said.text;
 }
 
@@ -89,7 +98,7 @@ TEST_F(DebianPackage, DependsOnWhoseLibrariesTheProgramNeeds) {
 }
 
 TEST_F(DebianPackage, IsOfOneVersionAndItsChangelogToo) {
-  for (const std::string package : {"torquewright", "libtorquewright-dev"}) {
+  for (const std::string& package : packages()) {
     EXPECT_EQ(text_by("dpkg-deb -f " + file_of(package) + " Version"), TORQUEWRIGHT_VERSION "\n");
     const fs::path papers = root() / "usr/share/doc" / package;
     const std::string changelog = text_by("gzip -dc " + sh_word(papers / "changelog.gz"));
@@ -144,9 +153,33 @@ TEST_F(DebianPackage, IsStrippedAndHoldsNothingElse) {
   for (const std::string& file : files_below(root())) {
     const bool is_known = file.starts_with("usr/bin/") || file.starts_with("usr/share/") ||
                           file.starts_with("usr/include/torquewright/") ||
+                          file.starts_with("usr/lib/python3/dist-packages/torquewright/") ||
                           file.starts_with("usr/" TORQUEWRIGHT_LIBRARY_FOLDER "/");
     EXPECT_TRUE(is_known) << file;
   }
+}
+
+// Oracle: Debian's Python, which finds it below the packages' root alone.
+TEST_F(DebianPackage, WorksInPython) {
+  if (!kHasPython) GTEST_SKIP() << "built without Python";
+  const std::set<std::string> depends = names_in("python3-torquewright", "Depends");
+  for (const char* package : {"python3", "python3-numpy", "coinor-libipopt1v5", "libc6"}) {
+    EXPECT_TRUE(depends.contains(package)) << package;
+  }
+  const fs::path place = root() / "usr/lib/python3/dist-packages";
+  const Said said =
+      said_by("PYTHONPATH=" + sh_word(place) +
+                  " /usr/bin/python3 -B -c 'import torquewright as t; print(t.__file__, "
+                  "t.actuator(\"specs/actuator/d151_knee.json\").clip([400.0, 10.0], 0.0))'",
+              root() / "usr/share/torquewright");
+  EXPECT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_EQ(said.text, (place / "torquewright/__init__.py").string() + " [320.  10.]\n");
+}
+
+// The program's own folder is not the library's.
+TEST_F(DebianPackage, HasNoHeadersOfTheProgram) {
+  EXPECT_FALSE(fs::exists(root() / "usr/include/torquewright/src"));
+  EXPECT_FALSE(fs::exists(root() / "usr/include/torquewright/python"));
 }
 
 }  // namespace
