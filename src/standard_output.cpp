@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/spec_error.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 
@@ -55,7 +56,7 @@ void deliver_report(const Report& report, const std::string& file, bool json_wan
       json_wanted || is_standard_output(file) || std::filesystem::path(file).extension() == ".json";
   if (file.empty() || is_document) {
     if (!file.empty()) beside.push_back({file, report.json});
-    return deliver(std::move(beside), json_wanted ? report.json : report.text);
+    return deliver(std::move(beside), json_wanted ? report.json : for_window(report.text));
   }
   beside.push_back({file, report.text});
   deliver(std::move(beside), "");
