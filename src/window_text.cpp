@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "src/standard_output.hpp"
+
 namespace torquewright::cli {
 namespace {
 
@@ -63,6 +65,8 @@ std::string broken_into(const std::string& text, std::size_t columns) {
   return broken;
 }
 
-std::string for_window(const std::string& text) { return broken_into(text, window_columns()); }
+std::string for_window(const std::string& text) {
+  return is_output_held() ? text : broken_into(text, window_columns());
+}
 
 }  // namespace torquewright::cli

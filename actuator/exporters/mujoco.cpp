@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fields: MuJoCo's XML reference, "actuator/general" and "body/joint" (mujoco.readthedocs.io,
-// XMLreference), as of 2.2.2 and unchanged in meaning since. force = gainprm[0] ctrl + biasprm[0] +
-// biasprm[1] length + biasprm[2] velocity, ctrl clamped to ctrlrange first, force to forcerange
-// last. Radians and SI by <compiler angle="radian">.
+// XMLreference), as of 2.2.2 and unchanged in meaning since. Law: mj_fwdActuation of
+// src/engine/engine_forward.c at commit 0041fdcb, which 2.2.2 obeys alike: force = gainprm[0] ctrl
+// + biasprm[0] + biasprm[1] length + biasprm[2] velocity, ctrl clamped to ctrlrange first, force to
+// forcerange last. Radians and SI by <compiler angle="radian">.
 #include <fmt/format.h>
 
 #include "actuator/exporters/every_exporter.hpp"
@@ -46,7 +47,9 @@ std::string write(const Subject& subject, std::span<const double> shape,
 const Exporter mujoco = {
     .name = "mujoco",
     .simulator = "MuJoCo 2.2.2 and later, <general>",
-    .source = "https://mujoco.readthedocs.io/en/stable/XMLreference.html#actuator-general",
+    .source =
+        "https://github.com/google-deepmind/mujoco src/engine/engine_forward.c @ 0041fdcb "
+        "(mj_fwdActuation); XML reference, actuator/general",
     .advice =
         "ctrl is the voltage in V. The link is a stand-in: take over the joint's attributes and "
         "the "

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // RaiSim 1 limits torque by a box that may be set anew before every step:
-// ArticulatedSystem::setActuationLimits(upper, lower), getUpperLimitForce(), getLowerLimitForce(),
-// getGeneralizedVelocity() (raisim.com, ArticulatedSystem; raisimLib issues 53 and 244). N m,
-// rad/s.
+// ArticulatedSystem::setActuationLimits(upper, lower), getActuationUpperLimits(),
+// getActuationLowerLimits(), getGeneralizedVelocity() (raisimLib, header ArticulatedSystem.hpp at
+// commit 9bcf414b, docs/sections/ArticulatedSystem.rst at 07188086; issues 53 and 244). The
+// built-in PD controller is integrated implicitly and does not obey that box. N m, rad/s.
 #include <fmt/format.h>
 
 #include "actuator/exporters/every_exporter.hpp"
@@ -25,8 +26,8 @@ std::string write(const Subject& subject, std::span<const double> shape,
 {0}
 /// Call before every World::integrate(). `dof` counts as in the generalized velocity.
 inline void limit_{1}(raisim::ArticulatedSystem& robot, int dof) {{
-  Eigen::VectorXd upper = robot.getUpperLimitForce().e();
-  Eigen::VectorXd lower = robot.getLowerLimitForce().e();
+  Eigen::VectorXd upper = robot.getActuationUpperLimits().e();
+  Eigen::VectorXd lower = robot.getActuationLowerLimits().e();
   const auto [least, greatest] = {1}_torque_limits(robot.getGeneralizedVelocity().e()[dof]);
   upper[dof] = greatest;
   lower[dof] = least;
@@ -42,9 +43,12 @@ inline void limit_{1}(raisim::ArticulatedSystem& robot, int dof) {{
 const Exporter raisim1 = {
     .name = "raisim1",
     .simulator = "RaiSim 1, C++ callback",
-    .source = "https://raisim.com ArticulatedSystem::setActuationLimits; raisimLib issues 53, 244",
+    .source =
+        "https://github.com/raisimTech/raisimLib "
+        "raisim/linux/include/raisim/object/ArticulatedSystem/ArticulatedSystem.hpp @ 9bcf414b",
     .advice =
-        "Limits hold for a whole step at the speed of its start. Set the armature by "
+        "Limits hold for a whole step at the speed of its start, and for torques that you command: "
+        "RaiSim's own PD controller goes past them. Set the armature by "
         "<dynamics rotor_inertia=.../> in the URDF.",
     .parameters = {},
     .shape = table_shape,

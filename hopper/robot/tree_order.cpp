@@ -41,7 +41,7 @@ std::vector<Place> tree_order(const std::vector<std::string>& bodies, std::size_
     for (const Ends& joint : joints) {
       if (joint.parent != order[next].body || is_placed[joint.child]) continue;
       is_placed[joint.child] = true;
-      order.push_back({joint.child, carried_by[joint.child]});
+      order.push_back({joint.child, &joint});  // of two carriers the one that leads here
     }
   }
   for (std::size_t body = 0; body < bodies.size(); ++body) {

@@ -74,7 +74,8 @@ ImpactMap impact_map(const MatrixXd& mass, const MatrixXd& jacobian, const Matri
   require_fit(factor.info() == Eigen::Success, "an impact's mass matrix is positive definite");
   MatrixXd rows(jacobian.rows() + held.rows(), mass.cols());
   rows << jacobian, held;
-  const MatrixXd change = factor.solve(rows.transpose());  // B, eq. (2).
+  MatrixXd change(mass.cols(), rows.rows());  // B, eq. (2).
+  if (rows.rows() > 0) change = factor.solve(rows.transpose());
   const MatrixXd mobility = outputs * factor.solve(outputs.transpose());
   return {outputs * change, mobility.inverse(), held * change, held * velocity};
 }

@@ -24,7 +24,7 @@ struct StrengthOptions {
   std::string file;
   std::string output_file;
   std::vector<double> torques_Nm;
-  std::string side = "motor";
+  std::string side;
   std::vector<double> face_widths_mm;
   std::vector<double> modules_mm;
   double cycles = 0.0;  // 0: the document's
@@ -109,11 +109,26 @@ gearbox::ReadStrength read(const StrengthOptions& options) {
   return read;
 }
 
+/// Those of the command line, else the load that a result's problem states, at the joint.
+void take_torques(const StrengthOptions& options, report::StrengthReport& report) {
+  report.side = options.side == "joint" ? gearbox::TorqueSide::kJoint : gearbox::TorqueSide::kMotor;
+  report.torques_Nm = options.torques_Nm;
+  if (!options.torques_Nm.empty()) return;
+  if (!report.read.load_Nm || *report.read.load_Nm == 0.0) {
+    io::refuse("--torque", "missing; only a gearbox_result whose problem has a load states one");
+  }
+  if (!options.side.empty()) io::refuse("--side", "is of --torque, which is missing");
+  report.side = gearbox::TorqueSide::kJoint;
+  report.torques_Nm = {*report.read.load_Nm};
+  report.read.statements.push_back(
+      fmt::format("The torque is the load of its problem, {:g} Nm at the joint (--torque).",
+                  *report.read.load_Nm));
+}
+
 report::StrengthReport compute(const StrengthOptions& options, gearbox::ReadStrength read) {
   report::StrengthReport report;
   report.read = std::move(read);
-  report.side = options.side == "motor" ? gearbox::TorqueSide::kMotor : gearbox::TorqueSide::kJoint;
-  report.torques_Nm = options.torques_Nm;
+  take_torques(options, report);
   if (!options.modules_mm.empty() || !options.face_widths_mm.empty()) {
     report.variants =
         gearbox::strength_variants(report.read.strength, options.modules_mm, options.face_widths_mm,
@@ -151,10 +166,11 @@ void add_strength_command(command_line::Command& gearbox) {
   command.add_option("strength", options->file, "Document of kind gear_strength or gearbox_result")
       .required();
   command.add_option("--torque", options->torques_Nm, "Torques that are tried, in Nm: 21,17")
-      .required()
+      .otherwise("the load that the problem of a gearbox_result states")
       .separated_by_commas();
   command
       .add_option("--side", options->side, "Where these torques act: motor (at the sun) or joint")
+      .otherwise("motor")
       .one_of({"motor", "joint"});
   command
       .add_option("--face-widths", options->face_widths_mm,

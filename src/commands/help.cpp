@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +23,7 @@ using command_line::Reached;
 struct HelpOptions {
   std::vector<std::string> words;  ///< Of the command.
   std::string output_file;
+  std::string folder;  ///< For a page of every command; empty: of one.
 };
 
 Reached named_command(const DeclaredCommand& program, const std::vector<std::string>& words) {
@@ -37,7 +40,27 @@ ExitCode run_help(const DeclaredCommand& program, const HelpOptions& options) {
   return ExitCode::kPasses;
 }
 
+/// Where man looks for it: torquewright-gearbox-optimize.1.
+io::FileContent page_file(const DeclaredCommand& command, const std::string& path,
+                          const std::filesystem::path& folder) {
+  std::string name = path + ".1";
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return {folder / name, command_line::man_page(command, path, std::string(io::tool_version()))};
+}
+
+ExitCode write_every_page(const DeclaredCommand& program, const std::filesystem::path& folder) {
+  std::vector<io::FileContent> pages;
+  command_line::for_each_command(
+      program, [&](const DeclaredCommand& command, const std::string& words) {
+        const std::string path = program.name + (words.empty() ? "" : " " + words);
+        pages.push_back(page_file(command, path, folder));
+      });
+  io::write_whole_files(pages);
+  return ExitCode::kPasses;
+}
+
 ExitCode run_man(const DeclaredCommand& program, const HelpOptions& options) {
+  if (!options.folder.empty()) return write_every_page(program, options.folder);
   const Reached reached = named_command(program, options.words);
   check_written(named({options.output_file}), {});
   deliver_result(
@@ -64,6 +87,11 @@ void add_man_command(command_line::Command& program) {
   command.add_option("-o,--output", options->output_file, "Write the page to this file")
       .otherwise("-, standard output")
       .names_a_file();
+  command
+      .add_option("--all", options->folder,
+                  "Write the pages of all commands into this folder, which must exist")
+      .excludes("command")
+      .excludes("--output");
   command.example("torquewright man gearbox optimize");
   command.works([options, &declared = program.declared()] { return run_man(declared, *options); });
 }

@@ -15,6 +15,7 @@
 #include "src/commands/identify_inputs.hpp"
 #include "src/commands/identify_json.hpp"
 #include "src/commands/refined_actuators.hpp"
+#include "src/interrupt.hpp"
 #include "src/report/gnuplot.hpp"
 #include "src/report/identification_html.hpp"
 #include "src/report/identification_text.hpp"
@@ -41,6 +42,7 @@ Identification identification_of(const IdentifyRequest& request, const IdentifyI
   options.analysis.only = request.only;
   options.analysis.without = request.without;
   options.analysis.tolerance = request.tolerance;
+  options.analysis.before_each_fit = leave_if_interrupted;
   options.empirical = request.empirical;
   options.progress = [&progress](const std::string& what, double share) {
     progress.show(fmt::format("{}: {:.0f} %", what, 100.0 * share));

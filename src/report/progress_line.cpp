@@ -6,6 +6,7 @@
 
 #include <cstdio>
 
+#include "src/interrupt.hpp"
 #include "src/sweep/sweep.hpp"
 
 namespace torquewright::report {
@@ -22,9 +23,14 @@ int columns() {
 }  // namespace
 
 ProgressLine::ProgressLine() : is_watched_(isatty(STDERR_FILENO) == 1 && !sweep::is_silent()) {}
-ProgressLine::~ProgressLine() { show(""); }
+ProgressLine::~ProgressLine() { write(""); }
 
 void ProgressLine::show(const std::string& text) {
+  cli::leave_if_interrupted();
+  write(text);
+}
+
+void ProgressLine::write(const std::string& text) const {
   if (is_watched_) std::fprintf(stderr, "\r\033[K%.*s", columns() - 1, text.c_str());
 }
 

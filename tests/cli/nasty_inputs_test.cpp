@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/nasty.hpp"
@@ -20,7 +21,7 @@ TEST(NastyInputs, ATableWithoutAName) {
 
 TEST(NastyInputs, TablesOfMotions) {
   Workplace place;
-  for (const char* picture : {"a.svg", "b.svg"}) place.write(picture, "");
+  for (const char* picture : {"a.svg", "b.svg", "c.svg"}) place.write(picture, "");
   for (const Nasty& nasty : nasty_tables()) {
     place.write("knee.csv",
                 nasty.spoil(text_of(in_repository("specs/trajectory/knee_extension.csv"))));
@@ -31,18 +32,21 @@ TEST(NastyInputs, TablesOfMotions) {
     const std::string robot = in_repository("specs/robot/hopper.json").string();
     const std::string rig = in_repository("specs/rig/knee_sweep.json").string();
     expect_civil(place, {"actuator", "check", "knee.csv", "--joint", "knee=" + knee}, nasty.what,
-                 5);
+                 6);
     expect_civil(place,
                  {"actuator", "check", "knee.csv", "--joint", "knee=" + knee, "--repeat",
                   "1000000000", "--json"},
-                 nasty.what, 5);
-    expect_civil(place, {"hopper", "check", robot, "flip.csv"}, nasty.what, 5);
+                 nasty.what, 6);
+    expect_civil(place,
+                 {"actuator", "check", "knee.csv", "--joint", "knee=" + knee, "--plot", "c.svg"},
+                 nasty.what, 6);
+    expect_civil(place, {"hopper", "check", robot, "flip.csv"}, nasty.what, 6);
     expect_civil(place,
                  {"hopper", "check", robot, "flip.csv", "--plot", "a.svg", "--plot-loads", "b.svg"},
-                 nasty.what, 5);
+                 nasty.what, 6);
     expect_civil(place, {"identify", "simulate", knee, "--rig", rig, "--excitation", "play.csv"},
-                 nasty.what, 5);
-    expect_civil(place, {"identify", "play.csv", "--rig", rig, "--actuator", knee}, nasty.what, 5);
+                 nasty.what, 6);
+    expect_civil(place, {"identify", "play.csv", "--rig", rig, "--actuator", knee}, nasty.what, 6);
   }
 }
 
@@ -58,19 +62,23 @@ TEST(NastyInputs, Documents) {
     spoil("specs/gearbox/d110a_strength.json", "strength.json");
     spoil("specs/robot/rabbit.json", "robot.json");
     spoil("specs/robot/rabbit.urdf", "robot.urdf");
+    spoil("specs/rig/knee_sweep.json", "rig.json");
     const std::string motion = in_repository("specs/trajectory/knee_extension.csv").string();
-    for (const Words& command :
-         std::vector<Words>{{"actuator", "mor", "actuator.json"},
-                            {"actuator", "lint", "actuator.json"},
-                            {"actuator", "check", motion, "--joint", "knee=actuator.json"},
-                            {"gearbox", "optimize", "problem.json"},
-                            {"gearbox", "evaluate", "problem.json", "--teeth", "18,54"},
-                            {"gearbox", "verify", "result.json"},
-                            {"gearbox", "strength", "strength.json", "--torque", "21"},
-                            {"robot", "export", "robot.json", "--format", "mjcf"},
-                            {"robot", "import", "robot.urdf"},
-                            {"hopper", "check", "robot.json", motion}}) {
-      expect_civil(place, command, std::string(nasty.what) + ", " + command[1], 6);
+    const std::string knee = in_repository("specs/actuator/d151_knee.json").string();
+    const std::string excitation = in_repository("specs/excitation/knee_sweep.csv").string();
+    for (const Words& command : std::vector<Words>{
+             {"actuator", "mor", "actuator.json"},
+             {"actuator", "lint", "actuator.json"},
+             {"actuator", "check", motion, "--joint", "knee=actuator.json"},
+             {"gearbox", "optimize", "problem.json"},
+             {"gearbox", "evaluate", "problem.json", "--teeth", "18,54"},
+             {"gearbox", "verify", "result.json"},
+             {"gearbox", "strength", "strength.json", "--torque", "21"},
+             {"robot", "export", "robot.json", "--format", "mjcf"},
+             {"robot", "import", "robot.urdf"},
+             {"hopper", "check", "robot.json", motion},
+             {"identify", "simulate", knee, "--rig", "rig.json", "--excitation", excitation}}) {
+      expect_civil(place, command, std::string(nasty.what) + ", " + command[1], 7);
     }
   }
 }
@@ -78,14 +86,30 @@ TEST(NastyInputs, Documents) {
 TEST(NastyInputs, Numbers) {
   const Workplace place;
   const std::string knee = in_repository("specs/actuator/d151_knee.json").string();
+  const std::string motion = in_repository("specs/trajectory/knee_extension.csv").string();
+  const std::string robot = in_repository("specs/robot/hopper.json").string();
+  const std::string squat = in_repository("specs/trajectory/hopper_squat.csv").string();
+  place.write("region.svg", "");
   for (const std::string& number : nasty_numbers()) {
+    for (const char* option : {"--plot-voltage", "--plot-temperature"}) {
+      expect_civil(place, {"actuator", "mor", knee, "--plot", "region.svg", option, number},
+                   std::string(option) + " " + number, 1);
+    }
+    for (const char* option : {"--pause", "--repeat", "--state-of-charge", "--bus-voltage"}) {
+      expect_civil(place, {"actuator", "check", motion, "--joint", "knee=" + knee, option, number},
+                   std::string(option) + " " + number, 1);
+    }
+    for (const char* option : {"--load-window", "--ground-height", "--contact-time-constant"}) {
+      expect_civil(place, {"hopper", "check", robot, squat, option, number},
+                   std::string(option) + " " + number, 1);
+    }
     for (const char* option : {"--at-speed", "--bus-voltage", "--winding-temperature",
                                "--state-of-charge", "--accuracy", "--need", "--ratio"}) {
       expect_civil(place, {"actuator", "mor", knee, option, number},
-                   std::string(option) + " " + number, 0);
+                   std::string(option) + " " + number, 1);
     }
-    expect_civil(place, {"actuator", "mor", knee, "--need", "100@" + number}, number, 0);
-    expect_civil(place, {"actuator", "mor", knee, "--need", number + "@1"}, number, 0);
+    expect_civil(place, {"actuator", "mor", knee, "--need", "100@" + number}, number, 1);
+    expect_civil(place, {"actuator", "mor", knee, "--need", number + "@1"}, number, 1);
   }
 }
 
@@ -102,6 +126,47 @@ TEST(NastyInputs, NamesThatAreNoText) {
                 "--json"},
                "a name in Latin-1", 1);
   expect_civil(place, {"actuator", "mor", "abs\xE9nt.json"}, "a name in Latin-1", 1);
+}
+
+// So that none of them becomes a row of a table, or a character that XML 1.0 has not (2.2 Char).
+TEST(NastyInputs, NamesOfWhatIsNoLineOfText) {
+  const Workplace place;
+  const std::string knee = text_of(in_repository("specs/actuator/d151_knee.json"));
+  for (const auto& [spelt, named] : std::vector<std::pair<std::string, std::string>>{
+           {"\\n", "U+000A"}, {"\\uFFFE", "U+FFFE"}, {"\\u0001", "U+0001"}}) {
+    place.write("knee.json", with(knee, "\"name\": \"", "\"name\": \"" + spelt));
+    const Outcome outcome = place.run({"actuator", "mor", "knee.json", "-o", "table.csv"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err,
+              "knee.json#/name: holds the character " + named + "; must be one line of text\n");
+  }
+}
+
+// Every reader of tables says what to do.
+TEST(NastyInputs, TablesOfOtherPrograms) {
+  const Workplace place;
+  const std::string knee = in_repository("specs/actuator/d151_knee.json").string();
+  const std::string rig = in_repository("specs/rig/knee_sweep.json").string();
+  const std::vector<std::pair<std::string, std::string>> tables{
+      {"t,T [\xB0"
+       "C]\n0,1\n",
+       "the header is no UTF-8; convert it: iconv -f latin1 -t utf-8"},
+      {"sep=,\nt,q\n0,1\n",
+       "\"sep=,\" is a spreadsheet's line about separators; delete it, columns are separated by "
+       "commas"},
+      {"t,q\r0,1\r", "its lines end with carriage returns alone; convert it: tr '\\r' '\\n'"}};
+  for (const auto& [table, what_to_do] : tables) {
+    place.write("table.csv", table);
+    for (const Words& command : std::vector<Words>{
+             {"actuator", "check", "table.csv", "--joint", "knee=" + knee},
+             {"hopper", "check", in_repository("specs/robot/hopper.json").string(), "table.csv"},
+             {"identify", "table.csv", "--rig", rig, "--actuator", knee},
+             {"identify", "simulate", knee, "--rig", rig, "--excitation", "table.csv"}}) {
+      const Outcome outcome = place.run(command);
+      EXPECT_EQ(outcome.exit_code, 2) << command[1];
+      EXPECT_EQ(outcome.err + outcome.out, "table.csv: line 1: " + what_to_do + "\n") << command[1];
+    }
+  }
 }
 
 // The parser behind it compares each attribute with all before it.

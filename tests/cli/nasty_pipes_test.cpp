@@ -75,6 +75,22 @@ TEST(NastyPipes, ThatNobodyWritesInto) {
       "is a named pipe, and nobody wrote into it within 5 s");
 }
 
+// Oracle: the ranking without it.
+TEST(NastyPipes, AmongCandidatesAreLeftOutAndSaid) {
+  const Workplace place;
+  fs::create_directory(place.path("candidates"));
+  fs::copy(kWholeKnee, place.path("candidates/knee.json"));
+  const Words command{"hopper",       "check",      kWholeRobot, kWholeSquat,
+                      "--candidates", "candidates", "--ratios",  "8:9"};
+  const Outcome without = place.run(command);
+  ASSERT_EQ(::mkfifo(place.path("candidates/pipe.json").c_str(), 0600), 0);
+  const Outcome beside = place.run(command);
+  EXPECT_EQ(beside.exit_code, without.exit_code);
+  EXPECT_EQ(beside.out, without.out +
+                            "not tried: pipe: is a named pipe, and nobody wrote into it within 5 s"
+                            "\n");
+}
+
 TEST(NastyPipes, ThatNobodyReads) {
   expect_refused(
       {

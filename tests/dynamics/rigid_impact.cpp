@@ -112,7 +112,8 @@ Impact impact(TreeState& state, std::span<const Contact> contacts) {
   const Eigen::LLT<MatrixXd> factors(mass);
   Impact result;
   if (factors.info() != Eigen::Success) return result;
-  const MatrixXd answer = factors.solve(problem.jacobian.transpose());  // M^-1 J^T
+  MatrixXd answer(size, problem.jacobian.rows());  // M^-1 J^T
+  if (!contacts.empty()) answer = factors.solve(problem.jacobian.transpose());
   problem.mobility = problem.jacobian * answer;
   fill_dead_directions(problem.mobility);
   result.status = ImpactStatus::kNotConverged;

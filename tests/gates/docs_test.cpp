@@ -69,6 +69,26 @@ TEST(Docs, ShowEveryPicture) {
   }
 }
 
+/// Every test of ours, Suite.Name.
+Names tests_of_ours() {
+  Names names;
+  for (const fs::path& file : files_in("tests", ".cpp")) {
+    for (std::string name : matches(text_of(file), R"(^TEST(?:_F|_P)?\((\w+,\s*\w+)\))")) {
+      const std::size_t comma = name.find(',');
+      const std::size_t second = name.find_first_not_of(", \n", comma);
+      names.insert(name.replace(comma, second - comma, "."));
+    }
+  }
+  return names;
+}
+
+TEST(Docs, NameTestsThatAre) {
+  const Names there = tests_of_ours();
+  const Names named = matches(text_of("docs/safety.md"), "`([A-Z]\\w*\\.[A-Z]\\w*)`");
+  EXPECT_GT(named.size(), 50u);
+  for (const std::string& name : named) EXPECT_TRUE(there.contains(name)) << name;
+}
+
 /// Of a page's prose: no commands and output, no tables, no headings.
 std::vector<std::string> sentences_of(const std::string& page) {
   std::istringstream stream(page);

@@ -3,6 +3,8 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/fs.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -104,6 +106,56 @@ TEST(WriteWholeFile, RefusesAReadOnlyFolder) {
   }
   fs::permissions(folder.path(), fs::perms::owner_all);
   EXPECT_EQ(entries_in(folder.path()), 0);
+}
+
+// In a sticky folder anyone may make files, but replace only his own: what fails is the exchange
+// itself, when the first file stands already.
+TEST(WriteWholeFiles, AreTakenBackWhereOneCannotBeReplaced) {
+  if (::geteuid() != 0) GTEST_SKIP() << "needs a file of another user's; only root can make one";
+  const ScratchFolder folder;
+  const fs::path fresh = folder.path() / "a", own = folder.write("b", "old"),
+                 foreign = folder.write("c", "old");
+  ASSERT_EQ(::chown(own.c_str(), 65534, 65534), 0);
+  fs::permissions(folder.path(), static_cast<fs::perms>(01777));
+  {
+    const WithoutPrivileges nobody;
+    EXPECT_THROW(write_whole_files({{fresh, "new"}, {own, "new"}, {foreign, "new"}}), SpecError);
+  }
+  EXPECT_FALSE(fs::exists(fresh));
+  EXPECT_EQ(read_file_bytes(own), "old");
+  EXPECT_EQ(read_file_bytes(foreign), "old");
+  EXPECT_EQ(entries_in(folder.path()), 2);
+}
+
+/// `chattr +i` for as long as it lives.
+class Immutable {
+ public:
+  explicit Immutable(const fs::path& file) : descriptor_(::open(file.c_str(), O_RDONLY)) {
+    is_ = ::ioctl(descriptor_, FS_IOC_GETFLAGS, &before_) == 0 && set(before_ | FS_IMMUTABLE_FL);
+  }
+  ~Immutable() {
+    if (is_ && !set(before_)) ADD_FAILURE() << "still immutable";
+    ::close(descriptor_);
+  }
+  bool is() const { return is_; }
+
+ private:
+  bool set(int flags) const { return ::ioctl(descriptor_, FS_IOC_SETFLAGS, &flags) == 0; }
+
+  int descriptor_;
+  int before_ = 0;
+  bool is_ = false;
+};
+
+TEST(WriteWholeFiles, AreNoneWhereOneIsImmutable) {
+  const ScratchFolder folder;
+  const fs::path fresh = folder.path() / "a", fixed = folder.write("b", "old");
+  const Immutable immutable(fixed);
+  if (!immutable.is()) GTEST_SKIP() << "needs root, and a file system of immutable files";
+  EXPECT_THROW(check_outputs({fresh, fixed}, {}), SpecError);  // before the work
+  EXPECT_THROW(write_whole_files({{fresh, "new"}, {fixed, "new"}}), SpecError);
+  EXPECT_EQ(read_file_bytes(fixed), "old");
+  EXPECT_EQ(entries_in(folder.path()), 1);
 }
 
 TEST(WriteWholeFile, KeepsTheOldFileIfThereIsNoRoom) {

@@ -152,7 +152,8 @@ std::string output_of(const std::string& command, int& status) {
 }
 
 // Oracle: a C++ compiler. The generated functions, with stand-ins for the classes that they derive
-// from and call (no part of RaiSim or Drake), clip as the law says.
+// from and call (signatures as in the headers that the files name; no part of RaiSim or Drake),
+// clip as the law says.
 TEST(GeneratedCode, CompilesAndIsTheLaw) {
   const Example example(lossy_knee());
   const Subject subject = example.subject(LawFit::kConservative);
@@ -168,8 +169,8 @@ namespace raisim {
 struct VecDyn { std::vector<double> v; std::vector<double> e() const { return v; } };
 struct ArticulatedSystem {
   std::vector<double> speed, upper, lower;
-  VecDyn getUpperLimitForce() const { return {upper}; }
-  VecDyn getLowerLimitForce() const { return {lower}; }
+  VecDyn getActuationUpperLimits() const { return {upper}; }
+  VecDyn getActuationLowerLimits() const { return {lower}; }
   VecDyn getGeneralizedVelocity() const { return {speed}; }
   void setActuationLimits(std::vector<double> u, std::vector<double> l) { upper = u; lower = l; }
 };

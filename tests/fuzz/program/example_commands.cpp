@@ -26,6 +26,7 @@ gearbox strength specs/gearbox/d151_knee_result.json --steel case_hardened --fac
 actuator mor specs/actuator/d151_knee.json --at-speed 0,8,9.5,11
 actuator mor specs/actuator/d151_knee.json --need 200@10 --ratio 4:40 --json
 actuator mor specs/actuator/d151_knee.json --need 100@5
+actuator mor tests/fuzz/corpus/everything.json --need 200@10
 actuator mor specs/actuator/d110a_ankle.json --ratio 4:40
 actuator mor specs/actuator/d151_knee.json --compare specs/actuator/d110a_ankle.json --json
 actuator mor specs/actuator/d151_knee.json --format mujoco --export knee.xml

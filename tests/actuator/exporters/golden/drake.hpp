@@ -1,6 +1,6 @@
 // origin
 // knee D151 for Drake, C++ LeafSystem.
-// Fields as in https://drake.mit.edu/doxygen_cxx/classdrake_1_1systems_1_1_leaf_system.html
+// Fields as in https://github.com/RobotLocomotion/drake systems/framework/leaf_system.h @ 9e4de0b0
 // Fit: conservative (the region's table, drawn in by its interpolation error).
 // Side: joint. Rating: peak. Bus voltage: 67.2 V. Winding temperature: 298.15 K.
 // Friction included: gearbox efficiencies 1 driving, 1 back-driven. Do not also apply friction or an efficiency.

@@ -1,11 +1,11 @@
 // origin
 // knee D151 for RaiSim 1, C++ callback.
-// Fields as in https://raisim.com ArticulatedSystem::setActuationLimits; raisimLib issues 53, 244
+// Fields as in https://github.com/raisimTech/raisimLib raisim/linux/include/raisim/object/ArticulatedSystem/ArticulatedSystem.hpp @ 9bcf414b
 // Fit: conservative (the region's table, drawn in by its interpolation error).
 // Side: joint. Rating: peak. Bus voltage: 67.2 V. Winding temperature: 298.15 K.
 // Friction included: gearbox efficiencies 1 driving, 1 back-driven. Do not also apply friction or an efficiency.
 // Armature: 0.3688 kg m^2 = N^2 J, N = 20, J = 0.000922 kg m^2. Do not add the rotor to a link as well.
-// Limits hold for a whole step at the speed of its start. Set the armature by <dynamics rotor_inertia=.../> in the URDF.
+// Limits hold for a whole step at the speed of its start, and for torques that you command: RaiSim's own PD controller goes past them. Set the armature by <dynamics rotor_inertia=.../> in the URDF.
 // Left out: battery: none stated; the bus voltage is stiff
 // Left out: thermal: none stated; the winding stays at its temperature
 // Left out: inductance: none stated; voltage is lost over the resistance alone
@@ -96,8 +96,8 @@ inline std::pair<double, double> knee_D151_torque_limits(double speed) {
 
 /// Call before every World::integrate(). `dof` counts as in the generalized velocity.
 inline void limit_knee_D151(raisim::ArticulatedSystem& robot, int dof) {
-  Eigen::VectorXd upper = robot.getUpperLimitForce().e();
-  Eigen::VectorXd lower = robot.getLowerLimitForce().e();
+  Eigen::VectorXd upper = robot.getActuationUpperLimits().e();
+  Eigen::VectorXd lower = robot.getActuationLowerLimits().e();
   const auto [least, greatest] = knee_D151_torque_limits(robot.getGeneralizedVelocity().e()[dof]);
   upper[dof] = greatest;
   lower[dof] = least;
