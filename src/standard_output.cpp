@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/spec_error.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -18,6 +19,8 @@ std::string* held = nullptr;  ///< Of the HeldOutput that lives.
 
 HeldOutput::HeldOutput() { held = &text_; }
 HeldOutput::~HeldOutput() { held = nullptr; }
+
+bool is_output_held() { return held != nullptr; }
 
 void print_result(const std::string& text) {
   if (held != nullptr) {
@@ -67,7 +70,7 @@ void deliver_report(const Report& report, const std::string& file, bool json_wan
       json_wanted || is_standard_output(file) || std::filesystem::path(file).extension() == ".json";
   if (file.empty() || is_document) {
     if (!file.empty()) beside.push_back({file, report.json});
-    return deliver(std::move(beside), json_wanted ? report.json : report.text);
+    return deliver(std::move(beside), json_wanted ? report.json : for_window(report.text));
   }
   beside.push_back({file, report.text});
   deliver(std::move(beside), "");

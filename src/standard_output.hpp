@@ -23,6 +23,9 @@ class HeldOutput {
   std::string text_;
 };
 
+/// Whether one lives.
+bool is_output_held();
+
 /// Writes a command's result to stdout. Throws SpecError if not all of it gets there.
 void print_result(const std::string& text);
 

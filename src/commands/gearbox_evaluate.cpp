@@ -21,6 +21,7 @@
 #include "src/report/gearbox_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -164,9 +165,9 @@ Evaluation compute(const EvaluateOptions& options, const EvaluateInputs& inputs)
 void write(const EvaluateOptions& options, const EvaluateInputs& inputs, const Evaluation& found) {
   const std::string json = evaluation_json(inputs.read, found.report, found.standing);
   write_outputs(options.outputs, json, found.drawing,
-                options.json
-                    ? json
-                    : report::evaluation_text(inputs.read.problem, found.report, found.standing));
+                options.json ? json
+                             : for_window(report::evaluation_text(inputs.read.problem, found.report,
+                                                                  found.standing)));
 }
 
 ExitCode run_evaluate(const EvaluateOptions& options) {

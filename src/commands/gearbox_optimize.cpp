@@ -23,6 +23,7 @@
 #include "src/report/progress_line.hpp"
 #include "src/report/proof_text.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -106,7 +107,7 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
 
 void write(const OptimizeRequest& request, const OptimizeAnswer& answer) {
   write_outputs(request.outputs, answer.json, answer.drawing,
-                !request.json  ? answer.text
+                !request.json  ? for_window(answer.text)
                 : answer.check ? with_verdict(answer.json, *answer.check)
                                : answer.json);
 }

@@ -9,6 +9,7 @@
 #include "src/commands/hopper_calibrate_json.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -32,7 +33,7 @@ void write(const CalibrationRequest& request, const CalibrationInputs& inputs,
   }
   const std::string json = calibration_result(request, documents, report);
   if (!request.output_file.empty()) files.push_back({request.output_file, json});
-  deliver(std::move(files), request.json ? json : report::calibration_text(report));
+  deliver(std::move(files), request.json ? json : for_window(report::calibration_text(report)));
   if (request.is_old_spelling) {
     say_old_spelling(request.refined_file, "the robot with the fitted values",
                      "--refined " + request.refined_file);

@@ -20,6 +20,7 @@
 #include "src/report/momentum_plot.hpp"
 #include "src/report/stick_figures.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -115,7 +116,7 @@ void write_flip_outputs(const HopperFlipRequest& request, const HopperFlipInputs
                                   next_commands(request, result), request.timing};
   const std::string text =
       request.json ? hopper_flip_json(request, inputs, result) : report::flip_text(answer);
-  deliver(files_of(request, inputs, result), text);
+  deliver(files_of(request, inputs, result), request.json ? text : for_window(text));
 }
 
 }  // namespace torquewright::cli

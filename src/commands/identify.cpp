@@ -21,6 +21,7 @@
 #include "src/report/identification_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -129,13 +130,16 @@ std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs
                     const IdentifyFound& found, const report::IdentificationContext& context) {
   if (!request.as.empty()) return output_text(request, inputs, found);
   return request.json ? identify_json(request, inputs, found.identification)
-                      : report::identification_text(found.identification, context);
+                      : for_window(report::identification_text(found.identification, context));
 }
 
 void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
            const IdentifyFound& found) {
-  report::IdentificationContext context{request.logs, request.rig_file, inputs.rig.name, {},
+  report::IdentificationContext context{request.logs, request.rig_file, inputs.rig.name, {}, {},
                                         {},           request.select};
+  for (const identification::ColumnUse& column : inputs.rig.columns) {
+    context.logged.emplace_back(identification::name_of(column.quantity));
+  }
   for (const auto& actuator : inputs.actuators) {
     context.actuator_files.push_back(actuator.nominal.documents.front().file);
   }

@@ -11,6 +11,7 @@
 #include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -50,7 +51,7 @@ ExitCode run_import(const ImportOptions& options) {
     said += fmt::format("next: state in {} what the actuator moved (\"load\"), docs/logs.md\n",
                         rig.string());
   }
-  print_result(said);
+  print_result(for_window(said));
   return ExitCode::kPasses;
 }
 

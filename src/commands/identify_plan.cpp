@@ -17,6 +17,7 @@
 #include "src/report/plan_json.hpp"
 #include "src/report/plan_text.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -70,7 +71,7 @@ void write(const PlanRequest& request, const PlanInputs& inputs, const Plan& pla
     files.push_back({request.excitation, identification::excitation_csv(plan.runs)});
     if (!request.json) text += fmt::format("Written: {}\n", request.excitation);
   }
-  deliver(std::move(files), text);
+  deliver(std::move(files), request.json ? text : for_window(text));
 }
 
 ExitCode run_plan(const PlanRequest& request) {

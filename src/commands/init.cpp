@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "src/report/key_table.hpp"
 #include "src/report/shell_word.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -32,14 +32,13 @@ struct InitOptions {
 /// A kind of which people write documents, and what one does with such a document.
 struct StartedKind {
   std::string_view kind;
-  std::string_view next;          ///< {} is the document.
-  bool is_named_in_json = false;  ///< There, not as a word of the command.
+  std::string_view next;  ///< {} is the document.
 };
 
 constexpr std::array<StartedKind, 9> kStartedKinds{{
     {"actuator", "actuator mor {}"},
     {"gear_strength", "gearbox strength {} --torque 20 --side joint"},
-    {"gearbox", "actuator mor ACTUATOR, whose \"gearbox\" is {{\"file\": {}, ...}}", true},
+    {"gearbox", "actuator mor ACTUATOR, whose \"gearbox\" names this file as its \"file\""},
     {"gearbox_problem", "gearbox optimize {}"},
     {"jacobian", "actuator check TRAJECTORY --jacobian {} --joint NAME=ACTUATOR ..."},
     {"randomisation", "hopper replay ROBOT MOTION --trials 20 --randomise {}"},
@@ -71,10 +70,8 @@ void refuse_existing(const std::string& file) {
 }
 
 std::string next_line(const StartedKind& kind, const std::string& file) {
-  return fmt::format(
-      "\nnext: torquewright {}\n",
-      fmt::format(fmt::runtime(kind.next),
-                  kind.is_named_in_json ? nlohmann::json(file).dump() : report::shell_word(file)));
+  return fmt::format("\nnext: torquewright {}\n",
+                     fmt::format(fmt::runtime(kind.next), report::shell_word(file)));
 }
 
 ExitCode run_init(const InitOptions& options) {
@@ -85,10 +82,11 @@ ExitCode run_init(const InitOptions& options) {
   const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
   if (is_file) {
     deliver_result(document, options.output_file);
-    print_result(report::key_table_text(options.kind) + next_line(kind, options.output_file));
+    print_result(for_window(report::key_table_text(options.kind)) +
+                 next_line(kind, options.output_file));
   } else {
     print_result(options.explains && options.output_file.empty()
-                     ? report::key_table_text(options.kind)
+                     ? for_window(report::key_table_text(options.kind))
                      : document);
   }
   return ExitCode::kPasses;

@@ -16,6 +16,7 @@
 #include "src/commands/robot_commands.hpp"
 #include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -81,7 +82,7 @@ void write(const ExportOptions& options, const hopper::Exported& exported) {
   if (options.output_file.empty() || is_standard_output(options.output_file)) return;
   std::string said;
   for (const std::string& note : exported.notes) said += "note: " + note + "\n";
-  print_result(said);
+  print_result(for_window(said));
 }
 
 ExitCode run_export(const ExportOptions& options) {

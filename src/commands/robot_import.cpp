@@ -19,6 +19,7 @@
 #include "src/commands/robot_commands.hpp"
 #include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -96,7 +97,7 @@ void write(const ImportOptions& options, const hopper::Imported& imported,
   std::string said =
       fmt::format("{}: {} bodies, {} joints\n", options.output_file, bodies, bodies - 1);
   for (const std::string& note : imported.notes) said += "note: " + note + "\n";
-  print_result(said);
+  print_result(for_window(said));
 }
 
 ExitCode run_import(const ImportOptions& options) {

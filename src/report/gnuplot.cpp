@@ -108,6 +108,11 @@ std::string gnuplot_terminal(PlotFormat format, int width, int height) {
       name, width, height);
 }
 
+std::string gnuplot_palette() {
+  return "set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', 1 "
+         "'#fde725')\n";
+}
+
 std::string picture_by_gnuplot(const std::string& script, const std::string& option) {
   const MemoryFile input("script");
   const MemoryFile drawing("drawing");

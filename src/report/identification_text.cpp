@@ -219,9 +219,10 @@ std::string noise_line(const EquationResult& equation) {
         rms(shown_error(equation.after), equation.unit),
         rms(equation.noise_floor_rms, equation.unit));
   }
-  return fmt::format("\n{}: {}, {} rms, noise floor {}\n", name_of_equation(equation),
+  const double error = shown_error(equation.before);
+  return fmt::format("\n{}: {}, {}, noise floor {}\n", name_of_equation(equation),
                      identification::name_of(equation.verdict),
-                     rms(shown_error(equation.before), equation.unit),
+                     error > 0.0 ? rms(error, equation.unit) + " rms" : "no error",
                      rms(equation.noise_floor_rms, equation.unit));
 }
 
