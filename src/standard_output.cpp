@@ -20,7 +20,9 @@ std::string* held = nullptr;  ///< Of the HeldOutput that lives.
 HeldOutput::HeldOutput() { held = &text_; }
 HeldOutput::~HeldOutput() { held = nullptr; }
 
-bool is_output_held() { return held != nullptr; }
+std::string for_window(const std::string& text) {
+  return held != nullptr ? text : broken_into(text, window_columns());
+}
 
 void print_result(const std::string& text) {
   if (held != nullptr) {

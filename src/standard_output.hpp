@@ -23,8 +23,9 @@ class HeldOutput {
   std::string text_;
 };
 
-/// Whether one lives.
-bool is_output_held();
+/// A text for people as the window that standard output is can show it, without wider lines; as it
+/// is where that is no window.
+std::string for_window(const std::string& text);
 
 /// Writes a command's result to stdout. Throws SpecError if not all of it gets there.
 void print_result(const std::string& text);

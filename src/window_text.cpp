@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "src/standard_output.hpp"
-
 namespace torquewright::cli {
 namespace {
 
@@ -63,10 +61,6 @@ std::string broken_into(const std::string& text, std::size_t columns) {
     broken += (letters(line) > columns ? broken_line(line, columns) : line) + "\n";
   }
   return broken;
-}
-
-std::string for_window(const std::string& text) {
-  return is_output_held() ? text : broken_into(text, window_columns());
 }
 
 }  // namespace torquewright::cli

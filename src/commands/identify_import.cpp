@@ -11,7 +11,6 @@
 #include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/standard_output.hpp"
-#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {

@@ -86,7 +86,7 @@ TEST_F(Window, CtrlCLeavesAPromptAndNoFiles) {
   for (const auto& [name, text] : place_.files()) left.insert(name);
   EXPECT_EQ(left, std::set<std::string>{"specs"});
   EXPECT_EQ(place_.files(), before);
-  for (const std::string& row : terminal.shown()) {
+  for (const std::string& row : screen.rows) {
     EXPECT_EQ(row.find("intervals, iteration "), std::string::npos) << row;
   }
   EXPECT_EQ(terminal.run({"echo still here"}).lines.back(), "still here");
