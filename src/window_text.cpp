@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "src/standard_output.hpp"
+#include "src/held_output.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -66,7 +66,7 @@ std::string broken_into(const std::string& text, std::size_t columns) {
 }
 
 std::string for_window(const std::string& text) {
-  return is_output_held() ? text : broken_into(text, window_columns());
+  return held_output() != nullptr ? text : broken_into(text, window_columns());
 }
 
 }  // namespace torquewright::cli
