@@ -7,6 +7,13 @@ function(torquewright_flags target)
     -Wno-restrict $<$<CONFIG:Release>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;${ARGN}>)
 endfunction()
 
+# What a program of another language loads (python/) is linked of the same objects as the program:
+# code that may stand anywhere, in which our functions still call one another directly.
+function(torquewright_relocatable target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+endfunction()
+
 # One static library per module; a module links only what stands before it in CMakeLists.txt.
 # PLUGINS are files of one kind that call their parts by the same names (law, gradient, write): they
 # are compiled one by one, where preset `release` compiles SOURCES several at a time.
@@ -21,15 +28,18 @@ function(add_module name)
   list(REMOVE_ITEM arg_SOURCES ${documents})
   list(APPEND documents ${arg_DOCUMENTS})
   add_library(${name} STATIC ${arg_SOURCES} ${arg_PLUGINS})
+  set_property(GLOBAL APPEND PROPERTY TORQUEWRIGHT_MODULES ${name})
   set_source_files_properties(${arg_PLUGINS} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${arg_LINKS})
   torquewright_flags(${name})
+  torquewright_relocatable(${name})
   if(documents)
     add_library(${name}_documents OBJECT ${documents})
     target_include_directories(${name}_documents PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name}_documents PRIVATE ${arg_LINKS})
     torquewright_flags(${name}_documents -O1)
+    torquewright_relocatable(${name}_documents)
     target_sources(${name} PRIVATE $<TARGET_OBJECTS:${name}_documents>)
   endif()
 endfunction()

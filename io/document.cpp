@@ -158,17 +158,28 @@ Document read_document(const std::filesystem::path& file, std::string_view kind)
   return checked(read_complete_text(bytes, file.string()), bytes, file.string(), kind);
 }
 
-Document read_document(const std::filesystem::path& file,
-                       std::initializer_list<std::string_view> kinds) {
+namespace {
+
+Document read_one_of(const std::filesystem::path& file, const std::vector<std::string>& kinds) {
   const std::string bytes = read_file_bytes(file);
   JsonText text = read_complete_text(bytes, file.string());
   const json stated = text.root.is_object() ? text.root.value("kind", json()) : json();
-  for (const std::string_view kind : kinds) {
+  for (const std::string& kind : kinds) {
     if (stated == kind) return checked(std::move(text), bytes, file.string(), kind);
   }
   throw SpecError({{file.string(), "/kind",
-                    as_written(stated) + " is not what is needed here; must be " +
-                        either({kinds.begin(), kinds.end()})}});
+                    as_written(stated) + " is not what is needed here; must be " + either(kinds)}});
+}
+
+}  // namespace
+
+Document read_document(const std::filesystem::path& file,
+                       std::initializer_list<std::string_view> kinds) {
+  return read_one_of(file, {kinds.begin(), kinds.end()});
+}
+
+Document read_any_document(const std::filesystem::path& file) {
+  return read_one_of(file, document_kinds());
 }
 
 Document check_document(json root, std::string_view kind, std::string file, std::string path) {

@@ -31,6 +31,9 @@ Document read_document(const std::filesystem::path& file, std::string_view kind)
 Document read_document(const std::filesystem::path& file,
                        std::initializer_list<std::string_view> kinds);
 
+/// The same for a document of any kind there is.
+Document read_any_document(const std::filesystem::path& file);
+
 /// The same checks for a document that stands inside another one (a result's "problem"). `file`
 /// and `path` say where it stands, for the messages.
 Document check_document(nlohmann::json root, std::string_view kind, std::string file,

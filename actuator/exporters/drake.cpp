@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drake's JointActuator knows a box alone; a curve is a LeafSystem between controller and plant
 // (RobotLocomotion/drake, systems/framework/leaf_system.h at commit 9e4de0b0:
-// DeclareVectorInputPort, DeclareVectorOutputPort; issues 10725, 14735, 24110). N m, rad/s. Rotor inertia and gear ratio belong to the JointActuator
-// (set_default_rotor_inertia, set_default_gear_ratio).
+// DeclareVectorInputPort, DeclareVectorOutputPort; issues 10725, 14735, 24110). N m, rad/s. Rotor
+// inertia and gear ratio belong to the JointActuator (set_default_rotor_inertia,
+// set_default_gear_ratio).
 #include <fmt/format.h>
 
 #include "actuator/exporters/every_exporter.hpp"
@@ -50,8 +51,7 @@ class {1}_limiter final : public drake::systems::LeafSystem<double> {{
 const Exporter drake = {
     .name = "drake",
     .simulator = "Drake, C++ LeafSystem",
-    .source =
-        "https://github.com/RobotLocomotion/drake systems/framework/leaf_system.h @ 9e4de0b0",
+    .source = "https://github.com/RobotLocomotion/drake systems/framework/leaf_system.h @ 9e4de0b0",
     .advice =
         "Leave the JointActuator's effort_limit at least as large as the greatest torque; give it "
         "rotor inertia and gear ratio instead of an armature.",

@@ -2,8 +2,8 @@
 // RaiSim 1 limits torque by a box that may be set anew before every step:
 // ArticulatedSystem::setActuationLimits(upper, lower), getActuationUpperLimits(),
 // getActuationLowerLimits(), getGeneralizedVelocity() (raisimLib, header ArticulatedSystem.hpp at
-// commit 9bcf414b, docs/sections/ArticulatedSystem.rst at 07188086; issues 53 and 244). The built-in
-// PD controller is integrated implicitly and does not obey that box. N m, rad/s.
+// commit 9bcf414b, docs/sections/ArticulatedSystem.rst at 07188086; issues 53 and 244). The
+// built-in PD controller is integrated implicitly and does not obey that box. N m, rad/s.
 #include <fmt/format.h>
 
 #include "actuator/exporters/every_exporter.hpp"

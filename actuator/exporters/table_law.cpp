@@ -24,20 +24,12 @@ std::string array(std::string_view name, std::span<const double> values) {
 }  // namespace
 
 Shape table_shape(const Subject& subject) {
-  const ClipPoints points = clip_points(subject.table);
   const double inset_Nm =
       subject.fit == LawFit::kConservative ? subject.table.interpolation_error_Nm : 0.0;
+  const ClipPoints points = drawn_in(clip_points(subject.table), inset_Nm);
   Shape shape = points.speeds_rad_s;
-  const std::size_t rows = shape.size();
-  const auto middle_Nm = [&](std::size_t i) {
-    return 0.5 * (points.least_Nm[i] + points.greatest_Nm[i]);
-  };
-  for (std::size_t i = 0; i < rows; ++i) {
-    shape.push_back(std::min(points.least_Nm[i] + inset_Nm, middle_Nm(i)));
-  }
-  for (std::size_t i = 0; i < rows; ++i) {
-    shape.push_back(std::max(points.greatest_Nm[i] - inset_Nm, middle_Nm(i)));
-  }
+  shape.insert(shape.end(), points.least_Nm.begin(), points.least_Nm.end());
+  shape.insert(shape.end(), points.greatest_Nm.begin(), points.greatest_Nm.end());
   return shape;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "actuator/lint/few_digits.hpp"
 #include "actuator/lint/joint_explanation.hpp"
 
 namespace torquewright::actuator::lint {
@@ -212,6 +213,7 @@ Examination examine(const Actuator& document) {
           contradiction_of(*check, document, *pair, examination.comparisons));
     }
   }
+  for (Finding& note : few_digits(document)) examination.findings.push_back(std::move(note));
   return examination;
 }
 

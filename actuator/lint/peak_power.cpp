@@ -36,8 +36,8 @@ std::vector<Interpretation> electrical_interpretations(const Interpretation& sta
 const Check peak_power = {
     .rule = "peak-power",
     .unit = "W",
-    .equation = "eta I (V - R I), I the peak current, at most V / 2R",
-    .demand = Demand::kEqual,
+    .equation = "eta I (V - R I), I the lesser of peak current and V / 2R",
+    .demand = Demand::kAtMost,  // a limit of the speed, or of heat, may keep it below
     .weight = Weight::kContradiction,
     .stated =
         [](const Actuator& document) {

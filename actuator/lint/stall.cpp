@@ -53,10 +53,10 @@ std::vector<Interpretation> limited_interpretations(const Interpretation& stated
 std::optional<RoundedInterval> torque_expected(const Interpretation& interpretation) {
   const std::optional<RoundedInterval> stated = stated_current(interpretation.document);
   const bool is_stated = stated && !interpretation.stalls_at_peak_current;
-  return sheet_torque(interpretation,
-                      is_stated ? torque_constant_amperes(interpretation, *stated, kStallCurrent)
-                                : current_at_stall(interpretation),
-                      "stall_torque_Nm");
+  const RoundedInterval amperes =
+      is_stated ? torque_constant_amperes(interpretation, *stated, kStallCurrent)
+                : current_at_stall(interpretation);
+  return sheet_torque(interpretation, less_drag(interpretation, amperes), "stall_torque_Nm");
 }
 
 }  // namespace

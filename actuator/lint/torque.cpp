@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "actuator/lint/every_check.hpp"
 #include "actuator/lint/quantities.hpp"
 
@@ -36,19 +38,10 @@ std::optional<RoundedInterval> stated_rated(const Actuator& document) {
 std::optional<RoundedInterval> rated_expected(const Interpretation& interpretation) {
   const std::optional<double>& current_A = interpretation.document.drive.continuous_current_A;
   if (!current_A) return std::nullopt;
-  RoundedInterval amperes = torque_constant_amperes(
+  const RoundedInterval amperes = torque_constant_amperes(
       interpretation, condition(interpretation.document, *current_A, kContinuousCurrent),
       kContinuousCurrent);
-  // Makers take off what the drag needs, or do not.
-  const std::optional<RoundedInterval> drag_A =
-      sheet_number(interpretation.document, &Datasheet::no_load_current_A, "no_load_current_A");
-  if (drag_A) {
-    const RoundedInterval taken_A =
-        torque_constant_amperes(interpretation, *drag_A, kNoLoadCurrent);
-    amperes.low = std::max(0.0, amperes.low - taken_A.high);
-    amperes.pointers = united(amperes.pointers, drag_A->pointers);
-  }
-  return sheet_torque(interpretation, amperes, "rated_torque_Nm");
+  return sheet_torque(interpretation, less_drag(interpretation, amperes), "rated_torque_Nm");
 }
 
 std::optional<RoundedInterval> stated_braking(const Actuator& document) {
@@ -74,6 +67,16 @@ RoundedInterval sheet_torque(const Interpretation& interpretation, const Rounded
                    double factor) { return constant_Nm_A * amperes * factor; },
                 sheet_torque_constant(interpretation.document, name), current_A,
                 exact(interpretation.current_factor));
+}
+
+RoundedInterval less_drag(const Interpretation& interpretation, RoundedInterval current_A) {
+  const std::optional<RoundedInterval> drag_A =
+      sheet_number(interpretation.document, &Datasheet::no_load_current_A, "no_load_current_A");
+  if (!drag_A) return current_A;
+  const RoundedInterval taken_A = torque_constant_amperes(interpretation, *drag_A, kNoLoadCurrent);
+  current_A.low = std::max(0.0, current_A.low - taken_A.high);
+  current_A.pointers = united(current_A.pointers, drag_A->pointers);
+  return current_A;
 }
 
 std::vector<Explanation> losses(const Actuator& /*document*/, const RoundedInterval& stated,

@@ -10,6 +10,10 @@ namespace torquewright::actuator::lint {
 RoundedInterval sheet_torque(const Interpretation& interpretation, const RoundedInterval& current_A,
                              const char* name);
 
+/// A current, or what is left of it without the stated no-load current: makers take off what the
+/// drag needs, or do not.
+RoundedInterval less_drag(const Interpretation& interpretation, RoundedInterval current_A);
+
 /// The share that losses or saturation would have to take, where less is stated than follows.
 std::vector<Explanation> losses(const Actuator& document, const RoundedInterval& stated,
                                 const RoundedInterval& expected);

@@ -38,6 +38,15 @@ ClipPoints clip_points(const MorTable& table) {
   return points;
 }
 
+ClipPoints drawn_in(ClipPoints points, double by_Nm) {
+  for (std::size_t i = 0; i < points.least_Nm.size(); ++i) {
+    const double middle_Nm = 0.5 * (points.least_Nm[i] + points.greatest_Nm[i]);
+    points.least_Nm[i] = std::min(points.least_Nm[i] + by_Nm, middle_Nm);
+    points.greatest_Nm[i] = std::max(points.greatest_Nm[i] - by_Nm, middle_Nm);
+  }
+  return points;
+}
+
 ClipTable::ClipTable(const ClipPoints& points) {
   const std::vector<double>& speeds_rad_s = points.speeds_rad_s;
   const std::size_t count = speeds_rad_s.size();

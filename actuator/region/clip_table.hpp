@@ -20,6 +20,10 @@ struct ClipPoints {
 /// or joined.
 ClipPoints clip_points(const MorTable& table);
 
+/// Both bounds drawn in by that much, no further than to the middle between them: lines between the
+/// points then stay inside the region where they are off by no more.
+ClipPoints drawn_in(ClipPoints points, double by_Nm);
+
 /// Owns what a torquewright_table points into: rows and the index over them.
 class ClipTable {
  public:

@@ -67,11 +67,11 @@ void unite(JointRange& range, const JointRange& other) {
   if (other.greatest.torque_Nm > range.greatest.torque_Nm) range.greatest = other.greatest;
 }
 
+/// From what the motor can do at ratio times that speed.
 JointRange range_at_joint(const Actuator& actuator, const PhaseModel& model, double temperature_K,
-                          double speed_rad_s, double direction) {
+                          double speed_rad_s, double direction, MotorRange motor) {
   const double ratio = actuator.transmission.ratio;
   const double motor_rad_s = ratio * speed_rad_s;
-  MotorRange motor = motor_range(model, motor_rad_s);
   JointRange range{motor.is_empty, motor.why_empty, {}, {}, {}};
   const Path path(actuator, speed_rad_s, direction, temperature_K);
   if (motor.plugging) {
@@ -128,18 +128,26 @@ Region::Region(const Actuator& actuator, const OperatingConditions& conditions, 
       side == Side::kMotor ? motor_rad_s : motor_rad_s / std::abs(actuator.transmission.ratio);
 }
 
-JointRange Region::at(double speed_rad_s, double direction) const {
+MotorRange Region::motor_at(double speed_rad_s) const {
+  const double ratio = side_ == Side::kMotor ? 1.0 : actuator_.transmission.ratio;
+  return motor_range(model_, ratio * speed_rad_s);
+}
+
+JointRange Region::at(double speed_rad_s, double direction, const MotorRange& motor) const {
   return side_ == Side::kMotor
-             ? at_motor(speed_rad_s)
-             : range_at_joint(actuator_, model_, temperature_K_, speed_rad_s, direction);
+             ? at_motor(motor)
+             : range_at_joint(actuator_, model_, temperature_K_, speed_rad_s, direction, motor);
+}
+
+JointRange Region::at(double speed_rad_s, double direction) const {
+  return at(speed_rad_s, direction, motor_at(speed_rad_s));
 }
 
 JointRange Region::at(double speed_rad_s) const {
   return at_any_speed([&](double direction) { return at(speed_rad_s, direction); }, speed_rad_s);
 }
 
-JointRange Region::at_motor(double speed_rad_s) const {
-  const MotorRange motor = motor_range(model_, speed_rad_s);
+JointRange Region::at_motor(const MotorRange& motor) const {
   JointRange range{motor.is_empty, motor.why_empty, {}, {}, motor.plugging};
   if (motor.is_empty) return range;
   range.least = at_rotor(actuator_, motor.least);
@@ -153,7 +161,8 @@ JointRange range_at(const Actuator& actuator, const OperatingConditions& conditi
   const double temperature_K = winding_temperature_K(actuator, conditions);
   return at_any_speed(
       [&](double direction) {
-        return range_at_joint(actuator, model, temperature_K, speed_rad_s, direction);
+        const MotorRange motor = motor_range(model, actuator.transmission.ratio * speed_rad_s);
+        return range_at_joint(actuator, model, temperature_K, speed_rad_s, direction, motor);
       },
       speed_rad_s);
 }

@@ -41,6 +41,10 @@ class Region {
   /// The torques at that speed; `direction` (-1, 1) is the sign of the motion where the speed is 0.
   JointRange at(double speed_rad_s, double direction) const;
 
+  /// The same where what the motor can do there (motor_at) is known already.
+  JointRange at(double speed_rad_s, double direction, const MotorRange& motor) const;
+  MotorRange motor_at(double speed_rad_s) const;
+
   /// The same at any speed; at rest the union of both directions.
   JointRange at(double speed_rad_s) const;
 
@@ -53,7 +57,7 @@ class Region {
   Side side() const { return side_; }
 
  private:
-  JointRange at_motor(double speed_rad_s) const;
+  JointRange at_motor(const MotorRange& motor) const;
 
   Actuator actuator_;
   double temperature_K_;

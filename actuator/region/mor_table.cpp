@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace torquewright::actuator {
 namespace {
@@ -30,10 +31,28 @@ Character character_of(const JointRange& range) {
 
 double between(double one, double other, double share) { return one + share * (other - one); }
 
+/// What the motor can do at speeds of one direction, each asked for once: it serves both.
+class MotorRanges {
+ public:
+  explicit MotorRanges(const Region& region) : region_(region) {}
+
+  JointRange joint_range(double distance_rad_s, double direction) {
+    const auto [place, is_new] = known_.try_emplace(distance_rad_s);
+    if (is_new) place->second = region_.motor_at(distance_rad_s);
+    return region_.at(direction * distance_rad_s, direction,
+                      direction < 0.0 ? mirrored(place->second) : place->second);
+  }
+
+ private:
+  const Region& region_;
+  std::unordered_map<double, MotorRange> known_;
+};
+
 /// The rows of one direction of motion, from rest outward.
 class HalfTable {
  public:
-  HalfTable(const Region& region, double direction) : region_(region), direction_(direction) {}
+  HalfTable(const Region& region, MotorRanges& ranges, double direction)
+      : region_(region), ranges_(ranges), direction_(direction) {}
 
   std::vector<MorRow> run(double accuracy, double& peak_Nm, double& error_Nm) {
     const double end_rad_s = region_.greatest_speed_rad_s();
@@ -48,8 +67,7 @@ class HalfTable {
 
  private:
   MorRow row(double distance_rad_s) const {
-    const double speed_rad_s = direction_ * distance_rad_s;
-    return {speed_rad_s, region_.at(speed_rad_s, direction_)};
+    return {direction_ * distance_rad_s, ranges_.joint_range(distance_rad_s, direction_)};
   }
 
   static double magnitude(const MorRow& entry) {
@@ -143,6 +161,7 @@ class HalfTable {
   }
 
   const Region& region_;
+  MotorRanges& ranges_;
   double direction_;
   std::vector<MorRow> rows_;
   double error_Nm_ = 0.0;
@@ -158,10 +177,13 @@ bool jumps(const MorRow& below, const MorRow& above) {
 
 MorTable mor_table(const Region& region, double accuracy) {
   MorTable table;
-  std::vector<MorRow> negative =
-      HalfTable(region, -1.0).run(accuracy, table.peak_torque_Nm, table.interpolation_error_Nm);
-  const std::vector<MorRow> positive =
-      HalfTable(region, 1.0).run(accuracy, table.peak_torque_Nm, table.interpolation_error_Nm);
+  MotorRanges ranges(region);
+  const auto half = [&](double direction) {
+    return HalfTable(region, ranges, direction)
+        .run(accuracy, table.peak_torque_Nm, table.interpolation_error_Nm);
+  };
+  std::vector<MorRow> negative = half(-1.0);
+  const std::vector<MorRow> positive = half(1.0);
   std::reverse(negative.begin(), negative.end());
   negative.back().speed_rad_s = 0.0;  // not -0
   if (!jumps(negative.back(), positive.front())) negative.pop_back();

@@ -231,7 +231,13 @@ MotorBound mirrored(MotorBound bound) {
   return bound;
 }
 
-/// The model is the same both ways round.
+MotorRange range_by(Method method, const PhaseModel& model, double speed_rad_s) {
+  if (speed_rad_s < 0.0) return mirrored(RangeSearch(model, -speed_rad_s, method).run());
+  return RangeSearch(model, speed_rad_s, method).run();
+}
+
+}  // namespace
+
 MotorRange mirrored(const MotorRange& range) {
   MotorRange result = range;
   result.least = mirrored(range.greatest);
@@ -241,13 +247,6 @@ MotorRange mirrored(const MotorRange& range) {
   }
   return result;
 }
-
-MotorRange range_by(Method method, const PhaseModel& model, double speed_rad_s) {
-  if (speed_rad_s < 0.0) return mirrored(RangeSearch(model, -speed_rad_s, method).run());
-  return RangeSearch(model, speed_rad_s, method).run();
-}
-
-}  // namespace
 
 MotorRange motor_range(const PhaseModel& model, double speed_rad_s) {
   return range_by(Method::kSolve, model, speed_rad_s);

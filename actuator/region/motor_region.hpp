@@ -34,6 +34,9 @@ struct MotorRange {
 /// At the rotor, before any friction. docs/derivations/motor_region.md section 4.
 MotorRange motor_range(const PhaseModel& model, double speed_rad_s);
 
+/// The range at the opposite speed: a motor is the same both ways round.
+MotorRange mirrored(const MotorRange& range);
+
 /// The bound's numbers for a torque inside the range, at the current that the drive chooses.
 MotorBound motor_point(const PhaseModel& model, double torque_Nm, double speed_rad_s,
                        Limiter limiter);

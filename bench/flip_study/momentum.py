@@ -29,7 +29,7 @@ def against_seed(found):
             for (name, unit, seed, percent), value in zip(SEED, got)]
     rise = 100 * (got[2] / got[1] - 1)
     rows.append(["rise of CAV in flight", "+35 to +45 %", f"{rise:+.1f} %", "", words.reached(35 <= rise <= 45)])
-    return "The plan for effort beside the seed:\n\n" + words.table(["", "seed", "plan", "off by", ""], rows)
+    return "The plan for effort beside the paper:\n\n" + words.table(["", "seed", "plan", "off by", ""], rows)
 
 
 def about_take_off(program, found):

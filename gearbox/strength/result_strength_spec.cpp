@@ -237,6 +237,7 @@ ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions
                                  result.root["designs"].size(), result.file,
                                  result.root["status"].get<std::string>()),
                      steel_sentences(gears, chosen), assumed_sentence(read, options)};
+  if (problem.contains("load")) read.load_Nm = problem["load"]["output_torque_Nm"];
   read.documents = {std::move(result)};
   return read;
 }

@@ -16,6 +16,7 @@ struct ReadStrength {
   std::string name;
   StrengthCase strength;
   std::optional<double> ring_space_mm;  ///< `rotor_inner_diameter_mm`.
+  std::optional<double> load_Nm;        ///< At the output, where a result's problem states it.
   std::vector<std::string> assumed;
   std::vector<std::string> statements;  ///< Sentences: what was taken from where.
   std::vector<io::Document> documents;

@@ -19,6 +19,8 @@ struct AnalysisOptions {
   std::map<std::string, double> band_Hz;  ///< By quantity; else chosen by what stands out.
   /// Called with what is being done, and how much of all is done (0 to 1).
   std::function<void(const std::string&, double)> progress;
+  /// Called often, while models are fitted; what it throws ends the work. May be empty.
+  std::function<void()> before_each_fit;
 
   bool asks(const std::string& effect) const;
 };

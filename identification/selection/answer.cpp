@@ -304,6 +304,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   SearchRules rules;
   rules.least_change = options.tolerance * stated.used;
   rules.asks = [&options](const std::string& effect) { return options.asks(effect); };
+  rules.before_each_fit = options.before_each_fit;
   const ForwardEquation equation = with_instant_if_it_shows(
       with_what_is_determined(stated, held, fold_of_run), held, fold_of_run, rules);
   result.quantity = equation.quantity;

@@ -81,6 +81,7 @@ const ModelFit& Search::fitted(const EffectSet& members, const Eigen::VectorXd& 
   std::sort(key.begin(), key.end());
   const auto known = fits_.find(key);
   if (known != fits_.end()) return known->second;
+  if (rules_.before_each_fit) rules_.before_each_fit();
   return fits_.emplace(std::move(key), fitter_.fit(members, start)).first->second;
 }
 
@@ -345,7 +346,6 @@ Found Search::run() {
   if (!model->is_valid) return found;
   std::set<const ModelFit*> seen = {model};
   for (std::size_t round = 0; round < kMostRounds; ++round) {
-    if (rules_.progress) rules_.progress(static_cast<double>(round) / kMostRounds);
     const ModelFit* next = step(*model);
     if (next != nullptr) next = pruned(next);
     if (next == nullptr || next->unseen_loss >= model->unseen_loss) {

@@ -27,7 +27,7 @@ struct SearchRules {
   double steady_share = 0.2;        ///< ... takes so much of the squares ...
   double steady_parts = 0.75;       ///< ... and helps in so many of the parts.
   std::function<bool(const std::string& effect)> asks;  ///< Empty: about all.
-  std::function<void(double)> progress;
+  std::function<void()> before_each_fit;  ///< May throw, to end the search. May be empty.
 };
 
 /// Why an effect did not come in.

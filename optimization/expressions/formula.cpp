@@ -28,8 +28,10 @@ Formula::Formula(const Expression& expression) {
 }
 
 template <class Number, class Variable, class Constant>
-Number Formula::evaluate(std::vector<Number>& values, Variable variable, Constant constant) const {
-  values.resize(std::max(values.size(), steps_.size()));
+Number Formula::evaluate(std::vector<Number>& storage, Variable variable, Constant constant) const {
+  storage.resize(std::max(storage.size(), steps_.size()));
+  // What belongs to a thread would be looked up anew at every step.
+  const std::span<Number> values = storage;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
     if (step.operation == Operation::kConstant) {

@@ -28,7 +28,7 @@ class Formula {
     std::size_t constant;
   };
   template <class Number, class Variable, class Constant>
-  Number evaluate(std::vector<Number>& values, Variable variable, Constant constant) const;
+  Number evaluate(std::vector<Number>& storage, Variable variable, Constant constant) const;
 
   std::vector<Step> steps_;
   std::vector<Interval> constants_;

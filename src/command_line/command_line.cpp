@@ -204,6 +204,11 @@ Option Option::one_of(const std::vector<std::string>& words) {
   return *this;
 }
 
+Option Option::offers(const std::vector<std::string>& words) {
+  declared_->choices = words;
+  return *this;
+}
+
 Option Option::existing_file() {
   option_->check(CLI::ExistingFile);
   declared_->value = "FILE";
@@ -214,6 +219,13 @@ Option Option::names_a_file() {
   option_->check(kNamed);
   declared_->value = "FILE";
   declared_->writes_file = true;
+  return *this;
+}
+
+Option Option::not_standard_output() {
+  option_->check(must_be("a file but standard output, which cannot hold this",
+                         [](const std::string& file) { return file != "-"; }));
+  declared_->is_never_printed = true;
   return *this;
 }
 

@@ -40,10 +40,14 @@ class Option {
   Option integer_between(std::int64_t least, std::int64_t greatest);
   Option positive();
   Option one_of(const std::vector<std::string>& words);
+  /// Of those words the ones that help and completion name; the work refuses the others.
+  Option offers(const std::vector<std::string>& words);
   Option existing_file();
   /// A file to be written. An unset variable of a script leaves "": nothing would be written, and
   /// nobody would know.
   Option names_a_file();
+  /// Such a file for which "-", standard output, is refused by name.
+  Option not_standard_output();
 
   /// Other options by their names, declared before: not with this one, or only with it.
   Option excludes(const std::string& other);

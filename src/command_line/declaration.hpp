@@ -23,9 +23,10 @@ struct DeclaredOption {
   bool is_argument = false;           ///< By its place.
   bool is_required = false;
   bool is_list = false;
-  bool is_repeated = false;  ///< A list of one value each time that it is named.
-  bool has_commas = false;   ///< A list whose values may be separated by commas.
-  bool writes_file = false;  ///< Names a file to be written.
+  bool is_repeated = false;       ///< A list of one value each time that it is named.
+  bool has_commas = false;        ///< A list whose values may be separated by commas.
+  bool writes_file = false;       ///< Names a file to be written; "-" is standard output.
+  bool is_never_printed = false;  ///< A file for which "-" is refused.
 };
 
 /// A command, or the program itself.

@@ -54,7 +54,7 @@ std::string plot_of(const CheckOptions& options, const ActuatorCheckInputs& inpu
 ActuatorCheckInputs read(const CheckOptions& options) {
   if (!options.plot_file.empty()) report::plot_format(options.plot_file);  // refuse early
   ActuatorCheckInputs inputs = read_inputs(options);
-  io::check_outputs(named({options.output_file, options.plot_file}), {options.trajectory_file});
+  check_written(named({options.output_file, options.plot_file}), {options.trajectory_file});
   return inputs;
 }
 
@@ -71,10 +71,9 @@ void write(const CheckOptions& options, const ActuatorCheckInputs& inputs,
   if (!found.plot.empty()) {
     files.push_back({options.plot_file, report::picture_by_gnuplot(found.plot)});
   }
-  deliver_result(options.json || names_json(options.output_file)
-                     ? actuator_check_json(options, inputs, found.report)
-                     : report::check_text(options.trajectory_file, found.report),
-                 options.output_file, std::move(files));
+  deliver_report({actuator_check_json(options, inputs, found.report),
+                  report::check_text(options.trajectory_file, found.report)},
+                 options.output_file, options.json, std::move(files));
 }
 
 ExitCode run_check(const CheckOptions& options) {

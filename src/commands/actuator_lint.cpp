@@ -7,6 +7,7 @@
 #include "actuator/motor/actuator_spec.hpp"
 #include "src/commands/actuator_commands.hpp"
 #include "src/commands/result_json.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/lint_text.hpp"
 #include "src/standard_output.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 struct LintOptions {
   std::vector<std::string> actuator_files;
+  std::string output_file;
   bool json = false;
 };
 
@@ -30,13 +32,15 @@ LintInputs read(const LintOptions& options) {
     inputs.actuators.push_back(std::move(read.actuator));
     for (io::Document& document : read.documents) inputs.documents.push_back(std::move(document));
   }
+  check_written(named({options.output_file}), {});
   return inputs;
 }
 
 void write(const LintOptions& options, const LintInputs& inputs,
            const actuator::lint::Report& report) {
-  print_result(options.json ? result_text(actuator::lint::report_json(report), inputs.documents)
-                            : report::lint_text(report));
+  deliver_report({result_text(actuator::lint::report_json(report), inputs.documents),
+                  report::lint_text(report)},
+                 options.output_file, options.json);
 }
 
 ExitCode run_lint(const LintOptions& options) {
@@ -51,12 +55,14 @@ ExitCode run_lint(const LintOptions& options) {
 void add_lint_command(command_line::Command& actuator) {
   auto options = std::make_shared<LintOptions>();
   command_line::Command command =
-      actuator.add_command("lint", "Contradictions between stated numbers");
+      actuator.add_command("lint", "Find contradictions between stated numbers");
   command
       .add_option("actuator", options->actuator_files,
                   "Documents of kind actuator; several are compared with one another too")
       .required();
-  command.add_flag("--json", options->json, "The same as JSON");
+  command.add_option("-o,--output", options->output_file, "Write the report as JSON to this file")
+      .names_a_file();
+  command.add_flag("--json", options->json, "Print the same as JSON");
   command.example("torquewright actuator lint specs/actuator/d151_knee.json");
   command.works([options] { return run_lint(*options); });
 }

@@ -72,23 +72,25 @@ MorInputs read(const MorRequest& request) {
     inputs.compared = {request.compare_file, std::move(other), conditions};
   }
   read_question(request, inputs);
-  io::check_outputs(named({request.output_file, request.plot.file}), {});
+  check_written(named({request.output_file, request.export_file, request.plot.file}), {});
   return inputs;
 }
 
 /// One of the questions that the command answers, answered.
 struct MorAnswer {
-  std::optional<std::string> text = {};  ///< Nothing: the picture is the answer.
+  std::optional<Report> report = {};     ///< Of the questions that have one.
+  std::optional<std::string> rows = {};  ///< The table, or the document of a simulator's file.
+  std::optional<std::string> file = {};  ///< The simulator's.
   std::string plot = {};                 ///< A script for gnuplot; empty: no picture.
   ExitCode code = ExitCode::kPasses;
 };
 
-MorAnswer sweep(const MorRequest& request, const MorInputs& inputs) {
+MorAnswer sweep(const MorInputs& inputs) {
   const auto [low, high] = *inputs.ratios;
   const auto rows = actuator::ratio_sweep(inputs.read.actuator, inputs.conditions, low, high,
                                           kRatiosInSweep, inputs.need);
-  return {is_json(request) ? result_text(report::sweep_json(rows), inputs.read.documents)
-                           : report::sweep_text(rows)};
+  return {.report = Report{result_text(report::sweep_json(rows), inputs.read.documents),
+                           report::sweep_text(rows)}};
 }
 
 ExitCode code_of(const actuator::NeedAnswer& answer) {
@@ -96,14 +98,13 @@ ExitCode code_of(const actuator::NeedAnswer& answer) {
   return answer.is_reached ? ExitCode::kPasses : ExitCode::kFails;
 }
 
-MorAnswer answer_need(const MorRequest& request, const MorInputs& inputs,
-                      const actuator::Need& need) {
+MorAnswer answer_need(const MorInputs& inputs, const actuator::Need& need) {
   catch_interrupt();
   const actuator::NeedAnswer answer =
       actuator::answer_need(inputs.read.actuator, inputs.conditions, need, is_interrupted);
-  return {is_json(request) ? result_text(report::need_json(need, answer), inputs.read.documents)
-                           : report::need_text(inputs.read.actuator, need, answer),
-          "", code_of(answer)};
+  return {.report = Report{result_text(report::need_json(need, answer), inputs.read.documents),
+                           report::need_text(inputs.read.actuator, need, answer)},
+          .code = code_of(answer)};
 }
 
 /// Both regions as a table, and drawn where a picture was asked for.
@@ -112,7 +113,9 @@ MorAnswer compare(const MorRequest& request, const MorInputs& inputs) {
   const actuator::Side side = side_of(request);
   std::string plot;
   if (inputs.picture) plot = comparison_plot(*inputs.picture, *inputs.compared, to, side);
-  return {comparison_result(*inputs.compared, to, side, is_json(request)), std::move(plot)};
+  return {.report = Report{comparison_result(*inputs.compared, to, side, true),
+                           comparison_result(*inputs.compared, to, side, false)},
+          .plot = std::move(plot)};
 }
 
 MorAnswer export_region(const MorRequest& request, const MorInputs& inputs,
@@ -120,8 +123,14 @@ MorAnswer export_region(const MorRequest& request, const MorInputs& inputs,
   const actuator::Region region(inputs.read.actuator, inputs.conditions, side_of(request));
   const auto fit =
       request.fit == "best" ? actuator::LawFit::kBest : actuator::LawFit::kConservative;
-  return {exported_file(inputs.read, inputs.conditions, region, request.accuracy, exporter, fit,
-                        is_json(request))};
+  const auto written = [&](bool as_json) {
+    return exported_file(inputs.read, inputs.conditions, region, request.accuracy, exporter, fit,
+                         as_json);
+  };
+  MorAnswer answer;
+  if (is_json(request)) answer.rows = written(true);
+  if (!is_json(request) || !request.export_file.empty()) answer.file = written(false);
+  return answer;
 }
 
 MorAnswer tabulate(const MorRequest& request, const MorInputs& inputs) {
@@ -130,14 +139,14 @@ MorAnswer tabulate(const MorRequest& request, const MorInputs& inputs) {
                                        ? actuator::mor_table(region, request.accuracy)
                                        : actuator::mor_rows(region, request.speeds_rad_s);
   const actuator::MorHeader header{&inputs.read.actuator, inputs.conditions, side_of(request)};
-  return {is_json(request)
-              ? result_text(actuator::mor_table_json(header, table), inputs.read.documents)
-              : actuator::mor_table_csv(header, table)};
+  return {.rows = is_json(request)
+                      ? result_text(actuator::mor_table_json(header, table), inputs.read.documents)
+                      : actuator::mor_table_csv(header, table)};
 }
 
 MorAnswer compute(const MorRequest& request, const MorInputs& inputs) {
-  if (inputs.ratios) return sweep(request, inputs);
-  if (inputs.need) return answer_need(request, inputs, *inputs.need);
+  if (inputs.ratios) return sweep(inputs);
+  if (inputs.need) return answer_need(inputs, *inputs.need);
   if (inputs.compared) return compare(request, inputs);
   MorAnswer answer;
   const actuator::Exporter* exporter = exporter_of(request);
@@ -156,8 +165,17 @@ void write(const MorRequest& request, const MorAnswer& answer) {
   if (!answer.plot.empty()) {
     files.push_back({request.plot.file, report::picture_by_gnuplot(answer.plot)});
   }
-  if (!answer.text) return io::write_whole_files(files);
-  deliver_result(*answer.text, request.output_file, std::move(files));
+  if (answer.report) {
+    return deliver_report(*answer.report, request.output_file, request.json, std::move(files));
+  }
+  if (answer.file && !request.export_file.empty()) {
+    files.push_back({request.export_file, *answer.file});
+  }
+  if (answer.rows) return deliver_result(*answer.rows, request.output_file, std::move(files));
+  if (!answer.file || !request.export_file.empty()) return deliver(std::move(files), "");
+  deliver_result(*answer.file, request.output_file, std::move(files));
+  if (request.output_file.empty()) return;
+  say_old_spelling(request.output_file, "the simulator's file", "--export " + request.output_file);
 }
 
 ExitCode run_mor(const MorRequest& request) {
@@ -171,7 +189,8 @@ ExitCode run_mor(const MorRequest& request) {
 
 void add_mor_command(command_line::Command& actuator) {
   auto request = std::make_shared<MorRequest>();
-  command_line::Command command = actuator.add_command("mor", "The motor operating region");
+  command_line::Command command = actuator.add_command(
+      "mor", "Compute the motor operating region: which torques are there at each speed");
   add_mor_options(command, *request);
   command.example("torquewright actuator mor specs/actuator/d151_knee.json --at-speed 0,5,10");
   command.works([request] { return run_mor(*request); });

@@ -25,7 +25,7 @@ std::string script_for(const std::string& shell, const command_line::DeclaredCom
 
 ExitCode run_completion(const command_line::DeclaredCommand& program,
                         const CompletionOptions& options) {
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   deliver_result(script_for(options.shell, program), options.output_file);
   return ExitCode::kPasses;
 }
@@ -35,11 +35,14 @@ ExitCode run_completion(const command_line::DeclaredCommand& program,
 void add_completion_command(command_line::Command& program) {
   auto options = std::make_shared<CompletionOptions>();
   command_line::Command command = program.add_command(
-      "completion", "A script by which a shell completes: source <(torquewright completion bash)");
+      "completion",
+      "Print a script by which a shell completes: source <(torquewright completion bash)");
   command.add_option("shell", options->shell, "The shell that is to complete")
       .required()
       .one_of({"bash", "zsh", "fish"});
-  command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
+  command.add_option("-o,--output", options->output_file, "Write the script to this file")
+      .otherwise("-, standard output")
+      .names_a_file();
   command.example("torquewright completion bash");
   command.works(
       [options, &declared = program.declared()] { return run_completion(declared, *options); });

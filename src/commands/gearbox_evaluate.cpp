@@ -21,6 +21,7 @@
 #include "src/report/gearbox_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -163,10 +164,10 @@ Evaluation compute(const EvaluateOptions& options, const EvaluateInputs& inputs)
 
 void write(const EvaluateOptions& options, const EvaluateInputs& inputs, const Evaluation& found) {
   const std::string json = evaluation_json(inputs.read, found.report, found.standing);
-  write_outputs(options.outputs, json, found.drawing);
-  print_result(options.json
-                   ? json
-                   : report::evaluation_text(inputs.read.problem, found.report, found.standing));
+  write_outputs(options.outputs, json, found.drawing,
+                options.json ? json
+                             : for_window(report::evaluation_text(inputs.read.problem, found.report,
+                                                                  found.standing)));
 }
 
 ExitCode run_evaluate(const EvaluateOptions& options) {
@@ -181,36 +182,39 @@ ExitCode run_evaluate(const EvaluateOptions& options) {
 
 void add_evaluate_command(command_line::Command& gearbox) {
   auto options = std::make_shared<EvaluateOptions>();
-  command_line::Command command = gearbox.add_command("evaluate", "Everything about one design");
+  command_line::Command command =
+      gearbox.add_command("evaluate", "Compute everything about one design");
   command.add_option("problem", options->problem_file, "Document of kind gearbox_problem")
       .required();
-  command.add_option("--teeth", options->teeth, "Free tooth counts, or all: 44,44,32")
+  command
+      .add_option("--teeth", options->teeth,
+                  "Tooth counts of the design, those of sun and planets or all: 44,44,32")
       .required()
       .separated_by_commas()
       .one_value_each()
       .integer_between(1, kMostTeeth);
   command
       .add_option("--planet-count", options->planet_count,
-                  "Of the design; needed where the problem lists several")
+                  "Planets of the design; needed where the problem lists several")
       .otherwise("the problem's, where it has one")
       .integer_between(2, 20);
   command
       .add_option("--module", options->module_mm,
-                  "Of the design, in mm; needed where the problem lists several")
+                  "Module of the design, in mm; needed where the problem lists several")
       .otherwise("the problem's, where it has one")
       .between(0.05, 25.0);
   add_output_options(command, options->outputs);
   command
       .add_option("--profile-shift", options->profile_shift,
-                  "Of each gear, in modules: 0.48,0.76,0.54; the rings' close the centre distance "
-                  "where they are left out")
+                  "By how much each gear is shifted, in modules: 0.48,0.76,0.54; where the rings' "
+                  "are left out, they close the centre distance")
       .otherwise("none is shifted")
       .separated_by_commas()
       .one_value_each()
       .between(-2.0, 5.0);
   command
       .add_option("--layer-2-module", options->layer_2_module_mm,
-                  "Of planet 2 and the output ring, in mm, where it is another")
+                  "Module of planet 2 and the output ring, in mm, where it is another")
       .otherwise("that of the first layer")
       .between(0.05, 25.0);
   command.add_flag(

@@ -23,6 +23,7 @@
 #include "src/report/progress_line.hpp"
 #include "src/report/proof_text.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -105,10 +106,10 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
 }
 
 void write(const OptimizeRequest& request, const OptimizeAnswer& answer) {
-  write_outputs(request.outputs, answer.json, answer.drawing);
-  print_result(!request.json  ? answer.text
-               : answer.check ? with_verdict(answer.json, *answer.check)
-                              : answer.json);
+  write_outputs(request.outputs, answer.json, answer.drawing,
+                !request.json  ? for_window(answer.text)
+                : answer.check ? with_verdict(answer.json, *answer.check)
+                               : answer.json);
 }
 
 ExitCode exit_code_of(const OptimizeAnswer& answer) {
@@ -137,7 +138,7 @@ ExitCode run_optimize(const OptimizeRequest& request) {
 void add_optimize_command(command_line::Command& gearbox) {
   auto request = std::make_shared<OptimizeRequest>();
   command_line::Command command =
-      gearbox.add_command("optimize", "The best gearbox of a problem, proved");
+      gearbox.add_command("optimize", "Find the best gearbox of a problem, and prove it");
   add_optimize_options(command, *request);
   command.example("torquewright gearbox optimize specs/gearbox/d151_knee.json --verify");
   command.works([request] { return run_optimize(*request); });

@@ -2,23 +2,25 @@
 #include "src/commands/gearbox_outputs.hpp"
 
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "io/atomic_file.hpp"
+#include "src/standard_output.hpp"
 
 namespace torquewright::cli {
 
 void check_outputs(const OutputFiles& files, const std::string& input_file) {
-  io::check_outputs(named({files.result, files.drawing}), {input_file});
+  check_written(named({files.result, files.drawing}), {input_file});
   require_svg("--draw", files.drawing);
 }
 
 void write_outputs(const OutputFiles& files, const std::string& result,
-                   const std::optional<std::string>& drawing) {
+                   const std::optional<std::string>& drawing, const std::string& printed) {
   std::vector<io::FileContent> contents;
   if (!files.result.empty()) contents.push_back({files.result, result});
   if (!files.drawing.empty() && drawing) contents.push_back({files.drawing, *drawing});
-  io::write_whole_files(contents);
+  deliver(std::move(contents), printed);
   if (files.drawing.empty() || drawing) return;
   std::fprintf(stderr, "%s: not written, there is no design to draw\n", files.drawing.c_str());
 }

@@ -11,9 +11,9 @@ namespace torquewright::cli {
 /// For before the work. Throws SpecError if a file cannot be written or is the input.
 void check_outputs(const OutputFiles& files, const std::string& input_file);
 
-/// Writes what was asked for, all of it or nothing. Where there is no drawing (no design) its file
-/// stays as it is, which is said on stderr.
+/// Writes what was asked for, all of it or nothing, and prints `printed` unless a file is "-".
+/// Where there is no drawing (no design) its file stays as it is, which is said on stderr.
 void write_outputs(const OutputFiles& files, const std::string& result,
-                   const std::optional<std::string>& drawing);
+                   const std::optional<std::string>& drawing, const std::string& printed);
 
 }  // namespace torquewright::cli

@@ -13,6 +13,7 @@
 #include "io/refusal.hpp"
 #include "src/commands/gearbox_commands.hpp"
 #include "src/commands/result_json.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/strength_json.hpp"
 #include "src/standard_output.hpp"
 
@@ -21,8 +22,9 @@ namespace {
 
 struct StrengthOptions {
   std::string file;
+  std::string output_file;
   std::vector<double> torques_Nm;
-  std::string side = "motor";
+  std::string side;
   std::vector<double> face_widths_mm;
   std::vector<double> modules_mm;
   double cycles = 0.0;  // 0: the document's
@@ -103,14 +105,30 @@ gearbox::ReadStrength read(const StrengthOptions& options) {
   check_options(options, read);
   if (options.cycles != 0.0) read.strength.cycles = options.cycles;
   if (options.load_sharing != 0.0) read.strength.factors.load_sharing = options.load_sharing;
+  check_written(named({options.output_file}), {});
   return read;
+}
+
+/// Those of the command line, else the load that a result's problem states, at the joint.
+void take_torques(const StrengthOptions& options, report::StrengthReport& report) {
+  report.side = options.side == "joint" ? gearbox::TorqueSide::kJoint : gearbox::TorqueSide::kMotor;
+  report.torques_Nm = options.torques_Nm;
+  if (!options.torques_Nm.empty()) return;
+  if (!report.read.load_Nm || *report.read.load_Nm == 0.0) {
+    io::refuse("--torque", "missing; only a gearbox_result whose problem has a load states one");
+  }
+  if (!options.side.empty()) io::refuse("--side", "is of --torque, which is missing");
+  report.side = gearbox::TorqueSide::kJoint;
+  report.torques_Nm = {*report.read.load_Nm};
+  report.read.statements.push_back(
+      fmt::format("The torque is the load of its problem, {:g} Nm at the joint (--torque).",
+                  *report.read.load_Nm));
 }
 
 report::StrengthReport compute(const StrengthOptions& options, gearbox::ReadStrength read) {
   report::StrengthReport report;
   report.read = std::move(read);
-  report.side = options.side == "motor" ? gearbox::TorqueSide::kMotor : gearbox::TorqueSide::kJoint;
-  report.torques_Nm = options.torques_Nm;
+  take_torques(options, report);
   if (!options.modules_mm.empty() || !options.face_widths_mm.empty()) {
     report.variants =
         gearbox::strength_variants(report.read.strength, options.modules_mm, options.face_widths_mm,
@@ -120,8 +138,9 @@ report::StrengthReport compute(const StrengthOptions& options, gearbox::ReadStre
 }
 
 void write(const StrengthOptions& options, const report::StrengthReport& report) {
-  print_result(options.json ? result_text(report::strength_json(report), report.read.documents)
-                            : report::strength_text(report));
+  deliver_report({result_text(report::strength_json(report), report.read.documents),
+                  report::strength_text(report)},
+                 options.output_file, options.json);
 }
 
 /// For the help: the names and their sources.
@@ -146,46 +165,56 @@ void add_strength_command(command_line::Command& gearbox) {
   command_line::Command command = gearbox.add_command("strength", "What torques do to the teeth");
   command.add_option("strength", options->file, "Document of kind gear_strength or gearbox_result")
       .required();
-  command.add_option("--torque", options->torques_Nm, "In Nm; several: 21,17")
-      .required()
+  command.add_option("--torque", options->torques_Nm, "Torques that are tried, in Nm: 21,17")
+      .otherwise("the load that the problem of a gearbox_result states")
       .separated_by_commas();
-  command.add_option("--side", options->side, "Of the torques: motor (at the sun) or joint")
+  command
+      .add_option("--side", options->side, "Where these torques act: motor (at the sun) or joint")
+      .otherwise("motor")
       .one_of({"motor", "joint"});
-  command.add_option("--face-widths", options->face_widths_mm, "Also with these, in mm: 6,8,10")
+  command
+      .add_option("--face-widths", options->face_widths_mm,
+                  "Try these face widths too, in mm: 6,8,10")
       .otherwise("only the document's")
       .separated_by_commas();
   command
       .add_option("--modules", options->modules_mm,
-                  "Also with these, in mm; a single stage gets the most teeth that fit")
+                  "Try these modules too, in mm; a single stage gets the most teeth that fit")
       .otherwise("only the document's")
       .separated_by_commas();
-  command.add_option("--cycles", options->cycles, "Loads that the most loaded tooth takes")
+  command
+      .add_option("--cycles", options->cycles,
+                  "How often the most loaded tooth is loaded; a number from 1 to 1e12")
       .otherwise("the document's");
   command
-      .add_option("--steel", options->steel,
-                  "Of the gears of a gearbox_result, NAME or GEAR=NAME: " + steel_names())
+      .add_option(
+          "--steel", options->steel,
+          "Steel of the gears of a gearbox_result, NAME or GEAR=NAME; names are " + steel_names())
       .otherwise("the document's")
       .separated_by_commas()
       .one_value_each();
   command
       .add_option("--rim", options->rim,
-                  "Behind the roots of a gearbox_result's gears, in mm: sun=1.2,ring=2")
+                  "How thick the rim behind the roots of a gearbox_result's gears is, in mm: "
+                  "sun=1.2,ring=2")
       .otherwise("too thick to matter")
       .separated_by_commas()
       .one_value_each();
   command
       .add_option("--load-sharing", options->load_sharing,
-                  "K_gamma, the most loaded planet over the mean")
+                  "How much the most loaded planet takes, over the mean of all (K_gamma)")
       .otherwise("the document's")
       .between(1.0, 10.0);
   command
       .add_option("--face-width", options->face_width_mm,
-                  "Of the gears of a gearbox_result, in mm, by layer: 10,8")
+                  "Face width of the gears of a gearbox_result, in mm, by layer: 10,8")
       .otherwise("that of its problem")
       .separated_by_commas();
-  command.add_option("--design", options->design, "Which design of a gearbox_result")
+  command.add_option("--design", options->design, "Which design of a gearbox_result is taken")
       .otherwise("1")
       .integer_between(1, 1'000'000);
+  command.add_option("-o,--output", options->output_file, "Write the report as JSON to this file")
+      .names_a_file();
   command.add_flag("--json", options->json, "Print the report as JSON");
   command.example(
       "torquewright gearbox strength specs/gearbox/d110a_strength.json --torque 21,17 "

@@ -10,6 +10,7 @@
 #include "src/commands/gearbox_result_json.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/proof_json.hpp"
 #include "src/report/proof_text.hpp"
 #include "src/standard_output.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 struct VerifyOptions {
   std::string result_file;
+  std::string output_file;
   bool json = false;
 };
 
@@ -32,13 +34,16 @@ VerifyInputs read(const VerifyOptions& options) {
   io::Document result = read_result(options.result_file);
   const io::Document document =
       io::check_document(result.root.at("problem"), "gearbox_problem", result.file, "/problem");
-  return {std::move(result), gearbox::read_problem(document)};
+  gearbox::Problem problem = gearbox::read_problem(document);
+  check_written(named({options.output_file}), {});
+  return {std::move(result), std::move(problem)};
 }
 
 void write(const VerifyOptions& options, const VerifyInputs& inputs,
            const gearbox::Verification& found) {
-  print_result(options.json ? result_text(report::proof_json(found), {&inputs.result, 1})
-                            : report::proof_text(found));
+  deliver_report(
+      {result_text(report::proof_json(found), {&inputs.result, 1}), report::proof_text(found)},
+      options.output_file, options.json);
 }
 
 ExitCode run_verify(const VerifyOptions& options) {
@@ -59,6 +64,8 @@ void add_verify_command(command_line::Command& gearbox) {
   command_line::Command command =
       gearbox.add_command("verify", "Check a result's certificate without the solver");
   command.add_option("result", options->result_file, "Document of kind gearbox_result").required();
+  command.add_option("-o,--output", options->output_file, "Write the verdict as JSON to this file")
+      .names_a_file();
   command.add_flag("--json", options->json, "Print the verdict as JSON");
   command.example("torquewright gearbox verify specs/gearbox/d151_knee_result.json");
   command.works([options] { return run_verify(*options); });

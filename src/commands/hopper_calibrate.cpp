@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/atomic_file.hpp"
@@ -8,6 +9,7 @@
 #include "src/commands/hopper_calibrate_json.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -21,20 +23,25 @@ void write(const CalibrationRequest& request, const CalibrationInputs& inputs,
            const report::CalibrationReport& report) {
   const std::vector<io::Document>& documents = inputs.robot.documents;
   std::vector<io::FileContent> files;
-  if (!request.output_file.empty() && report.found.best) {
-    files.push_back({request.output_file, calibrated_robot(request, documents.front(), report)});
+  if (!request.refined_file.empty() && report.found.best) {
+    files.push_back({request.refined_file, calibrated_robot(request, documents.front(), report)});
   }
   if (!request.plot_file.empty() && report.found.is_met) {
     const report::PlotFormat format = report::plot_format(request.plot_file);
     files.push_back(
         {request.plot_file, report::picture_by_gnuplot(report::calibration_plot(report, format))});
   }
-  io::write_whole_files(files);
-  print_result(request.json ? calibration_result(request, documents, report)
-                            : report::calibration_text(report));
+  const std::string json = calibration_result(request, documents, report);
+  if (!request.output_file.empty()) files.push_back({request.output_file, json});
+  deliver(std::move(files), request.json ? json : for_window(report::calibration_text(report)));
+  if (request.is_old_spelling) {
+    say_old_spelling(request.refined_file, "the robot with the fitted values",
+                     "--refined " + request.refined_file);
+  }
 }
 
-ExitCode run_calibrate(const CalibrationRequest& request) {
+ExitCode run_calibrate(const CalibrationRequest& asked) {
+  const CalibrationRequest request = with_refined(asked);
   const CalibrationInputs inputs = read_inputs(request);
   const report::CalibrationReport report = compute(inputs);
   write(request, inputs, report);
@@ -46,7 +53,9 @@ ExitCode run_calibrate(const CalibrationRequest& request) {
 void add_calibrate_command(command_line::Command& hopper) {
   auto request = std::make_shared<CalibrationRequest>();
   command_line::Command command =
-      hopper.add_command("calibrate", "Unpublished values from published CAM and CAV");
+      hopper.add_command("calibrate",
+                         "Fit unpublished values to published CAM (centroidal angular momentum) "
+                         "and CAV (the mean angular velocity that goes with it)");
   add_calibration_options(command, *request);
   command.example(
       "torquewright hopper calibrate specs/robot/hopper.json --target cam=6.0 --target "

@@ -13,6 +13,7 @@
 #include "io/refusal.hpp"
 #include "src/commands/hopper_calibrate_json.hpp"
 #include "src/report/gnuplot.hpp"
+#include "src/standard_output.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -136,12 +137,12 @@ hopper::ReadRobot robot_with_postures(const CalibrationRequest& request) {
 
 void check_calibration_files(const CalibrationRequest& request, const hopper::ReadRobot& read) {
   std::vector<std::filesystem::path> outputs;
-  for (const std::string& file : {request.output_file, request.plot_file}) {
+  for (const std::string& file : {request.output_file, request.refined_file, request.plot_file}) {
     if (!file.empty()) outputs.push_back(file);
   }
   std::vector<std::filesystem::path> inputs;
   for (const io::Document& document : read.documents) inputs.push_back(document.file);
-  io::check_outputs(outputs, inputs);
+  check_written(outputs, inputs);
   if (request.plot_file.empty()) return;
   (void)report::plot_format(request.plot_file);
   report::require_gnuplot("--plot");

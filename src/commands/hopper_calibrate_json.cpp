@@ -46,7 +46,7 @@ std::string calibrated_robot(const CalibrationRequest& request, const io::Docume
       root["provenance"].push_back(report::calibration_provenance(report, i, pointer));
     }
   }
-  move_robot(root, robot.file, request.output_file);
+  move_robot(root, robot.file, request.refined_file);
   return io::json_text(root);
 }
 

@@ -92,7 +92,7 @@ void check_output_files(const HopperCheckRequest& request) {
       !request.candidates_folder.empty() && asks_for_processes(request.sweep.points);
   const std::string journal =
       has_journal ? journal_of(request.sweep.points, request.output_file) : std::string();
-  io::check_outputs(
+  check_written(
       named({request.plot_file, request.loads_file, request.momentum_file, request.figures_file,
              request.report_file, request.series_file, request.output_file, journal}),
       {request.robot_file, request.trajectory_file});
@@ -101,9 +101,6 @@ void check_output_files(const HopperCheckRequest& request) {
 
 void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
                    const HopperCheckFound& found) {
-  const std::string text = request.json || names_json(request.output_file)
-                               ? hopper_check_json(request, inputs, found)
-                               : hopper_check_text(inputs, found);
   std::vector<io::FileContent> files = pictures(
       request, {inputs.robot.robot, found.motion, inputs.check, found.report, found.candidates});
   if (!request.series_file.empty()) {
@@ -111,9 +108,8 @@ void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& i
                                                     found.report, hopper::SeriesDetail::kDrives);
     files.push_back({request.series_file, hopper::series_csv(series)});
   }
-  if (!request.output_file.empty()) files.push_back({request.output_file, text});
-  io::write_whole_files(files);
-  if (request.output_file.empty()) print_result(text);
+  deliver_report({hopper_check_json(request, inputs, found), hopper_check_text(inputs, found)},
+                 request.output_file, request.json, std::move(files));
 }
 
 }  // namespace torquewright::cli

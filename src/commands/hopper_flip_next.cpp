@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "src/shell_word.hpp"
+#include "src/report/shell_word.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -25,8 +25,8 @@ std::string conditions(const HopperFlipRequest& request) {
 }
 
 std::vector<std::string> after_a_plan(const HopperFlipRequest& request) {
-  const std::string files = shell_word(request.warm.robot_file) + " " +
-                            shell_word(request.motion_file) + conditions(request);
+  const std::string files = report::shell_word(request.warm.robot_file) + " " +
+                            report::shell_word(request.motion_file) + conditions(request);
   std::vector<std::string> lines{"torquewright hopper check " + files,
                                  "torquewright hopper replay " + files};
   if (request.limits == "box") {

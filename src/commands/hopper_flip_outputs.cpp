@@ -20,6 +20,7 @@
 #include "src/report/momentum_plot.hpp"
 #include "src/report/stick_figures.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -91,6 +92,9 @@ void require_flip_outputs(const HopperFlipRequest& request) {
                            "JSON",
                            *file));
   }
+  if (is_standard_output(request.motion_file) && request.json) {
+    io::refuse("--json", "standard output takes the motion of -o -");
+  }
   require_svg("--figures", request.figures_file);
   if (!request.momentum_file.empty()) {
     report::plot_format(request.momentum_file);
@@ -100,9 +104,9 @@ void require_flip_outputs(const HopperFlipRequest& request) {
 }
 
 void check_flip_files(const HopperFlipRequest& request) {
-  io::check_outputs(named({request.motion_file, request.best_file, request.momentum_file,
-                           request.figures_file, request.report_file}),
-                    named({request.warm.robot_file, request.warm.trajectory_file}));
+  check_written(named({request.motion_file, request.best_file, request.momentum_file,
+                       request.figures_file, request.report_file}),
+                named({request.warm.robot_file, request.warm.trajectory_file}));
 }
 
 void write_flip_outputs(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
@@ -112,8 +116,7 @@ void write_flip_outputs(const HopperFlipRequest& request, const HopperFlipInputs
                                   next_commands(request, result), request.timing};
   const std::string text =
       request.json ? hopper_flip_json(request, inputs, result) : report::flip_text(answer);
-  io::write_whole_files(files_of(request, inputs, result));
-  print_result(text);
+  deliver(files_of(request, inputs, result), request.json ? text : for_window(text));
 }
 
 }  // namespace torquewright::cli

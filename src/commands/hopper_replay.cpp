@@ -33,8 +33,8 @@ void check_files(const HopperReplayRequest& request) {
   const std::string journal = asks_for_processes(request.points)
                                   ? journal_of(request.points, request.output_file)
                                   : std::string();
-  io::check_outputs(named({request.report_file, request.series_file, request.output_file, journal}),
-                    {request.motion.robot_file, request.motion.trajectory_file});
+  check_written(named({request.report_file, request.series_file, request.output_file, journal}),
+                {request.motion.robot_file, request.motion.trajectory_file});
   if (!sweep::is_silent()) sweep::check_journal(journal);  // else who started this process has it
 }
 
@@ -156,9 +156,6 @@ ExitCode code_of(hopper::ReplayVerdict verdict) {
 void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
                   const report::ReplayPage& page) {
   const auto& [robot, motion, reference, record, report] = page;
-  const std::string text = request.json || names_json(request.output_file)
-                               ? hopper_replay_json(request, inputs, motion, report)
-                               : report::replay_text(robot, motion, report);
   std::vector<io::FileContent> files;
   if (!request.series_file.empty()) {
     files.push_back({request.series_file, hopper::series_csv(hopper::run_series(robot, record))});
@@ -166,9 +163,9 @@ void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& i
   if (!request.report_file.empty()) {
     files.push_back({request.report_file, report::replay_html(page)});
   }
-  if (!request.output_file.empty()) files.push_back({request.output_file, text});
-  io::write_whole_files(files);
-  if (request.output_file.empty()) print_result(text);
+  deliver_report({hopper_replay_json(request, inputs, motion, report),
+                  report::replay_text(robot, motion, report)},
+                 request.output_file, request.json, std::move(files));
 }
 
 ExitCode run_hopper_replay(const HopperReplayRequest& request) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "identification/forward/candidates.hpp"
@@ -14,11 +15,13 @@
 #include "src/commands/identify_inputs.hpp"
 #include "src/commands/identify_json.hpp"
 #include "src/commands/refined_actuators.hpp"
+#include "src/interrupt.hpp"
 #include "src/report/gnuplot.hpp"
 #include "src/report/identification_html.hpp"
 #include "src/report/identification_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -39,6 +42,7 @@ Identification identification_of(const IdentifyRequest& request, const IdentifyI
   options.analysis.only = request.only;
   options.analysis.without = request.without;
   options.analysis.tolerance = request.tolerance;
+  options.analysis.before_each_fit = leave_if_interrupted;
   options.empirical = request.empirical;
   options.progress = [&progress](const std::string& what, double share) {
     progress.show(fmt::format("{}: {:.0f} %", what, 100.0 * share));
@@ -82,7 +86,7 @@ IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inpu
   IdentifyFound found;
   found.identification = identification_of(request, inputs);
   found.refined = refined_actuators(inputs, found.identification);
-  if (!inputs.outputs.empty() || !request.as.empty())
+  if (!inputs.refined.empty() || !request.as.empty())
     require_promise(request, inputs, found.identification, found.refined);
   if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
   return found;
@@ -122,23 +126,42 @@ ExitCode exit_code_of(identification::Verdict verdict) {
   return ExitCode::kUndecided;
 }
 
+std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                    const IdentifyFound& found, const report::IdentificationContext& context) {
+  if (!request.as.empty()) return output_text(request, inputs, found);
+  return request.json ? identify_json(request, inputs, found.identification)
+                      : for_window(report::identification_text(found.identification, context));
+}
+
 void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
            const IdentifyFound& found) {
-  report::IdentificationContext context{
-      request.logs, request.rig_file, inputs.rig.name, request.actuators, {}, request.select};
+  report::IdentificationContext context{request.logs, request.rig_file, inputs.rig.name, {}, {},
+                                        {},           request.select};
+  for (const identification::ColumnUse& column : inputs.rig.columns) {
+    context.logged.emplace_back(identification::name_of(column.quantity));
+  }
+  for (const auto& actuator : inputs.actuators) {
+    context.actuator_files.push_back(actuator.nominal.documents.front().file);
+  }
   std::vector<io::FileContent> files = refined_files(inputs, found.refined);
   for (const io::FileContent& file : files) context.refined_files.push_back(file.file.string());
   if (!request.report_file.empty()) {
     files.push_back({request.report_file,
                      report::identification_html(found.identification, context, found.regions)});
   }
-  io::write_whole_files(files);
-  if (!request.as.empty()) return print_result(output_text(request, inputs, found));
-  print_result(request.json ? identify_json(request, inputs, found.identification)
-                            : report::identification_text(found.identification, context));
+  if (!request.outputs.empty()) {
+    files.push_back(
+        {report_document(request), identify_json(request, inputs, found.identification)});
+  }
+  deliver(std::move(files), printed(request, inputs, found, context));
+  if (request.is_old_spelling) {
+    say_old_spelling(request.refined.front(), "the refined actuator",
+                     "--refined " + request.refined.front());
+  }
 }
 
-ExitCode run_identify(const IdentifyRequest& request) {
+ExitCode run_identify(const IdentifyRequest& asked) {
+  const IdentifyRequest request = with_refined(asked);
   const IdentifyInputs inputs = read(request);
   const IdentifyFound found = compute(request, inputs);
   write(request, inputs, found);
@@ -147,12 +170,18 @@ ExitCode run_identify(const IdentifyRequest& request) {
 
 }  // namespace
 
+void add_report_document(command_line::Command& command, IdentifyRequest& request,
+                         const std::string& help) {
+  command.add_option("-o,--output", request.outputs, help).names_a_file().one_value_each();
+}
+
 void add_residual_command(command_line::Command& identify) {
   auto request = std::make_shared<IdentifyRequest>();
   request->select = false;
   command_line::Command command =
       identify.add_command("residual", "How large is the error, and is it more than noise?");
   add_log_options(command, *request);
+  add_report_document(command, *request, "Write the report as JSON to this file");
   command.example(
       "torquewright identify residual specs/log/bench_as_built.csv --rig "
       "specs/log/bench_rig.json --actuator specs/log/bench_refined.json");
@@ -165,17 +194,19 @@ void add_identify_command(command_line::Command& program) {
       program.add_command("identify", "Is the model true, and if not, which effect is missing?");
   add_log_options(command, *request);
   command
-      .add_option("-o,--output", request->outputs,
+      .add_option("--refined", request->refined,
                   "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
       .names_a_file()
       .one_value_each();
+  add_report_document(command, *request,
+                      "Write the report as JSON to this file. Without --refined, a file so named "
+                      "gets the actuator, in this version only");
   command.add_option("--report", request->report_file, "Write the report with pictures, as HTML")
       .names_a_file();
-  command.add_flag("--empirical", request->empirical,
-                   "Where no effect fits, a table over the coordinate along which most is left");
-  command
-      .add_option("--only", request->only,
-                  "Effects that may be named, separated by commas (docs/effects.md)")
+  command.add_flag(
+      "--empirical", request->empirical,
+      "Where no effect fits, report a table over the coordinate along which most is left");
+  command.add_option("--only", request->only, "Effects that may be named (docs/effects.md)")
       .otherwise("any")
       .separated_by_commas()
       .one_value_each();
@@ -184,14 +215,17 @@ void add_identify_command(command_line::Command& program) {
       .separated_by_commas()
       .one_value_each();
   command
-      .add_option("--tolerance", request->tolerance,
-                  "What changes the prediction by less than this share of it is not named")
+      .add_option(
+          "--tolerance", request->tolerance,
+          "An effect that changes the prediction by less than this share of it is not named")
       .between(0.0, 1.0);
   std::string outputs;
   for (const identification::Output* output : identification::output_library()) {
     outputs += fmt::format("{}{}: {}", outputs.empty() ? "" : "; ", output->name, output->what);
   }
-  command.add_option("--as", request->as, "In place of the report, numbers for others. " + outputs)
+  command
+      .add_option("--as", request->as,
+                  "Print numbers for other programs in place of the report. " + outputs)
       .otherwise("the report")
       .excludes("--json");
   command.example(

@@ -11,6 +11,7 @@
 #include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -50,7 +51,7 @@ ExitCode run_import(const ImportOptions& options) {
     said += fmt::format("next: state in {} what the actuator moved (\"load\"), docs/logs.md\n",
                         rig.string());
   }
-  print_result(said);
+  print_result(for_window(said));
   return ExitCode::kPasses;
 }
 
@@ -66,18 +67,22 @@ std::string formats() {
 
 void add_identify_import(command_line::Command& identify) {
   auto options = std::make_shared<ImportOptions>();
-  command_line::Command command = identify.add_command("import", "Logs of other programs");
+  command_line::Command command = identify.add_command("import", "Read logs of other programs");
   command.add_option("format", options->format, formats()).required();
-  command.add_option("files", options->files, "Its files; each is a run, or holds runs").required();
-  command.add_option("--joint", options->joint, "Where a file holds several: which one")
+  command.add_option("files", options->files, "Files of that format; each is a run, or holds runs")
+      .required();
+  command.add_option("--joint", options->joint, "Which joint is read, where a file holds several")
       .otherwise("the only one");
   command
       .add_option("--units", options->units,
                   "sysid_csv: what positions are in (Rotations, Meters, ...)")
       .otherwise("not needed");
-  command.add_option("-o,--output", options->folder, "log.csv and rig.json are written into it")
+  command
+      .add_option("-o,--output", options->folder,
+                  "Write log.csv and rig.json into this folder, which is made where it is missing")
       .required()
-      .names_a_file();
+      .names_a_file()
+      .not_standard_output();
   command.example("torquewright identify import moteus specs/log/wheel_moteus.csv -o imported");
   command.works([options] { return run_import(*options); });
 }

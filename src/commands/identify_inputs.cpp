@@ -10,6 +10,7 @@
 #include "io/nearest.hpp"
 #include "io/refusal.hpp"
 #include "io/wording.hpp"
+#include "src/standard_output.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -52,7 +53,8 @@ std::vector<std::string> by_joint(const Rig& rig, const std::string& option,
 }
 
 void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
-  std::vector<std::filesystem::path> written(inputs.outputs.begin(), inputs.outputs.end());
+  std::vector<std::filesystem::path> written(inputs.refined.begin(), inputs.refined.end());
+  if (!request.outputs.empty()) written.emplace_back(report_document(request));
   if (!request.report_file.empty()) written.emplace_back(request.report_file);
   std::vector<std::filesystem::path> read(request.logs.begin(), request.logs.end());
   read.emplace_back(request.rig_file);
@@ -60,7 +62,7 @@ void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
     for (const io::Document& document : actuator.nominal.documents)
       read.emplace_back(document.file);
   }
-  io::check_outputs(written, read);
+  check_written(written, read);
 }
 
 }  // namespace
@@ -70,7 +72,10 @@ IdentifyInputs read_inputs(const IdentifyRequest& request) {
   inputs.rig_document = io::read_document(request.rig_file, "rig");
   inputs.rig = identification::read_rig(inputs.rig_document);
   const std::vector<std::string> files = by_joint(inputs.rig, "--actuator", request.actuators);
-  if (!request.outputs.empty()) inputs.outputs = by_joint(inputs.rig, "-o", request.outputs);
+  if (!request.refined.empty()) {
+    inputs.refined =
+        by_joint(inputs.rig, request.is_old_spelling ? "-o" : "--refined", request.refined);
+  }
   for (std::size_t i = 0; i < files.size(); ++i) {
     inputs.actuators.push_back({inputs.rig.joints[i], actuator::read_actuator(files[i])});
   }

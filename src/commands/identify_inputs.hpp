@@ -15,7 +15,7 @@ struct IdentifyInputs {
   io::Document rig_document;
   identification::Rig rig;
   std::vector<identification::JointActuator> actuators;
-  std::vector<std::string> outputs;  ///< Empty: not asked for.
+  std::vector<std::string> refined;  ///< Files to be written; empty: not asked for.
 };
 
 /// Throws io::SpecError for what cannot be read, a joint that the rig does not have, one without an

@@ -10,12 +10,14 @@
 #include "identification/experiment/plan.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
+#include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/options/noise_option.hpp"
 #include "src/report/plan_json.hpp"
 #include "src/report/plan_text.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -44,6 +46,9 @@ std::vector<io::Document> documents_of(const PlanInputs& inputs) {
 }
 
 PlanInputs read(const PlanRequest& request) {
+  if (is_standard_output(request.excitation) && request.json) {
+    io::refuse("--json", "standard output takes the excitation of -o -");
+  }
   PlanInputs inputs;
   inputs.options = request.options;
   inputs.options.noise = read_noise(request.noise);
@@ -53,20 +58,20 @@ PlanInputs read(const PlanRequest& request) {
   if (request.excitation.empty()) return inputs;
   std::vector<std::filesystem::path> files;
   for (const io::Document& document : documents_of(inputs)) files.emplace_back(document.file);
-  io::check_outputs({request.excitation}, files);
+  check_written({request.excitation}, files);
   return inputs;
 }
 
 void write(const PlanRequest& request, const PlanInputs& inputs, const Plan& plan) {
+  std::vector<io::FileContent> files;
+  std::string text =
+      request.json ? result_text(report::plan_json(plan, inputs.options), documents_of(inputs))
+                   : report::plan_text(plan, inputs.options);
   if (!request.excitation.empty()) {
-    io::write_whole_file(request.excitation, identification::excitation_csv(plan.runs));
+    files.push_back({request.excitation, identification::excitation_csv(plan.runs)});
+    if (!request.json) text += fmt::format("Written: {}\n", request.excitation);
   }
-  if (request.json) {
-    return print_result(result_text(report::plan_json(plan, inputs.options), documents_of(inputs)));
-  }
-  std::string text = report::plan_text(plan, inputs.options);
-  if (!request.excitation.empty()) text += fmt::format("Written: {}\n", request.excitation);
-  print_result(text);
+  deliver(std::move(files), request.json ? text : for_window(text));
 }
 
 ExitCode run_plan(const PlanRequest& request) {
@@ -82,30 +87,37 @@ ExitCode run_plan(const PlanRequest& request) {
 void add_identify_plan(command_line::Command& identify) {
   auto request = std::make_shared<PlanRequest>();
   command_line::Command command =
-      identify.add_command("plan", "What to play, so that effects can be told apart");
+      identify.add_command("plan", "Plan what to play, so that effects can be told apart");
   command.add_option("actuator", request->actuator, "Document of kind actuator, as designed")
       .required();
-  command.add_option("--rig", request->rig, "Document of kind rig: load and columns").required();
+  command
+      .add_option("--rig", request->rig,
+                  "Document of kind rig, which says what the load and the columns are")
+      .required();
   command.add_option("--separate", request->options.separate, "Effects that are to be told apart")
       .otherwise("friction, saturation and inertia")
       .separated_by_commas();
-  command.add_option("--duration", request->options.duration_s, "Of all runs together, in s");
+  command.add_option("--duration", request->options.duration_s,
+                     "How long all runs take together, in s; a number from 8 to 600");
   command
       .add_option("--position-range", request->options.limits.position_rad,
-                  "The output stays within this of where it starts, in rad")
+                  "How far the output may move from where it starts, in rad")
       .otherwise("not limited")
       .positive();
   command
       .add_option("--speed-limit", request->options.limits.speed_rad_s,
-                  "Of the rig's output, in rad/s")
+                  "How fast the rig's output may turn, in rad/s")
       .otherwise("not limited")
       .positive();
   command
-      .add_option("--noise", request->noise, "QUANTITY=SIGMA: white noise of a column, repeatable")
+      .add_option(
+          "--noise", request->noise,
+          "QUANTITY=SIGMA: the white noise of a column has that standard deviation, in its unit")
       .otherwise("typical ones");
-  command.add_option("--seed", request->options.seed, "Of the search");
-  command.add_option("-o,--output", request->excitation, "The excitation as CSV").names_a_file();
-  command.add_flag("--json", request->json, "The plan as JSON");
+  command.add_option("--seed", request->options.seed, "Seed of the search");
+  command.add_option("-o,--output", request->excitation, "Write the excitation to this CSV")
+      .names_a_file();
+  command.add_flag("--json", request->json, "Print the plan as JSON");
   command.example(
       "torquewright identify plan specs/log/bench_actuator.json "
       "--rig specs/log/bench_rig.json --separate coulomb_friction,viscous_friction --duration 16");

@@ -36,7 +36,7 @@ SimulateInputs read(const SimulateOptions& options) {
   inputs.rig = identification::read_rig(io::read_document(options.rig, "rig"));
   inputs.truth = actuator::read_actuator(options.actuator);
   inputs.runs = identification::read_excitation(options.excitation, inputs.rig);
-  io::check_outputs(named({options.log}), {});
+  check_written(named({options.log}), {});
   return inputs;
 }
 
@@ -53,20 +53,30 @@ ExitCode run_simulate(const SimulateOptions& options) {
 void add_identify_simulate(command_line::Command& identify) {
   auto options = std::make_shared<SimulateOptions>();
   command_line::Command command =
-      identify.add_command("simulate", "A log of an actuator taken as true");
-  command.add_option("actuator", options->actuator, "Document of kind actuator: the truth")
-      .required();
-  command.add_option("--rig", options->rig, "Document of kind rig: load and columns").required();
+      identify.add_command("simulate", "Simulate a log of an actuator that is taken as true");
   command
-      .add_option("--excitation", options->excitation,
-                  "CSV: time_s, what drives (motor_current_A, commanded_torque_Nm, "
-                  "winding_voltage_V or duty), on a dynamometer output_velocity_rad_s")
+      .add_option("actuator", options->actuator,
+                  "Document of kind actuator, which is taken as true")
       .required();
   command
-      .add_option("--noise", options->noise, "QUANTITY=SIGMA: white noise on a column, repeatable")
+      .add_option("--rig", options->rig,
+                  "Document of kind rig, which says what the load and the columns are")
+      .required();
+  command
+      .add_option(
+          "--excitation", options->excitation,
+          "CSV of what is played: time_s, what drives (motor_current_A, commanded_torque_Nm, "
+          "winding_voltage_V or duty), on a dynamometer output_velocity_rad_s")
+      .required();
+  command
+      .add_option(
+          "--noise", options->noise,
+          "QUANTITY=SIGMA: add white noise of that standard deviation, in the column's unit")
       .otherwise("none");
-  command.add_option("--seed", options->seed, "Of the noise");
-  command.add_option("-o,--output", options->log, "The log; else stdout").names_a_file();
+  command.add_option("--seed", options->seed, "Seed of the noise");
+  command.add_option("-o,--output", options->log, "Write the log to this file")
+      .otherwise("-, standard output")
+      .names_a_file();
   command.example(
       "torquewright identify simulate specs/actuator/d151_knee.json "
       "--rig specs/rig/knee_sweep.json --excitation specs/excitation/knee_sweep.csv "

@@ -16,8 +16,9 @@
 #include "src/commands/schema_commands.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/key_table.hpp"
-#include "src/shell_word.hpp"
+#include "src/report/shell_word.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -37,7 +38,7 @@ struct StartedKind {
 constexpr std::array<StartedKind, 9> kStartedKinds{{
     {"actuator", "actuator mor {}"},
     {"gear_strength", "gearbox strength {} --torque 20 --side joint"},
-    {"gearbox", "actuator mor ACTUATOR, whose \"gearbox\" is {{\"file\": \"{}\", ...}}"},
+    {"gearbox", "actuator mor ACTUATOR, whose \"gearbox\" names this file as its \"file\""},
     {"gearbox_problem", "gearbox optimize {}"},
     {"jacobian", "actuator check TRAJECTORY --jacobian {} --joint NAME=ACTUATOR ..."},
     {"randomisation", "hopper replay ROBOT MOTION --trials 20 --randomise {}"},
@@ -70,19 +71,23 @@ void refuse_existing(const std::string& file) {
 
 std::string next_line(const StartedKind& kind, const std::string& file) {
   return fmt::format("\nnext: torquewright {}\n",
-                     fmt::format(fmt::runtime(kind.next), shell_word(file)));
+                     fmt::format(fmt::runtime(kind.next), report::shell_word(file)));
 }
 
 ExitCode run_init(const InitOptions& options) {
   const StartedKind& kind = started(options.kind);
   refuse_existing(options.output_file);
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   const std::string document = io::document_to_start_from(options.kind);
-  if (!options.output_file.empty()) {
+  const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
+  if (is_file) {
     deliver_result(document, options.output_file);
-    print_result(report::key_table_text(options.kind) + next_line(kind, options.output_file));
+    print_result(for_window(report::key_table_text(options.kind)) +
+                 next_line(kind, options.output_file));
   } else {
-    print_result(options.explains ? report::key_table_text(options.kind) : document);
+    print_result(options.explains && options.output_file.empty()
+                     ? for_window(report::key_table_text(options.kind))
+                     : document);
   }
   return ExitCode::kPasses;
 }
@@ -92,14 +97,16 @@ ExitCode run_init(const InitOptions& options) {
 void add_init_command(command_line::Command& program) {
   auto options = std::make_shared<InitOptions>();
   command_line::Command command =
-      program.add_command("init", "A document to start from, with every key");
-  command.add_option("kind", options->kind, "Kind of document: " + io::listed(started_kinds()))
+      program.add_command("init", "Print a document to start from, with every key");
+  command.add_option("kind", options->kind, "Kind of document")
       .required()
-      .one_of(io::document_kinds());
+      .one_of(io::document_kinds())
+      .offers(started_kinds());
   command
       .add_option("-o,--output", options->output_file,
                   "Write the document to this file, which must not exist, and print what its keys "
                   "mean")
+      .otherwise("-, standard output")
       .names_a_file();
   command.add_flag("--explain", options->explains, "Print what its keys mean, and no document");
   command.example("torquewright init actuator");

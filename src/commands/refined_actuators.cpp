@@ -22,7 +22,7 @@ RefinedActuator refined_actuator_of(const IdentifyInputs& inputs,
   const identification::JointActuator& nominal = inputs.actuators[i];
   const std::vector<io::Document>& documents = nominal.nominal.documents;
   const std::string& file = documents.front().file;
-  const std::string output = i < inputs.outputs.size() ? inputs.outputs[i] : std::string();
+  const std::string output = i < inputs.refined.size() ? inputs.refined[i] : std::string();
   const auto document = identification::refined_actuator(found, nominal);
   io::Document refined = io::check_document(as_read(io::json_text(document)), "actuator", file, "");
   return {nominal.joint, refined_text(document, file, output),
@@ -69,11 +69,11 @@ std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
     std::fprintf(stderr, "the refined actuator is refused:\n%s\n", refined.refusal.c_str());
   }
   std::vector<io::FileContent> files;
-  for (std::size_t i = 0; i < inputs.outputs.size(); ++i) {
+  for (std::size_t i = 0; i < inputs.refined.size(); ++i) {
     if (i < refined.of_joints.size()) {
-      files.push_back({inputs.outputs[i], refined.of_joints[i].text});
+      files.push_back({inputs.refined[i], refined.of_joints[i].text});
     } else {
-      std::fprintf(stderr, "%s: not written%s\n", inputs.outputs[i].c_str(),
+      std::fprintf(stderr, "%s: not written%s\n", inputs.refined[i].c_str(),
                    refined.refusal.empty() ? ", there is nothing sure to add to the actuator" : "");
     }
   }

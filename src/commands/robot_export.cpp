@@ -16,6 +16,7 @@
 #include "src/commands/robot_commands.hpp"
 #include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -55,7 +56,7 @@ hopper::ReadRobot read(const ExportOptions& options) {
   if (actuators_only(options) && robot.robot.drivetrains.empty()) {
     throw io::SpecError({{options.robot_file, "/mechanisms", "missing: there are no drives"}});
   }
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   return robot;
 }
 
@@ -78,10 +79,10 @@ std::vector<std::string> export_formats() {
 
 void write(const ExportOptions& options, const hopper::Exported& exported) {
   deliver_result(exported.text, options.output_file);
-  if (options.output_file.empty()) return;
+  if (options.output_file.empty() || is_standard_output(options.output_file)) return;
   std::string said;
   for (const std::string& note : exported.notes) said += "note: " + note + "\n";
-  print_result(said);
+  print_result(for_window(said));
 }
 
 ExitCode run_export(const ExportOptions& options) {
@@ -94,23 +95,28 @@ ExitCode run_export(const ExportOptions& options) {
 
 void add_export_command(command_line::Command& robot) {
   auto options = std::make_shared<ExportOptions>();
-  command_line::Command command =
-      robot.add_command("export", "URDF or MJCF out, or a simulator's file of all drives");
+  command_line::Command command = robot.add_command(
+      "export",
+      "Write a robot as URDF or MJCF (MuJoCo's XML), or all its drives as a simulator's file");
   command.add_option("robot", options->robot_file, "Document of kind robot").required();
   command
       .add_option("--format", options->format,
-                  "urdf, mjcf, or with --actuators isaac-lab, mjlab or newton")
+                  "What is written: urdf, mjcf, or with --actuators isaac-lab, mjlab or newton")
       .required()
       .one_of(export_formats());
-  command.add_flag("--actuators", options->parts.actuators,
-                   "Every drive's torque and speed limits; in MJCF its control is the voltage");
+  command.add_flag(
+      "--actuators", options->parts.actuators,
+      "Write every drive's torque and speed limits; in MJCF its control is the voltage");
   command.add_flag("--ground", options->parts.ground,
-                   "MJCF: a plane, and keyframes of the postures standing on it");
+                   "MJCF: add a plane, and keyframes of the postures standing on it");
   command.add_flag("--collisions", options->parts.collisions,
-                   "MJCF: shapes at contact points and collision spheres");
-  command.add_flag("--closed-loops", options->parts.closed_loops,
-                   "MJCF: cranks and rods of linkages as bodies, their loops closed by <connect>");
-  command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
+                   "MJCF: add shapes at contact points and collision spheres");
+  command.add_flag(
+      "--closed-loops", options->parts.closed_loops,
+      "MJCF: write cranks and rods of linkages as bodies, whose loops <connect> closes");
+  command.add_option("-o,--output", options->output_file, "Write it to this file")
+      .otherwise("-, standard output")
+      .names_a_file();
   command.example("torquewright robot export specs/robot/hopper.json --format mjcf");
   command.example(
       "torquewright robot export specs/robot/cassie.json --format isaac-lab --actuators");

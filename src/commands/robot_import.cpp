@@ -19,6 +19,7 @@
 #include "src/commands/robot_commands.hpp"
 #include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -37,14 +38,14 @@ hopper::Imported read(const ImportOptions& options) {
                            : options.format == "urdf";
   hopper::Imported imported = is_urdf ? hopper::read_urdf(options.file, options.reading)
                                       : hopper::read_mjcf(options.file, options.reading);
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   return imported;
 }
 
 /// Where the document will be; on standard output, where it is asked for.
 std::filesystem::path place_of(const ImportOptions& options) {
-  return std::filesystem::absolute(options.output_file.empty() ? "robot.json"
-                                                               : options.output_file);
+  const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
+  return std::filesystem::absolute(is_file ? options.output_file : "robot.json");
 }
 
 /// Documents of the drives of linkages, as the result names them.
@@ -91,12 +92,12 @@ std::string compute(const ImportOptions& options, const hopper::Imported& import
 void write(const ImportOptions& options, const hopper::Imported& imported,
            const std::string& document) {
   deliver_result(document, options.output_file);
-  if (options.output_file.empty()) return;
+  if (options.output_file.empty() || is_standard_output(options.output_file)) return;
   const std::size_t bodies = imported.robot.tree.bodies.size();
   std::string said =
       fmt::format("{}: {} bodies, {} joints\n", options.output_file, bodies, bodies - 1);
   for (const std::string& note : imported.notes) said += "note: " + note + "\n";
-  print_result(said);
+  print_result(for_window(said));
 }
 
 ExitCode run_import(const ImportOptions& options) {
@@ -111,36 +112,40 @@ ExitCode run_import(const ImportOptions& options) {
 
 void add_import_command(command_line::Command& robot) {
   auto options = std::make_shared<ImportOptions>();
-  command_line::Command command = robot.add_command("import", "URDF or MJCF in");
-  command.add_option("file", options->file, "A URDF file (.urdf) or an MJCF file").required();
-  command.add_option("--format", options->format, "Where the file's ending does not say it")
+  command_line::Command command =
+      robot.add_command("import", "Read a robot from URDF or MJCF (MuJoCo's XML)");
+  command.add_option("file", options->file, "A URDF file (.urdf) or an MJCF file (MuJoCo's XML)")
+      .required();
+  command
+      .add_option("--format", options->format, "What the file is, where its ending does not say it")
       .otherwise("by the file's ending, else mjcf")
       .one_of({"urdf", "mjcf"});
   command
       .add_option("--body", options->reading.body,
-                  "Of an MJCF file's world: the body that is the robot, where several move")
+                  "Which body of an MJCF file's world is the robot, where several move")
       .otherwise("the only one that moves");
   command.add_flag("--drop-base-armature", options->reading.drops_base_armature,
                    "Read a free joint with armature as one without");
   command.add_flag("--free-couplings", options->reading.frees_couplings,
                    "Leave out equalities that couple joints or tendons");
-  command.add_flag("--mend-inertias", options->reading.mends_inertias,
-                   "Inertias that no body has, but for the rounding of their numbers: the nearest "
-                   "that one has");
+  command.add_flag(
+      "--mend-inertias", options->reading.mends_inertias,
+      "Where rounding made an inertia that no body can have, take the nearest that one can");
   command
-      .add_option("--actuator", options->actuators,
-                  "NAME=FILE, the actuator's document of the drive of a linkage that <connect> "
-                  "closes; repeatable")
+      .add_option(
+          "--actuator", options->actuators,
+          "NAME=FILE: a drive of a linkage that <connect> closes, and its actuator's document")
       .otherwise("none")
       .one_value_each();
   command
       .add_option("--link-error", options->reading.greatest_link_error,
-                  "Share of a motion's kinetic energy by which it may be off where cranks' and "
-                  "rods' mass goes to their neighbours")
+                  "Share by which a motion's kinetic energy may be off because the mass of cranks "
+                  "and rods goes to their neighbours")
       .between(0, 1);
   command.add_flag("--massless-links", options->reading.drops_link_mass,
                    "Leave out what cranks and rods of linkages weigh");
   command.add_option("-o,--output", options->output_file, "Write the document to this file")
+      .otherwise("-, standard output")
       .names_a_file();
   command.example("torquewright robot import specs/robot/rabbit.urdf -o rabbit.json");
   command.works([options] { return run_import(*options); });

@@ -145,14 +145,12 @@ void require_sweep_outputs(const SweepOptions& options, const std::string& outpu
     report::require_gnuplot("--plot-sweep");
   }
   const std::string journal = journal_of(options.points, output_file);
-  io::check_outputs(named({options.plot_file, output_file, journal}), inputs);
+  check_written(named({options.plot_file, output_file, journal}), inputs);
   if (!sweep::is_silent()) sweep::check_journal(journal);  // else who started this process has it
 }
 
 void write_swept(const sweep::Swept& swept, const SweepOptions& options,
                  const std::string& output_file, bool json_wanted, const std::string& json) {
-  const std::string text =
-      json_wanted || names_json(output_file) ? json : report::sweep_text(swept);
   std::vector<io::FileContent> files;
   if (!options.plot_file.empty()) {
     const std::string script = report::sweep_plot(report::plot_format(options.plot_file), swept);
@@ -162,9 +160,7 @@ void write_swept(const sweep::Swept& swept, const SweepOptions& options,
       files.push_back({options.plot_file, report::picture_by_gnuplot(script, "--plot-sweep")});
     }
   }
-  if (!output_file.empty()) files.push_back({output_file, text});
-  io::write_whole_files(files);
-  if (output_file.empty()) print_result(text);
+  deliver_report({json, report::sweep_text(swept)}, output_file, json_wanted, std::move(files));
 }
 
 }  // namespace torquewright::cli

@@ -22,7 +22,7 @@ struct SchemaOptions {
 };
 
 ExitCode run_schema(const SchemaOptions& options) {
-  io::check_outputs(named({options.output_file}), {});
+  check_written(named({options.output_file}), {});
   deliver_result(options.is_page ? report::key_table_markdown(options.kind)
                                  : io::published_schema(options.kind),
                  options.output_file);
@@ -34,11 +34,13 @@ ExitCode run_schema(const SchemaOptions& options) {
 void add_schema_command(command_line::Command& program) {
   auto options = std::make_shared<SchemaOptions>();
   command_line::Command command =
-      program.add_command("schema", "The JSON Schema of a kind of documents, for editors");
-  command.add_option("kind", options->kind, "Kind of document: " + io::listed(io::document_kinds()))
+      program.add_command("schema", "Print the JSON Schema of a kind of documents, for editors");
+  command.add_option("kind", options->kind, "Kind of document")
       .required()
       .one_of(io::document_kinds());
-  command.add_option("-o,--output", options->output_file, "Write to this file").names_a_file();
+  command.add_option("-o,--output", options->output_file, "Write the schema to this file")
+      .otherwise("-, standard output")
+      .names_a_file();
   command.add_flag("--markdown", options->is_page,
                    "Print the page docs/documents/KIND.md: every key with its meaning");
   command.example("torquewright schema actuator");

@@ -20,10 +20,15 @@ struct CalibrationRequest {
   std::vector<std::string> free;      ///< POINTER[,POINTER...][=LOW:HIGH]
   std::vector<std::string> postures;  ///< NAME=JOINT:POSITION,...
   double tolerance = 0.01;
-  std::string output_file;
+  std::string output_file;       ///< Of the report.
+  std::string refined_file;      ///< Of the robot with the fitted values.
+  bool is_old_spelling = false;  ///< The robot's file was named by -o.
   std::string plot_file;
   bool json = false;
 };
+
+/// The same with the robot's file where it belongs: -o alone names it, as it did before --refined.
+CalibrationRequest with_refined(CalibrationRequest request);
 
 /// Adds everything that `hopper calibrate` takes.
 void add_calibration_options(command_line::Command& command, CalibrationRequest& request);

@@ -11,7 +11,8 @@ void add_reading_options(command_line::Command& command, CheckOptions& options) 
       .otherwise("the header's names")
       .one_value_each();
   command
-      .add_option("--columns", options.columns_files, "The same as a document: trajectory_columns")
+      .add_option("--columns", options.columns_files,
+                  "Document of kind trajectory_columns, which says the same")
       .otherwise("the header's names")
       .one_value_each();
   command
@@ -24,7 +25,8 @@ void add_reading_options(command_line::Command& command, CheckOptions& options) 
                    "The file's torque includes that of rotor and gears");
   command
       .add_flag("--torque-excludes-inertia", options.torque_excludes_inertia,
-                "It does not: add it. Neither: both readings count")
+                "The file's torque does not include it, and it is added. Where neither is said, "
+                "both readings count")
       .excludes("--torque-includes-inertia");
 }
 
@@ -42,13 +44,17 @@ void add_check_options(command_line::Command& command, CheckOptions& options) {
       .one_value_each();
   add_reading_options(command, options);
   add_operating_options(command, options.operating);
-  command.add_option("--repeat", options.runs, "Runs of the motion, for the winding's temperature")
+  command
+      .add_option("--repeat", options.runs,
+                  "How often the motion is run, for the winding's temperature")
       .integer_between(1, 1000000000);
-  command.add_option("--pause", options.pause_s, "After each run, in s").between(0.0, 1e9);
+  command.add_option("--pause", options.pause_s, "How long it rests after each run, in s")
+      .between(0.0, 1e9);
   command.add_option("--plot", options.plot_file, "Draw regions and motion to this SVG or PNG")
       .names_a_file();
-  command.add_option("-o,--output", options.output_file, "Write to this file").names_a_file();
-  command.add_flag("--json", options.json, "The report as JSON");
+  command.add_option("-o,--output", options.output_file, "Write the report as JSON to this file")
+      .names_a_file();
+  command.add_flag("--json", options.json, "Print the report as JSON");
 }
 
 }  // namespace torquewright::cli

@@ -8,32 +8,36 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
   add_contact_options(command, check.contact);
   command
       .add_option("--contact-time-constant", check.contact.time_constant_s,
-                  "Of the simulator's soft ground, in s (MuJoCo's solref): how far feet may sink")
+                  "Time constant of the simulator's soft ground, in s (MuJoCo's solref), which "
+                  "says how far feet may sink")
       .between(0.0, 10.0);
   command
       .add_option("--residual-limit", check.residual_share,
-                  "How much of the force on the base may stay unexplained, in weights of the "
-                  "robot: a motion with more is no motion")
+                  "Greatest force on the base that may stay unexplained, in weights of the robot; "
+                  "with more, the check fails")
       .between(0.0, 1e9);
   command
       .add_option("--load-window", check.load_window_s,
-                  "Over which a transmission's load is averaged, in s")
+                  "Time over which a transmission's load is averaged, in s")
       .between(1e-6, 10.0);
-  command.add_option("--repeat", check.runs, "Runs of the motion, for the windings' temperature")
+  command
+      .add_option("--repeat", check.runs,
+                  "How often the motion is run, for the windings' temperature")
       .integer_between(1, 1000000000);
-  command.add_option("--pause", check.pause_s, "After each run, in s").between(0.0, 1e9);
+  command.add_option("--pause", check.pause_s, "How long it rests after each run, in s")
+      .between(0.0, 1e9);
 }
 
 void add_candidate_options(command_line::Command& command, HopperCheckRequest& request) {
   command
       .add_option("--candidates", request.candidates_folder,
-                  "Folder of actuators and gearboxes to try in every place")
+                  "Try the actuators and gearboxes of this folder in every place")
       .otherwise("none is tried");
   command
       .add_option("--ratios", request.ratios,
                   "FROM:TO[:STEP]: try the candidates with these gear ratios")
       .otherwise("their own");
-  command.add_option("--threads", request.threads, "Threads that try candidates")
+  command.add_option("--threads", request.threads, "How many threads try candidates")
       .integer_between(1, 256);
 }
 
@@ -49,8 +53,8 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
   command
       .add_option(
           "--plot-momentum", request.momentum_file,
-          "Draw CAM, CAV and composite inertia about the lateral axis over time to this SVG "
-          "or PNG")
+          "Draw CAM (centroidal angular momentum), CAV (the mean angular velocity that goes with "
+          "it) and the composite inertia about the lateral axis over time to this SVG or PNG")
       .names_a_file();
   command
       .add_option("--figures", request.figures_file,
@@ -64,8 +68,9 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
       .add_option("--series", request.series_file,
                   "Write everything that was computed, by time, to this CSV")
       .names_a_file();
-  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
-  command.add_flag("--json", request.json, "The report as JSON");
+  command.add_option("-o,--output", request.output_file, "Write the report as JSON to this file")
+      .names_a_file();
+  command.add_flag("--json", request.json, "Print the report as JSON");
 }
 
 }  // namespace
@@ -83,7 +88,7 @@ void add_column_options(command_line::Command& command, HopperCheckRequest& requ
              .one_value_each());
   needed(command
              .add_option("--columns", request.columns_files,
-                         "The same as a document: trajectory_columns")
+                         "Document of kind trajectory_columns, which says the same")
              .otherwise("the header's names")
              .one_value_each());
   for (command_line::Option option : add_window_options(command, request.window)) needed(option);
@@ -96,21 +101,24 @@ void add_motion_options(command_line::Command& command, HopperCheckRequest& requ
                   "Which torques count: best (the file's where it has all), file, dynamics")
       .one_of({"best", "file", "dynamics"});
   command
-      .add_option("--late-columns", request.late_columns,
-                  "Accelerations, forces, flags, torques that belong to the row before, as "
-                  "simulators store them: find them, keep all as they stand, or shift all")
+      .add_option(
+          "--late-columns", request.late_columns,
+          "What is done with accelerations, forces, flags and torques that belong to the row "
+          "before, as simulators store them: find them, keep all as they stand, or shift all")
       .one_of({"find", "keep", "shift"});
 }
 
 void add_contact_options(command_line::Command& command, hopper::ContactRule& contact) {
-  command.add_option("--ground-height", contact.ground_height_m, "z of the ground, in m")
+  command.add_option("--ground-height", contact.ground_height_m, "Height of the ground, in m")
       .between(-1e6, 1e6);
-  command.add_option("--contact-height", contact.height_m, "Points no higher than this touch, in m")
+  command
+      .add_option("--contact-height", contact.height_m,
+                  "Height up to which points of the robot touch the ground, in m")
       .otherwise("searched for")
       .between(0.0, 10.0);
   command
       .add_option("--contact-speed", contact.speed_m_s,
-                  "Points that move up or down no faster touch, in m/s")
+                  "Speed upwards or downwards up to which points touch the ground, in m/s")
       .otherwise("searched for")
       .between(0.0, 100.0);
 }

@@ -23,27 +23,31 @@ void add_task_options(command_line::Command& command, HopperFlipRequest& request
                   "flip: the foot turned once forwards; jump: straight up; hop: with a stride")
       .one_of({"flip", "jump", "hop"});
   command
-      .add_option("--rise", request.rise_m,
-                  "Of the centre of mass in the flight of a jump or a hop, at least, in m")
+      .add_option(
+          "--rise", request.rise_m,
+          "How far the centre of mass rises in the flight of a jump or a hop, at least, in m")
       .otherwise(fmt::format("{:g}", hopper::PlanOptions().rise_m))
       .between(0.0, 2.0);
-  command.add_option("--stride", request.stride_m, "Of a hop, in m; less than 0 is backwards")
+  command
+      .add_option("--stride", request.stride_m,
+                  "How far a hop goes, in m; less than 0 is backwards")
       .otherwise(fmt::format("{:g}", hopper::PlanOptions().stride_m))
       .between(-2.0, 2.0);
   command
       .add_option("--limits", request.limits,
-                  "mor: each drive within its region at the voltage of the instant; box: within "
-                  "its peak torque at any speed up to no load, which a real motor cannot do")
+                  "What limits each drive: mor, its region at the voltage of the instant; box, its "
+                  "peak torque at any speed up to no load, which a real motor cannot do")
       .one_of({"mor", "box"});
   command
       .add_option("--contacts", request.contacts,
-                  "What stands on the ground, in order, by commas: flat, heel, toe, flight")
+                  "What stands on the ground, in order: flat, heel, toe, flight")
       .otherwise("the task's, of a flip flat,heel,flight,heel,flat")
       .separated_by_commas();
   command
       .add_option(
           "--objective", request.objectives,
-          fmt::format("NAME[=WEIGHT], repeatable: {}", fmt::join(hopper::objective_names(), ", ")))
+          fmt::format("NAME[=WEIGHT]: what the plan makes small or great (docs/flip.md), of {}",
+                      fmt::join(hopper::objective_names(), ", ")))
       .otherwise("the task's")
       .one_value_each();
 }
@@ -72,7 +76,7 @@ void add_margin_options(command_line::Command& command, hopper::PlanMargins& mar
       .between(0.0, 0.9);
   command
       .add_option("--position-margin", margins.position_rad,
-                  "Kept from the ends of the joints' ranges, in rad")
+                  "How far joints keep from the ends of their ranges, in rad")
       .between(0.0, 1.0);
   command
       .add_option("--speed-margin", margins.speed, "Share of the joints' speed limits that is kept")
@@ -81,16 +85,20 @@ void add_margin_options(command_line::Command& command, hopper::PlanMargins& mar
 
 void add_search_options(command_line::Command& command, HopperFlipRequest& request) {
   hopper::PlanOptions& plan = request.plan;
-  command.add_option("--intervals", plan.intervals, "Of the first mesh, all phases together")
+  command
+      .add_option("--intervals", plan.intervals,
+                  "How many intervals the first mesh has, all phases together")
       .integer_between(10, 2000);
   command
       .add_option("--integration-error", plan.most_error_rad,
-                  "Of a phase beside an independent integrator, in rad: the mesh is refined until "
-                  "it is less")
+                  "How far a phase may end from where an independent integrator ends, in rad; the "
+                  "mesh is refined until it is less")
       .between(1e-6, 0.1);
-  command.add_option("--rounds", plan.most_rounds, "Refined meshes after the first, at most")
+  command.add_option("--rounds", plan.most_rounds, "How often the mesh is refined, at most")
       .integer_between(0, 50);
-  command.add_option("--iterations", plan.most_iterations, "Of the solver on one mesh, at most")
+  command
+      .add_option("--iterations", plan.most_iterations,
+                  "How many iterations the solver takes on one mesh, at most")
       .integer_between(1, 1000000);
   command
       .add_option("--time-limit", plan.most_seconds,
@@ -100,7 +108,7 @@ void add_search_options(command_line::Command& command, HopperFlipRequest& reque
       .add_option("--guess-noise", plan.guess_noise_rad,
                   "Standard deviation of what is added to the first guess's joint angles, in rad")
       .between(0.0, 1.0);
-  command.add_option("--seed", request.guess_seed, "Of that noise")
+  command.add_option("--seed", request.guess_seed, "Seed of that noise")
       .integer_between(0, kGreatestSeed)
       .needs("--guess-noise");
   command.add_flag("--explain", plan.explain,
@@ -108,7 +116,7 @@ void add_search_options(command_line::Command& command, HopperFlipRequest& reque
                    "current, mass, a ratio) that makes one");
   command
       .add_option("--load-window", request.warm.check.load_window_s,
-                  "Over which a transmission's load is averaged, in s")
+                  "Time over which a transmission's load is averaged, in s")
       .between(1e-6, 10.0);
 }
 
@@ -121,13 +129,14 @@ void add_warm_options(command_line::Command& command, HopperFlipRequest& request
   hopper::ContactRule& contact = request.warm.check.contact;
   command
       .add_option("--contact-height", contact.height_m,
-                  "Points of that motion no higher than this touch, in m")
+                  "Height up to which points touch the ground in that motion, in m")
       .otherwise("the motion's contact columns, else searched for")
       .between(0.0, 10.0)
       .needs("--warm");
   command
-      .add_option("--contact-speed", contact.speed_m_s,
-                  "Points of that motion that move up or down no faster touch, in m/s")
+      .add_option(
+          "--contact-speed", contact.speed_m_s,
+          "Speed upwards or downwards up to which points touch the ground in that motion, in m/s")
       .otherwise("the motion's contact columns, else searched for")
       .between(0.0, 100.0)
       .needs("--warm");
@@ -144,12 +153,14 @@ void add_file_options(command_line::Command& command, HopperFlipRequest& request
                   "Where no plan is found, write the motion that comes closest to this CSV: it is "
                   "no plan")
       .names_a_file();
-  command.add_option("--sample-step", request.plan.sample_s, "Between rows of the motion, in s")
+  command
+      .add_option("--sample-step", request.plan.sample_s, "Time between rows of the motion, in s")
       .between(1e-5, 0.05);
   command
-      .add_option("--plot-momentum", request.momentum_file,
-                  "Draw CAM, CAV and composite inertia about the lateral axis over time to this "
-                  "SVG or PNG")
+      .add_option(
+          "--plot-momentum", request.momentum_file,
+          "Draw CAM (centroidal angular momentum), CAV (the mean angular velocity that goes with "
+          "it) and the composite inertia about the lateral axis over time to this SVG or PNG")
       .names_a_file();
   command
       .add_option("--figures", request.figures_file,
@@ -159,7 +170,7 @@ void add_file_options(command_line::Command& command, HopperFlipRequest& request
       .add_option("--report", request.report_file,
                   "Write a page with the plan and all that `hopper check` says of it to this HTML")
       .names_a_file();
-  command.add_flag("--json", request.json, "The answer as JSON");
+  command.add_flag("--json", request.json, "Print the answer as JSON");
   command.add_flag("--timing", request.timing, "State the seconds (runs then differ in bytes)");
 }
 

@@ -7,22 +7,24 @@ namespace {
 void add_simulation_options(command_line::Command& command, HopperReplayRequest& request) {
   command
       .add_option("--engine", request.engine,
-                  "own (rigid contact, step by step) or mujoco (where it was built in)")
+                  "Which engine simulates: own (rigid contact, step by step) or mujoco (where it "
+                  "was built in)")
       .one_of({"own", "mujoco"});
   command
-      .add_option(
-          "--limits", request.limits,
-          "mor: each drive's region at the voltage and temperature of the instant; box: its "
-          "peak torque at any speed up to no load")
+      .add_option("--limits", request.limits,
+                  "What limits each drive: mor, its region at the voltage and temperature of the "
+                  "instant; box, its peak torque at any speed up to no load")
       .one_of({"mor", "box"});
-  command.add_option("--step", request.step_s, "Of the engine, in s").between(1e-6, 0.01);
+  command.add_option("--step", request.step_s, "Time step of the engine, in s").between(1e-6, 0.01);
   command
-      .add_option("--control-period", request.control_period_s,
-                  "In s; rounded to whole steps of the engine")
+      .add_option(
+          "--control-period", request.control_period_s,
+          "Time between two looks of the controller, in s; rounded to whole steps of the engine")
       .between(1e-6, 0.1);
   command
-      .add_option("--latency", request.latency_s,
-                  "From a look at the robot to the torque that answers it, in s; rounded to steps")
+      .add_option(
+          "--latency", request.latency_s,
+          "Time from a look at the robot to the torque that answers it, in s; rounded to steps")
       .between(0.0, 0.1);
   command
       .add_option("--stand", request.stand_s,
@@ -35,59 +37,67 @@ void add_simulation_options(command_line::Command& command, HopperReplayRequest&
       .between(-1.0, 1.0);
   command
       .add_option("--ground-time-constant", request.contact_time_constant_s,
-                  "Of MuJoCo's soft ground, in s (solref); the own engine's is rigid")
+                  "Time constant of MuJoCo's soft ground, in s (solref); the own engine's is rigid")
       .between(1e-4, 1.0);
 }
 
 void add_tracking_options(command_line::Command& command, HopperReplayRequest& request) {
   command
-      .add_option("--controller", request.controller,
-                  "lqr: time-varying, through the impacts; pd: on the drives; both with the "
-                  "motion's own torques fed forward")
+      .add_option(
+          "--controller", request.controller,
+          "What follows the motion: lqr, a linear quadratic regulator through the impacts; pd, "
+          "proportional and derivative on the drives; both feed the motion's own torques forward")
       .one_of({"lqr", "pd"});
   command
       .add_option("--impact", request.impact,
-                  "The error of velocities about an impact: default (as it is), no_derivative "
-                  "(blended out), invariant (what an impulse can change is blended out)")
+                  "What is fed back of the error of velocities about an impact: default (all), "
+                  "no_derivative (none), invariant (what no impulse of the contact can change)")
       .one_of({"default", "no_derivative", "invariant"});
   command
       .add_option("--impact-metric", request.impact_metric,
-                  "In which that part is split off: euclidean, as published, or inertia")
+                  "Metric in which that part is split off: euclidean, as published, or inertia")
       .one_of({"euclidean", "inertia"});
   command
       .add_option("--impact-contact", request.impact_contact,
-                  "Whose impulse that is: of the points that the motion brings down first, or of "
+                  "Which impulse that is: of the points that the motion brings down first, or of "
                   "their whole foot")
       .one_of({"first", "foot"});
   command.add_flag("--fixed-clock", request.fixed_clock,
                    "The motion goes on by the clock, whenever contact comes; else touch-down sets "
                    "the clock");
-  command.add_option("--impact-window", request.impact_window_s, "Half its width, in s")
+  command
+      .add_option("--impact-window", request.impact_window_s,
+                  "Half the width of the window about an impact, in s")
       .between(1e-4, 1.0);
-  command.add_option("--impact-blend", request.impact_blend_s, "Over which it comes and goes, in s")
+  command
+      .add_option("--impact-blend", request.impact_blend_s,
+                  "Time over which that window opens and closes, in s")
       .between(1e-5, 1.0);
 }
 
 void add_trial_options(command_line::Command& command, HopperReplayRequest& request) {
-  command.add_option("--trials", request.trials, "Randomised runs, beside the one as documented")
+  command
+      .add_option("--trials", request.trials,
+                  "How many randomised runs are made, beside the one as documented")
       .otherwise("none")
       .integer_between(1, 1000000);
   command
       .add_option("--randomise", request.randomise_file,
-                  "Document of kind randomisation: what differs from trial to trial")
+                  "Document of kind randomisation, which says what differs from trial to trial")
       .otherwise("what the robot is")
       .needs("--trials");
-  command.add_option("--seed", request.seed, "Of the trials' drawn numbers").needs("--trials");
+  command.add_option("--seed", request.seed, "Seed of the numbers that trials draw")
+      .needs("--trials");
   command.add_option("--trial", request.only_trial, "Run this one of the trials alone, from 0")
       .otherwise("all")
       .integer_between(0, 999999)
       .needs("--trials");
   command
       .add_option("--success-rate", request.success_rate,
-                  "Share of the trials that must stand for exit code 0")
+                  "Share of the trials in which the robot must stand, for exit code 0")
       .between(0.0, 1.0)
       .needs("--trials");
-  command.add_option("--threads", request.threads, "Threads that run trials")
+  command.add_option("--threads", request.threads, "How many threads run trials")
       .otherwise("as many as the processor runs at once")
       .integer_between(1, 256);
   add_point_options(command, request.points, "--trials");
@@ -104,8 +114,9 @@ void add_output_options(command_line::Command& command, HopperReplayRequest& req
       .add_option("--series", request.series_file,
                   "Write the run by time, a motion that `hopper check` reads, to this CSV")
       .names_a_file();
-  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
-  command.add_flag("--json", request.json, "The report as JSON");
+  command.add_option("-o,--output", request.output_file, "Write the report as JSON to this file")
+      .names_a_file();
+  command.add_flag("--json", request.json, "Print the report as JSON");
 }
 
 }  // namespace
@@ -121,7 +132,7 @@ void add_hopper_replay_options(command_line::Command& command, HopperReplayReque
   add_operating_options(command, request.motion.operating);
   command
       .add_option("--load-window", request.motion.check.load_window_s,
-                  "Over which a transmission's load is averaged, in s")
+                  "Time over which a transmission's load is averaged, in s")
       .between(1e-6, 10.0);
   add_simulation_options(command, request);
   add_tracking_options(command, request);

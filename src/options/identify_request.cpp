@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/identify_request.hpp"
 
+#include <utility>
+
+#include "io/refusal.hpp"
+
 namespace torquewright::cli {
 
 void add_log_options(command_line::Command& command, IdentifyRequest& request) {
   command.add_option("logs", request.logs, "CSV files of one rig, with a header")
       .needed_by_its_work();
-  command.add_option("--rig", request.rig_file, "Document of kind rig: what the columns are")
+  command
+      .add_option("--rig", request.rig_file,
+                  "Document of kind rig, which says what the columns are")
       .needed_by_its_work();
   command
       .add_option(
@@ -14,7 +20,24 @@ void add_log_options(command_line::Command& command, IdentifyRequest& request) {
           "Document of kind actuator, as designed; JOINT=FILE, once for each, on a serial arm")
       .needed_by_its_work()
       .one_value_each();
-  command.add_flag("--json", request.json, "The report as JSON");
+  command.add_flag("--json", request.json, "Print the report as JSON");
+}
+
+IdentifyRequest with_refined(IdentifyRequest request) {
+  const bool is_printed = request.outputs == std::vector<std::string>{"-"};
+  if (request.select && request.refined.empty() && !request.outputs.empty() && !is_printed) {
+    std::swap(request.refined, request.outputs);
+    request.is_old_spelling = true;
+  }
+  if (request.outputs.size() > 1) io::refuse("--output", "there is one report, for one file");
+  if (is_printed && !request.as.empty()) {
+    io::refuse("--as", "standard output takes the report of -o -");
+  }
+  return request;
+}
+
+std::string report_document(const IdentifyRequest& request) {
+  return request.outputs.empty() ? std::string() : request.outputs.front();
 }
 
 void require_log_options(const IdentifyRequest& request) {

@@ -13,7 +13,9 @@ struct IdentifyRequest {
   std::vector<std::string> logs;
   std::string rig_file;
   std::vector<std::string> actuators;  ///< FILE, or JOINT=FILE on a serial arm.
-  std::vector<std::string> outputs;    ///< The same for refined actuators.
+  std::vector<std::string> refined;    ///< The same for refined actuators.
+  std::vector<std::string> outputs;    ///< Of -o: the report's one file.
+  bool is_old_spelling = false;        ///< Refined actuators were named by -o.
   std::string report_file;
   std::vector<std::string> only, without;  ///< Effects.
   double tolerance = 0.001;
@@ -22,6 +24,13 @@ struct IdentifyRequest {
   bool empirical = false;
   bool select = true;
 };
+
+/// The same with refined actuators' files where they belong: -o alone names them, as it did before
+/// --refined. Throws io::SpecError where the report has several files.
+IdentifyRequest with_refined(IdentifyRequest request);
+
+/// Where the report goes as JSON; empty: not asked for.
+std::string report_document(const IdentifyRequest& request);
 
 /// Logs, --rig, --actuator and --json. None is required by the parser: a subcommand needs none.
 void add_log_options(command_line::Command& command, IdentifyRequest& request);

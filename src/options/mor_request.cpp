@@ -45,20 +45,20 @@ std::vector<std::string> mor_formats() {
 void add_questions(command_line::Command& command, MorRequest& request) {
   command_line::Option need =
       command
-          .add_option("--need", request.need,
-                      "TORQUE@SPEED in Nm and rad/s: is it reached, and if not, what would do")
+          .add_option(
+              "--need", request.need,
+              "TORQUE@SPEED in Nm and rad/s: say whether it is reached, and if not, what would do")
           .otherwise("not asked");
   command_line::Option ratio =
       command
           .add_option("--ratio", request.ratios,
-                      "LOW:HIGH: what these gear ratios would make of the motor")
+                      "LOW:HIGH: show what these gear ratios would make of the motor")
           .otherwise("not asked");
-  command_line::Option compare =
-      command
-          .add_option(
-              "--compare", request.compare_file,
-              "An actuator from whose region this one's differs: where torque is lost and won")
-          .otherwise("not compared");
+  command_line::Option compare = command
+                                     .add_option("--compare", request.compare_file,
+                                                 "Document of kind actuator: show where this one's "
+                                                 "region loses and wins torque against it")
+                                     .otherwise("not compared");
   compare.excludes("--need").excludes("--ratio");
   for (command_line::Option* question : {&need, &ratio, &compare}) {
     for (const char* other : {"--format", "--at-speed", "--accuracy"}) question->excludes(other);
@@ -74,14 +74,16 @@ void add_mor_plot_options(command_line::Command& command, MorPlotOptions& option
                   "Draw the region to this SVG or PNG; the rows too only with --format, "
                   "--json, --at-speed or -o")
       .names_a_file();
-  command.add_option("--plot-voltage", options.voltages_V, "Over it, at these bus voltages, in V")
+  command
+      .add_option("--plot-voltage", options.voltages_V,
+                  "Draw the region at these bus voltages too, in V")
       .otherwise("none")
       .separated_by_commas()
       .between(0.5, 2000.0)
       .needs("--plot");
   command
       .add_option("--plot-temperature", options.temperatures_K,
-                  "Over it, at these winding temperatures, in K")
+                  "Draw the region at these winding temperatures too, in K")
       .otherwise("none")
       .separated_by_commas()
       .between(200.0, 600.0)
@@ -93,19 +95,23 @@ void add_mor_plot_options(command_line::Command& command, MorPlotOptions& option
 void add_mor_options(command_line::Command& command, MorRequest& request) {
   command.add_option("actuator", request.actuator_file, "Document of kind actuator").required();
   add_operating_options(command, request.operating);
-  command.add_option("--side", request.side, "joint, or motor: at the rotor, before friction")
+  command
+      .add_option(
+          "--side", request.side,
+          "Where torque and speed are taken: joint, or motor (at the rotor, before friction)")
       .one_of({"joint", "motor"});
-  command.add_option("--format", request.format, "csv, json or a simulator's file")
+  command.add_option("--format", request.format, "Write csv, json or a simulator's file")
       .otherwise("csv")
       .one_of(mor_formats());
   command
       .add_option("--fit", request.fit,
-                  "Of a simulator's law that cannot take the region's shape: conservative (inside "
-                  "it) or best (least squares)")
+                  "How a simulator's law that cannot take the region's shape is fitted to it: "
+                  "conservative (inside it) or best (least squares)")
       .otherwise("conservative")
       .one_of({"conservative", "best"})
       .needs("--format");
-  command.add_option("--at-speed", request.speeds_rad_s, "Rows at these speeds only, in rad/s")
+  command
+      .add_option("--at-speed", request.speeds_rad_s, "Print rows at these speeds only, in rad/s")
       .otherwise("as many as --accuracy asks for")
       .separated_by_commas()
       .between(-kMostSpeed_rad_s, kMostSpeed_rad_s);
@@ -114,20 +120,35 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
                   "Part of the peak torque within which lines between the rows stay; a number from "
                   "1e-8 to 0.1")
       .excludes("--at-speed");
-  command.add_option("-o,--output", request.output_file, "Write to this file").names_a_file();
+  command.add_option("--export", request.export_file, "Write the simulator's file of --format here")
+      .otherwise("-, standard output")
+      .names_a_file()
+      .needs("--format");
+  command
+      .add_option("-o,--output", request.output_file,
+                  "Write the answer to this file: JSON where its name ends with .json, else the "
+                  "table as CSV")
+      .otherwise("-, standard output")
+      .names_a_file();
   add_mor_plot_options(command, request.plot);
   add_questions(command, request);
-  command.add_flag("--json", request.json, "The same as JSON");
+  command.add_flag("--json", request.json, "Print the same as JSON");
 }
 
 bool is_json(const MorRequest& request) {
-  return request.json || request.format == "json" || names_json(request.output_file);
+  const bool is_beside_export = !request.export_file.empty() && !request.output_file.empty();
+  return request.json || request.format == "json" || names_json(request.output_file) ||
+         is_beside_export;
 }
 
 void require_formats(const MorRequest& request) {
   const actuator::Exporter* exporter = actuator::find_exporter(request.format);
   if (!request.fit.empty() && !exporter) {
     io::refuse("--fit", fmt::format("--format {} fits no law", request.format));
+  }
+  if (!request.export_file.empty() && !exporter) {
+    io::refuse("--export",
+               fmt::format("--format {} is no simulator's; the table goes to -o", request.format));
   }
   if (exporter && !request.speeds_rad_s.empty()) {
     io::refuse("--at-speed", "rows are for csv and json");

@@ -33,6 +33,7 @@ struct MorRequest {
   std::string ratios;  ///< LOW:HIGH
   std::string compare_file;
   std::string output_file;
+  std::string export_file;
   MorPlotOptions plot;
   bool json = false;
 };
@@ -42,7 +43,7 @@ void add_mor_options(command_line::Command& command, MorRequest& request);
 
 actuator::Side side_of(const MorRequest& request);
 
-/// Asked for by --json, by --format, or by the ending of -o.
+/// Asked for by --json, by --format, by the ending of -o, or by --export beside -o.
 bool is_json(const MorRequest& request);
 
 /// Throws io::SpecError where what was asked for does not go together.

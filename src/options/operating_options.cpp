@@ -4,18 +4,23 @@
 namespace torquewright::cli {
 
 void add_operating_options(command_line::Command& command, OperatingOptions& options) {
-  command.add_option("--rating", options.rating, "peak (for seconds) or continuous")
+  command
+      .add_option("--rating", options.rating,
+                  "Which limits of the drive hold: peak (for seconds) or continuous")
       .one_of({"peak", "continuous"});
-  command.add_option("--bus-voltage", options.bus_voltage_V, "Of the source without load, in V")
+  command
+      .add_option("--bus-voltage", options.bus_voltage_V,
+                  "Voltage of the source without load, in V")
       .otherwise("the document's")
       .between(0.5, 2000.0);
   command
-      .add_option("--state-of-charge", options.state_of_charge, "Of the battery: 0 empty, 1 full")
+      .add_option("--state-of-charge", options.state_of_charge,
+                  "How full the battery is: 0 is empty, 1 full")
       .otherwise("1")
       .between(0.0, 1.0);
   command
       .add_option("--winding-temperature", options.winding_temperature_K,
-                  "At which the windings work, in K")
+                  "Temperature at which the windings work, in K")
       .otherwise("the document's")
       .between(200.0, 600.0);
 }

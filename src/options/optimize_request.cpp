@@ -7,11 +7,16 @@ void add_optimize_options(command_line::Command& command, OptimizeRequest& reque
   command.add_option("problem", request.problem_file, "Document of kind gearbox_problem")
       .required();
   add_output_options(command, request.outputs);
-  command.add_option("--top", request.top, "How many of the best designs")
+  command.add_option("--top", request.top, "How many of the best designs are listed")
       .integer_between(1, 1000000);
-  command.add_option("--relaxation", request.relaxation, "When Ipopt is asked")
+  command
+      .add_option("--relaxation", request.relaxation,
+                  "When bounds come from a convex relaxation, which Ipopt solves, beside those of "
+                  "intervals")
       .one_of({"auto", "always", "never"});
-  command.add_option("--max-nodes", request.max_nodes, "End the search after so many boxes")
+  command
+      .add_option("--max-nodes", request.max_nodes,
+                  "End the search after so many boxes, parts of the space that is searched")
       .otherwise("as many as it takes")
       .integer_between(1, std::int64_t{1} << 60);
   command.add_option("--time-limit", request.time_limit_s, "End the search after so many seconds")

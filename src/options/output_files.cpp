@@ -20,12 +20,13 @@ bool names_json(const std::string& file) {
 }
 
 void require_svg(const std::string& option, const std::string& file) {
-  if (file.empty() || std::filesystem::path(file).extension() == ".svg") return;
+  if (file.empty() || file == "-" || std::filesystem::path(file).extension() == ".svg") return;
   io::refuse(option, fmt::format("\"{}\" must end with .svg", file));
 }
 
 void add_output_options(command_line::Command& command, OutputFiles& files) {
-  command.add_option("-o,--output", files.result, "Write the result as JSON here").names_a_file();
+  command.add_option("-o,--output", files.result, "Write the result as JSON to this file")
+      .names_a_file();
   command.add_option("--draw", files.drawing, "Draw the gearbox to this SVG file").names_a_file();
 }
 

@@ -10,15 +10,17 @@ namespace torquewright::cli {
 
 void add_point_options(command_line::Command& command, PointOptions& options,
                        const std::string& needed) {
-  command_line::Option jobs = command.add_option("--jobs", options.jobs, "Processes that do it")
-                                  .otherwise("as many as the processor runs at once")
-                                  .integer_between(1, 256);
+  command_line::Option jobs =
+      command.add_option("--jobs", options.jobs, "How many processes share the work")
+          .otherwise("as many as the processor runs at once")
+          .integer_between(1, 256);
   command_line::Option journal =
       command
           .add_option("--sweep-journal", options.journal_file,
                       "Keep each answer in this file as it comes, and take those that it holds")
           .otherwise("beside the output, as OUTPUT.journal")
-          .names_a_file();
+          .names_a_file()
+          .not_standard_output();
   if (needed.empty()) return;
   jobs.needs(needed);
   journal.needs(needed);
@@ -46,7 +48,9 @@ void add_sweep_options(command_line::Command& command, SweepOptions& options) {
 }
 
 std::string journal_of(const PointOptions& options, const std::string& output_file) {
-  if (!options.journal_file.empty() || output_file.empty()) return options.journal_file;
+  if (!options.journal_file.empty() || output_file.empty() || output_file == "-") {
+    return options.journal_file;
+  }
   std::error_code unknown;
   const bool is_file = !std::filesystem::is_other(output_file, unknown);
   return is_file && !io::named_descriptor(output_file) ? output_file + ".journal" : std::string();

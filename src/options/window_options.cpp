@@ -9,11 +9,11 @@ namespace torquewright::cli {
 
 std::vector<command_line::Option> add_window_options(command_line::Command& command,
                                                      WindowOptions& options) {
-  return {command.add_option("--from", options.from_s, "Only rows from this time on, in s")
+  return {command.add_option("--from", options.from_s, "Take only rows from this time on, in s")
               .otherwise("the first row")
               .takes(1)
               .between(-1e12, 1e12),
-          command.add_option("--until", options.until_s, "Only rows up to this time, in s")
+          command.add_option("--until", options.until_s, "Take only rows up to this time, in s")
               .otherwise("the last row")
               .takes(1)
               .between(-1e12, 1e12)};

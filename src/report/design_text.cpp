@@ -166,16 +166,16 @@ std::string gears_text(const DesignReport& report) {
 }
 
 std::string mesh_line(const Problem& problem, const DesignReport& report, const MeshReport& mesh) {
-  std::string text = fmt::format("  {:<22}", mesh.name);
+  std::string text = fmt::format("  {:<20}", mesh.name);
   if (problem.friction_coefficient) {
-    text += fmt::format("{:>11.6f}{:>11.4f} %{:>11.4f} %", mesh.efficiency,
-                        100.0 * mesh.forward_loss, 100.0 * mesh.backward_loss);
+    text += fmt::format("{:>11.6f}{:>8.4f} %{:>8.4f} %", mesh.efficiency, 100.0 * mesh.forward_loss,
+                        100.0 * mesh.backward_loss);
   } else {
-    text += fmt::format("{:>11}{:>13}{:>13}", "-", "-", "-");
+    text += fmt::format("{:>11}{:>10}{:>10}", "-", "-", "-");
   }
-  text += fmt::format("{:>15.4f}{:>14.1f} %", mesh.contact_ratio, 100.0 * mesh.backlash_share);
-  return text + (report.input_torque_Nm ? fmt::format("{:>10.4g}\n", mesh.tangential_force_N)
-                                        : fmt::format("{:>10}\n", "-"));
+  text += fmt::format("{:>9.4f}{:>8.1f} %", mesh.contact_ratio, 100.0 * mesh.backlash_share);
+  return text + (report.input_torque_Nm ? fmt::format("{:>8.4g}\n", mesh.tangential_force_N)
+                                        : fmt::format("{:>8}\n", "-"));
 }
 
 /// Tables made with the other form differ, most where the efficiency is low.
@@ -190,8 +190,8 @@ std::string loss_form_line(const Problem& problem, const DesignReport& report) {
 
 std::string meshes_text(const Problem& problem, const DesignReport& report) {
   std::string text =
-      "  mesh                   efficiency  lost forward  lost backw.  contact ratio"
-      "  backlash share   force N\n";
+      "  mesh                efficiency      lost      lost  contact  backlash   force\n"
+      "                                   forward  backward    ratio     share       N\n";
   double forward = 0.0;
   double backward = 0.0;
   for (const MeshReport& mesh : report.meshes) {
@@ -200,20 +200,20 @@ std::string meshes_text(const Problem& problem, const DesignReport& report) {
     backward += mesh.backward_loss;
   }
   if (!problem.friction_coefficient) return text;
-  text += fmt::format("  {:<33}{:>11.4f} %{:>11.4f} %\n", "sum, of the power put in",
-                      100.0 * forward, 100.0 * backward);
+  text += fmt::format("  {:<31}{:>8.4f} %{:>8.4f} %\n", "sum, of the power put in", 100.0 * forward,
+                      100.0 * backward);
   return text + loss_form_line(problem, report);
 }
 
 std::string constraints_text(const DesignReport& report) {
   std::string text = "  constraint    margin\n";
   for (const ConstraintReport& constraint : report.constraints) {
-    text += fmt::format("  {} {:>+11.4g} {:<5} {}\n",
+    text += fmt::format("  {} {:>+11.4g} {:<5}  {}\n",
                         constraint.satisfied ? "ok      " : "VIOLATED", constraint.margin,
                         constraint.unit == "1" ? "" : constraint.unit, constraint.sentence);
   }
   for (const Remark& remark : report.remarks) {
-    text += fmt::format("  {:<26} {}\n", "note", remark.sentence);
+    text += fmt::format("  {:<26}  {}\n", "note", remark.sentence);
   }
   return text;
 }

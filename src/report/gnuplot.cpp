@@ -83,7 +83,7 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
 }  // namespace
 
 PlotFormat plot_format(const std::filesystem::path& file) {
-  if (file.extension() == ".svg") return PlotFormat::kSvg;
+  if (file.extension() == ".svg" || file == "-") return PlotFormat::kSvg;
   if (file.extension() == ".png") return PlotFormat::kPng;
   throw io::SpecError(
       {{"--plot", "", fmt::format("\"{}\" must end with .svg or .png", file.string())}});
@@ -106,6 +106,11 @@ std::string gnuplot_terminal(PlotFormat format, int width, int height) {
       "set terminal {} size {},{} noenhanced font 'DejaVu Sans,11' background '#ffffff'\n"
       "set encoding utf8\n",
       name, width, height);
+}
+
+std::string gnuplot_palette() {
+  return "set palette defined (0 '#440154', 0.25 '#3b528b', 0.5 '#21918c', 0.75 '#5ec962', 1 "
+         "'#fde725')\n";
 }
 
 std::string picture_by_gnuplot(const std::string& script, const std::string& option) {

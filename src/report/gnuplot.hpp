@@ -18,6 +18,10 @@ std::string gnuplot_quoted(std::string_view text);
 /// The first lines of a script: the terminal, of that size in points, and its fonts.
 std::string gnuplot_terminal(PlotFormat format, int width, int height);
 
+/// A scale of colours whose lightness rises from end to end, so that it orders for all eyes and in
+/// print: no rainbow. A line of a script.
+std::string gnuplot_palette();
+
 /// Gives the script to gnuplot (found in PATH, started without a shell, script and data through its
 /// stdin); what it draws. Throws io::SpecError for `option` if gnuplot is not installed;
 /// std::runtime_error with its words if it fails.

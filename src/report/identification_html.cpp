@@ -132,9 +132,10 @@ std::string remainder(const EquationResult& equation) {
   return text + list(items);
 }
 
-std::string coordinates_section(const EquationResult& equation, Pictures& pictures) {
-  const std::string picture =
-      pictures.draw(structure_plot(equation), "Residual over each coordinate, before and after");
+std::string coordinates_section(const EquationResult& equation,
+                                const std::vector<std::string>& logged, Pictures& pictures) {
+  const std::string picture = pictures.draw(structure_plot(equation, logged),
+                                            "Residual over each coordinate, before and after");
   if (picture.empty()) return "";
   return "<h3>Residual along each coordinate</h3>\n<p class=\"soft\"><span class=\"key\" "
          "style=\"background:#d55e00\"></span>as stated <span class=\"key\" "
@@ -176,7 +177,9 @@ std::string lines_section(const EquationResult& equation) {
   return items.empty() ? "" : "<h3>Lines in the spectrum of what is left</h3>\n" + list(items);
 }
 
-std::string equation_section(const EquationResult& equation, bool select, Pictures& pictures) {
+std::string equation_section(const EquationResult& equation, const IdentificationContext& context,
+                             Pictures& pictures) {
+  const bool select = context.select;
   std::string text = fmt::format(
       "<section>\n<h2>{} {}</h2>\n", escaped(name_of_equation(equation)),
       only_confirms(equation) ? "<span class=\"soft\">simulated, no verdict of its own</span>"
@@ -192,7 +195,7 @@ std::string equation_section(const EquationResult& equation, bool select, Pictur
                           "Error on runs that were not fitted, after each effect") +
             effects_table(equation);
   text += corrections(equation) + runs_section(equation, pictures) +
-          coordinates_section(equation, pictures);
+          coordinates_section(equation, context.logged, pictures);
   if (select) text += remainder(equation);
   text += lines_section(equation);
   if (select) text += groups(equation) + models_table(equation) + rejections(equation);
@@ -276,7 +279,7 @@ std::string identification_html(const Identification& found, const Identificatio
   Pictures pictures("--report");
   std::string text = head(found, context);
   for (const EquationResult& equation : found.equations) {
-    text += equation_section(equation, context.select, pictures);
+    text += equation_section(equation, context, pictures);
   }
   text += tables_section(found);
   for (const RegionSection& region : regions) text += region_section(region, pictures);

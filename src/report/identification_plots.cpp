@@ -42,11 +42,42 @@ const ResidualStructure* same(const std::vector<ResidualStructure>& structures,
   return nullptr;
 }
 
-/// Each coordinate once, as the table that explains more; the strongest first.
-std::vector<Panel> panels_of(const EquationResult& equation) {
+/// What only some logs hold: where no channel did, the values are the model's.
+struct LoggedCoordinate {
+  std::string_view coordinate;
+  std::vector<std::string_view> channels;  ///< One of them.
+};
+
+bool is_logged(const std::string& coordinate, const std::vector<std::string>& logged) {
+  static const std::vector<LoggedCoordinate> kOptional = {
+      {"motor_current_A", {"motor_current_A"}},
+      {"load_torque_Nm", {"output_torque_Nm", "linear_force_N"}},
+      {"power_W", {"output_torque_Nm", "linear_force_N"}},
+      {"winding_temperature_K", {"winding_temperature_K", "case_temperature_K"}}};
+  const auto found =
+      std::find_if(kOptional.begin(), kOptional.end(),
+                   [&](const LoggedCoordinate& each) { return each.coordinate == coordinate; });
+  return found == kOptional.end() ||
+         std::any_of(found->channels.begin(), found->channels.end(), [&](std::string_view channel) {
+           return std::find(logged.begin(), logged.end(), channel) != logged.end();
+         });
+}
+
+/// With its unit, where its name does not end in one.
+std::string axis_title(const ResidualStructure& structure) {
+  std::string_view unit;
+  if (structure.coordinate == "electrical_angle") unit = ", rad";
+  if (structure.coordinate == "time_since_reversal") unit = ", s";
+  return name_of_coordinate(structure) + std::string(unit);
+}
+
+/// Each coordinate that was logged once, as the table that explains more; the strongest first.
+std::vector<Panel> panels_of(const EquationResult& equation,
+                             const std::vector<std::string>& logged) {
   std::vector<Panel> panels;
   for (const ResidualStructure& each : equation.structure_before) {
     if (each.centre.empty() || each.centre.size() != each.level.size()) continue;
+    if (!is_logged(each.coordinate, logged)) continue;
     const auto known = std::find_if(panels.begin(), panels.end(), [&](const Panel& panel) {
       return panel.before->coordinate == each.coordinate;
     });
@@ -80,11 +111,11 @@ double percent(const ResidualStructure* structure) {
 std::string panel_script(const Panel& panel, std::size_t index, const std::string& unit) {
   const std::string before = fmt::format("before{}", index), after = fmt::format("after{}", index);
   std::string script = data_block(before, panel.before) + data_block(after, panel.after);
-  script += fmt::format("set title {}\nset xlabel {} offset 0,0.6\nset ylabel {} offset 1,0\n",
-                        gnuplot_quoted(fmt::format("{:.0f} % → {:.0f} % explained by it",
-                                                   percent(panel.before), percent(panel.after))),
-                        gnuplot_quoted(name_of_coordinate(*panel.before)),
-                        gnuplot_quoted("residual, " + unit));
+  script +=
+      fmt::format("set title {}\nset xlabel {} offset 0,0.6\nset ylabel {} offset 1,0\n",
+                  gnuplot_quoted(fmt::format("{:.0f} % → {:.0f} % explained by it",
+                                             percent(panel.before), percent(panel.after))),
+                  gnuplot_quoted(axis_title(*panel.before)), gnuplot_quoted("residual, " + unit));
   script += fmt::format(
       "plot ${} using 1:2 with linespoints pointtype 7 pointsize 0.45 linewidth 1.6 linecolor rgb "
       "'{}' notitle",
@@ -217,8 +248,8 @@ std::string run_plot(const EquationResult& equation) {
   return script + "unset multiplot\n";
 }
 
-std::string structure_plot(const EquationResult& equation) {
-  const std::vector<Panel> panels = panels_of(equation);
+std::string structure_plot(const EquationResult& equation, const std::vector<std::string>& logged) {
+  const std::vector<Panel> panels = panels_of(equation, logged);
   if (panels.empty()) return "";
   const std::size_t rows = (panels.size() + kColumns - 1) / kColumns;
   std::string script =

@@ -219,9 +219,10 @@ std::string noise_line(const EquationResult& equation) {
         rms(shown_error(equation.after), equation.unit),
         rms(equation.noise_floor_rms, equation.unit));
   }
-  return fmt::format("\n{}: {}, {} rms, noise floor {}\n", name_of_equation(equation),
+  const double error = shown_error(equation.before);
+  return fmt::format("\n{}: {}, {}, noise floor {}\n", name_of_equation(equation),
                      identification::name_of(equation.verdict),
-                     rms(shown_error(equation.before), equation.unit),
+                     error > 0.0 ? rms(error, equation.unit) + " rms" : "no error",
                      rms(equation.noise_floor_rms, equation.unit));
 }
 
@@ -235,7 +236,7 @@ std::string refined_lines(const Identification& found, const IdentificationConte
   }
   const bool is_sure = identification::has_anything_certain(found);
   if (text.empty()) {
-    text = line(step, is_sure ? "not asked for (-o)" : "none: there is nothing sure to add");
+    text = line(step, is_sure ? "not asked for (--refined)" : "none: there is nothing sure to add");
   }
   return "\n" + text;
 }

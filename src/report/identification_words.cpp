@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "identification/answer/report_spec.hpp"
+#include "src/report/shell_word.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -69,11 +70,11 @@ std::string harmonic_text(const ordered_json& wave, const ordered_json& error) {
 }
 
 std::string compare_command(const IdentificationContext& context, std::size_t i,
-                            std::string refined) {
-  std::string nominal = i < context.actuator_files.size() ? context.actuator_files[i] : "ACTUATOR";
-  nominal.erase(0, nominal.find('=') + 1);
-  refined.erase(0, refined.find('=') + 1);
-  return fmt::format("torquewright actuator mor {} --compare {}", refined, nominal);
+                            const std::string& refined) {
+  const std::string nominal =
+      i < context.actuator_files.size() ? context.actuator_files[i] : "ACTUATOR";
+  return fmt::format("torquewright actuator mor {} --compare {}", shell_word(refined),
+                     shell_word(nominal));
 }
 
 void add_separation(const Identification& found, std::vector<std::string>& steps) {
@@ -160,7 +161,7 @@ std::vector<std::string> next_steps(const Identification& found,
       [](const EquationResult& each) { return !each.added.empty() || !each.corrected.empty(); });
   if (!has_added || !identification::has_anything_certain(found)) return steps;
   if (context.refined_files.empty()) {
-    steps.push_back("-o REFINED writes the refined actuator; then " +
+    steps.push_back("--refined REFINED writes the refined actuator; then " +
                     compare_command(context, 0, "REFINED"));
   }
   for (std::size_t i = 0; i < context.refined_files.size(); ++i) {

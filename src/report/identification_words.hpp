@@ -14,8 +14,9 @@ struct IdentificationContext {
   std::vector<std::string> log_files;
   std::string rig_file;
   std::string rig_name;
-  std::vector<std::string> actuator_files;  ///< As given; "elbow=FILE" on a serial arm.
+  std::vector<std::string> actuator_files;  ///< In the order of the rig's joints.
   std::vector<std::string> refined_files;   ///< Written; the same order, or empty.
+  std::vector<std::string> logged;          ///< Quantities of the rig's columns.
   bool select = true;                       ///< False: `identify residual`.
 };
 

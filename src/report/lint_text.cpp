@@ -72,7 +72,9 @@ std::string explanation_row(const Explanation& explanation, const std::string& u
 std::string finding_text(const actuator::lint::Finding& finding) {
   std::string text = fmt::format("\n{}: {}: {}: {}\n", name_of(finding.severity), finding.actuator,
                                  finding.rule, finding.sentence);
-  text += fmt::format("  follows from {}\n", fmt::join(finding.expected.pointers, ", "));
+  if (!finding.expected.pointers.empty()) {
+    text += fmt::format("  follows from {}\n", fmt::join(finding.expected.pointers, ", "));
+  }
   if (!finding.assumed.empty()) {
     text += fmt::format("  assumed, neither published nor measured: {}\n",
                         fmt::join(finding.assumed, ", "));

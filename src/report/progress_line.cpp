@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/report/progress_line.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
 
+#include "src/interrupt.hpp"
 #include "src/sweep/sweep.hpp"
 
 namespace torquewright::report {
 
+namespace {
+
+/// Of the window: what goes on in a second row could not be taken back.
+int columns() {
+  constexpr int kUsual = 80;
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : kUsual;
+}
+
+}  // namespace
+
 ProgressLine::ProgressLine() : is_watched_(isatty(STDERR_FILENO) == 1 && !sweep::is_silent()) {}
-ProgressLine::~ProgressLine() { show(""); }
+ProgressLine::~ProgressLine() { write(""); }
 
 void ProgressLine::show(const std::string& text) {
-  if (is_watched_) std::fprintf(stderr, "\r\033[K%s", text.c_str());
+  cli::leave_if_interrupted();
+  write(text);
+}
+
+void ProgressLine::write(const std::string& text) const {
+  if (is_watched_) std::fprintf(stderr, "\r\033[K%.*s", columns() - 1, text.c_str());
 }
 
 }  // namespace torquewright::report

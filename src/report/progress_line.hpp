@@ -13,9 +13,13 @@ class ProgressLine {
   ~ProgressLine();  ///< Wipes the line.
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
+  /// Throws cli::Interrupted where that is asked for (src/interrupt.hpp): work that shows its
+  /// progress can be left there.
   void show(const std::string& text);
 
  private:
+  void write(const std::string& text) const;
+
   bool is_watched_;
 };
 

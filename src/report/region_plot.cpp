@@ -142,10 +142,8 @@ std::string motion_plot(PlotFormat format, const std::string& title,
   const int width = count == 1 ? kWidth : columns * kPanelWidth;
   const int height = count == 1 ? kHeight : rows * kPanelHeight + 40;
   std::string script = gnuplot_terminal(format, width, height) + axes();
-  script +=
-      "set palette defined (0 '#30123b', 0.25 '#3e9bfe', 0.5 '#46f884', 0.75 '#e1dd37', 1 "
-      "'#f05b12')\n"
-      "set cblabel 'time in s'\nset key below horizontal samplen 2\nset bmargin 5\n";
+  script += gnuplot_palette();
+  script += "set cblabel 'time in s'\nset key below horizontal samplen 2\nset bmargin 5\n";
   double first_s = 0.0;
   double last_s = 0.0;
   bool has_times = false;

@@ -161,11 +161,10 @@ std::string map(const Swept& swept) {
   const std::vector<double> x = cell_edges(swept.axes[0].values);
   const std::vector<double> y = cell_edges(swept.axes[1].values);
   std::string text = fmt::format(
-      "set ylabel {}\nset cblabel {}\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n"
-      "set palette defined (0 '#30123b', 0.25 '#3e9bfe', 0.5 '#46f884', 0.75 '#e1dd37', 1 "
-      "'#f05b12')\nset style fill solid 0.75 noborder\n",
+      "set ylabel {}\nset cblabel {}\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n{}"
+      "set style fill solid 0.75 noborder\n",
       gnuplot_quoted(label_of(swept.axes[1])), gnuplot_quoted(measure_name(swept)), x.front(),
-      x.back(), y.front(), y.back());
+      x.back(), y.front(), y.back(), gnuplot_palette());
   text += present_line(swept.axes[0], true) + present_line(swept.axes[1], false);
   return text + cell_data(swept, x, y) +
          "plot $cells using 1:2:3:4:5:6:7 with boxxyerror linecolor palette notitle" +

@@ -94,7 +94,7 @@ Answer identify(const SpoiltLog& log, const json& rig) {
   const auto before = place.files();
   Answer answer;
   answer.outcome = place.run({"identify", "log.csv", "--rig", "rig.json", "--actuator",
-                              "actuator.json", "--json", "-o", "refined.json"});
+                              "actuator.json", "--json", "--refined", "refined.json"});
   for (const auto& [name, text] : place.files()) {
     if (!before.contains(name)) answer.written.push_back(name);
   }

@@ -27,7 +27,7 @@ struct Answer {
   std::vector<std::string> written;  ///< Files that were not there before.
 };
 
-/// `identify` with --json and -o refined.json, with the actuator that declares no friction.
+/// `identify` with --json and --refined refined.json, with the actuator that declares no friction.
 Answer identify(const SpoiltLog& log, const nlohmann::json& rig = rig_document());
 
 /// Exit code 2, a sentence, nothing on stdout, no file.

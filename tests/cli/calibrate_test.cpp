@@ -39,7 +39,7 @@ TEST_F(Calibrate, MeetsThePublishedFiguresByAValley) {
   const Words free{"--free", kThigh + "=0.05:0.45", "--free", "/postures/takeoff/knee",
                    "--free", "/postures/tuck/knee"};
   Words options = free;
-  options.insert(options.end(), {"--json", "-o", "fitted.json"});
+  options.insert(options.end(), {"--json", "--refined", "fitted.json"});
   const Outcome outcome = with_figures(options);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");

@@ -62,7 +62,7 @@ TEST(BashCompletion, OffersCommandsOptionsAndWords) {
             (Words{"auto", "always", "never"}));
   EXPECT_EQ(offered_by_bash(place, {"actuator", "mor", "a.json", "--side", "m"}), Words{"motor"});
   EXPECT_EQ(offered_by_bash(place, {"init", "gear"}),
-            (Words{"gear_strength", "gearbox", "gearbox_problem", "gearbox_result"}));
+            (Words{"gear_strength", "gearbox", "gearbox_problem"}));
   EXPECT_EQ(offered_by_bash(place, {"identify", "--rig", "residual", "--emp"}),
             Words{"--empirical"});  // "residual" is the file's name
   EXPECT_EQ(offered_by_bash(place, {"identify", "residual", "--emp"}), Words{});
@@ -161,6 +161,33 @@ TEST(ManPages, HoldEveryOptionOfTheHelp) {
     ++count;
   }
   EXPECT_GT(count, 30u);
+}
+
+TEST(ManPages, AreWrittenOfAllCommandsIntoAFolder) {
+  const Workplace place;
+  EXPECT_EQ(place.run({"man", "--all", "."}).exit_code, 0);
+  std::size_t count = 0;
+  for (const Words& command : all_commands()) {
+    std::string name = "torquewright";
+    for (const std::string& word : command) name += "-" + word;
+    Words man = {"man"};
+    man.insert(man.end(), command.begin(), command.end());
+    ASSERT_TRUE(place.has(name + ".1")) << name;
+    EXPECT_EQ(place.text(name + ".1"), run(man).out);
+    ++count;
+  }
+  EXPECT_EQ(place.files().size(), count);
+}
+
+TEST(ManPages, AreOfAllCommandsOrOfOne) {
+  const Workplace place;
+  EXPECT_EQ(place.run({"man", "gearbox", "--all", "."}).exit_code, 2);
+  EXPECT_EQ(place.run({"man", "--all", ".", "-o", "page.1"}).exit_code, 2);
+  EXPECT_EQ(place.run({"man", "--all", ""}).exit_code, 2);
+  const Outcome outcome = place.run({"man", "--all", "nowhere"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("nowhere"), std::string::npos);
+  EXPECT_TRUE(place.files().empty());
 }
 
 }  // namespace

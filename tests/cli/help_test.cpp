@@ -3,6 +3,7 @@
 // commands are run: in the repository's root.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <sstream>
 
 #include "tests/cli/workplace.hpp"
@@ -41,7 +42,7 @@ Words subcommands(const std::string& help) {
   for (const std::string& line : lines_of(help)) {
     const Words words = words_of(line);
     if (is_listed && words.empty()) break;
-    if (is_listed) names.push_back(words.front());
+    if (is_listed && !line.starts_with("   ")) names.push_back(words.front());
     if (line == "Commands:") is_listed = true;
   }
   return names;
@@ -77,7 +78,7 @@ std::vector<std::string> entries(const std::string& help) {
   for (const std::string& line : lines_of(help)) {
     if (line.empty()) is_listed = false;
     if (is_listed && line.starts_with("   ")) {
-      entries.back() += line;
+      entries.back() += line.substr(line.find_first_not_of(' ') - 1);
     } else if (is_listed) {
       entries.push_back(line);
     }
@@ -116,6 +117,45 @@ TEST(Help, SaysEveryDefaultAndNoRangeInSymbols) {
     }
   }
   EXPECT_GT(count, 80u);
+}
+
+/// A word alone may be longer than what is left of the line: a command of an example, a file.
+bool is_wrapped(const std::string& line) {
+  constexpr std::size_t kColumns = 80;
+  return line.size() <= kColumns || words_of(line).size() == 1 ||
+         line.starts_with("  torquewright");
+}
+
+TEST(Help, FitsAWindowOfEightyColumnsAndSaysNothingTwice) {
+  for (const Words& command : all_commands()) {
+    const std::string help = help_of(command);
+    for (const std::string& line : lines_of(help)) {
+      EXPECT_TRUE(is_wrapped(line)) << testing::PrintToString(command) << line;
+    }
+    for (const std::string& entry : entries(help)) {
+      std::map<std::string, int> lists;
+      for (const std::string& word : words_of(entry)) {
+        if (word.ends_with(',') && word.find('_') != std::string::npos) ++lists[word];
+      }
+      for (const auto& [word, times] : lists) EXPECT_LT(times, 2) << entry;
+    }
+  }
+}
+
+// A sentence has a verb: none begins with the "of", "in" or "over" of a phrase that has none.
+TEST(Help, SpeaksInSentences) {
+  std::size_t count = 0;
+  for (const Words& command : all_commands()) {
+    const std::string help = help_of(command);
+    for (const std::string& entry : entries(help)) {
+      for (const char* start : {"  Of ", "  In which", "  Over ", "  Within", "  At which",
+                                "  From a", "  Whose", "  After each", "  Also ", " repeatable"}) {
+        EXPECT_FALSE(holds(entry, start)) << testing::PrintToString(command) << entry;
+      }
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 150u);
 }
 
 TEST(Help, IsPrintedWhereNothingElseIsAsked) {

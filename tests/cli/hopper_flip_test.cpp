@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/document.hpp"
+#include "tests/cli/shell_words.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {
@@ -119,6 +120,21 @@ TEST_F(HopperFlip, RefusesRobotsThatHaveNoPlaneOrNoWayBackDown) {
 
 TEST_F(HopperFlip, RefusesConditionsThatTheDocumentsDoNotKnow) {
   expect_refusal({"--bus-voltage", "60", "--state-of-charge", "0.5"}, "one sets the other");
+}
+
+// Oracle: /bin/sh takes the lines apart into words, with which the program then checks the plan.
+TEST_F(HopperFlip, NextLinesAreWhatAShellTakes) {
+  const std::string robot = "specs/robot/" + kAwkwardName, motion = "plan " + kAwkwardName + ".csv";
+  place_.write(robot, place_.text("specs/robot/hopper.json"));
+  const Outcome planned = place_.run({"hopper", "flip", robot, "-o", motion, "--task", "jump",
+                                      "--intervals", "20", "--bus-voltage", "60"});
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  for (const std::string verb : {"check", "replay"}) {
+    const auto words = suggested_words(planned.out, "next: torquewright hopper " + verb);
+    EXPECT_EQ(words, (Words{robot, motion, "--bus-voltage", "60"})) << planned.out;
+  }
+  const auto words = suggested_words(planned.out, "next: torquewright");
+  EXPECT_EQ(place_.run(words).exit_code, 0);
 }
 
 // A jump on a coarse mesh: what is written is a plan by `hopper check`, told nothing more; twice

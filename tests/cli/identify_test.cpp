@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "io/schema.hpp"
+#include "tests/cli/shell_words.hpp"
 #include "tests/cli/well_formed.hpp"
 #include "tests/cli/workplace.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"
@@ -80,7 +81,7 @@ TEST(Identify, NamesTheUndeclaredEffect) {
 
 TEST(Identify, NamesNothingWhereNothingIsMissing) {
   const Bench bench(oracles::draw(LogClass::kNone, 3));
-  const Outcome outcome = bench.run({"identify"}, {"--json", "-o", "refined.json"});
+  const Outcome outcome = bench.run({"identify"}, {"--json", "--refined", "refined.json"});
   EXPECT_EQ(outcome.exit_code, 0);
   const json report = report_of(outcome);
   EXPECT_EQ(report["verdict"], "nothing_missing");
@@ -140,7 +141,7 @@ TEST(Identify, RefusesToTellFromAShortLog) {
   bench.place.write("log.csv", few);
   bench.place.write("rig.json",
                     with(bench.place.text("rig.json"), ",\n \"holdout_runs\": [\"run_4\"]", ""));
-  const Outcome outcome = bench.run({"identify"}, {"--json", "-o", "refined.json"});
+  const Outcome outcome = bench.run({"identify"}, {"--json", "--refined", "refined.json"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_EQ(report_of(outcome)["verdict"], "cannot_tell");
   EXPECT_FALSE(bench.place.has("refined.json"));
@@ -175,7 +176,7 @@ TEST(Identify, RefusesBadInput) {
 // Closed form: driving, torque on the load is that before the friction over 1 + k.
 TEST(Identify, RefinedActuatorIsReadBackWithLessTorque) {
   const Bench bench;
-  ASSERT_EQ(bench.run({"identify"}, {"-o", "refined.json"}).exit_code, 0);
+  ASSERT_EQ(bench.run({"identify"}, {"--refined", "refined.json"}).exit_code, 0);
   const json effect = json::parse(bench.place.text("refined.json"))["effects"][0];
   EXPECT_EQ(effect["provenance"]["source"], "identified");
   const double k = effect["parameters"]["driving_coefficient"];
@@ -194,13 +195,26 @@ TEST(Identify, RefinedActuatorIsReadBackWithLessTorque) {
   EXPECT_EQ(json::parse(region.out)["effects"], json({"load_dependent_friction (identified)"}));
 }
 
+// Oracle: /bin/sh takes the line apart into words, with which the program then does it.
+TEST(Identify, NextLineIsWhatAShellTakes) {
+  const Bench bench;
+  const std::string stated = "stated " + kAwkwardName, refined = "refined " + kAwkwardName;
+  bench.place.write(stated, bench.place.text("actuator.json"));
+  const Outcome outcome = bench.place.run(
+      {"identify", "log.csv", "--rig", "rig.json", "--actuator", stated, "--refined", refined});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto words = suggested_words(outcome.out, "next           torquewright");
+  EXPECT_EQ(words, (std::vector<std::string>{"actuator", "mor", refined, "--compare", stated}));
+  EXPECT_EQ(bench.place.run(words).exit_code, 0);
+}
+
 // Linux allows any bytes in a file's name, JSON only UTF-8 (RFC 8259, 8.1): U+FFFD stands for the
 // others.
 TEST(Identify, RefinedActuatorNamesALogWhoseNameIsNoText) {
   Bench bench;
   bench.logs = {"log\xff.csv"};
   bench.place.write("log\xff.csv", bench.place.text("log.csv"));
-  const Outcome outcome = bench.run({"identify"}, {"--json", "-o", "refined.json"});
+  const Outcome outcome = bench.run({"identify"}, {"--json", "--refined", "refined.json"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(report_of(outcome)["inputs"][0]["path"], "log\xEF\xBF\xBD.csv");
@@ -234,7 +248,7 @@ TEST(Identify, ReportIsAPageThatHoldsAll) {
 // asks for 20.2 Nm.
 TEST(Identify, RefinedActuatorTurnsTheVerdictOnAMotion) {
   const Bench bench;
-  ASSERT_EQ(bench.run({"identify"}, {"-o", "refined.json"}).exit_code, 0);
+  ASSERT_EQ(bench.run({"identify"}, {"--refined", "refined.json"}).exit_code, 0);
   const auto verdict = [&](const std::string& actuator) {
     return bench.place
         .run({"actuator", "check", in_repository("specs/trajectory/bench_lift.csv"), "--joint",

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "io/schema.hpp"
+#include "tests/cli/shell_words.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {
@@ -105,6 +106,28 @@ TEST(Init, PrintsTheDocumentOrWhatItsKeysMean) {
   EXPECT_EQ(
       both.out,
       meaning.out + "\nnext: torquewright identify LOG --rig 'a rig.json' --actuator ACTUATOR\n");
+}
+
+// Oracle: /bin/sh takes the line apart into the words that were meant.
+TEST(Init, NextLineIsWhatAShellTakes) {
+  const Workplace place;
+  for (const std::string kind : {"actuator", "gear_strength", "gearbox_problem", "jacobian",
+                                 "randomisation", "rig", "trajectory_columns"}) {
+    const std::string name = kind + " " + kAwkwardName;
+    const Outcome started = place.run({"init", kind, "-o", name});
+    ASSERT_EQ(started.exit_code, 0) << started.err;
+    const auto words = suggested_words(started.out, "next: torquewright");
+    EXPECT_EQ(std::count(words.begin(), words.end(), name), 1) << started.out;
+  }
+  const Outcome robot = place.run({"init", "robot", "-o", kAwkwardName});
+  const auto words = suggested_words(robot.out, "; then robot export");
+  EXPECT_EQ(words, (std::vector<std::string>{kAwkwardName, "--format", "mjcf"})) << robot.out;
+  // Named in a document, not by a shell: not repeated.
+  const Outcome gearbox = place.run({"init", "gearbox", "-o", "gears " + kAwkwardName});
+  EXPECT_TRUE(gearbox.out.ends_with(
+      "\nnext: torquewright actuator mor ACTUATOR, whose \"gearbox\" names this file as its "
+      "\"file\"\n"))
+      << gearbox.out;
 }
 
 TEST(Init, WritesOverNothingAndStartsNoReport) {

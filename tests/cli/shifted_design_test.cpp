@@ -96,7 +96,8 @@ TEST(ShiftedDesign, IsDrawnWithItsShifts) {
   EXPECT_EQ(svg.find("CANNOT EXIST"), std::string::npos);
 }
 
-// Strength takes the shifts of a result: its forces are those of the evaluation at that load.
+// Strength takes the shifts of a result: its forces are those of the evaluation at that load, which
+// need not be said again.
 TEST(ShiftedDesign, IsLoadedAsItWasEvaluated) {
   Workplace place;
   place.write("drive.json",
@@ -116,6 +117,12 @@ TEST(ShiftedDesign, IsLoadedAsItWasEvaluated) {
     EXPECT_NEAR(gears[2 * mesh]["tangential_force_N"].get<double>(),
                 meshes[mesh]["tangential_force_N"].get<double>(), 1e-9 * 500);
   }
+  const Outcome unasked = place.run({"gearbox", "strength", "result.json", "--steel",
+                                     "case_hardened", "--face-width", "10", "--json"});
+  const json by_load = json::parse(unasked.out);
+  EXPECT_EQ(by_load["gearbox"], report["gearbox"]);
+  EXPECT_EQ(by_load["statements"].back(),
+            "The torque is the load of its problem, 50 Nm at the joint (--torque).");
 }
 
 }  // namespace

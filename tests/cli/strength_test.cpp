@@ -39,6 +39,12 @@ TEST(Strength, FailsWhereASafetyIsBelowTheDemandedOne) {
             std::string::npos);
 }
 
+TEST(Strength, AsksForATorqueThatNoDocumentStates) {
+  EXPECT_EQ(strength({}).exit_code, 2);
+  EXPECT_EQ(strength({}).err,
+            "--torque: missing; only a gearbox_result whose problem has a load states one\n");
+}
+
 TEST(Strength, GoesOverSizes) {
   const Outcome outcome = strength(
       {"--torque", "21,17", "--face-widths", "6,8,10,12", "--modules", "0.5,0.6,1", "--json"});

@@ -152,8 +152,8 @@ std::string output_of(const std::string& command, int& status) {
 }
 
 // Oracle: a C++ compiler. The generated functions, with stand-ins for the classes that they derive
-// from and call (signatures as in the headers that the files name; no part of RaiSim or Drake), clip
-// as the law says.
+// from and call (signatures as in the headers that the files name; no part of RaiSim or Drake),
+// clip as the law says.
 TEST(GeneratedCode, CompilesAndIsTheLaw) {
   const Example example(lossy_knee());
   const Subject subject = example.subject(LawFit::kConservative);

@@ -24,10 +24,10 @@ TEST(Derive, TakesTheExtremesOverAllCornersAndEachPointerOnce) {
   const RoundedInterval other = rounded(2, "/b");  // 1.5 to 2.5
   const RoundedInterval result = derive([](double x, double y, double z) { return x / y - z; }, one,
                                         other, rounded(0.1, "/a"));
-  constexpr double kFewRoundings = 1e-15;  // a few roundings of numbers below 1
-  EXPECT_NEAR(result.value, 0.15, kFewRoundings);
-  EXPECT_NEAR(result.low, 0.45 / 2.5 - 0.15, kFewRoundings);
-  EXPECT_NEAR(result.high, 0.55 / 1.5 - 0.05, kFewRoundings);
+  constexpr double kSomeRoundings = 1e-15;  // a few roundings of numbers below 1
+  EXPECT_NEAR(result.value, 0.15, kSomeRoundings);
+  EXPECT_NEAR(result.low, 0.45 / 2.5 - 0.15, kSomeRoundings);
+  EXPECT_NEAR(result.high, 0.55 / 1.5 - 0.05, kSomeRoundings);
   EXPECT_EQ(result.pointers, (std::vector<std::string>{"/a", "/b"}));
 }
 

@@ -29,9 +29,9 @@ actuator mor specs/actuator/d151_knee.json --need 100@5
 actuator mor tests/fuzz/corpus/everything.json --need 200@10
 actuator mor specs/actuator/d110a_ankle.json --ratio 4:40
 actuator mor specs/actuator/d151_knee.json --compare specs/actuator/d110a_ankle.json --json
-actuator mor specs/actuator/d151_knee.json --format mujoco -o knee.xml
+actuator mor specs/actuator/d151_knee.json --format mujoco --export knee.xml
 actuator mor specs/actuator/ak80_9.json --format isaac-lab --fit best
-actuator mor specs/actuator/ak80_9.json --format physx --bus-voltage 40 -o out.usda
+actuator mor specs/actuator/ak80_9.json --format physx --bus-voltage 40 --export out.usda
 actuator mor specs/actuator/mini_cheetah_knee.json --format urdf --json
 actuator mor specs/actuator/d151_knee.json --format drake --rating continuous
 actuator mor specs/actuator/cassie_knee.json --side motor --winding-temperature 350 --accuracy 0.01
@@ -39,7 +39,7 @@ actuator mor specs/actuator/d151_knee.json -o table.csv --plot region.svg --plot
 actuator mor specs/log/bench_refined.json -o table.json
 actuator lint specs/actuator/d151_knee.json specs/actuator/d110a_ankle.json
 actuator lint specs/actuator/ak80_9.json --json
-actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d151_knee.json -o report.txt --plot motion.svg
+actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d151_knee.json -o report.json --plot motion.svg
 actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d151_knee.json --repeat 10 --pause 2 --bus-voltage 50 --json
 actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --torque-includes-inertia --from 0.1 --until 0.8
 actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --column knee_torque_Nm=knee.torque:Nm*1.1 --torque-excludes-inertia
@@ -59,14 +59,14 @@ hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flig
 hopper flip specs/robot/hopper.json -o plan.csv --task flip --center-of-pressure-margin 0.2 --friction-margin 0.3 --gear-margin 0.2 --position-margin 0.1 --speed-margin 0.1 --integration-error 0.01 --intervals 10 --rounds 1 --time-limit 0.5 --write-best best.csv --report f.html
 hopper flip specs/robot/hopper.json -o flips.json --task hop --stride 0.2 --rise 0.05 --sweep knee_ratio=18:22:4 --sweep voltage=60,67.2 --jobs 2 --contacts flat,flight,flat --intervals 10 --rounds 0 --iterations 2 --time-limit 20 --plot-sweep flips.svg --sweep-journal flips.journal --json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.2 --json
-hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv --from 0.75 --step 0.0005 --stand 0.1 --limits box --controller pd --impact invariant --impact-metric inertia --latency 0.001 --series run.csv -o run.txt
+hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv --from 0.75 --step 0.0005 --stand 0.1 --limits box --controller pd --impact invariant --impact-metric inertia --latency 0.001 --series run.csv -o run.json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.1 --trials 2 --randomise specs/randomisation/hopper.json --seed 3 --success-rate 0.5 --threads 2
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0 --until 0.2 --trials 3 --randomise specs/randomisation/hopper.json --jobs 2 --trial 1 --sweep-journal trials.journal -o trials.json --report trials.html
-hopper calibrate specs/robot/hopper.json --target cam=6.0 --target cav=7.4:10.6 --free /bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45 --free /postures/takeoff/knee --free /postures/tuck/knee -o fitted.json --plot valley.svg
+hopper calibrate specs/robot/hopper.json --target cam=6.0 --target cav=7.4:10.6 --free /bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45 --free /postures/takeoff/knee --free /postures/tuck/knee --refined fitted.json --plot valley.svg
 hopper calibrate specs/robot/hopper.json --target cam=6 --target cav@stretched=6 --posture stretched=knee:0.1,ankle_pitch:0.3 --free /bodies/0/inertia_kg_m2/yy=0.05:0.45 --tolerance 0.005 --json
-identify specs/log/bench_as_built.csv --rig specs/log/bench_rig.json --actuator specs/log/bench_actuator.json -o refined.json --report report.html
+identify specs/log/bench_as_built.csv --rig specs/log/bench_rig.json --actuator specs/log/bench_actuator.json --refined refined.json --report report.html
 identify tests/fuzz/corpus/measured.csv --rig tests/fuzz/corpus/measured_rig.json --actuator specs/actuator/d151_knee.json --json
-identify tests/fuzz/corpus/measured.csv --rig tests/fuzz/corpus/measured_rig.json --actuator specs/actuator/d151_knee.json -o refined.json --only coulomb_friction,viscous_friction --tolerance 0.1 --empirical
+identify tests/fuzz/corpus/measured.csv --rig tests/fuzz/corpus/measured_rig.json --actuator specs/actuator/d151_knee.json --refined refined.json --only coulomb_friction,viscous_friction --tolerance 0.1 --empirical
 identify residual tests/fuzz/corpus/measured.csv --rig tests/fuzz/corpus/measured_rig.json --actuator specs/actuator/d151_knee.json --json
 identify residual specs/log/bench_as_built.csv --rig specs/log/bench_rig.json --actuator specs/log/bench_actuator.json
 identify plan specs/log/bench_actuator.json --rig specs/log/bench_rig.json --separate coulomb_friction,viscous_friction --duration 8 -o excitation.csv

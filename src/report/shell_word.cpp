@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "src/shell_word.hpp"
+#include "src/report/shell_word.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <string_view>
 
-namespace torquewright::cli {
+namespace torquewright::report {
 
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlainSigns = "._/-+=:,@%";
@@ -21,4 +21,4 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
-}  // namespace torquewright::cli
+}  // namespace torquewright::report

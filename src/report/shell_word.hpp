@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace torquewright::cli {
+namespace torquewright::report {
 
 /// A word as a shell takes it: quoted where it holds more than letters, digits and a few signs.
 std::string shell_word(const std::string& word);
 
-}  // namespace torquewright::cli
+}  // namespace torquewright::report

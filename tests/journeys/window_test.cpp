@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a window shows beside answers: completion by Tab, progress that is taken back, an end by
+// Ctrl-C. Oracles: what the shell was typed, and what the same command writes where nobody watches.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "tests/cli/workplace.hpp"
+#include "tests/journeys/terminal.hpp"
+
+namespace torquewright::journeys {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+class Window : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!Terminal::is_installed()) GTEST_SKIP() << "tmux is not installed";
+    fs::create_directory_symlink(cli_test::in_repository("specs"), place_.path("specs"));
+  }
+
+  cli_test::Workplace place_;
+};
+
+Words words_in(const std::string& text) {
+  std::istringstream stream(text);
+  Words words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::string joined(const Words& lines, std::size_t from) {
+  std::string text;
+  for (std::size_t i = from; i < lines.size(); ++i) text += lines[i] + "\n";
+  return text;
+}
+
+TEST_F(Window, TabCompletesCommandsAndOptions) {
+  Terminal terminal(place_.path(), TORQUEWRIGHT_PROGRAM, kColumns, kRows);
+  EXPECT_EQ(terminal.run({"source <(torquewright completion bash)"}).exit_code, 0);
+  terminal.type("torquewright gea");
+  terminal.press("Tab");
+  EXPECT_TRUE(terminal.comes("$ torquewright gearbox"));
+  terminal.type("opt");
+  terminal.press("Tab");
+  EXPECT_TRUE(terminal.comes("$ torquewright gearbox optimize"));
+  terminal.type("specs/gearbox/d151_knee.json --veri");
+  terminal.press("Tab");
+  EXPECT_TRUE(
+      terminal.comes("$ torquewright gearbox optimize specs/gearbox/d151_knee.json --verify"));
+  terminal.press("Enter");
+  const Screen screen = terminal.wait();
+  EXPECT_EQ(screen.exit_code, 0);
+  EXPECT_NE(joined(screen.lines, 0).find("accepted: 44/44/32/132/120"), std::string::npos);
+}
+
+// The words that stand in the window are those of the file, though the window breaks no line and
+// a progress line came and went.
+TEST_F(Window, ProgressLeavesNothingBehind) {
+  const std::string command =
+      "torquewright identify specs/log/bench_as_built.csv --rig specs/log/bench_rig.json "
+      "--actuator specs/log/bench_actuator.json";
+  Terminal terminal(place_.path(), TORQUEWRIGHT_PROGRAM, kColumns, kRows);
+  const Screen watched = terminal.run({command});
+  ASSERT_EQ(terminal.run({command + " > written.txt 2> problems.txt"}).exit_code, 0);
+  EXPECT_EQ(place_.text("problems.txt"), "");
+  EXPECT_EQ(words_in(joined(watched.lines, 1)), words_in(place_.text("written.txt")));
+  const std::size_t typed = watched.rows.size() - watched.lines.size();
+  EXPECT_EQ(typed, (command.size() + 2) / kColumns);  // nothing but the command was broken
+}
+
+TEST_F(Window, CtrlCLeavesAPromptAndNoFiles) {
+  Terminal terminal(place_.path(), TORQUEWRIGHT_PROGRAM, kColumns, kRows);
+  const auto before = place_.files();
+  terminal.type("torquewright hopper flip specs/robot/hopper.json -o plan.csv --figures plan.svg");
+  terminal.press("Enter");
+  ASSERT_TRUE(terminal.comes("intervals, iteration "));
+  terminal.press("C-c");
+  const Screen screen = terminal.wait();
+  EXPECT_EQ(screen.exit_code, 3);
+  std::set<std::string> left;
+  for (const auto& [name, text] : place_.files()) left.insert(name);
+  EXPECT_EQ(left, std::set<std::string>{"specs"});
+  EXPECT_EQ(place_.files(), before);
+  for (const std::string& row : terminal.shown()) {
+    EXPECT_EQ(row.find("intervals, iteration "), std::string::npos) << row;
+  }
+  EXPECT_EQ(terminal.run({"echo still here"}).lines.back(), "still here");
+}
+
+}  // namespace
+}  // namespace torquewright::journeys
