@@ -7,9 +7,9 @@
 
 #include "io/file_session.hpp"
 #include "io/refusal.hpp"
+#include "src/held_output.hpp"
 #include "src/interrupt.hpp"
 #include "src/program.hpp"
-#include "src/standard_output.hpp"
 
 namespace torquewright::python {
 namespace {

@@ -8,27 +8,13 @@
 #include <utility>
 
 #include "io/spec_error.hpp"
+#include "src/held_output.hpp"
 #include "src/window_text.hpp"
 
 namespace torquewright::cli {
-namespace {
-
-std::string* held = nullptr;  ///< Of the HeldOutput that lives.
-
-}  // namespace
-
-HeldOutput::HeldOutput() { held = &text_; }
-HeldOutput::~HeldOutput() { held = nullptr; }
-
-std::string for_window(const std::string& text) {
-  return held != nullptr ? text : broken_into(text, window_columns());
-}
 
 void print_result(const std::string& text) {
-  if (held != nullptr) {
-    *held += text;
-    return;
-  }
+  if (HeldOutput* held = held_output()) return held->add(text);
   // A full disk may show as late as when the buffer is emptied.
   if (std::fputs(text.c_str(), stdout) != EOF && std::fflush(stdout) == 0) return;
   const std::string reason = std::generic_category().message(errno);

@@ -9,24 +9,6 @@
 
 namespace torquewright::cli {
 
-/// While one lives, results are kept here and do not go to stdout. At most one at a time.
-class HeldOutput {
- public:
-  HeldOutput();
-  ~HeldOutput();
-  HeldOutput(const HeldOutput&) = delete;
-  HeldOutput& operator=(const HeldOutput&) = delete;
-
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
-/// A text for people as the window that standard output is can show it, without wider lines; as it
-/// is where that is no window.
-std::string for_window(const std::string& text);
-
 /// Writes a command's result to stdout. Throws SpecError if not all of it gets there.
 void print_result(const std::string& text);
 

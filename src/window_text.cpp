@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "src/held_output.hpp"
+
 namespace torquewright::cli {
 namespace {
 
@@ -61,6 +63,10 @@ std::string broken_into(const std::string& text, std::size_t columns) {
     broken += (letters(line) > columns ? broken_line(line, columns) : line) + "\n";
   }
   return broken;
+}
+
+std::string for_window(const std::string& text) {
+  return held_output() != nullptr ? text : broken_into(text, window_columns());
 }
 
 }  // namespace torquewright::cli

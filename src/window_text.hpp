@@ -13,4 +13,7 @@ std::size_t window_columns();
 /// text begins, behind a label or a number. Words stay whole. 0 columns: as it is.
 std::string broken_into(const std::string& text, std::size_t columns);
 
+/// The same for the window that standard output is.
+std::string for_window(const std::string& text);
+
 }  // namespace torquewright::cli

@@ -17,10 +17,12 @@ void read_range(const Element& element, double unit, const MjcfContext& context,
                 dynamics::JointLimits& limits) {
   const auto range = context.faults.numbers(element, "range", 2);
   if (!range || !is_limited(element, "limited", context)) return;
+  if (!(range->front() < range->back())) {
+    context.faults.report(element, "the range's first number is not below its second");
+    return;
+  }
   limits.position_min = unit * range->front();
   limits.position_max = unit * range->back();
-  if (range->front() < range->back()) return;
-  context.faults.report(element, "the range's first number is not below its second");
 }
 
 /// The smaller of both directions: what the joint may push either way.

@@ -178,11 +178,13 @@ class UrdfReader {
   void read_limits(const Element& element, bool has_range, DraftBody& draft) {
     dynamics::JointLimits& limits = draft.body.joint.limits;
     if (has_range) {
-      limits.position_min = faults_.number(element, "lower", 0);
-      limits.position_max = faults_.number(element, "upper", 0);
-      if (limits.position_min > limits.position_max) {
-        faults_.report(element, fmt::format("lower {} is not below upper {}", limits.position_min,
-                                            limits.position_max));
+      const double lower = faults_.number(element, "lower", 0);
+      const double upper = faults_.number(element, "upper", 0);
+      if (lower > upper) {
+        faults_.report(element, fmt::format("lower {} is not below upper {}", lower, upper));
+      } else {
+        limits.position_min = lower;
+        limits.position_max = upper;
       }
       const bool has_both = find_attribute(element, "lower") != nullptr ||
                             find_attribute(element, "upper") != nullptr;

@@ -28,7 +28,8 @@ class StepWindows {
   /// The integral is straight in the window's begin but where an end of it passes a step's: the
   /// greatest is among those.
   WindowLoad greatest() {
-    const double last_s = signal_.times_s.back() - window_s_;
+    // A window as long as the run, rounded, would begin before it.
+    const double last_s = std::max(signal_.times_s.front(), signal_.times_s.back() - window_s_);
     for (const double before_s : {0.0, window_s_}) {
       begin_ = end_ = 0;
       for (const double time : signal_.times_s) {

@@ -219,7 +219,8 @@ class RobotReader {
         keys.value(turns ? "reflected_inertia_kg_m2" : "reflected_mass_kg", 0.0);
     dynamics::JointLimits& limits = joint.limits;
     const char* range = turns ? "range_rad" : "range_m";
-    if (keys.contains(range)) {
+    // What is no range was reported.
+    if (keys.contains(range) && keys[range][0] < keys[range][1]) {
       limits.position_min = keys[range][0];
       limits.position_max = keys[range][1];
     }

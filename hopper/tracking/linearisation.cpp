@@ -31,12 +31,18 @@ class HeldBody {
 
   /// Nearest in energy to w among those whose constraint rows are `wanted`.
   MatrixXd held(const MatrixXd& w, const MatrixXd& wanted) const {
-    if (rows_.jacobian.rows() == 0) return w;
+    if (rows_.jacobian.rows() == 0 || w.cols() == 0) return w;
     return w + rows_inverse_.solve(wanted - scaled_ * w);
   }
-  MatrixXd lower_inverse(const MatrixXd& force) const { return factor_.matrixL().solve(force); }
+  MatrixXd lower_inverse(const MatrixXd& force) const {
+    if (force.cols() == 0) return force;  // nothing drives
+    return factor_.matrixL().solve(force);
+  }
   MatrixXd upper(const MatrixXd& v) const { return factor_.matrixU() * v; }
-  MatrixXd upper_inverse(const MatrixXd& w) const { return factor_.matrixU().solve(w); }
+  MatrixXd upper_inverse(const MatrixXd& w) const {
+    if (w.cols() == 0) return w;
+    return factor_.matrixU().solve(w);
+  }
   const ContactRows& rows() const { return rows_; }
 
  private:

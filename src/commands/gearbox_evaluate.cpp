@@ -21,6 +21,7 @@
 #include "src/report/gearbox_text.hpp"
 #include "src/report/progress_line.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {

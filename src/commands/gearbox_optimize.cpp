@@ -23,6 +23,7 @@
 #include "src/report/progress_line.hpp"
 #include "src/report/proof_text.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {

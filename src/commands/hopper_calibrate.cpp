@@ -9,6 +9,7 @@
 #include "src/commands/hopper_calibrate_json.hpp"
 #include "src/commands/hopper_commands.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {

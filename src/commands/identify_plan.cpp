@@ -17,6 +17,7 @@
 #include "src/report/plan_json.hpp"
 #include "src/report/plan_text.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {

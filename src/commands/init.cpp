@@ -18,6 +18,7 @@
 #include "src/report/key_table.hpp"
 #include "src/report/shell_word.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {

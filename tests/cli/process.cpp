@@ -21,7 +21,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::chrono::seconds kPatience{600};  // so built, the program takes many times as long
+#else
 constexpr std::chrono::seconds kPatience{120};
+#endif
 constexpr std::chrono::seconds kSignalPatience{20};
 constexpr milliseconds kLookAgain{10};
 constexpr uid_t kNobody = 65534;

@@ -187,7 +187,8 @@ TEST(StrengthOfAResult, TakesASteelForEachGear) {
       strength_of_result({"--steel", "case_hardened,output_ring=nitriding_steel_best",
                           "--face-width", "10", "--json", "--cycles", "1000000000"});
   EXPECT_EQ(outcome.err, "");
-  for (const json& gear : json::parse(outcome.out)["gearbox"]["loadings"][0]["gears"]) {
+  const json report = json::parse(outcome.out);
+  for (const json& gear : report["gearbox"]["loadings"][0]["gears"]) {
     EXPECT_EQ(gear["flank"]["life_limit_MPa"], gear["gear"] == "output_ring" ? 1450.0 : 1500.0);
   }
   const auto refused = [](const std::vector<std::string>& options, const std::string& words) {

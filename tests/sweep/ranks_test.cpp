@@ -30,7 +30,11 @@ Outcome by_ranks(const Workplace& place, const char* ranks, std::vector<std::str
   words.insert(words.end(), options.begin(), options.end());
   words.emplace_back(TORQUEWRIGHT_PROGRAM);
   words.insert(words.end(), toy.begin(), toy.end());
-  return place.run(words);
+  // Under the preset asan: OpenMPI keeps what it asked for, and closes the libraries that asked, so
+  // that no suppression could name them.
+  Circumstances here = place.here;
+  here.environment.emplace_back("ASAN_OPTIONS=exitcode=99:detect_leaks=0");
+  return run(words, here);
 }
 
 class Ranks : public testing::Test {
