@@ -13,11 +13,13 @@ namespace torquewright::report {
 
 namespace {
 
-/// Of the window: what goes on in a second row could not be taken back.
+/// That fit into a row of the window: what goes on in a second row could not be taken back. The
+/// terminal writes ^C behind it, where that is typed.
 int columns() {
-  constexpr int kUsual = 80;
+  constexpr int kUsual = 80, kTyped = 3;
   winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : kUsual;
+  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > kTyped;
+  return (is_known ? size.ws_col : kUsual) - kTyped;
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ void ProgressLine::show(const std::string& text) {
 }
 
 void ProgressLine::write(const std::string& text) const {
-  if (is_watched_) std::fprintf(stderr, "\r\033[K%.*s", columns() - 1, text.c_str());
+  if (is_watched_) std::fprintf(stderr, "\r\033[K%.*s", columns(), text.c_str());
 }
 
 }  // namespace torquewright::report
