@@ -50,6 +50,8 @@ if(TARGET torquewright_python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${python_version}), \
 python3 (<< ${DEBIAN_PYTHON_MAJOR}.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_SOURCE_DIR}/python/postinst ${CMAKE_CURRENT_SOURCE_DIR}/python/prerm)
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION
 "Torquewright's answers in Python: documents and reports as dictionaries, the
 motor operating region and torques cut off at it as arrays, checks of motions,
