@@ -17,8 +17,9 @@ Stamp stamp_of(const fs::path& file) {
   if (::lstat(file.c_str(), &status) != 0) return {};
   // What goes through a pipe or a device does not change it.
   if (!S_ISREG(status.st_mode)) return {status.st_mode, status.st_ino, 0, 0};
-  const auto changed_ns = status.st_ctim.tv_sec * 1'000'000'000 + status.st_ctim.tv_nsec;
-  return {status.st_mode, status.st_ino, status.st_size, changed_ns};
+  // Not the time of the status, which changes when another name of the file is taken away.
+  const auto written_ns = status.st_mtim.tv_sec * 1'000'000'000 + status.st_mtim.tv_nsec;
+  return {status.st_mode, status.st_ino, status.st_size, written_ns};
 }
 
 /// Within the scene: neither absolute nor upwards, and a name at its end.

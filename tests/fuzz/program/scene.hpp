@@ -23,7 +23,7 @@ struct Stamp {
   mode_t mode{};
   ino_t number{};
   off_t bytes{};
-  std::int64_t changed_ns{};
+  std::int64_t written_ns{};
 
   auto operator<=>(const Stamp&) const = default;
 };
