@@ -18,7 +18,7 @@ namespace torquewright::fuzz {
 
 namespace fs = std::filesystem;
 
-/// Tells a file from what it was before: the system sets the time of its last change, nobody else.
+/// Tells a file from what it was before, by when it was last written; the program sets no times.
 struct Stamp {
   mode_t mode{};
   ino_t number{};
