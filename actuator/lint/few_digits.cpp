@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "actuator/lint/quantities.hpp"
+#include "actuator/lint/tolerance.hpp"
 #include "actuator/motor/statement.hpp"
 
 namespace torquewright::actuator::lint {
 namespace {
-
-constexpr double kCatalogue = 0.1;  // what constants differ by from one motor to the next
 
 struct Constant {
   const char* pointer;
@@ -29,11 +29,16 @@ std::vector<Constant> constants(const Actuator& document) {
            document.datasheet ? document.datasheet->velocity_constant_rpm_V : std::nullopt}};
 }
 
+/// Itself, or what it stands in.
+bool is_assumed(const Actuator& document, const std::string& pointer) {
+  return std::any_of(
+      document.assumed.begin(), document.assumed.end(),
+      [&](const std::string& each) { return pointer == each || pointer.starts_with(each + "/"); });
+}
+
 bool says_enough(const Actuator& document, const Constant& constant) {
   const Statement* statement = find_statement(document, constant.pointer);
-  if (statement != nullptr && statement->tolerance) return true;
-  return std::find(document.assumed.begin(), document.assumed.end(), constant.pointer) !=
-         document.assumed.end();
+  return (statement != nullptr && statement->tolerance) || is_assumed(document, constant.pointer);
 }
 
 Finding note_on(const Actuator& document, const Constant& constant, const RoundedInterval& known) {
@@ -59,7 +64,7 @@ std::vector<Finding> few_digits(const Actuator& document) {
   for (const Constant& constant : constants(document)) {
     if (!constant.value || says_enough(document, constant)) continue;
     const RoundedInterval known = printed(document, *constant.value, constant.pointer);
-    if (known.high - known.value > kCatalogue * known.value) {
+    if (known.high - known.value > kCatalogueShare * known.value) {
       notes.push_back(note_on(document, constant, known));
     }
   }

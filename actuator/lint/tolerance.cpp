@@ -10,7 +10,6 @@
 namespace torquewright::actuator::lint {
 namespace {
 
-constexpr double kConstant = 0.1;     // of a catalogue's constants, either way
 constexpr double kUnsaturated = 0.8;  // least part of a peak torque that saturation leaves
 
 /// What differs from one motor to the next.
@@ -51,7 +50,7 @@ double least_after_gears(const Compared& compared) {
 
 Tolerance catalogue(const Compared& compared) {
   if (says_tolerances(compared)) return {};
-  return {1.0 - kConstant, 1.0 + kConstant};
+  return {1.0 - kCatalogueShare, 1.0 + kCatalogueShare};
 }
 
 Tolerance rated_torques(const Compared& compared) {

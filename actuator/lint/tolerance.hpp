@@ -13,6 +13,9 @@ struct Tolerance {
   double greatest = 1.0;
 };
 
+/// Share by which catalogues' constants differ from those of the motor in hand, either way.
+constexpr double kCatalogueShare = 0.1;
+
 /// The two numbers that are compared: their pointers say what each rests on.
 struct Compared {
   const Actuator& document;

@@ -40,8 +40,10 @@ TEST(FewDigits, AreNotSaidOfWhatSaysItsToleranceOrIsAssumed) {
   tolerant.statements.push_back(
       {"/motor/torque_constant_Nm_A", 1.0, std::nullopt, std::nullopt, 0.05});
   EXPECT_EQ(few_digits(tolerant).size(), 0u);
-  document.assumed = {"/motor/torque_constant_Nm_A"};
-  EXPECT_EQ(few_digits(document).size(), 0u);
+  for (const char* assumed : {"/motor/torque_constant_Nm_A", "/motor"}) {
+    document.assumed = {assumed};
+    EXPECT_EQ(few_digits(document).size(), 0u) << assumed;
+  }
 }
 
 }  // namespace
