@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import operator
@@ -16,6 +17,9 @@ from typing import Any
 from . import _core
 from ._arrays import write_table
 from ._refusal import Fault, Refusal, refuse
+
+
+_LONGEST_STEM = 60
 
 
 class Question:
@@ -110,7 +114,11 @@ class Question:
         return json.loads(self._in_our_words(_core.read, file))
 
     def _file(self, name: str) -> Path:
-        return Path(self._folder.name) / re.sub(r"[^\w.-]", "_", name)
+        """A file of its own for each: other names may be alike in the characters of file names."""
+        stem = re.sub(r"[^\w.-]", "_", name, flags=re.ASCII)[:_LONGEST_STEM]
+        names = itertools.chain([stem], (f"{stem}_{i}" for i in itertools.count(2)))
+        files = (Path(self._folder.name) / each for each in names)
+        return next(file for file in files if not file.exists())
 
     def _in_our_words(self, work: Callable[[Any], Any], given: Any) -> Any:
         try:

@@ -216,6 +216,9 @@ def _source(one: Source | Actuator) -> Source:
 def _items(keyword: str, mapping: Any) -> list[tuple[str, Any]]:
     if not isinstance(mapping, Mapping) or "kind" in mapping:
         raise refuse(keyword, "must be a dictionary with the actuator of each joint by its name")
+    for name in map(str, mapping):
+        if not name or "=" in name:
+            raise refuse(keyword, f"has the name {name!r}; must be one letter or more, without \"=\"")
     return [(str(name), one) for name, one in mapping.items()]
 
 

@@ -36,6 +36,13 @@ class Refusals(unittest.TestCase):
         self.assertIn("resistance_ohm", faults["/motor/resistence"].message)
         self.assertEqual(str(pickle.loads(pickle.dumps(refusal))), str(refusal))
 
+    def test_are_of_names_that_no_joint_can_have(self):
+        for name in ("", "knee=left"):
+            self.expect(
+                f"joints: has the name {name!r}; must be one letter or more, without \"=\"",
+                torquewright.check, MOTION, {name: program.KNEE},
+            )
+
     def test_are_the_sentences_of_the_program(self):
         for words, call, arguments in (
             (("actuator", "lint", program.KNEE, MOTION), torquewright.lint, (program.KNEE, MOTION)),

@@ -71,6 +71,22 @@ class Check(unittest.TestCase):
         self.assertEqual(without_inputs(report), without_inputs(expected))
         self.assertEqual([one["path"] for one in report["inputs"]], ["motion", "actuator_knee"])
 
+    def test_keeps_joints_apart_whose_names_are_alike(self):
+        # Oracle, by hand: N Kt I = 20 x 0.32 x 5 = 32 and 20 x 0.32 x 50 = 320 Nm, 200 asked for.
+        weak = torquewright.read(program.KNEE)
+        weak["drive"] |= {"continuous_current_A": 5, "peak_current_A": 5}
+        drives = {"a b": (weak, -168), "a_b": (program.KNEE, 120), "k" * 300: (weak, -168)}
+        motion = {"time_s": [0.0, 0.1, 0.2]}
+        for name in drives:
+            motion[f"{name}_position_rad"] = [0.0, 0.01, 0.02]
+            motion[f"{name}_velocity_rad_s"] = [0.1, 0.1, 0.1]
+            motion[f"{name}_torque_Nm"] = [200.0, 200.0, 200.0]
+        asked = {name: torquewright.actuator(drive) for name, (drive, _) in drives.items()}
+        report = torquewright.check(motion, asked, torque_includes_inertia=True)
+        for joint, (name, (_, margin_Nm)) in zip(report["joints"], drives.items(), strict=True):
+            self.assertEqual(joint["name"], name)
+            self.assertAlmostEqual(joint["margin_Nm"], margin_Nm, places=9)
+
     def test_takes_other_names_and_units(self):
         columns = columns_of(MOTION)
         named = {"t": 1e3 * columns["time_s"], "q": columns["knee_position_rad"]}
