@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "tests/fuzz/program/case.hpp"
 #include "tests/fuzz/program/rules.hpp"
 
 namespace torquewright::fuzz {
@@ -17,6 +18,7 @@ struct Plan {
   double patience = 1.0;           ///< Times the limits.
   std::filesystem::path findings;  ///< Folder into which they are written; empty: none.
   int most_findings = 20;
+  std::vector<std::string> without;  ///< Command lines that begin so are left out.
 };
 
 /// Runs the cases that are kept (tests/fuzz/corpus/program), then drawn ones. Prints every finding

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   top.add_option("--patience", plan.patience, "Times the limits of time and memory").positive();
   top.add_option("--findings", findings, "Folder for what breaks a rule");
   top.add_option("--most-findings", plan.most_findings, "Ends after so many");
+  top.add_option("--without", plan.without, "Leaves out command lines that begin so");
   top.add_option("--case", one, "Only that of this file").existing_file();
   top.works([&] {
     plan.program = std::filesystem::absolute(program);
