@@ -135,14 +135,17 @@ class Campaign {
   void judge(const Case& one, const std::string& origin) {
     const Run run = experiment_.perform(one);
     ++runs_;
-    count(one, run.outcome);
+    count(one, run.outcome, origin);
     const Breach breach = breach_in(run, Limits{}.times(plan_.patience));
     if (!breach.rule.empty()) report(one, origin, breach);
   }
 
-  void count(const Case& one, const Outcome& outcome) {
+  void count(const Case& one, const Outcome& outcome, const std::string& origin) {
     ++by_code_[outcome.exit_code];
-    slowest_s_ = std::max(slowest_s_, outcome.processor_s);
+    if (outcome.processor_s > slowest_s_) {
+      slowest_s_ = outcome.processor_s;
+      slowest_ = origin;
+    }
     const auto end = one.arguments.begin() + std::min<long>(2, std::ssize(one.arguments));
     Words name(one.arguments.begin(), end);
     if (name.size() == 2 && name[1].find_first_of("./-") != std::string::npos) name.pop_back();
@@ -182,8 +185,8 @@ class Campaign {
   }
 
   void print_counts(double seconds) const {
-    fmt::print("{} runs in {:.1f} s, {} findings; slowest {:.2f} s of processors; exit codes:",
-               runs_, seconds, findings_, slowest_s_);
+    fmt::print("{} runs in {:.1f} s, {} findings; slowest {:.2f} s of processors ({}); exit codes:",
+               runs_, seconds, findings_, slowest_s_, slowest_);
     for (const auto& [code, count] : by_code_) fmt::print(" {}: {}", code, count);
     fmt::print("\n");
     for (const auto& [name, share] : by_command_) {
@@ -203,6 +206,7 @@ class Campaign {
   int findings_ = 0;
   long runs_ = 0;
   double slowest_s_ = 0.0;
+  std::string slowest_;  ///< Where it came from.
   std::map<int, long> by_code_;
   std::map<std::string, Share> by_command_;
 };
