@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/trajectory/one_time.hpp"
 #include "io/nearest.hpp"
 #include "io/refusal.hpp"
 #include "io/wording.hpp"
@@ -87,6 +88,11 @@ std::vector<ColumnMapping> complete(const io::CsvReader& csv,
                       mapping.joint.empty() ? "" : mapping.joint + ".", name_of(mapping.quantity)));
     }
   }
+  const bool has_stated_time =
+      std::any_of(stated.begin(), stated.end(), [](const ColumnMapping& mapping) {
+        return mapping.quantity == Quantity::kTime;
+      });
+  if (!has_stated_time) require_one_time(csv);
   std::vector<ColumnMapping> all = stated;
   for (const std::string& column : csv.header()) {
     const std::optional<ColumnMapping> mapping = canonical_mapping(column);

@@ -9,6 +9,7 @@
 
 #include "actuator/trajectory/angle_unwrap.hpp"
 #include "actuator/trajectory/columns.hpp"
+#include "actuator/trajectory/one_time.hpp"
 #include "hopper/motion/mapping_spec.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "io/nearest.hpp"
@@ -93,6 +94,7 @@ class MotionReader {
   }
 
   void take_canonical_columns() {
+    if (!source_of(0)) actuator::require_one_time(csv_);
     for (std::size_t column = 0; column < csv_.header().size(); ++column) {
       std::string header = csv_.header()[column];
       if (header == "t" || header == "time") header = "time_s";

@@ -172,6 +172,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "line 1: the columns are separated by semicolons; must be commas, and decimals "
                   "points"},
         BadMotion{"time_s,kne_velocity_rad_s\n0,1\n", "no joint \"knee\"; did you mean \"kne\"?"},
+        BadMotion{"t," + kHeader + "0,0,1,1\n1,0.1,1,1\n",
+                  "\"t\" and \"time_s\" may both be the time; say which it is, --column "
+                  "time_s=time:s or --column t=time:s"},
         BadMotion{"", "is empty; the first line must name the columns"},
         BadMotion{kHeader, "holds a header and no rows"}));
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "io/csv.hpp"
 #include "io/document.hpp"
@@ -66,6 +67,21 @@ class HopperCheck : public testing::Test {
 
   Workplace place_;
 };
+
+// A row counter before the time, which would make the swing last a thousand times as long.
+TEST_F(HopperCheck, RefusesTwoColumnsThatMayBeTheTime) {
+  std::string counted;
+  std::size_t row = 0;
+  std::istringstream lines(swing(0.5));
+  for (std::string line; std::getline(lines, line); ++row) {
+    counted += (row == 0 ? "t" : std::to_string(row)) + "," + line + "\n";
+  }
+  expect_refusal(crane(), counted,
+                 "motion.csv: \"t\" and \"time_s\" may both be the time; say which it is, --column "
+                 "time_s=time:s or --column t=time:s\n");
+  EXPECT_EQ(check(crane(), counted, {"--column", "time_s=time:s"}).exit_code,
+            check(crane(), swing(0.5)).exit_code);
+}
 
 // Oracle: statics. The arm's weight at 0.5 m is 4.905 Nm at the elbow where it lies flat.
 TEST_F(HopperCheck, PassesAndReportsByItsSchema) {

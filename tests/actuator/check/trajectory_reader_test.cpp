@@ -75,6 +75,32 @@ TEST(TrajectoryReader, WindowIncludesItsEnds) {
   EXPECT_EQ(result.rows[1].time_s, 0.2);
 }
 
+// A row counter "t" beside the time: neither is taken in silence, whichever stands first.
+TEST(TrajectoryReader, RefusesTwoColumnsThatMayBeTheTime) {
+  for (const std::string name : {"t", "time"}) {
+    const std::string why = "m.csv: \"" + name +
+                            "\" and \"time_s\" may both be the time; say which it is, --column "
+                            "time_s=time:s or --column " +
+                            name + "=time:s";
+    const std::string before = name + ",time_s,k_velocity_rad_s\n3,0.5,1\n";
+    const std::string behind = "time_s," + name + ",k_velocity_rad_s\n0.5,3,1\n";
+    for (const std::string& text : {before, behind}) {
+      EXPECT_EQ(read(text, {}, {"k"}).refusal, why);
+      EXPECT_EQ(read(text, {"time_s=time:s"}, {"k"}).rows.at(0).time_s, 0.5);
+      EXPECT_EQ(read(text, {name + "=time:ms"}, {"k"}).rows.at(0).time_s, 0.003);
+    }
+  }
+  const auto refusal = [](const std::string& header) {
+    return read(header + "\n0,0,1\n", {}, {"k"}).refusal;
+  };
+  EXPECT_NE(refusal("t,time,k_velocity_rad_s").find("\"t\" and \"time\" may both"),
+            std::string::npos);
+  EXPECT_NE(refusal("t,time_ms,k_velocity_rad_s").find("--column time_ms=time:ms or"),
+            std::string::npos);
+  EXPECT_EQ(refusal("t,time_to_fall,k_velocity_rad_s"), "");
+  EXPECT_EQ(refusal("time_s,t_torque_Nm,k_velocity_rad_s"), "");
+}
+
 struct MistakenRequest {
   std::string text;
   std::vector<std::string> mappings;
