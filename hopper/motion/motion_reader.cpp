@@ -99,10 +99,15 @@ class MotionReader {
       std::string header = csv_.header()[column];
       if (header == "t" || header == "time") header = "time_s";
       for (std::size_t i = 0; i < channels_.size(); ++i) {
-        if (channels_[i].header != header || source_of(i)) continue;
+        if (channels_[i].header != header || source_of(i) || is_taken(column)) continue;
         sources_.push_back({column, i, 1.0});
       }
     }
+  }
+
+  bool is_taken(std::size_t column) const {
+    return std::any_of(sources_.begin(), sources_.end(),
+                       [column](const Source& source) { return source.column == column; });
   }
 
   const Source* source_of(std::size_t channel) const {

@@ -338,6 +338,10 @@ TEST_F(HopperCheck, RefusesWithASentence) {
   expect_refusal(crane(), good, "FROM:TO", {"--candidates", ".", "--ratios", "eight"});
   expect_refusal(crane(), good, "has no unit", {"--column", "x=front.contact:m"});
   expect_refusal(crane(), good, "did you mean \"elbow\"?", {"--column", "x=elbo.position"});
+  expect_refusal(crane(), good, "no column elbow_position_rad for robot \"crane\"",
+                 {"--column", "elbow_position_rad=elbow.torque"});
+  expect_refusal(crane(), good, "time is no joint's; leave \"elbo.\" out",
+                 {"--column", "time_s=elbo.time:ms"});
   expect_refusal(crane(), good, "no torque of every driven joint", {"--torques", "file"});
 }
 

@@ -101,6 +101,32 @@ TEST(TrajectoryReader, RefusesTwoColumnsThatMayBeTheTime) {
   EXPECT_EQ(refusal("time_s,t_torque_Nm,k_velocity_rad_s"), "");
 }
 
+// What the command line maps is meant for this check; a document may describe a whole robot.
+TEST(TrajectoryReader, RefusesAMappingOfAJointThatIsNotChecked) {
+  const std::string text = "time_s,knee_velocity_rad_s,knee_torque_Nm\n0,1,2\n";
+  EXPECT_EQ(read(text, {"knee_torque_Nm=kneee.torque*3"}, {"knee"}).refusal,
+            "--column: \"knee_torque_Nm=kneee.torque*3\": no joint \"kneee\" is checked; did you "
+            "mean \"knee\"?");
+  const test::ScratchFolder folder;
+  const ColumnMapping of_document{"knee_torque_Nm", "ankle", Quantity::kTorque, 3.0, true, ""};
+  EXPECT_EQ(test::refusal([&] {
+              TrajectoryReader(folder.write("m.csv", text), {of_document}, {"knee"}, {});
+            }),
+            "");
+}
+
+// A column that is said to be the ankle's is not the knee's as well, whatever it is called.
+TEST(TrajectoryReader, TakesAMappedColumnByItsMappingAlone) {
+  const std::string text =
+      "time_s,knee_velocity_rad_s,ankle_velocity_rad_s,knee_torque_Nm\n0,1,2,3\n";
+  const Read result = read(text, {"knee_torque_Nm=ankle.torque"}, {"knee", "ankle"});
+  EXPECT_EQ(result.refusal, "");
+  EXPECT_EQ(result.rows.at(0).values, (std::vector<double>{0, 1, 0, 0, 0, 2, 3, 0}));
+  const Read both = read(text, {"knee_torque_Nm=ankle.torque", "knee_torque_Nm=knee.torque"},
+                         {"knee", "ankle"});
+  EXPECT_EQ(both.rows.at(0).values, (std::vector<double>{0, 1, 3, 0, 0, 2, 3, 0}));
+}
+
 struct MistakenRequest {
   std::string text;
   std::vector<std::string> mappings;
@@ -122,6 +148,14 @@ TEST(TrajectoryReader, RefusesWithThePlace) {
        {"a=k.torque", "b=k.torque"},
        {"k"},
        "\"a\" and \"b\" are both mapped to k.torque"},
+      {"a,t\n1,3\n",
+       {"a=k.torque", "a=k.torque*2"},
+       {"k"},
+       "\"a\" is mapped to k.torque twice"},
+      {"a,t\n1,3\n",
+       {"a=k.torque", "a=k.velocity"},
+       {"k"},
+       "\"a\" is mapped to k.torque and to k.velocity; one column is one quantity"},
       {"a,b,k_velocity_rad_s\n1,2,3\n",
        {"a=time", "b=time:ms"},
        {"k"},
