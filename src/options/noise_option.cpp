@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/noise_option.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
+#include "io/given_once.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::cli {
 
-std::map<identification::Quantity, double> read_noise(const std::vector<std::string>& texts) {
+std::map<identification::Quantity, double> read_noise(const std::vector<std::string>& texts,
+                                                      const identification::Rig& rig) {
+  io::require_each_once("--noise", texts);
   std::map<identification::Quantity, double> noise;
   for (const std::string& text : texts) {
     const auto refuse = [&](const std::string& why) {
@@ -18,10 +24,18 @@ std::map<identification::Quantity, double> read_noise(const std::vector<std::str
     if (equals == std::string::npos) refuse("QUANTITY=SIGMA is expected");
     const auto quantity = identification::find_quantity(text.substr(0, equals));
     if (!quantity) refuse("no such quantity; docs/logs.md lists them");
+    const bool is_measured =
+        std::any_of(rig.columns.begin(), rig.columns.end(),
+                    [&](const auto& use) { return use.quantity == *quantity; });
+    if (!is_measured) {
+      refuse(fmt::format("the rig {} has no column of {}; noise is added to what it names", rig.file,
+                         identification::name_of(*quantity)));
+    }
     const char* number = text.c_str() + equals + 1;
     char* end = nullptr;
     const double sigma = std::strtod(number, &end);
-    if (end == number || *end != '\0' || !std::isfinite(sigma) || sigma < 0.0) {
+    const bool is_decimal = text.find_first_of("xX", equals) == std::string::npos;
+    if (end == number || !is_decimal || *end != '\0' || !std::isfinite(sigma) || sigma < 0.0) {
       refuse("SIGMA is a standard deviation: a number, 0 or more, in the quantity's unit");
     }
     noise[*quantity] = sigma;
