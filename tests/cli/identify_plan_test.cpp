@@ -175,6 +175,9 @@ TEST(IdentifySimulate, RefusesWhatCannotBePlayed) {
       "nan");
   expect_refused(place, simulate(good, {"--noise", "output_torque_Nm=x"}),
                  "SIGMA is a standard deviation");
+  for (const char* beyond : {"output_torque_Nm=1e308", "output_torque_Nm=-1"}) {
+    expect_refused(place, simulate(good, {"--noise", beyond}), "a number from 0 to 1e+09");
+  }
   expect_refused(place, simulate(good, {"--noise", "output_torque_Nm"}), "QUANTITY=SIGMA");
   expect_refused(place,
                  {"identify", "simulate", actuator(), "--rig", rig(), "--excitation", "absent.csv"},
