@@ -36,6 +36,11 @@ void remember(const struct stat& status) {
   if (inputs().is_open) inputs().files.emplace(status.st_dev, status.st_ino);
 }
 
+bool is_remembered(const struct stat& status) {
+  const std::lock_guard lock(inputs().mutex);
+  return inputs().files.contains({status.st_dev, status.st_ino});
+}
+
 /// A pipe that the shell or the system made has a writer already.
 bool is_waited_for(const std::filesystem::path& file, const struct stat& status) {
   const std::string name = file.string();
@@ -86,9 +91,12 @@ InputFile::~InputFile() { ::close(descriptor_); }
 
 bool is_input(const std::filesystem::path& file) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return false;
-  const std::lock_guard lock(inputs().mutex);
-  return inputs().files.contains({status.st_dev, status.st_ino});
+  return ::stat(file.c_str(), &status) == 0 && is_remembered(status);
+}
+
+bool is_input(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && is_remembered(status);
 }
 
 }  // namespace torquewright::io

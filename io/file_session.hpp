@@ -40,5 +40,7 @@ inline constexpr int kWriterPatience_s = 5;
 
 /// Whether the file at that path was read in this session.
 bool is_input(const std::filesystem::path& file);
+/// The same of what is open as that descriptor.
+bool is_input(int descriptor);
 
 }  // namespace torquewright::io

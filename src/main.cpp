@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <csignal>
+
 #include "io/atomic_file.hpp"
 #include "io/file_session.hpp"
 #include "src/command_line/exit_status.hpp"
@@ -6,6 +8,7 @@
 
 int main(int argc, char** argv) {
   torquewright::io::ignore_file_size_signal();
+  std::signal(SIGCHLD, SIG_DFL);  // or nobody could tell us how a process that we start ends
   const torquewright::io::FileSession session;
   return torquewright::command_line::exit_status(
       [&] { return torquewright::cli::run_program(argc, argv); });

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "io/spec_error.hpp"
 
@@ -21,6 +22,9 @@ int exit_status(const std::function<cli::ExitCode()>& work) {
     const std::string file = error.path1().empty() ? "the current folder" : error.path1().string();
     std::fprintf(stderr, "%s: cannot be reached: %s\n", file.c_str(),
                  error.code().message().c_str());
+    return static_cast<int>(cli::ExitCode::kBadInput);
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "the system refuses what is needed: %s\n", error.what());
     return static_cast<int>(cli::ExitCode::kBadInput);
   } catch (const std::bad_alloc&) {
     std::fputs(

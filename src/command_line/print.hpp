@@ -5,8 +5,8 @@
 
 namespace torquewright::command_line {
 
-/// Puts the text on standard output. Throws io::SpecError where that does not take all of it: a
-/// full disk may show as late as when the buffer is emptied.
+/// Puts the text on standard output. Throws io::SpecError where that does not take all of it (a
+/// full disk may show as late as when the buffer is emptied), or is a file that was read.
 void print(const std::string& text);
 
 }  // namespace torquewright::command_line

@@ -177,7 +177,10 @@ Words mor_to(const std::string& output) {
 TEST(Outputs, GoIntoAPipe) {
   const Examples place;
   ASSERT_EQ(place.run(mor_to("x.csv")).exit_code, 0);
-  for (const char* name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+  fs::create_symlink("/dev/stdout", place.path("link"));
+  fs::create_symlink("link", place.path("longer_link"));
+  for (const char* name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "/proc/thread-self/fd/1",
+                           "link", "longer_link"}) {
     const Outcome outcome = place.run(mor_to(name));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find(place.text("x.csv")), std::string::npos) << name;
@@ -192,6 +195,17 @@ TEST(Outputs, AreAppendedWhereTheShellAppends) {
   EXPECT_EQ(place.run(mor_to("/dev/stdout")).exit_code, 0);
   EXPECT_TRUE(place.text("log").starts_with("earlier\n"));
   EXPECT_NE(place.text("log").find(place.text("x.csv")), std::string::npos);
+}
+
+TEST(Outputs, DoNotGoIntoAnInputBehindStandardOutput) {
+  Examples place;
+  place.here.stdout_file = place.path(kKneeFile);
+  const auto before = place.all();
+  for (const std::vector<std::string>& command :
+       {mor_to("-"), {"actuator", "mor", kKneeFile, "--at-speed", "0"}, mor_to("/dev/stdout")}) {
+    EXPECT_EQ(place.run(command).exit_code, 2);
+    EXPECT_EQ(place.all(), before);
+  }
 }
 
 TEST(Outputs, AreRefusedIntoADescriptorThatIsNotOpen) {
