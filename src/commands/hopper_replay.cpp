@@ -80,6 +80,15 @@ void require_window(const HopperReplayRequest& request) {
                          request.impact_window_s, request.control_period_s));
 }
 
+/// Of no time at all nothing could be said.
+void require_time(const HopperReplayRequest& request, const hopper::Motion& motion) {
+  const double lasts_s = motion.times_s.back() - motion.times_s.front() + request.stand_s;
+  if (lasts_s >= request.control_period_s) return;
+  io::refuse("--stand", fmt::format("the motion and {:g} s of standing last {:g} s, less than one "
+                                    "--control-period of {:g} s: nothing would be replayed",
+                                    request.stand_s, lasts_s, request.control_period_s));
+}
+
 hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
                                      const HopperCheckInputs& inputs) {
   hopper::ReplayOptions options;
@@ -173,11 +182,12 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   require_step(request);
   require_window(request);
   auto [inputs, motion] = read_inputs(request.motion);
-  check_files(request);  // now that the robot's files are known
+  require_time(request, motion);
   const hopper::Robot& robot = inputs.robot.robot;
+  const auto randomised = read_trials(request, robot);
+  check_files(request);  // now that the files that others name are known
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
-  const auto randomised = read_trials(request, robot);
   if (randomised) inputs.columns.push_back(randomised->document);
   const hopper::Replay replay(robot, motion, check, replay_options(request, inputs));
   std::optional<hopper::ReplayTrials> trials;
