@@ -88,6 +88,19 @@ TEST(NastyPipes, ThatWouldBeReadTwice) {
             "into a file first\n");
 }
 
+// Each by itself would be waited for, longer than a run is given in all.
+TEST(NastyPipes, AreWaitedForTogether) {
+  const Workplace place;
+  fs::create_directory(place.path("candidates"));
+  fs::copy(kWholeKnee, place.path("candidates/knee.json"));
+  for (int i = 0; i < 40; ++i) {
+    const std::string pipe = "candidates/pipe" + std::to_string(i) + ".json";
+    ASSERT_EQ(::mkfifo(place.path(pipe).c_str(), 0600), 0);
+  }
+  EXPECT_TRUE(place.run({"hopper", "check", kWholeRobot, kWholeSquat, "--candidates", "candidates"})
+                  .has_ended);
+}
+
 TEST(NastyPipes, AmongCandidatesAreLeftOutAndSaid) {
   const Workplace place;
   fs::create_directory(place.path("candidates"));

@@ -54,6 +54,13 @@ TEST(OutputFiles, AreNoFolders) {
                          "folder/: cannot be written: a file's name is missing\n");
 }
 
+TEST(OutputFiles, HaveNamesThatTheSystemTakes) {
+  const std::string longest(255, 'x'), longer = longest + 'x';
+  expect_refused_outputs(KneePlace(), {"-o", longer},
+                         longer + ": cannot be written: File name too long\n");
+  EXPECT_EQ(KneePlace().run({"gearbox", "optimize", "knee.json", "-o", longest}).exit_code, 0);
+}
+
 TEST(OutputFiles, AreNoLinksToThemselves) {
   const KneePlace place;
   fs::create_symlink("loop.json", place.path("loop.json"));
