@@ -8,6 +8,7 @@
 
 #include "identification/imports/files_json.hpp"
 #include "io/atomic_file.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/standard_output.hpp"
@@ -41,15 +42,16 @@ ExitCode run_import(const ImportOptions& options) {
   make_folder(folder);
   const fs::path csv = folder / "log.csv", rig = folder / "rig.json";
   io::check_outputs({csv, rig}, {options.files.begin(), options.files.end()});
-  const std::string name = fs::path(options.files.front()).stem().string();
+  const std::string name = io::stem_in_text(options.files.front());
   io::write_whole_files(
       {{csv, identification::imported_csv(log)}, {rig, identification::imported_rig(log, name)}});
-  std::string said = fmt::format("{}: {} run{}\n{}: {} columns\n", csv.string(), log.runs.size(),
-                                 log.runs.size() == 1 ? "" : "s", rig.string(), log.columns.size());
+  std::string said =
+      fmt::format("{}: {} run{}\n{}: {} columns\n", io::name_in_text(csv), log.runs.size(),
+                  log.runs.size() == 1 ? "" : "s", io::name_in_text(rig), log.columns.size());
   for (const std::string& note : log.notes) said += "note: " + note + "\n";
   if (!log.load && log.loads.empty()) {
     said += fmt::format("next: state in {} what the actuator moved (\"load\"), docs/logs.md\n",
-                        rig.string());
+                        io::name_in_text(rig));
   }
   print_result(for_window(said));
   return ExitCode::kPasses;
