@@ -142,6 +142,38 @@ TEST(NastyInputs, NamesOfWhatIsNoLineOfText) {
   }
 }
 
+// Nor does the name of a joint, which no document states.
+TEST(NastyInputs, NamesOfJointsThatAreNoLineOfText) {
+  const Workplace place;
+  const std::string knee = in_repository("specs/actuator/d151_knee.json").string();
+  const std::string motion = text_of(in_repository("specs/trajectory/knee_extension.csv"));
+  for (const auto& [name, holds] : std::vector<std::pair<std::string, std::string>>{
+           {"kn\xEF\xBF\xBE", "the character U+FFFE"},
+           {"kn\xE9", "the byte 0xE9, which is no UTF-8"},
+           {"knee: passes\nx", "the character U+000A"}}) {
+    place.write("knee.csv", motion);
+    const Outcome by_joint =
+        place.run({"actuator", "check", "knee.csv", "--joint", name + "=" + knee, "--column",
+                   "knee_velocity_rad_s=" + name + ".velocity"});
+    EXPECT_EQ(by_joint.exit_code, 2);
+    EXPECT_NE(by_joint.err.find("the name holds " + holds + "; must be one line of text"),
+              std::string::npos)
+        << by_joint.err;
+    const Outcome by_column = place.run({"actuator", "check", "knee.csv", "--joint", "knee=" + knee,
+                                         "--column", "knee_velocity_rad_s=" + name + ".velocity"});
+    EXPECT_EQ(by_column.exit_code, 2);
+    EXPECT_NE(by_column.err.find(": holds " + holds + "; must be one line of text"),
+              std::string::npos)
+        << by_column.err;
+  }
+  place.write("knee.csv", with(motion, "knee_torque", "kn\xEF\xBF\xBE_torque"));
+  const Outcome by_header = place.run({"actuator", "check", "knee.csv", "--joint", "knee=" + knee});
+  EXPECT_EQ(by_header.exit_code, 2);
+  EXPECT_NE(by_header.err.find("holds the character U+FFFE; must be one line of text"),
+            std::string::npos)
+      << by_header.err;
+}
+
 // Every reader of tables says what to do.
 TEST(NastyInputs, TablesOfOtherPrograms) {
   const Workplace place;
