@@ -16,6 +16,7 @@
 #include "io/wording.hpp"
 #include "src/command_line/help_text.hpp"
 #include "src/command_line/misspelling.hpp"
+#include "src/command_line/print.hpp"
 
 namespace torquewright::command_line {
 namespace {
@@ -341,13 +342,13 @@ bool Program::is_answered(const std::vector<std::string>& words,
                           const std::exception& error) const {
   const Reached reached = reached_by(declared_, words);
   if (dynamic_cast<const CLI::CallForVersion*>(&error)) {
-    std::fputs((version_ + "\n").c_str(), stdout);
+    print(version_ + "\n");
     return true;
   }
   const bool leads_on = reached.command->needs_command && reached.rest == words.size();
   const bool asks = dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr;
   if (!asks && (!leads_on || misspelling(declared_, words))) return false;
-  std::fputs(help_text(*reached.command, reached.path).c_str(), stdout);
+  print(help_text(*reached.command, reached.path));
   return true;
 }
 
@@ -365,7 +366,7 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   const Reached leads = reached_by(declared_, words);
   if (leads.rest + 1 == words.size() && words.back() == "help" && leads.command->needs_command) {
-    std::fputs(help_text(*leads.command, leads.path).c_str(), stdout);
+    print(help_text(*leads.command, leads.path));
     return cli::ExitCode::kPasses;
   }
   try {

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "io/atomic_file.hpp"
+#include "io/refusal.hpp"
 #include "io/spec_error.hpp"
 
 extern char** environ;  // NOLINT: the name is POSIX's.
@@ -58,6 +59,13 @@ class MemoryFile {
   int descriptor_;
 };
 
+/// Exit code of a program whose libraries find no room.
+constexpr int kNotLoaded = 127;
+
+std::string ending_of(int status, const std::string& words) {
+  return WIFSIGNALED(status) ? fmt::format("signal {}", WTERMSIG(status)) : words;
+}
+
 pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const MemoryFile& words,
                     const std::string& option) {
   std::string name = "gnuplot";
@@ -77,7 +85,8 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
                           "gnuplot, which draws the picture, is not installed "
                           "(Debian: gnuplot-nox)"}});
   }
-  throw std::system_error(error, std::generic_category(), "gnuplot");
+  io::refuse(option, fmt::format("gnuplot, which draws the picture, cannot be started: {}",
+                                 std::generic_category().message(error)));
 }
 
 }  // namespace
@@ -122,7 +131,11 @@ std::string picture_by_gnuplot(const std::string& script, const std::string& opt
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   std::string picture = drawing.read();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty()) {
+  if (!WIFEXITED(status) || WEXITSTATUS(status) == kNotLoaded) {
+    io::refuse(option, "gnuplot, which draws the picture, was stopped by the system: " +
+                           ending_of(status, words.read()));
+  }
+  if (WEXITSTATUS(status) != 0 || picture.empty()) {
     throw std::runtime_error("gnuplot failed: " + words.read());
   }
   return picture;

@@ -201,6 +201,16 @@ TEST(NastyInputs, TablesOfOtherPrograms) {
   }
 }
 
+TEST(NastyInputs, FilesThatAreLinksToThemselves) {
+  const Workplace place;
+  fs::create_symlink("loop.xml", place.path("loop.xml"));
+  place.write("robot.xml", "<mujoco><include file=\"loop.xml\"/></mujoco>");
+  const Outcome outcome = place.run({"robot", "import", "robot.xml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("<include>: the file \"loop.xml\" is not there"), std::string::npos)
+      << outcome.err;
+}
+
 // The parser behind it compares each attribute with all before it.
 TEST(NastyInputs, ElementsOfVeryManyAttributes) {
   const Workplace place;
