@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/spec_error.hpp"
+
 namespace torquewright::io {
 namespace {
 
@@ -53,6 +55,11 @@ TEST(OneLine, ReplacesWhatNoLineHolds) {
 TEST(OneLine, NamesAFileAndItsStem) {
   EXPECT_EQ(name_in_text("a/k\xE9.json"), "a/k\xEF\xBF\xBD.json");
   EXPECT_EQ(stem_in_text("a\n/k\xE9.json"), "k\xEF\xBF\xBD");
+}
+
+TEST(SpecError, IsUtf8WhateverAFileIsCalled) {
+  EXPECT_STREQ(SpecError({{"k\xE9.json", "", "no such file"}}).what(),
+               "k\xEF\xBF\xBD.json: no such file");
 }
 
 }  // namespace
