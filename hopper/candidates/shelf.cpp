@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "actuator/motor/actuator_spec.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper {
@@ -134,7 +135,7 @@ Shelf read_shelf(const fs::path& folder, const ReadRobot& robot,
   Shelf shelf;
   shelf.by_drivetrain.resize(robot.robot.drivetrains.size());
   for (const fs::path& file : documents_in(folder)) {
-    const std::string name = file.stem().string();
+    const std::string name = io::stem_in_text(file);
     try {
       io::Document document = io::read_document(file, {"actuator", "gearbox", "gearbox_result"});
       shelf.documents.push_back(document);

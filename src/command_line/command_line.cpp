@@ -14,6 +14,7 @@
 #include "io/nearest.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
+#include "src/command_line/blank_value.hpp"
 #include "src/command_line/help_text.hpp"
 #include "src/command_line/misspelling.hpp"
 #include "src/command_line/print.hpp"
@@ -379,6 +380,7 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
     if (!is_answered(words, error)) refuse_words(words, error.what());
     return cli::ExitCode::kPasses;
   }
+  if (const auto blank = blank_value(declared_, words)) refuse(*blank);
   cli::ExitCode code = cli::ExitCode::kPasses;
   for (const Work& work : named_) code = work();
   return code;

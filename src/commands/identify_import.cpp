@@ -9,6 +9,7 @@
 #include "identification/imports/files_json.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_bytes.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/standard_output.hpp"
@@ -53,17 +54,18 @@ ExitCode run_import(const ImportOptions& options) {
   make_folder(folder);
   const fs::path csv = folder / "log.csv", rig = folder / "rig.json";
   io::check_outputs({csv, rig}, {options.files.begin(), options.files.end()});
-  const std::string name = fs::path(options.files.front()).stem().string();
+  const std::string name = io::stem_in_text(options.files.front());
   const std::string rig_text = identification::imported_rig(log, name);
   std::vector<io::FileContent> files{{csv, identification::imported_csv(log)}};
   if (!has_rig(rig, rig_text)) files.push_back({rig, rig_text});
   io::write_whole_files(files);
-  std::string said = fmt::format("{}: {} run{}\n{}: {} columns\n", csv.string(), log.runs.size(),
-                                 log.runs.size() == 1 ? "" : "s", rig.string(), log.columns.size());
+  std::string said =
+      fmt::format("{}: {} run{}\n{}: {} columns\n", io::name_in_text(csv), log.runs.size(),
+                  log.runs.size() == 1 ? "" : "s", io::name_in_text(rig), log.columns.size());
   for (const std::string& note : log.notes) said += "note: " + note + "\n";
   if (!log.load && log.loads.empty()) {
     said += fmt::format("next: state in {} what the actuator moved (\"load\"), docs/logs.md\n",
-                        rig.string());
+                        io::name_in_text(rig));
   }
   print_result(for_window(said));
   return ExitCode::kPasses;

@@ -10,6 +10,7 @@
 #include "io/nearest.hpp"
 #include "io/refusal.hpp"
 #include "io/wording.hpp"
+#include "src/commands/moved_references_json.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -76,6 +77,9 @@ void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
       read.emplace_back(document.file);
   }
   check_written(written, read);
+  for (std::size_t i = 0; i < inputs.refined.size(); ++i) {
+    require_movable_actuator(inputs.actuators[i].nominal.documents.front(), inputs.refined[i]);
+  }
 }
 
 }  // namespace

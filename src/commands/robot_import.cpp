@@ -14,6 +14,7 @@
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "io/json_text.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/commands/robot_commands.hpp"
@@ -94,8 +95,8 @@ void write(const ImportOptions& options, const hopper::Imported& imported,
   deliver_result(document, options.output_file);
   if (options.output_file.empty() || is_standard_output(options.output_file)) return;
   const std::size_t bodies = imported.robot.tree.bodies.size();
-  std::string said =
-      fmt::format("{}: {} bodies, {} joints\n", options.output_file, bodies, bodies - 1);
+  std::string said = fmt::format("{}: {} bodies, {} joints\n",
+                                 io::name_in_text(options.output_file), bodies, bodies - 1);
   for (const std::string& note : imported.notes) said += "note: " + note + "\n";
   print_result(for_window(said));
 }

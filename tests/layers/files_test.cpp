@@ -41,5 +41,19 @@ TEST(Files, AreTouchedByIoAlone) {
   gates::expect_excused(broken, kLeftAlone, "only io/ opens, replaces and removes files");
 }
 
+// What has no name is called as its file is, which need not be text: io::stem_in_text.
+TEST(Files, GiveNamesThroughIoAlone) {
+  gates::Names broken;
+  for (const char* folder :
+       {"gearbox", "actuator", "simulation", "identification", "hopper", "src"}) {
+    for (const fs::path& file : gates::files_in(folder, ".cpp")) {
+      if (gates::text_of(file).find("stem()") != std::string::npos) {
+        broken.insert(file.generic_string());
+      }
+    }
+  }
+  gates::expect_excused(broken, {}, "a file's name goes into text by io/one_line.hpp");
+}
+
 }  // namespace
 }  // namespace torquewright::layers

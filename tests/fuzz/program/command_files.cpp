@@ -10,11 +10,11 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 14> kOutputOptions{
-    "-o",           "--output",        "--draw",    "--plot",
-    "--plot-loads", "--plot-momentum", "--refined", "--export",
-    "--write-best", "--figures",       "--report",  "--series",
-    "--plot-sweep", "--sweep-journal"};
+constexpr std::array<std::string_view, 15> kOutputOptions{
+    "--all",    "-o",           "--output",        "--draw",
+    "--plot",   "--plot-loads", "--plot-momentum", "--refined",
+    "--export", "--write-best", "--figures",       "--report",
+    "--series", "--plot-sweep", "--sweep-journal"};
 
 /// Of what is done point by point, beside its output (docs/sweeps.md).
 constexpr std::string_view kJournal = ".journal";

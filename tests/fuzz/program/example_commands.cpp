@@ -73,16 +73,25 @@ identify plan specs/log/bench_actuator.json --rig specs/log/bench_rig.json --sep
 identify plan specs/actuator/d151_knee.json --rig specs/rig/dynamometer_knee.json --separate coulomb_friction,load_dependent_friction --speed-limit 5 --noise output_torque_Nm=0.2 --seed 3 --json
 identify simulate specs/actuator/d151_knee.json --rig specs/rig/knee_sweep.json --excitation specs/excitation/knee_sweep.csv --noise output_torque_Nm=0.2 --seed 7 -o log.csv
 identify import moteus specs/log/wheel_moteus.csv -o imported
+identify import sysid tests/fuzz/corpus/imports/arm_sysid.json -o imported
+identify import sysid_csv tests/fuzz/corpus/imports/lift_sysid.csv --units Rotations -o imported
+identify import bam tests/fuzz/corpus/imports/pendulum_bam.json -o imported
+identify import ros tests/fuzz/corpus/imports/legs_ros.csv --joint 1 -o imported
+identify import odrive tests/fuzz/corpus/imports/axes_odrive.csv --joint axis0 -o imported
 robot import specs/robot/rabbit.urdf -o rabbit.json
 robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
 robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/actuator/d151_knee.json --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links --link-error 0.1
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
 robot export specs/robot/cassie.json --format urdf
 robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
+robot export specs/robot/cassie.json --format isaac-lab --actuators -o cassie.py
+robot export specs/robot/mini_cheetah.json --format newton --actuators
 init actuator -o new.json
 init robot --explain
 schema gearbox_problem
 man hopper flip -o flip.1
+man --all specs/rig
+help gearbox optimize
 completion bash -o completion.sh
 )";
 
