@@ -5,7 +5,7 @@
 #include "io/file_session.hpp"
 #include "src/command_line/exit_status.hpp"
 #include "src/program.hpp"
-#include "src/sweep/sweep.hpp"
+#include "src/sweep/worker_channel.hpp"
 
 int main(int argc, char** argv) {
   torquewright::io::ignore_file_size_signal();

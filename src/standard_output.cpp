@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "io/print.hpp"
 #include "io/spec_error.hpp"
-#include "src/command_line/print.hpp"
 #include "src/held_output.hpp"
 #include "src/window_text.hpp"
 
@@ -14,7 +14,7 @@ namespace torquewright::cli {
 
 void print_result(const std::string& text) {
   if (HeldOutput* held = held_output()) return held->add(text);
-  command_line::print(text);
+  io::print(text);
 }
 
 bool is_standard_output(const std::filesystem::path& file) { return file == "-"; }

@@ -23,8 +23,4 @@ std::optional<Outcome> run_sweep(const Request& request, const Evaluate& evaluat
 /// the first.
 bool is_silent();
 
-/// To be called first of all: a process that a sweep has started ends with the one that did, even
-/// if that one is killed.
-void end_with_starter();
-
 }  // namespace torquewright::sweep

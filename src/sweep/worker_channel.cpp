@@ -14,7 +14,6 @@
 #include <exception>
 
 #include "io/direct_output.hpp"
-#include "src/sweep/sweep.hpp"
 
 namespace torquewright::sweep {
 namespace {

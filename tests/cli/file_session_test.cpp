@@ -2,6 +2,7 @@
 // No command replaces a file that it has read, under whatever name and however it came to read it.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -149,6 +150,28 @@ TEST(Outputs, KeepTheModeOfAFileThatStoodThere) {
   EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", "secret.csv"}).exit_code, 0);
   EXPECT_TRUE(place.text("secret.csv").size() > 100);
   EXPECT_EQ(fs::status(secret).permissions(), fs::perms(0600));
+}
+
+TEST(Outputs, KeepTheOwnerOfAFileThatStoodThere) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root gives files away";
+  const Examples place;
+  const fs::path given = place.write("given.csv", "old");
+  ASSERT_EQ(::chown(given.c_str(), 1234, 4321), 0);
+  EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", "given.csv"}).exit_code, 0);
+  struct stat status {};
+  ASSERT_EQ(::stat(given.c_str(), &status), 0);
+  EXPECT_GT(status.st_size, 100);
+  EXPECT_EQ(status.st_uid, 1234u);
+  EXPECT_EQ(status.st_gid, 4321u);
+}
+
+TEST(Outputs, GoIntoADeviceThatStaysOne) {
+  const Examples place;
+  EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", "/dev/null"}).exit_code, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const Outcome full = place.run({"actuator", "mor", kKneeFile, "-o", "/dev/full"});
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_EQ(full.err, "/dev/full: cannot be written: No space left on device\n");
 }
 
 TEST(Outputs, FollowALinkAndRefuseOneToNothing) {

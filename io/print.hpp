@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace torquewright::command_line {
+namespace torquewright::io {
 
-/// Puts the text on standard output. Throws io::SpecError where that does not take all of it (a
+/// Puts the text on standard output. Throws SpecError where that does not take all of it (a
 /// full disk may show as late as when the buffer is emptied), or is a file that was read.
 void print(const std::string& text);
 
-}  // namespace torquewright::command_line
+}  // namespace torquewright::io

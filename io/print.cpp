@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "src/command_line/print.hpp"
+#include "io/print.hpp"
 
 #include <unistd.h>
 
@@ -10,15 +10,15 @@
 #include "io/file_session.hpp"
 #include "io/spec_error.hpp"
 
-namespace torquewright::command_line {
+namespace torquewright::io {
 
 void print(const std::string& text) {
-  if (io::is_input(STDOUT_FILENO)) {
-    throw io::SpecError({{"standard output", "", "leads into an input, which would be lost"}});
+  if (is_input(STDOUT_FILENO)) {
+    throw SpecError({{"standard output", "", "leads into an input, which would be lost"}});
   }
   if (std::fputs(text.c_str(), stdout) != EOF && std::fflush(stdout) == 0) return;
   const std::string reason = std::generic_category().message(errno);
-  throw io::SpecError({{"standard output", "", "cannot be written: " + reason}});
+  throw SpecError({{"standard output", "", "cannot be written: " + reason}});
 }
 
-}  // namespace torquewright::command_line
+}  // namespace torquewright::io
