@@ -74,6 +74,7 @@ MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
   const double unit = turns ? context.compiler.rad_per_angle : 1;
   if (!read.is_ball) read.reference = unit * faults.number(element, "ref", 0);
   read_axis(element, placed, context, read);
+  read.states_armature = find_attribute(element, "armature") != nullptr;
   if (!read.is_ball) read_range(element, unit, context, read.joint.limits);
   read_force_range(element, context, read.joint.limits);
   return read;

@@ -12,6 +12,7 @@ struct MjcfJoint {
   Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
   double reference = 0;  ///< Its position where the body stands as the file puts it.
   double stiffness = 0;  ///< Of its spring.
+  bool states_armature = false;
   bool is_free = false;
   bool is_ball = false;
   const Element* element = nullptr;

@@ -155,7 +155,8 @@ class UrdfReader {
           "joint \"{}\" mimics another: it is free here; state a mechanism", joint.name));
     }
     const auto reflected = reflected_.find(joint.name);
-    if (reflected != reflected_.end()) joint.reflected_inertia = reflected->second;
+    draft.states_rotor = reflected != reflected_.end();
+    if (draft.states_rotor) joint.reflected_inertia = reflected->second;
   }
 
   std::string type_of(const Element& element) {

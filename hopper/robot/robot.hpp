@@ -61,10 +61,15 @@ struct Robot {
   std::vector<CollisionSphere> spheres;
   std::string battery;               ///< JSON as stated, for drives that state none; or empty.
   std::vector<Posture> postures;     ///< By name.
+  /// Joints, by the body that each carries, of which it is stated that they have no reflected
+  /// inertia: none of an actuator's either.
+  std::vector<std::size_t> without_rotor;
   std::vector<std::string> assumed;  ///< JSON pointers into its document.
 
   /// Index of the body that the joint carries; none if no joint has that name.
   std::optional<std::size_t> find_joint(const std::string& name) const;
+  /// Whether reflected inertia of the joint that carries the body is known: some, or stated as none.
+  bool states_rotor(std::size_t body, const dynamics::Joint& joint) const;
 };
 
 }  // namespace torquewright::hopper
