@@ -230,21 +230,18 @@ TEST(RobotFile, SaysOfRotorsWhatItStatesAndNoMore) {
   }
 }
 
-// Oracle: N^2 J by hand, of an actuator with gears of 10 and a rotor of 1e-4 kg m2.
+// Oracle: N^2 J by hand, of an actuator with gears of 6 and a rotor of 6.3e-5 kg m2.
 TEST(RobotFile, LeavesRotorsToTheActuatorThatIsAdded) {
   const Robot bare = imported_mjcf("<mujoco><worldbody><body name='a'>" + kWithInertia +
                                    "<body name='b'><joint name='j'/>" + kWithInertia +
                                    "</body></body></worldbody></mujoco>")
                          .robot;
   nlohmann::ordered_json document = robot_json(bare);
-  document["mechanisms"] = {{{"type", "direct"}, {"joints", {"j"}}, {"actuators", {"drive.json"}}}};
+  const char* const drive = TORQUEWRIGHT_SOURCE_DIR "/specs/actuator/mini_cheetah_hip.json";
+  document["mechanisms"] = {{{"type", "direct"}, {"joints", {"j"}}, {"actuators", {drive}}}};
   const test::ScratchFolder folder;
-  (void)folder.write("drive.json", R"({"kind": "actuator", "version": 1,
-    "motor": {"torque_constant_Nm_A": 0.1, "resistance_ohm": 0.1, "rotor_inertia_kg_m2": 1e-4},
-    "drive": {"bus_voltage_V": 24, "peak_current_A": 10},
-    "gearbox": {"ratio": 10, "output_efficiency": 1}})");
   const Robot driven = read_robot(folder.write("robot.json", document.dump())).robot;
-  EXPECT_NEAR(driven.tree.bodies[1].joint.reflected_inertia, 1e-2, 1e-17);
+  EXPECT_NEAR(driven.tree.bodies[1].joint.reflected_inertia, 36 * 6.3e-5, 1e-17);
 }
 
 // Oracle: the inverse is one, also where pitch is upright or, as files print it, nearly so.
