@@ -29,4 +29,10 @@ std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball);
 /// Whether a range holds: as stated, or where none is stated and limits are automatic.
 bool is_limited(const Element& element, const char* limited, const MjcfContext& context);
 
+/// What a range of force or control leaves in either direction, above zero: the smaller side.
+/// Infinite where none holds. A range whose ends are in the wrong order, or that leaves nothing in
+/// one direction, is a fault.
+double force_either_way(const Element& element, const char* range, const char* limited,
+                        const MjcfContext& context);
+
 }  // namespace torquewright::hopper

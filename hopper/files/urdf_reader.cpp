@@ -191,15 +191,25 @@ class UrdfReader {
                             find_attribute(element, "upper") != nullptr;
       if (limits.position_min == limits.position_max) weld(has_both, draft);
     }
-    // Zero stands for "not known" in most files.
-    const double effort = faults_.number(element, "effort", 0);
-    const double speed = faults_.number(element, "velocity", 0);
+    const double effort = read_bound(element, "effort");
+    const double speed = read_bound(element, "velocity");
     if (effort > 0) limits.effort_max = effort;
     if (speed > 0) limits.speed_max = speed;
   }
 
   /// A range of one position is none that a joint could move in.
   void weld(bool is_stated, DraftBody& draft) {
+  /// Zero stands for "not known" in most files.
+  double read_bound(const Element& element, const char* name) {
+    const double bound = faults_.number(element, name, 0);
+    if (bound < 0) {
+      faults_.report(element, fmt::format("{}={} is below 0; it bounds both directions, and 0 says "
+                                          "that it is not known",
+                                          name, bound));
+    }
+    return bound;
+  }
+
     dynamics::Joint& joint = draft.body.joint;
     const double position = joint.limits.position_min;
     draft.is_welded = true;
