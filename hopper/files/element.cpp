@@ -87,6 +87,7 @@ const tinyxml2::XMLElement& only_root(const tinyxml2::XMLDocument& document,
 Element copied(const tinyxml2::XMLElement& element, const Name& file) {
   refuse_declarations(element, *file);
   Element copy{element.Name(), {}, {}, file, element.GetLineNum()};
+  if (const char* text = element.GetText(); text != nullptr) copy.text = text;
   for (const auto* next = element.FirstAttribute(); next != nullptr; next = next->Next()) {
     copy.attributes.emplace_back(next->Name(), next->Value());
   }
@@ -136,8 +137,8 @@ Element read_element(const std::filesystem::path& file) {
                               document.ErrorName()));
   }
   refuse_declarations(document, *name);
-  if (document.RootElement() == nullptr) refuse(*name, "holds no XML element");
-  return copied(*document.RootElement(), name);
+  check_encoding(document, bytes, *name);
+  return copied(only_root(document, *name), name);
 }
 
 }  // namespace torquewright::hopper
