@@ -137,6 +137,11 @@ TEST_F(HopperFlip, NextLinesAreWhatAShellTakes) {
   EXPECT_EQ(place_.run(words).exit_code, 0);
 }
 
+  // Standing still would keep every rule of these.
+  for (const char* task : {"flip", "jump", "hop"}) {
+    expect_refusal({"--task", task, "--contacts", "flat"}, "never leaves the ground");
+    expect_refusal({"--task", task, "--contacts", "flat,toe,flat"}, "'flight' among its contacts");
+  }
 // A jump on a coarse mesh: what is written is a plan by `hopper check`, told nothing more; twice
 // the same bytes.
 TEST_F(HopperFlip, WritesAMotionThatTheCheckPasses) {
