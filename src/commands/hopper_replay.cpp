@@ -206,6 +206,9 @@ void add_replay_command(command_line::Command& hopper) {
   command.example(
       "torquewright hopper replay specs/robot/hopper.json "
       "specs/trajectory/hopper_squat.csv");
+  hopper::RunOptions finest = run_of(request);
+  if (request.sweep) finest.step_s /= 4.0;  // as Replay::sweep() does
+  hopper::require_few_steps(motion, finest);
   command.works([request] { return run_hopper_replay(*request); });
 }
 

@@ -228,6 +228,31 @@ TEST_F(HopperReplay, RefusesByName) {
   EXPECT_EQ(other.exit_code, 2) << other.out;
   EXPECT_NE(other.err, "");
 }
+  // Ten thousand seconds between two rows of ten: 9e8 steps, and no memory for them.
+  std::string slow;
+  std::istringstream lines(place_.text("specs/trajectory/hopper_squat.csv"));
+  int row = -1;
+  for (std::string line; std::getline(lines, line) && row < 10;) {
+    if (line.starts_with("#")) continue;
+    const std::string rest = line.substr(line.find(','));
+    slow += (row < 0 ? "time_s" : std::to_string(row) + "e4") + rest + "\n";
+    ++row;
+  }
+  place_.write("slow.csv", slow);
+  const Outcome long_one = place_.run({"hopper", "replay", "specs/robot/hopper.json", "slow.csv"});
+  EXPECT_EQ(long_one.exit_code, 2);
+  EXPECT_NE(long_one.err.find("9e+08 steps of 0.0001 s, where a replay takes at most 1e+06"),
+            std::string::npos)
+      << long_one.err;
+  // What would change nothing.
+  expect_refusal({"--threads", "2"}, "--trials");
+  for (const char* impact : {"default", "no_derivative"}) {
+    expect_refusal({"--impact", impact, "--impact-metric", "inertia"}, "belongs with --impact inv");
+    expect_refusal({"--impact", impact, "--impact-contact", "foot"}, "belongs with --impact inv");
+  }
+  expect_refusal({"--impact-window", "0.1"}, "belongs with --impact no_derivative or invariant");
+  expect_refusal({"--impact-blend", "0.1"}, "belongs with --impact no_derivative or invariant");
+  expect_refusal({"--ground-time-constant", "0.01"}, "belongs with --engine mujoco");
 
 }  // namespace
 }  // namespace torquewright::cli_test
