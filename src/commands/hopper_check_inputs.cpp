@@ -5,8 +5,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/refusal.hpp"
+#include "io/wording.hpp"
 #include "src/report/progress_line.hpp"
 
 namespace torquewright::cli {
@@ -20,6 +22,32 @@ hopper::TorqueSource torque_source(const std::string& name) {
 hopper::LateRows late_rows(const std::string& name) {
   if (name == "keep") return hopper::LateRows::kKeep;
   return name == "shift" ? hopper::LateRows::kShift : hopper::LateRows::kFind;
+}
+
+/// Whether a state of charge is asked for that the battery cannot be at.
+bool lacks_charge_curve(const actuator::Actuator& actuator,
+                        const actuator::OperatingConditions& conditions) {
+  return conditions.state_of_charge &&
+         (!actuator.battery || actuator.battery->cell_open_circuit.size() < 2);
+}
+
+/// Torques of a file count where it has those of all driven joints.
+void require_all_torques(const hopper::Robot& robot, const hopper::Motion& motion,
+                         hopper::TorqueSource source) {
+  if (source == hopper::TorqueSource::kDynamics) return;
+  std::vector<std::string> there;
+  std::vector<std::string> missing;
+  for (const hopper::Drivetrain& drivetrain : robot.drivetrains) {
+    for (const std::size_t body : drivetrain.joints) {
+      (motion.has_effort[body - 1] ? there : missing).push_back(robot.tree.bodies[body].joint.name);
+    }
+  }
+  if (there.empty() || missing.empty()) return;
+  io::refuse(
+      motion.file,
+      fmt::format("has torques of {} and none of {}: those of some driven joints alone would "
+                  "not count; give all, or --torques dynamics, which takes none of them",
+                  io::listed(there), io::listed(missing)));
 }
 
 hopper::Shelf shelf_of(const HopperCheckRequest& request, const hopper::ReadRobot& robot) {
@@ -80,4 +108,5 @@ HopperCheckRead read_inputs(const HopperCheckRequest& request) {
   return read;
 }
 
+  require_all_torques(inputs.robot.robot, read.motion, inputs.check.torques);
 }  // namespace torquewright::cli
