@@ -79,7 +79,11 @@ hopper::CheckOptions check_options(const HopperCheckRequest& request,
   check.conditions = stated_conditions(request.operating);
   for (const hopper::Drivetrain& drivetrain : read.robot.drivetrains) {
     for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
-      require_possible(drivetrain.actuators[i], drivetrain.actuator_files[i], check.conditions);
+      const bool is_robots = lacks_charge_curve(drivetrain.actuators[i], check.conditions) &&
+                             drivetrain.on_robots_battery[i];
+      require_possible(drivetrain.actuators[i],
+                       is_robots ? request.robot_file : drivetrain.actuator_files[i],
+                       check.conditions);
     }
   }
   check.torques = torque_source(request.torques);
@@ -104,9 +108,9 @@ HopperCheckRead read_inputs(const HopperCheckRequest& request) {
   inputs.columns = source.documents;
   inputs.check = check_options(request, inputs.robot);
   read.motion = motion_in(source, inputs.robot.robot);
+  require_all_torques(inputs.robot.robot, read.motion, inputs.check.torques);
   inputs.shelf = shelf_of(request, inputs.robot);
   return read;
 }
 
-  require_all_torques(inputs.robot.robot, read.motion, inputs.check.torques);
 }  // namespace torquewright::cli
