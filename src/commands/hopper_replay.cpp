@@ -151,6 +151,12 @@ ExitCode code_of(hopper::ReplayVerdict verdict) {
     default:
       return ExitCode::kUndecided;
   }
+  if (!hopper::varies(read.randomisation)) {
+    io::refuse(
+        request.randomise_file,
+        "varies nothing: every trial would be the same run, and their rate would say nothing; "
+        "give a range whose least is below its greatest, or sensor_noise");
+  }
 }
 
 void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& inputs,

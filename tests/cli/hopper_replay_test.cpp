@@ -172,9 +172,10 @@ TEST_F(HopperReplay, ARateThatIsMissedFails) {
 }
 
 TEST_F(HopperReplay, CtrlCInTrialsLeavesWhatIsDone) {
-  place_.write("same.json", R"({"kind": "randomisation", "version": 1, "name": "same"})");
+  place_.write("close.json", R"({"kind": "randomisation", "version": 1, "name": "close",
+    "friction_coefficient": {"least": 0.59, "greatest": 0.6}})");
   place_.here.interrupt_after = std::chrono::milliseconds(1500);
-  const Outcome outcome = run({"--trials", "100000", "--randomise", "same.json", "--json"});
+  const Outcome outcome = run({"--trials", "100000", "--randomise", "close.json", "--json"});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(outcome.err, "");
   const json trials = json::parse(outcome.out)["trials"];
@@ -217,6 +218,9 @@ TEST_F(HopperReplay, RefusesByName) {
   expect_refusal({"--ground-rise", "0.01"}, "is 0.01 m below the ground");
   expect_refusal({"--trials", "3"}, "needs --randomise");
   expect_refusal({"--step", "0.001"}, "longer than the control period");
+  place_.write("none.json", R"({"kind": "randomisation", "version": 1,
+    "friction_coefficient": {"least": 0.6, "greatest": 0.6}})");
+  expect_refusal({"--trials", "3", "--randomise", "none.json"}, "none.json: varies nothing");
   expect_refusal(
       {"--trials", "3", "--randomise", "specs/randomisation/hopper.json", "--trial", "3"},
       "3 is none of the trials 0 to 2");
