@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "io/document.hpp"
 #include "tests/cli/workplace.hpp"
@@ -217,21 +218,16 @@ TEST_F(HopperReplay, AControllerThatIsTooLateEndsWithTimeAndReason) {
 TEST_F(HopperReplay, RefusesByName) {
   expect_refusal({"--ground-rise", "0.01"}, "is 0.01 m below the ground");
   expect_refusal({"--trials", "3"}, "needs --randomise");
-  expect_refusal({"--step", "0.001"}, "longer than the control period");
   place_.write("none.json", R"({"kind": "randomisation", "version": 1,
     "friction_coefficient": {"least": 0.6, "greatest": 0.6}})");
   expect_refusal({"--trials", "3", "--randomise", "none.json"}, "none.json: varies nothing");
+  expect_refusal({"--step", "0.001"}, "longer than the control period");
   expect_refusal(
       {"--trials", "3", "--randomise", "specs/randomisation/hopper.json", "--trial", "3"},
       "3 is none of the trials 0 to 2");
   expect_refusal({"--impact", "invariant", "--control-period", "0.06", "--step", "0.001"},
                  "--impact-window");
   expect_refusal({"-o", "specs/trajectory/hopper_squat.csv"}, "hopper_squat.csv");
-  const Outcome other = place_.run(
-      {"hopper", "replay", "specs/robot/rabbit.json", "specs/trajectory/hopper_squat.csv"});
-  EXPECT_EQ(other.exit_code, 2) << other.out;
-  EXPECT_NE(other.err, "");
-}
   // Ten thousand seconds between two rows of ten: 9e8 steps, and no memory for them.
   std::string slow;
   std::istringstream lines(place_.text("specs/trajectory/hopper_squat.csv"));
@@ -257,6 +253,11 @@ TEST_F(HopperReplay, RefusesByName) {
   expect_refusal({"--impact-window", "0.1"}, "belongs with --impact no_derivative or invariant");
   expect_refusal({"--impact-blend", "0.1"}, "belongs with --impact no_derivative or invariant");
   expect_refusal({"--ground-time-constant", "0.01"}, "belongs with --engine mujoco");
+  const Outcome other = place_.run(
+      {"hopper", "replay", "specs/robot/rabbit.json", "specs/trajectory/hopper_squat.csv"});
+  EXPECT_EQ(other.exit_code, 2) << other.out;
+  EXPECT_NE(other.err, "");
+}
 
 }  // namespace
 }  // namespace torquewright::cli_test
