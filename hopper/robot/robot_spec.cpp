@@ -193,6 +193,12 @@ class RobotReader {
     } else {
       body.parent = *tree_index(place.joint->parent);
       body.joint = joint_of(*place.joint);
+      const json& joint = joint_at(*place.joint);
+      const bool states_rotor =
+          joint.contains("reflected_inertia_kg_m2") || joint.contains("reflected_mass_kg");
+      if (states_rotor && body.joint.reflected_inertia == 0) {
+        robot_.without_rotor.push_back(robot_.tree.bodies.size());
+      }
     }
     robot_.tree.bodies.push_back(std::move(body));
   }
