@@ -156,9 +156,8 @@ class Pass {
         if (agreements_[joint].correlation() >= kAgreement) continue;
         const auto found = travels_[joint].contradiction(drives[i].no_load_speed_rad_s);
         if (!found) continue;
-        io::refuse(reader_.file(),
-                   contradiction_sentence(rows_.joints()[joint], *found,
-                                          reader_.clock().origin_s()));
+        io::refuse(reader_.file(), contradiction_sentence(rows_.joints()[joint], *found,
+                                                          reader_.clock().origin_s()));
       }
     }
   }

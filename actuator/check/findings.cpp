@@ -256,7 +256,8 @@ std::string contradiction_sentence(const std::string& joint,
                                    double clock_origin_s) {
   return fmt::format(
       "the velocity of {} is not the rate of its position: from t = {:.6g} s to {:.6g} s the "
-      "position changes by {:.4g} rad and the integral of the velocity by {:.4g} rad; is one of the "
+      "position changes by {:.4g} rad and the integral of the velocity by {:.4g} rad; is one of "
+      "the "
       "columns dead, late or another joint's? Mend it or leave it out: without a velocity the "
       "slopes of the position are taken",
       joint, clock_origin_s + contradiction.from_s, clock_origin_s + contradiction.until_s,

@@ -40,7 +40,6 @@ std::string hidden_motion_sentence(const LongestStep& step, double clock_origin_
 /// That the velocity of a joint is not the rate of its position, from where to where, and what can
 /// be done. Times are in the file's own clock.
 std::string contradiction_sentence(const std::string& joint,
-                                   const TravelContradiction& contradiction,
-                                   double clock_origin_s);
+                                   const TravelContradiction& contradiction, double clock_origin_s);
 
 }  // namespace torquewright::actuator

@@ -12,7 +12,8 @@ namespace {
 /// Fewer windows say nothing: three rows of a jump may all be at rest.
 constexpr std::size_t kFewestWindows = 8;
 /// Of the travel, left over in every kind of window. A filter that lags by a tenth of a radian of
-/// the motion's phase leaves a tenth; a constant in the place of half a sine at its mean four tenths.
+/// the motion's phase leaves a tenth; a constant in the place of half a sine at its mean four
+/// tenths.
 constexpr double kContradiction = 0.3;
 /// Of the greatest travel in any kind of window: with less, whole swings cancel, or too few windows
 /// move enough to be seen.
@@ -57,7 +58,8 @@ void TravelAgreement::add_window(Window window) {
     Scale& scale = scales_[i];
     ++scale.windows;
     scale.duration_s += window.duration_s;
-    const double travel_rad = std::max(std::abs(window.position_rad), std::abs(window.velocity_rad));
+    const double travel_rad =
+        std::max(std::abs(window.position_rad), std::abs(window.velocity_rad));
     if (travel_rad > kLeastTravel_rad) {
       const double left_over_rad =
           std::max(0.0, std::abs(window.position_rad - window.velocity_rad) - window.tolerance_rad);

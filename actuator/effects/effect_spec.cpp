@@ -21,11 +21,18 @@ std::string unit_behind(std::string_view name) {
     std::string_view unit;
   };
   // Longer ones first, where one ends in another.
-  constexpr Ending kEndings[] = {
-      {"_Nm_s2_rad2", " Nm s^2/rad^2"}, {"_Nm_s_rad", " Nm s/rad"}, {"_Nm_rad", " Nm/rad"},
-      {"_kg_m2", " kg m^2"},            {"_rad_s", " rad/s"},       {"_1_K", " 1/K"},
-      {"_ohm", " ohm"},                 {"_rad", " rad"},           {"_Nm", " Nm"},
-      {"_s", " s"},                     {"_A", " A"},               {"_V", " V"}};
+  constexpr Ending kEndings[] = {{"_Nm_s2_rad2", " Nm s^2/rad^2"},
+                                 {"_Nm_s_rad", " Nm s/rad"},
+                                 {"_Nm_rad", " Nm/rad"},
+                                 {"_kg_m2", " kg m^2"},
+                                 {"_rad_s", " rad/s"},
+                                 {"_1_K", " 1/K"},
+                                 {"_ohm", " ohm"},
+                                 {"_rad", " rad"},
+                                 {"_Nm", " Nm"},
+                                 {"_s", " s"},
+                                 {"_A", " A"},
+                                 {"_V", " V"}};
   for (const Ending& ending : kEndings) {
     if (name.ends_with(ending.text)) return std::string(ending.unit);
   }
@@ -124,9 +131,8 @@ class EffectReader {
     }
     const double number = value.get<double>();
     if (number < parameter.lowest || number > parameter.highest) {
-      report(path,
-             fmt::format("{} is outside what is possible, {}: {}", io::as_written(value),
-                         possible(parameter), parameter.meaning));
+      report(path, fmt::format("{} is outside what is possible, {}: {}", io::as_written(value),
+                               possible(parameter), parameter.meaning));
     }
     effect_.values.push_back(number);
   }

@@ -46,7 +46,7 @@ std::vector<ColumnMapping> read_columns(const io::Document& document) {
     if (is_time != mapping.joint.empty()) {
       report("/joint", is_time ? "time is no joint's; leave it out" : "missing; whose quantity?");
     }
-    if (mapping.factor == 0.0) report("/factor", "0 would leave nothing of the column");
+    if (mapping.factor == 0.0) report("/factor", kNoFactor);
     if (entry.contains("unit")) {
       const std::string name = entry["unit"];
       const io::Dimension dimension = dimension_of(mapping.quantity);

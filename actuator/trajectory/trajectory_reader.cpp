@@ -115,9 +115,8 @@ std::vector<ColumnMapping> complete(const io::CsvReader& csv,
     for (std::size_t j = 0; j < i; ++j) require_apart(csv.file(), stated[j], mapping);
   }
   const bool has_stated_time =
-      std::any_of(stated.begin(), stated.end(), [](const ColumnMapping& mapping) {
-        return mapping.quantity == Quantity::kTime;
-      });
+      std::any_of(stated.begin(), stated.end(),
+                  [](const ColumnMapping& mapping) { return mapping.quantity == Quantity::kTime; });
   if (!has_stated_time) require_one_time(csv);
   std::vector<ColumnMapping> all = stated;
   for (const std::string& column : csv.header()) {

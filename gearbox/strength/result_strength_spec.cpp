@@ -13,8 +13,9 @@
 
 #include "gearbox/strength/steels.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "io/refusal.hpp"
 #include "io/given_once.hpp"
+#include "io/one_line.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -111,7 +112,8 @@ json stated_rims(const Topology& topology, const std::vector<std::string>& state
     char* end = nullptr;
     const double thickness_mm = std::strtod(number.c_str(), &end);
     const bool is_decimal = number.find_first_of("xX") == std::string::npos;
-    if (number.empty() || !is_decimal || *end != '\0' || !(thickness_mm > 0.0 && thickness_mm <= 1000.0)) {
+    if (number.empty() || !is_decimal || *end != '\0' ||
+        !(thickness_mm > 0.0 && thickness_mm <= 1000.0)) {
       io::refuse("--rim", fmt::format("\"{}\": needs a length from 0 to 1000 mm", item));
     }
     rims[gear] = thickness_mm;
@@ -211,7 +213,7 @@ ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions
   const Topology& gears = *find_topology(topology);
   const std::vector<const Steel*> chosen = chosen_steels(result, gears, options.steel);
   json keys{{"kind", "gear_strength"}, {"version", 1}};
-  keys["name"] = problem.value("name", std::filesystem::path(result.file).stem().string());
+  keys["name"] = problem.value("name", io::stem_in_text(result.file));
   keys["gearbox"] = {{"topology", topology},
                      {"teeth", design["teeth"]},
                      {"planet_count", design["planet_count"]},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "hopper/files/xml_encoding.hpp"
 #include "io/file_bytes.hpp"
 #include "io/spec_error.hpp"
 
@@ -62,9 +63,31 @@ void check_attribute_counts(std::string_view text, const std::string& file) {
   }
 }
 
+void check_encoding(const tinyxml2::XMLDocument& document, std::string_view text,
+                    const std::string& file) {
+  const tinyxml2::XMLNode* first = document.FirstChild();
+  const bool declares = first != nullptr && first->ToDeclaration() != nullptr;
+  const auto objection =
+      encoding_objection(text, declares ? declared_encoding(first->Value()) : "");
+  if (objection) refuse(file, *objection);
+}
+
+/// The one element of the file that is in no other.
+const tinyxml2::XMLElement& only_root(const tinyxml2::XMLDocument& document,
+                                      const std::string& file) {
+  const tinyxml2::XMLElement* root = document.RootElement();
+  if (root == nullptr) refuse(file, "holds no XML element");
+  const tinyxml2::XMLElement* second = root->NextSiblingElement();
+  if (second == nullptr) return *root;
+  refuse(file, fmt::format("line {}: <{}> follows <{}> of line {}; a file holds one of them, "
+                           "which all else is in",
+                           second->GetLineNum(), second->Name(), root->Name(), root->GetLineNum()));
+}
+
 Element copied(const tinyxml2::XMLElement& element, const Name& file) {
   refuse_declarations(element, *file);
   Element copy{element.Name(), {}, {}, file, element.GetLineNum()};
+  if (const char* text = element.GetText(); text != nullptr) copy.text = text;
   for (const auto* next = element.FirstAttribute(); next != nullptr; next = next->Next()) {
     copy.attributes.emplace_back(next->Name(), next->Value());
   }
@@ -114,8 +137,8 @@ Element read_element(const std::filesystem::path& file) {
                               document.ErrorName()));
   }
   refuse_declarations(document, *name);
-  if (document.RootElement() == nullptr) refuse(*name, "holds no XML element");
-  return copied(*document.RootElement(), name);
+  check_encoding(document, bytes, *name);
+  return copied(only_root(document, *name), name);
 }
 
 }  // namespace torquewright::hopper

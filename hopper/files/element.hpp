@@ -17,6 +17,7 @@ struct Element {
   std::vector<Element> children;
   std::shared_ptr<const std::string> file;
   int line = 0;
+  std::string text = {};  ///< Before its first child.
 };
 
 /// Null where it is absent.

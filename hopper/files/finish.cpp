@@ -53,7 +53,12 @@ void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Impo
   if (options.mends_inertias) mend(draft, imported.notes);
   dynamics::Tree& tree = imported.robot.tree;
   draft = merged(draft).draft;
-  for (const DraftBody& next : draft) tree.bodies.push_back(next.body);
+  for (const DraftBody& next : draft) {
+    if (next.states_rotor && next.body.joint.reflected_inertia == 0) {
+      imported.robot.without_rotor.push_back(tree.bodies.size());
+    }
+    tree.bodies.push_back(next.body);
+  }
   add_feet(draft, imported.robot);
   const bool is_fixed = tree.base == dynamics::BaseKind::kFixed;
   for (std::size_t i = is_fixed ? 1 : 0; i < tree.bodies.size(); ++i) {

@@ -170,6 +170,16 @@ class LinkageReader {
     return names;
   }
 
+  /// Whether the file says what rotors weigh, at a crank or at what it moves. Else the actuators'
+  /// own do.
+  bool states_rotors(const Linkage& linkage) const {
+    return std::any_of(linkage.loops.begin(), linkage.loops.end(), [&](const RodLoop& loop) {
+      return draft_[loop.crank].states_rotor ||
+             std::any_of(loop.held.begin(), loop.held.end(),
+                         [&](std::size_t held) { return draft_[held].states_rotor; });
+    });
+  }
+
   void put_in_robot() {
     for (const Linkage& linkage : linkages_) {
       Drivetrain drivetrain;
@@ -179,7 +189,7 @@ class LinkageReader {
       }
       drivetrain.actuator_names = names_of(linkage);
       drivetrain.rotors_in_tree = false;
-      drivetrain.stated_rotors_kg_m2 = linkage.rotors_kg_m2;
+      if (states_rotors(linkage)) drivetrain.stated_rotors_kg_m2 = linkage.rotors_kg_m2;
       if (!options_.drops_link_mass) drivetrain.cranks_kg_m2 = linkage.cranks_kg_m2;
       imported_.robot.drivetrains.push_back(std::move(drivetrain));
       note_ranges(linkage);

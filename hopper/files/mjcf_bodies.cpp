@@ -125,17 +125,19 @@ class BodyWriter {
         last = last * pose_of_body(tree_.bodies[chain[k]]);
       }
       const dynamics::Joint& joint = tree_.bodies[chain[i]].joint;
-      write_joint(joint, last.R.transpose() * joint.axis, -(last.R.transpose() * last.p_m));
+      write_joint(joint, robot_.states_rotor(chain[i], joint), last.R.transpose() * joint.axis,
+                  -(last.R.transpose() * last.p_m));
     }
   }
 
-  void write_joint(const dynamics::Joint& joint, const Vector3d& axis, const Vector3d& place_m) {
+  void write_joint(const dynamics::Joint& joint, bool states_rotor, const Vector3d& axis,
+                   const Vector3d& place_m) {
     out_.OpenElement("joint");
     out_.PushAttribute("name", joint.name.c_str());
     out_.PushAttribute("type", joint.kind == JointKind::kRevolute ? "hinge" : "slide");
     out_.PushAttribute("axis", text_of(axis).c_str());
     if (!place_m.isZero(0)) out_.PushAttribute("pos", text_of(place_m).c_str());
-    if (joint.reflected_inertia > 0) {
+    if (states_rotor) {
       out_.PushAttribute("armature", text_of(joint.reflected_inertia).c_str());
     }
     if (std::isfinite(joint.limits.position_min)) {

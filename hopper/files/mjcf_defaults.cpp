@@ -28,6 +28,11 @@ void MjcfDefaults::gather(const Element& element, Kinds inherited, bool is_main)
   }
   if (is_main) classes_["main"] = classes_[""] = inherited;
   const std::string name = attribute(element, "class");
+  if (!is_main && classes_.count(name) > 0 && !name.empty()) {
+    faults_->report(element, fmt::format("the default class \"{}\" stands twice; one of them would "
+                                         "not count: put them together, or name one differently",
+                                         name));
+  }
   if (!name.empty()) classes_[name] = inherited;
   if (name.empty() && !is_main) faults_->report(element, "class is missing");
   for (const Element* nested : children(element, "default")) gather(*nested, inherited, false);

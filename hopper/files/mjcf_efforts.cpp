@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "hopper/files/mjcf_joint.hpp"
 
@@ -15,14 +16,6 @@ namespace torquewright::hopper {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
-
-/// The smaller of both directions.
-double least_of(const Element& element, const char* range, const char* limited,
-                const MjcfContext& context) {
-  const auto found = context.faults.numbers(element, range, 2);
-  if (!found || !is_limited(element, limited, context)) return kNone;
-  return std::min(-found->front(), found->back());
-}
 
 /// Force over control, where it is a constant and nothing stands between.
 double gain_of(const Element& element, const MjcfContext& context) {
@@ -41,11 +34,42 @@ double gain_of(const Element& element, const MjcfContext& context) {
 double effort_of(const Element& element, const MjcfContext& context) {
   const auto gears = context.faults.numbers(element, "gear", 1, 6);
   const double gear = gears ? std::abs(gears->front()) : 1;
-  const double by_control = least_of(element, "ctrlrange", "ctrllimited", context);
+  if (gear == 0) context.faults.report(element, "a gear of 0 drives nothing");
   const double gain = gain_of(element, context);
-  double force = least_of(element, "forcerange", "forcelimited", context);
-  if (std::isfinite(gain) && std::isfinite(by_control)) force = std::min(force, gain * by_control);
+  double force = force_either_way(element, "forcerange", "forcelimited", context);
+  if (!std::isfinite(gain)) return gear * force;
+  if (gain == 0) context.faults.report(element, "a gain of 0 drives nothing");
+  const double by_control = force_either_way(element, "ctrlrange", "ctrllimited", context);
+  if (std::isfinite(by_control)) force = std::min(force, gain * by_control);
   return gear * force;
+}
+
+void gather_joints(const Element& element, std::set<std::string>& names) {
+  for (const Element& held : element.children) {
+    if (held.name == "joint" || held.name == "freejoint") names.insert(attribute(held, "name"));
+    gather_joints(held, names);
+  }
+}
+
+/// Names of all joints of all bodies of the world.
+std::set<std::string> joints_of_world(const Element& mujoco) {
+  std::set<std::string> names;
+  for (const Element* world : children(mujoco, "worldbody")) gather_joints(*world, names);
+  return names;
+}
+
+/// Words of defaults of actuators. All kinds share one default, so that what one of them takes from
+/// it may be no word of its own.
+void check_defaults(const Element& element, const MjcfContext& context) {
+  for (const Element& held : element.children) {
+    if (kind_of_default(held.name) == "actuator") context.vocabulary.check_attributes(held);
+    if (held.name == "default") check_defaults(held, context);
+  }
+}
+
+std::string name_of(const Element& actuator) {
+  const std::string name = attribute(actuator, "name");
+  return name.empty() ? fmt::format("<{}> of line {}", actuator.name, actuator.line) : name;
 }
 
 std::string joint_of(const Element& actuator) {
@@ -71,21 +95,27 @@ std::map<std::string, std::string> driven_joints(const Element& mujoco,
 MjcfEfforts read_efforts(const Element& mujoco, const MjcfContext& context) {
   MjcfEfforts efforts;
   std::vector<std::string> elsewhere;
+  const std::set<std::string> joints = joints_of_world(mujoco);
+  check_defaults(mujoco, context);
   for (const Element* section : children(mujoco, "actuator")) {
     context.vocabulary.check(*section);
     for (const Element& stated : section->children) {
       const Element element = context.defaults.completed(stated, "");
+      context.vocabulary.check_attributes(stated);
       const std::string joint = joint_of(element);
       if (joint.empty()) {
-        elsewhere.push_back(attribute(element, "name"));
+        elsewhere.push_back(name_of(element));
+        continue;
+      }
+      if (joints.count(joint) == 0) {
+        context.faults.report(element, fmt::format("no body has a joint \"{}\"", joint));
         continue;
       }
       efforts.limit[joint] += effort_of(element, context);
     }
   }
-  std::erase_if(efforts.limit, [](const auto& of_joint) {
-    return !std::isfinite(of_joint.second) || !(of_joint.second > 0);
-  });
+  std::erase_if(efforts.limit,
+                [](const auto& of_joint) { return !std::isfinite(of_joint.second); });
   if (!elsewhere.empty()) {
     efforts.notes.push_back(
         fmt::format("actuators that pull on no single joint (tendons, sites, bodies) are not held: "

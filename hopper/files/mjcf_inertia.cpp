@@ -37,6 +37,9 @@ RigidInertia stated_inertia(const Element& element, const MjcfContext& context) 
   const Matrix3d R = rotation_of(element, context.compiler, faults);
   if (const auto full = faults.numbers(element, "fullinertia", 6)) {
     const std::vector<double>& I = *full;
+    if (find_attribute(element, "diaginertia") != nullptr) {
+      faults.report(element, "states both diaginertia and fullinertia; leave out one");
+    }
     if (!R.isIdentity(0)) faults.report(element, "fullinertia is in the body's own axes");
     inertia.inertia_kg_m2 << I[0], I[3], I[4], I[3], I[1], I[5], I[4], I[5], I[2];
     return inertia;
@@ -151,7 +154,7 @@ void bound(const MjcfCompiler& compiler, RigidInertia& inertia) {
 
 RigidInertia compiled_inertia(const Element& body, const std::vector<Placed>& held,
                               const MjcfContext& context) {
-  const Element* stated = child(body, "inertial");
+  const Element* stated = context.faults.only_child(body, "inertial");
   RigidInertia inertia;
   const FromShapes rule = context.compiler.inertia;
   const bool has_shapes = std::any_of(held.begin(), held.end(), [](const Placed& placed) {

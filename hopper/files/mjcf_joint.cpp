@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace torquewright::hopper {
 namespace {
@@ -23,15 +24,6 @@ void read_range(const Element& element, double unit, const MjcfContext& context,
   }
   limits.position_min = unit * range->front();
   limits.position_max = unit * range->back();
-}
-
-/// The smaller of both directions: what the joint may push either way.
-void read_force_range(const Element& element, const MjcfContext& context,
-                      dynamics::JointLimits& limits) {
-  const auto range = context.faults.numbers(element, "actuatorfrcrange", 2);
-  if (!range || !is_limited(element, "actuatorfrclimited", context)) return;
-  const double least = std::min(-range->front(), range->back());
-  if (least > 0) limits.effort_max = least;
 }
 
 void read_axis(const Element& element, const Placed& placed, const MjcfContext& context,
@@ -52,6 +44,28 @@ bool is_limited(const Element& element, const char* limited, const MjcfContext& 
   return stated == "true" || (stated == "auto" && context.compiler.are_limits_automatic);
 }
 
+double force_either_way(const Element& element, const char* range, const char* limited,
+                        const MjcfContext& context) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto found = context.faults.numbers(element, range, 2);
+  if (!found || !is_limited(element, limited, context)) return kNone;
+  const double least = found->front();
+  const double greatest = found->back();
+  // MuJoCo's default, which says that there is none.
+  if (least == 0 && greatest == 0 && attribute(element, limited) != "true") return kNone;
+  const std::string stated = fmt::format("{}=\"{}\"", range, attribute(element, range));
+  if (!(least < greatest)) {
+    context.faults.report(element, stated + ": the first number is not below the second");
+    return kNone;
+  }
+  if (least < 0 && greatest > 0) return std::min(-least, greatest);
+  context.faults.report(
+      element, stated +
+                   " pushes one way only, and a robot document's limit holds both ways; state "
+                   "what it may push either way, or leave the range out");
+  return kNone;
+}
+
 MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
   const Element element = context.defaults.completed(*placed.element, placed.childclass);
   Faults& faults = context.faults;
@@ -61,6 +75,7 @@ MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
   read.element = placed.element;
   read.joint.name = attribute(element, "name");
   read.is_free = element.name == "freejoint" || type == "free";
+  read.states_armature = find_attribute(element, "armature") != nullptr;
   read.joint.reflected_inertia = faults.number(element, "armature", 0);
   if (read.joint.reflected_inertia < 0) faults.report(element, "the armature is negative");
   if (read.is_free) return read;
@@ -75,7 +90,8 @@ MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
   if (!read.is_ball) read.reference = unit * faults.number(element, "ref", 0);
   read_axis(element, placed, context, read);
   if (!read.is_ball) read_range(element, unit, context, read.joint.limits);
-  read_force_range(element, context, read.joint.limits);
+  read.joint.limits.effort_max =
+      force_either_way(element, "actuatorfrcrange", "actuatorfrclimited", context);
   return read;
 }
 

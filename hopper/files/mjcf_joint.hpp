@@ -12,6 +12,7 @@ struct MjcfJoint {
   Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
   double reference = 0;  ///< Its position where the body stands as the file puts it.
   double stiffness = 0;  ///< Of its spring.
+  bool states_armature = false;
   bool is_free = false;
   bool is_ball = false;
   const Element* element = nullptr;
@@ -27,5 +28,11 @@ std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball);
 
 /// Whether a range holds: as stated, or where none is stated and limits are automatic.
 bool is_limited(const Element& element, const char* limited, const MjcfContext& context);
+
+/// What a range of force or control leaves in either direction, above zero: the smaller side.
+/// Infinite where none holds. A range whose ends are in the wrong order, or that leaves nothing in
+/// one direction, is a fault.
+double force_either_way(const Element& element, const char* range, const char* limited,
+                        const MjcfContext& context);
 
 }  // namespace torquewright::hopper

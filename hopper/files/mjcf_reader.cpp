@@ -253,6 +253,7 @@ class MjcfReader {
     joint.R_PB = at.R;
     draft.reference = stated.reference;
     draft.stiffness = stated.stiffness;
+    draft.states_rotor = stated.states_armature;
     draft.ball = stated.is_ball ? stated.element : nullptr;
     if (turns && back != 0) {
       joint.R_PB = at.R * Eigen::AngleAxisd(back, joint.axis).toRotationMatrix();

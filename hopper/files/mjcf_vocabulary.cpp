@@ -3,6 +3,16 @@
 #include "hopper/files/mjcf_vocabulary.hpp"
 
 namespace torquewright::hopper {
+namespace {
+
+/// Of everything that drives.
+constexpr const char* kDriveWords =
+    "name class joint jointinparent tendon body site cranksite slidersite refsite gear ctrlrange "
+    "ctrllimited forcerange forcelimited";
+constexpr const char* kDriveNeutral = "group lengthrange cranklength user nsample interp delay";
+
+}  // namespace
+
 std::span<const Words> mjcf_words() {
   using enum Meaning;
   using enum Words::Kind;
@@ -111,6 +121,34 @@ std::span<const Words> mjcf_words() {
       {"actuator", kChildren, kRead,
        "motor general position velocity intvelocity damper cylinder muscle adhesion"},
       {"actuator", kChildren, kRefused, "plugin dcmotor", "state its limits at the joint"},
+      {"motor", kAttributes, kRead, kDriveWords},
+      {"motor", kAttributes, kNeutral, kDriveNeutral},
+      {"general", kAttributes, kRead, kDriveWords},
+      {"general", kAttributes, kRead, "dyntype gaintype biastype gainprm"},
+      {"general", kAttributes, kNeutral, kDriveNeutral},
+      {"general", kAttributes, kNeutral, "actlimited actrange actdim dynprm biasprm actearly"},
+      {"position", kAttributes, kRead, kDriveWords},
+      {"position", kAttributes, kNeutral, kDriveNeutral},
+      {"position", kAttributes, kNeutral, "kp kv dampratio timeconst inheritrange"},
+      {"velocity", kAttributes, kRead, kDriveWords},
+      {"velocity", kAttributes, kNeutral, kDriveNeutral},
+      {"velocity", kAttributes, kNeutral, "kv"},
+      {"intvelocity", kAttributes, kRead, kDriveWords},
+      {"intvelocity", kAttributes, kNeutral, kDriveNeutral},
+      {"intvelocity", kAttributes, kNeutral, "kp kv dampratio actrange actlimited inheritrange"},
+      {"damper", kAttributes, kRead, kDriveWords},
+      {"damper", kAttributes, kNeutral, kDriveNeutral},
+      {"damper", kAttributes, kNeutral, "kv"},
+      {"cylinder", kAttributes, kRead, kDriveWords},
+      {"cylinder", kAttributes, kNeutral, kDriveNeutral},
+      {"cylinder", kAttributes, kNeutral, "timeconst area diameter bias"},
+      {"muscle", kAttributes, kRead, kDriveWords},
+      {"muscle", kAttributes, kNeutral, kDriveNeutral},
+      {"muscle", kAttributes, kNeutral,
+       "timeconst tausmooth range force scale lmin lmax vmax fpmax fvmax"},
+      {"adhesion", kAttributes, kRead, kDriveWords},
+      {"adhesion", kAttributes, kNeutral, kDriveNeutral},
+      {"adhesion", kAttributes, kNeutral, "gain"},
   };
   return kWords;
 }

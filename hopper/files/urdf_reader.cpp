@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <charconv>
 #include <map>
 
 #include "dynamics/rigid_inertia.hpp"
@@ -92,14 +93,15 @@ class UrdfReader {
   void read_inertia(const Element& link, DraftBody& draft) {
     dynamics::RigidInertia& inertia = draft.body.inertia;
     draft.source = &link;
-    const Element* inertial = child(link, "inertial");
+    const Element* inertial = faults_.only_child(link, "inertial");
     if (inertial == nullptr) return;
-    const Element* mass = child(*inertial, "mass");
-    const Element* moments = child(*inertial, "inertia");
+    const Element* mass = faults_.only_child(*inertial, "mass");
+    const Element* moments = faults_.only_child(*inertial, "inertia");
     if (mass == nullptr || moments == nullptr) {
       faults_.report(*inertial, "needs <mass> and <inertia>");
       return;
     }
+    if (find_attribute(*mass, "value") == nullptr) faults_.report(*mass, "value is missing");
     inertia.mass_kg = faults_.number(*mass, "value", 0);
     if (inertia.mass_kg < 0) faults_.report(*mass, "is negative");
     const auto at = [&](const char* key) { return faults_.number(*moments, key, 0); };
@@ -108,7 +110,7 @@ class UrdfReader {
     const double yz = at("iyz");
     inertia.inertia_kg_m2 << at("ixx"), xy, xz, xy, at("iyy"), yz, xz, yz, at("izz");
     draft.rounding_kg_m2 = rounding_of(moments);
-    const Element* origin = child(*inertial, "origin");
+    const Element* origin = faults_.only_child(*inertial, "origin");
     if (origin == nullptr) return;
     inertia =
         dynamics::moved(inertia, rotation_of_rpy(faults_.vector(*origin, "rpy", Vector3d::Zero())),
@@ -118,13 +120,13 @@ class UrdfReader {
   /// Spheres that collide; what else a link's shapes say is left behind.
   void read_balls(const Element& link, DraftBody& draft) {
     for (const Element* collision : children(link, "collision")) {
-      const Element* geometry = child(*collision, "geometry");
+      const Element* geometry = faults_.only_child(*collision, "geometry");
       const Element* sphere = geometry != nullptr ? child(*geometry, "sphere") : nullptr;
       if (sphere == nullptr) continue;
       DraftBall ball;
       ball.name = draft.body.name;
       ball.radius_m = faults_.number(*sphere, "radius", 0);
-      const Element* origin = child(*collision, "origin");
+      const Element* origin = faults_.only_child(*collision, "origin");
       ball.center_m = origin != nullptr ? faults_.vector(*origin, "xyz", Vector3d::Zero())
                                         : Vector3d(Vector3d::Zero());
       if (ball.radius_m > 0) draft.balls.push_back(std::move(ball));
@@ -137,25 +139,26 @@ class UrdfReader {
     const std::string type = type_of(element);
     draft.is_welded = type == "fixed";
     joint.kind = type == "prismatic" ? JointKind::kPrismatic : JointKind::kRevolute;
-    if (const Element* origin = child(element, "origin")) {
+    if (const Element* origin = faults_.only_child(element, "origin")) {
       joint.p_PB_m = faults_.vector(*origin, "xyz", Vector3d::Zero());
       joint.R_PB = rotation_of_rpy(faults_.vector(*origin, "rpy", Vector3d::Zero()));
     }
     joint.axis = Vector3d::UnitX();  // URDF's
-    if (const Element* axis = child(element, "axis")) {
+    if (const Element* axis = faults_.only_child(element, "axis")) {
       const Vector3d along = faults_.vector(*axis, "xyz", Vector3d::UnitX());
       if (along.norm() < 1e-6 && !draft.is_welded) faults_.report(*axis, "has no direction");
       if (along.norm() >= 1e-6) joint.axis = along.normalized();
     }
-    if (const Element* limit = child(element, "limit")) {
+    if (const Element* limit = faults_.only_child(element, "limit")) {
       read_limits(*limit, type == "revolute" || type == "prismatic", draft);
     }
-    if (child(element, "mimic") != nullptr) {
+    if (faults_.only_child(element, "mimic") != nullptr) {
       imported_.notes.push_back(fmt::format(
           "joint \"{}\" mimics another: it is free here; state a mechanism", joint.name));
     }
     const auto reflected = reflected_.find(joint.name);
-    if (reflected != reflected_.end()) joint.reflected_inertia = reflected->second;
+    draft.states_rotor = reflected != reflected_.end();
+    if (draft.states_rotor) joint.reflected_inertia = reflected->second;
   }
 
   std::string type_of(const Element& element) {
@@ -190,11 +193,21 @@ class UrdfReader {
                             find_attribute(element, "upper") != nullptr;
       if (limits.position_min == limits.position_max) weld(has_both, draft);
     }
-    // Zero stands for "not known" in most files.
-    const double effort = faults_.number(element, "effort", 0);
-    const double speed = faults_.number(element, "velocity", 0);
+    const double effort = read_bound(element, "effort");
+    const double speed = read_bound(element, "velocity");
     if (effort > 0) limits.effort_max = effort;
     if (speed > 0) limits.speed_max = speed;
+  }
+
+  /// Zero stands for "not known" in most files.
+  double read_bound(const Element& element, const char* name) {
+    const double bound = faults_.number(element, name, 0);
+    if (bound < 0) {
+      faults_.report(element, fmt::format("{}={} is below 0; it bounds both directions, and 0 says "
+                                          "that it is not known",
+                                          name, bound));
+    }
+    return bound;
   }
 
   /// A range of one position is none that a joint could move in.
@@ -214,14 +227,53 @@ class UrdfReader {
 
   void read_transmissions() {
     for (const Element* transmission : children(root_, "transmission")) {
-      const Element* joint = child(*transmission, "joint");
-      const Element* motor = child(*transmission, "actuator");
-      if (joint == nullptr || motor == nullptr) continue;
-      const Element* inertia = child(*motor, "drake:rotor_inertia");
-      const Element* ratio = child(*motor, "drake:gear_ratio");
-      if (inertia == nullptr) continue;
-      const double N = ratio == nullptr ? 1 : faults_.number(*ratio, "value", 1);
-      reflected_[attribute(*joint, "name")] = N * N * faults_.number(*inertia, "value", 0);
+      note_reduction(*transmission);
+      for (const Element* motor : children(*transmission, "actuator")) {
+        read_rotor(*transmission, *motor);
+      }
+    }
+  }
+
+  /// Of Drake's: N^2 J.
+  void read_rotor(const Element& transmission, const Element& motor) {
+    const Element* inertia = faults_.only_child(motor, "drake:rotor_inertia");
+    const Element* ratio = faults_.only_child(motor, "drake:gear_ratio");
+    if (inertia == nullptr) return;
+    const Element* joint = faults_.only_child(transmission, "joint");
+    if (joint == nullptr) return;
+    const std::string name = attribute(*joint, "name");
+    const double N = ratio == nullptr ? 1 : faults_.number(*ratio, "value", 1);
+    if (N == 0) faults_.report(*ratio, "value=0 is no ratio");
+    const double rotor_kg_m2 = faults_.number(*inertia, "value", 0);
+    if (rotor_kg_m2 < 0) faults_.report(*inertia, "is negative");
+    if (tree_.joints.count(name) == 0) {
+      faults_.report(*joint, "is no joint of the file, so that the rotor would turn nothing");
+    }
+    if (!reflected_.emplace(name, N * N * rotor_kg_m2).second) {
+      faults_.report(*inertia,
+                     fmt::format("joint \"{}\" has a rotor of another transmission already; state "
+                                 "their sum once",
+                                 name));
+    }
+  }
+
+  /// Gears and rotors of ros_control and Gazebo are the actuator's own document's.
+  void note_reduction(const Element& holder) {
+    for (const Element& held : holder.children) {
+      const bool is_reduction = held.name == "mechanicalReduction";
+      if (is_reduction || held.name == "motorInertia") {
+        const std::string stated = held.text.empty() ? attribute(held, "value") : held.text;
+        const char* const end = stated.data() + stated.size();
+        double value = 0;
+        const bool is_number = std::from_chars(stated.data(), end, value).ptr == end;
+        if (is_number && value == (is_reduction ? 1 : 0)) continue;
+        imported_.notes.push_back(
+            fmt::format("line {}: <{}> of {} is not read: {}", held.line, held.name, stated,
+                        is_reduction ? "ratios stand in the documents of actuators"
+                                     : "rotors stand in the documents of actuators, or as "
+                                       "reflected_inertia_kg_m2 of the joint"));
+      }
+      note_reduction(held);
     }
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 std::optional<std::size_t> read_end(const UrdfTree& tree, const Element& joint, const char* which,
                                     Faults& faults) {
-  const Element* element = child(joint, which);
+  const Element* element = faults.only_child(joint, which);
   const std::string wanted = element == nullptr ? "" : attribute(*element, "link");
   std::vector<io::Fault> found;
   const auto link = find_name(tree.names, wanted, "link", {"", "", ""}, found);

@@ -150,7 +150,7 @@ Exported urdf_of(const Robot& robot) {
     write_joint(out, bodies[i], bodies[bodies[i].parent].name);
   }
   for (std::size_t i = 1; i < bodies.size(); ++i) {
-    if (bodies[i].joint.reflected_inertia > 0) write_transmission(out, bodies[i].joint);
+    if (robot.states_rotor(i, bodies[i].joint)) write_transmission(out, bodies[i].joint);
   }
   out.CloseElement();
   exported.text = out.CStr();

@@ -73,6 +73,17 @@ Eigen::Vector3d Faults::vector(const Element& element, const char* name,
   return found ? Eigen::Vector3d(found->data()) : otherwise;
 }
 
+const Element* Faults::only_child(const Element& element, const char* name) {
+  const auto found = children(element, name);
+  for (std::size_t i = 1; i < found.size(); ++i) {
+    report(*found[i],
+           fmt::format("stands in <{}> for the second time (first in line {}); one of them counts: "
+                       "leave out the other",
+                       element.name, found.front()->line));
+  }
+  return found.empty() ? nullptr : found.front();
+}
+
 std::string Faults::needed(const Element& element, const char* name) {
   const std::string found = attribute(element, name);
   if (found.empty()) report(element, fmt::format("{} is missing", name));

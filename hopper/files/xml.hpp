@@ -30,6 +30,9 @@ class Faults {
   double number(const Element& element, const char* attribute, double otherwise);
   Eigen::Vector3d vector(const Element& element, const char* attribute,
                          const Eigen::Vector3d& otherwise);
+  /// The child of that name, null if there is none; a fault if there are several, of which all but
+  /// one would not count.
+  const Element* only_child(const Element& element, const char* name);
   /// A fault and "" where it is absent.
   std::string needed(const Element& element, const char* attribute);
   /// The attribute, which must be one of these; the first where it is absent.

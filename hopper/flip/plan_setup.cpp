@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/flip/plan_setup.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "dynamics/gravity.hpp"
 #include "hopper/flip/standing.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -45,6 +49,18 @@ std::vector<double> even_knots(std::size_t intervals) {
     knots.push_back(static_cast<double>(i) / static_cast<double>(intervals));
   }
   return knots;
+}
+
+/// A turn, a rise and a stride happen in the air: where there is none, standing still would do.
+void require_flight(const std::vector<Stance>& stances, PlanTask task) {
+  const bool has_flight = std::any_of(stances.begin(), stances.end(),
+                                      [](const Stance& one) { return one.is_flight(); });
+  if (has_flight) return;
+  std::vector<std::string> names;
+  for (const Stance& one : stances) names.push_back(one.name);
+  io::refuse("--contacts", fmt::format("{} never leaves the ground, and a {} does: it has a "
+                                       "'flight' among its contacts, as flat,flight,flat",
+                                       fmt::join(names, ","), name_of(task)));
 }
 
 }  // namespace
@@ -92,7 +108,11 @@ PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options) {
 }
 
 std::vector<Stance> plan_stances(const SagittalRobot& plane, const PlanOptions& options) {
-  if (!options.stances.empty()) return stances_of(plane, options.stances);
+  if (!options.stances.empty()) {
+    std::vector<Stance> stances = stances_of(plane, options.stances);
+    require_flight(stances, options.task);
+    return stances;
+  }
   if (plane.sole.size() > 1 && options.task == PlanTask::kFlip) {
     return stances_of(plane, {"flat", "heel", "flight", "heel", "flat"});
   }

@@ -25,6 +25,8 @@ using Kind = ChannelKind;
 constexpr std::size_t kRowsBetweenProgress = 20000;
 constexpr double kSamePosition = 1e-6;  // rad or m between the two rows of one impact
 constexpr double kLeastQuaternion = 1e-3;
+/// By how much a quaternion's length may be off 1: more than what two decimals leave.
+constexpr double kQuaternionRounding = 1e-2;
 
 /// A column of the file and the channel it fills.
 struct Source {
@@ -39,6 +41,7 @@ class MotionReader {
       : robot_(robot), source_(source), channels_(channels_of(robot)), csv_(source.file) {
     take_stated_columns();
     take_canonical_columns();
+    refuse_foreign_units();
     size_tables();
     require_complete();
     unwraps_.resize(sources_.size());
@@ -101,6 +104,34 @@ class MotionReader {
       for (std::size_t i = 0; i < channels_.size(); ++i) {
         if (channels_[i].header != header || source_of(i) || is_taken(column)) continue;
         sources_.push_back({column, i, 1.0});
+      }
+    }
+  }
+
+  /// A column that is named like one of ours in another unit would be missing, and nobody would
+  /// know; one that is mapped without its unit would count in the wrong one.
+  void refuse_foreign_units() const {
+    for (std::size_t column = 0; column < csv_.header().size(); ++column) {
+      const std::string& header = csv_.header()[column];
+      const auto mapped = std::find_if(sources_.begin(), sources_.end(),
+                                       [column](const Source& it) { return it.column == column; });
+      for (std::size_t i = 0; i < channels_.size(); ++i) {
+        const Channel& channel = channels_[i];
+        const std::string before_unit = channel.owner.empty()
+                                            ? channel.quantity + "_"
+                                            : channel.owner + "_" + channel.quantity + "_";
+        if (channel.header == header || !header.starts_with(before_unit)) continue;
+        const auto unit = io::find_unit(header.substr(before_unit.size()));
+        if (!unit || unit->dimension != channel.dimension || unit->in_SI == 1.0) continue;
+        const bool is_missing = mapped == sources_.end() && source_of(i) == nullptr;
+        const bool is_bare =
+            mapped != sources_.end() && mapped->channel == i && mapped->factor == 1.0;
+        if (!is_missing && !is_bare) continue;
+        io::refuse(csv_.file(),
+                   fmt::format("the column \"{0}\" says {1}; state its unit, --column {0}={2}:{1}",
+                               header, unit->name,
+                               channel.owner.empty() ? channel.quantity
+                                                     : channel.owner + "." + channel.quantity));
       }
     }
   }
@@ -229,6 +260,10 @@ class MotionReader {
       if (channel.kind == Kind::kTime) continue;
       double value = number(sources_[i]);
       if (is_angle(channel)) value = unwraps_[i].next(time_s, value);
+      if (channel.kind == Kind::kContact && value != 0.0 && value != 1.0) {
+        csv_.refuse(sources_[i].column,
+                    fmt::format("{:g} must be 1 where the point touches, else 0", value));
+      }
       *(tables_[kind].end() - rows_[kind] + channel.row) = value;
     }
     if (!motion_.has_base && tree().base == dynamics::BaseKind::kSpatial) {
@@ -268,14 +303,20 @@ class MotionReader {
     const Index size = rows_[1];
     const auto all = static_cast<Index>(positions().size());
     const Eigen::Map<const Eigen::VectorXd> now(positions().data() + all - size, size);
-    if (tree().base == dynamics::BaseKind::kSpatial &&
-        now.segment<4>(3).norm() < kLeastQuaternion) {
-      csv_.refuse_row("the base's quaternion has no length");
-    }
+    if (tree().base == dynamics::BaseKind::kSpatial) require_unit(now.segment<4>(3).norm());
     if (all == size) return;
     const Eigen::Map<const Eigen::VectorXd> before(positions().data() + all - 2 * size, size);
     if (is_repeated_) return take_impact(before, now);
     require_no_jump(before, now);
+  }
+
+  void require_unit(double length) {
+    if (length < kLeastQuaternion) csv_.refuse_row("the base's quaternion has no length");
+    if (std::abs(length - 1.0) <= kQuaternionRounding) return;
+    csv_.refuse_row(
+        fmt::format("the base's quaternion has the length {:.6g}; that of a rotation is "
+                    "1, within {:g}",
+                    length, kQuaternionRounding));
   }
 
   void take_impact(const Eigen::VectorXd& before, const Eigen::VectorXd& now) {

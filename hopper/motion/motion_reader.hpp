@@ -24,7 +24,8 @@ struct MotionFile {
 /// robot (with the nearest names), joints without a position, some coordinates of the base and not
 /// all, a base that floats with nothing said of it where torques are missing too, time that runs
 /// backwards or repeats where positions differ, turns that jump (whole turns are taken out and
-/// noted), a quaternion of no length, no rows.
+/// noted), a quaternion whose length is not 1, contact flags other than 0 and 1, columns named like
+/// these in other units that nobody stated, no rows.
 Motion read_motion(const Robot& robot, const MotionFile& source);
 
 }  // namespace torquewright::hopper

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "actuator/region/operating_conditions.hpp"
 #include "hopper/replay/named_things.hpp"
 
@@ -101,7 +103,36 @@ class RandomisationFit {
   std::vector<io::Fault> faults_;
 };
 
+bool has_width(const Range& range) { return range.least < range.greatest; }
+
+bool has_width(const std::optional<Range>& range) { return range && has_width(*range); }
+
+bool has_width(const std::vector<NamedRange>& ranges) {
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [](const NamedRange& one) { return has_width(one.range); });
+}
+
+bool has_noise(const SensorNoiseLevels& noise) {
+  return noise.gravity_direction > 0 || noise.base_rate_rad_s > 0 || noise.base_position_m > 0 ||
+         noise.base_velocity_m_s > 0 || noise.joint_position_rad > 0 ||
+         noise.joint_velocity_rad_s > 0;
+}
+
 }  // namespace
+
+bool varies(const Randomisation& of) {
+  const bool shifts =
+      std::any_of(of.center_of_mass_shift_m.begin(), of.center_of_mass_shift_m.end(),
+                  [](const ShiftRange& one) { return has_width(one.of_bodies.range); });
+  return shifts || has_noise(of.noise) || has_width(of.total_mass_factor) ||
+         has_width(of.body_mass_factor) || has_width(of.body_inertia_factor) ||
+         has_width(of.controller_gain_factor) || has_width(of.further_friction_Nm) ||
+         has_width(of.friction_coefficient) || has_width(of.restitution) ||
+         has_width(of.ground_height_m) || has_width(of.latency_s) ||
+         has_width(of.state_of_charge) || has_width(of.bus_voltage_factor) ||
+         has_width(of.winding_temperature_K) || has_width(of.initial_joint_position_rad) ||
+         has_width(of.initial_joint_velocity_rad_s);
+}
 
 void require_fits(const Randomisation& randomisation, const Robot& robot) {
   std::vector<io::Fault> faults = RandomisationFit(randomisation, robot).faults();

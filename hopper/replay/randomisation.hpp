@@ -55,6 +55,9 @@ struct Randomisation {
   std::vector<std::string> assumed;  ///< JSON pointers.
 };
 
+/// Whether trials differ: some range has a width, or the sensors have noise.
+bool varies(const Randomisation& randomisation);
+
 /// Throws io::SpecError with all that does not go together: names the robot does not have (with the
 /// nearest), one that two ranges of a key give, charges and temperatures that its actuators cannot
 /// have.

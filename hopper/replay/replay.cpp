@@ -45,6 +45,7 @@ void require_replayable(const Robot& robot, const Motion& motion, const HopperRe
   if (options.engine == EngineKind::kMujoco) {
     if (const auto absence = mujoco_absence()) io::refuse("--engine", *absence);
   }
+  require_few_steps(motion, options.run);
   require_start_above_ground(robot, motion, options.engine_options.ground_height_m);
 }
 
@@ -66,6 +67,18 @@ std::shared_ptr<const GainSchedule> gains_of(const Robot& robot, const Reference
 }
 
 }  // namespace
+
+void require_few_steps(const Motion& motion, const RunOptions& run) {
+  const double span_s = motion.duration_s() + run.stand_s;
+  const double steps = std::ceil(span_s / run.step_s);
+  if (steps <= kMostReplaySteps) return;
+  io::refuse(motion.file,
+             fmt::format("lasts {:.6g} s: with {:g} s of standing {:.3g} steps of {:g} s, where a "
+                         "replay takes at most {:g}; take a part of it by --from and --until, "
+                         "lengthen --step, or state the unit of its times if they are no seconds, "
+                         "--column time_s=time:ms",
+                         motion.duration_s(), run.stand_s, steps, run.step_s, kMostReplaySteps));
+}
 
 namespace {
 

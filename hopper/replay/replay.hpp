@@ -48,6 +48,13 @@ struct SweptStep {
   ReplayResult result;
 };
 
+/// Of one run, whose record keeps what the drives did in each: so many take ten to twenty seconds
+/// and at most 1 GB. 100 s at the usual step of 0.1 ms.
+inline constexpr double kMostReplaySteps = 1e6;
+
+/// Throws io::SpecError, with what shortens it, where a run would have more steps than that.
+void require_few_steps(const Motion& motion, const RunOptions& run);
+
 /// A robot and a motion, made ready once for any number of runs: what the controller follows, and
 /// its gains.
 class Replay {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "actuator/check/drive_check.hpp"
 #include "actuator/motor/actuator_spec.hpp"
@@ -64,6 +65,7 @@ class MechanismReader {
     }
     for (const json& file : keys["actuators"]) read_actuator(file, drivetrain);
     read_names(keys, path, drivetrain);
+    refuse_repeated_names(drivetrain, path);
     read_inertias(keys, path, "reflected_inertia_kg_m2", drivetrain.stated_rotors_kg_m2);
     read_inertias(keys, path, "crank_inertia_kg_m2", drivetrain.cranks_kg_m2);
     if (keys.contains("mounted_on")) read_mount(keys["mounted_on"], path, drivetrain);
@@ -97,6 +99,17 @@ class MechanismReader {
         report(path + "/actuator_names", fmt::format("must have {}, not {}", joints.size(),
                                                      drivetrain.actuator_names.size()));
       }
+    }
+  }
+
+  /// Options and other documents name drives.
+  void refuse_repeated_names(const Drivetrain& drivetrain, const std::string& path) {
+    for (const std::string& name : drivetrain.actuator_names) {
+      if (drive_names_.insert(name).second) continue;
+      // A joint with two drives was reported as such.
+      if (std::count(driven_.begin(), driven_.end(), name) > 1) continue;
+      report(path + (drivetrain.actuator_names.size() > 1 ? "/actuator_names" : "/joints"),
+             fmt::format("\"{}\" is the name of another drive already", name));
     }
   }
 
@@ -139,9 +152,9 @@ class MechanismReader {
       io::Document document =
           io::read_document(std::filesystem::path(file_).parent_path() / name, "actuator");
       // The robot's battery feeds every drive that states none of its own.
-      if (root_.contains("battery") && !document.root.contains("battery")) {
-        document.root["battery"] = root_["battery"];
-      }
+      const bool has_battery = document.root.contains("battery");
+      if (root_.contains("battery") && !has_battery) document.root["battery"] = root_["battery"];
+      drivetrain.on_robots_battery.push_back(!has_battery);
       actuator::ReadActuator read = actuator::read_actuator(std::move(document));
       drivetrain.actuators.push_back(std::move(read.actuator));
       std::move(read.documents.begin(), read.documents.end(), std::back_inserter(documents_));
@@ -199,6 +212,7 @@ class MechanismReader {
   const json root_;
   std::vector<std::string> joint_names_;
   std::vector<std::string> driven_;
+  std::set<std::string> drive_names_;
 };
 
 }  // namespace

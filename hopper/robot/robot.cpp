@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/robot/robot.hpp"
 
+#include <algorithm>
+
 #include "actuator/check/drive_check.hpp"
 
 namespace torquewright::hopper {
@@ -21,6 +23,11 @@ std::optional<std::size_t> Robot::find_joint(const std::string& joint_name) cons
     if (tree.bodies[i].joint.name == joint_name) return i;
   }
   return std::nullopt;
+}
+
+bool Robot::states_rotor(std::size_t body, const dynamics::Joint& joint) const {
+  return joint.reflected_inertia != 0 ||
+         std::find(without_rotor.begin(), without_rotor.end(), body) != without_rotor.end();
 }
 
 }  // namespace torquewright::hopper

@@ -37,6 +37,8 @@ struct Drivetrain {
   std::vector<actuator::Actuator> actuators;
   std::vector<std::string> actuator_names;  ///< The joint's where one actuator moves one joint.
   std::vector<std::string> actuator_files;  ///< As the document names them.
+  /// By actuator as read: its own document states no battery, the robot's feeds it if there is one.
+  std::vector<bool> on_robots_battery;
   /// Whether the joints' reflected inertia in the tree holds that of these rotors already.
   bool rotors_in_tree = true;
   /// Of rotor and gears at each actuator's output, where the mechanism itself states it; else
@@ -59,12 +61,18 @@ struct Robot {
   std::vector<ContactPoint> contacts;
   std::vector<Drivetrain> drivetrains;
   std::vector<CollisionSphere> spheres;
-  std::string battery;               ///< JSON as stated, for drives that state none; or empty.
-  std::vector<Posture> postures;     ///< By name.
+  std::string battery;            ///< JSON as stated, for drives that state none; or empty.
+  std::vector<Posture> postures;  ///< By name.
+  /// Joints, by the body that each carries, of which it is stated that they have no reflected
+  /// inertia: none of an actuator's either.
+  std::vector<std::size_t> without_rotor;
   std::vector<std::string> assumed;  ///< JSON pointers into its document.
 
   /// Index of the body that the joint carries; none if no joint has that name.
   std::optional<std::size_t> find_joint(const std::string& name) const;
+  /// Whether reflected inertia of the joint that carries the body is known: some, or stated as
+  /// none.
+  bool states_rotor(std::size_t body, const dynamics::Joint& joint) const;
 };
 
 }  // namespace torquewright::hopper

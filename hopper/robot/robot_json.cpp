@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/robot/robot_json.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -46,15 +45,6 @@ ordered_json body_json(const dynamics::Body& body) {
   return keys;
 }
 
-/// A joint that states an inertia takes none from its actuators, so zero may not be said of one.
-bool has_rotors_elsewhere(const Robot& robot, std::size_t body) {
-  for (const Drivetrain& drivetrain : robot.drivetrains) {
-    if (drivetrain.rotors_in_tree) continue;
-    if (std::count(drivetrain.joints.begin(), drivetrain.joints.end(), body) > 0) return true;
-  }
-  return false;
-}
-
 ordered_json joint_json(const Robot& robot, std::size_t index) {
   const dynamics::Body& body = robot.tree.bodies[index];
   const std::string& parent = robot.tree.bodies[body.parent].name;
@@ -77,7 +67,8 @@ ordered_json joint_json(const Robot& robot, std::size_t index) {
   if (std::isfinite(limits.effort_max)) {
     keys[turns ? "torque_limit_Nm" : "force_limit_N"] = limits.effort_max;
   }
-  if (joint.reflected_inertia != 0 || !has_rotors_elsewhere(robot, index)) {
+  // A joint that states an inertia takes none from its actuators: zero is not said of one unasked.
+  if (robot.states_rotor(index, joint)) {
     keys[turns ? "reflected_inertia_kg_m2" : "reflected_mass_kg"] = joint.reflected_inertia;
   }
   if (!joint.rotor_spin_kg_m2.isZero(0)) {

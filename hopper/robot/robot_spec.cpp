@@ -13,6 +13,7 @@
 #include "hopper/robot/posture_spec.hpp"
 #include "hopper/robot/rotations.hpp"
 #include "hopper/robot/tree_order.hpp"
+#include "io/one_line.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -55,7 +56,7 @@ class RobotReader {
   explicit RobotReader(io::Document document) : documents_{std::move(document)} {}
 
   ReadRobot read() {
-    robot_.name = root().value("name", std::filesystem::path(document().file).stem().string());
+    robot_.name = root().value("name", io::stem_in_text(document().file));
     robot_.tree.gravity_m_s2 = root().value("gravity_m_s2", robot_.tree.gravity_m_s2);
     robot_.assumed = root().value("assumed", robot_.assumed);
     body_names_ = names("bodies", "body");
@@ -192,6 +193,12 @@ class RobotReader {
     } else {
       body.parent = *tree_index(place.joint->parent);
       body.joint = joint_of(*place.joint);
+      const json& joint = joint_at(*place.joint);
+      const bool states_rotor =
+          joint.contains("reflected_inertia_kg_m2") || joint.contains("reflected_mass_kg");
+      if (states_rotor && body.joint.reflected_inertia == 0) {
+        robot_.without_rotor.push_back(robot_.tree.bodies.size());
+      }
     }
     robot_.tree.bodies.push_back(std::move(body));
   }

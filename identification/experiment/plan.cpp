@@ -116,10 +116,11 @@ class PlanSearch {
   /// Where a limit leaves no motion, nothing is told by any noise.
   void refuse_stillness() const {
     const auto refuse = [](const char* option, double limit, const char* unit) {
-      refuse_plan(option,
-                  fmt::format("{:g} {} leave no motion that shows anything; allow more", limit, unit));
+      refuse_plan(option, fmt::format("{:g} {} leave no motion that shows anything; allow more",
+                                      limit, unit));
     };
-    if (options_.limits.position_rad) refuse("--position-range", *options_.limits.position_rad, "rad");
+    if (options_.limits.position_rad)
+      refuse("--position-range", *options_.limits.position_rad, "rad");
     if (options_.limits.speed_rad_s) refuse("--speed-limit", *options_.limits.speed_rad_s, "rad/s");
   }
 

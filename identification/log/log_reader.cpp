@@ -9,6 +9,7 @@
 #include "actuator/heat/working_temperature.hpp"
 #include "identification/log/channel.hpp"
 #include "identification/log/remedy.hpp"
+#include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::identification {
@@ -93,7 +94,7 @@ void LogReader::close_file() {
   if (!clock_.sentence().empty()) {
     findings_.push_back({Weight::kNote, fmt::format("{}: {}", csv_->file(), clock_.sentence())});
   }
-  const Log::File read{csv_->file(), csv_->sha256()};
+  const Log::File read{io::name_in_text(csv_->file()), csv_->sha256()};
   for (const Log::File& other : files_read_) {
     if (other.sha256 != read.sha256 || other.path == read.path) continue;
     throw io::SpecError(
@@ -163,6 +164,10 @@ void LogReader::Rows::add(const std::string& run, std::size_t rows) {
 void LogReader::begin_run(std::string_view name) {
   if (columns_.run) {
     if (name.empty()) csv_->refuse(*columns_.run, "empty, must name the run");
+    if (const auto found = io::unprintable_in(name)) {
+      csv_->refuse(*columns_.run,
+                   fmt::format("the run's name holds {}; must be one line of text", *found));
+    }
     if (!names_in_file_.emplace(name).second) {
       csv_->refuse(*columns_.run, fmt::format("run \"{}\" stands in two places; the rows of a run "
                                               "must follow one another",
@@ -170,7 +175,7 @@ void LogReader::begin_run(std::string_view name) {
     }
     run_.name = name;
   } else {
-    run_.name = files_[file_].stem().string();
+    run_.name = io::stem_in_text(files_[file_]);
   }
   run_.joints.assign(rig_.joints.size(), {});
   is_in_run_ = true;
@@ -235,10 +240,10 @@ void LogReader::require_possible(const Source& source, double value) const {
           ? ""
           : "; degrees Celsius? In the rig, " +
                 remedy_by_unit({source.joint.value_or(0), source.quantity}, rig_, degrees);
-  csv_->refuse(source.column, fmt::format("{} of {:.6g} K is outside of {:g} to {:g} K{}",
-                                          name_of(source.quantity), value,
-                                          actuator::kColdestWinding_K,
-                                          actuator::kHottestWinding_K, hint));
+  csv_->refuse(
+      source.column,
+      fmt::format("{} of {:.6g} K is outside of {:g} to {:g} K{}", name_of(source.quantity), value,
+                  actuator::kColdestWinding_K, actuator::kHottestWinding_K, hint));
 }
 
 void LogReader::append(const Source& source, std::size_t joint, double value) {
@@ -286,8 +291,9 @@ void LogReader::warn_of_long_steps() {
   warns_of_steps_ = true;
   findings_.push_back(
       {Weight::kWarning,
-       fmt::format("the median step of run \"{}\" is {:.4g} s: the times look like ms; {}", run_.name,
-                   *median_s_, remedy_by_unit({0, Quantity::kTime}, rig_, *io::find_unit("ms")))});
+       fmt::format("the median step of run \"{}\" is {:.4g} s: the times look like ms; {}",
+                   run_.name, *median_s_,
+                   remedy_by_unit({0, Quantity::kTime}, rig_, *io::find_unit("ms")))});
 }
 
 void LogReader::end_run() {

@@ -49,13 +49,14 @@ void require_used(const io::CsvReader& csv, const Header& header, const Rig& rig
     const std::string& name = csv.header()[i];
     const bool is_motion = name == name_of(Quantity::kOutputVelocity);
     refuse(csv.file(), "",
-           fmt::format("the column \"{}\" would not be played{}; an excitation has time_s, run, what "
-                       "drives, output_position_rad (where it starts) and, on a dynamometer, "
-                       "output_velocity_rad_s",
-                       name,
-                       is_motion ? fmt::format(": a load of type \"{}\" moves by itself",
-                                               name_of(rig.load.type))
-                                 : ""));
+           fmt::format(
+               "the column \"{}\" would not be played{}; an excitation has time_s, run, what "
+               "drives, output_position_rad (where it starts) and, on a dynamometer, "
+               "output_velocity_rad_s",
+               name,
+               is_motion
+                   ? fmt::format(": a load of type \"{}\" moves by itself", name_of(rig.load.type))
+                   : ""));
   }
 }
 
@@ -116,10 +117,11 @@ double drive_value(const io::CsvReader& csv, const Header& header,
     csv.refuse(header.drive, fmt::format("a duty of {:g} is none; it must be from -1 to 1", value));
   }
   const char* unit = header.kind == simulation::DriveKind::kCurrent ? "A" : "Nm";
-  csv.refuse(header.drive,
-             fmt::format("{0:g} {1} is beyond what the drive can do; it must be from -{2:g} to {2:g} "
-                         "{1}, by the actuator's peak_current_A of {3:g} A",
-                         value, unit, greatest, actuator.drive.peak_current_A));
+  csv.refuse(
+      header.drive,
+      fmt::format("{0:g} {1} is beyond what the drive can do; it must be from -{2:g} to {2:g} "
+                  "{1}, by the actuator's peak_current_A of {3:g} A",
+                  value, unit, greatest, actuator.drive.peak_current_A));
 }
 
 ExcitationRun empty_run(const Header& header, std::string name) {

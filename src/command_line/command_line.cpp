@@ -12,8 +12,10 @@
 #include <sstream>
 
 #include "io/nearest.hpp"
+#include "io/print.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
+#include "src/command_line/blank_value.hpp"
 #include "src/command_line/help_text.hpp"
 #include "src/command_line/list_members.hpp"
 #include "src/command_line/misspelling.hpp"
@@ -84,9 +86,7 @@ CLI::Validator whole() {
 
 /// An unset variable of a script leaves "", which would count as if nothing were said.
 const CLI::Validator kNotEmpty(
-    [](const std::string& text) {
-      return text.empty() ? std::string("is empty") : std::string();
-    },
+    [](const std::string& text) { return text.empty() ? std::string("is empty") : std::string(); },
     "");
 
 const CLI::Validator kNamed(
@@ -123,9 +123,9 @@ void require_nothing_before(const CLI::App& app, const DeclaredCommand& outer,
     const std::string words = option.is_argument     ? fmt::format("\"{}\"", value)
                               : option.value.empty() ? name
                                                      : fmt::format("{} {}", name, value);
-    const bool is_taken =
-        std::any_of(taken.begin(), taken.end(),
-                    [&](const DeclaredOption& other) { return longest_name(other) == name; });
+    const bool is_taken = std::any_of(taken.begin(), taken.end(), [&](const DeclaredOption& other) {
+      return longest_name(other) == name;
+    });
     refuse(fmt::format("{0} stands before {1}, {2}", words, inner,
                        is_taken ? "which would not get it; write it behind " + inner
                                 : "which takes no such thing"));
@@ -387,13 +387,13 @@ bool Program::is_answered(const std::vector<std::string>& words,
                           const std::exception& error) const {
   const Reached reached = reached_by(declared_, words);
   if (dynamic_cast<const CLI::CallForVersion*>(&error)) {
-    std::fputs((version_ + "\n").c_str(), stdout);
+    io::print(version_ + "\n");
     return true;
   }
   const bool leads_on = reached.command->needs_command && reached.rest == words.size();
   const bool asks = dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr;
   if (!asks && (!leads_on || misspelling(declared_, words))) return false;
-  std::fputs(help_text(*reached.command, reached.path).c_str(), stdout);
+  io::print(help_text(*reached.command, reached.path));
   return true;
 }
 
@@ -411,7 +411,7 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   const Reached leads = reached_by(declared_, words);
   if (leads.rest + 1 == words.size() && words.back() == "help" && leads.command->needs_command) {
-    std::fputs(help_text(*leads.command, leads.path).c_str(), stdout);
+    io::print(help_text(*leads.command, leads.path));
     return cli::ExitCode::kPasses;
   }
   if (const auto gap = empty_member(declared_, words)) refuse(*gap);
@@ -425,6 +425,7 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
     if (!is_answered(words, error)) refuse_words(words, error.what());
     return cli::ExitCode::kPasses;
   }
+  if (const auto blank = blank_value(declared_, words)) refuse(*blank);
   cli::ExitCode code = cli::ExitCode::kPasses;
   for (const Work& work : named_) code = work();
   return code;

@@ -133,10 +133,10 @@ void require_used(const std::vector<std::string>& postures, const hopper::Robot&
                   const calibration::Figures& figures) {
   for (const std::string& text : postures) {
     const std::string name = text.substr(0, text.find('='));
-    const bool is_used = std::any_of(
-        figures.speeds.begin(), figures.speeds.end(), [&](const calibration::SpeedTarget& target) {
-          return robot.postures[target.posture].name == name;
-        });
+    const bool is_used = std::any_of(figures.speeds.begin(), figures.speeds.end(),
+                                     [&](const calibration::SpeedTarget& target) {
+                                       return robot.postures[target.posture].name == name;
+                                     });
     if (is_used) continue;
     io::refuse("--posture", fmt::format("no --target is at \"{0}\"; cav@{0}=N states one", name));
   }

@@ -5,8 +5,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/refusal.hpp"
+#include "io/wording.hpp"
 #include "src/report/progress_line.hpp"
 
 namespace torquewright::cli {
@@ -20,6 +22,32 @@ hopper::TorqueSource torque_source(const std::string& name) {
 hopper::LateRows late_rows(const std::string& name) {
   if (name == "keep") return hopper::LateRows::kKeep;
   return name == "shift" ? hopper::LateRows::kShift : hopper::LateRows::kFind;
+}
+
+/// Whether a state of charge is asked for that the battery cannot be at.
+bool lacks_charge_curve(const actuator::Actuator& actuator,
+                        const actuator::OperatingConditions& conditions) {
+  return conditions.state_of_charge &&
+         (!actuator.battery || actuator.battery->cell_open_circuit.size() < 2);
+}
+
+/// Torques of a file count where it has those of all driven joints.
+void require_all_torques(const hopper::Robot& robot, const hopper::Motion& motion,
+                         hopper::TorqueSource source) {
+  if (source == hopper::TorqueSource::kDynamics) return;
+  std::vector<std::string> there;
+  std::vector<std::string> missing;
+  for (const hopper::Drivetrain& drivetrain : robot.drivetrains) {
+    for (const std::size_t body : drivetrain.joints) {
+      (motion.has_effort[body - 1] ? there : missing).push_back(robot.tree.bodies[body].joint.name);
+    }
+  }
+  if (there.empty() || missing.empty()) return;
+  io::refuse(
+      motion.file,
+      fmt::format("has torques of {} and none of {}: those of some driven joints alone would "
+                  "not count; give all, or --torques dynamics, which takes none of them",
+                  io::listed(there), io::listed(missing)));
 }
 
 hopper::Shelf shelf_of(const HopperCheckRequest& request, const hopper::ReadRobot& robot) {
@@ -51,7 +79,11 @@ hopper::CheckOptions check_options(const HopperCheckRequest& request,
   check.conditions = stated_conditions(request.operating);
   for (const hopper::Drivetrain& drivetrain : read.robot.drivetrains) {
     for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
-      require_possible(drivetrain.actuators[i], drivetrain.actuator_files[i], check.conditions);
+      const bool is_robots = lacks_charge_curve(drivetrain.actuators[i], check.conditions) &&
+                             drivetrain.on_robots_battery[i];
+      require_possible(drivetrain.actuators[i],
+                       is_robots ? request.robot_file : drivetrain.actuator_files[i],
+                       check.conditions);
     }
   }
   check.torques = torque_source(request.torques);
@@ -76,6 +108,7 @@ HopperCheckRead read_inputs(const HopperCheckRequest& request) {
   inputs.columns = source.documents;
   inputs.check = check_options(request, inputs.robot);
   read.motion = motion_in(source, inputs.robot.robot);
+  require_all_torques(inputs.robot.robot, read.motion, inputs.check.torques);
   inputs.shelf = shelf_of(request, inputs.robot);
   return read;
 }

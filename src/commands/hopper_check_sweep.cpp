@@ -22,6 +22,7 @@ void refuse_single_outputs(const HopperCheckRequest& request) {
   for (const auto& [option, file] :
        {std::pair<const char*, const std::string&>{"--plot", request.plot_file},
         {"--plot-loads", request.loads_file},
+        {"--plot-momentum", request.momentum_file},
         {"--figures", request.figures_file},
         {"--report", request.report_file},
         {"--series", request.series_file},

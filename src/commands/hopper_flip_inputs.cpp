@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/commands/hopper_flip_inputs.hpp"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 #include "io/refusal.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
 
@@ -24,12 +28,34 @@ void set_distances(const HopperFlipRequest& request, hopper::PlanOptions& plan) 
   plan.stride_m = request.stride_m.value_or(plan.stride_m);
 }
 
+/// Heights and speeds tell what touches where the motion does not.
+void require_search_for_contacts(const HopperFlipRequest& request, const hopper::Motion& motion) {
+  if (!motion.has_touching && !motion.has_forces) return;
+  const hopper::ContactRule& contact = request.warm.check.contact;
+  for (const auto& [option, is_given] :
+       {std::pair{"--contact-height", contact.height_m.has_value()},
+        {"--contact-speed", contact.speed_m_s.has_value()}}) {
+    if (!is_given) continue;
+    io::refuse(option,
+               fmt::format("is for motions that do not say what touches, and {} has columns "
+                           "for contacts",
+                           request.warm.trajectory_file));
+  }
+}
+
 std::unique_ptr<hopper::Motion> read_warm(const HopperFlipRequest& request,
                                           HopperFlipInputs& inputs) {
   if (request.warm.trajectory_file.empty()) return nullptr;
+  if (request.plan.guess_noise_rad > 0.0) {
+    io::refuse("--guess-noise",
+               "moves the guess that a plan begins from on its own; --warm begins "
+               "from a motion: leave out one of them");
+  }
   const hopper::MotionFile source = motion_file(request.warm);
   inputs.columns = source.documents;
-  return std::make_unique<hopper::Motion>(motion_in(source, inputs.robot.robot));
+  auto motion = std::make_unique<hopper::Motion>(motion_in(source, inputs.robot.robot));
+  require_search_for_contacts(request, *motion);
+  return motion;
 }
 
 }  // namespace

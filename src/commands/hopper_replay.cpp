@@ -80,6 +80,39 @@ void require_window(const HopperReplayRequest& request) {
                          request.impact_window_s, request.control_period_s));
 }
 
+/// Of no time at all nothing could be said.
+void require_time(const HopperReplayRequest& request, const hopper::Motion& motion) {
+  const double lasts_s = motion.times_s.back() - motion.times_s.front() + request.stand_s;
+  if (lasts_s >= request.control_period_s) return;
+  io::refuse("--stand", fmt::format("the motion and {:g} s of standing last {:g} s, less than one "
+                                    "--control-period of {:g} s: nothing would be replayed",
+                                    request.stand_s, lasts_s, request.control_period_s));
+}
+
+/// What a run as it is asked for would drop.
+void require_effect(const HopperReplayRequest& request) {
+  const HopperReplayRequest usual;
+  const bool is_handled = request.impact != "default";
+  const bool is_split = request.impact == "invariant";
+  const auto refuse_unless = [](bool has_effect, bool is_usual, const char* option,
+                                const char* why) {
+    if (!has_effect && !is_usual) io::refuse(option, why);
+  };
+  const char* const split = "belongs with --impact invariant, which alone splits the error";
+  const char* const handled =
+      "belongs with --impact no_derivative or invariant: by default impacts have no window";
+  refuse_unless(is_split, request.impact_metric == usual.impact_metric, "--impact-metric", split);
+  refuse_unless(is_split, request.impact_contact == usual.impact_contact, "--impact-contact",
+                split);
+  refuse_unless(is_handled, request.impact_window_s == usual.impact_window_s, "--impact-window",
+                handled);
+  refuse_unless(is_handled, request.impact_blend_s == usual.impact_blend_s, "--impact-blend",
+                handled);
+  refuse_unless(
+      request.engine == "mujoco", request.contact_time_constant_s == usual.contact_time_constant_s,
+      "--ground-time-constant", "belongs with --engine mujoco: the own engine's ground is rigid");
+}
+
 hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
                                      const HopperCheckInputs& inputs) {
   hopper::ReplayOptions options;
@@ -127,6 +160,12 @@ std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& 
                                       request.trials - 1));
   }
   hopper::ReadRandomisation read = hopper::read_randomisation(request.randomise_file);
+  if (!hopper::varies(read.randomisation)) {
+    io::refuse(
+        request.randomise_file,
+        "varies nothing: every trial would be the same run, and their rate would say nothing; "
+        "give a range whose least is below its greatest, or sensor_noise");
+  }
   hopper::require_fits(read.randomisation, robot);
   return read;
 }
@@ -172,12 +211,17 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   check_files(request);
   require_step(request);
   require_window(request);
+  require_effect(request);
   auto [inputs, motion] = read_inputs(request.motion);
-  check_files(request);  // now that the robot's files are known
+  require_time(request, motion);
   const hopper::Robot& robot = inputs.robot.robot;
+  hopper::RunOptions finest = run_of(request);
+  if (request.sweep) finest.step_s /= 4.0;  // as Replay::sweep() does
+  hopper::require_few_steps(motion, finest);
+  const auto randomised = read_trials(request, robot);
+  check_files(request);  // now that the files that others name are known
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
-  const auto randomised = read_trials(request, robot);
   if (randomised) inputs.columns.push_back(randomised->document);
   const hopper::Replay replay(robot, motion, check, replay_options(request, inputs));
   std::optional<hopper::ReplayTrials> trials;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hopper/files/mjcf_reader.hpp"
@@ -15,6 +18,7 @@
 #include "io/document.hpp"
 #include "io/given_once.hpp"
 #include "io/json_text.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/commands/robot_commands.hpp"
@@ -30,15 +34,32 @@ struct ImportOptions {
   std::string format;
   std::string output_file;
   hopper::ImportFileOptions reading;
+  std::optional<double> link_error;    ///< Empty: the reader's own.
   std::vector<std::string> actuators;  ///< NAME=FILE.
 };
+
+/// URDF holds neither several robots, nor couplings, nor loops.
+void refuse_options_of_mjcf(const ImportOptions& options) {
+  const hopper::ImportFileOptions& reading = options.reading;
+  for (const auto& [option, is_given] : {std::pair{"--body", !reading.body.empty()},
+                                         {"--drop-base-armature", reading.drops_base_armature},
+                                         {"--free-couplings", reading.frees_couplings},
+                                         {"--link-error", options.link_error.has_value()},
+                                         {"--massless-links", reading.drops_link_mass}}) {
+    if (is_given)
+      io::refuse(option, "is for MJCF files: a URDF file holds nothing that it concerns");
+  }
+}
 
 hopper::Imported read(const ImportOptions& options) {
   const bool is_urdf = options.format.empty()
                            ? std::filesystem::path(options.file).extension() == ".urdf"
                            : options.format == "urdf";
-  hopper::Imported imported = is_urdf ? hopper::read_urdf(options.file, options.reading)
-                                      : hopper::read_mjcf(options.file, options.reading);
+  if (is_urdf) refuse_options_of_mjcf(options);
+  hopper::ImportFileOptions reading = options.reading;
+  reading.greatest_link_error = options.link_error.value_or(reading.greatest_link_error);
+  hopper::Imported imported =
+      is_urdf ? hopper::read_urdf(options.file, reading) : hopper::read_mjcf(options.file, reading);
   check_written(named({options.output_file}), {});
   return imported;
 }
@@ -94,12 +115,16 @@ std::string compute(const ImportOptions& options, const hopper::Imported& import
 void write(const ImportOptions& options, const hopper::Imported& imported,
            const std::string& document) {
   deliver_result(document, options.output_file);
-  if (options.output_file.empty() || is_standard_output(options.output_file)) return;
+  std::string notes;
+  for (const std::string& note : imported.notes) notes += "note: " + note + "\n";
+  if (options.output_file.empty() || is_standard_output(options.output_file)) {
+    std::fputs(notes.c_str(), stderr);
+    return;
+  }
   const std::size_t bodies = imported.robot.tree.bodies.size();
-  std::string said =
-      fmt::format("{}: {} bodies, {} joints\n", options.output_file, bodies, bodies - 1);
-  for (const std::string& note : imported.notes) said += "note: " + note + "\n";
-  print_result(for_window(said));
+  print_result(for_window(fmt::format("{}: {} bodies, {} joints\n",
+                                      io::name_in_text(options.output_file), bodies, bodies - 1) +
+                          notes));
 }
 
 ExitCode run_import(const ImportOptions& options) {
@@ -140,9 +165,10 @@ void add_import_command(command_line::Command& robot) {
       .otherwise("none")
       .one_value_each();
   command
-      .add_option("--link-error", options->reading.greatest_link_error,
+      .add_option("--link-error", options->link_error,
                   "Share by which a motion's kinetic energy may be off because the mass of cranks "
                   "and rods goes to their neighbours")
+      .otherwise(fmt::format("{:g}", hopper::ImportFileOptions().greatest_link_error))
       .between(0, 1);
   command.add_flag("--massless-links", options->reading.drops_link_mass,
                    "Leave out what cranks and rods of linkages weigh");

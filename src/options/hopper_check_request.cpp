@@ -38,7 +38,8 @@ void add_candidate_options(command_line::Command& command, HopperCheckRequest& r
                   "FROM:TO[:STEP]: try the candidates with these gear ratios")
       .otherwise("their own");
   command.add_option("--threads", request.threads, "How many threads try candidates")
-      .integer_between(1, 256);
+      .integer_between(1, 256)
+      .needs("--candidates");
 }
 
 void add_file_options(command_line::Command& command, HopperCheckRequest& request) {

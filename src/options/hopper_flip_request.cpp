@@ -16,6 +16,10 @@ namespace torquewright::cli {
 namespace {
 
 constexpr std::int64_t kGreatestSeed = 4294967295;
+// The solver holds constraints to some 1e-8 of numbers near 1: beyond these nothing of one or the
+// other is left.
+constexpr double kLeastWeight = 1e-6;
+constexpr double kGreatestWeight = 1e6;
 
 void add_task_options(command_line::Command& command, HopperFlipRequest& request) {
   command
@@ -46,7 +50,8 @@ void add_task_options(command_line::Command& command, HopperFlipRequest& request
   command
       .add_option(
           "--objective", request.objectives,
-          fmt::format("NAME[=WEIGHT]: what the plan makes small or great (docs/flip.md), of {}",
+          fmt::format("NAME[=WEIGHT]: what the plan makes small or great (docs/flip.md), of {}; "
+                      "weights from 1e-6 to 1e6, 1 where none is stated",
                       fmt::join(hopper::objective_names(), ", ")))
       .otherwise("the task's")
       .one_value_each();
@@ -181,8 +186,13 @@ void add_file_options(command_line::Command& command, HopperFlipRequest& request
 double read_weight(const std::string& text, const std::string& number) {
   char* end = nullptr;
   const double weight = std::strtod(number.c_str(), &end);
-  if (number.empty() || *end != '\0' || !std::isfinite(weight) || !(weight > 0.0)) {
-    refuse_objective(text, "WEIGHT is a number greater than 0");
+  if (number.empty() || *end != '\0' || !std::isfinite(weight)) {
+    refuse_objective(text, "WEIGHT is a number");
+  }
+  if (!(weight >= kLeastWeight && weight <= kGreatestWeight)) {
+    refuse_objective(text,
+                     "WEIGHT is from 1e-6 to 1e6: 1 is usual, and far from it the solver loses "
+                     "the constraints, or the objective, in rounding");
   }
   return weight;
 }

@@ -99,7 +99,8 @@ void add_trial_options(command_line::Command& command, HopperReplayRequest& requ
       .needs("--trials");
   command.add_option("--threads", request.threads, "How many threads run trials")
       .otherwise("as many as the processor runs at once")
-      .integer_between(1, 256);
+      .integer_between(1, 256)
+      .needs("--trials");
   add_point_options(command, request.points, "--trials");
   command.add_flag("--sweep-step", request.sweep,
                    "Run it with other steps of the engine too, and show what depends on the step");

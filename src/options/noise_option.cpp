@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 #include "io/given_once.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::cli {
+namespace {
+
+constexpr double kGreatest = 1e9;  ///< So that squares and sums have an end.
+
+}  // namespace
 
 std::map<identification::Quantity, double> read_noise(const std::vector<std::string>& texts,
                                                       const identification::Rig& rig) {
@@ -28,15 +32,17 @@ std::map<identification::Quantity, double> read_noise(const std::vector<std::str
         std::any_of(rig.columns.begin(), rig.columns.end(),
                     [&](const auto& use) { return use.quantity == *quantity; });
     if (!is_measured) {
-      refuse(fmt::format("the rig {} has no column of {}; noise is added to what it names", rig.file,
-                         identification::name_of(*quantity)));
+      refuse(fmt::format("the rig {} has no column of {}; noise is added to what it names",
+                         rig.file, identification::name_of(*quantity)));
     }
     const char* number = text.c_str() + equals + 1;
     char* end = nullptr;
     const double sigma = std::strtod(number, &end);
     const bool is_decimal = text.find_first_of("xX", equals) == std::string::npos;
-    if (end == number || !is_decimal || *end != '\0' || !std::isfinite(sigma) || sigma < 0.0) {
-      refuse("SIGMA is a standard deviation: a number, 0 or more, in the quantity's unit");
+    if (end == number || !is_decimal || *end != '\0' || !(sigma >= 0.0 && sigma <= kGreatest)) {
+      refuse(fmt::format(
+          "SIGMA is a standard deviation: a number from 0 to {:g}, in the quantity's unit",
+          kGreatest));
     }
     noise[*quantity] = sigma;
   }

@@ -206,11 +206,12 @@ TEST(DeadVelocity, IsRefused) {
   const Outcome outcome = place.run({"actuator", "check", "m.csv", "--joint", "knee=knee.json"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err,
-            "m.csv: the velocity of knee is not the rate of its position: from t = 0 s to 0.14 s the "
-            "position changes by -1.4 rad and the integral of the velocity by 0 rad; is one of the "
-            "columns dead, late or another joint's? Mend it or leave it out: without a velocity the "
-            "slopes of the position are taken\n");
+  EXPECT_EQ(
+      outcome.err,
+      "m.csv: the velocity of knee is not the rate of its position: from t = 0 s to 0.14 s the "
+      "position changes by -1.4 rad and the integral of the velocity by 0 rad; is one of the "
+      "columns dead, late or another joint's? Mend it or leave it out: without a velocity the "
+      "slopes of the position are taken\n");
 }
 
 // Degrees under a header in rad: 6 rad/s are 344 deg/s, beyond what the knee can turn.

@@ -55,6 +55,11 @@ std::vector<BadArguments> bad_arguments() {
       {after({"gearbox", "optimize", "efficient.json"}, {"--relaxation", "always"}),
        "--relaxation: \"always\" cannot help with the objective forward_efficiency, of which no "
        "convex bound is known; \"auto\" and \"never\" search by intervals"},
+      {{"gearbox", "strength", "a.json", "--torque", "17,"},
+       "command line: --torque: \"17,\" has a blank place in its list"},
+      {{"gearbox", "evaluate", "a.json", "--teeth", "9,9", "--profile-shift=,0.1,0"},
+       "command line: --profile-shift: \",0.1,0\" has a blank place in its list"},
+      {{"actuator", "mor", "a.json", "--ratio", " "}, "command line: --ratio: \" \" is blank"},
       {optimize({"--top", "0"}),
        "command line: --top: \"0\" is not a whole number from 1 to 1000000"},
       {optimize({"--top", "-1"}),
@@ -124,13 +129,15 @@ std::vector<BadArguments> bad_arguments() {
        "command line: --report x.html stands before residual, which takes no such thing"},
       {{"identify", "--only", "coulomb_friction", "residual", "a.csv"},
        "command line: --only coulomb_friction stands before residual, which takes no such thing"},
-      {{"actuator", "mor", "a.json", "--compare", "b.json", "--plot", "x.svg", "--plot-voltage", "40"},
+      {{"actuator", "mor", "a.json", "--compare", "b.json", "--plot", "x.svg", "--plot-voltage",
+        "40"},
        "command line: --plot-voltage excludes --compare"},
       {{"actuator", "mor", "a.json", "--compare", "b.json", "--plot", "x.svg", "--plot-temperature",
         "300"},
        "command line: --plot-temperature excludes --compare"},
       {{"actuator", "mor", "a.json", "--plot", "x.svg", "--accuracy", "0.1"},
-       "--accuracy: is of rows, and a picture alone has none; ask for them with --format, --json or "
+       "--accuracy: is of rows, and a picture alone has none; ask for them with --format, --json "
+       "or "
        "-o"},
       {teeth("500000,500000,400000"),
        "knee.json: --teeth 500000,500000,400000 makes rings of "

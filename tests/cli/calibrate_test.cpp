@@ -118,9 +118,9 @@ TEST_F(Calibrate, RefusesWhatDoesNotRead) {
   EXPECT_EQ(refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture", "tuck=knee:1",
                      "--posture", "tuck=knee:2"}),
             "--posture: \"tuck\" is given twice\n");
-  EXPECT_EQ(refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture",
-                     "tuck=knee:1,knee:2"}),
-            "--posture: \"knee\" is given twice\n");
+  EXPECT_EQ(
+      refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture", "tuck=knee:1,knee:2"}),
+      "--posture: \"knee\" is given twice\n");
   EXPECT_NE(refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture", "tuck=kne:1"})
                 .find("\"knee\""),
             std::string::npos);

@@ -15,6 +15,7 @@ namespace torquewright::cli_test {
 namespace {
 
 using nlohmann::json;
+using Words = std::vector<std::string>;
 
 /// A crane: an arm of 1 kg at 0.5 m on a hinge at 1 m, driven by the published knee.
 json crane() {
@@ -336,6 +337,10 @@ TEST_F(HopperCheck, RefusesWithASentence) {
   expect_refusal(crane(), good, "is no folder", {"--candidates", "nowhere"});
   expect_refusal(crane(), good, "is for --candidates", {"--ratios", "8:30"});
   expect_refusal(crane(), good, "FROM:TO", {"--candidates", ".", "--ratios", "eight"});
+  for (const char* beyond : {"1e-306:9", "0.009:9", "1:10001", "5e-324:1e308"}) {
+    expect_refusal(crane(), good, "ratios are from 0.01 to 10000",
+                   {"--candidates", ".", "--ratios", beyond});
+  }
   expect_refusal(crane(), good, "has no unit", {"--column", "x=front.contact:m"});
   expect_refusal(crane(), good, "did you mean \"elbow\"?", {"--column", "x=elbo.position"});
   expect_refusal(crane(), good, "no column elbow_position_rad for robot \"crane\"",
@@ -343,6 +348,84 @@ TEST_F(HopperCheck, RefusesWithASentence) {
   expect_refusal(crane(), good, "time is no joint's; leave \"elbo.\" out",
                  {"--column", "time_s=elbo.time:ms"});
   expect_refusal(crane(), good, "no torque of every driven joint", {"--torques", "file"});
+}
+
+/// The swing with a column beside it that holds the same number in every row.
+std::string with_column(const std::string& motion, const std::string& header,
+                        const std::string& value) {
+  std::istringstream lines(motion);
+  std::string more;
+  for (std::string line; std::getline(lines, line);) {
+    more += line + "," + (more.empty() ? header : value) + "\n";
+  }
+  return more;
+}
+
+// A column that is left aside in silence is one that somebody believes was checked.
+TEST_F(HopperCheck, RefusesColumnsInUnitsThatNobodyStated) {
+  const std::string in_mNm = with_column(swing(0.5), "elbow_torque_mNm", "0");
+  expect_refusal(crane(), in_mNm,
+                 "\"elbow_torque_mNm\" says mNm; state its unit, --column "
+                 "elbow_torque_mNm=elbow.torque:mNm");
+  expect_refusal(crane(), in_mNm, "says mNm", {"--column", "elbow_torque_mNm=elbow.torque"});
+  const std::string stated = "elbow_torque_mNm=elbow.torque:mNm";
+  EXPECT_NE(check(crane(), in_mNm, {"--column", stated}).exit_code, 2);
+  expect_refusal(crane(), with_column(swing(0.5), "elbow_velocity_deg_s", "0"), "says deg/s");
+  // What is there in SI already may stand in another unit too, and words of ours are others' too.
+  const std::string both = with_column(swing(0.5), "elbow_position_deg", "0");
+  EXPECT_NE(check(crane(), both).exit_code, 2);
+  const std::string foreign = with_column(swing(0.5), "elbow_torque_command", "0");
+  EXPECT_NE(check(crane(), foreign).exit_code, 2);
+}
+
+TEST_F(HopperCheck, RefusesTorquesOfSomeDrivenJointsAlone) {
+  json robot = crane();
+  robot["bodies"].push_back({{"name", "hand"},
+                             {"mass_kg", 0.1},
+                             {"center_of_mass_m", {0, 0, 0}},
+                             {"inertia_kg_m2", 0.01}});
+  robot["joints"].push_back({{"name", "wrist"},
+                             {"type", "revolute"},
+                             {"parent", "arm"},
+                             {"child", "hand"},
+                             {"position_m", {1, 0, 0}},
+                             {"axis", {0, 1, 0}}});
+  robot["mechanisms"].push_back(
+      {{"type", "direct"}, {"joints", {"wrist"}}, {"actuators", {"knee.json"}}});
+  const std::string both = with_column(swing(0.5), "wrist_position_rad", "0");
+  const std::string one = with_column(both, "elbow_torque_Nm", "0");
+  expect_refusal(robot, one, "has torques of elbow and none of wrist");
+  EXPECT_NE(check(robot, one, {"--torques", "dynamics"}).exit_code, 2);
+  EXPECT_NE(check(robot, with_column(one, "wrist_torque_Nm", "0")).exit_code, 2);
+}
+
+TEST_F(HopperCheck, RefusesAFactorOfNothing) {
+  place_.write("columns.json", R"({"kind": "trajectory_columns", "version": 1, "columns": [
+    {"column": "a", "joint": "elbow", "quantity": "torque", "factor": 0}]})");
+  expect_refusal(crane(), with_column(swing(0.5), "a", "1"), "/columns/0/factor: 0 would leave",
+                 {"--columns", "columns.json"});
+}
+
+// The knee states no battery: the robot's is what lacks a curve, or there is none anywhere.
+TEST_F(HopperCheck, LooksForAChargeWhereTheBatteryIs) {
+  json robot = crane();
+  json knee = json::parse(place_.text("knee.json"));
+  knee.erase("battery");
+  place_.write("knee.json", knee.dump());
+  const Words charge{"--state-of-charge", "0.5"};
+  expect_refusal(robot, swing(0.5), "robot.json: a state of charge needs /battery", charge);
+  robot["battery"] = {{"series_cells", 16},
+                      {"parallel_cells", 4},
+                      {"cell_open_circuit_V", 4.2},
+                      {"cell_resistance_ohm", 0.001}};
+  expect_refusal(robot, swing(0.5), "robot.json: a state of charge needs /battery", charge);
+  knee["battery"] = robot["battery"];
+  place_.write("knee.json", knee.dump());
+  expect_refusal(robot, swing(0.5), "knee.json: a state of charge needs /battery", charge);
+}
+
+TEST_F(HopperCheck, RefusesOptionsWithoutEffect) {
+  expect_refusal(crane(), swing(0.5), "--candidates", {"--threads", "2"});
 }
 
 // An angle kept within a turn is the same motion, and the report says what was done to it.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "io/document.hpp"
 #include "tests/cli/workplace.hpp"
@@ -172,9 +173,10 @@ TEST_F(HopperReplay, ARateThatIsMissedFails) {
 }
 
 TEST_F(HopperReplay, CtrlCInTrialsLeavesWhatIsDone) {
-  place_.write("same.json", R"({"kind": "randomisation", "version": 1, "name": "same"})");
+  place_.write("close.json", R"({"kind": "randomisation", "version": 1, "name": "close",
+    "friction_coefficient": {"least": 0.59, "greatest": 0.6}})");
   place_.here.interrupt_after = std::chrono::milliseconds(1500);
-  const Outcome outcome = run({"--trials", "100000", "--randomise", "same.json", "--json"});
+  const Outcome outcome = run({"--trials", "100000", "--randomise", "close.json", "--json"});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(outcome.err, "");
   const json trials = json::parse(outcome.out)["trials"];
@@ -206,6 +208,14 @@ TEST_F(HopperReplay, ABatteryThatCannotGiveThePowerIsSaid) {
   EXPECT_NE(outcome.out.find("battery-power"), std::string::npos);
 }
 
+TEST_F(HopperReplay, OfNoTimeIsRefused) {
+  const Outcome outcome = run({"--until", "0", "--stand", "0", "--series", "s.csv"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(outcome.err.starts_with("--stand: the motion and 0 s of standing last 0 s"))
+      << outcome.err;
+  EXPECT_FALSE(place_.has("s.csv"));
+}
+
 TEST_F(HopperReplay, AControllerThatIsTooLateEndsWithTimeAndReason) {
   const json late = report({"--latency", "0.05"}, "flip");
   EXPECT_NE(late["verdict"], "stands");
@@ -216,6 +226,9 @@ TEST_F(HopperReplay, AControllerThatIsTooLateEndsWithTimeAndReason) {
 TEST_F(HopperReplay, RefusesByName) {
   expect_refusal({"--ground-rise", "0.01"}, "is 0.01 m below the ground");
   expect_refusal({"--trials", "3"}, "needs --randomise");
+  place_.write("none.json", R"({"kind": "randomisation", "version": 1,
+    "friction_coefficient": {"least": 0.6, "greatest": 0.6}})");
+  expect_refusal({"--trials", "3", "--randomise", "none.json"}, "none.json: varies nothing");
   expect_refusal({"--step", "0.001"}, "longer than the control period");
   expect_refusal(
       {"--trials", "3", "--randomise", "specs/randomisation/hopper.json", "--trial", "3"},
@@ -223,6 +236,31 @@ TEST_F(HopperReplay, RefusesByName) {
   expect_refusal({"--impact", "invariant", "--control-period", "0.06", "--step", "0.001"},
                  "--impact-window");
   expect_refusal({"-o", "specs/trajectory/hopper_squat.csv"}, "hopper_squat.csv");
+  // Ten thousand seconds between two rows of ten: 9e8 steps, and no memory for them.
+  std::string slow;
+  std::istringstream lines(place_.text("specs/trajectory/hopper_squat.csv"));
+  int row = -1;
+  for (std::string line; std::getline(lines, line) && row < 10;) {
+    if (line.starts_with("#")) continue;
+    const std::string rest = line.substr(line.find(','));
+    slow += (row < 0 ? "time_s" : std::to_string(row) + "e4") + rest + "\n";
+    ++row;
+  }
+  place_.write("slow.csv", slow);
+  const Outcome long_one = place_.run({"hopper", "replay", "specs/robot/hopper.json", "slow.csv"});
+  EXPECT_EQ(long_one.exit_code, 2);
+  EXPECT_NE(long_one.err.find("9e+08 steps of 0.0001 s, where a replay takes at most 1e+06"),
+            std::string::npos)
+      << long_one.err;
+  // What would change nothing.
+  expect_refusal({"--threads", "2"}, "--trials");
+  for (const char* impact : {"default", "no_derivative"}) {
+    expect_refusal({"--impact", impact, "--impact-metric", "inertia"}, "belongs with --impact inv");
+    expect_refusal({"--impact", impact, "--impact-contact", "foot"}, "belongs with --impact inv");
+  }
+  expect_refusal({"--impact-window", "0.1"}, "belongs with --impact no_derivative or invariant");
+  expect_refusal({"--impact-blend", "0.1"}, "belongs with --impact no_derivative or invariant");
+  expect_refusal({"--ground-time-constant", "0.01"}, "belongs with --engine mujoco");
   const Outcome other = place_.run(
       {"hopper", "replay", "specs/robot/rabbit.json", "specs/trajectory/hopper_squat.csv"});
   EXPECT_EQ(other.exit_code, 2) << other.out;

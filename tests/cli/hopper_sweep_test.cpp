@@ -158,6 +158,9 @@ TEST_F(HopperSweep, IsRefused) {
   expect_refusal({"--sweep", "knee_ratio=8", "--sweep", "ratio_factor=2"}, "same drives");
   expect_refusal({"--sweep", "voltage=48", "--bus-voltage", "60"}, "one sets the other");
   expect_refusal({"--sweep", "knee_ratio=8", "--series", "s.csv"}, "is of one robot");
+  for (const char* option : {"--plot", "--plot-loads", "--plot-momentum", "--figures"}) {
+    expect_refusal({"--sweep", "knee_ratio=8", option, "x.svg"}, "is of one robot");
+  }
   expect_refusal({"--sweep", "knee_ratio=8", "--torques", "file"}, "--torques");
   expect_refusal({"--sweep", "knee_ratio=8", "-o", "specs/robot/hopper.json"}, "is an input");
   expect_refusal({"--sweep", "knee_ratio=8", "--sweep-journal", "specs/actuator/d151_knee.json"},

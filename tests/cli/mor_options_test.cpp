@@ -72,14 +72,16 @@ TEST(MorOptions, AChargeOutsideOfTheBatterysCurveIsRefused) {
                             {"state_of_charge": 1, "voltage_V": 4.2}]})");
   place.write("knee.json", text);
   const auto at = [&](const char* charge) {
-    return place.run({"actuator", "mor", "knee.json", "--state-of-charge", charge, "--at-speed", "0"});
+    return place.run(
+        {"actuator", "mor", "knee.json", "--state-of-charge", charge, "--at-speed", "0"});
   };
   EXPECT_EQ(at("0.5").exit_code, 0) << at("0.5").err;
   const Outcome outcome = at("0.2");
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err,
-            "knee.json: a state of charge of 0.2 lies outside of the battery's curve, which is known "
-            "from 0.5 to 1 (/battery/cell_open_circuit_V)\n");
+  EXPECT_EQ(
+      outcome.err,
+      "knee.json: a state of charge of 0.2 lies outside of the battery's curve, which is known "
+      "from 0.5 to 1 (/battery/cell_open_circuit_V)\n");
 }
 
 TEST(MorOptions, ADrawingIsAnSvgOrNothing) {

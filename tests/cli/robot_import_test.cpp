@@ -2,11 +2,15 @@
 // Robots with closed loops in and out.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <regex>
+
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {
 namespace {
 
+using nlohmann::json;
 using Words = std::vector<std::string>;
 
 class LoopedFile : public testing::Test {
@@ -44,10 +48,63 @@ TEST_F(LoopedFile, IsARobotWithMechanismsAgain) {
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
+// Oracle: the file's own words. A mechanism's number takes the place of the actuators' rotors.
+TEST_F(LoopedFile, StatesRotorsOfCranksWhereTheFileDoes) {
+  const auto mechanisms = [&] {
+    const Outcome imported = import(actuators());
+    EXPECT_EQ(imported.exit_code, 0) << imported.err;
+    return json::parse(place_.text("robot.json"))["mechanisms"];
+  };
+  for (const json& one : mechanisms()) EXPECT_TRUE(one.contains("reflected_inertia_kg_m2")) << one;
+  const std::string bare =
+      std::regex_replace(place_.text("looped.xml"), std::regex(" armature=\"[^\"]*\""), "");
+  ASSERT_NE(bare, place_.text("looped.xml"));
+  place_.write("looped.xml", bare);
+  const json left = mechanisms();
+  EXPECT_EQ(left.size(), 2u);
+  for (const json& one : left) EXPECT_FALSE(one.contains("reflected_inertia_kg_m2")) << one;
+}
+
 TEST_F(LoopedFile, NeedsItsActuators) {
   const Outcome imported = import({});
   EXPECT_EQ(imported.exit_code, 2);
   EXPECT_NE(imported.err.find("--actuator knee=FILE"), std::string::npos) << imported.err;
+}
+
+const char* const kArm = R"(<robot name="arm"><link name="world"/><link name="a"><inertial>
+<mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
+<joint name="j" type="continuous"><parent link="world"/><child link="a"/>
+<mimic joint="k"/></joint></robot>)";
+
+// Standard output holds the document alone; what was left behind is said all the same.
+TEST(RobotImport, SaysItsNotesWhereverTheDocumentGoes) {
+  const Workplace place;
+  place.write("arm.urdf", kArm);
+  for (const Words& output : {Words{}, Words{"-o", "-"}}) {
+    Words words{"robot", "import", "arm.urdf"};
+    words.insert(words.end(), output.begin(), output.end());
+    const Outcome imported = place.run(words);
+    EXPECT_EQ(imported.exit_code, 0) << imported.err;
+    EXPECT_EQ(imported.out.front(), '{') << imported.out;
+    EXPECT_EQ(imported.out.find("note:"), std::string::npos) << imported.out;
+    EXPECT_NE(imported.err.find("note: joint \"j\" mimics another"), std::string::npos)
+        << imported.err;
+  }
+}
+
+TEST(RobotImport, RefusesOptionsOfMjcfForUrdf) {
+  const Workplace place;
+  place.write("arm.urdf", kArm);
+  for (const Words& option :
+       {Words{"--body", "a"}, Words{"--drop-base-armature"}, Words{"--free-couplings"},
+        Words{"--link-error", "0.1"}, Words{"--massless-links"}}) {
+    Words words{"robot", "import", "arm.urdf"};
+    words.insert(words.end(), option.begin(), option.end());
+    const Outcome imported = place.run(words);
+    EXPECT_EQ(imported.exit_code, 2);
+    EXPECT_NE(imported.err.find(option.front() + ": is for MJCF files"), std::string::npos)
+        << imported.err;
+  }
 }
 
 TEST_F(LoopedFile, HasNoOtherDrives) {

@@ -147,6 +147,66 @@ TEST(MjcfWords, OfActuatorsLimitEffort) {
   EXPECT_EQ(effort("", "<motor joint='j' forcerange='-9 9'/><position joint='j'/>"), INFINITY);
 }
 
+// Oracle: MuJoCo's reference: a range of 0 0 is the default, which says that none holds.
+TEST(MjcfWords, OfActuatorsThatStateNoLimitLeaveNone) {
+  EXPECT_EQ(effort("actuatorfrcrange='0 0'", ""), INFINITY);
+  EXPECT_EQ(effort("", "<motor joint='j' forcerange='0 0'/>"), INFINITY);
+}
+
+TEST(MjcfWords, OfActuatorsWhoseLimitWouldBeLostAreRefused) {
+  const std::vector<std::array<std::string, 3>> refused{
+      {"actuatorfrcrange='0 5'", "", "actuatorfrcrange=\"0 5\" pushes one way only"},
+      {"actuatorfrcrange='5 -5'", "", "actuatorfrcrange=\"5 -5\": the first number is not below"},
+      {"", "<motor joint='j' forcerange='2 -2'/>", "forcerange=\"2 -2\": the first number"},
+      {"", "<motor joint='j' forcerange='0 2'/>", "forcerange=\"0 2\" pushes one way only"},
+      {"", "<motor joint='j' forcerange='-2 0'/>", "forcerange=\"-2 0\" pushes one way only"},
+      {"", "<motor joint='j' ctrlrange='0 1'/>", "ctrlrange=\"0 1\" pushes one way only"},
+      {"", "<motor joint='j' forcerange='0 0' forcelimited='true'/>", "forcerange=\"0 0\": the"},
+      {"", "<motor name='m' joint='j' forcrange='-2 2'/>", "name=\"m\">: the attribute forcrange"},
+      {"", "<motor joint='zz' forcerange='-2 2'/>", "no body has a joint \"zz\""},
+      {"", "<motor joint='j' gear='0' forcerange='-2 2'/>", "a gear of 0"},
+      {"", "<general joint='j' gainprm='0' ctrlrange='-2 2'/>", "a gain of 0"}};
+  for (const auto& [joint, actuators, message] : refused) {
+    const std::string said = refusal([&] { return effort(joint, actuators); });
+    EXPECT_NE(said.find(message), std::string::npos) << joint << actuators << "\n" << said;
+  }
+  const std::string misspelt = "<default><motor forcrange='-2 2'/></default>";
+  const std::string said = refusal([&] { return mjcf(misspelt, kTwoBodies); });
+  EXPECT_NE(said.find("forcrange of <motor> is not known"), std::string::npos) << said;
+}
+
+TEST(MjcfWords, OfActuatorsElsewhereAreNamed) {
+  const std::string notes =
+      all_of(mjcf("<tendon><fixed name='t'><joint joint='j'/></fixed></tendon>"
+                  "<actuator><motor tendon='t'/><motor name='m' tendon='t'/></actuator>",
+                  kTwoBodies)
+                 .notes);
+  EXPECT_NE(notes.find("not held: <motor> of line 1, m\n"), std::string::npos) << notes;
+}
+
+// What stands once counts; of two, one would not.
+TEST(MjcfWords, ThatStandTwiceAreRefused) {
+  const std::string other = R"(<inertial pos="0 0 0" mass="9" diaginertia="1 1 1"/>)";
+  const std::vector<std::array<std::string, 3>> refused{
+      {"", "<body name='a'><freejoint/>" + kPart + other + "</body>",
+       "line 1, <inertial>: stands in <body> for the second time"},
+      {"",
+       "<body name='a'><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1' "
+       "fullinertia='2 2 2 0 0 0'/></body>",
+       "both diaginertia and fullinertia"},
+      {"<default><default class='leg'><joint armature='1'/></default>"
+       "<default class='leg'><joint armature='2'/></default></default>",
+       kTwoBodies, "the default class \"leg\" stands twice"}};
+  for (const auto& [sections, top, message] : refused) {
+    const std::string said = refusal([&] { return mjcf(sections, top); });
+    EXPECT_NE(said.find(message), std::string::npos) << sections << top << "\n" << said;
+  }
+  const test::ScratchFolder folder;
+  const auto two = folder.write("two.xml", "<mujoco/>\n<mujoco/>");
+  const std::string said = refusal([&] { return read_mjcf(two); });
+  EXPECT_NE(said.find("line 2: <mujoco> follows <mujoco> of line 1"), std::string::npos) << said;
+}
+
 TEST(MjcfWords, OfLimitsNeedNotSayThatTheyHold) {
   const auto lower = [](const std::string& compiler, const std::string& joint) {
     return mjcf(compiler,
@@ -219,6 +279,101 @@ TEST(UrdfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
     const std::string said = refusal([&] { return urdf(content); });
     EXPECT_NE(said.find(message), std::string::npos) << content << "\n" << said;
   }
+}
+
+const std::string kEnds = "<parent link='world'/><child link='a'/>";
+
+TEST(UrdfWords, ThatStandTwiceAreRefused) {
+  const auto joint = [](const std::string& more) {
+    return kArm + "<joint name='j' type='revolute'>" + kEnds + more + "</joint>";
+  };
+  const auto link = [](const std::string& inertial) {
+    return "<link name='world'/><link name='a'>" + inertial +
+           "</link><joint name='j' type='fixed'>" + kEnds + "</joint>";
+  };
+  const std::string inertia = "<inertia ixx='1' iyy='1' izz='1'/>";
+  const std::string limit = "<limit lower='-1' upper='1'/>";
+  const std::vector<std::array<std::string, 2>> refused{
+      {joint(limit + limit), "<limit>: stands in <joint> for the second time"},
+      {joint("<axis xyz='0 1 0'/><axis xyz='1 0 0'/>"), "<axis>: stands in <joint>"},
+      {joint("<origin xyz='0 0 1'/><origin xyz='0 0 2'/>"), "<origin>: stands in <joint>"},
+      {joint("<parent link='a'/>"), "<parent>: stands in <joint>"},
+      {joint("<child link='world'/>"), "<child>: stands in <joint>"},
+      {link(kUnit + kUnit), "<inertial>: stands in <link>"},
+      {link("<inertial><mass value='1'/><mass value='2'/>" + inertia + "</inertial>"),
+       "<mass>: stands in <inertial>"},
+      {link("<inertial><mass value='1'/>" + inertia + inertia + "</inertial>"),
+       "<inertia>: stands in <inertial>"},
+      {link("<inertial><mass/>" + inertia + "</inertial>"), "<mass>: value is missing"}};
+  for (const auto& [content, message] : refused) {
+    const std::string said = refusal([&] { return urdf(content); });
+    EXPECT_NE(said.find(message), std::string::npos) << content << "\n" << said;
+  }
+  const std::string said = refusal([&] { return urdf(kArm + "</robot><robot name='s'>"); });
+  EXPECT_NE(said.find("<robot> follows <robot>"), std::string::npos) << said;
+}
+
+TEST(UrdfJoints, WithLimitsBelowZeroAreRefused) {
+  const auto limited = [](const std::string& limits) {
+    return urdf(kArm + "<joint name='j' type='continuous'>" + kEnds + "<limit " + limits +
+                "/></joint>");
+  };
+  for (const char* limits : {"effort='-10'", "velocity='-10'"}) {
+    const std::string said = refusal([&] { return limited(limits); });
+    EXPECT_NE(said.find("=-10 is below 0"), std::string::npos) << said;
+  }
+  const dynamics::JointLimits read =
+      limited("effort='0' velocity='0'").robot.tree.bodies[1].joint.limits;
+  EXPECT_EQ(read.effort_max, INFINITY);
+  EXPECT_EQ(read.speed_max, INFINITY);
+}
+
+TEST(UrdfTransmissions, SayWhatOfThemIsNotRead) {
+  const auto notes = [](const std::string& motor) {
+    return all_of(urdf(kArm + "<joint name='j' type='continuous'>" + kEnds +
+                       "</joint><transmission name='t'><joint name='j'/><actuator name='m'>" +
+                       motor + "</actuator></transmission>")
+                      .notes);
+  };
+  EXPECT_NE(
+      notes("<mechanicalReduction>50</mechanicalReduction>").find("<mechanicalReduction> of 50"),
+      std::string::npos);
+  EXPECT_NE(notes("<motorInertia>0.001</motorInertia>").find("<motorInertia> of 0.001 is not read"),
+            std::string::npos);
+  EXPECT_EQ(notes("<mechanicalReduction>1</mechanicalReduction>"), "");
+  const std::string rotor = "<drake:rotor_inertia value='0.1'/>";
+  const auto refused = [&](const std::string& transmission) {
+    return refusal([&] {
+      return urdf(kArm + "<joint name='j' type='continuous'>" + kEnds + "</joint>" + transmission);
+    });
+  };
+  const auto of = [&](const std::string& joint) {
+    return "<transmission><joint name='" + joint + "'/><actuator>" + rotor +
+           "</actuator></transmission>";
+  };
+  EXPECT_NE(refused(of("zz")).find("is no joint of the file"), std::string::npos);
+  EXPECT_NE(refused(of("j") + of("j")).find("another transmission"), std::string::npos);
+  EXPECT_EQ(refused(of("j")), "was read");
+}
+
+TEST(XmlFiles, InOtherEncodingsAreRefusedWhereThatMatters) {
+  const test::ScratchFolder folder;
+  const auto read = [&](const std::string& declaration, const std::string& name) {
+    return refusal([&] {
+      return read_urdf(folder.write("r.urdf", declaration + "<robot name='" + name +
+                                                  "'>\n<link name='a'>" + kUnit +
+                                                  "</link></robot>"));
+    });
+  };
+  const std::string latin = "<?xml version='1.0' encoding='ISO-8859-1'?>\n";
+  EXPECT_EQ(read(latin, "plain"), "was read");
+  EXPECT_EQ(read("<?xml version='1.0' encoding='UTF-8'?>", "caf\xC3\xA9"), "was read");
+  EXPECT_EQ(read("", "caf\xC3\xA9"), "was read");
+  const std::string declared = read(latin, "caf\xE9");
+  EXPECT_NE(declared.find("encoding=\"ISO-8859-1\" is not read, and line 2"), std::string::npos)
+      << declared;
+  const std::string silent = read("", "caf\xE9");
+  EXPECT_NE(silent.find("line 1: is no UTF-8"), std::string::npos) << silent;
 }
 
 // Oracle: the turn by the limits' angle about the axis.

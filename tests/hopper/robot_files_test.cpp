@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "hopper/files/mjcf_reader.hpp"
 #include "hopper/files/mjcf_writer.hpp"
@@ -184,6 +185,63 @@ TEST(RobotFile, SaysWhatIsWrong) {
                                                                                 << error.what();
     }
   }
+}
+
+const std::string kWithInertia = R"(<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>)";
+
+/// What the document of a robot with one joint says of its rotor: "absent", or the number.
+std::string rotor_key(const Robot& robot) {
+  const nlohmann::ordered_json joint = robot_json(robot)["joints"][0];
+  return joint.contains("reflected_inertia_kg_m2") ? joint["reflected_inertia_kg_m2"].dump()
+                                                   : "absent";
+}
+
+// Oracle: the file's own words. What a joint states stands in the place of its actuator's rotor, so
+// that a number which no file said would take the rotor away.
+TEST(RobotFile, SaysOfRotorsWhatItStatesAndNoMore) {
+  const auto one_joint = [](const std::string& joint) {
+    return imported_mjcf("<mujoco><worldbody><body name='a'>" + kWithInertia +
+                         "<body name='b'><joint name='j' " + joint + "/>" + kWithInertia +
+                         "</body></body></worldbody></mujoco>")
+        .robot;
+  };
+  EXPECT_EQ(rotor_key(one_joint("")), "absent");
+  EXPECT_EQ(rotor_key(one_joint("armature='0'")), "0.0");
+  EXPECT_EQ(rotor_key(one_joint("armature='0.25'")), "0.25");
+  const auto urdf = [](const std::string& transmission) {
+    return imported_urdf(R"(<robot name="r"><link name="world"/><link name="a"><inertial>
+      <mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
+      <joint name="j" type="continuous"><parent link="world"/><child link="a"/></joint>)" +
+                         transmission + "</robot>")
+        .robot;
+  };
+  EXPECT_EQ(rotor_key(urdf("")), "absent");
+  EXPECT_EQ(rotor_key(urdf(R"(<transmission><joint name="j"/><actuator name="m">
+      <drake:rotor_inertia value="0"/></actuator></transmission>)")),
+            "0.0");
+  // Out and in again, by every format.
+  for (const char* stated : {"", "armature='0'", "armature='0.25'"}) {
+    const Robot robot = one_joint(stated);
+    const test::ScratchFolder folder;
+    const auto file = folder.write("robot.json", robot_json(robot).dump());
+    EXPECT_EQ(rotor_key(read_robot(file).robot), rotor_key(robot));
+    EXPECT_EQ(rotor_key(imported_mjcf(mjcf_of(robot).text).robot), rotor_key(robot));
+    EXPECT_EQ(rotor_key(imported_urdf(urdf_of(robot).text).robot), rotor_key(robot));
+  }
+}
+
+// Oracle: N^2 J by hand, of an actuator with gears of 6 and a rotor of 6.3e-5 kg m2.
+TEST(RobotFile, LeavesRotorsToTheActuatorThatIsAdded) {
+  const Robot bare = imported_mjcf("<mujoco><worldbody><body name='a'>" + kWithInertia +
+                                   "<body name='b'><joint name='j'/>" + kWithInertia +
+                                   "</body></body></worldbody></mujoco>")
+                         .robot;
+  nlohmann::ordered_json document = robot_json(bare);
+  const char* const drive = TORQUEWRIGHT_SOURCE_DIR "/specs/actuator/mini_cheetah_hip.json";
+  document["mechanisms"] = {{{"type", "direct"}, {"joints", {"j"}}, {"actuators", {drive}}}};
+  const test::ScratchFolder folder;
+  const Robot driven = read_robot(folder.write("robot.json", document.dump())).robot;
+  EXPECT_NEAR(driven.tree.bodies[1].joint.reflected_inertia, 36 * 6.3e-5, 1e-17);
 }
 
 // Oracle: the inverse is one, also where pitch is upright or, as files print it, nearly so.

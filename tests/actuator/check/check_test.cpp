@@ -186,7 +186,8 @@ TEST(Check, RefusesAVelocityThatIsNotTheRateOfThePosition) {
   EXPECT_NE(checked.refusal(motion(100, swing, standing, steady_5))
                 .find("m.csv: the velocity of k is not the rate of its position: from t = "),
             std::string::npos);
-  EXPECT_NE(checked.refusal(motion(100, standing, swing_rate, steady_5)).find("position changes by 0 rad"),
+  EXPECT_NE(checked.refusal(motion(100, standing, swing_rate, steady_5))
+                .find("position changes by 0 rad"),
             std::string::npos);
   EXPECT_EQ(checked.refusal(motion(100, swing, in_degrees, steady_5)), "");
 }

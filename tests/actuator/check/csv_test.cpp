@@ -83,8 +83,8 @@ TEST(Csv, CountsNumbersTooSmallForADoubleAsZero) {
 TEST(Csv, RefusesNumbersTooLargeForADoubleWhateverTheirExponent) {
   const test::ScratchFolder folder;
   const std::string zeros(500, '0');
-  const std::string large[] = {"1e400", "1" + zeros + "e-100", "-0." + zeros + "1e+901",
-                               zeros + "1e400", "2" + zeros, "1e99999999999999999999"};
+  const std::string large[] = {"1e400",         "1" + zeros + "e-100", "-0." + zeros + "1e+901",
+                               zeros + "1e400", "2" + zeros,           "1e99999999999999999999"};
   for (const std::string& number : large) {
     EXPECT_EQ(test::refusal([&] { numbers_in(folder.write("t.csv", "a\n" + number + "\n")); },
                             folder.path()),

@@ -122,8 +122,8 @@ TEST(TrajectoryReader, TakesAMappedColumnByItsMappingAlone) {
   const Read result = read(text, {"knee_torque_Nm=ankle.torque"}, {"knee", "ankle"});
   EXPECT_EQ(result.refusal, "");
   EXPECT_EQ(result.rows.at(0).values, (std::vector<double>{0, 1, 0, 0, 0, 2, 3, 0}));
-  const Read both = read(text, {"knee_torque_Nm=ankle.torque", "knee_torque_Nm=knee.torque"},
-                         {"knee", "ankle"});
+  const Read both =
+      read(text, {"knee_torque_Nm=ankle.torque", "knee_torque_Nm=knee.torque"}, {"knee", "ankle"});
   EXPECT_EQ(both.rows.at(0).values, (std::vector<double>{0, 1, 3, 0, 0, 2, 3, 0}));
 }
 
@@ -148,10 +148,7 @@ TEST(TrajectoryReader, RefusesWithThePlace) {
        {"a=k.torque", "b=k.torque"},
        {"k"},
        "\"a\" and \"b\" are both mapped to k.torque"},
-      {"a,t\n1,3\n",
-       {"a=k.torque", "a=k.torque*2"},
-       {"k"},
-       "\"a\" is mapped to k.torque twice"},
+      {"a,t\n1,3\n", {"a=k.torque", "a=k.torque*2"}, {"k"}, "\"a\" is mapped to k.torque twice"},
       {"a,t\n1,3\n",
        {"a=k.torque", "a=k.velocity"},
        {"k"},

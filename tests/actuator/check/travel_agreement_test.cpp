@@ -52,8 +52,9 @@ TEST(TravelAgreement, FindsAColumnThatIsDeadConstantLateOrAnothers) {
 }
 
 TEST(TravelAgreement, SaysFromWhereToWhere) {
-  const auto found =
-      over(1.0, 100, [](double t) { return 2.0 - 3.0 * t; }, still).contradiction(kNoLoad_rad_s);
+  const auto found = over(
+                         1.0, 100, [](double t) { return 2.0 - 3.0 * t; }, still)
+                         .contradiction(kNoLoad_rad_s);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->from_s, 0.0);
   EXPECT_EQ(found->until_s, 1.0);
@@ -78,7 +79,8 @@ TEST(TravelAgreement, ForgivesRoundedPositionsAndNoisyVelocities) {
   std::normal_distribution<double> noise(0.0, 1.0);
   const auto noisy = [&](double t) { return swing_rate(t) + noise(generator); };
   EXPECT_FALSE(contradicts(swing, noisy));
-  // A joint that holds still: neither its encoder's last digit nor its velocity's noise is a motion.
+  // A joint that holds still: neither its encoder's last digit nor its velocity's noise is a
+  // motion.
   const auto flickering = [&](double) { return noise(generator) > 0.0 ? 2e-3 : 0.0; };
   EXPECT_FALSE(contradicts(flickering, still));
   EXPECT_FALSE(contradicts(still, [&](double) { return 0.3 * noise(generator); }));
@@ -106,7 +108,8 @@ TEST(TravelAgreement, ForgivesWhatIsTooShortToBeSeen) {
 
 // An estimator's bias of a thirtieth of the swing's speed adds up over many swings.
 TEST(TravelAgreement, ForgivesASmallBias) {
-  EXPECT_FALSE(contradicts(over(100.0, 100000, swing, [](double t) { return swing_rate(t) + 0.2; })));
+  EXPECT_FALSE(
+      contradicts(over(100.0, 100000, swing, [](double t) { return swing_rate(t) + 0.2; })));
   EXPECT_TRUE(contradicts(over(100.0, 100000, swing, still)));
 }
 

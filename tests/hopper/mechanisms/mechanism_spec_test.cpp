@@ -63,6 +63,8 @@ TEST(MechanismSpec, SaysWhatIsWrongAndWhere) {
       {"/mechanisms/0/branch", 0, ""},
       {"/mechanisms/0/crank_inertia_kg_m2", {0.1, 0.2}, "must have 1, not 2"},
       {"/mechanisms/1/reflected_inertia_kg_m2", {0.1, -0.2}, ""},
+      {"/mechanisms/1/actuator_names", {"a", "a"}, "\"a\" is the name of another drive"},
+      {"/mechanisms/1/actuator_names", {"knee", "b"}, "\"knee\" is the name of another drive"},
       {"/mechanisms/0/jacobian", {{1, 0}, {0, 1}}, "is for parallel mechanisms"},
       {"/mechanisms/0/rod_tilt_limit_rad", 0.5, "is for parallel_ankle mechanisms"},
       {"/mechanisms/1/crank_length_m", 0.5, "is for four_bar mechanisms"},

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -41,6 +42,9 @@ Motion full_motion(const Robot& robot) {
     motion.times_s.push_back(static_cast<double>(step) / 3.0);
   }
   motion.positions = table(robot.tree.position_size(), 1.0, random);
+  if (robot.tree.base == dynamics::BaseKind::kSpatial) {
+    for (Index i = 0; i < kSamples; ++i) motion.positions.col(i).segment<4>(3).normalize();
+  }
   motion.positions.col(kImpact) = motion.positions.col(kImpact - 1);
   motion.velocities = table(robot.tree.velocity_size(), 1e3, random);
   motion.accelerations = table(robot.tree.velocity_size(), 1e-9, random);
@@ -100,6 +104,43 @@ TEST(MotionCsv, LeavesOutWhatIsDerivedOrNotThere) {
   EXPECT_EQ(again.has_effort, motion.has_effort);
   EXPECT_EQ(again.efforts.row(2), motion.efforts.row(2));
   EXPECT_FALSE(again.has_forces || again.has_touching);
+}
+
+// Oracle: the length of a rotation's quaternion; three decimals leave 1 within 1e-3.
+TEST(MotionCsv, RefusesQuaternionsThatAreNoRotations) {
+  const Robot robot = robot_of("hopper");
+  for (const double length : {0.98, 0.995, 1.005, 1.02, 2.0}) {
+    Motion motion = full_motion(robot);
+    motion.positions.col(2).segment<4>(3) *= length;
+    if (std::abs(length - 1.0) < 1e-2) {
+      EXPECT_NO_THROW(read_again(robot, motion)) << length;
+      continue;
+    }
+    try {
+      (void)read_again(robot, motion);
+      ADD_FAILURE() << "was read: " << length;
+    } catch (const io::SpecError& error) {
+      EXPECT_NE(std::string(error.what()).find("the base's quaternion has the length"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(MotionCsv, RefusesFlagsBetweenTouchingAndNot) {
+  const Robot robot = robot_of("hopper");
+  for (const double flag : {-3.0, 0.4, 2.0}) {
+    Motion motion = full_motion(robot);
+    motion.touching(1, 3) = flag;
+    try {
+      (void)read_again(robot, motion);
+      ADD_FAILURE() << "was read: " << flag;
+    } catch (const io::SpecError& error) {
+      EXPECT_NE(std::string(error.what()).find("must be 1 where the point touches, else 0"),
+                std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 TEST(MotionCsv, OfAFloatingBaseHasNoBase) {

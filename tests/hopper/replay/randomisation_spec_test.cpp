@@ -256,6 +256,32 @@ TEST(RandomisationSpec, RefusesAChargeWhereNoBatteryHasACurve) {
   }
 }
 
+// Each range and each noise alone makes trials differ; without a width none does.
+TEST(RandomisationSpec, VariesWhereARangeHasAWidthOrSensorsHaveNoise) {
+  const auto varied = [](const std::string& text) { return varies(read(json::parse(text))); };
+  EXPECT_FALSE(varied("{}"));
+  const json point = {{"least", 1}, {"greatest", 1}};
+  const json wide = {{"least", 0.5}, {"greatest", 1}};
+  for (const char* key : {"total_mass_factor", "friction_coefficient", "restitution",
+                          "ground_height_m", "state_of_charge", "bus_voltage_factor"}) {
+    EXPECT_FALSE(varied(json{{key, point}}.dump())) << key;
+    EXPECT_TRUE(varied(json{{key, wide}}.dump())) << key;
+  }
+  for (const char* key : {"body_mass_factor", "body_inertia_factor", "center_of_mass_shift_m",
+                          "controller_gain_factor", "further_friction_Nm",
+                          "initial_joint_position_rad", "initial_joint_velocity_rad_s"}) {
+    EXPECT_FALSE(varied(json{{key, {point}}}.dump())) << key;
+    EXPECT_TRUE(varied(json{{key, {wide}}}.dump())) << key;
+  }
+  EXPECT_TRUE(varied(R"({"latency_s": {"least": 0, "greatest": 0.01}})"));
+  EXPECT_TRUE(varied(R"({"winding_temperature_K": {"least": 300, "greatest": 310}})"));
+  for (const char* key : {"gravity_direction", "base_rate_rad_s", "base_position_m",
+                          "base_velocity_m_s", "joint_position_rad", "joint_velocity_rad_s"}) {
+    const json noise = {{"distribution", "uniform"}, {key, 0.01}};
+    EXPECT_TRUE(varied(json{{"sensor_noise", noise}}.dump())) << key;
+  }
+}
+
 // Shifts of one body along different axes do not meet; what all means leaves out what draws
 // nothing.
 TEST(RandomisationSpec, TakesRangesThatDoNotMeet) {

@@ -215,7 +215,9 @@ TEST(BadLog, MapOfTooFewPointsCannotTell) {
     return text;
   };
   const auto weight = [&](int count) {
-    return read({{"a.csv", map(count)}, {"b.csv", map(40) + "\n"}}, rig).finding("to fit hold").weight;
+    return read({{"a.csv", map(count)}, {"b.csv", map(40) + "\n"}}, rig)
+        .finding("to fit hold")
+        .weight;
   };
   EXPECT_EQ(weight(19), Weight::kError);
   EXPECT_EQ(weight(20), Weight::kNote);  // no finding

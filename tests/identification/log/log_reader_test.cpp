@@ -88,9 +88,8 @@ TEST(ReadLog, RefusesTemperaturesThatNoMotorWorksAt) {
       return read({{"a.csv", "t,q,T\n0,1,300\n0.01,2," + last + "\n"}}, rig).refusal;
     };
     const std::string place = "a.csv: line 3, column 3 (T): " + quantity;
-    const std::string hint =
-        "; degrees Celsius? In the rig, write {\"quantity\": \"" + quantity +
-        "\", \"unit\": \"degC\"} for the column \"T\"";
+    const std::string hint = "; degrees Celsius? In the rig, write {\"quantity\": \"" + quantity +
+                             "\", \"unit\": \"degC\"} for the column \"T\"";
     EXPECT_EQ(refusal("200"), "");
     EXPECT_EQ(refusal("600"), "");
     EXPECT_EQ(refusal("25.05"), place + " of 25.05 K is outside of 200 to 600 K" + hint);
