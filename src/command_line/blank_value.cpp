@@ -40,6 +40,10 @@ std::optional<std::string> blank_value(const DeclaredCommand& program,
     if (equals == std::string::npos && ++i == words.size()) break;
     const std::string value = equals == std::string::npos ? words[i] : words[i].substr(equals + 1);
     if (const auto fault = fault_of(*option, value)) return fault;
+    const bool goes_on = option->is_list && !option->is_repeated && equals == std::string::npos;
+    while (goes_on && i + 1 < words.size() && !is_option(words[i + 1])) {
+      if (const auto fault = fault_of(*option, words[++i])) return fault;
+    }
   }
   return std::nullopt;
 }

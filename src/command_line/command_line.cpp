@@ -17,7 +17,6 @@
 #include "io/wording.hpp"
 #include "src/command_line/blank_value.hpp"
 #include "src/command_line/help_text.hpp"
-#include "src/command_line/list_members.hpp"
 #include "src/command_line/misspelling.hpp"
 
 namespace torquewright::command_line {
@@ -86,7 +85,9 @@ CLI::Validator whole() {
 
 /// An unset variable of a script leaves "", which would count as if nothing were said.
 const CLI::Validator kNotEmpty(
-    [](const std::string& text) { return text.empty() ? std::string("is empty") : std::string(); },
+    [](const std::string& text) {
+      return text.empty() ? std::string("\"\" is blank") : std::string();
+    },
     "");
 
 const CLI::Validator kNamed(
@@ -414,7 +415,6 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
     io::print(help_text(*leads.command, leads.path));
     return cli::ExitCode::kPasses;
   }
-  if (const auto gap = empty_member(declared_, words)) refuse(*gap);
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ExtrasError& error) {
