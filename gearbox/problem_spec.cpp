@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "io/document.hpp"
+#include "io/one_line.hpp"
 #include "io/schema.hpp"
 
 namespace torquewright::gearbox {
@@ -95,7 +96,7 @@ class Reader {
 
   void read_choice() {
     // The name of the file stands in for a name that is not given.
-    problem_.name = root().value("name", std::filesystem::path(document_.file).stem().string());
+    problem_.name = root().value("name", io::stem_in_text(document_.file));
     problem_.topology = root()["topology"];
     problem_.constraints =
         root()["constraints"] == "paper" ? ConstraintSet::kPaper : ConstraintSet::kBuildable;

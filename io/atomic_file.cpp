@@ -2,6 +2,7 @@
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <utility>
 
@@ -15,14 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// INT, TERM and HUP wait while files are being replaced: those written together are all there
-/// afterwards, or none.
+constexpr std::array kEnding{SIGINT,  SIGTERM, SIGHUP,  SIGQUIT,  SIGALRM,
+                             SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM};
+
+/// Signals that would end the program wait while files are being replaced: those written together
+/// are all there afterwards, or none.
 class SignalsHeld {
  public:
   SignalsHeld() {
     sigset_t held;
     ::sigemptyset(&held);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&held, signal);
+    for (const int signal : kEnding) ::sigaddset(&held, signal);
     ::pthread_sigmask(SIG_BLOCK, &held, &before_);
   }
   ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
@@ -39,8 +43,11 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
   const fs::file_status status = fs::status(a, unknown);
   if (fs::is_other(status)) return false;  // a device takes whatever comes
   if (fs::exists(status)) return fs::equivalent(a, b, unknown);
-  return fs::weakly_canonical(fs::absolute(a), unknown) ==
-         fs::weakly_canonical(fs::absolute(b), unknown);
+  // Not there yet: the same name in the same folder, however that is reached.
+  const fs::path first = fs::weakly_canonical(fs::absolute(a), unknown);
+  const fs::path second = fs::weakly_canonical(fs::absolute(b), unknown);
+  return first.filename() == second.filename() &&
+         (first == second || fs::equivalent(first.parent_path(), second.parent_path(), unknown));
 }
 
 bool contains(const std::vector<fs::path>& files, const fs::path& file) {

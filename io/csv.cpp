@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::io {
@@ -114,6 +115,10 @@ void CsvReader::check_header() const {
   std::set<std::string_view> seen;
   for (std::size_t column = 0; column < header_.size(); ++column) {
     const std::string& name = header_[column];
+    if (const auto found = unprintable_in(name)) {
+      refuse(column, fmt::format("the name {} holds {}; must be one line of text", in_quotes(name),
+                                 *found));
+    }
     if (number_of(name)) {
       refuse(column, fmt::format("{} is a number; the first line must name the columns", name));
     }

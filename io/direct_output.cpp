@@ -27,6 +27,15 @@ std::optional<int> number_after(std::string_view path, std::string_view folder) 
   return is_number ? std::optional(number) : std::nullopt;
 }
 
+std::optional<int> spelt_descriptor(const std::string& path) {
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const char* folder : {"/dev/fd/", "/proc/self/fd/", "/proc/thread-self/fd/"}) {
+    if (const auto number = number_after(path, folder)) return number;
+  }
+  return std::nullopt;
+}
+
 bool is_named_pipe(const std::filesystem::path& file) {
   struct stat status {};
   return ::stat(file.c_str(), &status) == 0 && S_ISFIFO(status.st_mode);
@@ -61,11 +70,16 @@ int opened(const std::filesystem::path& file) {
 }  // namespace
 
 std::optional<int> named_descriptor(const std::filesystem::path& file) {
-  const std::string path = file.lexically_normal().string();
-  if (path == "/dev/stdout") return STDOUT_FILENO;
-  if (path == "/dev/stderr") return STDERR_FILENO;
-  const std::optional<int> short_form = number_after(path, "/dev/fd/");
-  return short_form ? short_form : number_after(path, "/proc/self/fd/");
+  constexpr int kMostLinks = 40;  // as many as the system follows
+  std::filesystem::path path = file;
+  for (int links = 0; links < kMostLinks; ++links) {
+    if (const auto spelt = spelt_descriptor(path.lexically_normal().string())) return spelt;
+    std::error_code is_no_link;
+    const std::filesystem::path next = std::filesystem::read_symlink(path, is_no_link);
+    if (is_no_link) return std::nullopt;
+    path = path.parent_path() / next;
+  }
+  return std::nullopt;
 }
 
 void require_open(const std::filesystem::path& file) {

@@ -15,6 +15,7 @@
 #include "io/file_bytes.hpp"
 #include "io/json_reader.hpp"
 #include "io/letter_case.hpp"
+#include "io/one_line.hpp"
 #include "io/schema.hpp"
 #include "io/sha256.hpp"
 #include "io/wording.hpp"
@@ -36,37 +37,22 @@ void find_infinite_numbers(const Document& document, const json& value, const st
   }
 }
 
-/// The first character of a text that no line, and no XML, can hold: a control character, U+FFFE or
-/// U+FFFF.
-std::optional<std::string> unprintable_in(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto code = static_cast<unsigned char>(text[i]);
-    if (code < 0x20 || code == 0x7f) return fmt::format("U+{:04X}", code);
-    const std::string_view three = text.substr(i, 3);
-    if (three == "\xEF\xBF\xBE") return "U+FFFE";
-    if (three == "\xEF\xBF\xBF") return "U+FFFF";
-  }
-  return std::nullopt;
-}
-
 void find_unprintable_texts(const Document& document, const json& value, const std::string& path,
                             std::vector<Fault>& faults) {
   if (faults.size() >= kMaxListedFaults) return;
   if (value.is_string()) {
-    if (const auto character = unprintable_in(value.get_ref<const std::string&>())) {
+    if (const auto found = unprintable_in(value.get_ref<const std::string&>())) {
       faults.push_back(
-          {document.file, path,
-           fmt::format("holds the character {}; must be one line of text", *character)});
+          {document.file, path, fmt::format("holds {}; must be one line of text", *found)});
     }
     return;
   }
   if (!value.is_structured()) return;
   for (const auto& [key, child] : value.items()) {
     const std::string place = child_path(path, key);
-    if (const auto character = unprintable_in(key)) {
+    if (const auto found = unprintable_in(key)) {
       faults.push_back(
-          {document.file, place,
-           fmt::format("a key with the character {}; must be one line of text", *character)});
+          {document.file, place, fmt::format("a key with {}; must be one line of text", *found)});
     }
     find_unprintable_texts(document, child, place, faults);
   }

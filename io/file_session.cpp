@@ -6,7 +6,10 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -36,18 +39,32 @@ void remember(const struct stat& status) {
   if (inputs().is_open) inputs().files.emplace(status.st_dev, status.st_ino);
 }
 
+bool is_remembered(const struct stat& status) {
+  const std::lock_guard lock(inputs().mutex);
+  return inputs().files.contains({status.st_dev, status.st_ino});
+}
+
 /// A pipe that the shell or the system made has a writer already.
 bool is_waited_for(const std::filesystem::path& file, const struct stat& status) {
   const std::string name = file.string();
-  return S_ISFIFO(status.st_mode) && !name.starts_with("/dev/") && !name.starts_with("/proc/");
+  return S_ISFIFO(status.st_mode) && !name.starts_with("/dev/fd/") && name != "/dev/stdin" &&
+         !(name.starts_with("/proc/") && name.find("/fd/") != std::string::npos);
 }
 
-/// Whether a byte, or the writer's end, comes in time.
+/// Whether a byte, or the writer's end, comes in time: what all pipes are waited for is no more
+/// than that for one.
 bool has_writer(int descriptor) {
+  using std::chrono::milliseconds;
+  using Clock = std::chrono::steady_clock;
+  static std::atomic<milliseconds::rep> left_ms = 1000 * kWriterPatience_s;
   struct pollfd wait {
     descriptor, POLLIN, 0
   };
-  return ::poll(&wait, 1, 1000 * kWriterPatience_s) > 0;
+  const auto start = Clock::now();
+  const auto most_ms = std::max<milliseconds::rep>(0, left_ms);
+  const bool is_there = ::poll(&wait, 1, static_cast<int>(most_ms)) > 0;
+  left_ms -= std::chrono::duration_cast<milliseconds>(Clock::now() - start).count();
+  return is_there;
 }
 
 }  // namespace
@@ -86,9 +103,12 @@ InputFile::~InputFile() { ::close(descriptor_); }
 
 bool is_input(const std::filesystem::path& file) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return false;
-  const std::lock_guard lock(inputs().mutex);
-  return inputs().files.contains({status.st_dev, status.st_ino});
+  return ::stat(file.c_str(), &status) == 0 && is_remembered(status);
+}
+
+bool is_input(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && is_remembered(status);
 }
 
 }  // namespace torquewright::io

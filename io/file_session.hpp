@@ -35,10 +35,13 @@ class InputFile {
   struct stat status_ {};
 };
 
-/// How long a named pipe is waited for. The shell's own (`<(...)`) have no such limit.
+/// How long named pipes are waited for, all of one run together. The shell's own (`<(...)`) have no
+/// such limit.
 inline constexpr int kWriterPatience_s = 5;
 
 /// Whether the file at that path was read in this session.
 bool is_input(const std::filesystem::path& file);
+/// The same of what is open as that descriptor.
+bool is_input(int descriptor);
 
 }  // namespace torquewright::io

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/document.hpp"
+#include "io/one_line.hpp"
 
 namespace torquewright::io {
 
@@ -14,7 +15,7 @@ nlohmann::json tool_provenance() { return {{"name", "torquewright"}, {"version",
 nlohmann::json input_provenance(std::span<const Document> documents) {
   nlohmann::json inputs = nlohmann::json::array();
   for (const Document& document : documents) {
-    inputs.push_back({{"path", document.file}, {"sha256", document.sha256}});
+    inputs.push_back({{"path", name_in_text(document.file)}, {"sha256", document.sha256}});
   }
   return inputs;
 }

@@ -7,13 +7,15 @@
 #include <string_view>
 #include <utility>
 
+#include "io/one_line.hpp"
+
 namespace torquewright::io {
 namespace {
 
 constexpr std::size_t kMostSentences = 1000;
 constexpr std::size_t kLongestSentence = 4000;  // bytes
 
-/// The text with control characters written as \u00XX.
+/// The text with control characters written as \u00XX, and U+FFFD for what is no UTF-8.
 std::string on_one_line(std::string_view text) {
   std::string line;
   for (const char character : text) {
@@ -24,7 +26,7 @@ std::string on_one_line(std::string_view text) {
       line += character;
     }
   }
-  return line;
+  return one_line(line);
 }
 
 std::string sentence(const Fault& fault) {

@@ -76,6 +76,10 @@ void require_writable(const Target& target) {
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
     refuse_output(target.file, reason(errno));
   }
+  // A name that is too long, say.
+  if (::lstat(target.path.c_str(), &status) != 0 && errno != ENOENT) {
+    refuse_output(target.file, reason(errno));
+  }
   struct statx attributes {};
   const bool is_known =
       ::statx(AT_FDCWD, target.path.c_str(), 0, STATX_BASIC_STATS, &attributes) == 0;

@@ -26,6 +26,13 @@ extern "C" void on_forwarded_interrupt(int signal, siginfo_t* info, void* contex
   }
 }
 
+/// By whoever started us: a job in the background is not for Ctrl-C.
+bool is_ignored(int signal) {
+  struct sigaction now {};
+  return sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 &&
+         now.sa_handler == SIG_IGN;
+}
+
 bool is_handled(const struct sigaction& action) {
   if ((action.sa_flags & SA_SIGINFO) != 0) return true;
   return action.sa_handler != SIG_DFL && action.sa_handler != SIG_IGN;
@@ -36,6 +43,7 @@ bool is_handled(const struct sigaction& action) {
 void catch_interrupt() {
   if (is_forwarding) return;
   interrupted = 0;
+  if (is_ignored(SIGINT)) return;
   std::signal(SIGINT, on_interrupt);
 }
 

@@ -2,11 +2,10 @@
 #include "src/standard_output.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <system_error>
 #include <utility>
 
+#include "io/print.hpp"
 #include "io/spec_error.hpp"
 #include "src/held_output.hpp"
 #include "src/window_text.hpp"
@@ -15,10 +14,7 @@ namespace torquewright::cli {
 
 void print_result(const std::string& text) {
   if (HeldOutput* held = held_output()) return held->add(text);
-  // A full disk may show as late as when the buffer is emptied.
-  if (std::fputs(text.c_str(), stdout) != EOF && std::fflush(stdout) == 0) return;
-  const std::string reason = std::generic_category().message(errno);
-  throw io::SpecError({{"standard output", "", "cannot be written: " + reason}});
+  io::print(text);
 }
 
 bool is_standard_output(const std::filesystem::path& file) { return file == "-"; }

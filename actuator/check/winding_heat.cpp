@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace torquewright::actuator {
 namespace {
@@ -15,6 +16,15 @@ std::optional<Warmth> fixed_point(const HeatStep& step) {
   if (!(1.0 - a > 0.0 && determinant > 0.0)) return std::nullopt;
   return Warmth{((1.0 - d) * step.shift[0] + b * step.shift[1]) / determinant,
                 (c * step.shift[0] + (1.0 - a) * step.shift[1]) / determinant};
+}
+
+/// Heat that no number holds is without bound: maps and shifts are not negative, so that nothing
+/// else makes what is no number.
+Warmth without_nan(Warmth warmth) {
+  for (double& each_K : warmth) {
+    if (std::isnan(each_K)) each_K = std::numeric_limits<double>::infinity();
+  }
+  return warmth;
 }
 
 /// The least number from 1 to `most` that satisfies a condition which, once true, stays true.
@@ -51,9 +61,10 @@ void WindingHeat::add(double square_A2, double duration_s) {
 }
 
 WindingHeat::Peak WindingHeat::run(Warmth warmth) const {
+  warmth = without_nan(warmth);
   double warmest_K = warmth[0];
   for (const HeatStep& block : blocks_) {
-    warmth = block.after(warmth);
+    warmth = without_nan(block.after(warmth));
     warmest_K = std::max(warmest_K, warmth[0]);
   }
   return {warmest_K, warmth};

@@ -10,6 +10,7 @@
 #include "actuator/effects/effect_spec.hpp"
 #include "actuator/motor/gearbox_source_spec.hpp"
 #include "actuator/motor/statement_spec.hpp"
+#include "io/one_line.hpp"
 #include "io/schema.hpp"
 
 namespace torquewright::actuator {
@@ -44,7 +45,7 @@ class ActuatorReader {
       : read_before_(read_before), documents_{std::move(document)} {}
 
   ReadActuator read() {
-    actuator_.name = root().value("name", std::filesystem::path(document().file).stem().string());
+    actuator_.name = root().value("name", io::stem_in_text(document().file));
     actuator_.mass_kg = find(root(), "mass_kg");
     read_motor();
     read_drive();

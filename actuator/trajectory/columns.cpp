@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "io/nearest.hpp"
+#include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 #include "io/units.hpp"
 #include "io/wording.hpp"
@@ -90,6 +91,9 @@ void refuse_mapping(const std::string& text, const std::string& why) {
 }
 
 MappingText split_mapping(const std::string& text) {
+  if (const auto found = io::unprintable_in(text)) {
+    refuse_mapping(text, fmt::format("holds {}; must be one line of text", *found));
+  }
   std::string rest = text;
   std::string target = cut_behind_last(rest, '=');
   if (target.empty() || rest.empty() || rest == text)

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/document.hpp"
+#include "io/one_line.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -20,7 +21,7 @@ class JacobianReader {
 
   ParallelDrive read() {
     const json& root = document_.root;
-    drive_.name = root.value("name", std::filesystem::path(document_.file).stem().string());
+    drive_.name = root.value("name", io::stem_in_text(document_.file));
     drive_.joints = names("joints");
     drive_.actuators = names("actuators");
     if (root.contains("matrix") == root.contains("table")) {

@@ -13,6 +13,7 @@
 
 #include "gearbox/strength/steels.hpp"
 #include "gearbox/topologies/topology.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::gearbox {
@@ -208,7 +209,7 @@ ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions
   const Topology& gears = *find_topology(topology);
   const std::vector<const Steel*> chosen = chosen_steels(result, gears, options.steel);
   json keys{{"kind", "gear_strength"}, {"version", 1}};
-  keys["name"] = problem.value("name", std::filesystem::path(result.file).stem().string());
+  keys["name"] = problem.value("name", io::stem_in_text(result.file));
   keys["gearbox"] = {{"topology", topology},
                      {"teeth", design["teeth"]},
                      {"planet_count", design["planet_count"]},

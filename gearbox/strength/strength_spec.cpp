@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearbox/topologies/topology.hpp"
+#include "io/one_line.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -185,7 +186,7 @@ ReadStrength read_strength(const std::filesystem::path& file) {
 ReadStrength strength_of(io::Document document) {
   const json root = document.root;
   ReadStrength read;
-  read.name = root.value("name", std::filesystem::path(document.file).stem().string());
+  read.name = root.value("name", io::stem_in_text(document.file));
   read.assumed = root.value("assumed", read.assumed);
   read.documents.push_back(std::move(document));
   StrengthCase& strength = read.strength;

@@ -21,7 +21,8 @@ namespace {
 using Kind = Knob::Kind;
 
 constexpr const char* kOption = "--free";
-constexpr double kPlace_m = 0.1;  // either side of a documented place
+constexpr double kPlace_m = 0.1;   // either side of a documented place
+constexpr double kGreatest = 1e6;  // of a stated bound, in SI units
 
 std::optional<std::size_t> body_named(const Robot& robot, const std::string& name) {
   const auto& bodies = robot.tree.bodies;
@@ -117,6 +118,11 @@ double number_of(const std::string& text, const std::string& whole) {
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || rest != end || !std::isfinite(number)) {
     io::refuse(kOption, fmt::format("\"{}\" must be POINTER or POINTER=LOW:HIGH", whole));
+  }
+  if (std::abs(number) > kGreatest) {
+    io::refuse(kOption, fmt::format("{} in \"{}\" is beyond every robot; bounds are from -{:g} to "
+                                    "{:g} kg, m, kg m^2 or rad",
+                                    text, whole, kGreatest, kGreatest));
   }
   return number;
 }

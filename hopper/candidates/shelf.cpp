@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "actuator/motor/actuator_spec.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper {
@@ -16,6 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRatios = 1000;
+/// Beyond what is built on either side.
+constexpr double kLeastRatio = 0.01, kGreatestRatio = 1e4;
 constexpr double kRoundOff = 1e-9;
 
 std::vector<fs::path> documents_in(const fs::path& folder) {
@@ -110,6 +113,10 @@ RatioSweep read_ratio_sweep(const std::string& text) {
     io::refuse("--ratios", fmt::format("\"{}\": the form is FROM:TO or FROM:TO:STEP", text));
   }
   RatioSweep sweep{read_number(text, parts[0]), read_number(text, parts[1]), 1.0};
+  if (sweep.from < kLeastRatio || sweep.to > kGreatestRatio) {
+    io::refuse("--ratios", fmt::format("\"{}\": ratios are from {:g} to {:g}", text, kLeastRatio,
+                                       kGreatestRatio));
+  }
   if (parts.size() == 3) sweep.step = read_number(text, parts[2]);
   if (sweep.from > sweep.to) {
     io::refuse("--ratios", fmt::format("\"{}\": {:g} lies above {:g}", text, sweep.from, sweep.to));
@@ -128,7 +135,7 @@ Shelf read_shelf(const fs::path& folder, const ReadRobot& robot,
   Shelf shelf;
   shelf.by_drivetrain.resize(robot.robot.drivetrains.size());
   for (const fs::path& file : documents_in(folder)) {
-    const std::string name = file.stem().string();
+    const std::string name = io::stem_in_text(file);
     try {
       io::Document document = io::read_document(file, {"actuator", "gearbox", "gearbox_result"});
       shelf.documents.push_back(document);

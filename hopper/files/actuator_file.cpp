@@ -17,6 +17,7 @@
 #include "hopper/files/postures_in_range.hpp"
 #include "hopper/files/rotors_in_joints.hpp"
 #include "hopper/robot/mechanism_reach.hpp"
+#include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::hopper {
@@ -109,7 +110,7 @@ class Writer {
     head.push_back(fmt::format("{}: every drive, for {}.", robot_.name, exporter_.simulator));
     head.insert(head.end(), notes_.begin(), notes_.end());
     for (const Fitted& actuator : fitted_) {
-      head.push_back(fmt::format("-- {}", actuator.file));
+      head.push_back(fmt::format("-- {}", io::name_in_text(actuator.file)));
       head.insert(head.end(), actuator.note.begin(), actuator.note.end());
     }
     return {exporter_.write_all(entries_, head), std::move(notes_)};

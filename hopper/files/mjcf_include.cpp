@@ -38,7 +38,8 @@ class Includer {
       return;
     }
     const fs::path file = place_of(include, name);
-    if (!fs::is_regular_file(file)) {
+    std::error_code unknown;
+    if (!fs::is_regular_file(file, unknown)) {
       faults_->report(include, fmt::format("the file \"{}\" is not there", file.string()));
     } else if (!seen_.insert(file).second) {
       faults_->report(include, fmt::format("\"{}\" is included already", file.string()));
@@ -51,7 +52,8 @@ class Includer {
 
   fs::path place_of(const Element& include, const std::string& name) const {
     const fs::path from_main = (folder_ / name).lexically_normal();
-    if (fs::exists(from_main)) return from_main;
+    std::error_code unknown;
+    if (fs::exists(from_main, unknown)) return from_main;
     return (fs::path(*include.file).parent_path() / name).lexically_normal();
   }
 

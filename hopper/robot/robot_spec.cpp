@@ -13,6 +13,7 @@
 #include "hopper/robot/posture_spec.hpp"
 #include "hopper/robot/rotations.hpp"
 #include "hopper/robot/tree_order.hpp"
+#include "io/one_line.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -55,7 +56,7 @@ class RobotReader {
   explicit RobotReader(io::Document document) : documents_{std::move(document)} {}
 
   ReadRobot read() {
-    robot_.name = root().value("name", std::filesystem::path(document().file).stem().string());
+    robot_.name = root().value("name", io::stem_in_text(document().file));
     robot_.tree.gravity_m_s2 = root().value("gravity_m_s2", robot_.tree.gravity_m_s2);
     robot_.assumed = root().value("assumed", robot_.assumed);
     body_names_ = names("bodies", "body");

@@ -9,6 +9,7 @@
 #include "identification/imports/file_json.hpp"
 #include "identification/imports/named_columns.hpp"
 #include "io/json_text.hpp"
+#include "io/one_line.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::identification::imports {
@@ -109,14 +110,15 @@ ImportedLog read_bam(const ImportRequest& request) {
       file.refuse("/entries", "missing; must be a list");
     }
     if (log.header.empty()) set_columns(file, log);
-    const std::string name = path.stem().string();
+    const std::string name = io::stem_in_text(path);
     log.runs.push_back(run_of(file, name, log));
     log.loads[name] = pendulum(file);
     if (!file.root.contains("arm_mass")) {
       for (const char* key : {"/mass_kg", "/length_m", "/inertia_kg_m2"}) {
         log.assumed.push_back(io::child_path("/loads", name) + key);
       }
-      log.notes.push_back(fmt::format("{}: no arm_mass; the arm is taken for massless", file.file));
+      log.notes.push_back(fmt::format("{}: no arm_mass; the arm is taken for massless",
+                                      io::name_in_text(file.file)));
     }
   }
   return log;

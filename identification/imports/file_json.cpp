@@ -7,6 +7,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
+#include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::identification::imports {
@@ -35,6 +36,9 @@ void JsonFile::refuse_unknown(std::initializer_list<std::string_view> known) con
 std::string JsonFile::text(const char* key) const {
   if (!root.contains(key) || !root[key].is_string()) {
     refuse(std::string("/") + key, "missing; must be a text");
+  }
+  if (const auto found = io::unprintable_in(root[key].get_ref<const std::string&>())) {
+    refuse(std::string("/") + key, fmt::format("holds {}; must be one line of text", *found));
   }
   return root[key];
 }

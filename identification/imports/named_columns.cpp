@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "io/csv.hpp"
+#include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
 
@@ -69,7 +70,7 @@ ImportedLog read_named_columns(
     } else if (csv.header() != log.header) {
       throw io::SpecError({{csv.file(), "", "has other columns than the file before it"}});
     }
-    ImportedLog::Run run{file.stem().string(), {}};
+    ImportedLog::Run run{io::stem_in_text(file), {}};
     while (csv.next()) run.rows.push_back(cells_of(csv, log));
     log.runs.push_back(std::move(run));
   }

@@ -9,6 +9,7 @@
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/sysid_columns.hpp"
 #include "io/csv.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "io/wording.hpp"
 
@@ -183,7 +184,7 @@ ImportedLog read_sysid_csv(const ImportRequest& request) {
     if (log.runs.size() == before) io::refuse(csv.file(), "no row is in a test");
     if (request.files.size() == 1) continue;
     for (std::size_t i = before; i < log.runs.size(); ++i) {
-      log.runs[i].name = path.stem().string() + " " + log.runs[i].name;
+      log.runs[i].name = io::stem_in_text(path) + " " + log.runs[i].name;
     }
   }
   log.notes.emplace_back(

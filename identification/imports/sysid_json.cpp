@@ -6,6 +6,7 @@
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/file_json.hpp"
 #include "identification/imports/sysid_columns.hpp"
+#include "io/one_line.hpp"
 
 namespace torquewright::identification::imports {
 namespace {
@@ -56,9 +57,10 @@ ImportedLog read_sysid(const ImportRequest& request) {
                             before[2].scale != log.columns[2].scale)) {
       file.refuse("/units", "other units than in the file before it");
     }
-    add_runs(file, request.files.size() > 1 ? path.stem().string() + " " : "", log);
-    log.notes.push_back(fmt::format(
-        "{}: a test of kind \"{}\"; the voltage is taken for the winding's", file.file, test));
+    add_runs(file, request.files.size() > 1 ? io::stem_in_text(path) + " " : "", log);
+    log.notes.push_back(
+        fmt::format("{}: a test of kind \"{}\"; the voltage is taken for the winding's",
+                    io::name_in_text(file.file), test));
   }
   return log;
 }

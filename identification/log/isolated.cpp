@@ -26,8 +26,6 @@ constexpr double kTimesChange = 3.0;
 /// Before and after it the channel must agree within this share of the excursion: else it is an
 /// edge, and edges are signal.
 constexpr double kAgreement = 0.5;
-/// More than this share of the samples are not isolated.
-constexpr double kCrowd = 0.01;
 constexpr std::size_t kFewestOfCrowd = 5;
 
 /// How far each inner sample lies from the mean of its neighbours.
@@ -106,7 +104,7 @@ IsolatedSamples find_isolated(const std::vector<double>& values, const Circle& c
       break;
     }
   }
-  const auto most = static_cast<std::size_t>(kCrowd * static_cast<double>(values.size()));
+  const auto most = static_cast<std::size_t>(kMostIsolated * static_cast<double>(values.size()));
   found.is_crowd = count > std::max(most, kFewestOfCrowd);
   return found;
 }

@@ -6,6 +6,9 @@
 
 namespace torquewright::identification {
 
+/// More than this share of a channel's samples are not isolated.
+constexpr double kMostIsolated = 0.01;
+
 /// A value on a circle of this circumference; 0: on a line.
 struct Circle {
   double circumference = 0.0;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "identification/log/channel.hpp"
+#include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::identification {
@@ -89,7 +90,7 @@ void LogReader::close_file() {
   if (!clock_.sentence().empty()) {
     findings_.push_back({Weight::kNote, fmt::format("{}: {}", csv_->file(), clock_.sentence())});
   }
-  files_read_.push_back({csv_->file(), csv_->sha256()});
+  files_read_.push_back({io::name_in_text(csv_->file()), csv_->sha256()});
   csv_.reset();
   ++file_;
 }
@@ -150,6 +151,10 @@ void LogReader::Rows::add(const std::string& run, std::size_t rows) {
 void LogReader::begin_run(std::string_view name) {
   if (columns_.run) {
     if (name.empty()) csv_->refuse(*columns_.run, "empty, must name the run");
+    if (const auto found = io::unprintable_in(name)) {
+      csv_->refuse(*columns_.run,
+                   fmt::format("the run's name holds {}; must be one line of text", *found));
+    }
     if (!names_in_file_.emplace(name).second) {
       csv_->refuse(*columns_.run, fmt::format("run \"{}\" stands in two places; the rows of a run "
                                               "must follow one another",
@@ -157,7 +162,7 @@ void LogReader::begin_run(std::string_view name) {
     }
     run_.name = name;
   } else {
-    run_.name = files_[file_].stem().string();
+    run_.name = io::stem_in_text(files_[file_]);
   }
   run_.joints.assign(rig_.joints.size(), {});
   is_in_run_ = true;

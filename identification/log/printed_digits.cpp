@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "identification/log/isolated.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -50,11 +52,22 @@ void PrintedDigits::add(std::string_view cell) {
   }
 }
 
+int PrintedDigits::greatest_usual() const {
+  const auto most = static_cast<std::size_t>(kMostIsolated * static_cast<double>(cells_));
+  std::size_t above = 0;
+  for (auto at = leading_.rbegin(); at != leading_.rend(); ++at) {
+    above += at->second;
+    if (above > most) return at->first;
+  }
+  return leading_.empty() ? 0 : leading_.begin()->first;
+}
+
 double PrintedDigits::last_digit() const {
   if (cells_ == 0) return 0.0;
   double sum = static_cast<double>(zeros_) * std::pow(10.0, -2.0 * decimals_);
+  const int usual = greatest_usual();
   for (const auto& [leading, count] : leading_) {
-    const int last = std::max(-decimals_, leading + 1 - digits_);
+    const int last = std::max(-decimals_, std::min(leading, usual) + 1 - digits_);
     sum += static_cast<double>(count) * std::pow(10.0, 2.0 * last);
   }
   return std::sqrt(sum / static_cast<double>(cells_));

@@ -15,10 +15,14 @@ class PrintedDigits {
   /// A cell that holds a number. The first 10 000 count.
   void add(std::string_view cell);
 
-  /// Root mean square of what one more in the last digit adds; 0 without cells.
+  /// Root mean square of what one more in the last digit adds; 0 without cells. The greatest
+  /// cells, as many as may be isolated faults, count as the next ones do.
   double last_digit() const;
 
  private:
+  /// Of the leading digits, without those that single faults may be.
+  int greatest_usual() const;
+
   std::size_t cells_ = 0, zeros_ = 0;
   int decimals_ = -400;                 ///< The most.
   int digits_ = 0;                      ///< Significant, the most.

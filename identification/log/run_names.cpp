@@ -5,6 +5,7 @@
 #include <set>
 
 #include "identification/log/stretch.hpp"
+#include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::identification {
@@ -16,7 +17,7 @@ void give_names(std::vector<Stretch>& stretches, const std::vector<std::filesyst
   for (Stretch& stretch : stretches) {
     std::string& name = stretch.run.name;
     if (files_by_name[name].size() > 1) {
-      const std::string stem = files[stretch.file].stem().string();
+      const std::string stem = io::stem_in_text(files[stretch.file]);
       name = name == stem ? name : stem + "/" + name;
     }
     const auto [other, is_new] = file_of.emplace(name, stretch.file);

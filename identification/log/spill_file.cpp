@@ -15,7 +15,14 @@
 namespace torquewright::identification {
 namespace {
 
-std::filesystem::path folder() { return std::filesystem::temp_directory_path(); }
+std::filesystem::path folder() {
+  std::error_code failed;
+  const std::filesystem::path path = std::filesystem::temp_directory_path(failed);
+  if (!failed) return path;
+  throw io::SpecError({{"TMPDIR", "",
+                        "a long log is held in the folder that it names, which cannot be used: " +
+                            failed.message()}});
+}
 
 [[noreturn]] void refuse_disk(const char* what) {
   throw io::SpecError({{folder().string(), "",

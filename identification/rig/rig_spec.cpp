@@ -12,6 +12,7 @@
 #include "io/document.hpp"
 #include "io/json_text.hpp"
 #include "io/nearest.hpp"
+#include "io/one_line.hpp"
 #include "io/units.hpp"
 #include "io/wording.hpp"
 
@@ -54,7 +55,7 @@ class RigReader {
 
   Rig read() {
     rig_.file = document_.file;
-    rig_.name = root_.value("name", std::filesystem::path(document_.file).stem().string());
+    rig_.name = root_.value("name", io::stem_in_text(document_.file));
     read_loads();
     read_columns(root_["columns"]);
     read_ignored();

@@ -12,8 +12,10 @@
 #include <sstream>
 
 #include "io/nearest.hpp"
+#include "io/print.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
+#include "src/command_line/blank_value.hpp"
 #include "src/command_line/help_text.hpp"
 #include "src/command_line/misspelling.hpp"
 
@@ -341,13 +343,13 @@ bool Program::is_answered(const std::vector<std::string>& words,
                           const std::exception& error) const {
   const Reached reached = reached_by(declared_, words);
   if (dynamic_cast<const CLI::CallForVersion*>(&error)) {
-    std::fputs((version_ + "\n").c_str(), stdout);
+    io::print(version_ + "\n");
     return true;
   }
   const bool leads_on = reached.command->needs_command && reached.rest == words.size();
   const bool asks = dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr;
   if (!asks && (!leads_on || misspelling(declared_, words))) return false;
-  std::fputs(help_text(*reached.command, reached.path).c_str(), stdout);
+  io::print(help_text(*reached.command, reached.path));
   return true;
 }
 
@@ -365,7 +367,7 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   const Reached leads = reached_by(declared_, words);
   if (leads.rest + 1 == words.size() && words.back() == "help" && leads.command->needs_command) {
-    std::fputs(help_text(*leads.command, leads.path).c_str(), stdout);
+    io::print(help_text(*leads.command, leads.path));
     return cli::ExitCode::kPasses;
   }
   try {
@@ -378,6 +380,7 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
     if (!is_answered(words, error)) refuse_words(words, error.what());
     return cli::ExitCode::kPasses;
   }
+  if (const auto blank = blank_value(declared_, words)) refuse(*blank);
   cli::ExitCode code = cli::ExitCode::kPasses;
   for (const Work& work : named_) code = work();
   return code;

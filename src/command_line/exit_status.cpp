@@ -3,6 +3,10 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
+#include <system_error>
 
 #include "io/spec_error.hpp"
 
@@ -13,6 +17,20 @@ int exit_status(const std::function<cli::ExitCode()>& work) {
     return static_cast<int>(work());
   } catch (const io::SpecError& error) {
     std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(cli::ExitCode::kBadInput);
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string file = error.path1().empty() ? "the current folder" : error.path1().string();
+    std::fprintf(stderr, "%s: cannot be reached: %s\n", file.c_str(),
+                 error.code().message().c_str());
+    return static_cast<int>(cli::ExitCode::kBadInput);
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "the system refuses what is needed: %s\n", error.what());
+    return static_cast<int>(cli::ExitCode::kBadInput);
+  } catch (const std::bad_alloc&) {
+    std::fputs(
+        "memory: what is asked for takes more than the system gives; a shorter input, fewer "
+        "--threads or --jobs, or a higher limit (ulimit -v) may do\n",
+        stderr);
     return static_cast<int>(cli::ExitCode::kBadInput);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "internal error: %s\n", error.what());

@@ -7,6 +7,7 @@
 
 #include "actuator/region/mor_table.hpp"
 #include "io/atomic_file.hpp"
+#include "io/one_line.hpp"
 #include "src/commands/actuator_check_inputs.hpp"
 #include "src/commands/actuator_check_json.hpp"
 #include "src/commands/actuator_commands.hpp"
@@ -46,8 +47,8 @@ std::string plot_of(const CheckOptions& options, const ActuatorCheckInputs& inpu
                        actuator::mor_table(region), report.traces[i]});
   }
   const std::filesystem::path trajectory(options.trajectory_file);
-  const std::string title =
-      fmt::format("{}: {}", trajectory.filename().string(), actuator::name_of(report.verdict));
+  const std::string title = fmt::format("{}: {}", io::name_in_text(trajectory.filename()),
+                                        actuator::name_of(report.verdict));
   return report::motion_plot(report::plot_format(options.plot_file), title, motions);
 }
 
@@ -72,7 +73,7 @@ void write(const CheckOptions& options, const ActuatorCheckInputs& inputs,
     files.push_back({options.plot_file, report::picture_by_gnuplot(found.plot)});
   }
   deliver_report({actuator_check_json(options, inputs, found.report),
-                  report::check_text(options.trajectory_file, found.report)},
+                  report::check_text(io::name_in_text(options.trajectory_file), found.report)},
                  options.output_file, options.json, std::move(files));
 }
 

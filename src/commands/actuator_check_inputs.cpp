@@ -8,6 +8,7 @@
 
 #include "actuator/trajectory/columns_spec.hpp"
 #include "actuator/trajectory/jacobian_spec.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::cli {
@@ -18,7 +19,12 @@ std::pair<std::string, std::string> name_and_file(const std::string& text) {
   if (place == std::string::npos || place == 0 || place + 1 == text.size()) {
     io::refuse("--joint", fmt::format("\"{}\" must be NAME=ACTUATOR, the actuator's file", text));
   }
-  return {text.substr(0, place), text.substr(place + 1)};
+  const std::string name = text.substr(0, place);
+  if (const auto found = io::unprintable_in(name)) {
+    io::refuse("--joint",
+               fmt::format("\"{}\": the name holds {}; must be one line of text", name, *found));
+  }
+  return {name, text.substr(place + 1)};
 }
 
 /// One document may serve many joints: it is read once.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "src/interrupt.hpp"
 #include "src/report/shell_word.hpp"
 
 namespace torquewright::cli {
@@ -42,7 +43,9 @@ std::vector<std::string> next_commands(const HopperFlipRequest& request,
                                        const hopper::PlanResult& result) {
   if (result.status == hopper::PlanStatus::kPlanned) return after_a_plan(request);
   std::vector<std::string> lines;
-  if (result.status == hopper::PlanStatus::kLimit) {
+  if (is_interrupted()) {
+    lines.push_back("the same command begins anew: nothing of a search that is ended is kept");
+  } else if (result.status == hopper::PlanStatus::kLimit) {
     lines.push_back(
         fmt::format("--time-limit {:g} gives it more time", 2.0 * request.plan.most_seconds));
   } else {

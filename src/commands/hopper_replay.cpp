@@ -104,6 +104,15 @@ void require_effect(const HopperReplayRequest& request) {
       "--ground-time-constant", "belongs with --engine mujoco: the own engine's ground is rigid");
 }
 
+/// Of no time at all nothing could be said.
+void require_time(const HopperReplayRequest& request, const hopper::Motion& motion) {
+  const double lasts_s = motion.times_s.back() - motion.times_s.front() + request.stand_s;
+  if (lasts_s >= request.control_period_s) return;
+  io::refuse("--stand", fmt::format("the motion and {:g} s of standing last {:g} s, less than one "
+                                    "--control-period of {:g} s: nothing would be replayed",
+                                    request.stand_s, lasts_s, request.control_period_s));
+}
+
 hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
                                      const HopperCheckInputs& inputs) {
   hopper::ReplayOptions options;
@@ -204,14 +213,15 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   require_window(request);
   require_effect(request);
   auto [inputs, motion] = read_inputs(request.motion);
-  check_files(request);  // now that the robot's files are known
+  require_time(request, motion);
   const hopper::Robot& robot = inputs.robot.robot;
   hopper::RunOptions finest = run_of(request);
   if (request.sweep) finest.step_s /= 4.0;  // as Replay::sweep() does
   hopper::require_few_steps(motion, finest);
+  const auto randomised = read_trials(request, robot);
+  check_files(request);  // now that the files that others name are known
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
-  const auto randomised = read_trials(request, robot);
   if (randomised) inputs.columns.push_back(randomised->document);
   const hopper::Replay replay(robot, motion, check, replay_options(request, inputs));
   std::optional<hopper::ReplayTrials> trials;

@@ -11,6 +11,7 @@
 #include "identification/forward/candidates.hpp"
 #include "identification/outputs/output.hpp"
 #include "io/atomic_file.hpp"
+#include "io/one_line.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/commands/identify_inputs.hpp"
 #include "src/commands/identify_json.hpp"
@@ -135,8 +136,9 @@ std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs
 
 void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
            const IdentifyFound& found) {
-  report::IdentificationContext context{request.logs, request.rig_file, inputs.rig.name, {}, {},
-                                        {},           request.select};
+  report::IdentificationContext context{
+      {}, io::name_in_text(request.rig_file), inputs.rig.name, {}, {}, {}, request.select};
+  for (const std::string& log : request.logs) context.log_files.push_back(io::name_in_text(log));
   for (const identification::ColumnUse& column : inputs.rig.columns) {
     context.logged.emplace_back(identification::name_of(column.quantity));
   }
@@ -165,6 +167,8 @@ ExitCode run_identify(const IdentifyRequest& asked) {
   const IdentifyInputs inputs = read(request);
   const IdentifyFound found = compute(request, inputs);
   write(request, inputs, found);
+  // An output is missing, whatever the verdict.
+  if (!inputs.refined.empty() && !found.refined.refusal.empty()) return ExitCode::kUndecided;
   return exit_code_of(found.identification.verdict);
 }
 

@@ -8,6 +8,8 @@
 
 #include "identification/imports/files_json.hpp"
 #include "io/atomic_file.hpp"
+#include "io/file_bytes.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
 #include "src/standard_output.hpp"
@@ -29,6 +31,17 @@ void make_folder(const fs::path& folder) {
   if (error) io::refuse(folder.string(), "cannot be made: " + error.message());
 }
 
+/// Whether it is there as it would be written. Refuses one that says something else: somebody may
+/// have stated in it what the actuator moved.
+bool has_rig(const fs::path& rig, const std::string& text) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(rig, unknown)) return false;
+  if (io::read_file_bytes(rig) == text) return true;
+  io::refuse(rig.string(),
+             "is there already and says something else; take it away, or name another "
+             "folder by -o");
+}
+
 ExitCode run_import(const ImportOptions& options) {
   const identification::Importer& importer = identification::importer_of(options.format);
   if (!options.units.empty() && !importer.asks_units) {
@@ -41,15 +54,18 @@ ExitCode run_import(const ImportOptions& options) {
   make_folder(folder);
   const fs::path csv = folder / "log.csv", rig = folder / "rig.json";
   io::check_outputs({csv, rig}, {options.files.begin(), options.files.end()});
-  const std::string name = fs::path(options.files.front()).stem().string();
-  io::write_whole_files(
-      {{csv, identification::imported_csv(log)}, {rig, identification::imported_rig(log, name)}});
-  std::string said = fmt::format("{}: {} run{}\n{}: {} columns\n", csv.string(), log.runs.size(),
-                                 log.runs.size() == 1 ? "" : "s", rig.string(), log.columns.size());
+  const std::string name = io::stem_in_text(options.files.front());
+  const std::string rig_text = identification::imported_rig(log, name);
+  std::vector<io::FileContent> files{{csv, identification::imported_csv(log)}};
+  if (!has_rig(rig, rig_text)) files.push_back({rig, rig_text});
+  io::write_whole_files(files);
+  std::string said =
+      fmt::format("{}: {} run{}\n{}: {} columns\n", io::name_in_text(csv), log.runs.size(),
+                  log.runs.size() == 1 ? "" : "s", io::name_in_text(rig), log.columns.size());
   for (const std::string& note : log.notes) said += "note: " + note + "\n";
   if (!log.load && log.loads.empty()) {
     said += fmt::format("next: state in {} what the actuator moved (\"load\"), docs/logs.md\n",
-                        rig.string());
+                        io::name_in_text(rig));
   }
   print_result(for_window(said));
   return ExitCode::kPasses;

@@ -10,6 +10,7 @@
 #include "io/nearest.hpp"
 #include "io/refusal.hpp"
 #include "io/wording.hpp"
+#include "src/commands/moved_references_json.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -52,6 +53,19 @@ std::vector<std::string> by_joint(const Rig& rig, const std::string& option,
   return files;
 }
 
+/// What goes through a pipe can be read once, and the refined actuator is tried on the log again.
+void require_plain_logs(const IdentifyRequest& request) {
+  if (request.refined.empty() && request.as.empty()) return;
+  for (const std::string& log : request.logs) {
+    std::error_code unknown;
+    const std::filesystem::file_status status = std::filesystem::status(log, unknown);
+    if (!std::filesystem::is_other(status)) continue;
+    io::refuse(log,
+               "is no plain file, and for a refined actuator it is read twice; write it into "
+               "a file first");
+  }
+}
+
 void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
   std::vector<std::filesystem::path> written(inputs.refined.begin(), inputs.refined.end());
   if (!request.outputs.empty()) written.emplace_back(report_document(request));
@@ -63,6 +77,9 @@ void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
       read.emplace_back(document.file);
   }
   check_written(written, read);
+  for (std::size_t i = 0; i < inputs.refined.size(); ++i) {
+    require_movable_actuator(inputs.actuators[i].nominal.documents.front(), inputs.refined[i]);
+  }
 }
 
 }  // namespace
@@ -79,6 +96,7 @@ IdentifyInputs read_inputs(const IdentifyRequest& request) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     inputs.actuators.push_back({inputs.rig.joints[i], actuator::read_actuator(files[i])});
   }
+  require_plain_logs(request);
   check_files(request, inputs);
   return inputs;
 }

@@ -65,7 +65,8 @@ const StartedKind& started(const std::string& kind) {
 
 /// Where somebody has begun already, nothing is written over.
 void refuse_existing(const std::string& file) {
-  if (file.empty() || !std::filesystem::is_regular_file(file)) return;
+  std::error_code unknown;  // what cannot be looked at cannot be written either, which is said then
+  if (file.empty() || !std::filesystem::is_regular_file(file, unknown)) return;
   io::refuse(file, "is there already; init writes over no document");
 }
 

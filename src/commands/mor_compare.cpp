@@ -5,6 +5,7 @@
 
 #include "actuator/region/mor_table.hpp"
 #include "actuator/region/region_comparison.hpp"
+#include "io/one_line.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/report/comparison_json.hpp"
 #include "src/report/comparison_text.hpp"
@@ -20,7 +21,7 @@ Region region_of(const ComparedActuator& compared, actuator::Side side) {
 
 /// The actuator's name, and its file, since refined actuators keep their name.
 std::string label_of(const ComparedActuator& compared) {
-  return fmt::format("{} ({})", compared.read.actuator.name, compared.file);
+  return fmt::format("{} ({})", compared.read.actuator.name, io::name_in_text(compared.file));
 }
 
 }  // namespace
@@ -40,8 +41,8 @@ std::string comparison_result(const ComparedActuator& from, const ComparedActuat
 std::string comparison_plot(report::PlotFormat format, const ComparedActuator& from,
                             const ComparedActuator& to, actuator::Side side) {
   const std::vector<report::PlottedRegion> regions{
-      {to.file, actuator::mor_table(region_of(to, side))},
-      {from.file, actuator::mor_table(region_of(from, side))}};
+      {io::name_in_text(to.file), actuator::mor_table(region_of(to, side))},
+      {io::name_in_text(from.file), actuator::mor_table(region_of(from, side))}};
   return report::region_plot(
       format, fmt::format("{}: motor operating regions compared", to.read.actuator.name), regions);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "io/one_line.hpp"
 #include "io/provenance.hpp"
 
 namespace torquewright::cli {
@@ -14,7 +15,8 @@ std::vector<std::string> origin_of(std::string_view command,
   std::vector<std::string> lines{
       fmt::format("Written by torquewright {}, {}, from:", io::tool_version(), command)};
   for (const io::Document& document : documents) {
-    const std::string line = fmt::format("{} sha256 {}", document.file, document.sha256);
+    const std::string line =
+        fmt::format("{} sha256 {}", io::name_in_text(document.file), document.sha256);
     // Drives of one kind name one file.
     if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
   }

@@ -17,6 +17,7 @@
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
 #include "io/json_text.hpp"
+#include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/commands/robot_commands.hpp"
@@ -119,8 +120,9 @@ void write(const ImportOptions& options, const hopper::Imported& imported,
     return;
   }
   const std::size_t bodies = imported.robot.tree.bodies.size();
-  print_result(for_window(
-      fmt::format("{}: {} bodies, {} joints\n", options.output_file, bodies, bodies - 1) + notes));
+  const std::string said = fmt::format("{}: {} bodies, {} joints\n",
+                                       io::name_in_text(options.output_file), bodies, bodies - 1);
+  print_result(for_window(said + notes));
 }
 
 ExitCode run_import(const ImportOptions& options) {

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/noise_option.hpp"
 
-#include <cmath>
+#include <fmt/format.h>
+
 #include <cstdlib>
 
 #include "io/spec_error.hpp"
 
 namespace torquewright::cli {
+namespace {
+
+constexpr double kGreatest = 1e9;  ///< So that squares and sums have an end.
+
+}  // namespace
 
 std::map<identification::Quantity, double> read_noise(const std::vector<std::string>& texts) {
   std::map<identification::Quantity, double> noise;
@@ -21,8 +27,10 @@ std::map<identification::Quantity, double> read_noise(const std::vector<std::str
     const char* number = text.c_str() + equals + 1;
     char* end = nullptr;
     const double sigma = std::strtod(number, &end);
-    if (end == number || *end != '\0' || !std::isfinite(sigma) || sigma < 0.0) {
-      refuse("SIGMA is a standard deviation: a number, 0 or more, in the quantity's unit");
+    if (end == number || *end != '\0' || !(sigma >= 0.0 && sigma <= kGreatest)) {
+      refuse(fmt::format(
+          "SIGMA is a standard deviation: a number from 0 to {:g}, in the quantity's unit",
+          kGreatest));
     }
     noise[*quantity] = sigma;
   }

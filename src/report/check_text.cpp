@@ -71,7 +71,9 @@ std::string margin_line(const CheckedInterpretation& interpretation) {
   }
   const std::optional<WindingReport>& winding = interpretation.winding;
   if (!winding) return text + ", heat not judged (no thermal is stated)\n";
-  return text + fmt::format(", heat {}\n", kelvin(winding->limit_K - winding->peak_K));
+  const double margin_K = winding->limit_K - winding->peak_K;
+  return text + fmt::format(", heat {}\n",
+                            std::isfinite(margin_K) ? kelvin(margin_K) : "exceeded without bound");
 }
 
 std::string interpretation_lines(const DriveReport& drive,

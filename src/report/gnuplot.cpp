@@ -10,10 +10,13 @@
 
 #include <array>
 #include <cerrno>
-#include <stdexcept>
+#include <csignal>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "io/atomic_file.hpp"
+#include "io/refusal.hpp"
 #include "io/spec_error.hpp"
 
 extern char** environ;  // NOLINT: the name is POSIX's.
@@ -58,6 +61,38 @@ class MemoryFile {
   int descriptor_;
 };
 
+/// Without the terminal that somebody draws to on a screen: it may not be installed.
+std::vector<char*> variables_without_terminal() {
+  std::vector<char*> variables;
+  for (char** each = environ; *each != nullptr; ++each) {
+    if (!std::string_view(*each).starts_with("GNUTERM=")) variables.push_back(*each);
+  }
+  variables.push_back(nullptr);
+  return variables;
+}
+
+/// A process group of its own, since Ctrl-C in a terminal is for us alone, and a file that grows
+/// too large ends it: it does not look whether all was written.
+class SpawnAttributes {
+ public:
+  SpawnAttributes() {
+    ::posix_spawnattr_init(&attributes_);
+    sigset_t usual;
+    ::sigemptyset(&usual);
+    for (const int signal : {SIGXFSZ, SIGINT, SIGPIPE}) ::sigaddset(&usual, signal);
+    ::posix_spawnattr_setsigdefault(&attributes_, &usual);
+    ::posix_spawnattr_setpgroup(&attributes_, 0);
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+  }
+  ~SpawnAttributes() { ::posix_spawnattr_destroy(&attributes_); }
+  SpawnAttributes(const SpawnAttributes&) = delete;
+  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+};
+
 pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const MemoryFile& words,
                     const std::string& option) {
   std::string name = "gnuplot";
@@ -69,7 +104,9 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
   posix_spawn_file_actions_adddup2(&actions, drawing.descriptor(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, words.descriptor(), STDERR_FILENO);
   pid_t child = -1;
-  const int error = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments, environ);
+  const SpawnAttributes attributes;
+  const int error = posix_spawnp(&child, arguments[0], &actions, attributes.get(), arguments,
+                                 variables_without_terminal().data());
   posix_spawn_file_actions_destroy(&actions);
   if (error == 0) return child;
   if (error == ENOENT) {
@@ -77,7 +114,25 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
                           "gnuplot, which draws the picture, is not installed "
                           "(Debian: gnuplot-nox)"}});
   }
-  throw std::system_error(error, std::generic_category(), "gnuplot");
+  io::refuse(option, fmt::format("gnuplot, which draws the picture, cannot be started: {}",
+                                 std::generic_category().message(error)));
+}
+
+/// Waits for its end; how that went wrong, or nothing.
+std::string ending_of(pid_t child) {
+  int status = 0;
+  pid_t ended = -1;
+  while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) continue;
+  if (ended < 0) return "ended unseen";
+  if (WIFSIGNALED(status)) return fmt::format("was ended by signal {}", WTERMSIG(status));
+  return WEXITSTATUS(status) == 0 ? "" : fmt::format("ended with {}", WEXITSTATUS(status));
+}
+
+/// An SVG up to its last mark, or a PNG up to its last chunk.
+bool is_whole(std::string_view picture) {
+  constexpr std::string_view kLastChunk("IEND\xae\x42\x60\x82", 8);
+  if (picture.ends_with(kLastChunk)) return true;
+  return picture.substr(0, picture.find_last_not_of(" \n") + 1).ends_with("</svg>");
 }
 
 }  // namespace
@@ -119,11 +174,11 @@ std::string picture_by_gnuplot(const std::string& script, const std::string& opt
   const MemoryFile words("words");
   input.write(script);
   const pid_t child = start_gnuplot(input, drawing, words, option);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  const std::string ending = ending_of(child);
   std::string picture = drawing.read();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty()) {
-    throw std::runtime_error("gnuplot failed: " + words.read());
+  if (!ending.empty() || !is_whole(picture)) {
+    io::refuse(option, fmt::format("gnuplot, which draws the picture, {}: {}",
+                                   ending.empty() ? "drew half of it" : ending, words.read()));
   }
   return picture;
 }

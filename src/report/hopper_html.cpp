@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "io/one_line.hpp"
 #include "src/report/cursor_page.hpp"
 #include "src/report/hopper_cursor.hpp"
 #include "src/report/kept_samples.hpp"
@@ -190,7 +191,7 @@ PageHead checked_head(const HopperPage& page) {
   std::string text = fmt::format(
       "<section>\n<h1>{}: can it do the motion? <span class=\"badge {}\">{}</span></h1>\n"
       "<p class=\"soft\">{}</p>\n<ul class=\"bad-words\">\n",
-      escaped(page.robot.name), verdict, verdict, escaped(page.motion.file));
+      escaped(page.robot.name), verdict, verdict, escaped(io::name_in_text(page.motion.file)));
   for (const actuator::Finding& finding : page.report.check.findings) {
     if (finding.severity != actuator::Severity::kViolation) continue;
     text += "<li>" + escaped(finding.sentence) + "</li>\n";

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "io/one_line.hpp"
 #include "src/report/check_text.hpp"
 
 namespace torquewright::report {
@@ -110,7 +111,8 @@ std::string candidates_text(const Robot& robot, const std::vector<CandidateResul
 }
 
 std::string hopper_text(const Robot& robot, const Motion& motion, const HopperReport& report) {
-  std::string text = fmt::format("{}: {}\n", motion.file, actuator::name_of(report.check.verdict));
+  std::string text = fmt::format("{}: {}\n", io::name_in_text(motion.file),
+                                 actuator::name_of(report.check.verdict));
   text += motion_lines(robot, motion, report);
   for (std::size_t i = 0; i < report.check.drives.size(); ++i) {
     text += drive_text(report.check.drives[i]);

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "identification/answer/report_spec.hpp"
+#include "io/one_line.hpp"
 #include "io/provenance.hpp"
 #include "src/report/html_page.hpp"
 #include "src/report/identification_plots.hpp"
@@ -220,7 +221,7 @@ std::string data_section(const Identification& found, const IdentificationContex
     text += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", what, escaped(value));
   };
   row("rig", fmt::format("{} ({})", context.rig_name, context.rig_file));
-  row("actuator", fmt::format("{}", fmt::join(context.actuator_files, ", ")));
+  row("actuator", io::one_line(fmt::format("{}", fmt::join(context.actuator_files, ", "))));
   row("runs fitted", fmt::format("{}", fmt::join(found.train_runs, ", ")));
   row("runs held out", fmt::format("{}", fmt::join(found.holdout_runs, ", ")));
   for (const Log::File& file : found.files) {
@@ -249,7 +250,8 @@ std::string head(const Identification& found, const IdentificationContext& conte
   const std::string not_asked = not_asked_sentence(found);
   if (!not_asked.empty()) text += paragraph(not_asked);
   text += cards(found);
-  const std::vector<std::string> steps = next_steps(found, context);
+  std::vector<std::string> steps = next_steps(found, context);
+  for (std::string& step : steps) step = io::one_line(step);
   if (!steps.empty()) text += "<h3>Next</h3>\n" + list(steps);
   return text + "</section>\n";
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "identification/answer/report_spec.hpp"
+#include "io/one_line.hpp"
 #include "src/report/identification_verdict.hpp"
 
 namespace torquewright::report {
@@ -231,7 +232,7 @@ std::string refined_lines(const Identification& found, const IdentificationConte
   std::string text;
   std::string_view step = "6 refined";
   for (const std::string& file : context.refined_files) {
-    text += line(step, "written to " + file);
+    text += line(step, "written to " + io::name_in_text(file));
     step = "";
   }
   const bool is_sure = identification::has_anything_certain(found);

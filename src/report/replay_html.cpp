@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/one_line.hpp"
 #include "src/report/cursor_json.hpp"
 #include "src/report/cursor_page.hpp"
 #include "src/report/cursor_player.hpp"
@@ -30,7 +31,7 @@ std::string verdict_section(const ReplayPage& page) {
   std::string text = fmt::format(
       "<section>\n<h1>{}: does it do the motion? <span class=\"badge {}\">{}</span></h1>\n"
       "<p class=\"soft\">{}</p>\n",
-      escaped(page.robot.name), verdict, verdict, escaped(page.motion.file));
+      escaped(page.robot.name), verdict, verdict, escaped(io::name_in_text(page.motion.file)));
   if (!outcome.reason.empty()) {
     text += fmt::format("<p class=\"reason\">{}</p>\n", escaped(outcome.reason));
   }

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "io/one_line.hpp"
 #include "src/report/replay_words.hpp"
 
 namespace torquewright::report {
@@ -100,7 +101,8 @@ std::string trials_lines(const ReplayTrials& trials) {
 
 std::string replay_text(const Robot& robot, const Motion& motion, const ReplayReport& report) {
   const ReplayResult& result = report.result;
-  std::string text = fmt::format("{}: {}\n", motion.file, name_of(result.outcome.verdict));
+  std::string text =
+      fmt::format("{}: {}\n", io::name_in_text(motion.file), name_of(result.outcome.verdict));
   text += fmt::format("  robot    {}, {:.4g} s of motion\n", robot.name, motion.duration_s());
   text += "  engine   " + simulation_words(report.options) + "\n";
   text += end_lines(motion, result);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "io/rational.hpp"
@@ -35,7 +36,9 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
 
 Rational number_in(const std::string& text, const std::string& part) {
   try {
-    return io::rational_from_numeral(part);
+    const Rational number = io::rational_from_numeral(part);
+    if (std::isfinite(io::nearest(number))) return number;
+    refuse(text, fmt::format("\"{}\" is beyond all numbers that are computed with", part));
   } catch (const std::invalid_argument&) {
     refuse(text, fmt::format("\"{}\" is not a number", part));
   }

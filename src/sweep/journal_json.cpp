@@ -3,6 +3,9 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "io/sha256.hpp"
 
 namespace torquewright::sweep {
 namespace {
@@ -14,6 +17,22 @@ constexpr const char* kFirstLine = R"({"kind":"sweep_journal","version":1})";
 /// On one line; bytes that are no UTF-8 become the replacement character.
 std::string line_of(const ordered_json& value) {
   return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+/// Behind all else on a line: of the bytes before it.
+constexpr std::string_view kDigest = R"(,"sha256":")";
+constexpr std::string_view kEnd = R"("})";
+
+std::string sealed(std::string line) {
+  line.pop_back();  // the brace that ends it
+  const std::string digest = io::sha256(line);
+  return line.append(kDigest).append(digest).append(kEnd);
+}
+
+/// Whether the line is as it was written: a disk may change a byte, and so may somebody.
+bool is_sealed(std::string_view line) {
+  const std::size_t at = line.rfind(kDigest);
+  return at != std::string_view::npos && line == sealed(std::string(line.substr(0, at)) + '}');
 }
 
 bool is_text(const ordered_json& entry, const char* key) {
@@ -33,6 +52,7 @@ std::vector<std::optional<Answer>> Journal::known() const {
   std::map<std::string, std::size_t> points;
   for (std::size_t i = 0; i < request_.points.size(); ++i) points[request_.points[i]] = i;
   for (const std::string& line : file_->lines()) {
+    if (!is_sealed(line)) continue;
     const ordered_json entry = ordered_json::parse(line, nullptr, false);
     if (!is_text(entry, "point") || !is_text(entry, "request") || !entry.contains("row")) continue;
     if (entry["request"] != request_.fingerprint) continue;
@@ -50,7 +70,7 @@ void Journal::add(const PointAnswer& answer) {
   } else {
     entry["row"] = ordered_json::parse(answer.answer.row);
   }
-  file_->add(line_of(entry));
+  file_->add(sealed(line_of(entry)));
 }
 
 Answer as_kept(Answer answer) {

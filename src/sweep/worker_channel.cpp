@@ -92,9 +92,12 @@ std::vector<std::string> take_lines(std::string& bytes) {
 
 bool is_worker() { return std::getenv(kWorkerVariable) != nullptr; }
 
+void end_with_starter() {
+  if (is_worker()) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
 void serve(const Request& request, const Evaluate& evaluate) {
-  // A worker ends with whoever started it, even if that one is killed.
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  end_with_starter();
   const bool is_orphan = std::to_string(::getppid()) != std::getenv(kWorkerVariable);
   if (is_orphan) return;
   if (io::write_all(kWorkerWrites, fmt::format("ready {}\n", request.fingerprint)) != 0) return;

@@ -33,6 +33,9 @@ inline constexpr int kWorkerWrites = 101;
 
 bool is_worker();
 
+/// To be called first of all: a worker ends with who started it, even if that one is killed.
+void end_with_starter();
+
 /// The worker's side: answers points until there are no more.
 void serve(const Request& request, const Evaluate& evaluate);
 

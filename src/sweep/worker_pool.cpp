@@ -57,7 +57,9 @@ void WorkerPool::note_end(const WorkerProcess& worker, std::vector<PointAnswer>&
     return;
   }
   if (worker.exit_code() == static_cast<int>(cli::ExitCode::kBadInput)) {
-    io::refuse("--sweep", "a process of it refuses the input: what a pipe gives can be read once");
+    io::refuse("--sweep",
+               "a process of it refuses the input, which has changed since, or was a pipe, which "
+               "can be read once");
   }
   if (++failed_starts_ >= kFailedStarts) {
     throw std::runtime_error("a sweep's processes end before they begin: " + worker.how_it_ended());

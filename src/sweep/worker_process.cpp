@@ -90,7 +90,11 @@ pid_t spawned(const Pipe& down, const Pipe& up) {
                                 pointers_to(arguments).data(), pointers_to(variables).data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), "a worker process");
+  if (error != 0) {
+    io::refuse("--jobs", fmt::format("the system starts no further process: {}; ask for fewer, or "
+                                     "raise its limit (ulimit -u)",
+                                     std::generic_category().message(error)));
+  }
   return child;
 }
 

@@ -55,6 +55,11 @@ std::vector<BadArguments> bad_arguments() {
       {after({"gearbox", "optimize", "efficient.json"}, {"--relaxation", "always"}),
        "--relaxation: \"always\" cannot help with the objective forward_efficiency, of which no "
        "convex bound is known; \"auto\" and \"never\" search by intervals"},
+      {{"gearbox", "strength", "a.json", "--torque", "17,"},
+       "command line: --torque: \"17,\" has a blank place in its list"},
+      {{"gearbox", "evaluate", "a.json", "--teeth", "9,9", "--profile-shift=,0.1,0"},
+       "command line: --profile-shift: \",0.1,0\" has a blank place in its list"},
+      {{"actuator", "mor", "a.json", "--ratio", " "}, "command line: --ratio: \" \" is blank"},
       {optimize({"--top", "0"}),
        "command line: --top: \"0\" is not a whole number from 1 to 1000000"},
       {optimize({"--top", "-1"}),

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <new>
 #include <optional>
 #include <stdexcept>
 
@@ -162,9 +164,19 @@ TEST(ExitStatus, IsTheWorksOwnOrTellsWhatStoppedIt) {
   EXPECT_EQ(exit_status([] { return ExitCode::kUndecided; }), 3);
   testing::internal::CaptureStderr();
   EXPECT_EQ(exit_status([]() -> ExitCode { refuse("x is missing"); }), 2);
+  EXPECT_EQ(exit_status([]() -> ExitCode {
+              throw std::filesystem::filesystem_error(
+                  "gone", std::make_error_code(std::errc::no_such_file_or_directory));
+            }),
+            2);
+  EXPECT_EQ(exit_status([]() -> ExitCode { throw std::bad_alloc(); }), 2);
   EXPECT_EQ(exit_status([]() -> ExitCode { throw std::runtime_error("odd"); }), 70);
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "command line: x is missing; --help shows what is allowed\ninternal error: odd\n");
+            "command line: x is missing; --help shows what is allowed\n"
+            "the current folder: cannot be reached: No such file or directory\n"
+            "memory: what is asked for takes more than the system gives; a shorter input, fewer "
+            "--threads or --jobs, or a higher limit (ulimit -v) may do\n"
+            "internal error: odd\n");
 }
 
 }  // namespace

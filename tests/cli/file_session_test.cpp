@@ -2,9 +2,12 @@
 // No command replaces a file that it has read, under whatever name and however it came to read it.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,6 +39,10 @@ const std::string kMotionFile = "specs/trajectory/knee_extension.csv";
 const std::string kFlipFile = "specs/trajectory/hopper_flip.csv";
 const std::string kHopperFile = "specs/robot/hopper.json";
 const std::string kRigFile = "specs/rig/knee_sweep.json";
+const std::string kHopFile = "specs/trajectory/hopper_hop.csv";
+const std::string kDrawsFile = "specs/randomisation/hopper.json";
+const std::string kResultFile = "specs/gearbox/d151_knee_result.json";
+const std::string kBenchLog = "specs/log/bench_as_built.csv";
 const std::string kExcitation = "specs/excitation/knee_sweep.csv";
 
 struct Overwrite {
@@ -48,6 +55,14 @@ std::vector<Overwrite> overwrites() {
   const Words simulate{"identify", "simulate",     kKneeFile,   "--rig",
                        kRigFile,   "--excitation", kExcitation, "-o"};
   const Words flip{"hopper", "check", kHopperFile, kFlipFile};
+  const Words calibrate{"hopper",      "calibrate", kHopperFile,
+                        "--target",    "cam=6",     "--target",
+                        "cav@tuck=10", "--free",    "/bodies/0/inertia_kg_m2/yy=0.05:0.45"};
+  const Words replay{"hopper",   "replay", kHopperFile,   "specs/trajectory/hopper_squat.csv",
+                     "--trials", "1",      "--randomise", kDrawsFile};
+  const Words identify{"identify",   kBenchLog,
+                       "--rig",      "specs/log/bench_rig.json",
+                       "--actuator", "specs/log/bench_actuator.json"};
   const auto with = [](Words command, const Words& more) {
     command.insert(command.end(), more.begin(), more.end());
     return command;
@@ -68,13 +83,36 @@ std::vector<Overwrite> overwrites() {
       {{"identify", "plan", "specs/log/bench_actuator.json", "--rig", "specs/log/bench_rig.json",
         "-o", "specs/log/bench_rig.json"},
        "specs/log/bench_rig.json"},
+      {{"actuator", "mor", kKneeFile, "--format", "mujoco", "--export", kKneeFile}, kKneeFile},
+      {{"actuator", "lint", kAnkleFile, kKneeFile, "-o", kKneeFile}, kKneeFile},
+      {with(calibrate, {"--refined", kHopperFile}), kHopperFile},
+      {with(calibrate, {"--refined", kKneeFile}), kKneeFile},
+      {with(replay, {"--series", kDrawsFile}), kDrawsFile},
+      {with(replay, {"-o", kDrawsFile}), kDrawsFile},
+      {with(replay, {"--report", kAnkleFile}), kAnkleFile},
+      {{"hopper", "flip", kHopperFile, "-o", "plan.csv", "--warm", kHopFile, "--report", kHopFile},
+       kHopFile},
+      {with(identify, {"--refined", kBenchLog}), kBenchLog},
+      {with(identify, {"-o", "specs/log/bench_actuator.json", "--refined", "r.json"}),
+       "specs/log/bench_actuator.json"},
+      {with(identify, {"--report", "specs/log/bench_rig.json"}), "specs/log/bench_rig.json"},
+      {{"robot", "import", "specs/robot/rabbit.urdf", "-o", "specs/robot/rabbit.urdf"},
+       "specs/robot/rabbit.urdf"},
+      {{"gearbox", "verify", kResultFile, "-o", kResultFile}, kResultFile},
+      {{"gearbox", "strength", kResultFile, "--torque", "16", "--steel", "case_hardened",
+        "--face-width", "10", "-o", kResultFile},
+       kResultFile},
+      {{"identify", "import", "moteus", "imported/log.csv", "-o", "imported"}, "imported/log.csv"},
   };
 }
 
 TEST(FileSession, KeepsWhatItHasRead) {
   const Examples place;
+  fs::create_directory(place.path("imported"));
+  place.write("imported/log.csv", place.text("specs/log/wheel_moteus.csv"));
   const auto before = place.all();
   for (const Overwrite& each : overwrites()) {
+    SCOPED_TRACE(each.command[0] + " " + each.command[1] + " onto " + each.output);
     const Outcome outcome = place.run(each.command);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.err,
@@ -114,6 +152,28 @@ TEST(Outputs, KeepTheModeOfAFileThatStoodThere) {
   EXPECT_EQ(fs::status(secret).permissions(), fs::perms(0600));
 }
 
+TEST(Outputs, KeepTheOwnerOfAFileThatStoodThere) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root gives files away";
+  const Examples place;
+  const fs::path given = place.write("given.csv", "old");
+  ASSERT_EQ(::chown(given.c_str(), 1234, 4321), 0);
+  EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", "given.csv"}).exit_code, 0);
+  struct stat status {};
+  ASSERT_EQ(::stat(given.c_str(), &status), 0);
+  EXPECT_GT(status.st_size, 100);
+  EXPECT_EQ(status.st_uid, 1234u);
+  EXPECT_EQ(status.st_gid, 4321u);
+}
+
+TEST(Outputs, GoIntoADeviceThatStaysOne) {
+  const Examples place;
+  EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", "/dev/null"}).exit_code, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const Outcome full = place.run({"actuator", "mor", kKneeFile, "-o", "/dev/full"});
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_EQ(full.err, "/dev/full: cannot be written: No space left on device\n");
+}
+
 TEST(Outputs, FollowALinkAndRefuseOneToNothing) {
   const Examples place;
   place.write("real.csv", "old");
@@ -129,39 +189,79 @@ TEST(Outputs, FollowALinkAndRefuseOneToNothing) {
             "nowhere.csv: cannot be written: it is a link to a file that does not exist\n");
 }
 
-void remove_temporary_files(const Workplace& place) {
-  for (const auto& [name, text] : place.files()) {
-    if (name.ends_with(".tmp")) fs::remove(place.path(name));
+/// A command that writes these, and may be stopped in the middle.
+struct Stopped {
+  Words command;
+  std::vector<std::string> outputs;
+  int moments = 7;
+};
+
+const std::vector<Stopped> kStopped{
+    {{"actuator", "mor", kKneeFile, "--at-speed", "0,1", "-o", "x.csv", "--plot", "y.svg"},
+     {"x.csv", "y.svg"},
+     15},
+    {{"hopper", "check", kHopperFile, "specs/trajectory/hopper_squat.csv", "--report", "x.html",
+      "--series", "y.csv"},
+     {"x.html", "y.csv"}},
+    {{"identify", kBenchLog, "--rig", "specs/log/bench_rig.json", "--actuator",
+      "specs/log/bench_actuator.json", "--report", "x.html", "--refined", "y.json", "-o", "z.json"},
+     {"x.html", "y.json", "z.json"}},
+    {{"robot", "export", kHopperFile, "--format", "mjcf", "--actuators", "-o", "x.xml"},
+     {"x.xml"}}};
+
+/// Which of the outputs are new; each is old or as a run that was left alone wrote it.
+std::vector<bool> new_outputs(const Workplace& place, const Stopped& stopped,
+                              const std::vector<std::string>& whole) {
+  std::vector<bool> are_new;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const std::string text = place.text(stopped.outputs[i]);
+    EXPECT_TRUE(text == "old" || text == whole[i]) << stopped.outputs[i];
+    are_new.push_back(text != "old");
+  }
+  return are_new;
+}
+
+void remove_what_is_left(const Workplace& place, const std::string& folder) {
+  for (const auto& entry : fs::directory_iterator(place.path(folder))) {
+    if (folder.empty() ? entry.path().extension() == ".tmp" : true) fs::remove_all(entry.path());
   }
 }
 
-// Fifteen moments from the start to past the end, four signals. Each file is whole, and those that
-// belong together are of one run, and nothing else is left, unless nothing could hold the signal
-// back (KILL).
-TEST(Outputs, AreOldOrNewAfterAnySignal) {
-  const Examples place;
-  const Words command{"actuator", "mor",   kKneeFile, "--at-speed", "0,1",
-                      "-o",       "x.csv", "--plot",  "y.svg"};
+void expect_old_or_new(const Workplace& place, const Stopped& stopped) {
   const auto start = std::chrono::steady_clock::now();
-  ASSERT_EQ(place.run(command).exit_code, 0);
+  ASSERT_NE(place.run(stopped.command).exit_code, 2);
   const auto whole_run = std::chrono::duration_cast<std::chrono::microseconds>(
       std::chrono::steady_clock::now() - start);
-  const std::string rows = place.text("x.csv"), picture = place.text("y.svg");
-  constexpr int kMoments = 15;
+  std::vector<std::string> whole;
+  for (const std::string& output : stopped.outputs) whole.push_back(place.text(output));
+  const std::size_t files = place.files().size();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
-    for (int i = 0; i < kMoments; ++i) {
-      place.write("x.csv", "old");
-      place.write("y.svg", "old");
-      run_and_kill(command, place.here, signal, whole_run * i / (kMoments - 2));
-      const std::string x = place.text("x.csv"), y = place.text("y.svg");
-      EXPECT_TRUE(x == "old" || x == rows);
-      EXPECT_TRUE(y == "old" || y == picture);
-      EXPECT_TRUE(signal == SIGKILL || (x == "old") == (y == "old"));
-      const bool has_left_nothing = place.files().size() == 3;
-      EXPECT_TRUE(signal == SIGKILL || has_left_nothing)
-          << "a temporary file is left by " << signal;
-      if (!has_left_nothing) remove_temporary_files(place);
+    for (int i = 0; i < stopped.moments; ++i) {
+      for (const std::string& output : stopped.outputs) place.write(output, "old");
+      EXPECT_TRUE(
+          run_and_kill(stopped.command, place.here, signal, whole_run * i / (stopped.moments - 2)));
+      const std::vector<bool> are_new = new_outputs(place, stopped, whole);
+      if (signal != SIGKILL) {  // which nothing could hold back
+        EXPECT_EQ(std::adjacent_find(are_new.begin(), are_new.end(), std::not_equal_to<>()),
+                  are_new.end());
+        EXPECT_EQ(place.files().size(), files) << "a file is left by " << signal;
+        EXPECT_TRUE(fs::is_empty(place.path("temporary"))) << signal;
+      }
+      remove_what_is_left(place, "");
+      remove_what_is_left(place, "temporary");
     }
+  }
+}
+
+// Moments from the start to past the end, four signals. Each file is whole, those that
+// belong together are of one run, and nothing else is left, here or where temporary files go.
+TEST(Outputs, AreOldOrNewAfterAnySignal) {
+  for (const Stopped& stopped : kStopped) {
+    SCOPED_TRACE(stopped.command[0] + " " + stopped.command[1]);
+    Examples place;
+    fs::create_directory(place.path("temporary"));
+    place.here.environment.push_back("TMPDIR=" + place.path("temporary").string());
+    expect_old_or_new(place, stopped);
   }
 }
 
@@ -177,7 +277,10 @@ Words mor_to(const std::string& output) {
 TEST(Outputs, GoIntoAPipe) {
   const Examples place;
   ASSERT_EQ(place.run(mor_to("x.csv")).exit_code, 0);
-  for (const char* name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+  fs::create_symlink("/dev/stdout", place.path("link"));
+  fs::create_symlink("link", place.path("longer_link"));
+  for (const char* name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "/proc/thread-self/fd/1",
+                           "link", "longer_link"}) {
     const Outcome outcome = place.run(mor_to(name));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find(place.text("x.csv")), std::string::npos) << name;
@@ -192,6 +295,17 @@ TEST(Outputs, AreAppendedWhereTheShellAppends) {
   EXPECT_EQ(place.run(mor_to("/dev/stdout")).exit_code, 0);
   EXPECT_TRUE(place.text("log").starts_with("earlier\n"));
   EXPECT_NE(place.text("log").find(place.text("x.csv")), std::string::npos);
+}
+
+TEST(Outputs, DoNotGoIntoAnInputBehindStandardOutput) {
+  Examples place;
+  place.here.stdout_file = place.path(kKneeFile);
+  const auto before = place.all();
+  for (const std::vector<std::string>& command :
+       {mor_to("-"), {"actuator", "mor", kKneeFile, "--at-speed", "0"}, mor_to("/dev/stdout")}) {
+    EXPECT_EQ(place.run(command).exit_code, 2);
+    EXPECT_EQ(place.all(), before);
+  }
 }
 
 TEST(Outputs, AreRefusedIntoADescriptorThatIsNotOpen) {

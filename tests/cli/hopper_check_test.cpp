@@ -322,6 +322,10 @@ TEST_F(HopperCheck, RefusesWithASentence) {
   expect_refusal(crane(), good, "is no folder", {"--candidates", "nowhere"});
   expect_refusal(crane(), good, "is for --candidates", {"--ratios", "8:30"});
   expect_refusal(crane(), good, "FROM:TO", {"--candidates", ".", "--ratios", "eight"});
+  for (const char* beyond : {"1e-306:9", "0.009:9", "1:10001", "5e-324:1e308"}) {
+    expect_refusal(crane(), good, "ratios are from 0.01 to 10000",
+                   {"--candidates", ".", "--ratios", beyond});
+  }
   expect_refusal(crane(), good, "has no unit", {"--column", "x=front.contact:m"});
   expect_refusal(crane(), good, "did you mean \"elbow\"?", {"--column", "x=elbo.position"});
   expect_refusal(crane(), good, "no torque of every driven joint", {"--torques", "file"});

@@ -208,6 +208,14 @@ TEST_F(HopperReplay, ABatteryThatCannotGiveThePowerIsSaid) {
   EXPECT_NE(outcome.out.find("battery-power"), std::string::npos);
 }
 
+TEST_F(HopperReplay, OfNoTimeIsRefused) {
+  const Outcome outcome = run({"--until", "0", "--stand", "0", "--series", "s.csv"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(outcome.err.starts_with("--stand: the motion and 0 s of standing last 0 s"))
+      << outcome.err;
+  EXPECT_FALSE(place_.has("s.csv"));
+}
+
 TEST_F(HopperReplay, AControllerThatIsTooLateEndsWithTimeAndReason) {
   const json late = report({"--latency", "0.05"}, "flip");
   EXPECT_NE(late["verdict"], "stands");

@@ -72,6 +72,22 @@ TEST(Import, ReadsSysId) {
             std::string::npos);
 }
 
+TEST(Import, KeepsTheRigThatSomebodyHasEdited) {
+  const Workplace place;
+  place.write("arm.json", sysid().dump());
+  const std::vector<std::string> command{"sysid", "arm.json"};
+  const Imported first = imported(place, command);
+  ASSERT_EQ(first.outcome.exit_code, 0) << first.outcome.err;
+  EXPECT_EQ(imported(place, command).outcome.exit_code, 0);  // as it is already
+  json edited = first.rig;
+  edited["load"] = {{"kind", "locked"}};
+  place.write("made/rig.json", edited.dump());
+  const Imported again = imported(place, command);
+  EXPECT_EQ(again.outcome.exit_code, 2);
+  EXPECT_EQ(again.outcome.err.find("made/rig.json: is there already and says something else"), 0u);
+  EXPECT_EQ(again.rig, edited);
+}
+
 TEST(Import, ReadsSysIdOfALinearMechanism) {
   json file = sysid();
   file["test"] = "Elevator";

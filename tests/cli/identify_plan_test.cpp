@@ -115,7 +115,7 @@ TEST(IdentifyPlan, RefusesWhatCannotBePlanned) {
   expect_refused(place, {"identify", "plan", actuator(), "--rig", rig(), "--duration", "2"},
                  "is not between 8 and 600 s");
   expect_refused(place, plan_words({"--noise", "torque=1"}), "no such quantity");
-  expect_refused(place, plan_words({"--noise", "output_torque_Nm=-1"}), "0 or more");
+  expect_refused(place, plan_words({"--noise", "output_torque_Nm=-1"}), "a number from 0 to 1e+09");
   expect_refused(place, plan_words({"-o", rig()}), "bench_rig.json");
   expect_refused(
       place, {"identify", "plan", actuator(), "--rig", in_repository("specs/rig/serial_arm.json")},
@@ -175,6 +175,9 @@ TEST(IdentifySimulate, RefusesWhatCannotBePlayed) {
       "nan");
   expect_refused(place, simulate(good, {"--noise", "output_torque_Nm=x"}),
                  "SIGMA is a standard deviation");
+  for (const char* beyond : {"output_torque_Nm=1e308", "output_torque_Nm=-1"}) {
+    expect_refused(place, simulate(good, {"--noise", beyond}), "a number from 0 to 1e+09");
+  }
   expect_refused(place, simulate(good, {"--noise", "output_torque_Nm"}), "QUANTITY=SIGMA");
   expect_refused(place,
                  {"identify", "simulate", actuator(), "--rig", rig(), "--excitation", "absent.csv"},

@@ -222,6 +222,54 @@ TEST(Identify, RefinedActuatorNamesALogWhoseNameIsNoText) {
   EXPECT_EQ(refined["effects"][0]["provenance"]["logs"][0]["path"], "log\xEF\xBF\xBD.csv");
 }
 
+// A document's texts are one line each: the name is written so that the document can be read.
+TEST(Identify, RefinedActuatorNamesALogWhoseNameIsNoLine) {
+  Bench bench;
+  bench.logs = {"l\n2\xEF\xBF\xBE.csv"};
+  bench.place.write(bench.logs[0], bench.place.text("log.csv"));
+  const Outcome outcome = bench.run({"identify"}, {"--refined", "r.json", "-o", "i.json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const json refined = json::parse(bench.place.text("r.json"));
+  EXPECT_EQ(refined["effects"][0]["provenance"]["logs"][0]["path"],
+            "l\xEF\xBF\xBD"
+            "2\xEF\xBF\xBD.csv");
+  EXPECT_TRUE(bench.place.has("i.json"));
+  EXPECT_EQ(bench.place.run({"actuator", "mor", "r.json"}).exit_code, 0);
+}
+
+// What no document can name is said before the work: then nothing at all is written.
+TEST(Identify, RefusesARefinedActuatorThatCouldNotNameItsGearbox) {
+  const Bench bench;
+  const std::string folder = "a\nb";
+  fs::create_directory(bench.place.path(folder));
+  json actuator = json::parse(bench.place.text("actuator.json"));
+  actuator["gearbox"] = {{"file", "gearbox.json"}};
+  bench.place.write(folder + "/gearbox.json",
+                    text_of(in_repository("specs/gearbox/d151_knee_result.json")));
+  bench.place.write("actuator.json", "{}");
+  bench.place.write(folder + "/actuator.json", actuator.dump());
+  const Outcome outcome =
+      bench.place.run({"identify", "log.csv", "--rig", "rig.json", "--actuator",
+                       folder + "/actuator.json", "--refined", "r.json", "-o", "i.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("r.json: cannot be written: it would name the file"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(bench.place.has("i.json"));
+}
+
+// The run's name stands in the page and in documents.
+TEST(Identify, RefusesARunWhoseNameIsNoLineOfText) {
+  const Bench bench;
+  bench.place.write("log.csv", with(bench.place.text("log.csv"), "run_1", "run\xE9"));
+  const Outcome outcome = bench.run({"identify"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("the run's name holds the byte 0xE9, which is no UTF-8"),
+            std::string::npos)
+      << outcome.err;
+}
+
 TEST(Identify, ReportIsAPageThatHoldsAll) {
   Bench bench;
   bench.place.write("rig.json", with(bench.place.text("rig.json"), "knee on the bench",

@@ -49,6 +49,17 @@ TEST(Interrupt, EndsASearchWithTheBestSoFarAndItsBound) {
   EXPECT_EQ(verdict.exit_code, 3) << verdict.out;
 }
 
+// A job in the background that its shell lets ignore it is not for the terminal's Ctrl-C.
+TEST(Interrupt, EndsNothingThatIgnoresIt) {
+  Workplace place;
+  place.write("long.json", long_search());
+  const std::vector<std::string> search{"gearbox",     "optimize", "long.json",
+                                        "--max-nodes", "2000",     "--json"};
+  place.here.ignores_interrupt = true;
+  place.here.signal = Signal{SIGINT, milliseconds(50)};
+  EXPECT_EQ(json::parse(place.run(search).out)["search"]["nodes"], 2000);
+}
+
 TEST(Interrupt, IsSaidInTheText) {
   Workplace place;
   const Outcome outcome = interrupted(place, {"--verify"});

@@ -6,14 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <optional>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
 #include "tests/cli/no_number.hpp"
+#include "tests/cli/well_formed.hpp"
 
 namespace torquewright::cli_test {
 namespace {
+
+using Words = std::vector<std::string>;
 
 /// Where the cell of that number starts in a row, and the next one.
 std::pair<std::size_t, std::size_t> cell_of(const std::string& line, std::size_t index) {
@@ -22,31 +25,84 @@ std::pair<std::size_t, std::size_t> cell_of(const std::string& line, std::size_t
   return {start, std::min(line.find(',', start), line.size())};
 }
 
-/// A table with its column time_s through a function.
-std::string with_times(const std::string& table, const std::function<double(double)>& change) {
-  std::istringstream lines(table);
-  std::string text;
-  std::optional<std::size_t> column;
-  for (std::string line; std::getline(lines, line); text += line + "\n") {
-    if (line.starts_with('#')) continue;
-    if (!column) {
-      const auto end = line.begin() + static_cast<long>(line.find("time_s"));
-      column = static_cast<std::size_t>(std::count(line.begin(), end, ','));
-      continue;
+/// A table in lines: those before the header (remarks), the header, the rows.
+struct Table {
+  std::string remarks, header;
+  Words rows;
+
+  explicit Table(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (header.empty() && line.starts_with('#')) {
+        remarks += line + "\n";
+      } else if (header.empty()) {
+        header = line;
+      } else {
+        rows.push_back(line);
+      }
     }
-    const auto [start, end] = cell_of(line, *column);
+  }
+
+  std::string head() const { return remarks + header + "\n"; }
+
+  std::string text() const {
+    std::string text = head();
+    for (const std::string& row : rows) text += row + "\n";
+    return text;
+  }
+
+  std::size_t column(const std::string& name) const {
+    const std::size_t place = ("," + header + ",").find("," + name + ",");
+    if (place == std::string::npos) return std::string::npos;
+    return static_cast<std::size_t>(
+        std::count(header.begin(), header.begin() + static_cast<long>(place), ','));
+  }
+
+  std::size_t time_column() const {
+    return std::min(column("time_s"), column("t_s"));  // one of them is missing
+  }
+
+  /// The last one of numbers.
+  std::size_t last_column() const {
+    const auto last = static_cast<std::size_t>(std::count(header.begin(), header.end(), ','));
+    return column("run") == last ? last - 1 : last;
+  }
+
+  void write(std::size_t row, std::size_t cell, const std::string& value) {
+    std::string& line = rows.at(row);
+    const auto [start, end] = cell_of(line, cell);
+    line = line.substr(0, start) + value + line.substr(end);
+  }
+};
+
+std::string with_times(const std::string& text, const std::function<double(double)>& change) {
+  Table table(text);
+  const std::size_t time = table.time_column();
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const auto [start, end] = cell_of(table.rows[row], time);
     std::array<char, 40> number{};
     std::snprintf(number.data(), number.size(), "%.17g",
-                  change(std::stod(line.substr(start, end - start))));
-    line = line.substr(0, start) + number.data() + line.substr(end);
+                  change(std::stod(table.rows[row].substr(start, end - start))));
+    table.write(row, time, number.data());
   }
-  return text;
+  return table.text();
 }
 
-std::string first_lines(const std::string& text, int count) {
-  std::size_t at = 0;
-  for (int i = 0; i < count && at != std::string::npos; ++i) at = text.find('\n', at) + 1;
-  return text.substr(0, at);
+/// With these in two rows, the second and the third, of the last column.
+std::string with_cells(const std::string& text, const std::string& second,
+                       const std::string& third) {
+  Table table(text);
+  table.write(1, table.last_column(), second);
+  table.write(2, table.last_column(), third);
+  return table.text();
+}
+
+/// 2000 keys that nobody knows.
+std::string with_a_thousand_faults(const std::string& text) {
+  std::string keys;
+  if (!text.starts_with('{')) return text;  // XML
+  for (int i = 0; i < 2000; ++i) keys += "\"x" + std::to_string(i) + "\": 1, ";
+  return "{" + keys + text.substr(text.find('{') + 1);
 }
 
 }  // namespace
@@ -59,28 +115,28 @@ std::vector<Nasty> nasty_tables() {
        [](const auto& text) { return with_times(text, [](double t) { return t * 1e-300; }); }},
       {"times of 1e300 s",
        [](const auto& text) { return with_times(text, [](double t) { return t * 1e300; }); }},
-      {"one row",
-       [](const auto& text) { return first_lines(text, text.starts_with('#') ? 5 : 2); }},
-      {"header alone", [](const auto& text) { return first_lines(text, 1); }},
-      {"nothing", [](const auto&) { return std::string(); }},
-      {"nan in a cell",
-       [](const auto& text) { return first_lines(text, 1) + "0,nan,0,0\n1,0,0,0\n"; }},
-      {"subnormal cell",
-       [](const auto& text) { return first_lines(text, 1) + "0,1e-310,0,0\n1,0,0,0\n"; }},
-      {"greatest cell",
-       [](const auto& text) { return first_lines(text, 1) + "0,1e308,0,-1e308\n1,0,0,1e308\n"; }},
+      {"one row", [](const auto& text) { return Table(text).head() + Table(text).rows[0] + "\n"; }},
+      {"header alone", [](const auto& text) { return Table(text).head(); }, true},
+      {"nothing", [](const auto&) { return std::string(); }, true},
+      {"nan in a cell", [](const auto& text) { return with_cells(text, "nan", "0"); }, true},
+      {"infinity in a cell", [](const auto& text) { return with_cells(text, "0", "-inf"); }, true},
+      {"subnormal cell", [](const auto& text) { return with_cells(text, "1e-310", "-1e-310"); }},
+      {"greatest cell", [](const auto& text) { return with_cells(text, "1e308", "-1e308"); }},
       {"carriage returns",
        [](std::string text) {
+         text = text.substr(Table(text).remarks.size());
          for (char& c : text) c = c == '\n' ? '\r' : c;
          return text;
-       }},
+       },
+       true},
       {"Latin-1",
        [](const auto& text) {
          return "T [\xB0"
                 "C]," +
-                text;
-       }},
-      {"a spreadsheet's separator", [](const auto& text) { return "sep=,\n" + text; }},
+                text.substr(Table(text).remarks.size());
+       },
+       true},
+      {"a spreadsheet's separator", [](const auto& text) { return "sep=,\n" + text; }, true},
       {"zero bytes", [](const auto& text) { return text + std::string(3, '\0'); }},
   };
 }
@@ -93,11 +149,13 @@ std::vector<Nasty> nasty_documents() {
     };
   };
   return {
-      {"a thousand faults",
-       [](const auto& text) {
-         std::string keys;
-         for (int i = 0; i < 2000; ++i) keys += "\"x" + std::to_string(i) + "\": 1, ";
-         return "{" + keys + "\"kind\": \"rig\", " + text.substr(text.find('{') + 1);
+      {"a thousand faults", with_a_thousand_faults},
+      {"a thousand faults and a resistance below zero",
+       [](std::string text) {
+         const std::string key = "\"resistance_ohm\": ";
+         const std::size_t at = text.find(key);
+         if (at != std::string::npos) text.insert(at + key.size(), "-");
+         return with_a_thousand_faults(text);
        }},
       {"a newline in the name", named("a\\nb")},
       {"U+FFFE in the name", named("a\\uFFFE")},
@@ -108,19 +166,87 @@ std::vector<Nasty> nasty_documents() {
   };
 }
 
-std::vector<std::string> nasty_numbers() {
-  return {"nan", "inf", "-inf", "1e-310", "1e308", "1e400", "-0", "", " "};
+std::vector<NastyNumber> nasty_numbers() {
+  return {{"nan", true},   {"inf", true}, {"-inf", true}, {"1e-310"}, {"1e308"},
+          {"1e400", true}, {"-0"},        {"", true},     {" ", true}};
 }
 
-void expect_civil(const Workplace& place, const std::vector<std::string>& command,
-                  const std::string& what, std::size_t files) {
+namespace {
+
+/// Without the words of the command that it repeats, and what stands within quotes.
+std::string own_words(std::string text, const Words& command) {
+  for (const std::string& word : command) {
+    const std::size_t at = word.size() < 3 ? std::string::npos : text.find(word);
+    if (at != std::string::npos) text.erase(at, word.size());
+  }
+  std::string rest;
+  bool is_quoted = false;
+  for (const char character : text) {
+    if (character == '"') is_quoted = !is_quoted;
+    if (!is_quoted) rest += character;
+  }
+  return rest;
+}
+
+/// One document, or a line each, as in a journal.
+bool is_json(const std::string& text) {
+  if (nlohmann::json::accept(text)) return true;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!nlohmann::json::accept(line)) return false;
+  }
+  return true;
+}
+
+/// What is wrong with a text that the program made; empty: nothing.
+std::string fault_of_answer(const std::string& text) {
+  if (text.starts_with("\x89PNG")) return "";
+  if (test::says_no_number(text)) return "says nan or inf";
+  if (text.starts_with('{') && !is_json(text)) return "is no JSON";
+  return text.starts_with('<') ? fault_in(text) : fault_of_characters_in(text);
+}
+
+}  // namespace
+
+Outcome expect_civil(const Workplace& place, const Words& command, const std::string& what,
+                     std::size_t files) {
+  const auto before = place.files();
   const Outcome outcome = place.run(command);
   EXPECT_TRUE(outcome.exit_code >= 0 && outcome.exit_code <= 3)
       << what << ": " << outcome.exit_code << " " << outcome.err;
   EXPECT_TRUE(outcome.exit_code != 2 || !outcome.err.empty()) << what;
-  EXPECT_FALSE(test::says_no_number(outcome.out)) << what << ": " << outcome.out;
+  EXPECT_EQ(fault_of_answer(outcome.out), "") << what << ": " << outcome.out;
+  EXPECT_FALSE(test::says_no_number(own_words(outcome.err, command)))
+      << what << ": " << outcome.err;
+  EXPECT_EQ(fault_of_characters_in(outcome.err), "") << what << ": " << outcome.err;
   EXPECT_LE(outcome.err.size(), 5'000'000u) << what;
-  EXPECT_EQ(place.files().size(), files) << what << " leaves a file behind";
+  const auto after = place.files();
+  EXPECT_EQ(after.size(), files) << what << " leaves a file behind";
+  for (const auto& [name, text] : after) {
+    const auto old = before.find(name);
+    if (old != before.end() && old->second == text) continue;
+    EXPECT_EQ(fault_of_answer(text), "") << what << ": " << name << " of " << command[1];
+  }
+  return outcome;
+}
+
+void expect_judged(const Workplace& place, const Words& command, const std::string& what,
+                   std::size_t files, bool is_refused) {
+  const Outcome outcome = expect_civil(place, command, what, files);
+  EXPECT_TRUE(outcome.exit_code == 2 || !is_refused)
+      << what << ": " << command[0] << " " << command[1] << ": " << outcome.out;
+}
+
+void expect_refused(const Workplace& place, const Words& command, const std::string& what,
+                    std::size_t files) {
+  expect_judged(place, command, what, files, true);
+}
+
+void expect_sound(const Workplace& place, const Words& command, std::size_t files) {
+  const Outcome outcome = expect_civil(place, command, "unspoilt", files);
+  std::string words;
+  for (const std::string& word : command) words += word + " ";
+  EXPECT_NE(outcome.exit_code, 2) << words << ": " << outcome.err;
 }
 
 }  // namespace torquewright::cli_test

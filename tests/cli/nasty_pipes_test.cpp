@@ -76,6 +76,31 @@ TEST(NastyPipes, ThatNobodyWritesInto) {
 }
 
 // Oracle: the ranking without it.
+TEST(NastyPipes, ThatWouldBeReadTwice) {
+  const Workplace place;
+  ASSERT_EQ(::mkfifo(place.path("log.csv").c_str(), 0600), 0);
+  const Outcome outcome = place.run(
+      {"identify", "log.csv", "--rig", in_repository("specs/log/bench_rig.json"), "--actuator",
+       in_repository("specs/log/bench_actuator.json"), "--refined", "r.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "log.csv: is no plain file, and for a refined actuator it is read twice; write it "
+            "into a file first\n");
+}
+
+// Each by itself would be waited for, longer than a run is given in all.
+TEST(NastyPipes, AreWaitedForTogether) {
+  const Workplace place;
+  fs::create_directory(place.path("candidates"));
+  fs::copy(kWholeKnee, place.path("candidates/knee.json"));
+  for (int i = 0; i < 40; ++i) {
+    const std::string pipe = "candidates/pipe" + std::to_string(i) + ".json";
+    ASSERT_EQ(::mkfifo(place.path(pipe).c_str(), 0600), 0);
+  }
+  EXPECT_TRUE(place.run({"hopper", "check", kWholeRobot, kWholeSquat, "--candidates", "candidates"})
+                  .has_ended);
+}
+
 TEST(NastyPipes, AmongCandidatesAreLeftOutAndSaid) {
   const Workplace place;
   fs::create_directory(place.path("candidates"));

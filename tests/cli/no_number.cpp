@@ -14,7 +14,7 @@ bool says_no_number(const std::string& text) {
     const bool is_inside_a_name = text[at] == '.' && is_alphanumeric(at + 1);  // inf.json
     return is_alphanumeric(at) || text[at] == '_' || text[at] == '-' || is_inside_a_name;
   };
-  for (const std::string word : {"nan", "inf"}) {
+  for (const std::string word : {"nan", "inf", "NaN", "Infinity"}) {
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
       const bool is_negative = at > 0 && text[at - 1] == '-' && (at < 2 || !is_letter(at - 2));
       const bool starts = at == 0 || is_negative || !is_letter(at - 1);

@@ -5,7 +5,7 @@
 
 namespace torquewright::test {
 
-/// Whether "nan" or "inf" stands in a text as a word of its own.
+/// Whether "nan", "inf", or JavaScript's "NaN" or "Infinity" stands in a text as a word of its own.
 bool says_no_number(const std::string& text);
 
 }  // namespace torquewright::test

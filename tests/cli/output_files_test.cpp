@@ -54,6 +54,22 @@ TEST(OutputFiles, AreNoFolders) {
                          "folder/: cannot be written: a file's name is missing\n");
 }
 
+TEST(OutputFiles, HaveNamesThatTheSystemTakes) {
+  const std::string longest(255, 'x'), longer = longest + 'x';
+  expect_refused_outputs(KneePlace(), {"-o", longer},
+                         longer + ": cannot be written: File name too long\n");
+  EXPECT_EQ(KneePlace().run({"gearbox", "optimize", "knee.json", "-o", longest}).exit_code, 0);
+}
+
+TEST(OutputFiles, AreNoLinksToThemselves) {
+  const KneePlace place;
+  fs::create_symlink("loop.json", place.path("loop.json"));
+  const Outcome outcome = place.run({"init", "actuator", "-o", "loop.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "loop.json: cannot be written: it is a link to a file that does not exist\n");
+}
+
 TEST(OutputFiles, AreNotTheInput) {
   const KneePlace place;
   fs::create_symlink("knee.json", place.path("link.json"));
@@ -133,9 +149,12 @@ TEST(StandardOutput, IsNotCutOffUnseen) {
   KneePlace place;
   place.here.stdout_file = place.path("out.txt");
   place.here.file_size_limit = 1000;
-  const Outcome outcome = place.run({"gearbox", "optimize", "knee.json"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err, "standard output: cannot be written: File too large\n");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"gearbox", "optimize", "knee.json"}, {"actuator", "mor", "--help"}, {"man", "init"}}) {
+    const Outcome outcome = place.run(words);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err, "standard output: cannot be written: File too large\n");
+  }
 }
 
 }  // namespace

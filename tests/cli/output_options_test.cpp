@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using Words = std::vector<std::string>;
 
-const std::string kKnee = in_repository("specs/actuator/d151_knee.json");
+const std::string kWrittenKnee = in_repository("specs/actuator/d151_knee.json");
 const std::string kStronger = in_repository("specs/actuator/d110a_ankle.json");
 const std::string kMotion = in_repository("specs/trajectory/knee_extension.csv");
 
@@ -35,11 +35,11 @@ std::vector<Reporting> reporting() {
       {{"gearbox", "verify", in_repository("specs/gearbox/d151_knee_result.json")}, 0},
       {{"gearbox", "strength", in_repository("specs/gearbox/d110a_strength.json"), "--torque", "1"},
        0},
-      {{"actuator", "lint", kKnee}, 0},
-      {{"actuator", "mor", kKnee, "--need", "200@10"}, 1},
-      {{"actuator", "mor", kKnee, "--ratio", "4:40"}, 0},
-      {{"actuator", "mor", kKnee, "--compare", kStronger}, 0},
-      {{"actuator", "check", kMotion, "--joint", "knee=" + kKnee}, 0}};
+      {{"actuator", "lint", kWrittenKnee}, 0},
+      {{"actuator", "mor", kWrittenKnee, "--need", "200@10"}, 1},
+      {{"actuator", "mor", kWrittenKnee, "--ratio", "4:40"}, 0},
+      {{"actuator", "mor", kWrittenKnee, "--compare", kStronger}, 0},
+      {{"actuator", "check", kMotion, "--joint", "knee=" + kWrittenKnee}, 0}};
 }
 
 std::string name_of(const Words& command) { return command[0] + " " + command[1]; }
@@ -76,10 +76,10 @@ TEST_F(OutputOptions, ADashIsStandardOutputWithoutTheText) {
 
 TEST_F(OutputOptions, ADashIsStandardOutputOfWhatIsMadeToo) {
   const std::vector<Words> makers = {
-      {"actuator", "mor", kKnee},
+      {"actuator", "mor", kWrittenKnee},
       {"robot", "import", in_repository("specs/robot/rabbit.urdf")},
       {"robot", "export", in_repository("specs/robot/rabbit.json"), "--format", "urdf"},
-      {"identify", "simulate", kKnee, "--rig", in_repository("specs/rig/knee_sweep.json"),
+      {"identify", "simulate", kWrittenKnee, "--rig", in_repository("specs/rig/knee_sweep.json"),
        "--excitation", in_repository("specs/excitation/knee_sweep.csv")},
       {"init", "rig"},
       {"schema", "rig"},
@@ -100,7 +100,7 @@ TEST_F(OutputOptions, ADashPrintsWhatIsDrawnAndExported) {
   EXPECT_TRUE(drawing.out.starts_with("<")) << drawing.out.substr(0, 80);
   EXPECT_NE(drawing.out.find("</svg>"), std::string::npos);
   EXPECT_EQ(drawing.out.find("optimal: proved"), std::string::npos);
-  const Words exported{"actuator", "mor", kKnee, "--format", "mujoco"};
+  const Words exported{"actuator", "mor", kWrittenKnee, "--format", "mujoco"};
   EXPECT_EQ(place.run(with_words(exported, {"--export", "-"})).out, place.run(exported).out);
 }
 
@@ -131,7 +131,7 @@ TEST_F(OutputOptions, AFileThatIsCalledADashHasAFolder) {
 }
 
 TEST_F(OutputOptions, ExportStandsBesideTheDocument) {
-  const Words command{"actuator", "mor", kKnee, "--format", "mujoco"};
+  const Words command{"actuator", "mor", kWrittenKnee, "--format", "mujoco"};
   const Outcome both = place.run(with_words(command, {"--export", "k.xml", "-o", "k.json"}));
   EXPECT_EQ(both.exit_code, 0) << both.err;
   EXPECT_EQ(both.out + both.err, "");
@@ -139,7 +139,7 @@ TEST_F(OutputOptions, ExportStandsBesideTheDocument) {
   EXPECT_EQ(place.text("k.json"), place.run(with_words(command, {"--json"})).out);
   EXPECT_EQ(json::parse(place.text("k.json"))["kind"], "simulator_file");
   const Outcome table =
-      place.run({"actuator", "mor", kKnee, "--format", "csv", "--export", "k.csv"});
+      place.run({"actuator", "mor", kWrittenKnee, "--format", "csv", "--export", "k.csv"});
   EXPECT_EQ(table.exit_code, 2);
   EXPECT_EQ(table.err, "--export: --format csv is no simulator's; the table goes to -o\n");
 }
@@ -168,7 +168,7 @@ TEST_F(OutputOptions, OldSpellingsWorkAndNameTheNewOnes) {
   };
   const std::vector<Old> all = {{bench, "old.json", "the refined actuator", "--refined"},
                                 {fit, "old.json", "the robot with the fitted values", "--refined"},
-                                {{"actuator", "mor", kKnee, "--format", "mujoco"},
+                                {{"actuator", "mor", kWrittenKnee, "--format", "mujoco"},
                                  "old.xml",
                                  "the simulator's file",
                                  "--export"}};
@@ -186,7 +186,7 @@ TEST_F(OutputOptions, OldSpellingsWorkAndNameTheNewOnes) {
     EXPECT_EQ(place.text(each.file), before);
     EXPECT_GT(before.size(), 100u);
   }
-  const Words check{"actuator", "check", kMotion, "--joint", "knee=" + kKnee};
+  const Words check{"actuator", "check", kMotion, "--joint", "knee=" + kWrittenKnee};
   const Outcome text = place.run(with_words(check, {"-o", "report.txt"}));
   EXPECT_EQ(text.err,
             "note: -o report.txt writes the text for people in this version only; from the next "

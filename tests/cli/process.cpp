@@ -57,6 +57,8 @@ bool become_nobody() {
 [[noreturn]] void become_program(std::vector<std::string> arguments,
                                  const Circumstances& circumstances, const Pipe& out,
                                  const Pipe& err) {
+  // A shell lets what it starts in the background ignore Ctrl-C: a test run, say.
+  ::signal(SIGINT, circumstances.ignores_interrupt ? SIG_IGN : SIG_DFL);
   arguments.insert(arguments.begin(), program());
   std::vector<char*> words;
   for (std::string& argument : arguments) words.push_back(argument.data());

@@ -25,6 +25,7 @@ struct Circumstances {
   /// Ctrl-C so long after it has begun to listen for it.
   std::optional<std::chrono::milliseconds> interrupt_after{};
   std::optional<Signal> signal{};
+  bool ignores_interrupt = false;          ///< As a shell starts what is in the background.
   bool as_nobody = false;                  ///< Without root's rights. Requires root.
   std::filesystem::path stdout_file{};     ///< Instead of a pipe, as by `>>`; `out` stays empty.
   std::vector<std::string> environment{};  ///< More variables, NAME=VALUE.

@@ -265,6 +265,9 @@ TEST(FreeValue, RefusesWhatIsNone) {
             std::string::npos);
   EXPECT_NE(refusal("/bodies/0/mass_kg=2").find("LOW:HIGH"), std::string::npos);
   EXPECT_NE(refusal("/bodies/0/mass_kg=2:nan").find("LOW:HIGH"), std::string::npos);
+  EXPECT_NE(refusal("/bodies/0/mass_kg=1:1e308").find("beyond every robot"), std::string::npos);
+  EXPECT_NE(refusal("/bodies/0/inertia_kg_m2/yy=-1e308:1e308").find("beyond every robot"),
+            std::string::npos);
   EXPECT_NE(refusal("/bodies/0/mass_kg=3:2").find("is not below"), std::string::npos);
   EXPECT_NE(refusal("/bodies/0/mass_kg=-1:2").find("must be positive"), std::string::npos);
   EXPECT_NE(refusal("/postures/tuck/knee=-1:2").find("leaves the joint's range"),

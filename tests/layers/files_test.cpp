@@ -13,9 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kWays = {"fstream>", "fopen(",     "::open(",    "::creat(",
-                              "mkstemp(", " ::rename(", "(::rename(", "fs::rename",
-                              "unlink(",  "fs::remove", "freopen(",   "fs::copy"};
+constexpr std::array kWays = {"fstream>",   "fopen(",     "::open(",    "::creat(",  "mkstemp(",
+                              " ::rename(", "(::rename(", "fs::rename", "unlink(",   "fs::remove",
+                              "freopen(",   "fs::copy",   "openat(",    "truncate(", "mkdir("};
 
 /// They may only become fewer.
 const std::vector<gates::Excuse> kLeftAlone = {
@@ -39,6 +39,27 @@ TEST(Files, AreTouchedByIoAlone) {
     }
   }
   gates::expect_excused(broken, kLeftAlone, "only io/ opens, replaces and removes files");
+}
+
+// The number of a process comes again, always 1 in a container: a name from it may be taken.
+TEST(Files, HaveNoNamesFromTheNumberOfAProcess) {
+  for (const fs::path& file : gates::files_in("io", ".cpp")) {
+    EXPECT_EQ(gates::text_of(file).find("getpid("), std::string::npos) << file;
+  }
+}
+
+// What has no name is called as its file is, which need not be text: io::stem_in_text.
+TEST(Files, GiveNamesThroughIoAlone) {
+  gates::Names broken;
+  for (const char* folder :
+       {"gearbox", "actuator", "simulation", "identification", "hopper", "src"}) {
+    for (const fs::path& file : gates::files_in(folder, ".cpp")) {
+      if (gates::text_of(file).find("stem()") != std::string::npos) {
+        broken.insert(file.generic_string());
+      }
+    }
+  }
+  gates::expect_excused(broken, {}, "a file's name goes into text by io/one_line.hpp");
 }
 
 }  // namespace

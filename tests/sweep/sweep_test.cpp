@@ -118,6 +118,20 @@ TEST(Sweep, IgnoresWhatIsNoLineOfItsJournal) {
   EXPECT_EQ(diary(place), std::vector<int>{2});
 }
 
+// Oracle: the answer without a journal, whatever byte of it has been changed.
+TEST(Sweep, BelievesNoLineThatHasBeenChanged) {
+  const Workplace place;
+  const std::vector<std::string> command{"--points", "3", "--journal", "journal"};
+  ASSERT_EQ(place.run(command).exit_code, 0);
+  const std::string journal = place.text("journal");
+  for (std::size_t at = journal.find('\n') + 1; at < journal.size(); at += 7) {
+    std::string changed = journal;
+    changed[at] = changed[at] == '1' ? '2' : '1';
+    place.write("journal", changed);
+    EXPECT_EQ(place.run(command).out, squares(3)) << at;
+  }
+}
+
 // Its workers end with it: nothing is done any more after it.
 TEST(Sweep, GoesOnWhereItWasKilled) {
   const Workplace place;

@@ -163,6 +163,21 @@ TEST(WindingHeat, KnowsThermalRunaway) {
   }
 }
 
+// Oracle: with more current the winding gets no cooler.
+TEST(WindingHeat, BeyondAllNumbersIsWithoutBoundFromTheFirstRunOn) {
+  for (const double current_A : {1e4, 1e6, 1e8, 1e30, 1e150}) {
+    WindingHeat heat(HeatModel(heated(0.004)));
+    for (int i = 0; i < 200; ++i) heat.add(current_A * current_A, 1.0);
+    for (const std::size_t runs : {1, 2, 1000}) {
+      const WindingReport report = heat.report(runs, 0.0);
+      EXPECT_EQ(report.first_peak_K, HUGE_VAL) << current_A;
+      EXPECT_EQ(report.peak_K, HUGE_VAL) << current_A;
+      EXPECT_EQ(report.end_K, HUGE_VAL) << current_A;
+      EXPECT_EQ(report.runs_to_limit, 1u) << current_A;
+    }
+  }
+}
+
 // Oracle: the same samples below the number of blocks, where every one is looked at.
 TEST(WindingHeat, JoinsNeighboursWithoutChangingTheEnd) {
   const HeatModel model(heated(0.0039));

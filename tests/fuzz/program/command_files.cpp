@@ -10,11 +10,11 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 14> kOutputOptions{
-    "-o",           "--output",        "--draw",    "--plot",
-    "--plot-loads", "--plot-momentum", "--refined", "--export",
-    "--write-best", "--figures",       "--report",  "--series",
-    "--plot-sweep", "--sweep-journal"};
+constexpr std::array<std::string_view, 15> kOutputOptions{
+    "--all",    "-o",           "--output",        "--draw",
+    "--plot",   "--plot-loads", "--plot-momentum", "--refined",
+    "--export", "--write-best", "--figures",       "--report",
+    "--series", "--plot-sweep", "--sweep-journal"};
 
 /// Of what is done point by point, beside its output (docs/sweeps.md).
 constexpr std::string_view kJournal = ".journal";
@@ -47,6 +47,7 @@ std::set<std::string> with_journals(std::set<std::string> outputs) {
 }
 
 void add_files_at(const fs::path& path, std::vector<fs::path>& files) {
+  if (path.native().find('\0') != std::string::npos) return;  // the system would see its beginning
   std::error_code failed;
   if (fs::is_regular_file(path, failed)) files.push_back(path);
   if (!fs::is_directory(path, failed)) return;

@@ -44,13 +44,13 @@ actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d
 actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --torque-includes-inertia --from 0.1 --until 0.8
 actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --column knee_torque_Nm=knee.torque:Nm*1.1 --torque-excludes-inertia
 hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv
-hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --json --load-window 0.02 --repeat 3 --pause 1 --ground-height 0 --contact-height 0.002
-hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --series flip.csv -o report.json --report flip.html
-hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --candidates specs/actuator --threads 2 --ratios 8:9 --figures flip.svg
+hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --json --load-window 0.02 --repeat 3 --pause 1 --ground-height 0 --contact-height 0.002
+hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --series flip.csv -o report.json --report flip.html
+hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --candidates specs/actuator --threads 2 --ratios 8:9 --figures flip.svg
 hopper check specs/robot/rabbit.json tests/fuzz/corpus/rabbit_leap.csv --residual-limit 0.1 --contact-speed 0.1
-hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --plot a.svg --plot-loads b.svg --torques dynamics
+hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --plot a.svg --plot-loads b.svg --torques dynamics
 hopper check specs/robot/hopper.json specs/trajectory/hopper_hop.csv --plot-momentum c.svg --from 0.3
-hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --sweep knee_ratio=18:22:2 --sweep voltage=60,67.2 --jobs 2 -o map.json --plot-sweep map.svg --json
+hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --sweep knee_ratio=18:22:2 --sweep voltage=60,67.2 --jobs 2 -o map.json --plot-sweep map.svg --json
 hopper check specs/robot/hopper.json specs/trajectory/hopper_squat.csv --sweep mass_factor=0.9:1.1:0.1 --jobs 1 --sweep-journal checks.journal
 hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flight,flat --objective effort=2 --intervals 10 --rounds 0 --iterations 3 --time-limit 20 --voltage-margin 0.1 --guess-noise 0.05 --seed 2 --write-best best.csv --plot-momentum d.svg --figures e.svg --report f.html --json
 hopper flip specs/robot/hopper.json -o plan.csv --task jump --intervals 20 --integration-error 0.1 --bus-voltage 60 --sample-step 0.005 --plot-momentum d.svg --figures e.svg --report f.html
@@ -59,7 +59,7 @@ hopper flip specs/robot/hopper.json -o plan.csv --task jump --contacts flat,flig
 hopper flip specs/robot/hopper.json -o plan.csv --task flip --center-of-pressure-margin 0.2 --friction-margin 0.3 --gear-margin 0.2 --position-margin 0.1 --speed-margin 0.1 --integration-error 0.01 --intervals 10 --rounds 1 --time-limit 0.5 --write-best best.csv --report f.html
 hopper flip specs/robot/hopper.json -o flips.json --task hop --stride 0.2 --rise 0.05 --sweep knee_ratio=18:22:4 --sweep voltage=60,67.2 --jobs 2 --contacts flat,flight,flat --intervals 10 --rounds 0 --iterations 2 --time-limit 20 --plot-sweep flips.svg --sweep-journal flips.journal --json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.2 --json
-hopper replay specs/robot/hopper.json specs/trajectory/hopper_flip.csv --from 0.75 --step 0.0005 --stand 0.1 --limits box --controller pd --impact invariant --impact-metric inertia --latency 0.001 --series run.csv -o run.json
+hopper replay specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --from 0.75 --step 0.0005 --stand 0.1 --limits box --controller pd --impact invariant --impact-metric inertia --latency 0.001 --series run.csv -o run.json
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.1 --trials 2 --randomise specs/randomisation/hopper.json --seed 3 --success-rate 0.5 --threads 2
 hopper replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0 --until 0.2 --trials 3 --randomise specs/randomisation/hopper.json --jobs 2 --trial 1 --sweep-journal trials.journal -o trials.json --report trials.html
 hopper calibrate specs/robot/hopper.json --target cam=6.0 --target cav=7.4:10.6 --free /bodies/0/inertia_kg_m2/yy,/bodies/0/inertia_kg_m2/xx=0.05:0.45 --free /postures/takeoff/knee --free /postures/tuck/knee --refined fitted.json --plot valley.svg
@@ -73,16 +73,25 @@ identify plan specs/log/bench_actuator.json --rig specs/log/bench_rig.json --sep
 identify plan specs/actuator/d151_knee.json --rig specs/rig/dynamometer_knee.json --separate coulomb_friction,load_dependent_friction --speed-limit 5 --noise output_torque_Nm=0.2 --seed 3 --json
 identify simulate specs/actuator/d151_knee.json --rig specs/rig/knee_sweep.json --excitation specs/excitation/knee_sweep.csv --noise output_torque_Nm=0.2 --seed 7 -o log.csv
 identify import moteus specs/log/wheel_moteus.csv -o imported
+identify import sysid tests/fuzz/corpus/imports/arm_sysid.json -o imported
+identify import sysid_csv tests/fuzz/corpus/imports/lift_sysid.csv --units Rotations -o imported
+identify import bam tests/fuzz/corpus/imports/pendulum_bam.json -o imported
+identify import ros tests/fuzz/corpus/imports/legs_ros.csv --joint 1 -o imported
+identify import odrive tests/fuzz/corpus/imports/axes_odrive.csv --joint axis0 -o imported
 robot import specs/robot/rabbit.urdf -o rabbit.json
 robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
 robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/actuator/d151_knee.json --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links --link-error 0.1
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
 robot export specs/robot/cassie.json --format urdf
 robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
+robot export specs/robot/cassie.json --format isaac-lab --actuators -o cassie.py
+robot export specs/robot/mini_cheetah.json --format newton --actuators
 init actuator -o new.json
 init robot --explain
 schema gearbox_problem
 man hopper flip -o flip.1
+man --all specs/rig
+help gearbox optimize
 completion bash -o completion.sh
 )";
 

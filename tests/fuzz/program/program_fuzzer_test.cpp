@@ -14,6 +14,7 @@
 #include "tests/fuzz/program/minimise.hpp"
 #include "tests/fuzz/program/rules.hpp"
 #include "tests/fuzz/program/table_mutation.hpp"
+#include "tests/fuzz/program/vocabulary.hpp"
 
 namespace torquewright::fuzz {
 namespace {
@@ -125,6 +126,22 @@ TEST(CommandFiles, AreFoundByWayOfOthers) {
   EXPECT_TRUE(inputs.contains(kKnee));  // which the robot names
   EXPECT_TRUE(inputs.contains("specs/trajectory/hopper_flip.csv"));
   EXPECT_EQ(outputs_of(check), (std::set<std::string>{"a.html", "b.json"}));
+}
+
+TEST(CommandFiles, KnowAFolderThatPagesAreWrittenInto) {
+  EXPECT_EQ(outputs_of({"man", "--all", "pages"}), (std::set<std::string>{"pages"}));
+}
+
+// Every command is asked for its example, those of one word too.
+TEST(Vocabulary, HoldsCommandsOfOneWordAndOfTwo) {
+  const std::vector<DeclaredCommand> all = read_vocabulary(TORQUEWRIGHT_PROGRAM);
+  for (const Words& name :
+       {Words{"init"}, Words{"schema"}, Words{"man"}, Words{"completion"}, Words{"help"},
+        Words{"identify"}, Words{"identify", "import"}, Words{"gearbox", "optimize"}}) {
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const DeclaredCommand& each) {
+      return each.name == name;
+    })) << name[0];
+  }
 }
 
 TEST(Scene, IsMendedWhateverACaseDidToIt) {

@@ -61,6 +61,7 @@ struct Pipe {
   words.push_back(nullptr);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::signal(SIGINT, SIG_DFL);  // a shell lets what it starts in the background ignore it
   const bool is_ready = ::chdir(circumstances.folder.c_str()) == 0 &&
                         ::setenv("TMPDIR", circumstances.temporary.c_str(), 1) == 0 &&
                         ::dup2(nothing, STDIN_FILENO) >= 0 &&

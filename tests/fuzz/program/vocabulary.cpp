@@ -71,7 +71,7 @@ Help help_of(const std::filesystem::path& program, Words command) {
 void add_commands(const std::filesystem::path& program, const Words& name,
                   std::vector<DeclaredCommand>& all) {
   const Help help = help_of(program, name);
-  if (name.size() > 1 || !help.commands.empty()) all.push_back({name, help.options});
+  all.push_back({name, help.options});
   for (const std::string& each : help.commands) {
     Words inner = name;
     inner.push_back(each);

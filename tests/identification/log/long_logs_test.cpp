@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <numbers>
 
@@ -162,6 +164,22 @@ TEST(LongLog, GapsAreFoundInEveryPiece) {
   const Log pieces = read_with(log, kShort), whole = read_with(log, kLongestWholeLog);
   expect_same(pieces, whole);
   expect_same_findings(pieces, whole);
+}
+
+TEST(LongLog, NeedsAFolderThatTmpdirNames) {
+  const test::ScratchFolder folder;
+  const std::filesystem::path log = folder.write("log.csv", text(nothing));
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before == nullptr ? "/tmp" : before;
+  ::setenv("TMPDIR", "/absent", 1);
+  try {
+    read_log({log}, test::rig_of(kRig), kShort);
+    ADD_FAILURE() << "is read";
+  } catch (const std::exception& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("TMPDIR: a long log is held in the folder"))
+        << error.what();
+  }
+  ::setenv("TMPDIR", kept.c_str(), 1);
 }
 
 }  // namespace

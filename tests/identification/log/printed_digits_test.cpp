@@ -32,6 +32,16 @@ TEST(PrintedDigits, AreSignificantOnesWhereThoseAreTheSame) {
   EXPECT_DOUBLE_EQ(last_digit({"1.234E-5", "4.4e-5"}), 1e-8);
 }
 
+// One cell in a hundred may be a fault of the sensor; two are not isolated any more.
+TEST(PrintedDigits, AreNotThoseOfOneFaultyCell) {
+  PrintedDigits digits;
+  for (int i = 0; i < 198; ++i) digits.add("1.234");
+  digits.add("1e200");
+  EXPECT_DOUBLE_EQ(digits.last_digit(), 1e-3);
+  for (int i = 0; i < 2; ++i) digits.add("1234e3");
+  EXPECT_DOUBLE_EQ(digits.last_digit(), std::sqrt((198 * 1e-6 + 3 * 1e6) / 201.0));
+}
+
 TEST(ReadLog, KnowsTheLastDigitOfEveryChannel) {
   nlohmann::json rig = test::rig_json({{"t", "time_s"}, {"q", "output_position_rad"}});
   rig["columns"]["q"] = {{"quantity", "output_position_rad"}, {"scale", -0.5}};

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/print.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "io/file_session.hpp"
+#include "io/spec_error.hpp"
+
+namespace torquewright::io {
+
+void print(const std::string& text) {
+  if (is_input(STDOUT_FILENO)) {
+    throw SpecError({{"standard output", "", "leads into an input, which would be lost"}});
+  }
+  if (std::fputs(text.c_str(), stdout) != EOF && std::fflush(stdout) == 0) return;
+  const std::string reason = std::generic_category().message(errno);
+  throw SpecError({{"standard output", "", "cannot be written: " + reason}});
+}
+
+}  // namespace torquewright::io
