@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <system_error>
 
@@ -24,6 +25,23 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// Whether a decimal number other than 0 is less than 1 in magnitude: the place of its first digit
+/// that counts, and its exponent. A mantissa of 500 zeros is a power of ten as well as "e500" is.
+bool is_below_one(std::string_view text) {
+  const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view mantissa = text.substr(0, mark);
+  const auto first = static_cast<std::int64_t>(mantissa.find_first_of("123456789"));
+  const auto point = static_cast<std::int64_t>(std::min(mantissa.find('.'), mantissa.size()));
+  std::int64_t exponent = 0;
+  if (mark != text.size()) {
+    std::string_view digits = text.substr(mark + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (parsed.ec != std::errc()) return digits.starts_with('-');  // beyond all digits of a line
+  }
+  return exponent < (first < point ? first - point + 1 : first - point);
+}
+
 /// The whole text as a double, infinities and NaN included; a number too small for one is 0.
 std::optional<double> number_of(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -31,10 +49,7 @@ std::optional<double> number_of(std::string_view text) {
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (rest != end || text.empty()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) {
-    const bool is_small = text.find("e-") != text.npos || text.find("E-") != text.npos;
-    return is_small ? 0.0 : HUGE_VAL;
-  }
+  if (error == std::errc::result_out_of_range) return is_below_one(text) ? 0.0 : HUGE_VAL;
   if (error != std::errc()) return std::nullopt;
   return value;
 }

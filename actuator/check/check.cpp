@@ -9,6 +9,7 @@
 #include "actuator/check/drive_rows.hpp"
 #include "actuator/check/findings.hpp"
 #include "actuator/check/shared_battery.hpp"
+#include "actuator/check/travel_agreement.hpp"
 #include "actuator/check/velocity_agreement.hpp"
 #include "io/refusal.hpp"
 #include "io/spec_error.hpp"
@@ -27,6 +28,7 @@ class Pass {
         rows_(request.drives, request.parallels, request.trajectory.string()),
         reader_(request.trajectory, request.columns, rows_.joints(), request.window),
         agreements_(rows_.joints().size()),
+        travels_(rows_.joints().size()),
         to_velocity_(position_slopes(), [this](const Row& row) { take_joints(row); }),
         to_acceleration_(speed_slopes(), [this](const Row& row) { take_drives(row); }) {
     rows_.require_positions(reader_);
@@ -108,6 +110,7 @@ class Pass {
         joint[kVelocityAt] = joint[kSlopeAt];
       } else if (reader_.columns(i).position) {
         agreements_[i].add(joint[kVelocityAt], joint[kSlopeAt]);
+        travels_[i].add(row.time_s, joint[kPositionAt], joint[kVelocityAt]);
       }
     }
     rows_.convert(joint_row_, drive_row_);
@@ -146,6 +149,19 @@ class Pass {
                hidden_motion_sentence(longest_step(), reader_.clock().origin_s(), "velocities"));
   }
 
+  /// A velocity that is a multiple of the slope has a finding of its own, which names the unit.
+  void require_own_velocities(const std::vector<DriveReport>& drives) const {
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+      for (const std::size_t joint : rows_.joints_of(i)) {
+        if (agreements_[joint].correlation() >= kAgreement) continue;
+        const auto found = travels_[joint].contradiction(drives[i].no_load_speed_rad_s);
+        if (!found) continue;
+        io::refuse(reader_.file(), contradiction_sentence(rows_.joints()[joint], *found,
+                                                          reader_.clock().origin_s()));
+      }
+    }
+  }
+
   CheckReport report() {
     CheckReport result;
     for (std::size_t i = 0; i < checks_.size(); ++i) {
@@ -163,6 +179,7 @@ class Pass {
       result.findings.push_back(std::move(finding));
     }
     require_seen_speeds(result.drives);
+    require_own_velocities(result.drives);
     if (auto gap = gap_finding(longest_step())) result.findings.push_back(std::move(*gap));
     for (Finding& finding : shared_battery_findings(request_.drives)) {
       result.findings.push_back(std::move(finding));
@@ -182,6 +199,7 @@ class Pass {
   DriveRows rows_;
   TrajectoryReader reader_;
   std::vector<VelocityAgreement> agreements_;
+  std::vector<TravelAgreement> travels_;
   SlopeFilter to_velocity_;
   SlopeFilter to_acceleration_;
   std::vector<std::unique_ptr<DriveCheck>> checks_;

@@ -251,6 +251,19 @@ std::string hidden_motion_sentence(const LongestStep& step, double clock_origin_
       step.duration_s, step.from_s, step.usual_s, rates, until_s, until_s + step.duration_s);
 }
 
+std::string contradiction_sentence(const std::string& joint,
+                                   const TravelContradiction& contradiction,
+                                   double clock_origin_s) {
+  return fmt::format(
+      "the velocity of {} is not the rate of its position: from t = {:.6g} s to {:.6g} s the "
+      "position changes by {:.4g} rad and the integral of the velocity by {:.4g} rad; is one of "
+      "the "
+      "columns dead, late or another joint's? Mend it or leave it out: without a velocity the "
+      "slopes of the position are taken",
+      joint, clock_origin_s + contradiction.from_s, clock_origin_s + contradiction.until_s,
+      contradiction.position_change_rad, contradiction.velocity_integral_rad);
+}
+
 std::vector<Finding> findings_of(const std::vector<DriveReport>& drives) {
   std::vector<Finding> findings;
   std::set<std::string> named;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "actuator/check/report.hpp"
+#include "actuator/check/travel_agreement.hpp"
 
 namespace torquewright::actuator {
 
@@ -36,5 +37,10 @@ bool hides_motion(const LongestStep& step);
 /// --from and --until are in the file's own clock.
 std::string hidden_motion_sentence(const LongestStep& step, double clock_origin_s,
                                    std::string_view rates);
+
+/// That the velocity of a joint is not the rate of its position, from where to where, and what can
+/// be done. Times are in the file's own clock.
+std::string contradiction_sentence(const std::string& joint,
+                                   const TravelContradiction& contradiction, double clock_origin_s);
 
 }  // namespace torquewright::actuator

@@ -14,6 +14,39 @@
 namespace torquewright::actuator {
 namespace {
 
+/// " Nm", as the parameter's name ends; empty: it has none.
+std::string unit_behind(std::string_view name) {
+  struct Ending {
+    std::string_view text;
+    std::string_view unit;
+  };
+  // Longer ones first, where one ends in another.
+  constexpr Ending kEndings[] = {{"_Nm_s2_rad2", " Nm s^2/rad^2"},
+                                 {"_Nm_s_rad", " Nm s/rad"},
+                                 {"_Nm_rad", " Nm/rad"},
+                                 {"_kg_m2", " kg m^2"},
+                                 {"_rad_s", " rad/s"},
+                                 {"_1_K", " 1/K"},
+                                 {"_ohm", " ohm"},
+                                 {"_rad", " rad"},
+                                 {"_Nm", " Nm"},
+                                 {"_s", " s"},
+                                 {"_A", " A"},
+                                 {"_V", " V"}};
+  for (const Ending& ending : kEndings) {
+    if (name.ends_with(ending.text)) return std::string(ending.unit);
+  }
+  return "";
+}
+
+/// "0 or more Nm", "-1 to 1".
+std::string possible(const Parameter& parameter) {
+  const std::string unit = unit_behind(parameter.name);
+  if (std::isinf(parameter.highest)) return fmt::format("{} or more{}", parameter.lowest, unit);
+  if (std::isinf(parameter.lowest)) return fmt::format("{} or less{}", parameter.highest, unit);
+  return fmt::format("{} to {}{}", parameter.lowest, parameter.highest, unit);
+}
+
 using nlohmann::json;
 
 constexpr std::size_t kMostHarmonics = 64;
@@ -98,9 +131,8 @@ class EffectReader {
     }
     const double number = value.get<double>();
     if (number < parameter.lowest || number > parameter.highest) {
-      report(path,
-             fmt::format("{} is outside what is possible, {} to {}: {}", io::as_written(value),
-                         parameter.lowest, parameter.highest, parameter.meaning));
+      report(path, fmt::format("{} is outside what is possible, {}: {}", io::as_written(value),
+                               possible(parameter), parameter.meaning));
     }
     effect_.values.push_back(number);
   }

@@ -143,6 +143,16 @@ std::vector<std::string> objections(const Actuator& actuator,
     sentences.push_back(
         "a state of charge needs /battery/cell_open_circuit_V as a list of {state_of_charge, "
         "voltage_V}; the document has no such curve");
+  } else if (conditions.state_of_charge) {
+    const double least = actuator.battery->cell_open_circuit.front().state_of_charge;
+    const double most = actuator.battery->cell_open_circuit.back().state_of_charge;
+    if (*conditions.state_of_charge < least || *conditions.state_of_charge > most) {
+      sentences.push_back(
+          fmt::format("a state of charge of {} lies outside of the battery's curve, which is known "
+                      "from {} to {} "
+                      "(/battery/cell_open_circuit_V)",
+                      *conditions.state_of_charge, least, most));
+    }
   }
   const double temperature_K = winding_temperature_K(actuator, conditions);
   const Instant warm = at_winding_temperature(actuator, temperature_K);

@@ -110,6 +110,9 @@ MappingText split_mapping(const std::string& text) {
   const bool has_joint = target.find('.') != std::string::npos;
   mapping.quantity = has_joint ? cut_behind_last(target, '.') : target;
   if (has_joint) mapping.joint = target;
+  if (has_joint && find_quantity(mapping.quantity) == Quantity::kTime) {
+    refuse_mapping(text, fmt::format("time is no joint's; leave \"{}.\" out", mapping.joint));
+  }
   return mapping;
 }
 
@@ -117,9 +120,8 @@ ColumnMapping read_mapping(const std::string& text) {
   const MappingText parts = split_mapping(text);
   ColumnMapping mapping{parts.column, parts.joint, read_quantity(text, parts.quantity),
                         parts.factor};
-  if (mapping.quantity == Quantity::kTime) {
-    mapping.joint.clear();
-  } else if (mapping.joint.empty()) {
+  mapping.text = text;
+  if (mapping.quantity != Quantity::kTime && mapping.joint.empty()) {
     refuse_mapping(text, fmt::format("whose {0}? JOINT.{0} names it", parts.quantity));
   }
   mapping.has_unit = !parts.unit.empty() || parts.factor != 1.0;

@@ -25,6 +25,7 @@ struct ColumnMapping {
   Quantity quantity = Quantity::kTime;
   double factor = 1.0;
   bool has_unit = false;  ///< Or factor: somebody said what the column counts in.
+  std::string text{};     ///< As the command line has it; empty: of a document or a header.
 };
 
 /// A mapping of the command line, taken apart: NAME=JOINT.QUANTITY[:unit][*factor].

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/trajectory/one_time.hpp"
 #include "io/nearest.hpp"
 #include "io/refusal.hpp"
 #include "io/wording.hpp"
@@ -70,29 +71,59 @@ void refuse_foreign_units(const io::CsvReader& csv, const std::vector<ColumnMapp
   }
 }
 
-/// The stated mappings, and the canonical ones for what no mapping is stated.
+std::string target_of(const ColumnMapping& mapping) {
+  const std::string quantity(name_of(mapping.quantity));
+  return mapping.joint.empty() ? quantity : mapping.joint + "." + quantity;
+}
+
+/// A document may describe a whole robot; what the command line says is meant for this check.
+void require_checked_joint(const ColumnMapping& mapping, const std::vector<std::string>& joints) {
+  const bool is_checked = mapping.joint.empty() ||
+                          std::find(joints.begin(), joints.end(), mapping.joint) != joints.end();
+  if (mapping.text.empty() || is_checked) return;
+  io::refuse("--column", fmt::format("\"{}\": no joint \"{}\" is checked{}", mapping.text,
+                                     mapping.joint, hint(mapping.joint, joints)));
+}
+
+/// One column is one quantity; that of several joints it may be, as of a left and a right leg that
+/// move alike.
+void require_apart(const std::string& file, const ColumnMapping& one, const ColumnMapping& other) {
+  if (same_quantity(one, other)) {
+    io::refuse(file, one.column == other.column
+                         ? fmt::format("\"{}\" is mapped to {} twice", one.column, target_of(one))
+                         : fmt::format("\"{}\" and \"{}\" are both mapped to {}", one.column,
+                                       other.column, target_of(one)));
+  }
+  if (one.column == other.column && one.quantity != other.quantity) {
+    io::refuse(file, fmt::format("\"{}\" is mapped to {} and to {}; one column is one quantity",
+                                 one.column, target_of(one), target_of(other)));
+  }
+}
+
+/// The stated mappings, and the canonical ones for what no mapping is stated, of columns that none
+/// says to be something else.
 std::vector<ColumnMapping> complete(const io::CsvReader& csv,
-                                    const std::vector<ColumnMapping>& stated) {
+                                    const std::vector<ColumnMapping>& stated,
+                                    const std::vector<std::string>& joints) {
   for (std::size_t i = 0; i < stated.size(); ++i) {
     const ColumnMapping& mapping = stated[i];
     if (!csv.find(mapping.column)) {
       io::refuse(csv.file(), fmt::format("no column \"{}\"{}", mapping.column,
                                          hint(mapping.column, csv.header())));
     }
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!same_quantity(stated[j], mapping)) continue;
-      io::refuse(
-          csv.file(),
-          fmt::format("\"{}\" and \"{}\" are both mapped to {}{}", stated[j].column, mapping.column,
-                      mapping.joint.empty() ? "" : mapping.joint + ".", name_of(mapping.quantity)));
-    }
+    require_checked_joint(mapping, joints);
+    for (std::size_t j = 0; j < i; ++j) require_apart(csv.file(), stated[j], mapping);
   }
+  const bool has_stated_time =
+      std::any_of(stated.begin(), stated.end(),
+                  [](const ColumnMapping& mapping) { return mapping.quantity == Quantity::kTime; });
+  if (!has_stated_time) require_one_time(csv);
   std::vector<ColumnMapping> all = stated;
   for (const std::string& column : csv.header()) {
     const std::optional<ColumnMapping> mapping = canonical_mapping(column);
     if (!mapping) continue;
     const bool is_taken = std::any_of(all.begin(), all.end(), [&](const ColumnMapping& other) {
-      return same_quantity(other, *mapping);
+      return same_quantity(other, *mapping) || other.column == column;
     });
     if (!is_taken) all.push_back(*mapping);
   }
@@ -105,7 +136,7 @@ TrajectoryReader::TrajectoryReader(const std::filesystem::path& file,
                                    const std::vector<ColumnMapping>& mappings,
                                    const std::vector<std::string>& joints, const Window& window)
     : csv_(file), window_(window), joints_(joints.size()), unwraps_(joints.size()) {
-  const std::vector<ColumnMapping> all = complete(csv_, mappings);
+  const std::vector<ColumnMapping> all = complete(csv_, mappings, joints);
   refuse_foreign_units(csv_, all, joints);
   assign(all, joints);
   require_complete(all, joints);

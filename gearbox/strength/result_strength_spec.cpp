@@ -13,6 +13,7 @@
 
 #include "gearbox/strength/steels.hpp"
 #include "gearbox/topologies/topology.hpp"
+#include "io/given_once.hpp"
 #include "io/one_line.hpp"
 #include "io/refusal.hpp"
 
@@ -104,12 +105,15 @@ std::vector<const Steel*> chosen_steels(const io::Document& result, const Topolo
 }
 
 json stated_rims(const Topology& topology, const std::vector<std::string>& stated) {
+  io::require_each_once("--rim", stated);
   json rims = json::object();
   for (const std::string& item : stated) {
     const auto [gear, number] = parts_of("--rim", item, topology);
     char* end = nullptr;
     const double thickness_mm = std::strtod(number.c_str(), &end);
-    if (number.empty() || *end != '\0' || !(thickness_mm > 0.0 && thickness_mm <= 1000.0)) {
+    const bool is_decimal = number.find_first_of("xX") == std::string::npos;
+    if (number.empty() || !is_decimal || *end != '\0' ||
+        !(thickness_mm > 0.0 && thickness_mm <= 1000.0)) {
       io::refuse("--rim", fmt::format("\"{}\": needs a length from 0 to 1000 mm", item));
     }
     rims[gear] = thickness_mm;

@@ -9,6 +9,7 @@
 
 #include "actuator/trajectory/angle_unwrap.hpp"
 #include "actuator/trajectory/columns.hpp"
+#include "actuator/trajectory/one_time.hpp"
 #include "hopper/motion/mapping_spec.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "io/nearest.hpp"
@@ -96,11 +97,12 @@ class MotionReader {
   }
 
   void take_canonical_columns() {
+    if (!source_of(0)) actuator::require_one_time(csv_);
     for (std::size_t column = 0; column < csv_.header().size(); ++column) {
       std::string header = csv_.header()[column];
       if (header == "t" || header == "time") header = "time_s";
       for (std::size_t i = 0; i < channels_.size(); ++i) {
-        if (channels_[i].header != header || source_of(i)) continue;
+        if (channels_[i].header != header || source_of(i) || is_taken(column)) continue;
         sources_.push_back({column, i, 1.0});
       }
     }
@@ -132,6 +134,11 @@ class MotionReader {
                                                      : channel.owner + "." + channel.quantity));
       }
     }
+  }
+
+  bool is_taken(std::size_t column) const {
+    return std::any_of(sources_.begin(), sources_.end(),
+                       [column](const Source& source) { return source.column == column; });
   }
 
   const Source* source_of(std::size_t channel) const {

@@ -103,6 +103,7 @@ class PlanSearch {
     choose_columns();
     const Tried chirp =
         shrunk([this](double scale) { return chirp_excitation(limits_, frame_, scale); }, "chirp");
+    if (chirp.information.matrix.isZero()) refuse_stillness();
     if (!chirp.information.matrix.allFinite() || chirp.information.matrix.isZero()) {
       refuse_plan("--noise", "without noise in what is measured no error can be expected");
     }
@@ -112,6 +113,17 @@ class PlanSearch {
   }
 
  private:
+  /// Where a limit leaves no motion, nothing is told by any noise.
+  void refuse_stillness() const {
+    const auto refuse = [](const char* option, double limit, const char* unit) {
+      refuse_plan(option, fmt::format("{:g} {} leave no motion that shows anything; allow more",
+                                      limit, unit));
+    };
+    if (options_.limits.position_rad)
+      refuse("--position-range", *options_.limits.position_rad, "rad");
+    if (options_.limits.speed_rad_s) refuse("--speed-limit", *options_.limits.speed_rad_s, "rad/s");
+  }
+
   static std::map<Quantity, double>& with_stated(std::map<Quantity, double>& noise,
                                                  const std::map<Quantity, double>& stated) {
     for (const auto& [quantity, sigma] : stated) noise[quantity] = sigma;

@@ -42,6 +42,7 @@ struct Importer {
   std::string_view what;    ///< For the help.
   std::string_view source;  ///< Where the format is documented.
   ImportedLog (*read)(const ImportRequest& request);
+  bool asks_joint = false;  ///< Its files may hold several.
   bool asks_units = false;  ///< Its files do not say what positions are in.
 };
 

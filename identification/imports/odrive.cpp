@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/named_columns.hpp"
+#include "io/spec_error.hpp"
+#include "io/wording.hpp"
 
 namespace torquewright::identification::imports {
 namespace {
@@ -26,6 +31,14 @@ ImportedLog read_odrive(const ImportRequest& request) {
                           column.find(request.joint + ".") == std::string::npos;
     return is_other ? std::nullopt : by_ending(column, kOdriveNames);
   });
+  const bool is_there = std::any_of(
+      log.header.begin(), log.header.end(),
+      [&](const std::string& name) { return name.find(request.joint + ".") != std::string::npos; });
+  if (!request.joint.empty() && !is_there) {
+    throw io::SpecError({{request.files.front().string(), "",
+                          fmt::format("has no axis {} among its columns: {}", request.joint,
+                                      io::listed(log.header))}});
+  }
   log.notes.emplace_back(
       "positions are taken for turns of the motor, as firmware 0.5 and later states them (before: "
       "counts); currents are amplitudes: torque_constant_convention peak_phase");
@@ -37,6 +50,6 @@ ImportedLog read_odrive(const ImportRequest& request) {
 const Importer odrive = {
     "odrive", "CSV with ODrive's names: axis0.encoder.pos_estimate (turns), ...Iq_measured",
     "https://docs.odriverobotics.com/v/0.5.6/fibre_types/com_odriverobotics_ODrive.html",
-    read_odrive};
+    read_odrive, true};
 
 }  // namespace torquewright::identification::imports

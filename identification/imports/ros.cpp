@@ -102,6 +102,6 @@ const Importer ros = {
     "ros", "CSV of joint states: rostopic echo -p (%time, field.position0) or PlotJuggler",
     "http://wiki.ros.org/rostopic; "
     "https://docs.ros.org/en/api/sensor_msgs/html/msg/JointState.html",
-    read_ros};
+    read_ros, true};
 
 }  // namespace torquewright::identification::imports

@@ -199,6 +199,8 @@ const Importer sysid_csv = {"sysid_csv",
                             "CSV table exported from a WPILib data log with SysIdRoutine's entries",
                             "https://github.com/wpilibsuite/allwpilib: SysIdRoutineLog; "
                             "https://docs.advantagescope.org/more-features/export",
-                            read_sysid_csv, true};
+                            read_sysid_csv,
+                            true,
+                            true};
 
 }  // namespace torquewright::identification::imports

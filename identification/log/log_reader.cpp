@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/heat/working_temperature.hpp"
 #include "identification/log/channel.hpp"
+#include "identification/log/remedy.hpp"
 #include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::identification {
 namespace {
+
+constexpr double kLongStep_s = 0.5;
 
 /// Requires two times or more.
 double median_step_s(const std::vector<double>& time_s) {
@@ -90,7 +94,16 @@ void LogReader::close_file() {
   if (!clock_.sentence().empty()) {
     findings_.push_back({Weight::kNote, fmt::format("{}: {}", csv_->file(), clock_.sentence())});
   }
-  files_read_.push_back({io::name_in_text(csv_->file()), csv_->sha256()});
+  const Log::File read{io::name_in_text(csv_->file()), csv_->sha256()};
+  for (const Log::File& other : files_read_) {
+    if (other.sha256 != read.sha256 || other.path == read.path) continue;
+    throw io::SpecError(
+        {{read.path, "",
+          fmt::format("holds the same as {}, byte for byte; a run that is held out must not be one "
+                      "that was fitted: leave one of them out",
+                      other.path)}});
+  }
+  files_read_.push_back(read);
   csv_.reset();
   ++file_;
 }
@@ -199,12 +212,38 @@ void LogReader::append(double time_s) {
   for (const Source& source : columns_.channels) {
     const double value = csv_->number(source.column) * source.scale + source.offset;
     if (!std::isfinite(value)) csv_->refuse(source.column, "too large in SI units");
+    require_possible(source, value);
     const std::size_t first = source.joint.value_or(0);
     const std::size_t end = source.joint ? first + 1 : run_.joints.size();
     for (std::size_t joint = first; joint < end; ++joint) append(source, joint, value);
   }
   run_.masked.push_back(0);
   if (!columns_.time && holds_piece()) hand_over_piece();
+}
+
+/// A temperature that no motor works at is in degrees, or none: copper's law would make of it a
+/// winding without resistance.
+void LogReader::require_possible(const Source& source, double value) const {
+  if (source.quantity != Quantity::kWindingTemperature &&
+      source.quantity != Quantity::kCaseTemperature) {
+    return;
+  }
+  const auto is_possible = [](double temperature_K) {
+    return temperature_K >= actuator::kColdestWinding_K &&
+           temperature_K <= actuator::kHottestWinding_K;
+  };
+  if (is_possible(value)) return;
+  const io::Unit degrees = *io::find_unit("degC");
+  const bool is_scaled = source.scale != 1.0 || source.offset != 0.0;
+  const std::string hint =
+      is_scaled || !is_possible(value * degrees.in_SI + degrees.zero_in_SI)
+          ? ""
+          : "; degrees Celsius? In the rig, " +
+                remedy_by_unit({source.joint.value_or(0), source.quantity}, rig_, degrees);
+  csv_->refuse(
+      source.column,
+      fmt::format("{} of {:.6g} K is outside of {:g} to {:g} K{}", name_of(source.quantity), value,
+                  actuator::kColdestWinding_K, actuator::kHottestWinding_K, hint));
 }
 
 void LogReader::append(const Source& source, std::size_t joint, double value) {
@@ -235,6 +274,7 @@ void LogReader::hand_over_piece() {
 void LogReader::learn_step() {
   median_s_ = median_step_s(run_.time_s);
   std::size_t begin = 0;
+  warn_of_long_steps();
   for (std::size_t i = 1; i < run_.time_s.size(); ++i) {
     const double step_s = run_.time_s[i] - run_.time_s[i - 1];
     if (step_s <= kGapFactor * *median_s_) continue;
@@ -243,6 +283,17 @@ void LogReader::learn_step() {
     begin = i;
   }
   if (begin > 0) run_ = part_of(run_, begin, run_.masked.size());
+}
+
+/// Nothing of a motion is seen in such steps; of milliseconds under a name in s they are usual.
+void LogReader::warn_of_long_steps() {
+  if (*median_s_ < kLongStep_s || warns_of_steps_) return;
+  warns_of_steps_ = true;
+  findings_.push_back(
+      {Weight::kWarning,
+       fmt::format("the median step of run \"{}\" is {:.4g} s: the times look like ms; {}",
+                   run_.name, *median_s_,
+                   remedy_by_unit({0, Quantity::kTime}, rig_, *io::find_unit("ms")))});
 }
 
 void LogReader::end_run() {

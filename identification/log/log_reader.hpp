@@ -60,6 +60,8 @@ class LogReader {
   bool repeats_row() const;
   void spread(double next_s);
   void append(double time_s);
+  void require_possible(const Source& source, double value) const;
+  void warn_of_long_steps();
   void append(const Source& source, std::size_t joint, double value);
   void learn_step();
   bool holds_piece() const;
@@ -85,6 +87,7 @@ class LogReader {
   bool continues_ = false;  ///< What is read now, what was handed over.
   std::deque<Stretch> ready_;
   std::vector<Log::File> files_read_;
+  bool warns_of_steps_ = false;
   struct Rows {
     std::size_t count = 0;
     std::vector<std::string> runs;

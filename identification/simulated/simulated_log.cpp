@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "identification/log/run_loads.hpp"
@@ -23,6 +24,10 @@ constexpr Source kSources[] = {{Quantity::kMotorCurrent, simulation::DriveKind::
                                {Quantity::kWindingVoltage, simulation::DriveKind::kVoltage},
                                {Quantity::kDuty, simulation::DriveKind::kDuty}};
 
+constexpr double kRoundOff = 1e-9;
+/// About a minute of work.
+constexpr double kMostSteps = 4e7;
+
 [[noreturn]] void refuse(const std::string& file, const std::string& path, std::string what) {
   throw io::SpecError({{file, path, std::move(what)}});
 }
@@ -33,6 +38,27 @@ struct Header {
   simulation::DriveKind kind = simulation::DriveKind::kCurrent;
   std::optional<std::size_t> run, speed, position;
 };
+
+/// A column that nothing takes is a slip: a misspelt name, or another kind of load.
+void require_used(const io::CsvReader& csv, const Header& header, const Rig& rig) {
+  for (std::size_t i = 0; i < csv.header().size(); ++i) {
+    if (i == header.time || i == header.drive || i == header.run || i == header.speed ||
+        i == header.position) {
+      continue;
+    }
+    const std::string& name = csv.header()[i];
+    const bool is_motion = name == name_of(Quantity::kOutputVelocity);
+    refuse(csv.file(), "",
+           fmt::format(
+               "the column \"{}\" would not be played{}; an excitation has time_s, run, what "
+               "drives, output_position_rad (where it starts) and, on a dynamometer, "
+               "output_velocity_rad_s",
+               name,
+               is_motion
+                   ? fmt::format(": a load of type \"{}\" moves by itself", name_of(rig.load.type))
+                   : ""));
+  }
+}
 
 Header header_of(const io::CsvReader& csv, const Rig& rig) {
   Header header;
@@ -61,7 +87,41 @@ Header header_of(const io::CsvReader& csv, const Rig& rig) {
       refuse(csv.file(), "", "a dynamometer imposes the motion: a column output_velocity_rad_s");
     }
   }
+  require_used(csv, header, rig);
   return header;
+}
+
+/// In the unit of what drives; infinite where the drive's limits say nothing.
+double greatest_drive(simulation::DriveKind kind, const actuator::Actuator& actuator) {
+  switch (kind) {
+    case simulation::DriveKind::kCurrent:
+      return actuator.drive.peak_current_A;
+    case simulation::DriveKind::kTorque:
+      return actuator.drive.peak_current_A *
+             std::abs(actuator.transmission.ratio * actuator.motor.torque_constant_Nm_A);
+    case simulation::DriveKind::kDuty:
+      return 1.0;
+    case simulation::DriveKind::kVoltage:
+    case simulation::DriveKind::kPosition:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+double drive_value(const io::CsvReader& csv, const Header& header,
+                   const actuator::Actuator& actuator) {
+  const double value = csv.number(header.drive);
+  const double greatest = greatest_drive(header.kind, actuator);
+  if (std::abs(value) <= (1.0 + kRoundOff) * greatest) return value;
+  if (header.kind == simulation::DriveKind::kDuty) {
+    csv.refuse(header.drive, fmt::format("a duty of {:g} is none; it must be from -1 to 1", value));
+  }
+  const char* unit = header.kind == simulation::DriveKind::kCurrent ? "A" : "Nm";
+  csv.refuse(
+      header.drive,
+      fmt::format("{0:g} {1} is beyond what the drive can do; it must be from -{2:g} to {2:g} "
+                  "{1}, by the actuator's peak_current_A of {3:g} A",
+                  value, unit, greatest, actuator.drive.peak_current_A));
 }
 
 ExcitationRun empty_run(const Header& header, std::string name) {
@@ -166,7 +226,8 @@ std::vector<double> simulated_quantity(Quantity quantity, const actuator::Actuat
   return {};
 }
 
-std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, const Rig& rig) {
+std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, const Rig& rig,
+                                           const actuator::Actuator& actuator) {
   io::CsvReader csv(file);
   const Header header = header_of(csv, rig);
   std::vector<ExcitationRun> runs;
@@ -182,11 +243,26 @@ std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, co
       csv.refuse(header.time, "time does not ascend");
     }
     excitation.time_s.push_back(time_s);
-    excitation.joints[0].value.push_back(csv.number(header.drive));
+    excitation.joints[0].value.push_back(drive_value(csv, header, actuator));
     if (header.speed) excitation.joints[0].speed_rad_s.push_back(csv.number(*header.speed));
   }
   if (runs.empty()) refuse(csv.file(), "", "no rows");
   return runs;
+}
+
+void require_few_steps(const std::filesystem::path& file, const std::vector<ExcitationRun>& runs,
+                       const simulation::SimulationOptions& options) {
+  double duration_s = 0.0;
+  for (const ExcitationRun& run : runs) {
+    duration_s += run.excitation.time_s.back() - run.excitation.time_s.front();
+  }
+  const double steps = duration_s / options.longest_step_s;
+  if (steps <= kMostSteps) return;
+  refuse(file.string(), "",
+         fmt::format("its runs last {:.6g} s in all, {:.3g} steps of {:g} s; at most {:.3g} steps "
+                     "are simulated, {:g} s: shorten the runs, or play them in several excitations",
+                     duration_s, steps, options.longest_step_s, kMostSteps,
+                     kMostSteps * options.longest_step_s));
 }
 
 std::string simulated_log(const Rig& rig, const actuator::Actuator& truth,

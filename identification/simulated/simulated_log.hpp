@@ -21,8 +21,16 @@ struct ExcitationRun {
 /// Reads a CSV whose columns are quantities of the contract by their names: time_s; one of
 /// motor_current_A, commanded_torque_Nm, winding_voltage_V, duty; on a dynamometer
 /// output_velocity_rad_s besides (positions follow, from the first output_position_rad or 0); `run`
-/// where there are several. Throws io::SpecError.
-std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, const Rig& rig);
+/// where there are several. Throws io::SpecError, also for a column that nothing of the rig takes,
+/// and for what the actuator's drive cannot play: a duty beyond 1, a current (or the current of a
+/// torque) beyond its peak.
+std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, const Rig& rig,
+                                           const actuator::Actuator& actuator);
+
+/// Throws io::SpecError where the runs of that file would take more steps of a simulation than
+/// anybody waits for.
+void require_few_steps(const std::filesystem::path& file, const std::vector<ExcitationRun>& runs,
+                       const simulation::SimulationOptions& options);
 
 /// A quantity along a simulated run of one joint; empty: a simulation does not have it.
 std::vector<double> simulated_quantity(Quantity quantity, const actuator::Actuator& truth,

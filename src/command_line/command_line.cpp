@@ -17,6 +17,7 @@
 #include "io/wording.hpp"
 #include "src/command_line/blank_value.hpp"
 #include "src/command_line/help_text.hpp"
+#include "src/command_line/list_members.hpp"
 #include "src/command_line/misspelling.hpp"
 
 namespace torquewright::command_line {
@@ -39,19 +40,28 @@ std::string range_in_help(const std::string& what, double least, double greatest
   return range_in_words(what, fmt::format("{}", least), fmt::format("{}", greatest));
 }
 
+/// 044 is octal to the library that converts it, and so 36.
+bool has_idle_zero(const std::string& text) {
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  return text.size() > first + 1 && text[first] == '0';
+}
+
 template <typename Number>
 std::optional<Number> whole_number(const std::string& text) {
+  if (has_idle_zero(text)) return std::nullopt;
   Number number{};
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   return error == std::errc() && rest == end ? std::optional(number) : std::nullopt;
 }
 
-/// No quantity is "nan" or "inf", and every comparison lets "nan" pass.
+/// No quantity is "nan" or "inf", and every comparison lets "nan" pass. Nor is it hexadecimal, as
+/// no document's number is.
 std::optional<double> finite_number(const std::string& text) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+  const bool is_decimal = text.find_first_of("xX") == std::string::npos;
+  if (text.empty() || !is_decimal || *end != '\0' || !std::isfinite(number)) return std::nullopt;
   return number;
 }
 
@@ -74,6 +84,11 @@ CLI::Validator whole() {
                  [](const std::string& text) { return whole_number<Number>(text).has_value(); });
 }
 
+/// An unset variable of a script leaves "", which would count as if nothing were said.
+const CLI::Validator kNotEmpty(
+    [](const std::string& text) { return text.empty() ? std::string("is empty") : std::string(); },
+    "");
+
 const CLI::Validator kNamed(
     [](const std::string& file) {
       return file.empty() ? std::string("a file's name is missing") : std::string();
@@ -94,6 +109,27 @@ std::vector<std::string> parts_of(const std::string& names) {
     parts.push_back(part.starts_with('!') ? part.substr(1) : part);
   }
   return parts;
+}
+
+/// The inner command works in the outer one's place, and gets nothing of what stands before it.
+void require_nothing_before(const CLI::App& app, const DeclaredCommand& outer,
+                            const std::string& inner) {
+  const std::deque<DeclaredOption>& taken = find_command(outer, inner)->options;
+  for (const DeclaredOption& option : outer.options) {
+    const std::string& name = longest_name(option);
+    const CLI::Option* given = app.get_option_no_throw(name);
+    if (given == nullptr || given->count() == 0) continue;
+    const std::string value = given->results().front();
+    const std::string words = option.is_argument     ? fmt::format("\"{}\"", value)
+                              : option.value.empty() ? name
+                                                     : fmt::format("{} {}", name, value);
+    const bool is_taken = std::any_of(taken.begin(), taken.end(), [&](const DeclaredOption& other) {
+      return longest_name(other) == name;
+    });
+    refuse(fmt::format("{0} stands before {1}, {2}", words, inner,
+                       is_taken ? "which would not get it; write it behind " + inner
+                                : "which takes no such thing"));
+  }
 }
 
 DeclaredOption declared_option(const std::vector<std::string>& names, const std::string& value,
@@ -192,6 +228,7 @@ Option Option::positive() {
 }
 
 Option Option::one_of(const std::vector<std::string>& words) {
+  says_more_than_its_kind();
   const auto is_among = [words](const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
@@ -212,12 +249,14 @@ Option Option::offers(const std::vector<std::string>& words) {
 }
 
 Option Option::existing_file() {
+  says_more_than_its_kind();
   option_->check(CLI::ExistingFile);
   declared_->value = "FILE";
   return *this;
 }
 
 Option Option::names_a_file() {
+  says_more_than_its_kind();
   option_->check(kNamed);
   declared_->value = "FILE";
   declared_->writes_file = true;
@@ -252,7 +291,7 @@ Option Command::add(CLI::Option& option, const std::string& names, const std::st
 }
 
 Option Command::add_option(const std::string& names, std::string& value, const std::string& help) {
-  return add(*app_->add_option(names, value), names, "TEXT", help, value);
+  return add(*app_->add_option(names, value)->check(kNotEmpty), names, "TEXT", help, value);
 }
 
 Option Command::add_option(const std::string& names, double& value, const std::string& help) {
@@ -284,7 +323,7 @@ Option Command::add_option(const std::string& names, std::uint64_t& value,
 
 Option Command::add_option(const std::string& names, std::vector<std::string>& values,
                            const std::string& help) {
-  return add(*app_->add_option(names, values), names, "TEXT", help, "", true);
+  return add(*app_->add_option(names, values)->check(kNotEmpty), names, "TEXT", help, "", true);
 }
 
 Option Command::add_option(const std::string& names, std::vector<double>& values,
@@ -318,8 +357,13 @@ void Command::require_command() {
 void Command::example(const std::string& line) { declared_->example = line; }
 
 void Command::works(Work work) {
-  app_->callback([app = app_, named = named_, work = std::move(work)] {
-    if (app->get_subcommands().empty()) named->push_back(work);
+  app_->callback([app = app_, declared = declared_, named = named_, work = std::move(work)] {
+    const std::vector<CLI::App*> inner = app->get_subcommands();
+    if (inner.empty()) {
+      named->push_back(work);
+    } else {
+      require_nothing_before(*app, *declared, inner.front()->get_name());
+    }
   });
 }
 
@@ -370,6 +414,7 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
     io::print(help_text(*leads.command, leads.path));
     return cli::ExitCode::kPasses;
   }
+  if (const auto gap = empty_member(declared_, words)) refuse(*gap);
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ExtrasError& error) {

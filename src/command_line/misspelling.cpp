@@ -12,17 +12,6 @@
 namespace torquewright::command_line {
 namespace {
 
-/// Not "-3" and not "-", which are values.
-bool is_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' &&
-         std::isdigit(static_cast<unsigned char>(word[1])) == 0 && word[1] != '.';
-}
-
-/// --top of --top=3, -o of -oFILE.
-std::string name_in(const std::string& word) {
-  return word.starts_with("--") ? word.substr(0, word.find('=')) : word.substr(0, 2);
-}
-
 /// The words behind the program's own name.
 std::string without_program(const std::string& path) {
   const std::size_t blank = path.find(' ');
@@ -61,6 +50,15 @@ std::string unknown_option(const DeclaredCommand& program, const Reached& where,
 }
 
 }  // namespace
+
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' &&
+         std::isdigit(static_cast<unsigned char>(word[1])) == 0 && word[1] != '.';
+}
+
+std::string name_in(const std::string& word) {
+  return word.starts_with("--") ? word.substr(0, word.find('=')) : word.substr(0, 2);
+}
 
 std::string unknown_command(const DeclaredCommand& program, const Reached& where,
                             const std::string& word) {

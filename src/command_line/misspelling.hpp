@@ -9,6 +9,12 @@
 
 namespace torquewright::command_line {
 
+/// Whether a word is an option's name: not "-3" and not "-", which are values.
+bool is_option(const std::string& word);
+
+/// --top of --top=3, -o of -oFILE.
+std::string name_in(const std::string& word);
+
 /// The first word that names no command or no option, and what may have been meant; empty where
 /// every name is known. `words` are the arguments of the program.
 std::optional<std::string> misspelling(const DeclaredCommand& program,

@@ -60,7 +60,15 @@ void read_question(const MorRequest& request, MorInputs& inputs) {
   inputs.overlays = overlays_of(request.plot, inputs.read.actuator, inputs.conditions);
 }
 
+/// A picture draws its own mesh; the part that was asked for would be dropped.
+void require_rows_of_accuracy(const MorRequest& request) {
+  if (wants_rows(request) || request.accuracy == MorRequest{}.accuracy) return;
+  io::refuse("--accuracy",
+             "is of rows, and a picture alone has none; ask for them with --format, --json or -o");
+}
+
 MorInputs read(const MorRequest& request) {
+  require_rows_of_accuracy(request);
   require_accuracy(request);
   require_formats(request);
   MorInputs inputs;

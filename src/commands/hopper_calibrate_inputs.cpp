@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/atomic_file.hpp"
+#include "io/given_once.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/hopper_calibrate_json.hpp"
 #include "src/report/gnuplot.hpp"
@@ -114,7 +115,9 @@ StatedPosture posture_in(const std::string& text) {
     io::refuse("--posture", fmt::format("\"{}\" {}", text, kPostureForm));
   }
   StatedPosture posture{text.substr(0, equals), {}};
-  for (const std::string& part : split(text.substr(equals + 1), ',')) {
+  const std::vector<std::string> parts = split(text.substr(equals + 1), ',');
+  io::require_each_once("--posture", parts, ':');
+  for (const std::string& part : parts) {
     const std::size_t colon = part.rfind(':');
     if (colon == std::string::npos || colon == 0) {
       io::refuse("--posture", fmt::format("\"{}\" {}", text, kPostureForm));
@@ -125,7 +128,22 @@ StatedPosture posture_in(const std::string& text) {
   return posture;
 }
 
+/// A posture at which nothing was published changes nothing.
+void require_used(const std::vector<std::string>& postures, const hopper::Robot& robot,
+                  const calibration::Figures& figures) {
+  for (const std::string& text : postures) {
+    const std::string name = text.substr(0, text.find('='));
+    const bool is_used = std::any_of(figures.speeds.begin(), figures.speeds.end(),
+                                     [&](const calibration::SpeedTarget& target) {
+                                       return robot.postures[target.posture].name == name;
+                                     });
+    if (is_used) continue;
+    io::refuse("--posture", fmt::format("no --target is at \"{0}\"; cav@{0}=N states one", name));
+  }
+}
+
 hopper::ReadRobot robot_with_postures(const CalibrationRequest& request) {
+  io::require_each_once("--posture", request.postures);
   io::Document document = io::read_document(request.robot_file, "robot");
   for (const std::string& text : request.postures) add_posture(posture_in(text), document.root);
   const std::string sha256 = document.sha256;
@@ -165,6 +183,7 @@ calibration::Question question_of(const CalibrationRequest& request, const io::D
   if (question.figures.speeds.empty()) {
     io::refuse("--target", "states no CAV: cav=N:N or cav@POSTURE=N in rad/s");
   }
+  require_used(request.postures, robot, question.figures);
   for (const std::string& text : request.free) {
     calibration::FreeValue value = calibration::free_value(text, document, robot);
     check_twice(value, question.free);

@@ -80,6 +80,15 @@ void require_window(const HopperReplayRequest& request) {
                          request.impact_window_s, request.control_period_s));
 }
 
+/// Of no time at all nothing could be said.
+void require_time(const HopperReplayRequest& request, const hopper::Motion& motion) {
+  const double lasts_s = motion.times_s.back() - motion.times_s.front() + request.stand_s;
+  if (lasts_s >= request.control_period_s) return;
+  io::refuse("--stand", fmt::format("the motion and {:g} s of standing last {:g} s, less than one "
+                                    "--control-period of {:g} s: nothing would be replayed",
+                                    request.stand_s, lasts_s, request.control_period_s));
+}
+
 /// What a run as it is asked for would drop.
 void require_effect(const HopperReplayRequest& request) {
   const HopperReplayRequest usual;
@@ -102,15 +111,6 @@ void require_effect(const HopperReplayRequest& request) {
   refuse_unless(
       request.engine == "mujoco", request.contact_time_constant_s == usual.contact_time_constant_s,
       "--ground-time-constant", "belongs with --engine mujoco: the own engine's ground is rigid");
-}
-
-/// Of no time at all nothing could be said.
-void require_time(const HopperReplayRequest& request, const hopper::Motion& motion) {
-  const double lasts_s = motion.times_s.back() - motion.times_s.front() + request.stand_s;
-  if (lasts_s >= request.control_period_s) return;
-  io::refuse("--stand", fmt::format("the motion and {:g} s of standing last {:g} s, less than one "
-                                    "--control-period of {:g} s: nothing would be replayed",
-                                    request.stand_s, lasts_s, request.control_period_s));
 }
 
 hopper::ReplayOptions replay_options(const HopperReplayRequest& request,

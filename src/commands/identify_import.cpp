@@ -48,6 +48,10 @@ ExitCode run_import(const ImportOptions& options) {
     io::refuse("--units",
                fmt::format("{}'s files say themselves what they are in", options.format));
   }
+  if (!options.joint.empty() && !importer.asks_joint) {
+    io::refuse("--joint", fmt::format("{}'s files are read as those of one joint; leave \"{}\" out",
+                                      options.format, options.joint));
+  }
   const identification::ImportedLog log =
       importer.read({{options.files.begin(), options.files.end()}, options.joint, options.units});
   const fs::path folder = options.folder;

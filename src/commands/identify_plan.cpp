@@ -51,9 +51,9 @@ PlanInputs read(const PlanRequest& request) {
   }
   PlanInputs inputs;
   inputs.options = request.options;
-  inputs.options.noise = read_noise(request.noise);
   inputs.rig_document = io::read_document(request.rig, "rig");
   inputs.rig = identification::read_rig(inputs.rig_document);
+  inputs.options.noise = read_noise(request.noise, inputs.rig);
   inputs.nominal = actuator::read_actuator(request.actuator);
   if (request.excitation.empty()) return inputs;
   std::vector<std::filesystem::path> files;

@@ -32,10 +32,12 @@ struct SimulateInputs {
 SimulateInputs read(const SimulateOptions& options) {
   SimulateInputs inputs;
   inputs.options.seed = options.seed;
-  inputs.options.noise = read_noise(options.noise);
   inputs.rig = identification::read_rig(io::read_document(options.rig, "rig"));
+  inputs.options.noise = read_noise(options.noise, inputs.rig);
   inputs.truth = actuator::read_actuator(options.actuator);
-  inputs.runs = identification::read_excitation(options.excitation, inputs.rig);
+  inputs.runs =
+      identification::read_excitation(options.excitation, inputs.rig, inputs.truth.actuator);
+  identification::require_few_steps(options.excitation, inputs.runs, inputs.options.simulation);
   check_written(named({options.log}), {});
   return inputs;
 }
@@ -73,7 +75,7 @@ void add_identify_simulate(command_line::Command& identify) {
           "--noise", options->noise,
           "QUANTITY=SIGMA: add white noise of that standard deviation, in the column's unit")
       .otherwise("none");
-  command.add_option("--seed", options->seed, "Seed of the noise");
+  command.add_option("--seed", options->seed, "Seed of the noise").needs("--noise");
   command.add_option("-o,--output", options->log, "Write the log to this file")
       .otherwise("-, standard output")
       .names_a_file();

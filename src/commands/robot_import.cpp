@@ -16,6 +16,7 @@
 #include "hopper/robot/robot_spec.hpp"
 #include "io/atomic_file.hpp"
 #include "io/document.hpp"
+#include "io/given_once.hpp"
 #include "io/json_text.hpp"
 #include "io/one_line.hpp"
 #include "io/refusal.hpp"
@@ -71,6 +72,7 @@ std::filesystem::path place_of(const ImportOptions& options) {
 
 /// Documents of the drives of linkages, as the result names them.
 void name_actuators(const ImportOptions& options, hopper::Robot& robot) {
+  io::require_each_once("--actuator", options.actuators);
   std::map<std::string, std::string> stated;
   for (const std::string& text : options.actuators) {
     const std::size_t equals = text.find('=');
@@ -120,9 +122,9 @@ void write(const ImportOptions& options, const hopper::Imported& imported,
     return;
   }
   const std::size_t bodies = imported.robot.tree.bodies.size();
-  const std::string said = fmt::format("{}: {} bodies, {} joints\n",
-                                       io::name_in_text(options.output_file), bodies, bodies - 1);
-  print_result(for_window(said + notes));
+  print_result(for_window(fmt::format("{}: {} bodies, {} joints\n",
+                                      io::name_in_text(options.output_file), bodies, bodies - 1) +
+                          notes));
 }
 
 ExitCode run_import(const ImportOptions& options) {

@@ -60,6 +60,7 @@ void add_questions(command_line::Command& command, MorRequest& request) {
                                                  "region loses and wins torque against it")
                                      .otherwise("not compared");
   compare.excludes("--need").excludes("--ratio");
+  compare.excludes("--plot-voltage").excludes("--plot-temperature");
   for (command_line::Option* question : {&need, &ratio, &compare}) {
     for (const char* other : {"--format", "--at-speed", "--accuracy"}) question->excludes(other);
   }

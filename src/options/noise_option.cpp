@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
+#include "io/given_once.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::cli {
@@ -14,7 +16,9 @@ constexpr double kGreatest = 1e9;  ///< So that squares and sums have an end.
 
 }  // namespace
 
-std::map<identification::Quantity, double> read_noise(const std::vector<std::string>& texts) {
+std::map<identification::Quantity, double> read_noise(const std::vector<std::string>& texts,
+                                                      const identification::Rig& rig) {
+  io::require_each_once("--noise", texts);
   std::map<identification::Quantity, double> noise;
   for (const std::string& text : texts) {
     const auto refuse = [&](const std::string& why) {
@@ -24,10 +28,18 @@ std::map<identification::Quantity, double> read_noise(const std::vector<std::str
     if (equals == std::string::npos) refuse("QUANTITY=SIGMA is expected");
     const auto quantity = identification::find_quantity(text.substr(0, equals));
     if (!quantity) refuse("no such quantity; docs/logs.md lists them");
+    const bool is_measured =
+        std::any_of(rig.columns.begin(), rig.columns.end(),
+                    [&](const auto& use) { return use.quantity == *quantity; });
+    if (!is_measured) {
+      refuse(fmt::format("the rig {} has no column of {}; noise is added to what it names",
+                         rig.file, identification::name_of(*quantity)));
+    }
     const char* number = text.c_str() + equals + 1;
     char* end = nullptr;
     const double sigma = std::strtod(number, &end);
-    if (end == number || *end != '\0' || !(sigma >= 0.0 && sigma <= kGreatest)) {
+    const bool is_decimal = text.find_first_of("xX", equals) == std::string::npos;
+    if (end == number || !is_decimal || *end != '\0' || !(sigma >= 0.0 && sigma <= kGreatest)) {
       refuse(fmt::format(
           "SIGMA is a standard deviation: a number from 0 to {:g}, in the quantity's unit",
           kGreatest));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/operating_options.hpp"
 
+#include "actuator/heat/working_temperature.hpp"
+
 namespace torquewright::cli {
 
 void add_operating_options(command_line::Command& command, OperatingOptions& options) {
@@ -22,7 +24,7 @@ void add_operating_options(command_line::Command& command, OperatingOptions& opt
       .add_option("--winding-temperature", options.winding_temperature_K,
                   "Temperature at which the windings work, in K")
       .otherwise("the document's")
-      .between(200.0, 600.0);
+      .between(actuator::kColdestWinding_K, actuator::kHottestWinding_K);
 }
 
 actuator::OperatingConditions stated_conditions(const OperatingOptions& options) {

@@ -68,6 +68,14 @@ TEST(OperatingConditions, ReadTheBatterysCurve) {
   EXPECT_TRUE(objections(actuator, half).empty());
   EXPECT_NEAR(open_circuit_voltage_V(actuator, half), 16.0 * 3.7, 1e-12);
   EXPECT_NEAR(open_circuit_voltage_V(actuator, {}), 67.2, 1e-12);
+  // A curve says nothing beyond its ends; its own ends it does.
+  actuator.battery->cell_open_circuit = {{0.5, 3.7}, {0.9, 4.1}};
+  for (const auto& [charge, faults] : {std::pair{0.49, 1u}, {0.5, 0u}, {0.9, 0u}, {0.91, 1u}}) {
+    half.state_of_charge = charge;
+    EXPECT_EQ(objections(actuator, half).size(), faults) << charge;
+  }
+  EXPECT_TRUE(objections(actuator, {}).empty());
+  half.state_of_charge = 0.5;
   half.bus_voltage_V = 48.0;
   EXPECT_EQ(objections(actuator, half).size(), 1u);  // both asked for
 }

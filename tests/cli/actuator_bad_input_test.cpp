@@ -172,6 +172,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "line 1: the columns are separated by semicolons; must be commas, and decimals "
                   "points"},
         BadMotion{"time_s,kne_velocity_rad_s\n0,1\n", "no joint \"knee\"; did you mean \"kne\"?"},
+        BadMotion{"t," + kHeader + "0,0,1,1\n1,0.1,1,1\n",
+                  "\"t\" and \"time_s\" may both be the time; say which it is, --column "
+                  "time_s=time:s or --column t=time:s"},
         BadMotion{"", "is empty; the first line must name the columns"},
         BadMotion{kHeader, "holds a header and no rows"}));
 
@@ -188,6 +191,27 @@ TEST(GoodMotion, MayHaveAByteOrderMarkAndForeignLineEnds) {
   EXPECT_NE(plain.find("pass"), std::string::npos);
   EXPECT_EQ(answer("\xEF\xBB\xBF" + text), plain);
   EXPECT_EQ(answer(std::regex_replace(text, std::regex("\n"), "\r\n")), plain);
+}
+
+// A fall of 1.4 rad in 0.14 s, twice as fast as the D151 can turn, logged with a velocity of 0.
+TEST(DeadVelocity, IsRefused) {
+  const Workplace place;
+  place.write("knee.json", d151());
+  std::string text = "time_s,knee_position_rad,knee_velocity_rad_s,knee_torque_Nm\n";
+  for (int i = 0; i <= 70; ++i) {
+    const double share = i / 70.0;
+    text += std::to_string(0.14 * share) + "," + std::to_string(1.6 - 1.4 * share) + ",0,1\n";
+  }
+  place.write("m.csv", text);
+  const Outcome outcome = place.run({"actuator", "check", "m.csv", "--joint", "knee=knee.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(
+      outcome.err,
+      "m.csv: the velocity of knee is not the rate of its position: from t = 0 s to 0.14 s the "
+      "position changes by -1.4 rad and the integral of the velocity by 0 rad; is one of the "
+      "columns dead, late or another joint's? Mend it or leave it out: without a velocity the "
+      "slopes of the position are taken\n");
 }
 
 // Degrees under a header in rad: 6 rad/s are 344 deg/s, beyond what the knee can turn.

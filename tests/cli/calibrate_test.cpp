@@ -113,6 +113,14 @@ TEST_F(Calibrate, RefusesWhatDoesNotRead) {
   EXPECT_NE(refusal({"--target", "cam=6", "--target", "cav=7:10", "--free", "/postures/tuck/knee"})
                 .find("stands twice"),
             std::string::npos);
+  EXPECT_EQ(refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture", "stand=knee:1"}),
+            "--posture: no --target is at \"stand\"; cav@stand=N states one\n");
+  EXPECT_EQ(refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture", "tuck=knee:1",
+                     "--posture", "tuck=knee:2"}),
+            "--posture: \"tuck\" is given twice\n");
+  EXPECT_EQ(
+      refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture", "tuck=knee:1,knee:2"}),
+      "--posture: \"knee\" is given twice\n");
   EXPECT_NE(refusal({"--target", "cam=6", "--target", "cav=7:10", "--posture", "tuck=kne:1"})
                 .find("\"knee\""),
             std::string::npos);

@@ -69,6 +69,21 @@ class HopperCheck : public testing::Test {
   Workplace place_;
 };
 
+// A row counter before the time, which would make the swing last a thousand times as long.
+TEST_F(HopperCheck, RefusesTwoColumnsThatMayBeTheTime) {
+  std::string counted;
+  std::size_t row = 0;
+  std::istringstream lines(swing(0.5));
+  for (std::string line; std::getline(lines, line); ++row) {
+    counted += (row == 0 ? "t" : std::to_string(row)) + "," + line + "\n";
+  }
+  expect_refusal(crane(), counted,
+                 "motion.csv: \"t\" and \"time_s\" may both be the time; say which it is, --column "
+                 "time_s=time:s or --column t=time:s\n");
+  EXPECT_EQ(check(crane(), counted, {"--column", "time_s=time:s"}).exit_code,
+            check(crane(), swing(0.5)).exit_code);
+}
+
 // Oracle: statics. The arm's weight at 0.5 m is 4.905 Nm at the elbow where it lies flat.
 TEST_F(HopperCheck, PassesAndReportsByItsSchema) {
   const Outcome outcome = check(crane(), swing(0.0), {"--json"});
@@ -328,6 +343,10 @@ TEST_F(HopperCheck, RefusesWithASentence) {
   }
   expect_refusal(crane(), good, "has no unit", {"--column", "x=front.contact:m"});
   expect_refusal(crane(), good, "did you mean \"elbow\"?", {"--column", "x=elbo.position"});
+  expect_refusal(crane(), good, "no column elbow_position_rad for robot \"crane\"",
+                 {"--column", "elbow_position_rad=elbow.torque"});
+  expect_refusal(crane(), good, "time is no joint's; leave \"elbo.\" out",
+                 {"--column", "time_s=elbo.time:ms"});
   expect_refusal(crane(), good, "no torque of every driven joint", {"--torques", "file"});
 }
 

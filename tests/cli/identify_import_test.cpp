@@ -259,6 +259,8 @@ TEST(Import, ReadsOdrive) {
       "t,axis0.encoder.pos_estimate,axis1.encoder.pos_estimate\n0,1,2\n1,2,3\n";
   expect_refused(imported_text("odrive", "o.csv", both),
                  "are both motor_position_rad; say --joint");
+  expect_refused(imported_text("odrive", "o.csv", both, {"--joint", "axis7"}),
+                 "o.csv: has no axis axis7 among its columns: ");
   EXPECT_TRUE(imported_text("odrive", "o.csv", both, {"--joint", "axis1"})
                   .rig["columns"]
                   .contains("axis1.encoder.pos_estimate"));
@@ -277,6 +279,8 @@ TEST(Import, ReadsMoteus) {
   EXPECT_EQ(columns["motor_temperature"]["offset"], 273.15);
   EXPECT_EQ(result.rig["ignore"], json({"mode", "d_current", "temperature", "control_position"}));
   expect_refused(imported_text("moteus", "m.csv", "a,b\n1,2\n"), "no time among its columns: a, b");
+  expect_refused(imported_text("moteus", "m.csv", "t,position\n1,2\n", {"--joint", "knee"}),
+                 "--joint: moteus's files are read as those of one joint; leave \"knee\" out");
   expect_refused(imported_text("moteus", "m.csv", "t,b\n1,2\n"), "nothing known but the time");
 }
 

@@ -157,6 +157,43 @@ TEST(IdentifySimulate, WritesTheRigsColumnsWithTheirValues) {
   EXPECT_EQ(log.at(20, "run"), "run_4");
 }
 
+// By hand: a duty of 1 is a full bridge; the drive's peak, and N Kt times it at the output, may be
+// played, a hundredth more may not.
+TEST(IdentifySimulate, PlaysWhatTheDriveCanAndNoMore) {
+  const Workplace place;
+  const json drive = json::parse(text_of(actuator()));
+  const double peak_A = drive["drive"]["peak_current_A"];
+  const double peak_Nm = peak_A * 9.3 * 0.0865;
+  const auto played = [&](const std::string& column, double value) {
+    place.write("e.csv", excitation("time_s," + column + ",output_velocity_rad_s,run",
+                                    "," + std::to_string(value) + ",1,run_4"));
+    return place.run({"identify", "simulate", actuator(), "--rig", rig(), "--excitation", "e.csv"});
+  };
+  for (const auto& [column, most] : {std::pair{"motor_current_A", peak_A},
+                                     std::pair{"commanded_torque_Nm", peak_Nm},
+                                     {"duty", 1.0}}) {
+    EXPECT_EQ(played(column, 0.999 * most).exit_code, 0) << column;
+    EXPECT_EQ(played(column, -0.999 * most).exit_code, 0) << column;
+    for (const double sign : {1.0, -1.0}) {
+      const Outcome outcome = played(column, 1.01 * sign * most);
+      EXPECT_EQ(outcome.exit_code, 2) << column;
+      EXPECT_NE(outcome.err.find("e.csv: line 2, column 2 ("), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("must be from -"), std::string::npos) << outcome.err;
+    }
+  }
+}
+
+TEST(IdentifyPlan, NamesTheLimitThatLeavesNoMotion) {
+  const Workplace place;
+  expect_refused(place, plan_words({"--position-range", "1e-9"}),
+                 "--position-range: 1e-09 rad leave no motion that shows anything");
+  expect_refused(place, plan_words({"--noise", "bus_voltage_V=2"}),
+                 "has no column of bus_voltage_V");
+  expect_refused(place,
+                 plan_words({"--noise", "output_torque_Nm=1", "--noise", "output_torque_Nm=2"}),
+                 "--noise: \"output_torque_Nm\" is given twice");
+}
+
 TEST(IdentifySimulate, RefusesWhatCannotBePlayed) {
   const Workplace place;
   const auto simulate = [&](const std::string& text, const Words& more = {}) {
@@ -173,6 +210,23 @@ TEST(IdentifySimulate, RefusesWhatCannotBePlayed) {
   expect_refused(
       place, simulate(excitation("time_s,motor_current_A,output_velocity_rad_s,run", ",nan,1,a")),
       "nan");
+  expect_refused(place, simulate(excitation("time_s,duty,output_velocity_rad_s", ",1.01,1")),
+                 "e.csv: line 2, column 2 (duty): a duty of 1.01 is none; it must be from -1 to 1");
+  expect_refused(
+      place, simulate(excitation("time_s,motor_current_A,output_velocity_rad_s,torqe", ",2,1,0")),
+      "e.csv: the column \"torqe\" would not be played");
+  expect_refused(
+      place, simulate("time_s,motor_current_A,output_velocity_rad_s\n0,2,1\n10001,2,1\n"),
+      "e.csv: its runs last 10001 s in all, 4e+07 steps of 0.00025 s; at most 4e+07 steps "
+      "are simulated, 10000 s");
+  expect_refused(place, simulate(good, {"--seed", "3"}), "--seed requires --noise");
+  expect_refused(place, simulate(good, {"--noise", "bus_voltage_V=2"}),
+                 "has no column of bus_voltage_V");
+  expect_refused(
+      place, simulate(good, {"--noise", "output_torque_Nm=0.1", "--noise", "output_torque_Nm=5"}),
+      "--noise: \"output_torque_Nm\" is given twice");
+  expect_refused(place, simulate(good, {"--noise", "output_torque_Nm=0x1"}),
+                 "SIGMA is a standard deviation");
   expect_refused(place, simulate(good, {"--noise", "output_torque_Nm=x"}),
                  "SIGMA is a standard deviation");
   for (const char* beyond : {"output_torque_Nm=1e308", "output_torque_Nm=-1"}) {

@@ -63,6 +63,27 @@ TEST(MorOptions, APictureAndRowsAreMadeTogether) {
   EXPECT_EQ(place.files().at("y.svg"), place.files().at("x.svg"));
 }
 
+// Of a curve from half full on, nobody knows what a fifth is.
+TEST(MorOptions, AChargeOutsideOfTheBatterysCurveIsRefused) {
+  const Workplace place;
+  std::string text = text_of(kKnee);
+  text.insert(text.rfind('}'), R"(, "battery": {"series_cells": 16, "parallel_cells": 1,
+    "cell_resistance_ohm": 0.01, "cell_open_circuit_V": [{"state_of_charge": 0.5, "voltage_V": 3.7},
+                            {"state_of_charge": 1, "voltage_V": 4.2}]})");
+  place.write("knee.json", text);
+  const auto at = [&](const char* charge) {
+    return place.run(
+        {"actuator", "mor", "knee.json", "--state-of-charge", charge, "--at-speed", "0"});
+  };
+  EXPECT_EQ(at("0.5").exit_code, 0) << at("0.5").err;
+  const Outcome outcome = at("0.2");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(
+      outcome.err,
+      "knee.json: a state of charge of 0.2 lies outside of the battery's curve, which is known "
+      "from 0.5 to 1 (/battery/cell_open_circuit_V)\n");
+}
+
 TEST(MorOptions, ADrawingIsAnSvgOrNothing) {
   Workplace place;
   place.write("knee.json", knee());

@@ -200,6 +200,9 @@ TEST(StrengthOfAResult, TakesASteelForEachGear) {
   refused({"--steel", "case_hardened,moon=case_hardened", "--face-width", "10"}, "names no gear");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=nan"}, "needs a length");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=0.5"}, "too thin");
+  refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=0x2"}, "needs a length");
+  refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=2,sun=3"},
+          "--rim: \"sun\" is given twice");
   refused({"--steel", "case_hardened", "--face-width", "10", "--load-sharing", "0.9"},
           "\"0.9\" is not a number from 1 to 10");
   refused({"--steel", "case_hardened", "--face-width", "10", "--load-sharing", "0"},

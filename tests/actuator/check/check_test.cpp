@@ -178,6 +178,20 @@ TEST(Check, WarnsOfDegreesUnderAHeaderInRad) {
   EXPECT_FALSE(has_finding(plain, "velocity-mismatch", Severity::kWarning));
 }
 
+double standing(double) { return 0.0; }
+
+// A dead velocity is no speed within the region; an existing finding names multiples of the slope.
+TEST(Check, RefusesAVelocityThatIsNotTheRateOfThePosition) {
+  Checked checked;
+  EXPECT_NE(checked.refusal(motion(100, swing, standing, steady_5))
+                .find("m.csv: the velocity of k is not the rate of its position: from t = "),
+            std::string::npos);
+  EXPECT_NE(checked.refusal(motion(100, standing, swing_rate, steady_5))
+                .find("position changes by 0 rad"),
+            std::string::npos);
+  EXPECT_EQ(checked.refusal(motion(100, swing, in_degrees, steady_5)), "");
+}
+
 // Oracle: closed form. 20 Nm ask 20 A for ever; 0.5 ohm * 400 A^2 = 200 W (dc) over 0.5 K/W in all
 // settle at 100 K above the ambient, if the resistance does not grow.
 TEST(Check, WindingOverRepeatedRuns) {

@@ -35,7 +35,6 @@ TEST(Columns, ReadUnitsTimesAndCanonicalNames) {
   }
   EXPECT_EQ(canonical_mapping("k_torque_Nm").value().factor, 1.0);
   EXPECT_FALSE(canonical_mapping("k_time_s").has_value());  // time is no joint's
-  EXPECT_EQ(read_mapping("n=knee.time").joint, "");
   EXPECT_FALSE(canonical_mapping("_torque_Nm").has_value());
   EXPECT_FALSE(canonical_mapping("knee_torque").has_value());
 }
@@ -55,6 +54,8 @@ TEST(Columns, RefuseWithTheForm) {
       {"tau=knee.torqe",
        "\"torqe\" is no quantity (did you mean \"torque\"?); they are time, "
        "position, velocity or torque"},
+      {"n=knee.time:ms", "time is no joint's; leave \"knee.\" out"},
+      {"n=knee.time_s", "time is no joint's; leave \"knee.\" out"},
       {"tau=knee.torque*0", "the factor \"0\" is not a finite number other than 0"},
       {"tau=knee.torque*2x", "the factor \"2x\" is not a finite number other than 0"},
       {"tau=knee.torque*", "the factor \"\" is not a finite number other than 0"},

@@ -68,7 +68,29 @@ TEST(Csv, IsNotDisturbedByWordsInColumnsThatNobodyAsksFor) {
 
 TEST(Csv, CountsNumbersTooSmallForADoubleAsZero) {
   const test::ScratchFolder folder;
-  EXPECT_EQ(numbers_in(folder.write("t.csv", "a\n1e-400\n")), (Rows{{0.0}}));
+  const std::string zeros(500, '0');
+  const std::string small[] = {"1e-400", "-1E-99999999999999999999", "0." + zeros + "1",
+                               "1" + zeros + "e-900", "0." + zeros + "1e+100"};
+  for (const std::string& number : small) {
+    EXPECT_EQ(numbers_in(folder.write("t.csv", "a\n" + number + "\n")), (Rows{{0.0}})) << number;
+  }
+  // What its exponent takes back is an ordinary number.
+  EXPECT_EQ(numbers_in(folder.write("t.csv", "a\n15" + zeros + "e-501\n")), (Rows{{1.5}}));
+  EXPECT_EQ(numbers_in(folder.write("t.csv", "a\n0." + zeros + "15e501\n")), (Rows{{1.5}}));
+}
+
+// Oracle: the numbers as powers of ten, 10^400.
+TEST(Csv, RefusesNumbersTooLargeForADoubleWhateverTheirExponent) {
+  const test::ScratchFolder folder;
+  const std::string zeros(500, '0');
+  const std::string large[] = {"1e400",         "1" + zeros + "e-100", "-0." + zeros + "1e+901",
+                               zeros + "1e400", "2" + zeros,           "1e99999999999999999999"};
+  for (const std::string& number : large) {
+    EXPECT_EQ(test::refusal([&] { numbers_in(folder.write("t.csv", "a\n" + number + "\n")); },
+                            folder.path()),
+              "t.csv: line 2, column 1 (a): \"" + number.substr(0, 40) +
+                  (number.size() > 40 ? "..." : "") + "\" is not a finite number");
+  }
 }
 
 struct MistakenText {

@@ -75,6 +75,58 @@ TEST(TrajectoryReader, WindowIncludesItsEnds) {
   EXPECT_EQ(result.rows[1].time_s, 0.2);
 }
 
+// A row counter "t" beside the time: neither is taken in silence, whichever stands first.
+TEST(TrajectoryReader, RefusesTwoColumnsThatMayBeTheTime) {
+  for (const std::string name : {"t", "time"}) {
+    const std::string why = "m.csv: \"" + name +
+                            "\" and \"time_s\" may both be the time; say which it is, --column "
+                            "time_s=time:s or --column " +
+                            name + "=time:s";
+    const std::string before = name + ",time_s,k_velocity_rad_s\n3,0.5,1\n";
+    const std::string behind = "time_s," + name + ",k_velocity_rad_s\n0.5,3,1\n";
+    for (const std::string& text : {before, behind}) {
+      EXPECT_EQ(read(text, {}, {"k"}).refusal, why);
+      EXPECT_EQ(read(text, {"time_s=time:s"}, {"k"}).rows.at(0).time_s, 0.5);
+      EXPECT_EQ(read(text, {name + "=time:ms"}, {"k"}).rows.at(0).time_s, 0.003);
+    }
+  }
+  const auto refusal = [](const std::string& header) {
+    return read(header + "\n0,0,1\n", {}, {"k"}).refusal;
+  };
+  EXPECT_NE(refusal("t,time,k_velocity_rad_s").find("\"t\" and \"time\" may both"),
+            std::string::npos);
+  EXPECT_NE(refusal("t,time_ms,k_velocity_rad_s").find("--column time_ms=time:ms or"),
+            std::string::npos);
+  EXPECT_EQ(refusal("t,time_to_fall,k_velocity_rad_s"), "");
+  EXPECT_EQ(refusal("time_s,t_torque_Nm,k_velocity_rad_s"), "");
+}
+
+// What the command line maps is meant for this check; a document may describe a whole robot.
+TEST(TrajectoryReader, RefusesAMappingOfAJointThatIsNotChecked) {
+  const std::string text = "time_s,knee_velocity_rad_s,knee_torque_Nm\n0,1,2\n";
+  EXPECT_EQ(read(text, {"knee_torque_Nm=kneee.torque*3"}, {"knee"}).refusal,
+            "--column: \"knee_torque_Nm=kneee.torque*3\": no joint \"kneee\" is checked; did you "
+            "mean \"knee\"?");
+  const test::ScratchFolder folder;
+  const ColumnMapping of_document{"knee_torque_Nm", "ankle", Quantity::kTorque, 3.0, true, ""};
+  EXPECT_EQ(test::refusal([&] {
+              TrajectoryReader(folder.write("m.csv", text), {of_document}, {"knee"}, {});
+            }),
+            "");
+}
+
+// A column that is said to be the ankle's is not the knee's as well, whatever it is called.
+TEST(TrajectoryReader, TakesAMappedColumnByItsMappingAlone) {
+  const std::string text =
+      "time_s,knee_velocity_rad_s,ankle_velocity_rad_s,knee_torque_Nm\n0,1,2,3\n";
+  const Read result = read(text, {"knee_torque_Nm=ankle.torque"}, {"knee", "ankle"});
+  EXPECT_EQ(result.refusal, "");
+  EXPECT_EQ(result.rows.at(0).values, (std::vector<double>{0, 1, 0, 0, 0, 2, 3, 0}));
+  const Read both =
+      read(text, {"knee_torque_Nm=ankle.torque", "knee_torque_Nm=knee.torque"}, {"knee", "ankle"});
+  EXPECT_EQ(both.rows.at(0).values, (std::vector<double>{0, 1, 3, 0, 0, 2, 3, 0}));
+}
+
 struct MistakenRequest {
   std::string text;
   std::vector<std::string> mappings;
@@ -96,6 +148,11 @@ TEST(TrajectoryReader, RefusesWithThePlace) {
        {"a=k.torque", "b=k.torque"},
        {"k"},
        "\"a\" and \"b\" are both mapped to k.torque"},
+      {"a,t\n1,3\n", {"a=k.torque", "a=k.torque*2"}, {"k"}, "\"a\" is mapped to k.torque twice"},
+      {"a,t\n1,3\n",
+       {"a=k.torque", "a=k.velocity"},
+       {"k"},
+       "\"a\" is mapped to k.torque and to k.velocity; one column is one quantity"},
       {"a,b,k_velocity_rad_s\n1,2,3\n",
        {"a=time", "b=time:ms"},
        {"k"},

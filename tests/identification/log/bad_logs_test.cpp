@@ -31,8 +31,9 @@ MadeLog swing() {
       .add("i", [](double t) { return 3.0 * std::cos(2 * kPi * 0.7 * t + 0.3); });
 }
 
+/// The second is held out; an empty line at its end tells it from the first.
 ReadLog read_two(const MadeLog& log) {
-  return read({{"a.csv", log.text()}, {"b.csv", swing().text()}}, kRig);
+  return read({{"a.csv", log.text()}, {"b.csv", swing().text() + "\n"}}, kRig);
 }
 
 std::size_t masked(const Log& log) {
@@ -195,7 +196,7 @@ TEST(BadLog, RunsShorterThanNeededCannotTell) {
         .text();
   };
   const auto read_runs = [&](double train_s, double holdout_s) {
-    return read({{"a.csv", run(train_s)}, {"b.csv", run(holdout_s)}}, kRig);
+    return read({{"a.csv", run(train_s)}, {"b.csv", run(holdout_s) + "\n"}}, kRig);
   };
   EXPECT_EQ(read_runs(3.1, 1.6).finding("the log cannot tell").sentence, "");
   EXPECT_EQ(read_runs(2.9, 1.6).finding("the runs to fit hold 2.9 s of use").weight,
@@ -214,7 +215,9 @@ TEST(BadLog, MapOfTooFewPointsCannotTell) {
     return text;
   };
   const auto weight = [&](int count) {
-    return read({{"a.csv", map(count)}, {"b.csv", map(40)}}, rig).finding("to fit hold").weight;
+    return read({{"a.csv", map(count)}, {"b.csv", map(40) + "\n"}}, rig)
+        .finding("to fit hold")
+        .weight;
   };
   EXPECT_EQ(weight(19), Weight::kError);
   EXPECT_EQ(weight(20), Weight::kNote);  // no finding

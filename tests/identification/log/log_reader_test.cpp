@@ -52,6 +52,56 @@ TEST(ReadLog, ScalesAndSorts) {
   EXPECT_EQ(result.log.holdout_runs, std::vector<std::string>{"b"});
 }
 
+// A held-out run that is a copy of a fitted one says nothing of other data.
+TEST(ReadLog, RefusesTheSameLogUnderTwoNames) {
+  const std::string text = "t,q\n" + rows(0, 5), longer = "t,q\n" + rows(0, 6);
+  EXPECT_EQ(read({{"a.csv", text}, {"b.csv", longer}, {"c.csv", text}}, kPlain).refusal,
+            "c.csv: holds the same as a.csv, byte for byte; a run that is held out must not be one "
+            "that was fitted: leave one of them out");
+  EXPECT_EQ(read({{"a.csv", text}, {"b.csv", longer}}, kPlain).refusal, "");
+}
+
+// Just inside and just outside of half a second, the longest step in which a motion can be seen.
+TEST(ReadLog, SaysThatLongStepsLookLikeMilliseconds) {
+  const auto finding = [](const char* step) {
+    std::string text = "t,q\n";
+    for (int i = 0; i < 10; ++i) text += fmt::format("{},{}\n", i * std::stod(step), i);
+    const ReadLog result = read({{"a.csv", text}}, kPlain);
+    for (const DataFinding& each : result.log.findings) {
+      if (each.sentence.find("look like ms") != std::string::npos) return each.sentence;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(finding("0.49"), "");
+  EXPECT_EQ(finding("5"),
+            "the median step of run \"a\" is 5 s: the times look like ms; write {\"quantity\": "
+            "\"time_s\", \"unit\": \"ms\"} for the column \"t\"");
+}
+
+// Oracle: the range of --winding-temperature, just inside and just outside; 25 K are 298 K if they
+// are degrees Celsius, a million is no temperature of either.
+TEST(ReadLog, RefusesTemperaturesThatNoMotorWorksAt) {
+  nlohmann::json rig = kPlain;
+  for (const std::string quantity : {"winding_temperature_K", "case_temperature_K"}) {
+    rig["columns"]["T"] = quantity;
+    const auto refusal = [&](const std::string& last) {
+      return read({{"a.csv", "t,q,T\n0,1,300\n0.01,2," + last + "\n"}}, rig).refusal;
+    };
+    const std::string place = "a.csv: line 3, column 3 (T): " + quantity;
+    const std::string hint = "; degrees Celsius? In the rig, write {\"quantity\": \"" + quantity +
+                             "\", \"unit\": \"degC\"} for the column \"T\"";
+    EXPECT_EQ(refusal("200"), "");
+    EXPECT_EQ(refusal("600"), "");
+    EXPECT_EQ(refusal("25.05"), place + " of 25.05 K is outside of 200 to 600 K" + hint);
+    EXPECT_EQ(refusal("-40"), place + " of -40 K is outside of 200 to 600 K" + hint);
+    EXPECT_EQ(refusal("199.9"), place + " of 199.9 K is outside of 200 to 600 K" + hint);
+    EXPECT_EQ(refusal("600.1"), place + " of 600.1 K is outside of 200 to 600 K");
+    EXPECT_EQ(refusal("1e6"), place + " of 1e+06 K is outside of 200 to 600 K");
+    rig["columns"]["T"] = {{"quantity", quantity}, {"unit", "degC"}};
+    EXPECT_EQ(refusal("21"), "");
+  }
+}
+
 // Oracle: the rows' own steps; a double near 1.7e9 is a multiple of 2^-22 s.
 TEST(ReadLog, CountsAClockSinceAnEpochFromTheFirstRow) {
   const std::string text = "t,q\n1700000000.25,0\n1700000000.26,1\n1700000000.27,4\n";
@@ -255,7 +305,7 @@ TEST(ReadLog, LeavesOutALastLineThatIsCut) {
 TEST(ReadLog, RefusesHoldoutRunsThatDoNotExist) {
   nlohmann::json rig = kPlain;
   rig["holdout_runs"] = {"steep_70", "x"};
-  const test::NamedTexts files = {{"step_70.csv", "t,q\n0,1\n"}, {"step_20.csv", "t,q\n0,1\n"}};
+  const test::NamedTexts files = {{"step_70.csv", "t,q\n0,1\n"}, {"step_20.csv", "t,q\n0,2\n"}};
   EXPECT_EQ(read(files, rig).refusal,
             "rig.json#/holdout_runs/0: no run \"steep_70\"; did you mean \"step_70\"?\n"
             "rig.json#/holdout_runs/1: no run \"x\"; there are step_70, step_20");
@@ -269,7 +319,9 @@ TEST(ReadLog, HoldsOutTheLastThirdOfTheRuns) {
   for (const auto& [count, held] :
        std::vector<std::pair<int, std::size_t>>{{2, 1}, {3, 1}, {4, 2}, {7, 3}}) {
     test::NamedTexts files;
-    for (int i = 0; i < count; ++i) files.push_back({fmt::format("r{}.csv", i), "t,q\n0,1\n1,2\n"});
+    for (int i = 0; i < count; ++i) {
+      files.push_back({fmt::format("r{}.csv", i), fmt::format("t,q\n0,1\n1,{}\n", i)});
+    }
     const Log log = read(files, kPlain).log;
     EXPECT_EQ(log.holdout_runs.size(), held);
     EXPECT_EQ(log.holdout_runs.back(), fmt::format("r{}", count - 1));
