@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "actuator/check/report.hpp"
+#include "actuator/check/time_gap.hpp"
 #include "actuator/check/travel_agreement.hpp"
 
 namespace torquewright::actuator {
@@ -23,9 +24,7 @@ constexpr double kAgreement = 0.8;
 /// Speeds beyond this many times the no-load speed are not those of this actuator.
 constexpr double kImplausibleSpeed = 3.0;
 
-/// A step of more than this many others' length is said: integrals and slopes run straight across.
-constexpr double kGap = 20.0;
-/// Nobody knows what a leg did in a longer one: it can have made a stance of its own.
+/// Nobody knows what a leg did in a longer step: it can have made a stance of its own.
 constexpr double kMostUnseen_s = 0.1;
 
 std::optional<Finding> gap_finding(const LongestStep& step);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/check/findings.hpp"
+#include "actuator/check/time_gap.hpp"
 
 namespace torquewright::actuator {
 namespace {

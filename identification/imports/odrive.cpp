@@ -6,6 +6,7 @@
 
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/named_columns.hpp"
+#include "io/csv.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
 
@@ -24,21 +25,25 @@ constexpr std::array kOdriveNames = {
     Ending{"motor_thermistor.temperature", {Quantity::kWindingTemperature, 1.0, kCelsius_K}},
 };
 
+void require_axis(const ImportRequest& request) {
+  const io::CsvReader csv(request.files.front());
+  const bool is_there = std::any_of(
+      csv.header().begin(), csv.header().end(),
+      [&](const std::string& name) { return name.find(request.joint + ".") != std::string::npos; });
+  if (is_there) return;
+  throw io::SpecError({{csv.file(), "",
+                        fmt::format("has no axis {} among its columns: {}", request.joint,
+                                    io::listed(csv.header()))}});
+}
+
 ImportedLog read_odrive(const ImportRequest& request) {
+  if (!request.joint.empty()) require_axis(request);
   ImportedLog log = read_named_columns(request, [&](const std::string& column) {
     const bool is_of_axis = column.find("axis") != std::string::npos;
     const bool is_other = is_of_axis && !request.joint.empty() &&
                           column.find(request.joint + ".") == std::string::npos;
     return is_other ? std::nullopt : by_ending(column, kOdriveNames);
   });
-  const bool is_there = std::any_of(
-      log.header.begin(), log.header.end(),
-      [&](const std::string& name) { return name.find(request.joint + ".") != std::string::npos; });
-  if (!request.joint.empty() && !is_there) {
-    throw io::SpecError({{request.files.front().string(), "",
-                          fmt::format("has no axis {} among its columns: {}", request.joint,
-                                      io::listed(log.header))}});
-  }
   log.notes.emplace_back(
       "positions are taken for turns of the motor, as firmware 0.5 and later states them (before: "
       "counts); currents are amplitudes: torque_constant_convention peak_phase");

@@ -323,6 +323,14 @@ TEST_F(ActuatorSpec, RefusesKeysThatContradictEachOther) {
            {R"({"battery": {"cell_open_circuit_V": [{"state_of_charge": 0.5, "voltage_V": 3.5},
                 {"state_of_charge": 0.6, "voltage_V": 3.5}]}})",
             ""},
+           {R"({"effects": [{"effect": "coulomb_friction", "provenance": "assumed",
+                "parameters": {"coulomb_Nm": -5}}]})",
+            "/effects/0/parameters/coulomb_Nm: -5 is outside what is possible, 0 or more Nm: Torque "
+            "at the output."},
+           {R"({"effects": [{"effect": "torque_constant_temperature", "provenance": "assumed",
+                "parameters": {"coefficient_1_K": 1}}]})",
+            "/effects/0/parameters/coefficient_1_K: 1 is outside what is possible, -0.01 to 0.01 "
+            "1/K: Relative change per kelvin."},
            {R"({"thermal": {"winding_limit_K": 298.15}})",
             "/thermal/winding_limit_K: 298.15 K is not above the ambient's 298.15 K"},
            {R"({"thermal": {"winding_limit_K": 298.16}})", ""},
