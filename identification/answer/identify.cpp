@@ -151,6 +151,35 @@ std::vector<const Correction*> certain_corrections(const EquationResult& equatio
   return certain;
 }
 
+/// "assumed" without what led into an effect that is gone; behind it, one place less.
+void shift_assumptions(nlohmann::ordered_json& document, std::size_t erased) {
+  if (!document.contains("assumed")) return;
+  const std::string start = "/effects/";
+  nlohmann::ordered_json kept = nlohmann::ordered_json::array();
+  for (const nlohmann::ordered_json& each : document["assumed"]) {
+    const std::string pointer = each;
+    if (!pointer.starts_with(start)) {
+      kept.push_back(pointer);
+      continue;
+    }
+    const std::size_t end = std::min(pointer.find('/', start.size()), pointer.size());
+    const std::size_t place = std::stoul(pointer.substr(start.size(), end - start.size()));
+    if (place == erased) continue;
+    kept.push_back(start + std::to_string(place - (place > erased ? 1 : 0)) + pointer.substr(end));
+  }
+  document["assumed"] = std::move(kept);
+}
+
+/// Those that one which was found takes the place of.
+void erase_effects(nlohmann::ordered_json& document, const std::string& replaced) {
+  nlohmann::ordered_json& effects = document["effects"];
+  for (std::size_t i = effects.size(); i-- > 0;) {
+    if (!is_listed(replaced, effects[i].value("effect", ""))) continue;
+    effects.erase(i);
+    shift_assumptions(document, i);
+  }
+}
+
 }  // namespace
 
 bool has_anything_certain(const Identification& found) {
@@ -172,13 +201,7 @@ nlohmann::ordered_json refined_actuator(const Identification& found,
     if (equation.joint != actuator.joint) continue;
     for (const NamedEffect* named : certain_of_actuator(equation)) {
       const NamedEffect& effect = *named;
-      if (!effect.replaces.empty()) {
-        auto& effects = document["effects"];
-        for (auto it = effects.begin(); it != effects.end();) {
-          it = is_listed(effect.replaces, it->value("effect", "")) ? effects.erase(it)
-                                                                   : std::next(it);
-        }
-      }
+      if (!effect.replaces.empty()) erase_effects(document, effect.replaces);
       nlohmann::ordered_json entry = {{"effect", effect.effect}, {"parameters", effect.parameters}};
       entry["standard_error"] = effect.standard_error;
       entry["provenance"] = {{"source", "identified"},

@@ -93,12 +93,17 @@ TEST(FileNames, AreTextInEveryExportOfAnActuator) {
   EXPECT_GE(modules, 2u);
 }
 
+/// Without the commands that are proposed, which name files as they are.
+std::string without_proposals(const std::string& text) {
+  return text.substr(0, text.find("torquewright hopper"));
+}
+
 /// Runs the command and looks at every file of those endings that it wrote.
 void expect_written(const Workplace& place, const Words& command, const Words& files) {
   const Outcome outcome = place.run(command);
   if (outcome.err.find("gnuplot, which draws") != std::string::npos) return;  // not installed
   EXPECT_NE(outcome.exit_code, 2) << outcome.err;
-  EXPECT_EQ(fault_of_characters_in(outcome.out), "");
+  EXPECT_EQ(fault_of_characters_in(without_proposals(outcome.out)), "");
   for (const std::string& file : files) {
     SCOPED_TRACE(command[0] + " " + command[1] + " " + file);
     EXPECT_TRUE(place.has(file)) << outcome.err;

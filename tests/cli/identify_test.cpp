@@ -259,6 +259,27 @@ TEST(Identify, RefusesARefinedActuatorThatCouldNotNameItsGearbox) {
   EXPECT_FALSE(bench.place.has("i.json"));
 }
 
+// What was assumed of an effect that is replaced is assumed no more; what was assumed of another is
+// found in its new place. Oracle: where they stand in the document that is written.
+TEST(Identify, RefinedActuatorAssumesNothingOfAnEffectThatItReplaces) {
+  const Bench bench;
+  json actuator = json::parse(bench.place.text("actuator.json"));
+  actuator["effects"] = {
+      {{"effect", "load_dependent_friction"},
+       {"parameters", {{"driving_coefficient", 0.028}, {"backdriving_coefficient", 0.02}}}},
+      {{"effect", "viscous_friction"}, {"parameters", {{"viscous_Nm_s_rad", 1e-6}}}}};
+  actuator["assumed"] = {"/motor/resistance_ohm", "/effects/0/parameters/driving_coefficient",
+                         "/effects/0", "/effects/1/parameters/viscous_Nm_s_rad", "/effects"};
+  bench.place.write("actuator.json", actuator.dump());
+  const Outcome outcome = bench.run({"identify"}, {"--refined", "r.json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const json refined = json::parse(bench.place.text("r.json"));
+  EXPECT_EQ(refined["effects"][0]["effect"], "viscous_friction");
+  EXPECT_EQ(refined["assumed"],
+            json({"/motor/resistance_ohm", "/effects/0/parameters/viscous_Nm_s_rad", "/effects"}));
+}
+
 // The run's name stands in the page and in documents.
 TEST(Identify, RefusesARunWhoseNameIsNoLineOfText) {
   const Bench bench;
