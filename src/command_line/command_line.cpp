@@ -15,7 +15,6 @@
 #include "io/print.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
-#include "src/command_line/blank_value.hpp"
 #include "src/command_line/help_text.hpp"
 #include "src/command_line/list_members.hpp"
 #include "src/command_line/misspelling.hpp"
@@ -425,7 +424,6 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
     if (!is_answered(words, error)) refuse_words(words, error.what());
     return cli::ExitCode::kPasses;
   }
-  if (const auto blank = blank_value(declared_, words)) refuse(*blank);
   cli::ExitCode code = cli::ExitCode::kPasses;
   for (const Work& work : named_) code = work();
   return code;
