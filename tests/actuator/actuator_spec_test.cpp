@@ -325,7 +325,8 @@ TEST_F(ActuatorSpec, RefusesKeysThatContradictEachOther) {
             ""},
            {R"({"effects": [{"effect": "coulomb_friction", "provenance": "assumed",
                 "parameters": {"coulomb_Nm": -5}}]})",
-            "/effects/0/parameters/coulomb_Nm: -5 is outside what is possible, 0 or more Nm: Torque "
+            "/effects/0/parameters/coulomb_Nm: -5 is outside what is possible, 0 or more Nm: "
+            "Torque "
             "at the output."},
            {R"({"effects": [{"effect": "torque_constant_temperature", "provenance": "assumed",
                 "parameters": {"coefficient_1_K": 1}}]})",
