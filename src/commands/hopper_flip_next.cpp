@@ -44,7 +44,7 @@ std::vector<std::string> next_commands(const HopperFlipRequest& request,
   if (result.status == hopper::PlanStatus::kPlanned) return after_a_plan(request);
   std::vector<std::string> lines;
   if (is_interrupted()) {
-    lines.push_back("the same command begins anew: nothing of a search that is ended is kept");
+    lines.push_back("the same command begins anew");
   } else if (result.status == hopper::PlanStatus::kLimit) {
     lines.push_back(
         fmt::format("--time-limit {:g} gives it more time", 2.0 * request.plan.most_seconds));
