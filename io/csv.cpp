@@ -12,6 +12,7 @@
 
 #include "io/one_line.hpp"
 #include "io/spec_error.hpp"
+#include "io/utf8.hpp"
 
 namespace torquewright::io {
 namespace {
@@ -63,20 +64,6 @@ bool has_decimal_comma(std::string_view text) {
   return number_of(pointed).has_value();
 }
 
-/// Whether every byte beyond ASCII is part of a character as UTF-8 writes it.
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    if (lead < 0x80) continue;
-    const std::size_t more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
-    if (lead < 0xC2 || lead > 0xF4 || text.size() - i <= more) return false;
-    for (std::size_t part = 0; part < more; ++part) {
-      if ((static_cast<unsigned char>(text[++i]) & 0xC0U) != 0x80U) return false;
-    }
-  }
-  return true;
-}
-
 std::string in_quotes(std::string_view text) {
   if (text.size() <= kLongestCell) return fmt::format("\"{}\"", text);
   return fmt::format("\"{}...\"", text.substr(0, kLongestCell));
@@ -116,7 +103,7 @@ void CsvReader::check_encoding(std::string_view first_line) const {
                     "separated by commas",
                     in_quotes(trimmed(first_line))));
   }
-  if (!is_utf8(first_line)) {
+  if (first_that_is_no_utf8(first_line) != std::string_view::npos) {
     refuse_row("the header is no UTF-8; convert it: iconv -f latin1 -t utf-8");
   }
 }
@@ -207,6 +194,11 @@ double CsvReader::number(std::size_t column) const {
     refuse(column, fmt::format("{} has a decimal comma; write 1.5, not 1,5", in_quotes(text)));
   }
   refuse(column, fmt::format("{} is not a number", in_quotes(text)));
+}
+
+bool CsvReader::is_number(std::size_t column) const {
+  const std::optional<double> value = number_of(cells_[column]);
+  return value && std::isfinite(*value);
 }
 
 void CsvReader::refuse(std::size_t column, const std::string& message) const {

@@ -35,6 +35,9 @@ class CsvReader {
   /// NaN or infinite, too large, with a decimal comma.
   double number(std::size_t column) const;
 
+  /// Whether number() would give one.
+  bool is_number(std::size_t column) const;
+
   /// A cell of the present row as it stands, without quotes; valid until the next row.
   std::string_view text(std::size_t column) const { return cells_[column]; }
 

@@ -5,11 +5,8 @@
 namespace torquewright::hopper {
 namespace {
 
-/// Of everything that drives.
-constexpr const char* kDriveWords =
-    "name class joint jointinparent tendon body site cranksite slidersite refsite gear ctrlrange "
-    "ctrllimited forcerange forcelimited";
-constexpr const char* kDriveNeutral = "group lengthrange cranklength user nsample interp delay";
+constexpr const char* kDrives =
+    "motor general position velocity intvelocity damper cylinder muscle adhesion";
 
 }  // namespace
 
@@ -116,38 +113,22 @@ std::span<const Words> mjcf_words() {
       {"spatial", kAttributes, kRefused, "armature", "it couples joints by mass"},
       {"spatial", kChildren, kNeutral, "site geom pulley"},
 
-      // Whatever else drives (position, muscle ...) has the attributes of these two, or drives no
-      // joint. None of them has mass.
-      {"actuator", kChildren, kRead,
-       "motor general position velocity intvelocity damper cylinder muscle adhesion"},
+      // None of what drives has mass.
+      {"actuator", kChildren, kRead, kDrives},
       {"actuator", kChildren, kRefused, "plugin dcmotor", "state its limits at the joint"},
-      {"motor", kAttributes, kRead, kDriveWords},
-      {"motor", kAttributes, kNeutral, kDriveNeutral},
-      {"general", kAttributes, kRead, kDriveWords},
+      {kDrives, kAttributes, kRead,
+       "name class joint jointinparent tendon body site cranksite slidersite refsite gear "
+       "ctrlrange "
+       "ctrllimited forcerange forcelimited"},
+      {kDrives, kAttributes, kNeutral, "group lengthrange cranklength user nsample interp delay"},
       {"general", kAttributes, kRead, "dyntype gaintype biastype gainprm"},
-      {"general", kAttributes, kNeutral, kDriveNeutral},
       {"general", kAttributes, kNeutral, "actlimited actrange actdim dynprm biasprm actearly"},
-      {"position", kAttributes, kRead, kDriveWords},
-      {"position", kAttributes, kNeutral, kDriveNeutral},
       {"position", kAttributes, kNeutral, "kp kv dampratio timeconst inheritrange"},
-      {"velocity", kAttributes, kRead, kDriveWords},
-      {"velocity", kAttributes, kNeutral, kDriveNeutral},
-      {"velocity", kAttributes, kNeutral, "kv"},
-      {"intvelocity", kAttributes, kRead, kDriveWords},
-      {"intvelocity", kAttributes, kNeutral, kDriveNeutral},
+      {"velocity damper", kAttributes, kNeutral, "kv"},
       {"intvelocity", kAttributes, kNeutral, "kp kv dampratio actrange actlimited inheritrange"},
-      {"damper", kAttributes, kRead, kDriveWords},
-      {"damper", kAttributes, kNeutral, kDriveNeutral},
-      {"damper", kAttributes, kNeutral, "kv"},
-      {"cylinder", kAttributes, kRead, kDriveWords},
-      {"cylinder", kAttributes, kNeutral, kDriveNeutral},
       {"cylinder", kAttributes, kNeutral, "timeconst area diameter bias"},
-      {"muscle", kAttributes, kRead, kDriveWords},
-      {"muscle", kAttributes, kNeutral, kDriveNeutral},
       {"muscle", kAttributes, kNeutral,
        "timeconst tausmooth range force scale lmin lmax vmax fpmax fvmax"},
-      {"adhesion", kAttributes, kRead, kDriveWords},
-      {"adhesion", kAttributes, kNeutral, kDriveNeutral},
       {"adhesion", kAttributes, kNeutral, "gain"},
   };
   return kWords;

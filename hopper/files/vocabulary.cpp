@@ -47,7 +47,8 @@ std::string listed(std::vector<std::string> places) {
 const Words* Vocabulary::find(std::string_view element, Words::Kind kind,
                               std::string_view name) const {
   const auto found = std::find_if(words_.begin(), words_.end(), [&](const Words& words) {
-    return words.element == element && words.kind == kind && contains_word(words.names, name);
+    return words.kind == kind && contains_word(words.elements, element) &&
+           contains_word(words.names, name);
   });
   return found == words_.end() ? nullptr : &*found;
 }

@@ -20,10 +20,10 @@ enum class Meaning {
   kRefused,  ///< It changes mass or kinematics, and is not read.
 };
 
-/// Words of one meaning: attributes that an element may have or children that it may hold, their
+/// Words of one meaning: attributes that elements may have or children that they may hold, all
 /// names between spaces. What no list names is refused.
 struct Words {
-  std::string_view element;
+  std::string_view elements;
   enum class Kind { kAttributes, kChildren } kind;
   Meaning meaning;
   std::string_view names;

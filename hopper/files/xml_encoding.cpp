@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules: XML 1.0, 2.8 and 4.3.3; UTF-8 as RFC 3629 has it.
+// Rules: XML 1.0, 2.8 and 4.3.3.
 #include "hopper/files/xml_encoding.hpp"
 
 #include <fmt/format.h>
@@ -7,37 +7,12 @@
 #include <algorithm>
 
 #include "io/letter_case.hpp"
+#include "io/utf8.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 bool is_ascii(char character) { return static_cast<unsigned char>(character) < 0x80; }
-
-/// Bytes of the character that begins here; 0 where none does.
-std::size_t length_of_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 && first <= 0xF4   ? 4
-                             : first >= 0xE0 && first <= 0xEF ? 3
-                             : first >= 0xC2 && first <= 0xDF ? 2
-                                                              : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  return length;
-}
-
-std::size_t first_that_is_no_utf8(std::string_view text) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t length = length_of_character(text.substr(at));
-    if (length == 0) return at;
-    at += length;
-  }
-  return std::string_view::npos;
-}
 
 long line_at(std::string_view text, std::size_t place) {
   return 1 + std::count(text.begin(), text.begin() + static_cast<long>(place), '\n');
@@ -66,7 +41,7 @@ std::optional<std::string> encoding_objection(std::string_view text, std::string
         "file to UTF-8: iconv -f {} -t utf-8",
         declared, line_at(text, static_cast<std::size_t>(foreign - text.begin())), declared);
   }
-  const std::size_t place = first_that_is_no_utf8(text);
+  const std::size_t place = io::first_that_is_no_utf8(text);
   if (place == std::string_view::npos) return std::nullopt;
   return fmt::format(
       "line {}: is no UTF-8, which XML is where it states nothing else; convert the file: iconv -f "

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "io/csv.hpp"
 #include "io/one_line.hpp"
@@ -44,15 +46,42 @@ void require_meanings(const std::string& file, const ImportedLog& log) {
                     io::listed(log.header))}});
 }
 
+/// Columns, from 0, in which something stood that is no finite number.
+using NoNumbers = std::set<std::size_t>;
+
 /// The cells as they are written; those that are read must be finite numbers.
-std::vector<std::string> cells_of(const io::CsvReader& csv, const ImportedLog& log) {
+std::vector<std::string> cells_of(const io::CsvReader& csv, const ImportedLog& log,
+                                  NoNumbers& no_numbers) {
   std::vector<std::string> row;
   for (std::size_t i = 0; i < log.header.size(); ++i) {
     const auto is_this = [&](const ColumnUse& use) { return use.column == log.header[i]; };
     if (std::any_of(log.columns.begin(), log.columns.end(), is_this)) csv.number(i);
+    if (!csv.is_number(i)) no_numbers.insert(i);
     row.emplace_back(csv.text(i));
   }
   return row;
+}
+
+/// A log is a table of numbers: states, words and sensors that are not there stay behind.
+void leave_out(const NoNumbers& no_numbers, ImportedLog& log) {
+  std::vector<std::string> names;
+  for (const std::size_t i : no_numbers) names.push_back(log.header[i]);
+  if (names.empty()) return;
+  const auto without = [&](std::vector<std::string>& list) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (!no_numbers.contains(i)) std::swap(list[kept++], list[i]);
+    }
+    list.resize(kept);
+  };
+  without(log.header);
+  for (ImportedLog::Run& run : log.runs) {
+    for (std::vector<std::string>& row : run.rows) without(row);
+  }
+  std::erase_if(log.ignore, [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  });
+  log.notes.push_back("left out, for not all that they hold are numbers: " + io::listed(names));
 }
 
 }  // namespace
@@ -61,6 +90,7 @@ ImportedLog read_named_columns(
     const ImportRequest& request,
     const std::function<std::optional<Meaning>(const std::string&)>& meaning_of) {
   ImportedLog log;
+  NoNumbers no_numbers;
   for (const std::filesystem::path& file : request.files) {
     io::CsvReader csv(file, io::CsvReader::CutEnd::kDropped);
     if (log.header.empty()) {
@@ -71,9 +101,10 @@ ImportedLog read_named_columns(
       throw io::SpecError({{csv.file(), "", "has other columns than the file before it"}});
     }
     ImportedLog::Run run{io::stem_in_text(file), {}};
-    while (csv.next()) run.rows.push_back(cells_of(csv, log));
+    while (csv.next()) run.rows.push_back(cells_of(csv, log, no_numbers));
     log.runs.push_back(std::move(run));
   }
+  leave_out(no_numbers, log);
   if (!log.ignore.empty()) log.notes.push_back("not read: " + io::listed(log.ignore));
   return log;
 }

@@ -32,6 +32,24 @@ json crane() {
     "mechanisms": [{"type": "direct", "joints": ["elbow"], "actuators": ["knee.json"]}]})");
 }
 
+/// The same with a hand at the arm's end, whose wrist has a drive like the elbow's.
+json crane_with_wrist(double hand_kg) {
+  json robot = crane();
+  robot["bodies"].push_back({{"name", "hand"},
+                             {"mass_kg", hand_kg},
+                             {"center_of_mass_m", {0, 0, 0}},
+                             {"inertia_kg_m2", 0.01}});
+  robot["joints"].push_back({{"name", "wrist"},
+                             {"type", "revolute"},
+                             {"parent", "arm"},
+                             {"child", "hand"},
+                             {"position_m", {1, 0, 0}},
+                             {"axis", {0, 1, 0}}});
+  robot["mechanisms"].push_back(
+      {{"type", "direct"}, {"joints", {"wrist"}}, {"actuators", {"knee.json"}}});
+  return robot;
+}
+
 /// The arm swings, the post stands.
 std::string swing(double amplitude_rad) {
   std::string csv =
@@ -379,19 +397,7 @@ TEST_F(HopperCheck, RefusesColumnsInUnitsThatNobodyStated) {
 }
 
 TEST_F(HopperCheck, RefusesTorquesOfSomeDrivenJointsAlone) {
-  json robot = crane();
-  robot["bodies"].push_back({{"name", "hand"},
-                             {"mass_kg", 0.1},
-                             {"center_of_mass_m", {0, 0, 0}},
-                             {"inertia_kg_m2", 0.01}});
-  robot["joints"].push_back({{"name", "wrist"},
-                             {"type", "revolute"},
-                             {"parent", "arm"},
-                             {"child", "hand"},
-                             {"position_m", {1, 0, 0}},
-                             {"axis", {0, 1, 0}}});
-  robot["mechanisms"].push_back(
-      {{"type", "direct"}, {"joints", {"wrist"}}, {"actuators", {"knee.json"}}});
+  const json robot = crane_with_wrist(0.1);
   const std::string both = with_column(swing(0.5), "wrist_position_rad", "0");
   const std::string one = with_column(both, "elbow_torque_Nm", "0");
   expect_refusal(robot, one, "has torques of elbow and none of wrist");
@@ -493,19 +499,7 @@ TEST_F(HopperCheck, RefusesRobotsThatAreNone) {
 
 // Oracle: Ohm's law and the contract's battery. All drives off: nothing sags.
 TEST_F(HopperCheck, SharesTheRobotsBattery) {
-  json robot = crane();
-  robot["bodies"].push_back({{"name", "hand"},
-                             {"mass_kg", 0.5},
-                             {"center_of_mass_m", {0, 0, 0}},
-                             {"inertia_kg_m2", 0.01}});
-  robot["joints"].push_back({{"name", "wrist"},
-                             {"type", "revolute"},
-                             {"parent", "arm"},
-                             {"child", "hand"},
-                             {"position_m", {1, 0, 0}},
-                             {"axis", {0, 1, 0}}});
-  robot["mechanisms"].push_back(
-      {{"type", "direct"}, {"joints", {"wrist"}}, {"actuators", {"knee.json"}}});
+  json robot = crane_with_wrist(0.5);
   robot["battery"] = {{"series_cells", 16},
                       {"parallel_cells", 4},
                       {"cell_open_circuit_V", 4.2},

@@ -284,6 +284,20 @@ TEST(Import, ReadsMoteus) {
   expect_refused(imported_text("moteus", "m.csv", "t,b\n1,2\n"), "nothing known but the time");
 }
 
+// Columns that nobody reads are copied, but for words, states and readings that are no numbers.
+TEST(Import, LeavesOutColumnsThatAreNotNumbersThroughout) {
+  const Imported result = imported_text("moteus", "m.csv",
+                                        "timestamp,mode,position,fault,temperature,d_current\n"
+                                        "0,10,0.25,none,40,1\n0.1,10,0.5,none,inf,2\n");
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+  EXPECT_EQ(result.log, "run,timestamp,mode,position,d_current\nm,0,10,0.25,1\nm,0.1,10,0.5,2\n");
+  EXPECT_EQ(result.rig["ignore"], json({"mode", "d_current"}));
+  EXPECT_NE(result.outcome.out.find(
+                "left out, for not all that they hold are numbers: fault, temperature"),
+            std::string::npos)
+      << result.outcome.out;
+}
+
 // What was written is what `identify` reads; the load is asked for until it is stated. Oracle: a
 // flywheel of 0.02 kg m^2 driven by V = R i + Ke N w, N Kt i = J a, in rotations.
 TEST(Import, LeadsToAnIdentification) {

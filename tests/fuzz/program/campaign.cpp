@@ -79,7 +79,7 @@ void require_examples(const std::vector<DeclaredCommand>& vocabulary) {
 class Campaign {
  public:
   explicit Campaign(const Plan& plan)
-      : plan_(plan), experiment_(plan.program, Limits{}.times(plan.patience)) {}
+      : plan_(plan), experiment_(plan.program, Limits{}.times(plan.patience), plan.copies) {}
 
   int run() {
     const std::vector<DeclaredCommand> vocabulary = read_vocabulary(plan_.program);

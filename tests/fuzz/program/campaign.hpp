@@ -18,6 +18,7 @@ struct Plan {
   double patience = 1.0;           ///< Times the limits.
   std::filesystem::path findings;  ///< Folder into which they are written; empty: none.
   int most_findings = 20;
+  std::filesystem::path copies;      ///< Program that runs are copies of; empty: each is started.
   std::vector<std::string> without;  ///< Command lines that begin so are left out.
 };
 

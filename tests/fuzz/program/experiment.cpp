@@ -33,6 +33,13 @@ std::vector<fs::path> pipes_in(const Case& one, const Scene& scene) {
   return pipes;
 }
 
+/// Workers begin with the command line of the process, which a copy does not have.
+bool may_have_workers(const Words& words) {
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word.starts_with("--sweep") || word.starts_with("--trial") || word.starts_with("--jobs");
+  });
+}
+
 std::string bytes_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -50,8 +57,11 @@ std::size_t total_bytes(const std::set<std::string>& files, const Scene& scene) 
 
 }  // namespace
 
-Experiment::Experiment(std::filesystem::path program, const Limits& limits)
-    : program_(std::move(program)), limits_(limits) {}
+Experiment::Experiment(std::filesystem::path program, const Limits& limits,
+                       const std::filesystem::path& copies)
+    : program_(std::move(program)),
+      limits_(limits),
+      copies_(copies.empty() ? nullptr : std::make_unique<ForkClient>(copies)) {}
 
 Run Experiment::perform(const Case& one) {
   scene_.lay_out(one);
@@ -62,8 +72,9 @@ Run Experiment::perform(const Case& one) {
   run.input_bytes = total_bytes(run.inputs, scene_);
   const Look before = scene_.look();
   const auto patience = std::chrono::milliseconds(static_cast<long>(1e3 * limits_.clock_s));
+  ForkClient* const copies = may_have_workers(one.arguments) ? nullptr : copies_.get();
   run.outcome = fuzz::run(one.arguments, {program_, scene_.folder(), scene_.temporary(), patience,
-                                          pipes_in(one, scene_)});
+                                          pipes_in(one, scene_), copies});
   const Look after = scene_.look();
   run.changed = changed(before, after);
   for (const std::string& name : run.changed) {

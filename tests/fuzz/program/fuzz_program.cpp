@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   fuzz::Plan plan;
   plan.program = TORQUEWRIGHT_PROGRAM;
   plan.patience = default_patience();
+  bool copies = false;
   std::string program = plan.program.string(), findings, one;
   command_line::Program line("fuzz_program", "Runs torquewright with changed inputs and options");
   command_line::Command& top = line.top();
@@ -36,10 +37,12 @@ int main(int argc, char** argv) {
   top.add_option("--findings", findings, "Folder for what breaks a rule");
   top.add_option("--most-findings", plan.most_findings, "Ends after so many");
   top.add_option("--without", plan.without, "Leaves out command lines that begin so");
+  top.add_flag("--copies", copies, "Load the libraries once; runs are copies of that process");
   top.add_option("--case", one, "Only that of this file").existing_file();
   top.works([&] {
     plan.program = std::filesystem::absolute(program);
     plan.findings = findings;
+    if (copies) plan.copies = TORQUEWRIGHT_FORK_SERVER;
     const int found = one.empty() ? fuzz::run_campaign(plan) : fuzz::repeat_case(plan, one);
     return found == 0 ? cli::ExitCode::kPasses : cli::ExitCode::kFails;
   });

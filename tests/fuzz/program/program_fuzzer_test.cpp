@@ -11,6 +11,7 @@
 #include "tests/fuzz/program/command_files.hpp"
 #include "tests/fuzz/program/document_mutation.hpp"
 #include "tests/fuzz/program/draw.hpp"
+#include "tests/fuzz/program/experiment.hpp"
 #include "tests/fuzz/program/minimise.hpp"
 #include "tests/fuzz/program/rules.hpp"
 #include "tests/fuzz/program/table_mutation.hpp"
@@ -74,6 +75,18 @@ TEST(ProgramRules, SeeEveryKindOfBreach) {
     bad.spoil(run);
     EXPECT_EQ(breach_in(run, {}).rule, bad.rule);
   }
+}
+
+// Who lets a search go on for a minute is no witness of a hang.
+TEST(ProgramRules, LetASearchTakeWhatItWasGiven) {
+  Ran run = good_run();
+  run.outcome.processor_s = 65.0;
+  run.one.arguments = {"hopper", "flip", "--time-limit", "60"};
+  EXPECT_EQ(breach_in(run, {}).rule, "");
+  run.one.arguments.back() = "50";
+  EXPECT_EQ(breach_in(run, {}).rule, "small");
+  run.one.arguments.back() = "no number";
+  EXPECT_EQ(breach_in(run, {}).rule, "small");
 }
 
 // A folder around all files, and a file called nan, were taken for breaches.
@@ -198,6 +211,21 @@ TEST(Documents, StayDocumentsWithOtherNumbers) {
 }
 
 // The breach needs one word and one character of one file.
+// A run that is a copy of a process is one that was started: same words, same files, same end.
+TEST(Copies, DoWhatTheProgramDoes) {
+  Experiment anew(TORQUEWRIGHT_PROGRAM, {});
+  Experiment copied(TORQUEWRIGHT_PROGRAM, {}, TORQUEWRIGHT_FORK_SERVER);
+  const Words table{"actuator", "mor", kKnee, "-o", "table.csv", "--plot", "region.svg"};
+  for (const Words& words : {table, Words{"actuator", "mor", "none.json"}, Words{"schema", "robot"},
+                             Words{"actuator", "mor", kKnee, "-o", kKnee}}) {
+    const Ran expected = anew.perform({words, {}}), run = copied.perform({words, {}});
+    EXPECT_EQ(run.outcome.exit_code, expected.outcome.exit_code);
+    EXPECT_EQ(run.outcome.out, expected.outcome.out);
+    EXPECT_EQ(run.outcome.err, expected.outcome.err);
+    EXPECT_EQ(run.written, expected.written);
+  }
+}
+
 TEST(Minimiser, LeavesWhatTheBreachNeeds) {
   Case one{{"a", "b", "--bad", "c"}, {}};
   one.things["x.csv"] = {Thing::Kind::kFile, std::string(500, 'x') + "!" + std::string(300, 'y')};

@@ -15,13 +15,14 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "tests/fuzz/program/fork_client.hpp"
+
 namespace torquewright::fuzz {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr int kNotStarted = 126;
 constexpr int kWholeOutput = 1 << 16;
 
 class Descriptor {
@@ -132,15 +133,31 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-void wait_for(pid_t child, Outcome& outcome) {
-  int status = 0;
-  rusage used{};
-  while (::wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
+pid_t started(const Words& arguments, const Circumstances& circumstances, const Pipe& out,
+              const Pipe& err) {
+  const int to_out = out.write_end.number(), to_err = err.write_end.number();
+  if (circumstances.copies != nullptr) {
+    return circumstances.copies->start(arguments, circumstances, to_out, to_err);
   }
-  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
-  if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
-  outcome.processor_s = seconds(used.ru_utime) + seconds(used.ru_stime);
-  outcome.resident_MB = static_cast<double>(used.ru_maxrss) / 1024.0;
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error("no process");
+  if (child == 0) become_program(arguments, circumstances, out, err);
+  return child;
+}
+
+RunEnd end_of(pid_t child, const Circumstances& circumstances) {
+  if (circumstances.copies != nullptr) return circumstances.copies->wait();
+  RunEnd end;
+  while (::wait4(child, &end.status, 0, &end.used) < 0 && errno == EINTR) {
+  }
+  return end;
+}
+
+void take(const RunEnd& end, Outcome& outcome) {
+  if (WIFEXITED(end.status)) outcome.exit_code = WEXITSTATUS(end.status);
+  if (WIFSIGNALED(end.status)) outcome.signal = WTERMSIG(end.status);
+  outcome.processor_s = seconds(end.used.ru_utime) + seconds(end.used.ru_stime);
+  outcome.resident_MB = static_cast<double>(end.used.ru_maxrss) / 1024.0;
 }
 
 }  // namespace
@@ -154,9 +171,7 @@ Outcome run(const Words& arguments, const Circumstances& circumstances,
     if (reader >= 0) readers.push_back(reader);
   }
   const auto start = Clock::now();
-  const pid_t child = ::fork();
-  if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) become_program(arguments, circumstances, out, err);
+  const pid_t child = started(arguments, circumstances, out, err);
   Killer killer(child, kill);
   out.write_end.close();
   err.write_end.close();
@@ -165,7 +180,7 @@ Outcome run(const Words& arguments, const Circumstances& circumstances,
   Outcome outcome;
   outcome.has_ended = collect(open, outcome, killer, start + circumstances.patience);
   if (!outcome.has_ended) ::kill(child, SIGKILL);
-  wait_for(child, outcome);
+  take(end_of(child, circumstances), outcome);
   outcome.clock_s = std::chrono::duration<double>(Clock::now() - start).count();
   for (const int reader : readers) ::close(reader);
   if (outcome.exit_code == kNotStarted) throw std::runtime_error("the program does not start");

@@ -10,6 +10,8 @@
 
 namespace torquewright::fuzz {
 
+class ForkClient;
+
 /// Where and how long the program runs.
 struct Circumstances {
   std::filesystem::path program;
@@ -18,6 +20,7 @@ struct Circumstances {
   std::chrono::milliseconds patience{};  ///< Then it is killed.
   /// Somebody who reads them to the end. Pipes that do not exist are not read.
   std::vector<std::filesystem::path> pipes{};
+  ForkClient* copies = nullptr;  ///< Of what the run is a copy; nothing: it is started anew.
 };
 
 struct Kill {

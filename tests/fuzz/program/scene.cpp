@@ -115,9 +115,10 @@ void Scene::mend() {
 
 Look Scene::look() const {
   Look look;
+  const std::size_t behind_folder = scratch_.path().native().size() + 1;
   for (const auto& entry : fs::recursive_directory_iterator(scratch_.path())) {
     if (entry.symlink_status().type() == fs::file_type::directory) continue;
-    look[entry.path().lexically_relative(scratch_.path()).string()] = stamp_of(entry.path());
+    look[entry.path().native().substr(behind_folder)] = stamp_of(entry.path());
   }
   return look;
 }
