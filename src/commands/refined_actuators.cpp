@@ -9,6 +9,7 @@
 #include "actuator/region/region_comparison.hpp"
 #include "identification/answer/self_check.hpp"
 #include "io/json_text.hpp"
+#include "io/one_line.hpp"
 #include "src/commands/identify_json.hpp"
 #include "src/commands/result_json.hpp"
 #include "src/report/comparison_text.hpp"
@@ -73,7 +74,7 @@ std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
     if (i < refined.of_joints.size()) {
       files.push_back({inputs.refined[i], refined.of_joints[i].text});
     } else {
-      std::fprintf(stderr, "%s: not written%s\n", inputs.refined[i].c_str(),
+      std::fprintf(stderr, "%s: not written%s\n", io::name_in_text(inputs.refined[i]).c_str(),
                    refined.refusal.empty() ? ", there is nothing sure to add to the actuator" : "");
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No command replaces a file that it has read, under whatever name and however it came to read it.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -227,7 +228,11 @@ void remove_what_is_left(const Workplace& place, const std::string& folder) {
   }
 }
 
-void expect_old_or_new(const Workplace& place, const Stopped& stopped) {
+void expect_old_or_new(const Stopped& stopped, const std::vector<int>& signals) {
+  SCOPED_TRACE(stopped.command[0] + " " + stopped.command[1]);
+  Examples place;
+  fs::create_directory(place.path("temporary"));
+  place.here.environment.push_back("TMPDIR=" + place.path("temporary").string());
   const auto start = std::chrono::steady_clock::now();
   ASSERT_NE(place.run(stopped.command).exit_code, 2);
   const auto whole_run = std::chrono::duration_cast<std::chrono::microseconds>(
@@ -235,7 +240,7 @@ void expect_old_or_new(const Workplace& place, const Stopped& stopped) {
   std::vector<std::string> whole;
   for (const std::string& output : stopped.outputs) whole.push_back(place.text(output));
   const std::size_t files = place.files().size();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
+  for (const int signal : signals) {
     for (int i = 0; i < stopped.moments; ++i) {
       for (const std::string& output : stopped.outputs) place.write(output, "old");
       EXPECT_TRUE(
@@ -257,12 +262,15 @@ void expect_old_or_new(const Workplace& place, const Stopped& stopped) {
 // belong together are of one run, and nothing else is left, here or where temporary files go.
 TEST(Outputs, AreOldOrNewAfterAnySignal) {
   for (const Stopped& stopped : kStopped) {
-    SCOPED_TRACE(stopped.command[0] + " " + stopped.command[1]);
-    Examples place;
-    fs::create_directory(place.path("temporary"));
-    place.here.environment.push_back("TMPDIR=" + place.path("temporary").string());
-    expect_old_or_new(place, stopped);
+    expect_old_or_new(stopped, {SIGINT, SIGTERM, SIGHUP, SIGKILL});
   }
+}
+
+// Whatever else ends a program that does not listen: terminals, timers, limits, other programs.
+TEST(Outputs, AreOldOrNewAfterRareSignals) {
+  const rlimit no_core{0, 0};
+  ASSERT_EQ(::setrlimit(RLIMIT_CORE, &no_core), 0);  // some would leave one
+  expect_old_or_new(kStopped[0], {SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM});
 }
 
 const Words kMor{"actuator", "mor", kKneeFile, "--at-speed", "0,1"};

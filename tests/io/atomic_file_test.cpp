@@ -4,12 +4,18 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/fs.h>
+#include <poll.h>
+#include <sys/inotify.h>
 #include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "io/file_bytes.hpp"
 #include "io/spec_error.hpp"
@@ -195,6 +201,54 @@ TEST(WriteWholeFile, WritesToAPipeDirectly) {
   EXPECT_EQ(content.substr(0, count < 0 ? 0 : static_cast<std::size_t>(count)), "content");
   EXPECT_TRUE(fs::is_fifo(pipe));
   EXPECT_EQ(entries_in(folder.path()), 1);
+}
+
+/// Waits until a file of the folder is replaced.
+class Watch {
+ public:
+  explicit Watch(const fs::path& folder) : descriptor_(::inotify_init1(IN_CLOEXEC)) {
+    ::inotify_add_watch(descriptor_, folder.c_str(), IN_MOVED_TO);
+  }
+  ~Watch() { ::close(descriptor_); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  bool sees_one() const {
+    pollfd ready{descriptor_, POLLIN, 0};
+    return ::poll(&ready, 1, 60'000) == 1;
+  }
+
+ private:
+  int descriptor_;
+};
+
+// A signal that comes with the first of a hundred names, each of which takes a rename of its
+// own: the others follow before it ends the process.
+TEST(WriteWholeFiles, AreAllThereWhateverSignalComesBetween) {
+  for (const int signal :
+       {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM}) {
+    const ScratchFolder folder;
+    std::vector<FileContent> files;
+    for (int i = 0; i < 100; ++i) {
+      files.push_back({folder.write(std::to_string(i), "old"), "new"});
+    }
+    const Watch watch(folder.path());
+    const pid_t writer = ::fork();
+    if (writer == 0) {
+      const rlimit no_core{0, 0};
+      ::setrlimit(RLIMIT_CORE, &no_core);
+      ::signal(signal, SIG_DFL);
+      write_whole_files(files);
+      ::pause();
+    }
+    EXPECT_TRUE(watch.sees_one());
+    ::kill(writer, signal);
+    int status = 0;
+    ASSERT_EQ(::waitpid(writer, &status, 0), writer);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+    EXPECT_EQ(entries_in(folder.path()), 100) << signal;
+    for (const FileContent& each : files) ASSERT_EQ(read_file_bytes(each.file), "new") << signal;
+  }
 }
 
 }  // namespace
