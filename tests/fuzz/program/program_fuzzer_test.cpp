@@ -61,6 +61,11 @@ TEST(ProgramRules, SeeEveryKindOfBreach) {
                         {"numbers", [](Ran& run) { run.written[0].second = "[inf]"; }},
                         {"json", [](Ran& run) { run.outcome.out = "{\"a\": "; }},
                         {"json", [](Ran& run) { run.written[0].second = "{\"a\": "; }},
+                        {"schema",
+                         [](Ran& run) {
+                           run.outcome.out = R"({"kind": "mor_need", "version": 1,
+                             "torque_Nm": null})";
+                         }},
                         {"files", changes("work/.torquewright-0.tmp")},
                         {"files", changes("tmp/left")},
                         {"files", changes("work/specs/actuator/d151_knee.json")},

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "io/schema.hpp"
 #include "tests/cli/no_number.hpp"
 #include "tests/fuzz/program/command_files.hpp"
 
@@ -98,6 +99,25 @@ std::string is_json(const Run& run, const Limits&) {
   return "";
 }
 
+/// What is wrong with a document of ours: null where a number is to stand, above all.
+std::string fault_of_document(const std::string& text, const std::string& place) {
+  const json root = json::parse(text, nullptr, false);
+  if (!root.is_object() || !root.contains("kind") || !root["kind"].is_string()) return "";
+  const std::vector<std::string> kinds = io::document_kinds();
+  const auto kind = root["kind"].get<std::string>();
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) return "";
+  return io::conforms(root, kind) ? "" : place + " is no " + kind;
+}
+
+std::string conforms_to_schemas(const Run& run, const Limits&) {
+  std::string fault = fault_of_document(run.outcome.out, "stdout");
+  for (const auto& [name, bytes] : run.written) {
+    const bool is_meant_so = ending(name) == ".json";
+    if (fault.empty() && is_meant_so) fault = fault_of_document(bytes, name);
+  }
+  return fault;
+}
+
 /// Whether a changed file was asked for. It may lie in a folder that was named.
 bool is_output(const Run& run, const std::string& name) {
   return std::any_of(run.outputs.begin(), run.outputs.end(), [&](const std::string& output) {
@@ -139,9 +159,15 @@ Limits Limits::times(double factor) const {
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all{
-      {"sound", is_sound},    {"end", comes_to_an_end}, {"exit_code", ends_with_a_code},
-      {"sentence", says_why}, {"numbers", has_numbers}, {"json", is_json},
-      {"files", keeps_files}, {"small", is_small},
+      {"sound", is_sound},
+      {"end", comes_to_an_end},
+      {"exit_code", ends_with_a_code},
+      {"sentence", says_why},
+      {"numbers", has_numbers},
+      {"json", is_json},
+      {"schema", conforms_to_schemas},
+      {"files", keeps_files},
+      {"small", is_small},
   };
   return all;
 }
