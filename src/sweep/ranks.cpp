@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/sweep/ranks.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
+
+#include "io/refusal.hpp"
 
 namespace torquewright::sweep {
 namespace {
@@ -15,6 +19,14 @@ std::size_t number_of(const char* variable, std::size_t otherwise) {
 
 Ranks ranks_by_environment() {
   return {number_of("OMPI_COMM_WORLD_SIZE", 1), number_of("OMPI_COMM_WORLD_RANK", 0)};
+}
+
+void require_possible(const Ranks& ranks) {
+  if (ranks.own < ranks.count) return;
+  io::refuse("OMPI_COMM_WORLD_RANK",
+             fmt::format("{} is none of the {} ranks that OMPI_COMM_WORLD_SIZE states; unset both, "
+                         "or start with mpirun",
+                         ranks.own, ranks.count));
 }
 
 }  // namespace torquewright::sweep

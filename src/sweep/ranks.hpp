@@ -14,6 +14,9 @@ struct Ranks {
 };
 Ranks ranks_by_environment();
 
+/// Throws io::SpecError for a rank that is none of so many: nobody would give it work.
+void require_possible(const Ranks& ranks);
+
 /// The first rank: hands the ledger's points to the others. A rank that is silent for long is gone,
 /// and its point lost. Throws io::SpecError where this program was built without MPI.
 void hand_out_to_ranks(const std::string& fingerprint, Ledger& ledger);

@@ -60,6 +60,7 @@ std::optional<Outcome> run_sweep(const Request& request, const Evaluate& evaluat
   }
   const PipeSignalIgnored ignored;
   const Ranks ranks = ranks_by_environment();
+  require_possible(ranks);
   if (ranks.own > 0) {
     work_for_first_rank(request.fingerprint);
     return std::nullopt;

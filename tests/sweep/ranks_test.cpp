@@ -103,6 +103,16 @@ TEST_F(Ranks, AreRefusedWhereInputsChange) {
   EXPECT_NE(outcome.err.find("the inputs have changed"), std::string::npos) << outcome.err;
 }
 
+// A rank that nobody hands points to would wait for ever.
+TEST(RankOfTheEnvironment, IsRefusedWhereItIsNoneOfThem) {
+  const Workplace place;
+  const Surroundings rank("OMPI_COMM_WORLD_RANK", "3");
+  const Outcome outcome = place.run({"--points", "2"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("OMPI_COMM_WORLD_RANK: 3 is none of the 1 ranks"), std::string::npos)
+      << outcome.err;
+}
+
 // As a program that was built without MPI sees itself under mpirun.
 TEST(WithoutMpi, SaysWhatToInstall) {
   const Workplace place;
