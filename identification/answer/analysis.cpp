@@ -2,7 +2,11 @@
 #include "identification/answer/analysis.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
 
+#include "identification/findings/doubts.hpp"
+#include "identification/findings/verdict.hpp"
 #include "identification/forward/plain_forward.hpp"
 #include "identification/forward/torque_forward.hpp"
 #include "identification/replay/position_study.hpp"
@@ -34,11 +38,14 @@ class JointAnalysis {
       results.emplace_back().unusable = "no stretch of the log is long enough (0.5 s)";
       return results;
     }
-    if (bench_.has_torque_balance()) add_torque_and_position(held, results);
+    std::vector<EquationResult> plain;
     for (const ForwardEquation& each : plain_forward(bench_, held.rows)) {
-      say("searching: " + each.quantity, 0.9);
-      results.push_back(answer(bench_, log_, each, held, folds_, options_));
+      say("searching: " + each.quantity, 0.1);
+      plain.push_back(answer(bench_, log_, each, held, folds_, options_));
+      note_constant(plain.back());
     }
+    if (bench_.has_torque_balance()) add_torque_and_position(held, results);
+    results.insert(results.end(), plain.begin(), plain.end());
     return results;
   }
 
@@ -51,8 +58,16 @@ class JointAnalysis {
 
   EquationResult torque_result(const HeldSignals& held) const {
     say("searching: torque", 0.3);
-    const ForwardEquation equation = torque_forward(bench_, held.rows, folds_);
+    ForwardEquation equation = torque_forward(bench_, held.rows, folds_);
+    equation.constant_factor_by_voltage = constant_factor_by_voltage_;
     return answer(bench_, log_, equation, held, folds_, torque_options_);
+  }
+
+  void note_constant(const EquationResult& voltage) {
+    for (const NamedEffect* each : certain_of(voltage)) {
+      if (each->effect == "torque_constant_error")
+        constant_factor_by_voltage_ = each->parameters.value("factor", 1.0);
+    }
   }
 
   /// Friction that only a simulation finds is stated to the torque balance, which is then asked
@@ -80,6 +95,11 @@ class JointAnalysis {
       again.is_noise_before = torque.is_noise_before;
       torque = std::move(again);
     }
+    if (position && position->with_certain.train_rms > 0.0) {
+      doubt_what_follows_worse(position->before, position->with_certain, position->noise_floor_rms,
+                               torque);
+      torque.verdict = verdict_of(torque, options_.select);
+    }
     results.push_back(std::move(torque));
     if (position) results.push_back(*std::move(position));
   }
@@ -96,6 +116,7 @@ class JointAnalysis {
   Bench bench_;
   NoiseLevels levels_;
   std::vector<std::size_t> folds_;
+  std::optional<double> constant_factor_by_voltage_;
 };
 
 }  // namespace

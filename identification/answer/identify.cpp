@@ -2,6 +2,7 @@
 #include "identification/answer/identify.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "identification/answer/allowed_equations.hpp"
 #include "identification/answer/analysis.hpp"
@@ -197,10 +198,12 @@ nlohmann::ordered_json refined_actuator(const Identification& found,
   nlohmann::ordered_json logs = nlohmann::ordered_json::array();
   for (const Log::File& file : found.files)
     logs.push_back({{"path", file.path}, {"sha256", file.sha256}});
+  std::set<std::string> written;
   for (const EquationResult& equation : found.equations) {
     if (equation.joint != actuator.joint) continue;
     for (const NamedEffect* named : certain_of_actuator(equation)) {
       const NamedEffect& effect = *named;
+      if (!written.insert(effect.effect).second) continue;  // Another equation has it too.
       if (!effect.replaces.empty()) erase_effects(document, effect.replaces);
       nlohmann::ordered_json entry = {{"effect", effect.effect}, {"parameters", effect.parameters}};
       entry["standard_error"] = effect.standard_error;

@@ -57,6 +57,8 @@ ordered_json effect_json(const EquationResult& equation, const NamedEffect& effe
   entry["holdout_rms_after"] = measured(effect.holdout_rms_after);
   if (!effect.replaces.empty()) entry["replaces"] = effect.replaces;
   entry["evidence"] = effect.evidence;
+  entry["certain"] = is_certain(equation, effect.effect);
+  if (!effect.doubt.empty()) entry["doubt"] = effect.doubt;
   return entry;
 }
 

@@ -13,31 +13,55 @@ bool has(const std::vector<std::string>& effects, std::initializer_list<const ch
   });
 }
 
-bool is_uncertain(const Bench& bench, const char* pointer) {
-  const auto& list = bench.rig->uncertain;
-  return std::find(list.begin(), list.end(), pointer) != list.end();
+using Names = std::vector<std::string>;
+
+/// What scales all torque of the drive's side as the torque constant does: the sensor or the driver
+/// that its channel comes from. A winding's voltage yields torque by the constant twice.
+void add_drives_gain(const Bench& bench, Names& group) {
+  if (bench.drive != Drive::kVoltage) group.emplace_back("current_gain_error");
+}
+
+/// What the rig's own values and sensors may stand for, whether it calls them uncertain or not: no
+/// log says who is right.
+std::vector<Names> groups_of_the_rig(const Bench& bench) {
+  Names constant = {"torque_constant_error"};
+  if (bench.load_side == LoadSide::kSensor) {
+    constant.emplace_back("torque_gain_error");
+    add_drives_gain(bench, constant);
+    return {constant, {"torque_lag", "channel_lag"}};
+  }
+  if (bench.load_side != LoadSide::kModel) return {};
+  switch (bench.rig->load.type) {
+    case LoadType::kFree:
+      constant.insert(constant.end(), {"reflected_inertia", "load_inertia_error"});
+      add_drives_gain(bench, constant);
+      return {constant};
+    case LoadType::kLinearAxis:
+      constant.insert(constant.end(), {"reflected_inertia", "load_mass_error"});
+      add_drives_gain(bench, constant);
+      return {constant};
+    case LoadType::kPendulum:
+    case LoadType::kSerialArm:
+      constant.emplace_back("load_mass_error");
+      add_drives_gain(bench, constant);
+      return {constant, {"reflected_inertia", "load_inertia_error"}};
+    case LoadType::kDynamometer:
+      break;
+  }
+  return {};
 }
 
 }  // namespace
 
 std::vector<std::string> exact_identities(const Bench& bench, const std::string& effect) {
-  const LoadType load = bench.rig->load.type;
-  std::vector<std::vector<std::string>> groups = {
-      {"torque_offset", "current_offset", "asymmetric_friction"}};
+  // A ripple of the output need not be a multiple of the ratio: only cogging's name is in question.
+  // A current's gain is named where it is not the same for both signs, as no constant is.
+  if (effect == "gear_ripple" || effect == "current_gain_error") return {effect};
+  std::vector<Names> groups = groups_of_the_rig(bench);
+  groups.push_back({"torque_offset", "current_offset", "asymmetric_friction"});
   const double ratio = bench.actuator().transmission.ratio;
   if (ratio == std::floor(ratio)) groups.push_back({"cogging_torque", "gear_ripple"});
-  if (bench.load_side == LoadSide::kModel) {
-    if (is_uncertain(bench, "/load/inertia_kg_m2")) {
-      groups.push_back({"reflected_inertia", "load_inertia_error"});
-    }
-    if (load == LoadType::kFree) groups.push_back({"torque_constant_error", "reflected_inertia"});
-    if (load == LoadType::kPendulum && is_uncertain(bench, "/load/mass_kg")) {
-      groups.push_back({"torque_constant_error", "load_mass_error"});
-    }
-  }
-  // A ripple of the output need not be a multiple of the ratio: only cogging's name is in question.
-  if (effect == "gear_ripple") return {effect};
-  for (const auto& group : groups) {
+  for (const Names& group : groups) {
     if (std::find(group.begin(), group.end(), effect) != group.end()) return group;
   }
   return {effect};
@@ -47,16 +71,34 @@ std::string separated_by(const Bench& bench, const std::vector<std::string>& eff
   if (has(effects, {"torque_offset", "current_offset"})) {
     return "a tare with the drive off, the voltage equation, or rest reached from both sides";
   }
+  if (has(effects, {"channel_lag"})) {
+    return "the torque sensor's own response, measured with the drive held still, or a load of "
+           "known "
+           "inertia";
+  }
   if (has(effects, {"torque_lag", "channel_delay"})) {
     return "motion so fast that lag times angular frequency exceeds 0.5, or a second pair of "
            "channels";
   }
+  if (has(effects, {"torque_gain_error"})) {
+    return "a known weight on the torque sensor, the voltage equation, or, where the sensors are "
+           "known to be right, \"uncertain\": [\"/motor/torque_constant_Nm_A\"] in the rig";
+  }
+  if (has(effects, {"load_length_error"})) {
+    return "a load that was weighed and balanced, or another known one";
+  }
   if (has(effects, {"reflected_inertia", "load_inertia_error"}) &&
       bench.load_side == LoadSide::kModel) {
-    return "a torque sensor, or a second load of known inertia";
+    return has(effects, {"load_mass_error"})
+               ? "a force sensor, or a second load of known mass"
+               : "a torque sensor, or a second load of known inertia; where all but one value is "
+                 "known to be right, that one as \"uncertain\" in the rig (/load/inertia_kg_m2, "
+                 "/motor/torque_constant_Nm_A)";
   }
   if (has(effects, {"load_mass_error"})) {
-    return "a second known mass, holding still at several angles, or the voltage equation";
+    return "a second known mass, or the voltage equation; where all but one value is known to be "
+           "right, that one as \"uncertain\" in the rig (/load/mass_kg, "
+           "/motor/torque_constant_Nm_A)";
   }
   if (has(effects, {"friction_temperature", "torque_constant_temperature",
                     "winding_resistance_temperature"})) {
@@ -86,13 +128,16 @@ std::string consequence(const std::vector<std::string>& effects) {
     return "As an offset of a sensor nothing changes in the region; as asymmetric friction its "
            "bounds for the two directions move by the value.";
   }
+  if (has(effects, {"torque_constant_error"})) {
+    return "As an error of the torque constant all torques of the region change by the factor; as "
+           "any other, none.";
+  }
   if (has(effects, {"load_inertia_error"})) {
     return "As inertia of the rotor it takes torque wherever the actuator accelerates; as an error "
            "of the rig nothing changes.";
   }
-  if (has(effects, {"torque_constant_error"})) {
-    return "As an error of the torque constant all torques of the region change by the factor; as "
-           "the other, none.";
+  if (has(effects, {"channel_lag"})) {
+    return "As a lag of the torque it is late by so much; as one of the sensor nothing changes.";
   }
   return "";
 }

@@ -42,9 +42,12 @@ std::vector<const NamedEffect*> certain_of(const EquationResult& result) {
 }
 
 bool is_certain(const EquationResult& result, const std::string& effect) {
+  const bool is_in_doubt = std::any_of(
+      result.added.begin(), result.added.end(),
+      [&](const NamedEffect& each) { return each.effect == effect && !each.doubt.empty(); });
+  if (is_in_doubt) return false;
   return std::none_of(result.confounded.begin(), result.confounded.end(), [&](const auto& group) {
-    return !group.exact &&
-           std::find(group.effects.begin(), group.effects.end(), effect) != group.effects.end();
+    return std::find(group.effects.begin(), group.effects.end(), effect) != group.effects.end();
   });
 }
 

@@ -48,6 +48,7 @@ struct NamedEffect {
   double holdout_rms_after = 0.0;
   std::string replaces;  ///< Stated effects that it takes the place of: "a, b".
   std::string evidence;  ///< A sentence.
+  std::string doubt;     ///< Why it is not sure though no other is named for it; empty: nothing.
 };
 
 /// A value that the rig calls uncertain, as fitted.
@@ -66,7 +67,7 @@ struct Rejection {
 
 /// Effects that the log cannot tell apart.
 struct Confounded {
-  std::vector<std::string> effects;  ///< The one that was added first.
+  std::vector<std::string> effects;  ///< Of a group that is not exact the one that was added first.
   bool exact = false;                ///< Whatever the excitation on such a rig.
   std::string separated_by;
   std::string consequence;  ///< For the region, of each reading.
@@ -108,10 +109,11 @@ struct EquationResult {
   Verdict verdict = Verdict::kCannotTell;
 };
 
-/// Effects that were named and that no other of this log may stand for.
+/// Effects that were named, that no other may stand for, and that nothing speaks against.
 std::vector<const NamedEffect*> certain_of(const EquationResult& result);
 
-/// Whether no other effect of this log may stand in the place of one that was named.
+/// Whether no other effect, of the actuator, the rig or the log, may stand in the place of one that
+/// was named, in this log or in any of such a rig, and nothing speaks against it.
 bool is_certain(const EquationResult& result, const std::string& effect);
 
 }  // namespace torquewright::identification

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct ForwardEquation {
   std::string quantity;  ///< Whose error it is.
   std::string unit;
   double unit_per_residual = 1.0;
+  bool is_torque_balance = false;  ///< Of the drive's side and the load's.
+  /// As the winding's voltage has it for certain, where the log holds it.
+  std::optional<double> constant_factor_by_voltage;
   bool target_is_drive = false;  ///< The drive's channel is what is measured, and no coordinate.
   double used =
       0.0;  ///< Rms of what is predicted, in the residual's unit; 0: nothing to compare with.

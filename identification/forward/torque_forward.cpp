@@ -221,6 +221,7 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.unit_per_residual = balance.unit_per_Nm();
   equation.stated.actuator = bench.actuator();
   equation.stated.rig = *bench.rig;
+  equation.is_torque_balance = true;
   equation.target_is_drive = bench.load_side == LoadSide::kModel;
   equation.used = used_torque_Nm(signals);
   const actuator::Ranges ranges = ranges_of(bench, signals);

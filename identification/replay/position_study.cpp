@@ -110,6 +110,12 @@ bool follows_no_worse(const ReplayCase& log, const actuator::Actuator& simple,
   return of_simple.train_rms <= of_known.train_rms && of_simple.holdout_rms <= of_known.holdout_rms;
 }
 
+std::vector<NamedEffect> sure_of(const EquationResult& torque) {
+  std::vector<NamedEffect> sure;
+  for (const NamedEffect* each : certain_of(torque)) sure.push_back(*each);
+  return sure;
+}
+
 std::string replaced_by(const actuator::Actuator& nominal) {
   for (const actuator::Effect& stated : nominal.effects) {
     if (stated.kind->name == "coulomb_friction" || stated.kind->name == "stribeck_friction") {
@@ -149,6 +155,9 @@ std::optional<EquationResult> study_position(const PositionInput& input,
       result.rejected.push_back({"stribeck_friction", found.objection});
     }
   }
+  const std::vector<NamedEffect> sure = sure_of(torque);
+  if (result.added.empty() && !sure.empty())
+    result.with_certain = errors_of(log, with_effects(bench.actuator(), sure));
   result.after = errors_of(log, known);
   result.noise_floor_rms = noise_floor(log, noisy, known);
   const double floor = kNoiseLoss * result.noise_floor_rms * result.noise_floor_rms;

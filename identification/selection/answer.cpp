@@ -8,6 +8,7 @@
 #include <set>
 
 #include "identification/findings/confusions.hpp"
+#include "identification/findings/doubts.hpp"
 #include "identification/findings/verdict.hpp"
 #include "identification/forward/sample_step.hpp"
 #include "identification/selection/comparison.hpp"
@@ -26,6 +27,7 @@ namespace {
 constexpr std::size_t kLeastTrainingBlocks = 6;    ///< In training, to say anything.
 constexpr double kBands_Hz[] = {8.0, 16.0, 24.0};  ///< Below the signals' own.
 constexpr double kClearlyMore = 1.2;
+constexpr double kAgreeing = 0.25;  ///< Of a change, that two equations may differ by and agree.
 constexpr double kKnown = 0.5;  ///< Relative error, at most, of an uncertain value that is fitted.
 
 std::vector<ResidualStructure> structure_left(const Rows& rows, const Eigen::VectorXd& residual) {
@@ -132,12 +134,42 @@ void append_group(const Bench& bench, std::vector<std::string> effects, bool exa
   result.confounded.push_back(std::move(group));
 }
 
-/// What stands in the place of a member in rivals that do without it.
-void append_groups(const Bench& bench, const Found& found, EquationResult& result) {
+/// Whether what gravity takes beyond the rig's is mostly in phase with the rig's: then the load
+/// itself may be another.
+bool is_in_phase_with_load(const Bench& bench, const NamedEffect& named) {
+  if (named.effect != "gravity_imbalance" || bench.load_side != LoadSide::kModel ||
+      bench.rig->load.type != LoadType::kPendulum)
+    return false;
+  const double phase_rad = named.parameters.value("phase_rad", 0.0);
+  return std::abs(std::cos(phase_rad)) > std::abs(std::sin(phase_rad));
+}
+
+/// Whether the winding's voltage, which no value of the load and no torque sensor enters, has the
+/// same torque constant.
+bool is_confirmed_constant(const ForwardEquation& equation, const NamedEffect& named) {
+  if (named.effect != "torque_constant_error" || !equation.constant_factor_by_voltage) return false;
+  const double factor = named.parameters.value("factor", 1.0);
+  return std::abs(factor - *equation.constant_factor_by_voltage) <
+         kAgreeing * std::abs(factor - 1.0);
+}
+
+/// Effects that no log of such a rig tells from one that was named; itself alone if there are none.
+std::vector<std::string> same_on_such_a_rig(const Bench& bench, const ForwardEquation& equation,
+                                            const Found& found, const NamedEffect& named) {
+  if (!equation.is_torque_balance || is_confirmed_constant(equation, named)) return {named.effect};
+  if (is_in_phase_with_load(bench, named))
+    return {named.effect, "load_mass_error", "load_length_error"};
+  std::vector<std::string> exact = exact_identities(bench, named.effect);
+  if (found.turned_one_way && named.parameters.contains("harmonics"))
+    exact.emplace_back("position_dependent_friction");
+  return exact;
+}
+
+/// Exact groups, and what stands in the place of a member in rivals that do without it.
+void append_groups(const Bench& bench, const ForwardEquation& equation, const Found& found,
+                   EquationResult& result) {
   for (const NamedEffect& named : result.added) {
-    std::vector<std::string> exact = exact_identities(bench, named.effect);
-    if (found.turned_one_way && named.parameters.contains("harmonics"))
-      exact.emplace_back("position_dependent_friction");
+    const std::vector<std::string> exact = same_on_such_a_rig(bench, equation, found, named);
     append_group(bench, exact, true, result);
     std::vector<std::string> others = {named.effect};
     for (const ModelFit& rival : found.rivals) {
@@ -334,12 +366,15 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
       kept.members.empty() ? result.structure_before : structure_left(rows, kept.residual);
   result.is_noise_after = leaves_noise(search, fitter, kept, result.structure_after);
   name_members(fitter, found, result);
-  append_groups(bench, found, result);
+  append_groups(bench, equation, found, result);
+  append_doubts(result);
   describe_refused(judged, found, result);
   result.runs = run_results(equation, rows, found.empty.residual, kept.residual);
   if (options.select) result.models = models_within_noise(bench, fitter, found);
   result.lines = spectral_lines(
       line_traces(equation, fitter.hypothesis(kept.members, kept.coordinates), held));
+  result.with_certain = errors_with_certain(fitter, kept, result);
+  doubt_what_does_harm(result);
   result.with_certain = errors_with_certain(fitter, kept, result);
   for (std::size_t k = 0; k < equation.pointers.size() && options.select; ++k) {
     const auto i = static_cast<Eigen::Index>(k);

@@ -163,6 +163,7 @@ std::string effect_lines(const EquationResult& equation) {
     text += line("", fmt::format("added: {}{}{}: {}", effect.effect, whose, replaced,
                                  fmt::join(parameter_texts(effect), ", ")));
     text += line("", "  " + effect.evidence);
+    if (!effect.doubt.empty()) text += line("", "  not sure: " + effect.doubt);
   }
   for (const Correction& correction : equation.corrected) {
     text += line("", "corrected: " + correction_text(correction));

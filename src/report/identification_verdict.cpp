@@ -49,16 +49,23 @@ std::string along(const Identification& found) {
                      name_of_coordinate(left.front()), 100.0 * left.front().share);
 }
 
-/// A sentence for each group of which the log does not say which it is.
+/// A sentence for each group of which the log does not say which it is, and for each doubt.
 std::vector<std::string> undecided(const Identification& found) {
   std::vector<std::string> sentences;
+  const auto add = [&](std::string sentence) {
+    if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+      sentences.push_back(std::move(sentence));
+  };
   for (const EquationResult& equation : found.equations) {
     for (const Confounded& group : equation.confounded) {
-      if (group.exact) continue;
-      std::string sentence =
-          fmt::format("The log cannot tell {} apart.", fmt::join(group.effects, " and "));
-      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
-        sentences.push_back(std::move(sentence));
+      add(fmt::format("{} {} apart.",
+                      group.exact ? "No log of such a rig tells" : "The log cannot tell",
+                      fmt::join(group.effects, " and ")));
+    }
+  }
+  for (const EquationResult& equation : found.equations) {
+    for (const NamedEffect& each : equation.added) {
+      if (!each.doubt.empty()) add(fmt::format("Not sure of {}: {}.", each.effect, each.doubt));
     }
   }
   return sentences;

@@ -80,8 +80,10 @@ std::string compare_command(const IdentificationContext& context, std::size_t i,
 void add_separation(const Identification& found, std::vector<std::string>& steps) {
   for (const EquationResult& equation : found.equations) {
     for (const Confounded& group : equation.confounded) {
-      if (group.exact || group.separated_by.empty()) continue;
-      steps.push_back(fmt::format("measure again with {}", group.separated_by));
+      if (group.separated_by.empty()) continue;
+      std::string step = fmt::format("measure again with {}", group.separated_by);
+      if (std::find(steps.begin(), steps.end(), step) == steps.end())
+        steps.push_back(std::move(step));
     }
   }
 }

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/findings/doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace torquewright::identification {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kNoise = 1.58;  ///< Floors, up to which a simulation's error is noise.
+
+/// Whether a number in it is a torque, or an inertia: what scales with the torque constant.
+bool holds_a_torque(const Json& parameters) {
+  if (!parameters.is_structured()) return false;
+  for (const auto& [key, value] : parameters.items()) {
+    const bool is_torque =
+        key.find("_Nm") != std::string::npos || key.find("_kg_m2") != std::string::npos;
+    if (is_torque || holds_a_torque(value)) return true;
+  }
+  return false;
+}
+
+bool is_constant_in_doubt(const EquationResult& result) {
+  return std::any_of(result.confounded.begin(), result.confounded.end(), [](const auto& group) {
+    return std::find(group.effects.begin(), group.effects.end(), "torque_constant_error") !=
+           group.effects.end();
+  });
+}
+
+void doubt_certain_of_actuator(const std::string& why, EquationResult& result) {
+  for (NamedEffect& each : result.added) {
+    if (each.family == EffectFamily::kActuator && is_certain(result, each.effect)) each.doubt = why;
+  }
+}
+
+}  // namespace
+
+void append_doubts(EquationResult& result) {
+  for (NamedEffect& each : result.added) {
+    if (each.holdout_rms_after > each.holdout_rms_before) {
+      each.doubt =
+          fmt::format("it raises the error of the runs that no fit saw, {:.4g} -> {:.4g} {}",
+                      each.holdout_rms_before, each.holdout_rms_after, result.unit);
+    } else if (is_constant_in_doubt(result) && holds_a_torque(each.parameters) &&
+               is_certain(result, each.effect)) {
+      each.doubt = "its size goes with the torque constant's, which is not told apart from others";
+    }
+  }
+}
+
+void doubt_what_does_harm(EquationResult& result) {
+  if (!(result.with_certain.holdout_rms > result.before.holdout_rms)) return;
+  doubt_certain_of_actuator(
+      fmt::format("all that is sure together raises the error of the runs that no fit saw, {:.4g} "
+                  "-> {:.4g} {}",
+                  result.before.holdout_rms, result.with_certain.holdout_rms, result.unit),
+      result);
+}
+
+void doubt_what_follows_worse(const Errors& stated, const Errors& certain, double noise_floor_rms,
+                              EquationResult& result) {
+  const bool is_held_out = stated.holdout_rms > 0.0;
+  const double before = is_held_out ? stated.holdout_rms : stated.train_rms;
+  const double after = is_held_out ? certain.holdout_rms : certain.train_rms;
+  if (!(after > std::max(before, kNoise * noise_floor_rms))) return;
+  doubt_certain_of_actuator(
+      fmt::format("simulated with what is sure the log is followed worse, {:.4g} -> {:.4g}", before,
+                  after),
+      result);
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "identification/findings/result.hpp"
+
+namespace torquewright::identification {
+
+/// Doubts about what an equation named, beside the groups that hold others: what raises the error
+/// of the runs that no fit saw is not sure, and a torque is known no better than the torque
+/// constant beside it. docs/derivations/identification.md section 15.
+void append_doubts(EquationResult& result);
+
+/// Leaves nothing certain where what is certain raises, all together, the error of the runs that no
+/// fit saw: of the equation itself by EquationResult::with_certain.
+void doubt_what_does_harm(EquationResult& result);
+
+/// The same by a simulation of the log, as stated and with what is certain: what it follows worse,
+/// beyond what noise does to it, is no better model.
+void doubt_what_follows_worse(const Errors& stated, const Errors& certain, double noise_floor_rms,
+                              EquationResult& result);
+
+}  // namespace torquewright::identification
