@@ -44,7 +44,11 @@ class JointAnalysis {
       plain.push_back(answer(bench_, log_, each, held, folds_, options_));
       note_constant(plain.back());
     }
-    if (bench_.has_torque_balance()) add_torque_and_position(held, results);
+    if (bench_.has_torque_balance()) {
+      add_torque_and_position(held, results);
+      for (const EquationResult& each : plain) doubt_what_goes_with_scale(each, results.front());
+      judge_again_if_doubted(results.front());
+    }
     results.insert(results.end(), plain.begin(), plain.end());
     return results;
   }
@@ -61,6 +65,13 @@ class JointAnalysis {
     ForwardEquation equation = torque_forward(bench_, held.rows, folds_);
     equation.constant_factor_by_voltage = constant_factor_by_voltage_;
     return answer(bench_, log_, equation, held, folds_, torque_options_);
+  }
+
+  void judge_again_if_doubted(EquationResult& result) const {
+    const bool is_doubted =
+        std::any_of(result.added.begin(), result.added.end(),
+                    [](const NamedEffect& each) { return !each.doubt.empty(); });
+    if (is_doubted) result.verdict = verdict_of(result, options_.select);
   }
 
   void note_constant(const EquationResult& voltage) {
@@ -98,7 +109,7 @@ class JointAnalysis {
     if (position && position->with_certain.train_rms > 0.0) {
       doubt_what_follows_worse(position->before, position->with_certain, position->noise_floor_rms,
                                torque);
-      torque.verdict = verdict_of(torque, options_.select);
+      judge_again_if_doubted(torque);
     }
     results.push_back(std::move(torque));
     if (position) results.push_back(*std::move(position));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace torquewright::identification {
@@ -11,6 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kErrorsOfScale = 3.0;
 constexpr double kNoise = 1.58;  ///< Floors, up to which a simulation's error is noise.
 
 /// Whether a number in it is a torque, or an inertia: what scales with the torque constant.
@@ -59,6 +61,25 @@ void doubt_what_does_harm(EquationResult& result) {
                   "-> {:.4g} {}",
                   result.before.holdout_rms, result.with_certain.holdout_rms, result.unit),
       result);
+}
+
+void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& torque) {
+  for (const NamedEffect& each : velocity.added) {
+    if (each.effect != "velocity_mismatch") continue;
+    const double scale = each.parameters.value("scale", 1.0);
+    const double error =
+        each.standard_error.contains("scale") && each.standard_error["scale"].is_number()
+            ? each.standard_error["scale"].get<double>()
+            : 0.0;
+    if (std::abs(scale - 1.0) <= kErrorsOfScale * error) continue;
+    for (NamedEffect& inertia : torque.added) {
+      if (inertia.effect != "reflected_inertia" || !inertia.doubt.empty()) continue;
+      inertia.doubt = fmt::format(
+          "{} and position differ by a scale of {:.4g}: times, angles or speeds of the log are off "
+          "by as much, and accelerations with them",
+          velocity.quantity, scale);
+    }
+  }
 }
 
 void doubt_what_follows_worse(const Errors& stated, const Errors& certain, double noise_floor_rms,

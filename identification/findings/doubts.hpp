@@ -7,7 +7,7 @@ namespace torquewright::identification {
 
 /// Doubts about what an equation named, beside the groups that hold others: what raises the error
 /// of the runs that no fit saw is not sure, and a torque is known no better than the torque
-/// constant beside it. docs/derivations/identification.md section 15.
+/// constant beside it. docs/derivations/identification.md section 7.
 void append_doubts(EquationResult& result);
 
 /// Leaves nothing certain where what is certain raises, all together, the error of the runs that no
@@ -18,5 +18,9 @@ void doubt_what_does_harm(EquationResult& result);
 /// beyond what noise does to it, is no better model.
 void doubt_what_follows_worse(const Errors& stated, const Errors& certain, double noise_floor_rms,
                               EquationResult& result);
+
+/// An inertia of an actuator beside a logged velocity that is no derivative of the position by its
+/// scale: times, angles or speeds are off by as much, and accelerations with them.
+void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& torque);
 
 }  // namespace torquewright::identification

@@ -49,6 +49,14 @@ std::string along(const Identification& found) {
                      name_of_coordinate(left.front()), 100.0 * left.front().share);
 }
 
+/// Whether what is left of each equation that is open varies with no coordinate, as noise that is
+/// not white does: then nothing says that the model is wrong.
+bool goes_with_nothing(const Identification& found) {
+  return std::all_of(found.equations.begin(), found.equations.end(), [](const auto& each) {
+    return !is_open(each) || significant_of(each.structure_after).empty();
+  });
+}
+
 /// A sentence for each group of which the log does not say which it is, and for each doubt.
 std::vector<std::string> undecided(const Identification& found) {
   std::vector<std::string> sentences;
@@ -119,6 +127,12 @@ std::string sentence_of_verdict(const Identification& found, bool select) {
       break;
   }
   if (!select) return "There is something to explain: " + along(found) + ".";
+  if (goes_with_nothing(found)) {
+    return fmt::format(
+        "More is left than white noise of the channels, and it goes with nothing that the model "
+        "knows: noise of a sensor that is not white, or an effect that is not {}.",
+        found.not_asked.empty() ? "in the library" : "among those that were asked");
+  }
   return fmt::format("The model is wrong, and no effect {} explains how: {}.",
                      found.not_asked.empty() ? "of the library" : "that was asked", along(found));
 }

@@ -40,30 +40,57 @@ TEST(Confusions, CoggingIsARippleWhereTheRatioIsWhole) {
   EXPECT_EQ(exact_identities(made.bench(), "cogging_torque"), Names{"cogging_torque"});
 }
 
-// On a free load all torque accelerates: (N Kt i) s = (J + dJ) a has one unknown. With a sensor the
-// two sides are measured apart.
-TEST(Confusions, TorqueConstantIsInertiaOnAFreeLoadOnly) {
+// On a free load all torque accelerates: (N Kt g i) = (J + dJ) a has one unknown, whatever is off.
+// With a sensor of gain s the sides are s tau = N Kt g i: one unknown too, and no inertia.
+TEST(Confusions, TorqueConstantIsInertiaOnAFreeLoadAndAGainBesideASensor) {
   Case made;
   EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"),
-            Names{"torque_constant_error"});
+            (Names{"torque_constant_error", "torque_gain_error", "current_gain_error"}));
+  EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"), Names{"reflected_inertia"});
   made.made.rig.load.type = LoadType::kFree;
-  EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"),
-            (Names{"torque_constant_error", "reflected_inertia"}));
+  const Names group = {"torque_constant_error", "reflected_inertia", "load_inertia_error",
+                       "current_gain_error"};
+  EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"), group);
+  EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"), group);
 }
 
-// A value that the rig does not call uncertain is true.
-TEST(Confusions, AnErrorOfTheRigNeedsTheRigsLeave) {
+// A value that the rig does not call uncertain may be wrong all the same.
+TEST(Confusions, AnErrorOfTheRigNeedsNoLeaveOfTheRig) {
   Case made;
   made.made.rig.load.type = LoadType::kPendulum;
-  EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"), Names{"reflected_inertia"});
-  made.made.rig.uncertain = {"/load/inertia_kg_m2"};
+  for (const std::vector<std::string>& uncertain :
+       {std::vector<std::string>{}, {"/load/inertia_kg_m2", "/load/mass_kg"}}) {
+    made.made.rig.uncertain = uncertain;
+    EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"),
+              (Names{"reflected_inertia", "load_inertia_error"}));
+    EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"),
+              (Names{"torque_constant_error", "load_mass_error", "current_gain_error"}));
+  }
+}
+
+// m a = N Kt g i - J a: on a linear axis mass and inertia are one as well.
+TEST(Confusions, MassIsInertiaOnALinearAxis) {
+  Case made;
+  made.made.rig.load.type = LoadType::kLinearAxis;
   EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"),
-            (Names{"reflected_inertia", "load_inertia_error"}));
-  EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"),
-            Names{"torque_constant_error"});
-  made.made.rig.uncertain = {"/load/mass_kg"};
-  EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"),
-            (Names{"torque_constant_error", "load_mass_error"}));
+            (Names{"torque_constant_error", "reflected_inertia", "load_mass_error",
+                   "current_gain_error"}));
+}
+
+// s_sensor tau and s_actuator tau are the same low pass of the same torque.
+TEST(Confusions, ALagIsTheSensorsOrTheActuatorsWhereASensorMeasuresTorque) {
+  Case made;
+  EXPECT_EQ(exact_identities(made.bench(), "torque_lag"), (Names{"torque_lag", "channel_lag"}));
+  EXPECT_NE(separated_by(made.bench(), {"torque_lag", "channel_lag"}).find("own response"),
+            std::string::npos);
+  made.made.rig.load.type = LoadType::kFree;
+  EXPECT_EQ(exact_identities(made.bench(), "torque_lag"), Names{"torque_lag"});
+}
+
+// Two gains that differ by the current's sign are no constant.
+TEST(Confusions, ACurrentsGainThatIsNamedIsNoConstant) {
+  Case made;
+  EXPECT_EQ(exact_identities(made.bench(), "current_gain_error"), Names{"current_gain_error"});
 }
 
 TEST(Confusions, FrictionHasNoIdentity) {

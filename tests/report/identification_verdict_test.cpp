@@ -76,8 +76,9 @@ TEST(VerdictSentence, SaysWhichEquationTheLogCannotTell) {
 }
 
 TEST(VerdictSentence, BlamesNotTheLibraryForWhatWasNotAsked) {
-  Identification found = identification_of(Verdict::kUnexplained,
-                                           {equation("output_torque_Nm", Verdict::kUnexplained)});
+  Identification found = identification_of(
+      Verdict::kUnexplained,
+      {varying_with(equation("output_torque_Nm", Verdict::kUnexplained), "time_s")});
   EXPECT_NE(verdict_sentence(found, true).find("no effect of the library explains"),
             std::string::npos);
   EXPECT_EQ(not_asked_sentence(found), "");
@@ -85,6 +86,25 @@ TEST(VerdictSentence, BlamesNotTheLibraryForWhatWasNotAsked) {
   EXPECT_NE(verdict_sentence(found, true).find("no effect that was asked explains"),
             std::string::npos);
   EXPECT_EQ(not_asked_sentence(found), "Not asked: a, b.");
+}
+
+// What varies with nothing that the model knows may be a sensor's noise: no model is wrong for it.
+TEST(VerdictSentence, CallsNoModelWrongForWhatGoesWithNothing) {
+  const Identification found = identification_of(
+      Verdict::kUnexplained, {equation("output_torque_Nm", Verdict::kUnexplained)});
+  const std::string said = verdict_sentence(found, true);
+  EXPECT_EQ(said.find("wrong"), std::string::npos);
+  EXPECT_NE(said.find("noise of a sensor that is not white"), std::string::npos);
+}
+
+TEST(VerdictSentence, SaysWhatNoLogOfSuchARigTellsAndWhatIsInDoubt) {
+  EquationResult torque = equation("output_torque_Nm", Verdict::kCannotTell, {"a", "b", "c"});
+  torque.confounded.push_back({{"b", "d"}, true, "", ""});
+  torque.added[2].doubt = "it raises the error";
+  EXPECT_EQ(
+      verdict_sentence(identification_of(Verdict::kCannotTell, {torque}), true),
+      "Missing from the model: a. No log of such a rig tells b and d apart. Not sure of c: it "
+      "raises the error.");
 }
 
 TEST(VerdictSentence, TellsOfALineOfTheData) {

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle: what the words mean. Sure is what no other may stand for and what makes the error of the
+// runs that no fit saw no larger; one name that is not sure, and the log cannot tell.
+#include "identification/findings/doubts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "identification/findings/verdict.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+NamedEffect named(const char* effect, const char* parameter, double before, double after) {
+  NamedEffect made;
+  made.effect = effect;
+  made.parameters[parameter] = 0.1;
+  made.holdout_rms_before = before;
+  made.holdout_rms_after = after;
+  return made;
+}
+
+EquationResult with_two(double first_after, double second_after) {
+  EquationResult result;
+  result.unit = "A";
+  result.is_noise_after = true;
+  result.before = {0.4, 0.4};
+  result.with_certain = {second_after, second_after};
+  result.added = {
+      named("viscous_friction", "viscous_Nm_s_rad", 0.4, first_after),
+      named("load_dependent_friction", "driving_coefficient", first_after, second_after)};
+  return result;
+}
+
+TEST(Doubts, AreNoneWhereEachNameLowersTheErrorAndNoneStandsForIt) {
+  EquationResult result = with_two(0.3, 0.1);
+  append_doubts(result);
+  doubt_what_does_harm(result);
+  EXPECT_EQ(certain_of(result).size(), 2u);
+  EXPECT_EQ(verdict_of(result, true), Verdict::kExplained);
+}
+
+TEST(Doubts, GroupsOfEitherKindLeaveNoNameSure) {
+  for (const bool exact : {false, true}) {
+    EquationResult result = with_two(0.3, 0.1);
+    result.confounded.push_back({{"torque_offset", "viscous_friction"}, exact, "", ""});
+    append_doubts(result);
+    EXPECT_FALSE(is_certain(result, "viscous_friction"));
+    EXPECT_TRUE(is_certain(result, "load_dependent_friction"));
+    EXPECT_EQ(verdict_of(result, true), Verdict::kCannotTell);
+  }
+}
+
+TEST(Doubts, FallOnANameThatRaisesTheHeldOutError) {
+  EquationResult result = with_two(0.41, 0.1);
+  append_doubts(result);
+  EXPECT_FALSE(is_certain(result, "viscous_friction"));
+  EXPECT_NE(result.added[0].doubt.find("0.4 -> 0.41 A"), std::string::npos);
+  EXPECT_TRUE(is_certain(result, "load_dependent_friction"));
+  EXPECT_EQ(verdict_of(result, true), Verdict::kCannotTell);
+}
+
+TEST(Doubts, FallOnAllThatIsSureWhereTogetherItDoesHarm) {
+  EquationResult result = with_two(0.3, 0.1);
+  result.with_certain.holdout_rms = 0.5;
+  doubt_what_does_harm(result);
+  EXPECT_TRUE(certain_of(result).empty());
+}
+
+TEST(Doubts, FallOnWhatASimulationFollowsWorseThanByNoise) {
+  const Errors stated{0.02, 0.02}, better{0.01, 0.01}, worse{0.03, 0.03};
+  EquationResult result = with_two(0.3, 0.1);
+  doubt_what_follows_worse(stated, better, 0.005, result);
+  doubt_what_follows_worse(stated, worse, 0.02, result);  // noise does as much
+  EXPECT_EQ(certain_of(result).size(), 2u);
+  doubt_what_follows_worse(stated, worse, 0.005, result);
+  EXPECT_TRUE(certain_of(result).empty());
+}
+
+// Times that are 2 % too long make accelerations 4 % too small, with any rotor.
+TEST(Doubts, FallOnAnInertiaBesideAVelocityOfAnotherScale) {
+  for (const double scale : {1.0004, 1.02}) {
+    EquationResult velocity;
+    velocity.added = {named("velocity_mismatch", "scale", 0.4, 0.1)};
+    velocity.added[0].parameters["scale"] = scale;
+    velocity.added[0].standard_error["scale"] = 0.0002;
+    EquationResult torque = with_two(0.3, 0.1);
+    torque.added.push_back(named("reflected_inertia", "inertia_kg_m2", 0.1, 0.05));
+    doubt_what_goes_with_scale(velocity, torque);
+    EXPECT_EQ(is_certain(torque, "reflected_inertia"), scale < 1.001);
+    EXPECT_TRUE(is_certain(torque, "viscous_friction"));
+  }
+}
+
+// N Kt g i = J a + b w: with g open, b and J are known over g only; a share of the load is not.
+TEST(Doubts, FallOnTorquesBesideATorqueConstantInDoubt) {
+  EquationResult result = with_two(0.3, 0.1);
+  result.added.push_back(named("torque_constant_error", "factor", 0.1, 0.05));
+  result.confounded.push_back({{"torque_constant_error", "load_inertia_error"}, true, "", ""});
+  append_doubts(result);
+  EXPECT_FALSE(is_certain(result, "viscous_friction"));
+  EXPECT_TRUE(is_certain(result, "load_dependent_friction"));
+}
+
+}  // namespace
+}  // namespace torquewright::identification
