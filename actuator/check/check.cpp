@@ -149,15 +149,14 @@ class Pass {
                hidden_motion_sentence(longest_step(), reader_.clock().origin_s(), "velocities"));
   }
 
-  /// A velocity that is a multiple of the slope has a finding of its own, which names the unit.
   void require_own_velocities(const std::vector<DriveReport>& drives) const {
     for (std::size_t i = 0; i < drives.size(); ++i) {
       for (const std::size_t joint : rows_.joints_of(i)) {
-        if (agreements_[joint].correlation() >= kAgreement) continue;
         const auto found = travels_[joint].contradiction(drives[i].no_load_speed_rad_s);
         if (!found) continue;
-        io::refuse(reader_.file(), contradiction_sentence(rows_.joints()[joint], *found,
-                                                          reader_.clock().origin_s()));
+        io::refuse(reader_.file(),
+                   contradiction_sentence(rows_.joints()[joint], *found, reader_.clock().origin_s(),
+                                          agreements_[joint]));
       }
     }
   }

@@ -9,6 +9,7 @@
 #include "actuator/check/report.hpp"
 #include "actuator/check/time_gap.hpp"
 #include "actuator/check/travel_agreement.hpp"
+#include "actuator/check/velocity_agreement.hpp"
 
 namespace torquewright::actuator {
 
@@ -37,9 +38,10 @@ bool hides_motion(const LongestStep& step);
 std::string hidden_motion_sentence(const LongestStep& step, double clock_origin_s,
                                    std::string_view rates);
 
-/// That the velocity of a joint is not the rate of its position, from where to where, and what can
-/// be done. Times are in the file's own clock.
+/// That the velocity of a joint is not the rate of its position, from where to where, why perhaps,
+/// and what can be done. Times are in the file's own clock.
 std::string contradiction_sentence(const std::string& joint,
-                                   const TravelContradiction& contradiction, double clock_origin_s);
+                                   const TravelContradiction& contradiction, double clock_origin_s,
+                                   const VelocityAgreement& agreement);
 
 }  // namespace torquewright::actuator
