@@ -69,8 +69,8 @@ bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_N
     interpretation_.worst = sample;
   }
   if (wants_speed_margin_) note_speed_margin(speed_rad_s, motor_Nm);
-  interpretation_.peak_torque_Nm = std::max(interpretation_.peak_torque_Nm, std::abs(motor_Nm));
-  torque_square_.add(time_s, motor_Nm * motor_Nm);
+  interpretation_.peak_torque_Nm = std::max(interpretation_.peak_torque_Nm, std::abs(torque_Nm));
+  torque_square_.add(time_s, torque_Nm * torque_Nm);
   add_demand(time_s, speed_rad_s, motor_Nm, range);
   ++samples_;
   last_s_ = time_s;
