@@ -233,6 +233,14 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
 
 }  // namespace
 
+Finding warmth_finding(const DriveReport& drive, const OperatingConditions& conditions) {
+  const WindingReport& winding = *drive.interpretation.winding;
+  return finding(drive, Severity::kNote, "winding-temperature",
+                 fmt::format("{}: held against its region with the winding at {:.4g} K, which it "
+                             "reaches in run {}; cold it passes (--winding-temperature)",
+                             drive.name, *conditions.winding_temperature_K, winding.runs));
+}
+
 std::optional<Finding> gap_finding(const LongestStep& step) {
   if (step.usual_s == 0.0 || step.duration_s <= kGap * step.usual_s) return std::nullopt;
   Finding result;
