@@ -88,7 +88,8 @@ std::string effects_table(const EquationResult& equation) {
         escaped(effect.effect), place,
         effect.replaces.empty() ? "" : escaped(", replaces " + effect.replaces), parameters,
         effect.holdout_rms_before, effect.holdout_rms_after, escaped(equation.unit),
-        escaped(effect.evidence + (effect.doubt.empty() ? "" : " Not sure: " + effect.doubt + ".")));
+        escaped(effect.evidence +
+                (effect.doubt.empty() ? "" : " Not sure: " + effect.doubt + ".")));
   }
   return text + "</table>\n";
 }

@@ -160,6 +160,23 @@ TEST(Rivals, FrictionBesideAMisstatedWheelIsOfNoSureSize) {
   EXPECT_FALSE(answer.has_refined);
 }
 
+// A heavier pendulum asks for all torque in proportion, as a weaker motor does.
+TEST(Rivals, APendulumOfAnotherMassIsNoTorqueConstantForSure) {
+  constexpr double kLength_m = 0.32, kStated_kg = 1.6, kTrue_kg = 1.71;
+  const auto current_A = [](int run, double t) {
+    const double torque_Nm =
+        kTrue_kg * kLength_m * (kLength_m * wave(run, t, 2) + 9.81 * std::sin(wave(run, t, 0)));
+    return torque_Nm / kNewtonMetresPerAmpere;
+  };
+  const Answer answer =
+      answer_to(log_of(current_A, no_sensor, 0.02), rig_of({{"type", "pendulum"},
+                                                            {"mass_kg", kStated_kg},
+                                                            {"length_m", kLength_m},
+                                                            {"inertia_kg_m2", 0}}));
+  expect_not_sure(answer);
+  EXPECT_TRUE(stands_in_a_group(answer.report, "torque_constant_error", "load_mass_error"));
+}
+
 double drive_current_A(int run, double t) {
   return 5.0 * std::sin(1.3 * t + run) + 2.5 * std::sin(3.7 * t + 2.0 * run);
 }
