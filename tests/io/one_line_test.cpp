@@ -52,6 +52,23 @@ TEST(OneLine, ReplacesWhatNoLineHolds) {
   EXPECT_EQ(one_line(""), "");
 }
 
+// Oracle: Unicode 15, the category Cc (C0, DEL, C1), its separators of lines and paragraphs, and
+// the embeddings, overrides and isolates of its annex 9; characters beside each range are none.
+TEST(OneLine, HoldsNoControlsOfTerminalsAndOfDirection) {
+  for (const std::string text :
+       {"\xC2\x80", "\xC2\x85", "\xC2\x9B", "\xC2\x9F", "\xE2\x80\xA8", "\xE2\x80\xA9",
+        "\xE2\x80\xAA", "\xE2\x80\xAE", "\xE2\x81\xA6", "\xE2\x81\xA9"}) {
+    EXPECT_NE(unprintable_in("k" + text), std::nullopt) << text;
+    EXPECT_EQ(one_line(text + "k"), "\xEF\xBF\xBDk") << text;
+  }
+  for (const std::string text :
+       {"~", "\xC2\xA0", "\xE2\x80\xA7", "\xE2\x80\xAF", "\xE2\x81\xA5", "\xE2\x81\xAA"}) {
+    EXPECT_EQ(unprintable_in(text), std::nullopt) << text;
+    EXPECT_EQ(one_line(text), text);
+  }
+  EXPECT_EQ(unprintable_in("\xC2\x9B"), "the character U+009B");
+}
+
 TEST(OneLine, NamesAFileAndItsStem) {
   EXPECT_EQ(name_in_text("a/k\xE9.json"), "a/k\xEF\xBF\xBD.json");
   EXPECT_EQ(stem_in_text("a\n/k\xE9.json"), "k\xEF\xBF\xBD");
