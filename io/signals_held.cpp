@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/signals_held.hpp"
 
+#include <initializer_list>
+
 namespace torquewright::io {
 
 SignalsHeld::SignalsHeld() {

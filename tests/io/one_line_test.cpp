@@ -30,6 +30,12 @@ TEST(OneLine, ReplacesWhatIsNoUtf8AsJsonDoes) {
             const std::size_t at = expected.find(missing);
             if (at != std::string::npos) expected.replace(at, 3, "\xEF\xBF\xBD");
           }
+          // The controls of C1, of two bytes each.
+          for (std::size_t at = 0; (at = expected.find('\xC2', at)) != std::string::npos; ++at) {
+            if (static_cast<unsigned char>(expected[at + 1]) <= 0x9F) {
+              expected.replace(at, 2, "\xEF\xBF\xBD");
+            }
+          }
           EXPECT_EQ(one_line(text), expected);
           EXPECT_EQ(unprintable_in(text).has_value(), one_line(text) != text);
         }
