@@ -56,7 +56,9 @@ void collect_keywords(const json& schema, std::vector<std::string>& keywords) {
   if (!schema.is_object()) return;
   for (const auto& [key, value] : schema.items()) {
     keywords.push_back(key);
-    if (key == "pattern") EXPECT_EQ(value, "\\S");  // "not blank": the only one that is known
+    if (key == "pattern") {
+      EXPECT_EQ(value, "\\S");  // "not blank": the only one that is known
+    }
     if (key == "properties" || key == "definitions") {
       for (const json& each : value) collect_keywords(each, keywords);
     } else if (key == "items" || key == "anyOf" || key == "additionalProperties") {
