@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/file_bytes.hpp"
+#include "io/file_limit.hpp"
 #include "io/named_files.hpp"
 #include "io/refusal.hpp"
 
