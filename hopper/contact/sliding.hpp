@@ -11,6 +11,8 @@ struct Sliding {
   /// (2 points x samples): unit vector of the mean velocity about the sample; 0: does not slide.
   Eigen::MatrixXd direction;
 
+  Eigen::MatrixXd braked_m_s2;  ///< (points x samples): how fast it loses that speed; 0: gains.
+
   bool slides(Eigen::Index point, Eigen::Index sample) const {
     return !direction.block<2, 1>(2 * point, sample).isZero(0.0);
   }
@@ -23,5 +25,20 @@ struct Sliding {
 /// could. Requires a motion whose rates are derived.
 Sliding find_sliding(const Robot& robot, const ContactRule& rule, const ContactSchedule& contacts,
                      const Motion& motion);
+
+// MuJoCo's default solimp: impedance from 0.9 at the surface to 0.95 a millimetre below it.
+constexpr double kSoftestImpedance = 0.9;
+constexpr double kStiffestImpedance = 0.95;
+
+/// How much acceleration soft ground reckons that a newton gives a point of a body: the mean over
+/// the directions of the inverse inertia at the body's centre of mass (MuJoCo's body_invweight0).
+/// In 1/kg; empty where a mechanism does not reach the posture.
+std::optional<double> mean_inverse_mass_1_kg(const Robot& robot, const Motion& motion,
+                                             std::size_t body, Eigen::Index sample);
+
+/// How fast a point may slip on soft ground whose friction holds it, eq. (31): by its friction and
+/// by how fast it is being stopped.
+double creep_m_s(double time_constant_s, double friction_N, double inverse_mass_1_kg,
+                 double braked_m_s2);
 
 }  // namespace torquewright::hopper

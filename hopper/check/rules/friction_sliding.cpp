@@ -52,6 +52,40 @@ Friction friction_at(const CheckedMotion& checked, const Sliding& sliding, Index
   return friction;
 }
 
+/// The most friction that may hold a point: its own where it is known, else what all points could
+/// have together, since they may share it in any way.
+double holding_N(const CheckedMotion& checked, const Sliding& sliding, Index point, Index sample) {
+  if (checked.motion.has_forces || !checked.demand.is_shared) {
+    const MatrixXd& forces_N =
+        checked.motion.has_forces ? checked.motion.forces_N : checked.demand.forces_N;
+    return std::max(0.0, -forces_N.block<2, 1>(3 * point, sample)
+                              .dot(sliding.direction.block<2, 1>(2 * point, sample)));
+  }
+  double normal_N = 0.0;
+  for (Index i = 0; i < checked.contacts.touches.rows(); ++i) {
+    normal_N += std::max(0.0, checked.demand.forces_N(3 * i + 2, sample));
+  }
+  return normal_N * checked.robot.contacts[static_cast<std::size_t>(point)].friction_coefficient;
+}
+
+/// What soft ground lets slip, eq. (31), does not slide.
+void let_creep(const CheckedMotion& checked, Sliding& sliding) {
+  const ContactRule& rule = checked.options.contact;
+  for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
+    for (Index i = 0; i < checked.contacts.touches.rows(); ++i) {
+      if (!sliding.slides(i, sample)) continue;
+      auto direction = sliding.direction.block<2, 1>(2 * i, sample);
+      const double speed_m_s = sliding.velocity_m_s.block<2, 1>(2 * i, sample).dot(direction);
+      const std::size_t body = checked.robot.contacts[static_cast<std::size_t>(i)].point.body;
+      const double creep =
+          creep_m_s(rule.time_constant_s, holding_N(checked, sliding, i, sample),
+                    mean_inverse_mass_1_kg(checked.robot, checked.motion, body, sample).value_or(0),
+                    sliding.braked_m_s2(i, sample));
+      if (speed_m_s <= rule.thresholds().speed_m_s + creep) direction.setZero();
+    }
+  }
+}
+
 /// What is lacking of the least that friction brakes with.
 struct Lacking {
   double mean_N = 0.0;  ///< Or Nm.
@@ -183,8 +217,9 @@ std::vector<Finding> friction_sliding(const CheckedMotion& checked) {
   std::vector<Finding> findings;
   if (!checked.demand.has_dynamics || checked.robot.contacts.empty()) return findings;
   if (auto pushed = pushed_in_impact(checked)) findings.push_back(std::move(*pushed));
-  const Sliding sliding =
+  Sliding sliding =
       find_sliding(checked.robot, checked.options.contact, checked.contacts, checked.motion);
+  let_creep(checked, sliding);
   if (!sliding.any()) return findings;
   std::optional<Lacking> lacking = lacking_in_file(checked, sliding);
   if (!lacking) lacking = left_unexplained(checked, sliding);

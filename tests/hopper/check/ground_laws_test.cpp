@@ -12,7 +12,7 @@
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/robot/robot_spec.hpp"
 
-namespace torquewright::hopper {
+namespace torquewright::hopper::ground_laws {
 namespace {
 
 using actuator::Severity;
@@ -149,7 +149,8 @@ struct Fall {
 };
 
 /// Falls from 0.2 m while it moves at `along`, leaves at `share` of its speed and `after` along,
-/// with two rows at the impact; 2 ms.
+/// with two rows at the impact,
+/// where it touches; 2 ms.
 Fall bounce(double share, double along_m_s = 0.0, double after_m_s = 0.0) {
   Fall fall{{}, std::sqrt(2.0 * kGravity * 0.2)};
   const double touch_s = fall.speed_m_s / kGravity;
@@ -160,6 +161,7 @@ Fall bounce(double share, double along_m_s = 0.0, double after_m_s = 0.0) {
          {along_m_s, -kGravity * t},
          {0, -kGravity}});
   }
+  fall.motion.breaks.push_back(fall.motion.samples());
   const double up_m_s = share * fall.speed_m_s;
   const double free = share > 0.0 ? 1.0 : 0.0;  // else it stays on the ground
   for (int i = 0; i <= 50; ++i) {
@@ -169,6 +171,9 @@ Fall bounce(double share, double along_m_s = 0.0, double after_m_s = 0.0) {
          {after_m_s, up_m_s - free * kGravity * t},
          {0, -free * kGravity}});
   }
+  fall.motion.has_touching = true;
+  fall.motion.touching.setZero(4, fall.motion.samples());
+  fall.motion.touching.middleCols(100, share > 0.0 ? 2 : 52).setOnes();
   return fall;
 }
 
@@ -264,4 +269,4 @@ TEST(FrictionSliding, IsOfTheFilesForcesToo) {
 }
 
 }  // namespace
-}  // namespace torquewright::hopper
+}  // namespace torquewright::hopper::ground_laws
