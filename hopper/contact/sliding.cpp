@@ -56,6 +56,23 @@ Index end_of_touch(const ContactSchedule& contacts, const Motion& motion, Index 
   return at;
 }
 
+/// Forces of derived accelerations are means over as many samples as these look at: at all of them
+/// the point must slide.
+void keep_whole_windows(const Motion& motion, Sliding& sliding) {
+  const MatrixXd direction = sliding.direction;
+  const auto slides = [&](Index point, Index sample) {
+    return !direction.block<2, 1>(2 * point, sample).isZero(0.0);
+  };
+  for (Index i = 0; 2 * i < direction.rows(); ++i) {
+    for (Index sample = 0; sample < motion.samples(); ++sample) {
+      const Index last = std::min(sample + motion.reach, motion.samples() - 1);
+      for (Index at = std::max<Index>(0, sample - motion.reach); at <= last; ++at) {
+        if (!slides(i, at)) sliding.direction.block<2, 1>(2 * i, sample).setZero();
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Sliding find_sliding(const Robot& robot, const ContactRule& rule, const ContactSchedule& contacts,
@@ -88,6 +105,7 @@ Sliding find_sliding(const Robot& robot, const ContactRule& rule, const ContactS
           std::max(0.0, -change_m_s.dot(direction) / (before_s + after_s));
     }
   }
+  if (motion.reach > 0) keep_whole_windows(motion, sliding);
   return sliding;
 }
 

@@ -22,7 +22,8 @@ struct Sliding {
 /// A point slides that touches for longer than the ground's time constant before and after a
 /// sample, with no impact between, and moves along the ground on the mean of each of the two
 /// faster than what counts as touching: soft ground would have stopped it by then if its friction
-/// could. Requires a motion whose rates are derived.
+/// could. Where accelerations are derived it slides at all samples that they look at. Requires a
+/// motion whose rates are derived.
 Sliding find_sliding(const Robot& robot, const ContactRule& rule, const ContactSchedule& contacts,
                      const Motion& motion);
 

@@ -94,17 +94,22 @@ struct Lacking {
   double time_s = 0.0;
 };
 
-/// No forces that brake what slides explain the motion.
+/// No forces that brake what slides explain the motion, beyond what is left anyhow.
 std::optional<Lacking> left_unexplained(const CheckedMotion& checked, const Sliding& sliding) {
   const MatrixXd left = left_by_sliding(checked.robot, checked.motion, checked.contacts,
                                         sliding.direction, checked.demand.residual);
-  const BaseResidual residual = base_residual(checked, left);
+  const BaseResidual braked = base_residual(checked, left);
+  const BaseResidual anyhow = base_residual(checked);
   std::optional<Lacking> worst;
-  for (const ResidualPeak* peak : {&residual.force, &residual.moment, &residual.passive}) {
-    if (!(peak->mean > peak->limit)) continue;
-    if (worst && peak->mean / peak->limit <= worst->mean_N / worst->limit_N) continue;
-    worst = Lacking{peak->mean, peak->limit, peak == &residual.force ? "N" : "Nm", peak->time_s};
-  }
+  const auto note = [&](const ResidualPeak& peak, const ResidualPeak& without, const char* unit) {
+    const double limit = peak.limit + without.mean;
+    if (!(peak.mean > limit)) return;
+    if (worst && peak.mean / limit <= worst->mean_N / worst->limit_N) return;
+    worst = Lacking{peak.mean, limit, unit, peak.time_s};
+  };
+  note(braked.force, anyhow.force, "N");
+  note(braked.moment, anyhow.moment, "Nm");
+  note(braked.passive, anyhow.passive, "Nm");
   return worst;
 }
 
