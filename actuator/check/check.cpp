@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <utility>
 
 #include "actuator/check/drive_rows.hpp"
 #include "actuator/check/findings.hpp"
@@ -149,15 +151,14 @@ class Pass {
                hidden_motion_sentence(longest_step(), reader_.clock().origin_s(), "velocities"));
   }
 
-  /// A velocity that is a multiple of the slope has a finding of its own, which names the unit.
   void require_own_velocities(const std::vector<DriveReport>& drives) const {
     for (std::size_t i = 0; i < drives.size(); ++i) {
       for (const std::size_t joint : rows_.joints_of(i)) {
-        if (agreements_[joint].correlation() >= kAgreement) continue;
         const auto found = travels_[joint].contradiction(drives[i].no_load_speed_rad_s);
         if (!found) continue;
-        io::refuse(reader_.file(), contradiction_sentence(rows_.joints()[joint], *found,
-                                                          reader_.clock().origin_s()));
+        io::refuse(reader_.file(),
+                   contradiction_sentence(rows_.joints()[joint], *found, reader_.clock().origin_s(),
+                                          agreements_[joint]));
       }
     }
   }
@@ -212,8 +213,40 @@ class Pass {
   LongestStep longest_;
 };
 
+/// The request with windings as warm as they become, where nobody said how warm they are; empty
+/// where none is warmer than its region was asked at.
+std::optional<CheckRequest> once_warm(const CheckRequest& request, const CheckReport& report) {
+  CheckRequest warm = request;
+  bool is_warmer = false;
+  for (std::size_t i = 0; i < request.drives.size(); ++i) {
+    const auto& winding = report.drives[i].interpretation.winding;
+    const CheckedDrive& drive = request.drives[i];
+    if (!winding || drive.conditions.winding_temperature_K) continue;
+    const double asked_K = winding_temperature_K(*drive.actuator, drive.conditions);
+    if (!std::isfinite(winding->peak_K) || winding->peak_K < asked_K + kSteady_K) continue;
+    OperatingConditions& conditions = warm.drives[i].conditions;
+    conditions.winding_temperature_K = winding->peak_K;
+    if (!objections(*drive.actuator, conditions).empty()) conditions = drive.conditions;
+    is_warmer = is_warmer || conditions.winding_temperature_K.has_value();
+  }
+  return is_warmer ? std::optional(std::move(warm)) : std::nullopt;
+}
+
 }  // namespace
 
-CheckReport check(const CheckRequest& request) { return Pass(request).run(); }
+/// What passes cold and fails in the last run's heat fails.
+CheckReport check(const CheckRequest& request) {
+  CheckReport report = Pass(request).run();
+  if (report.verdict == Verdict::kFail) return report;
+  const std::optional<CheckRequest> warm = once_warm(request, report);
+  if (!warm) return report;
+  CheckReport hot = Pass(*warm).run();
+  if (hot.verdict != Verdict::kFail) return report;
+  for (std::size_t i = 0; i < hot.drives.size(); ++i) {
+    if (hot.drives[i].verdict != Verdict::kFail) continue;
+    hot.findings.push_back(warmth_finding(hot.drives[i], warm->drives[i].conditions));
+  }
+  return hot;
+}
 
 }  // namespace torquewright::actuator

@@ -54,8 +54,10 @@ void DriveCheck::add(double time_s, double speed_rad_s, double torque_Nm,
   const double rotor_Nm = armature_kg_m2_ * acceleration_rad_s2;
   const bool is_excluded = options_.inertia == InertiaConvention::kExcluded;
   const double read_Nm = is_excluded ? torque_Nm + rotor_Nm : torque_Nm;
-  const bool is_outside = interpretation_.add(time_s, speed_rad_s, read_Nm);
-  if (with_inertia_) with_inertia_->add(time_s, speed_rad_s, torque_Nm + rotor_Nm);
+  const bool is_outside = interpretation_.add(time_s, speed_rad_s, read_Nm, acceleration_rad_s2);
+  if (with_inertia_) {
+    with_inertia_->add(time_s, speed_rad_s, torque_Nm + rotor_Nm, acceleration_rad_s2);
+  }
   if (options_.keep_trace) trace_.add({time_s, speed_rad_s, read_Nm, is_outside});
 }
 

@@ -140,19 +140,33 @@ void add_speed(const DriveReport& drive, std::vector<Finding>& findings) {
   findings.push_back(std::move(result));
 }
 
+/// What a velocity that is so many times the position's slope looks like.
+std::string cause_of(double factor) {
+  constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+  struct Known {
+    double factor;
+    const char* cause;
+  };
+  static constexpr Known kKnown[] = {
+      {kDegrees, "; it seems to be in degrees, the position in rad"},
+      {1.0 / kDegrees, "; the position seems to be in degrees"},
+      {60.0 / kTurn_rad, "; it seems to be in revolutions per minute, the position in rad"},
+      {1.0 / kTurn_rad, "; it seems to be in turns, the position in rad"},
+      {kTurn_rad, "; the position seems to be in turns"},
+      {-1.0, "; their signs differ"}};
+  for (const Known& known : kKnown) {
+    if (std::abs(factor / known.factor - 1.0) < kFactorTolerance) return known.cause;
+  }
+  return "";
+}
+
 void add_agreement(const DriveReport& drive, std::vector<Finding>& findings) {
   const double factor = drive.velocity_over_slope;
   const bool is_plain = factor <= kPlainFactor && factor >= 1.0 / kPlainFactor;
   if (is_plain || drive.velocity_correlation < kAgreement) return;
-  std::string sentence =
-      fmt::format("{}: the velocity is {:.4g} times d(position)/dt", drive.name, factor);
-  const auto is_about = [factor](double known) {
-    return std::abs(factor / known - 1.0) < kFactorTolerance;
-  };
-  if (is_about(kDegrees)) sentence += "; it seems to be in degrees, the position in rad";
-  if (is_about(1.0 / kDegrees)) sentence += "; the position seems to be in degrees";
-  if (is_about(-1.0)) sentence += "; their signs differ";
-  findings.push_back(finding(drive, Severity::kWarning, "velocity-mismatch", sentence));
+  findings.push_back(finding(drive, Severity::kWarning, "velocity-mismatch",
+                             fmt::format("{}: the velocity is {:.4g} times d(position)/dt{}",
+                                         drive.name, factor, cause_of(factor))));
 }
 
 void add_torque(const DriveReport& drive, std::vector<Finding>& findings) {
@@ -219,6 +233,14 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
 
 }  // namespace
 
+Finding warmth_finding(const DriveReport& drive, const OperatingConditions& conditions) {
+  const WindingReport& winding = *drive.interpretation.winding;
+  return finding(drive, Severity::kNote, "winding-temperature",
+                 fmt::format("{}: held against its region with the winding at {:.4g} K, which it "
+                             "reaches in run {}; cold it passes (--winding-temperature)",
+                             drive.name, *conditions.winding_temperature_K, winding.runs));
+}
+
 std::optional<Finding> gap_finding(const LongestStep& step) {
   if (step.usual_s == 0.0 || step.duration_s <= kGap * step.usual_s) return std::nullopt;
   Finding result;
@@ -252,16 +274,20 @@ std::string hidden_motion_sentence(const LongestStep& step, double clock_origin_
 }
 
 std::string contradiction_sentence(const std::string& joint,
-                                   const TravelContradiction& contradiction,
-                                   double clock_origin_s) {
+                                   const TravelContradiction& contradiction, double clock_origin_s,
+                                   const VelocityAgreement& agreement) {
+  const double factor = agreement.factor();
+  const std::string cause =
+      agreement.correlation() >= kAgreement
+          ? fmt::format("it is {:.4g} times d(position)/dt{}", factor, cause_of(factor))
+          : "is one of the columns dead, late, another joint's, or a position noisy?";
   return fmt::format(
-      "the velocity of {} is not the rate of its position: from t = {:.6g} s to {:.6g} s the "
-      "position changes by {:.4g} rad and the integral of the velocity by {:.4g} rad; is one of "
-      "the "
-      "columns dead, late or another joint's? Mend it or leave it out: without a velocity the "
-      "slopes of the position are taken",
+      "the velocity of {0} is not the rate of its position: from t = {1:.6g} s to {2:.6g} s the "
+      "position changes by {3:.4g} rad and the integral of the velocity by {4:.4g} rad; {5}. Mend "
+      "the column that is wrong (--column states a unit and a factor), or take {0}'s velocity out "
+      "of the file: then the slopes of the position are taken",
       joint, clock_origin_s + contradiction.from_s, clock_origin_s + contradiction.until_s,
-      contradiction.position_change_rad, contradiction.velocity_integral_rad);
+      contradiction.position_change_rad, contradiction.velocity_integral_rad, cause);
 }
 
 std::vector<Finding> findings_of(const std::vector<DriveReport>& drives) {

@@ -9,6 +9,8 @@
 #include "actuator/check/report.hpp"
 #include "actuator/check/time_gap.hpp"
 #include "actuator/check/travel_agreement.hpp"
+#include "actuator/check/velocity_agreement.hpp"
+#include "actuator/region/operating_conditions.hpp"
 
 namespace torquewright::actuator {
 
@@ -27,6 +29,9 @@ constexpr double kImplausibleSpeed = 3.0;
 /// Nobody knows what a leg did in a longer step: it can have made a stance of its own.
 constexpr double kMostUnseen_s = 0.1;
 
+/// That a drive was held against its region with the winding as warm as it becomes.
+Finding warmth_finding(const DriveReport& drive, const OperatingConditions& conditions);
+
 std::optional<Finding> gap_finding(const LongestStep& step);
 
 /// Longer than both, so that slopes across it are no motion's.
@@ -37,9 +42,10 @@ bool hides_motion(const LongestStep& step);
 std::string hidden_motion_sentence(const LongestStep& step, double clock_origin_s,
                                    std::string_view rates);
 
-/// That the velocity of a joint is not the rate of its position, from where to where, and what can
-/// be done. Times are in the file's own clock.
+/// That the velocity of a joint is not the rate of its position, from where to where, why perhaps,
+/// and what can be done. Times are in the file's own clock.
 std::string contradiction_sentence(const std::string& joint,
-                                   const TravelContradiction& contradiction, double clock_origin_s);
+                                   const TravelContradiction& contradiction, double clock_origin_s,
+                                   const VelocityAgreement& agreement);
 
 }  // namespace torquewright::actuator

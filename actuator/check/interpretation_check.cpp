@@ -35,7 +35,8 @@ std::optional<double> finite(double value) {
 CheckBasis::CheckBasis(const Actuator& checked, const OperatingConditions& conditions)
     : actuator(&checked),
       temperature_K(winding_temperature_K(checked, conditions)),
-      lookup(checked, conditions),
+      rotor(checked),
+      lookup(rotor.behind_any_teeth(checked), conditions),
       heat(heat_model(checked)) {}
 
 InterpretationCheck::InterpretationCheck(const CheckBasis& basis, bool wants_speed_margin)
@@ -43,26 +44,34 @@ InterpretationCheck::InterpretationCheck(const CheckBasis& basis, bool wants_spe
   if (basis.heat) heat_.emplace(*basis.heat);
 }
 
-bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_Nm) {
+bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_Nm,
+                              double acceleration_rad_s2) {
   const RegionLookup& lookup = basis_->lookup;
-  const TorqueRange range = lookup.at(speed_rad_s, torque_Nm);
-  const bool is_outside = lookup.is_outside(range, torque_Nm);
+  const auto [motor_Nm, teeth_Nm] = basis_->rotor.of(speed_rad_s, torque_Nm, acceleration_rad_s2);
+  const TorqueRange range = lookup.at(speed_rad_s, motor_Nm);
+  const double teeth_excess_Nm = std::abs(teeth_Nm) - basis_->actuator->transmission.peak_torque_Nm;
+  const double motor_excess_Nm = range.excess_Nm(motor_Nm);
+  const bool is_outside =
+      lookup.is_outside(range, motor_Nm) || teeth_excess_Nm > lookup.round_off_Nm();
+  const bool is_by_teeth = teeth_excess_Nm > motor_excess_Nm;
+  const WorstSample sample{time_s, speed_rad_s, is_by_teeth ? teeth_Nm : motor_Nm,
+                           {},     0.0,         is_by_teeth ? Limiter::kGear : Limiter::kCurrent};
   if (samples_ == 0) first_s_ = time_s;
   if (is_outside && interpretation_.clipped_samples++ == 0) {
     basis_of_first_ = basis_;
-    interpretation_.first = WorstSample{time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
+    interpretation_.first = sample;
   }
   clipped_.add(time_s, is_outside ? 1.0 : 0.0);
-  const double excess_Nm = range.excess_Nm(torque_Nm);
+  const double excess_Nm = std::max(motor_excess_Nm, teeth_excess_Nm);
   if (excess_Nm > worst_excess_Nm_) {
     worst_excess_Nm_ = excess_Nm;
     basis_of_worst_ = basis_;
-    interpretation_.worst = {time_s, speed_rad_s, torque_Nm, {}, 0.0, Limiter::kCurrent};
+    interpretation_.worst = sample;
   }
-  if (wants_speed_margin_) note_speed_margin(speed_rad_s, torque_Nm);
+  if (wants_speed_margin_) note_speed_margin(speed_rad_s, motor_Nm);
   interpretation_.peak_torque_Nm = std::max(interpretation_.peak_torque_Nm, std::abs(torque_Nm));
   torque_square_.add(time_s, torque_Nm * torque_Nm);
-  add_demand(time_s, speed_rad_s, torque_Nm, range);
+  add_demand(time_s, speed_rad_s, motor_Nm, range);
   ++samples_;
   last_s_ = time_s;
   return is_outside;
@@ -115,8 +124,18 @@ void InterpretationCheck::add_heat(double time_s, double square_A2) {
   last_square_A2_ = square_A2;
 }
 
+/// A sample whose teeth bear more than its motor lacks.
+WorstSample InterpretationCheck::in_the_teeth(WorstSample sample, const CheckBasis& basis) {
+  const double most_Nm = basis.actuator->transmission.peak_torque_Nm;
+  const double excess_Nm = std::abs(sample.torque_Nm) - most_Nm;
+  sample.limit_Nm = std::copysign(most_Nm, sample.torque_Nm);
+  sample.excess_Nm = excess_Nm > basis.lookup.round_off_Nm() ? excess_Nm : 0.0;
+  return sample;
+}
+
 /// A sample with the bound of the region itself.
 WorstSample InterpretationCheck::exactly(WorstSample sample, const CheckBasis& basis) {
+  if (sample.limiter == Limiter::kGear) return in_the_teeth(sample, basis);
   const JointRange range = basis.lookup.exact(sample.speed_rad_s);
   if (range.is_empty) {
     sample.limiter = range.why_empty;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "actuator/check/demand.hpp"
+#include "actuator/check/geared_torque.hpp"
 #include "actuator/check/integral.hpp"
 #include "actuator/check/region_lookup.hpp"
 #include "actuator/check/report.hpp"
@@ -19,7 +20,8 @@ struct CheckBasis {
 
   const Actuator* actuator;
   double temperature_K;
-  RegionLookup lookup;
+  RotorBeforeMesh rotor;
+  RegionLookup lookup;  ///< Of the motor: what the teeth bear is no part of it.
   std::optional<HeatModel> heat;
 };
 
@@ -32,8 +34,9 @@ class InterpretationCheck {
   /// Holds the samples that follow against this basis, of the same actuator on another bus.
   void use(const CheckBasis& basis) { basis_ = &basis; }
 
-  /// Times ascend. True if the sample lies outside the region.
-  bool add(double time_s, double speed_rad_s, double torque_Nm);
+  /// Times ascend; the torque is at the joint, with all inertia of rotor and gears. True if the
+  /// sample lies outside the region or loads the teeth too much.
+  bool add(double time_s, double speed_rad_s, double torque_Nm, double acceleration_rad_s2);
 
   CheckedInterpretation finish(std::size_t runs, double pause_s) const;
 
@@ -50,6 +53,7 @@ class InterpretationCheck {
   void add_heat(double time_s, double square_A2);
   void add_continuous(double pause_s, CheckedInterpretation& result) const;
   static WorstSample exactly(WorstSample sample, const CheckBasis& basis);
+  static WorstSample in_the_teeth(WorstSample sample, const CheckBasis& basis);
 
   const CheckBasis* basis_;
   const CheckBasis* basis_of_worst_;

@@ -92,24 +92,23 @@ class SeriesPass {
     const SharedBus* bus = bus_of(static_cast<std::size_t>(drive));
     const actuator::PhaseModel model = actuator::phase_model_at(actuator, options_.conditions);
     const double temperature_K = winding_temperature_K(actuator, options_.conditions);
-    const actuator::RegionLookup own(actuator, options_.conditions);
+    const actuator::CheckBasis own(actuator, options_.conditions);
     actuator::BusLevels levels(actuator, options_.conditions);
     Eigen::MatrixXd found = Eigen::MatrixXd::Constant(6, motion_.samples(), kNone);
     for (Index sample = 0; sample < motion_.samples(); ++sample) {
-      const double speed_rad_s =
-          demand()
-              .drives[static_cast<std::size_t>(drive)][static_cast<std::size_t>(sample)]
-              .speed_rad_s;
-      const double torque_Nm = report_.torques_Nm(drive, sample);
-      const actuator::RegionLookup& lookup =
-          bus != nullptr ? levels.at(bus->voltage_V[sample]).lookup : own;
-      const actuator::TorqueRange range = lookup.at(speed_rad_s, torque_Nm);
+      const DriveInstant& at =
+          demand().drives[static_cast<std::size_t>(drive)][static_cast<std::size_t>(sample)];
+      const actuator::CheckBasis& basis = bus != nullptr ? levels.at(bus->voltage_V[sample]) : own;
+      const double motor_Nm =
+          basis.rotor.of(at.speed_rad_s, report_.torques_Nm(drive, sample), at.acceleration_rad_s2)
+              .motor_Nm;
+      const actuator::TorqueRange range = basis.lookup.at(at.speed_rad_s, motor_Nm);
       if (!range.is_empty) {
         found.col(sample).segment<3>(3) << range.least_Nm, range.greatest_Nm,
-            -range.excess_Nm(torque_Nm);
+            -range.excess_Nm(motor_Nm);
       }
       const auto asked =
-          actuator::demand_at(actuator, model, temperature_K, speed_rad_s, torque_Nm);
+          actuator::demand_at(actuator, model, temperature_K, at.speed_rad_s, motor_Nm);
       if (!asked) continue;
       found.col(sample).head<2>() << asked->current_A, asked->bus_power_W;
       found(2, sample) =

@@ -106,8 +106,11 @@ class OneJoint {
       const double lever = kMass_kg * kReach_m + extra_kg * kMountReach_m;
       const double torque = inertia * a - lever * kGravity * std::cos(q);
       peak = std::max(peak, std::abs(torque));
-      margin = std::min({margin, greatest(w) - torque, torque - least(w)});
-      const double current = motor_torque(torque, w) / shop.kt;
+      // Newton's law of the rotor: the motor turns it before the mesh, the mesh bears the rest.
+      const double before = before_mesh(torque - rotor * a, w) + rotor * a;
+      const double asked = after_mesh(before, w);
+      margin = std::min({margin, greatest(w) - asked, asked - least(w)});
+      const double current = (before + drag(w)) / (n_ * shop.kt);
       const double square = current * current;
       const double power = shop.ohm * square + shop.kt * current * ratio * w;
       if (i > 0) {
@@ -127,13 +130,14 @@ class OneJoint {
   double drag(double w) const {
     return w == 0.0 ? 0.0 : std::copysign(shop_.coulomb_Nm + shop_.viscous * std::abs(w), w);
   }
-  double motor_torque(double torque, double w) const {
-    const double mesh = torque * w > 0.0 ? torque / shop_.forward : torque * shop_.backward;
-    return (mesh + drag(w)) / n_;
+  double before_mesh(double torque, double w) const {
+    return torque * w > 0.0 ? torque / shop_.forward : torque * shop_.backward;
+  }
+  double after_mesh(double torque, double w) const {
+    return torque * w > 0.0 ? torque * shop_.forward : torque / shop_.backward;
   }
   double on_load(double current, double w, double friction) const {
-    const double mesh = n_ * shop_.kt * current - friction;
-    return mesh * w > 0.0 ? mesh * shop_.forward : mesh / shop_.backward;
+    return after_mesh(n_ * shop_.kt * current - friction, w);
   }
   double greatest(double w) const {
     const double free = (shop_.volt - shop_.kt * n_ * w) / shop_.ohm;

@@ -175,13 +175,13 @@ class DriveWithEffects : public testing::TestWithParam<Case> {
 
   void SetUp() override { region.emplace(drive, actuator::OperatingConditions{}, kShared); }
 
-  /// Calls `at(bus_V, speed, true range)`; voltages are BusLevels' own.
+  /// Calls `at(bus_V, speed, true range)`, of motor and teeth; voltages are BusLevels' own.
   template <typename At>
   void over_the_grid(const At& at) {
     actuator::BusLevels levels(drive, {});
     const double fastest_rad_s = 3.1 * region->greatest_speed_rad_s();
     for (const double share : {0.45, 0.617, 0.783, 0.95, 1.0, 1.151, 1.289}) {
-      const actuator::Region& truth = levels.at(share * open_V).lookup.region();
+      const actuator::Region truth(*levels.at(share * open_V).actuator, {});
       for (int i = -170; i <= 170; ++i) {
         const double speed_rad_s = fastest_rad_s * i / 170.0 * std::abs(i / 170.0);
         is_at_nose = truth.at((1.0 + PlannedRegion::kNose) * speed_rad_s).is_empty;

@@ -171,8 +171,6 @@ TEST(Check, WarnsOfDegreesUnderAHeaderInRad) {
   Checked checked;
   const CheckReport report = checked.report(motion(100, nullptr, in_degrees, steady_5));
   EXPECT_TRUE(has_finding(report, "speed-implausible", Severity::kWarning));
-  const CheckReport both = checked.report(motion(100, swing, in_degrees, steady_5));
-  EXPECT_TRUE(has_finding(both, "velocity-mismatch", Severity::kWarning));
   const CheckReport plain = checked.report(motion(100, swing, swing_rate, steady_5));
   EXPECT_FALSE(has_finding(plain, "speed-implausible", Severity::kWarning));
   EXPECT_FALSE(has_finding(plain, "velocity-mismatch", Severity::kWarning));
@@ -180,7 +178,7 @@ TEST(Check, WarnsOfDegreesUnderAHeaderInRad) {
 
 double standing(double) { return 0.0; }
 
-// A dead velocity is no speed within the region; an existing finding names multiples of the slope.
+// A dead velocity is no speed within the region, and degrees are no radians.
 TEST(Check, RefusesAVelocityThatIsNotTheRateOfThePosition) {
   Checked checked;
   EXPECT_NE(checked.refusal(motion(100, swing, standing, steady_5))
@@ -189,7 +187,30 @@ TEST(Check, RefusesAVelocityThatIsNotTheRateOfThePosition) {
   EXPECT_NE(checked.refusal(motion(100, standing, swing_rate, steady_5))
                 .find("position changes by 0 rad"),
             std::string::npos);
-  EXPECT_EQ(checked.refusal(motion(100, swing, in_degrees, steady_5)), "");
+  EXPECT_NE(checked.refusal(motion(100, swing, in_degrees, steady_5)).find("in degrees"),
+            std::string::npos);
+}
+
+// Oracle: closed form. 10 Nm ask 10 A for ever: 25 K (1 + 0.004 d) settle at d = 27.8 K, where 0.5
+// ohm are 0.5556: cold 10 Nm end at 48 - 5 = 43 rad/s, then at 42.44.
+TEST(Check, HoldsAWarmWindingAgainstItsOwnRegion) {
+  Actuator actuator = test::simple_actuator();
+  actuator.thermal = Thermal{0.2, 0.3, 20.0, 200.0, 380.0, 300.0};
+  actuator.motor.winding_temperature_K = 300.0;
+  actuator.effects.push_back(
+      {find_effect("winding_resistance_temperature"), {0.004}, {}, false, ""});
+  Checked checked(actuator);
+  const std::string text = motion(
+      10, nullptr, [](double) { return 42.7; }, [](double) { return 10.0; });
+  EXPECT_EQ(checked.report(text).verdict, Verdict::kPass);
+  checked.request().runs = 100000;
+  const CheckReport warm = checked.report(text);
+  EXPECT_EQ(warm.verdict, Verdict::kFail);
+  EXPECT_NEAR(*warm.drives[0].interpretation.voltage_margin_V,
+              48.0 - 42.7 - 5.0 * (1.0 + 0.004 * 25.0 / 0.9), 1e-6);
+  EXPECT_TRUE(has_finding(warm, "winding-temperature", Severity::kNote));
+  checked.request().drives[0].conditions.winding_temperature_K = 300.0;  // who says so means it
+  EXPECT_EQ(checked.report(text).verdict, Verdict::kPass);
 }
 
 // Oracle: closed form. 20 Nm ask 20 A for ever; 0.5 ohm * 400 A^2 = 200 W (dc) over 0.5 K/W in all

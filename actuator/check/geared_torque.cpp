@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "actuator/check/geared_torque.hpp"
+
+#include <cmath>
+
+#include "actuator/check/drive_check.hpp"
+#include "actuator/region/gear_losses.hpp"
+
+namespace torquewright::actuator {
+
+RotorBeforeMesh::RotorBeforeMesh(const Actuator& actuator)
+    : rotor_kg_m2_(armature_kg_m2(actuator) - actuator.transmission.inertia_kg_m2),
+      driving_(after_mesh_Nm(actuator, 1.0, 1.0)),
+      driven_(after_mesh_Nm(actuator, 1.0, -1.0)) {}
+
+GearedTorque RotorBeforeMesh::of(double speed_rad_s, double torque_Nm,
+                                 double acceleration_rad_s2) const {
+  const double rotor_Nm = rotor_kg_m2_ * acceleration_rad_s2;
+  const double teeth_Nm = torque_Nm - rotor_Nm;
+  if (rotor_Nm == 0.0 || !std::isfinite(driven_)) return {torque_Nm, teeth_Nm};
+  // A joint at rest turns the way it is accelerated.
+  const double direction = speed_rad_s == 0.0 ? acceleration_rad_s2 : speed_rad_s;
+  const double before_Nm = teeth_Nm / factor(teeth_Nm, direction) + rotor_Nm;
+  return {before_Nm * factor(before_Nm, direction), teeth_Nm};
+}
+
+Actuator RotorBeforeMesh::behind_any_teeth(Actuator actuator) const {
+  if (std::isfinite(driven_)) actuator.transmission.peak_torque_Nm = kUnlimited;
+  return actuator;
+}
+
+}  // namespace torquewright::actuator
