@@ -3,13 +3,12 @@
 
 #include <cmath>
 
-#include "actuator/check/drive_check.hpp"
-#include "actuator/region/gear_losses.hpp"
+#include "actuator/region/torque_at.hpp"
 
 namespace torquewright::actuator {
 
 RotorBeforeMesh::RotorBeforeMesh(const Actuator& actuator)
-    : rotor_kg_m2_(armature_kg_m2(actuator) - actuator.transmission.inertia_kg_m2),
+    : rotor_kg_m2_(reflected_inertia_kg_m2(actuator) - actuator.transmission.inertia_kg_m2),
       driving_(after_mesh_Nm(actuator, 1.0, 1.0)),
       driven_(after_mesh_Nm(actuator, 1.0, -1.0)) {}
 

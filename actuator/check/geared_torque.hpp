@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "actuator/motor/actuator.hpp"
+#include "actuator/region/gear_losses.hpp"
 
 namespace torquewright::actuator {
 
