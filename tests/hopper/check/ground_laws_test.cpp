@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "hopper/check/hopper_check.hpp"
+#include "hopper/contact/sliding.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/robot/robot_spec.hpp"
 
@@ -266,6 +267,20 @@ TEST(FrictionSliding, IsOfTheFilesForcesToo) {
   const std::vector<Finding> findings = found(block(), motion, "friction-sliding");
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_NEAR(*findings[0].value, (0.2 + kFriction / std::sqrt(2.0)) * kWeight_N, 1e-6);
+}
+
+// MuJoCo's law of a constraint, a1 = (1 - d) a0 + d (-b u) with b = 2/(0.95 T), d = 0.9 and
+// a0 = a1 + F w: what friction takes off.
+TEST(FrictionSliding, LeavesCreepToSoftGround) {
+  const double time_constant_s = 0.03;
+  const double friction_N = 120.0;
+  const double inverse_mass_1_kg = 4.0;
+  for (const double braked_m_s2 : {0.0, 7.0}) {
+    const double speed_m_s = creep_m_s(time_constant_s, friction_N, inverse_mass_1_kg, braked_m_s2);
+    const double free_m_s2 = -braked_m_s2 + friction_N * inverse_mass_1_kg;
+    const double b = 2.0 / (0.95 * time_constant_s);
+    EXPECT_NEAR(-braked_m_s2, 0.1 * free_m_s2 - 0.9 * b * speed_m_s, 1e-9);
+  }
 }
 
 }  // namespace
