@@ -2,12 +2,12 @@
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <utility>
 
 #include "io/direct_output.hpp"
 #include "io/refusal.hpp"
+#include "io/signals_held.hpp"
 #include "io/spec_error.hpp"
 #include "io/staged_file.hpp"
 
@@ -15,27 +15,6 @@ namespace torquewright::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array kEnding{SIGINT,  SIGTERM, SIGHUP,  SIGQUIT,  SIGALRM,
-                             SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM};
-
-/// Signals that would end the program wait while files are being replaced: those written together
-/// are all there afterwards, or none.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t held;
-    ::sigemptyset(&held);
-    for (const int signal : kEnding) ::sigaddset(&held, signal);
-    ::pthread_sigmask(SIG_BLOCK, &held, &before_);
-  }
-  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t before_;
-};
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
   if (a.empty() || b.empty()) return false;  // no file at all

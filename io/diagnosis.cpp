@@ -27,6 +27,7 @@ class Diagnosis {
     if (schema.contains("anyOf")) visit_alternatives(value, schema["anyOf"], path);
     if (!has_expected_type(value, schema)) return report_type(value, schema, path);
     visit_choice(value, schema, path);
+    if (value.is_string()) visit_text(value, schema, path);
     if (value.is_number()) visit_range(value, schema, path);
     if (value.is_array()) visit_list(value, schema, path);
     if (value.is_object()) visit_object(value, schema, path);
@@ -101,6 +102,14 @@ class Diagnosis {
       choices.push_back(as_written(choice));
     }
     report(path, fmt::format("{} is not one of {}", as_written(value), listed(choices)));
+  }
+
+  /// The one pattern there is: something that is not blank.
+  void visit_text(const json& text, const json& schema, const std::string& path) {
+    if (!schema.contains("pattern")) return;
+    if (text.get_ref<const std::string&>().find_first_not_of(" \f\n\r\t\v") == std::string::npos) {
+      report(path, fmt::format("{} is blank, must hold a character", as_written(text)));
+    }
   }
 
   void visit_range(const json& value, const json& schema, const std::string& path) {

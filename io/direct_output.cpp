@@ -82,6 +82,18 @@ std::optional<int> named_descriptor(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
+std::optional<std::string> stream_into(const std::filesystem::path& file) {
+  struct stat named {
+  }, stream{};
+  if (::stat(file.c_str(), &named) != 0 || !S_ISREG(named.st_mode)) return std::nullopt;
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_open = ::fstat(descriptor, &stream) == 0;
+    if (!is_open || stream.st_dev != named.st_dev || stream.st_ino != named.st_ino) continue;
+    return descriptor == STDOUT_FILENO ? "standard output" : "standard error";
+  }
+  return std::nullopt;
+}
+
 void require_open(const std::filesystem::path& file) {
   const std::optional<int> named = named_descriptor(file);
   if (!named) return;

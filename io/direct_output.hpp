@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace torquewright::io {
@@ -11,6 +12,10 @@ namespace torquewright::io {
 /// /dev/stderr, /dev/fd/N, /proc/self/fd/N. What stands behind it is written into from where it
 /// is, as by the shell's `>>`, be it a file, a pipe or a device.
 std::optional<int> named_descriptor(const std::filesystem::path& file);
+
+/// "standard output" or "standard error", where that leads into the file at this path: replaced,
+/// the file would lose what is said there.
+std::optional<std::string> stream_into(const std::filesystem::path& file);
 
 /// Throws SpecError where the path names a descriptor that is not open for writing.
 void require_open(const std::filesystem::path& file);

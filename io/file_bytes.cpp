@@ -29,11 +29,13 @@ std::string read_file_bytes(const std::filesystem::path& file) {
     const ssize_t count = ::read(open.descriptor(), chunk.data(), chunk.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse_unreadable(file.string(), errno);
-    if (count == 0) return bytes;
+    if (count == 0) break;
     bytes.append(chunk, 0, static_cast<std::size_t>(count));
     // Pipes and devices do not tell their size beforehand.
     if (bytes.size() > kMaxFileBytes) refuse(file.string(), "holds more than the allowed 64 MiB");
   }
+  if (!S_ISREG(open.status().st_mode)) remember_names(file, bytes);
+  return bytes;
 }
 
 }  // namespace torquewright::io

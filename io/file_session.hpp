@@ -4,12 +4,14 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <string_view>
 
 namespace torquewright::io {
 
 /// One run of a program: while it lasts, every file that is opened for reading is remembered, and
-/// none of them is replaced by an output, under whatever name (docs/decisions/0016). At most one at
-/// a time; without one, as in a library's hands, files are read and written as they come.
+/// none of them is replaced by an output, nor any file to which one of them leads by the names that
+/// documents hold, read or not, under whatever name (docs/decisions/0016). At most one at a time;
+/// without one, as in a library's hands, files are read and written as they come.
 class FileSession {
  public:
   FileSession();
@@ -39,7 +41,10 @@ class InputFile {
 /// such limit.
 inline constexpr int kWriterPatience_s = 5;
 
-/// Whether the file at that path was read in this session.
+/// For a document whose text cannot be read again, from a pipe: the files that it names are inputs.
+void remember_names(const std::filesystem::path& document, std::string_view text);
+
+/// Whether the file at that path was read in this session, or what was read leads to it.
 bool is_input(const std::filesystem::path& file);
 /// The same of what is open as that descriptor.
 bool is_input(int descriptor);

@@ -10,9 +10,17 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
+/// What ends a line, moves a terminal's cursor, or turns the order of the text around it.
+bool is_control(std::uint32_t c) {
+  const bool is_c0_or_c1 = c < 0x20 || (c >= 0x7F && c <= 0x9F);
+  const bool ends_line = c == 0x2028 || c == 0x2029;
+  const bool turns = (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
+  return is_c0_or_c1 || ends_line || turns;
+}
+
 bool is_printable(const Utf8Part& part) {
-  return part.is_character && part.code_point >= 0x20 && part.code_point != 0x7F &&
-         part.code_point != 0xFFFE && part.code_point != 0xFFFF;
+  return part.is_character && !is_control(part.code_point) && part.code_point != 0xFFFE &&
+         part.code_point != 0xFFFF;
 }
 
 }  // namespace

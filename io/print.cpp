@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "io/file_session.hpp"
 #include "io/spec_error.hpp"
@@ -13,8 +14,10 @@
 namespace torquewright::io {
 
 void print(const std::string& text) {
-  if (is_input(STDOUT_FILENO)) {
-    throw SpecError({{"standard output", "", "leads into an input, which would be lost"}});
+  for (const auto& [descriptor, name] :
+       {std::pair{STDOUT_FILENO, "standard output"}, std::pair{STDERR_FILENO, "standard error"}}) {
+    if (!is_input(descriptor)) continue;
+    throw SpecError({{name, "", "leads into an input, which would be lost"}});
   }
   if (std::fputs(text.c_str(), stdout) != EOF && std::fflush(stdout) == 0) return;
   const std::string reason = std::generic_category().message(errno);

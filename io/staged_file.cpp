@@ -40,6 +40,13 @@ int write_to_disk(int descriptor, std::string_view content) {
   return error == 0 && ::fsync(descriptor) != 0 ? errno : error;
 }
 
+/// Whether the system says so of the path (chattr): STATX_ATTR_APPEND, STATX_ATTR_IMMUTABLE.
+bool is_marked(const fs::path& path, std::uint64_t attributes) {
+  struct statx status {};
+  return ::statx(AT_FDCWD, path.c_str(), 0, STATX_BASIC_STATS, &status) == 0 &&
+         (status.stx_attributes & attributes) != 0;
+}
+
 /// A name in that folder that nobody else has.
 fs::path temporary_in(const fs::path& folder) {
   static std::random_device entropy;
@@ -49,6 +56,12 @@ fs::path temporary_in(const fs::path& folder) {
 
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// Where a name can be given and never be taken away again: what stands there stays.
+void refuse_append_only_folder(const Target& target) {
+  if (!target.exists || !is_marked(folder_of(target.path), STATX_ATTR_APPEND)) return;
+  refuse_output(target.file, "its folder is marked as append-only, and nothing in it is replaced");
 }
 
 }  // namespace
@@ -65,6 +78,9 @@ Target::Target(const fs::path& the_file) : file(the_file), path(the_file) {
     path = fs::canonical(file);
   }
   if (is_input(path)) refuse_output(file, "it is an input, which would be lost");
+  if (const auto stream = stream_into(path); stream && !is_direct) {
+    refuse_output(file, fmt::format("it is what {} leads into, which would be lost", *stream));
+  }
 }
 
 void require_writable(const Target& target) {
@@ -80,12 +96,10 @@ void require_writable(const Target& target) {
   if (::lstat(target.path.c_str(), &status) != 0 && errno != ENOENT) {
     refuse_output(target.file, reason(errno));
   }
-  struct statx attributes {};
-  const bool is_known =
-      ::statx(AT_FDCWD, target.path.c_str(), 0, STATX_BASIC_STATS, &attributes) == 0;
-  if (is_known && (attributes.stx_attributes & (STATX_ATTR_IMMUTABLE | STATX_ATTR_APPEND)) != 0) {
+  if (is_marked(target.path, STATX_ATTR_IMMUTABLE | STATX_ATTR_APPEND)) {
     refuse_output(target.file, "it is marked as immutable");
   }
+  refuse_append_only_folder(target);
 }
 
 StagedFile::StagedFile(Target target, std::string_view content)
@@ -104,6 +118,7 @@ StagedFile::~StagedFile() {
 }
 
 void StagedFile::stage() {
+  refuse_append_only_folder(target_);
   open();
   keep_owner_and_mode();
   const int error = write_to_disk(descriptor_, content_);
@@ -114,6 +129,9 @@ void StagedFile::open() {
   const fs::path folder = folder_of(target_.path);
   descriptor_ = ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, kNewFileMode);
   while (descriptor_ < 0) {
+    if (is_marked(folder, STATX_ATTR_APPEND)) {  // a temporary name would stay
+      refuse_output(target_.file, "its folder is marked as append-only");
+    }
     const fs::path name = temporary_in(folder);
     descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kNewFileMode);
     if (descriptor_ >= 0) temporary_ = name;

@@ -34,13 +34,17 @@ void add_noise(const Demand& demand, BaseResidual& residual) {
 }  // namespace
 
 BaseResidual base_residual(const CheckedMotion& checked) {
+  return base_residual(checked, checked.demand.residual);
+}
+
+BaseResidual base_residual(const CheckedMotion& checked, const Eigen::MatrixXd& left) {
   const Demand& demand = checked.demand;
   BaseResidual residual;
   residual.window_s = checked.options.residual_window_s;
   residual.force.limit = checked.options.residual_share * demand.weight_N;
   residual.moment.limit = residual.force.limit * demand.size_m;
   residual.passive.limit = residual.moment.limit;
-  if (!demand.has_dynamics || demand.residual.rows() == 0) return residual;
+  if (!demand.has_dynamics || left.rows() == 0) return residual;
   const RowKinds& rows = demand.rows;
   add_noise(demand, residual);
   const auto note_all = [&](const Eigen::VectorXd& mean, double time_s) {
@@ -50,12 +54,12 @@ BaseResidual base_residual(const CheckedMotion& checked) {
   };
   // A motion shorter than the window is one; one without duration has its samples alone.
   const double window_s = std::min(residual.window_s, checked.motion.duration_s());
-  RunningIntegral integral(checked.motion.times_s, demand.residual);
+  RunningIntegral integral(checked.motion.times_s, left);
   for (const Jolt& jolt : demand.jolts) integral.add_impulse(jolt.sample, jolt.residual);
   for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
     const double time_s = checked.motion.time_s(sample);
     if (!(window_s > 0.0)) {
-      note_all(demand.residual.col(sample), time_s);
+      note_all(left.col(sample), time_s);
     } else if (sample == 0 || time_s + window_s <= checked.motion.times_s.back()) {
       note_all(integral.over(sample, window_s) / window_s, time_s);
     }

@@ -26,4 +26,7 @@ struct BaseResidual {
 /// docs/derivations/whole_body_check.md eq. (11).
 BaseResidual base_residual(const CheckedMotion& checked);
 
+/// The same of another residual (free rows x samples) in the place of the demand's.
+BaseResidual base_residual(const CheckedMotion& checked, const Eigen::MatrixXd& left);
+
 }  // namespace torquewright::hopper

@@ -11,7 +11,7 @@ namespace torquewright::hopper {
 namespace {
 
 // From what a rigid contact shows to the radius of a foot; speeds up to any.
-constexpr std::array kHeights_m{2e-3, 1e-4, 5e-4, 1e-3, 4e-3, 8e-3, 16e-3, 32e-3};
+constexpr std::array kHeights_m{2e-3, 1e-4, 5e-4, 1e-3, 4e-3, 8e-3, 16e-3, kHighestTouch_m};
 constexpr std::array kSpeeds_m_s{
     0.1, 0.02, 0.05, 0.2, 0.5, 1.0, std::numeric_limits<double>::infinity()};
 constexpr double kHardlyMore = 0.05;         // of the least that any pair leaves,

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/momentum.hpp"
@@ -30,6 +32,10 @@ constexpr double kKnownForce = 0.1;   // weights: a guide that is off by more co
 constexpr double kFarGuide = 1e-5;    // of forces far away, which must not move the base,
 constexpr double kFarAway = 10.0;     // in weights, and times the forces there are
 constexpr Index kDoubtSamples = 300;  // at which the doubt of shared forces is found
+
+// Of a point that slides: straight against it, and at the edges of a pyramid that stands askew.
+constexpr Index kBrakes = 3;
+constexpr double kFarthestBrake_rad = 0.25 * std::numbers::pi;
 
 /// Walks through a motion sample by sample; everything it works in is allocated once.
 class DemandPass {
@@ -80,7 +86,54 @@ class DemandPass {
     return {rms.begin(), rms.end()};
   }
 
+  MatrixXd left_by_sliding(const MatrixXd& direction, const MatrixXd& residual) {
+    ConeLeastSquares solver(kBrakes * points_);
+    MatrixXd left = residual;
+    set(0);
+    measure_robot();
+    for (Index sample = 0; sample < motion_.samples(); ++sample) {
+      if (direction.col(sample).isZero(0.0)) continue;
+      set(sample);
+      note_centroid(sample);
+      ask(sample);
+      const Index count =
+          gather_contacts([&](Index i) { return contacts_.may_press(i, sample); }, sample);
+      gather_columns(count);
+      const Index cones = replace_by_brakes(count, direction.col(sample));
+      rows_.take(force_, asked_);
+      const auto columns = braking_.leftCols(3 * cones);
+      const auto status =
+          solver.solve(columns, asked_.cwiseQuotient(scales_), braking_friction_.head(cones));
+      if (status != ConeLeastSquares::Status::kSolved) continue;  // its best is no proof
+      left.col(sample) = asked_ - scales_.cwiseProduct(columns * solver.x());
+    }
+    return left;
+  }
+
  private:
+  /// Of points that slide the brakes' forces a newton of normal force each, in the place of their
+  /// cones; how many cones that makes. A brake is the axis of a cone whose tangents do nothing.
+  Index replace_by_brakes(Index count, const VectorXd& direction) {
+    braking_.setZero(scaled_.rows(), 3 * kBrakes * points_);
+    braking_friction_.setOnes(kBrakes * points_);
+    Index cones = 0;
+    for (Index k = 0; k < count; ++k) {
+      const Eigen::Vector2d slip = direction.segment<2>(2 * touching_[static_cast<std::size_t>(k)]);
+      const auto columns = scaled_.middleCols(3 * k, 3);
+      if (slip.isZero(0.0)) {
+        braking_.middleCols(3 * cones, 3) = columns;
+        braking_friction_[cones++] = friction_[k];
+        continue;
+      }
+      for (Index brake = 0; brake < kBrakes; ++brake) {
+        const double turned_rad = kFarthestBrake_rad * static_cast<double>(brake - 1);
+        const Eigen::Vector2d force = -friction_[k] * (Eigen::Rotation2Dd(turned_rad) * slip);
+        braking_.col(3 * cones++ + 2) = columns * Vector3d(force.x(), force.y(), 1.0);
+      }
+    }
+    return cones;
+  }
+
   /// Schedules that agree at the sample share their answer.
   void add_unexplained(Index sample, const std::vector<Touching>& schedules, VectorXd& squares) {
     VectorXd found = VectorXd::Zero(squares.size());
@@ -457,6 +510,7 @@ class DemandPass {
              contacts_.height_m(i, sample) <= contacts_.near_ground_m;
     };
     const Index count = gather_contacts(feels, sample);
+    note_velocities(count, sample, jolt);
     if (count > 0) {
       rows_.take(impulse, asked_);
       share_out(count, asked_, std::sqrt(demand_.size_m / robot_gravity()));
@@ -468,6 +522,30 @@ class DemandPass {
     }
     finish_jolt(change, contact, impulse - contact, jolt);
     demand_.jolts.push_back(std::move(jolt));
+  }
+
+  /// Of the touching points, beside a jump.
+  void note_velocities(Index count, Index sample, Jolt& jolt) {
+    jolt.before_m_s.setZero(3 * points_);
+    jolt.after_m_s.setZero(3 * points_);
+    jolt.beside_m_s.setZero(points_);
+    const Index reach = std::max<Index>(1, motion_.reach);
+    Index first = sample - 1;
+    while (first > 0 && sample - 1 - first < reach && !motion_.is_break(first)) --first;
+    Index last = sample;
+    while (last + 1 < motion_.samples() && last - sample < reach && !motion_.is_break(last + 1)) {
+      ++last;
+    }
+    const auto at = [&](Index k, Index of) -> Vector3d {
+      return jacobians_.middleCols(3 * k, 3).transpose() * motion_.velocities.col(of);
+    };
+    for (Index k = 0; k < count; ++k) {
+      const Index point = touching_[static_cast<std::size_t>(k)];
+      jolt.before_m_s.segment<3>(3 * point) = at(k, sample - 1);
+      jolt.after_m_s.segment<3>(3 * point) = at(k, sample);
+      jolt.beside_m_s[point] =
+          (at(k, sample - 1) - at(k, first)).norm() + (at(k, last) - at(k, sample)).norm();
+    }
   }
 
   double robot_gravity() const { return std::max(robot_.tree.gravity_m_s2, 1e-3); }
@@ -505,6 +583,8 @@ class DemandPass {
   MatrixXd jacobians_;  ///< Transposed, three columns a touching point.
   MatrixXd columns_;    ///< Their free rows.
   MatrixXd scaled_;
+  MatrixXd braking_;  ///< Those with brakes in the place of what slides,
+  VectorXd braking_friction_;
   VectorXd friction_;
   VectorXd asked_;
   VectorXd force_;
@@ -531,6 +611,11 @@ std::vector<double> unexplained_shares(const Robot& robot, const Motion& motion,
                                        const ContactSchedule& contacts,
                                        const std::vector<Touching>& schedules) {
   return DemandPass(robot, motion, contacts).unexplained(schedules);
+}
+
+MatrixXd left_by_sliding(const Robot& robot, const Motion& motion, const ContactSchedule& contacts,
+                         const MatrixXd& direction, const MatrixXd& residual) {
+  return DemandPass(robot, motion, contacts).left_by_sliding(direction, residual);
 }
 
 }  // namespace torquewright::hopper

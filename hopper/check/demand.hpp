@@ -14,7 +14,12 @@ namespace torquewright::hopper {
 struct Jolt {
   Eigen::Index sample = 0;  ///< The first after it.
   double time_s = 0.0;
-  Eigen::VectorXd impulses_N_s;  ///< (3 points x 1), world's axes.
+  Eigen::VectorXd impulses_N_s;  ///< (3 points x 1), world's axes; so the next two.
+  Eigen::VectorXd before_m_s;    ///< Of the points that may feel it, others 0, in the posture
+  Eigen::VectorXd after_m_s;     ///< after it: impulses times their mean are the ground's work.
+  /// (points x 1): by how much that velocity changes in the steps before and after the jump (in as
+  /// many as derived rates look at): so far before and after are known.
+  Eigen::VectorXd beside_m_s;
   Eigen::VectorXd contact_Nm_s;  ///< By drive, at its output: J^T of the impulses.
   Eigen::VectorXd rotor_Nm_s;    ///< By drive: what changes its rotor's speed, at its output.
   Eigen::VectorXd drive_Nm_s;    ///< By drive: what else the jump asks of its motor. Zero where
@@ -71,5 +76,13 @@ Demand demand_of(const Robot& robot, const Motion& motion, const ContactSchedule
 std::vector<double> unexplained_shares(const Robot& robot, const Motion& motion,
                                        const ContactSchedule& contacts,
                                        const std::vector<Touching>& schedules);
+
+/// The residual (free rows x samples) where some points slide, (2 points x samples) unit vectors or
+/// 0: what is left when those press with forces that brake them alone, by the whole friction
+/// coefficient times the normal force or as little of it as a pyramid has across its edges, 1 over
+/// the root of 2. docs/derivations/whole_body_check.md eq. (30).
+Eigen::MatrixXd left_by_sliding(const Robot& robot, const Motion& motion,
+                                const ContactSchedule& contacts, const Eigen::MatrixXd& direction,
+                                const Eigen::MatrixXd& residual);
 
 }  // namespace torquewright::hopper

@@ -142,6 +142,11 @@ void leave_open(const std::vector<actuator::DriveReport>& drives, std::vector<Fi
   }
 }
 
+/// What touches where no ground may be leaves open all that follows from its forces.
+bool is_open(const Finding& finding) {
+  return finding.rule == "contact-above-ground" && finding.severity == Severity::kWarning;
+}
+
 Verdict verdict_of(const HopperReport& whole) {
   const actuator::CheckReport& report = whole.check;
   const bool violates =
@@ -153,10 +158,12 @@ Verdict verdict_of(const HopperReport& whole) {
         [verdict](const actuator::DriveReport& drive) { return drive.verdict == verdict; });
   };
   if (violates || some(Verdict::kFail)) return Verdict::kFail;
-  const bool is_open =
+  const bool is_load_open =
       std::any_of(whole.transmission_loads.begin(), whole.transmission_loads.end(),
                   [](const TransmissionLoad& load) { return load.verdict == Verdict::kUndecided; });
-  const bool is_undecided = some(Verdict::kUndecided) || is_open || report.drives.empty();
+  const bool is_undecided =
+      some(Verdict::kUndecided) || is_load_open || report.drives.empty() ||
+      std::any_of(report.findings.begin(), report.findings.end(), is_open);
   return is_undecided ? Verdict::kUndecided : Verdict::kPass;
 }
 

@@ -13,6 +13,10 @@ struct ContactThresholds {
   double speed_m_s = 0.1;  ///< and moves no faster up or down.
 };
 
+/// The highest that any motion's points are tried at, the radius of a foot: what touches by a file
+/// may lie so high where nothing is stated.
+constexpr double kHighestTouch_m = 32e-3;
+
 /// What is said of that: the rest is searched for (hopper/check/contact_search.hpp).
 struct ContactRule {
   double ground_height_m = 0.0;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "hopper/files/feet.hpp"
 #include "hopper/files/mended_inertia.hpp"
@@ -34,16 +35,16 @@ bool is_mendable(const std::vector<DraftBody>& draft) {
   });
 }
 
-bool carries_another(const std::vector<dynamics::Body>& bodies, std::size_t index) {
-  return std::any_of(bodies.begin() + static_cast<std::ptrdiff_t>(index) + 1, bodies.end(),
-                     [&](const dynamics::Body& next) { return next.parent == index; });
+/// By body.
+std::vector<bool> carries_another(const std::vector<dynamics::Body>& bodies) {
+  std::vector<bool> carries(bodies.size(), false);
+  for (std::size_t i = 1; i < bodies.size(); ++i) carries[bodies[i].parent] = true;
+  return carries;
 }
 
-std::string objection_to(const std::vector<dynamics::Body>& bodies, std::size_t index) {
-  const dynamics::RigidInertia& inertia = bodies[index].inertia;
+std::string objection_to(const dynamics::RigidInertia& inertia, bool carries_another) {
   if (inertia.mass_kg > 0) return inertia_objection(inertia.inertia_kg_m2).value_or("");
-  if (carries_another(bodies, index)) return "";
-  return "has no mass, and moves";
+  return carries_another ? "" : "has no mass, and moves";
 }
 
 }  // namespace
@@ -61,11 +62,14 @@ void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Impo
   }
   add_feet(draft, imported.robot);
   const bool is_fixed = tree.base == dynamics::BaseKind::kFixed;
+  const std::vector<bool> carries = carries_another(tree.bodies);
+  std::optional<bool> mendable;  // looked at once, where something is wrong
   for (std::size_t i = is_fixed ? 1 : 0; i < tree.bodies.size(); ++i) {
-    std::string objection = objection_to(tree.bodies, i);
+    std::string objection = objection_to(tree.bodies[i].inertia, carries[i]);
     if (objection.empty() || draft[i].source == nullptr) continue;
     objection = fmt::format("body \"{}\": {}", tree.bodies[i].name, objection);
-    if (!options.mends_inertias && is_mendable(draft)) {
+    if (!mendable) mendable = !options.mends_inertias && is_mendable(draft);
+    if (*mendable) {
       objection += "; --mend-inertias mends what rounding explains";
     }
     faults.report(*draft[i].source, objection);

@@ -5,16 +5,27 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 
 #include "hopper/find_name.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
-std::optional<std::size_t> read_end(const UrdfTree& tree, const Element& joint, const char* which,
-                                    Faults& faults) {
+/// Index of a link by its name; the first of two that are called alike.
+using Links = std::unordered_map<std::string, std::size_t>;
+
+Links links_by_name(const UrdfTree& tree) {
+  Links links;
+  for (std::size_t i = 0; i < tree.names.size(); ++i) links.emplace(tree.names[i], i);
+  return links;
+}
+
+std::optional<std::size_t> read_end(const UrdfTree& tree, const Links& links, const Element& joint,
+                                    const char* which, Faults& faults) {
   const Element* element = faults.only_child(joint, which);
   const std::string wanted = element == nullptr ? "" : attribute(*element, "link");
+  if (const auto known = links.find(wanted); known != links.end()) return known->second;
   std::vector<io::Fault> found;
   const auto link = find_name(tree.names, wanted, "link", {"", "", ""}, found);
   if (!link) faults.report(joint, found.back().message);
@@ -22,10 +33,11 @@ std::optional<std::size_t> read_end(const UrdfTree& tree, const Element& joint, 
 }
 
 void read_ends(const Element& robot, UrdfTree& tree, Faults& faults) {
+  const Links links = links_by_name(tree);
   for (const Element* joint : children(robot, "joint")) {
     const std::string name = faults.needed(*joint, "name");
-    const auto parent = read_end(tree, *joint, "parent", faults);
-    const auto child = read_end(tree, *joint, "child", faults);
+    const auto parent = read_end(tree, links, *joint, "parent", faults);
+    const auto child = read_end(tree, links, *joint, "child", faults);
     if (parent && child) tree.ends.push_back({name, "", *parent, *child});
     if (!tree.joints.emplace(name, joint).second) faults.report(*joint, "its name stands twice");
   }
@@ -34,11 +46,10 @@ void read_ends(const Element& robot, UrdfTree& tree, Faults& faults) {
 
 /// That no joint carries; the first of several, the others are faults of the tree.
 std::size_t root_link(const Element& robot, const UrdfTree& tree, Faults& faults) {
-  for (std::size_t i = 0; i < tree.links.size(); ++i) {
-    const bool is_carried = std::any_of(tree.ends.begin(), tree.ends.end(),
-                                        [&](const Ends& ends) { return ends.child == i; });
-    if (!is_carried) return i;
-  }
+  std::vector<bool> is_carried(tree.links.size(), false);
+  for (const Ends& ends : tree.ends) is_carried[ends.child] = true;
+  const auto root = std::find(is_carried.begin(), is_carried.end(), false);
+  if (root != is_carried.end()) return static_cast<std::size_t>(root - is_carried.begin());
   faults.report(robot, "every link is carried by a joint: a closed loop is no tree");
   faults.refuse();
   return 0;

@@ -69,9 +69,8 @@ void Vocabulary::check_word(const Element& element, Words::Kind kind, const std:
   } else if (words->meaning == Meaning::kNeutral) {
     neutral_.insert(word);
   } else if (words->meaning == Meaning::kForce) {
-    auto& places = forces_[word];
     const std::string where = place_of(place, element);
-    if (std::find(places.begin(), places.end(), where) == places.end()) places.push_back(where);
+    if (places_.emplace(word, where).second) forces_[word].push_back(where);
   }
 }
 

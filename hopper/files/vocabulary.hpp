@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hopper/files/xml.hpp"
@@ -53,6 +54,7 @@ class Vocabulary {
   Faults* faults_;
   std::set<std::string> neutral_;
   std::map<std::string, std::vector<std::string>> forces_;  ///< Where, by what.
+  std::set<std::pair<std::string, std::string>> places_;    ///< What and where, of these.
 };
 
 }  // namespace torquewright::hopper

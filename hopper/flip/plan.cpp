@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/flip/plan.hpp"
 
+#include <chrono>
+
 #include "hopper/flip/explanation.hpp"
 #include "hopper/flip/plan_search.hpp"
 

@@ -84,6 +84,10 @@ class RobotReader {
     std::vector<std::string> found;
     for (const json& entry : list(key)) {
       const std::string name = entry["name"];
+      if (name.find_first_not_of(' ') == std::string::npos) {
+        report(fmt::format("/{}/{}/name", key, found.size()),
+               fmt::format("\"{}\" is blank, must hold a character", name));
+      }
       if (std::find(found.begin(), found.end(), name) != found.end()) {
         report(fmt::format("/{}/{}/name", key, found.size()),
                fmt::format("\"{}\" is the name of another {} already", name, what));

@@ -34,14 +34,16 @@ std::vector<Place> tree_order(const std::vector<std::string>& bodies, std::size_
                               const std::vector<Ends>& joints, const std::string& file,
                               std::vector<io::Fault>& faults) {
   const std::vector<const Ends*> carried_by = carriers(bodies.size(), base, joints, file, faults);
+  std::vector<std::vector<const Ends*>> carries(bodies.size());  // in the order of the joints
+  for (const Ends& joint : joints) carries[joint.parent].push_back(&joint);
   std::vector<Place> order{{base, nullptr}};
   std::vector<bool> is_placed(bodies.size(), false);
   is_placed[base] = true;
   for (std::size_t next = 0; next < order.size(); ++next) {
-    for (const Ends& joint : joints) {
-      if (joint.parent != order[next].body || is_placed[joint.child]) continue;
-      is_placed[joint.child] = true;
-      order.push_back({joint.child, &joint});  // of two carriers the one that leads here
+    for (const Ends* joint : carries[order[next].body]) {
+      if (is_placed[joint->child]) continue;
+      is_placed[joint->child] = true;
+      order.push_back({joint->child, joint});  // of two carriers the one that leads here
     }
   }
   for (std::size_t body = 0; body < bodies.size(); ++body) {

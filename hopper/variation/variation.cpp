@@ -250,7 +250,13 @@ Robot varied(const Robot& robot, const Variable& variable, double value) {
   }
   Robot changed = robot;
   if (variable.quantity == Quantity::kMass) {
-    require_legal(variable, variable.is_factor ? value * mass_kg(robot) : value);
+    const double changed_kg = variable.is_factor ? value * mass_kg(robot) : value;
+    if (!std::isfinite(changed_kg)) {
+      io::refuse(variable.name, fmt::format("{:g} times the robot's mass is beyond all numbers "
+                                            "that are computed with",
+                                            value));
+    }
+    require_legal(variable, changed_kg);
     scale_mass(changed, value / variable.present);
     return changed;
   }

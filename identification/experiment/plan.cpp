@@ -213,14 +213,14 @@ class PlanSearch {
     std::vector<double> best(mix_parameters(frame_), 0.5);
     double best_worth = worth(mixed(best));
     std::mt19937_64 random(options_.seed);
-    for (std::size_t k = 1; k < options_.candidates; ++k) {
+    for (std::size_t k = 1; k < tries_; ++k) {
       const std::vector<double> mix = next_mix(best, k, random);
       const double other_worth = worth(mixed(mix));
       if (other_worth <= best_worth) continue;
       best_worth = other_worth;
       best = mix;
     }
-    plan_.tried += options_.candidates;
+    plan_.tried += tries_;
     return best;
   }
 
@@ -231,7 +231,7 @@ class PlanSearch {
     optimization::FitOptions options;
     options.method = optimization::FitMethod::kSubspaces;
     options.starts = 1;
-    options.most_evaluations = options_.candidates;
+    options.most_evaluations = tries_;
     const optimization::LocalFit fit = optimization::fit_locally(
         [this](std::span<const double> mix) {
           return -worth(mixed(std::vector<double>(mix.begin(), mix.end())));
@@ -265,7 +265,7 @@ class PlanSearch {
   std::vector<double> next_mix(const std::vector<double>& best, std::size_t number,
                                std::mt19937_64& random) const {
     std::vector<double> mix(best.size());
-    const bool is_near = 2 * number >= options_.candidates;
+    const bool is_near = 2 * number >= tries_;
     for (std::size_t i = 0; i < mix.size(); ++i) {
       const double drawn = uniform(random);
       mix[i] = is_near ? std::clamp(best[i] + kNeighbour * (2.0 * drawn - 1.0), 0.0, 1.0) : drawn;
@@ -301,6 +301,7 @@ class PlanSearch {
   }
 
   const PlanOptions& options_;
+  const std::size_t tries_ = tries_of(options_);
   ExcitationLimits limits_;
   ExcitationFrame frame_;
   std::map<Quantity, double> noise_;
@@ -317,6 +318,11 @@ bool Plan::is_separable() const {
   return unseen.empty() &&
          std::all_of(parameters.begin(), parameters.end(),
                      [](const PlannedParameter& each) { return each.is_separable; });
+}
+
+std::size_t tries_of(const PlanOptions& options) {
+  const auto in_time = static_cast<std::size_t>(kMostTried_s / options.duration_s);
+  return std::min(options.candidates, std::max<std::size_t>(2, in_time));
 }
 
 Plan plan_excitation(const Rig& rig, const actuator::Actuator& actuator,

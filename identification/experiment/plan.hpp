@@ -17,8 +17,9 @@ struct PlanOptions {
   double duration_s = 40.0;
   RigLimits limits;
   std::map<Quantity, double> noise;  ///< Standard deviations; else typical ones (plan_trial.hpp).
-  std::size_t candidates = 24;       ///< Drawn; the best of them is then refined as often.
-  std::uint64_t seed = 1;            ///< Of the random search.
+  /// Drawn; the best of them is then refined as often. Fewer of long ones: see tries_of().
+  std::size_t candidates = 24;
+  std::uint64_t seed = 1;  ///< Of the random search.
 };
 
 /// Sigma of a parameter to be expected, and how well it stands apart, under one excitation.
@@ -54,6 +55,11 @@ struct Plan {
   bool is_separable() const;
 };
 constexpr double kSeparableShare = 0.02;  ///< Correlation with all others below 0.99.
+
+/// How many excitations are drawn: as many as asked for, but no more than take kMostTried_s of
+/// simulated time all together (at least two), for each is simulated several times.
+std::size_t tries_of(const PlanOptions& options);
+constexpr double kMostTried_s = 5760.0;
 
 /// Searches an excitation that separates the effects: the chirp, drawn ones, and the best of those
 /// refined. None is worse for the effect that is worst off than the chirp. The same question gives

@@ -39,6 +39,10 @@ std::optional<std::string> blank_value(const DeclaredCommand& program,
     if (!option || option->is_argument || option->value.empty()) continue;
     if (equals == std::string::npos && ++i == words.size()) break;
     const std::string value = equals == std::string::npos ? words[i] : words[i].substr(equals + 1);
+    if (equals == std::string::npos && value.starts_with("--") && find_option(command, value)) {
+      return fmt::format("{}: its value is missing, {} is an option; {}={} would take it as one",
+                         longest_name(*option), value, longest_name(*option), value);
+    }
     if (const auto fault = fault_of(*option, value)) return fault;
     const bool goes_on = option->is_list && !option->is_repeated && equals == std::string::npos;
     while (goes_on && i + 1 < words.size() && !is_option(words[i + 1])) {

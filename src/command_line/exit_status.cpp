@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/command_line/exit_status.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -8,23 +10,39 @@
 #include <string>
 #include <system_error>
 
+#include "io/file_session.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::command_line {
+
+namespace {
+
+/// On standard error; where that leads into an input, which has to stay as it is, on standard
+/// output, and nowhere where that does too.
+void say(const std::string& sentence) {
+  std::FILE* stream = stderr;
+  try {
+    if (io::is_input(STDERR_FILENO)) stream = io::is_input(STDOUT_FILENO) ? nullptr : stdout;
+  } catch (const std::exception&) {  // no memory to look at what inputs name
+    stream = stderr;
+  }
+  if (stream != nullptr) std::fprintf(stream, "%s\n", sentence.c_str());
+}
+
+}  // namespace
 
 int exit_status(const std::function<cli::ExitCode()>& work) {
   try {
     return static_cast<int>(work());
   } catch (const io::SpecError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    say(error.what());
     return static_cast<int>(cli::ExitCode::kBadInput);
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string file = error.path1().empty() ? "the current folder" : error.path1().string();
-    std::fprintf(stderr, "%s: cannot be reached: %s\n", file.c_str(),
-                 error.code().message().c_str());
+    say(file + ": cannot be reached: " + error.code().message());
     return static_cast<int>(cli::ExitCode::kBadInput);
   } catch (const std::system_error& error) {
-    std::fprintf(stderr, "the system refuses what is needed: %s\n", error.what());
+    say(std::string("the system refuses what is needed: ") + error.what());
     return static_cast<int>(cli::ExitCode::kBadInput);
   } catch (const std::bad_alloc&) {
     std::fputs(

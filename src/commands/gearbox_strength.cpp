@@ -27,13 +27,13 @@ struct StrengthOptions {
   std::string side;
   std::vector<double> face_widths_mm;
   std::vector<double> modules_mm;
-  double cycles = 0.0;  // 0: the document's
+  std::optional<double> cycles;  // the document's, else
   // Of a gearbox_result, which says none of it.
   std::vector<std::string> steel;
   std::vector<double> face_width_mm;
   std::vector<std::string> rim;
-  std::int64_t design = 0;    // 0: the first
-  double load_sharing = 0.0;  // K_gamma; 0: the document's, or assumed
+  std::int64_t design = 0;             // 0: the first
+  std::optional<double> load_sharing;  // K_gamma; the document's, or assumed, else
   bool json = false;
 };
 
@@ -46,10 +46,24 @@ void check_numbers(const std::vector<double>& numbers, const char* option, doubl
   }
 }
 
+/// Each torque on each face width of each module is a row of its own.
+void check_rows(const StrengthOptions& options) {
+  constexpr std::size_t kMostRows = 10'000;
+  const std::size_t widths = std::max<std::size_t>(1, options.face_widths_mm.size());
+  const std::size_t modules = std::max<std::size_t>(1, options.modules_mm.size());
+  const std::size_t torques = std::max<std::size_t>(1, options.torques_Nm.size());
+  const std::size_t rows = torques * widths * modules;
+  if (rows <= kMostRows) return;
+  io::refuse("--torque, --face-widths, --modules",
+             fmt::format("{} torques on {} face widths of {} modules are {} rows; at most {}",
+                         torques, widths, modules, rows, kMostRows));
+}
+
 void check_options(const StrengthOptions& options, const gearbox::ReadStrength& read) {
   check_numbers(options.torques_Nm, "--torque", 1e-6, 1e6);
   check_numbers(options.face_widths_mm, "--face-widths", 0.05, 1000.0);
   check_numbers(options.modules_mm, "--modules", 0.05, 25.0);
+  check_rows(options);
   const gearbox::GearTrain& train = read.strength.train;
   const bool is_stage = train.topology == "planetary";
   if (!options.modules_mm.empty()) {
@@ -93,18 +107,17 @@ gearbox::ReadStrength read_file(const StrengthOptions& options) {
   wanted.steel = options.steel;
   wanted.face_width_mm = options.face_width_mm;
   wanted.rim = options.rim;
-  if (options.load_sharing != 0.0) wanted.load_sharing = options.load_sharing;
+  wanted.load_sharing = options.load_sharing;
   if (options.design != 0) wanted.design = static_cast<std::size_t>(options.design);
-  if (options.cycles != 0.0) wanted.cycles = options.cycles;
+  wanted.cycles = options.cycles;
   return gearbox::strength_of_result(std::move(document), wanted);
 }
 
 gearbox::ReadStrength read(const StrengthOptions& options) {
-  if (options.cycles != 0.0) check_numbers({options.cycles}, "--cycles", 1.0, 1e12);
   gearbox::ReadStrength read = read_file(options);
   check_options(options, read);
-  if (options.cycles != 0.0) read.strength.cycles = options.cycles;
-  if (options.load_sharing != 0.0) read.strength.factors.load_sharing = options.load_sharing;
+  if (options.cycles) read.strength.cycles = *options.cycles;
+  if (options.load_sharing) read.strength.factors.load_sharing = *options.load_sharing;
   check_written(named({options.output_file}), {});
   return read;
 }
@@ -182,10 +195,9 @@ void add_strength_command(command_line::Command& gearbox) {
                   "Try these modules too, in mm; a single stage gets the most teeth that fit")
       .otherwise("only the document's")
       .separated_by_commas();
-  command
-      .add_option("--cycles", options->cycles,
-                  "How often the most loaded tooth is loaded; a number from 1 to 1e12")
-      .otherwise("the document's");
+  command.add_option("--cycles", options->cycles, "How often the most loaded tooth is loaded")
+      .otherwise("the document's")
+      .between(1.0, 1e12);
   command
       .add_option(
           "--steel", options->steel,

@@ -14,6 +14,7 @@
 #include "src/commands/hopper_commands.hpp"
 #include "src/commands/verdict_code.hpp"
 #include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/progress_line.hpp"
 
 namespace torquewright::cli {
@@ -69,6 +70,9 @@ ExitCode run_hopper_check(const HopperCheckRequest& request) {
   require_outputs(request);
   auto [inputs, motion] = read_inputs(request);
   check_output_files(request);  // now that the robot's and the candidates' files are known
+  require_page("--report", request.report_file);
+  require_outside(request.candidates_folder,
+                  named({request.figures_file, request.series_file, request.output_file}));
   HopperCheckFound found;
   found.motion = std::move(motion);
   found.report = check_whole_body(inputs, found.motion);

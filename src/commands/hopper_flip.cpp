@@ -9,6 +9,7 @@
 #include "src/commands/hopper_flip_outputs.hpp"
 #include "src/commands/hopper_flip_sweep.hpp"
 #include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/progress_line.hpp"
 
 namespace torquewright::cli {
@@ -52,6 +53,7 @@ ExitCode run_hopper_flip(const HopperFlipRequest& request) {
   require_flip_outputs(request);
   const HopperFlipInputs inputs = read_flip_inputs(request);
   check_flip_files(request);  // now that the robot's files are known
+  require_page("--report", request.report_file);
   catch_interrupt();
   hopper::PlanResult result = plan(inputs);
   write_flip_outputs(request, inputs, result);

@@ -220,6 +220,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   hopper::require_few_steps(motion, finest);
   const auto randomised = read_trials(request, robot);
   check_files(request);  // now that the files that others name are known
+  require_page("--report", request.report_file);
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
   if (randomised) inputs.columns.push_back(randomised->document);

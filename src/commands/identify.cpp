@@ -17,6 +17,7 @@
 #include "src/commands/identify_json.hpp"
 #include "src/commands/refined_actuators.hpp"
 #include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
 #include "src/report/gnuplot.hpp"
 #include "src/report/identification_html.hpp"
 #include "src/report/identification_text.hpp"
@@ -79,6 +80,7 @@ IdentifyInputs read(const IdentifyRequest& request) {
   require_no_contradiction(request);
   if (!request.as.empty()) (void)identification::output_of(request.as);
   IdentifyInputs inputs = read_inputs(request);
+  require_page("--report", request.report_file);
   if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
   return inputs;
 }

@@ -9,6 +9,7 @@
 #include "identification/imports/files_json.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_bytes.hpp"
+#include "io/new_folder.hpp"
 #include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
@@ -25,12 +26,6 @@ struct ImportOptions {
   std::vector<std::string> files;
 };
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) io::refuse(folder.string(), "cannot be made: " + error.message());
-}
-
 /// Whether it is there as it would be written. Refuses one that says something else: somebody may
 /// have stated in it what the actuator moved.
 bool has_rig(const fs::path& rig, const std::string& text) {
@@ -40,6 +35,15 @@ bool has_rig(const fs::path& rig, const std::string& text) {
   io::refuse(rig.string(),
              "is there already and says something else; take it away, or name another "
              "folder by -o");
+}
+
+/// The log, and the rig where it is not there yet.
+void write(const ImportOptions& options, std::vector<io::FileContent> log_and_rig) {
+  const io::NewFolder folder(options.folder);
+  io::check_outputs({log_and_rig[0].file, log_and_rig[1].file},
+                    {options.files.begin(), options.files.end()});
+  if (has_rig(log_and_rig[1].file, log_and_rig[1].content)) log_and_rig.pop_back();
+  io::write_whole_files(log_and_rig);
 }
 
 ExitCode run_import(const ImportOptions& options) {
@@ -55,14 +59,10 @@ ExitCode run_import(const ImportOptions& options) {
   const identification::ImportedLog log =
       importer.read({{options.files.begin(), options.files.end()}, options.joint, options.units});
   const fs::path folder = options.folder;
-  make_folder(folder);
   const fs::path csv = folder / "log.csv", rig = folder / "rig.json";
-  io::check_outputs({csv, rig}, {options.files.begin(), options.files.end()});
   const std::string name = io::stem_in_text(options.files.front());
-  const std::string rig_text = identification::imported_rig(log, name);
-  std::vector<io::FileContent> files{{csv, identification::imported_csv(log)}};
-  if (!has_rig(rig, rig_text)) files.push_back({rig, rig_text});
-  io::write_whole_files(files);
+  write(options,
+        {{csv, identification::imported_csv(log)}, {rig, identification::imported_rig(log, name)}});
   std::string said =
       fmt::format("{}: {} run{}\n{}: {} columns\n", io::name_in_text(csv), log.runs.size(),
                   log.runs.size() == 1 ? "" : "s", io::name_in_text(rig), log.columns.size());

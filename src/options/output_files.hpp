@@ -25,6 +25,13 @@ bool names_json(const std::string& file);
 /// Throws io::SpecError where a drawing's ending is another picture's than what is drawn.
 void require_svg(const std::string& option, const std::string& file);
 
+/// Throws io::SpecError where a page's ending is that of another kind of file.
+void require_page(const std::string& option, const std::string& file);
+
+/// Throws io::SpecError where an output would be among the candidates of that folder, which the
+/// next run reads. An empty folder's name: there are none.
+void require_outside(const std::string& folder, const std::vector<std::filesystem::path>& outputs);
+
 /// Adds -o and --draw, which say where to.
 void add_output_options(command_line::Command& command, OutputFiles& files);
 

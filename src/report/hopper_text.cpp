@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/one_line.hpp"
 #include "src/report/check_text.hpp"
@@ -39,9 +40,10 @@ std::string motion_lines(const Robot& robot, const Motion& motion, const HopperR
     for (Eigen::Index i = 0; i + 2 < jolt.impulses_N_s.size(); i += 3) {
       sum += jolt.impulses_N_s.segment<3>(i);
     }
-    text += fmt::format(
-        "  impact   t = {:.4g} s: impulse ({:.3g}, {:.3g}, {:.3g}) N s, {:.3g} J lost\n",
-        jolt.time_s, sum.x(), sum.y(), sum.z(), jolt.lost_energy_J);
+    text +=
+        fmt::format("  impact   t = {:.4g} s: impulse ({:.3g}, {:.3g}, {:.3g}) N s, {:.3g} J {}\n",
+                    jolt.time_s, sum.x(), sum.y(), sum.z(), std::abs(jolt.lost_energy_J),
+                    jolt.lost_energy_J < 0.0 ? "gained" : "lost");
   }
   return text;
 }

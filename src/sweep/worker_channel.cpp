@@ -14,6 +14,7 @@
 #include <exception>
 
 #include "io/direct_output.hpp"
+#include "io/refusal.hpp"
 
 namespace torquewright::sweep {
 namespace {
@@ -99,7 +100,11 @@ void end_with_starter() {
 void serve(const Request& request, const Evaluate& evaluate) {
   end_with_starter();
   const bool is_orphan = std::to_string(::getppid()) != std::getenv(kWorkerVariable);
-  if (is_orphan) return;
+  if (is_orphan) {
+    io::refuse(kWorkerVariable,
+               "is set, by which a sweep knows the processes that it starts, and "
+               "this is none of them: unset it");
+  }
   if (io::write_all(kWorkerWrites, fmt::format("ready {}\n", request.fingerprint)) != 0) return;
   std::string bytes;
   while (const auto line = next_line(bytes)) {

@@ -55,6 +55,9 @@ std::vector<BadArguments> bad_arguments() {
       {after({"gearbox", "optimize", "efficient.json"}, {"--relaxation", "always"}),
        "--relaxation: \"always\" cannot help with the objective forward_efficiency, of which no "
        "convex bound is known; \"auto\" and \"never\" search by intervals"},
+      {{"actuator", "mor", "a.json", "-o", "--json"},
+       "command line: --output: its value is missing, --json is an option; --output=--json would "
+       "take it as one"},
       {{"gearbox", "strength", "a.json", "--torque", "17,"},
        "command line: --torque: \"17,\" has a blank place in its list"},
       {{"gearbox", "evaluate", "a.json", "--teeth", "9,9", "--profile-shift=,0.1,0"},

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
@@ -43,6 +45,9 @@ const std::string kRigFile = "specs/rig/knee_sweep.json";
 const std::string kHopFile = "specs/trajectory/hopper_hop.csv";
 const std::string kDrawsFile = "specs/randomisation/hopper.json";
 const std::string kResultFile = "specs/gearbox/d151_knee_result.json";
+const std::string kStrengthFile = "specs/gearbox/d151_strength.json";
+const std::string kProblemFile = "specs/gearbox/d151_knee.json";
+const std::string kSquatFile = "specs/trajectory/hopper_squat.csv";
 const std::string kBenchLog = "specs/log/bench_as_built.csv";
 const std::string kExcitation = "specs/excitation/knee_sweep.csv";
 
@@ -103,6 +108,21 @@ std::vector<Overwrite> overwrites() {
       {{"gearbox", "strength", kResultFile, "--torque", "16", "--steel", "case_hardened",
         "--face-width", "10", "-o", kResultFile},
        kResultFile},
+      // Hopper, strength, result, problem: named by what is read, or by what that names.
+      {{"gearbox", "strength", kStrengthFile, "--torque", "21", "-o", kProblemFile}, kProblemFile},
+      {{"gearbox", "strength", kResultFile, "--torque", "16", "--steel", "case_hardened",
+        "--face-width", "10", "-o", kProblemFile},
+       kProblemFile},
+      {{"hopper", "check", kHopperFile, kSquatFile, "-o", kProblemFile}, kProblemFile},
+      {{"hopper", "check", kHopperFile, kSquatFile, "--sweep", "mass_factor=1:1.2:0.1", "-o",
+        kProblemFile},
+       kProblemFile},
+      {with(flip, {"--candidates", "specs/actuator", "-o", kProblemFile}), kProblemFile},
+      {with(replay, {"-o", kProblemFile}), kProblemFile},
+      {{"hopper", "flip", kHopperFile, "-o", "plan.csv", "--report", kProblemFile}, kProblemFile},
+      {{"robot", "export", kHopperFile, "--format", "mjcf", "-o", kProblemFile}, kProblemFile},
+      {{"robot", "export", kHopperFile, "--format", "mjcf", "-o", kResultFile}, kResultFile},
+      {{"actuator", "mor", "specs/log/bench_refined.json", "-o", kBenchLog}, kBenchLog},
       {{"identify", "import", "moteus", "imported/log.csv", "-o", "imported"}, "imported/log.csv"},
   };
 }
@@ -131,6 +151,83 @@ TEST(FileSession, KnowsAnInputByAnyName) {
     EXPECT_EQ(place.run({"actuator", "mor", kKneeFile, "-o", name}).exit_code, 2);
   }
   EXPECT_EQ(place.all(), before);
+}
+
+// Names that lead in a circle, to nothing, or to a folder keep nothing from being written.
+TEST(FileSession, FollowsNamesThatLeadInACircle) {
+  const Examples place;
+  place.write("back.json", R"({"file": "round.json", "actuators": ["none.json", "specs"]})");
+  place.write("round.json", R"({"path": "back.json", "strength": "last.csv"})");
+  place.write("last.csv", "1,2\n");
+  std::string result = place.text(kResultFile);
+  const std::size_t name = result.find(kProblemFile);
+  ASSERT_NE(name, std::string::npos);
+  result.replace(name, kProblemFile.size(), "round.json");
+  place.write("result.json", result);
+  const Words strength{"gearbox", "strength",      "result.json",  "--torque", "16",
+                       "--steel", "case_hardened", "--face-width", "10",       "-o"};
+  const auto onto = [&](const std::string& output) {
+    Words command = strength;
+    command.push_back(output);
+    return place.run(command).exit_code;
+  };
+  for (const char* kept : {"round.json", "back.json", "last.csv"}) {
+    EXPECT_EQ(onto(kept), 2) << kept;
+  }
+  EXPECT_NE(onto(kProblemFile), 2);  // which that result does not name
+}
+
+/// Exit code of a line for the shell, in which $T is the program.
+int shell(const Workplace& place, const std::string& line) {
+  const std::string words =
+      "cd '" + place.path().string() + "' && T='" TORQUEWRIGHT_PROGRAM "' && " + line;
+  const int status = std::system(words.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// What came through a pipe cannot be read a second time.
+TEST(FileSession, FollowsNamesInAPipe) {
+  const Examples place;
+  const auto before = place.all();
+  EXPECT_EQ(shell(place, "cat " + kResultFile +
+                             " | $T gearbox strength /dev/stdin --torque 16 --steel case_hardened"
+                             " --face-width 10 -o " +
+                             kProblemFile + " 2> /dev/null"),
+            2);
+  EXPECT_EQ(place.all(), before);
+}
+
+// Replaced, the file would no longer be the one that the stream leads into.
+TEST(Outputs, AreNotWhatAStreamLeadsInto) {
+  const Examples place;
+  const std::string mor = "$T actuator mor " + kKneeFile + " --at-speed 0 ";
+  for (const char* stream : {"> q.json", ">> q.json"}) {
+    place.write("q.json", "");
+    EXPECT_EQ(shell(place, mor + "-o q.json " + stream + " 2> said"), 2) << stream;
+    EXPECT_EQ(place.text("said"),
+              "q.json: cannot be written: it is what standard output leads into, which would be "
+              "lost\n");
+    EXPECT_EQ(place.text("q.json"), "");
+  }
+  EXPECT_EQ(shell(place, mor + "-o q.json > /dev/null 2> q.json"), 2);
+  EXPECT_NE(place.text("q.json").find("what standard error leads into"), std::string::npos);
+  EXPECT_EQ(shell(place, mor + "-o /dev/stdout > q.json 2> said"), 0);
+}
+
+TEST(Outputs, DoNotGoIntoAnInputBehindStandardError) {
+  const Examples place;
+  const auto before = place.all();
+  for (const std::string& line : {
+           "$T actuator mor " + kKneeFile + " --at-speed 0 2>> " + kKneeFile,
+           "$T actuator mor " + kKneeFile + " --at-speed 0 >> " + kKneeFile + " 2>&1",
+           "$T robot export " + kHopperFile + " --format mjcf 2>> " + kResultFile,
+       }) {
+    EXPECT_EQ(shell(place, "( " + line + " ) > out"), 2) << line;
+    fs::remove(place.path("out"));
+    EXPECT_EQ(place.all(), before) << line;
+  }
+  EXPECT_EQ(shell(place, "$T actuator mor " + kKneeFile + " 2>> " + kKneeFile + " > said"), 2);
+  EXPECT_EQ(place.text("said"), "standard error: leads into an input, which would be lost\n");
 }
 
 TEST(FileSession, DoesNotWaitForAPipeThatNobodyFills) {
@@ -330,6 +427,52 @@ TEST(Outputs, DoNotWaitForAReaderAgainstASignal) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     EXPECT_TRUE(run_and_kill(mor_to("pipe"), place.here, signal, std::chrono::seconds(1)));
   }
+}
+
+TEST(Outputs, ArePagesUnderNoOtherEnding) {
+  const Examples place;
+  for (const char* name : {"notes.json", "notes.csv", "notes.svg"}) {
+    const Outcome outcome =
+        place.run({"hopper", "check", kHopperFile, kSquatFile, "--report", name});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err,
+              "--report: \"" + std::string(name) + "\" becomes a page, and must end with .html\n");
+    EXPECT_FALSE(place.has(name));
+  }
+  EXPECT_EQ(place.run({"hopper", "check", kHopperFile, kSquatFile, "--report", "page"}).exit_code,
+            0);
+}
+
+// Else the second identical run would read it, and refuse to replace it.
+TEST(Outputs, DoNotBecomeCandidates) {
+  const Examples place;
+  const Words check{"hopper", "check", kHopperFile, kSquatFile, "--candidates", "specs/actuator"};
+  for (const char* name : {"specs/actuator/x.json", "specs/robot/../actuator/x.json"}) {
+    Words command = check;
+    command.insert(command.end(), {"-o", name});
+    const Outcome outcome = place.run(command);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("one of the candidates of the next run"), std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(place.has("specs/actuator/x.json"));
+  }
+}
+
+TEST(Sweeps, OfMassesBeyondAllNumbersAreRefused) {
+  const Outcome outcome =
+      Examples().run({"hopper", "check", kHopperFile, kSquatFile, "--sweep", "mass_factor=1e308"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err.find("inf"), std::string::npos) << outcome.err;
+}
+
+// The variable by which a sweep knows its own processes, set by somebody else.
+TEST(Sweeps, SayWhereNoSweepHasStartedThem) {
+  Examples place;
+  place.here.environment = {"TORQUEWRIGHT_SWEEP_WORKER=1"};
+  const Outcome outcome =
+      place.run({"hopper", "check", kHopperFile, kSquatFile, "--sweep", "mass_factor=1:1.2:0.1"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(outcome.err.starts_with("TORQUEWRIGHT_SWEEP_WORKER: is set")) << outcome.err;
 }
 
 TEST(Outputs, AreRefusedUnderNoName) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Named pipes in the place of files, to every command: nobody writes into them, nobody reads from
 // them. No command waits for that without end, or ends without a word.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
@@ -76,6 +79,21 @@ TEST(NastyPipes, ThatNobodyWritesInto) {
 }
 
 // Oracle: the ranking without it.
+// A terminal at which nobody types.
+TEST(NastyPipes, AndDevicesThatGiveNothing) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) {
+    GTEST_SKIP() << "needs a system with pseudo-terminals";
+  }
+  const std::string name = ::ptsname(terminal);
+  const int held = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  const Outcome outcome = Workplace().run({"actuator", "mor", name});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, name + ": is a device, and nobody wrote into it within 5 s\n");
+  ::close(held);
+  ::close(terminal);
+}
+
 TEST(NastyPipes, ThatWouldBeReadTwice) {
   const Workplace place;
   ASSERT_EQ(::mkfifo(place.path("log.csv").c_str(), 0600), 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots with closed loops in and out.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,46 @@ namespace {
 
 using nlohmann::json;
 using Words = std::vector<std::string>;
+
+/// A chain of so many links of 1/128 kg, each joint in the file before the one that carries its
+/// parent.
+std::string long_chain(int links, const std::string& joint_type) {
+  std::string text = "<robot name=\"chain\">\n";
+  for (int i = 0; i < links; ++i) {
+    text += fmt::format(
+        "<link name=\"l{}\"><inertial><mass value=\"0.0078125\"/><inertia ixx=\"0.0078125\" "
+        "iyy=\"0.0078125\" izz=\"0.0078125\" "
+        "ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\n",
+        i);
+  }
+  for (int i = links - 1; i > 0; --i) {
+    text += fmt::format(
+        "<joint name=\"j{0}\" type=\"{2}\"><parent link=\"l{1}\"/><child link=\"l{0}\"/></joint>\n",
+        i, i - 1, joint_type);
+  }
+  return text + "</robot>\n";
+}
+
+// Oracle: the masses' sum. 200,000 links would take minutes if each were looked for among all.
+TEST(RobotImport, WeldsAVeryLongChain) {
+  const Workplace place;
+  constexpr int kLinks = 200'000;
+  place.write("chain.urdf", long_chain(kLinks, "fixed"));
+  const Outcome imported = place.run({"robot", "import", "chain.urdf"});
+  ASSERT_EQ(imported.exit_code, 0) << imported.err;
+  const json bodies = json::parse(imported.out)["bodies"];
+  ASSERT_EQ(bodies.size(), 1u);
+  EXPECT_DOUBLE_EQ(bodies[0]["mass_kg"].get<double>(),
+                   kLinks / 128.0);  // binary fractions add exactly
+}
+
+TEST(RobotImport, RefusesMoreBodiesThanADocumentHolds) {
+  const Workplace place;
+  place.write("chain.urdf", long_chain(60'000, "continuous"));
+  const Outcome imported = place.run({"robot", "import", "chain.urdf"});
+  EXPECT_EQ(imported.exit_code, 2);
+  EXPECT_NE(imported.err.find("holds 60000 values, must hold at most 1000"), std::string::npos);
+}
 
 class LoopedFile : public testing::Test {
  protected:

@@ -75,7 +75,12 @@ TEST(Strength, RefusesWhatIsNoLoad) {
                                                         {"--torque", "-21"},
                                                         {"--face-widths", "inf"},
                                                         {"--modules", "0"},
-                                                        {"--cycles", "0.5"}}) {
+                                                        {"--cycles", "0.5"},
+                                                        {"--cycles", "0"},
+                                                        {"--cycles", "-0"},
+                                                        {"--cycles", "1e-400"},
+                                                        {"--load-sharing", "0"},
+                                                        {"--load-sharing", "-0.0"}}) {
     std::vector<std::string> options{option, value};
     if (option != "--torque") options.insert(options.end(), {"--torque", "21"});
     const Outcome outcome = strength(options);
@@ -83,6 +88,21 @@ TEST(Strength, RefusesWhatIsNoLoad) {
     EXPECT_EQ(outcome.out, "");
     EXPECT_NE(outcome.err, "");
   }
+}
+
+// Torques, face widths and modules multiply.
+TEST(Strength, RefusesVeryManyRows) {
+  const auto list = [](int count) {
+    std::string numbers = "1";
+    for (int i = 2; i <= count; ++i) numbers += "," + std::to_string(i);
+    return numbers;
+  };
+  const Outcome outcome = strength({"--torque", list(101), "--face-widths", list(100)});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "--torque, --face-widths, --modules: 101 torques on 100 face widths of 1 modules are "
+            "10100 rows; at most 10000\n");
+  EXPECT_EQ(strength({"--torque", list(20), "--face-widths", list(20)}).exit_code, 0);
 }
 
 TEST(Strength, AsksForRoomWhereModulesAreTried) {

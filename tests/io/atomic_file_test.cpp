@@ -133,14 +133,14 @@ TEST(WriteWholeFiles, AreTakenBackWhereOneCannotBeReplaced) {
   EXPECT_EQ(entries_in(folder.path()), 2);
 }
 
-/// `chattr +i` for as long as it lives.
-class Immutable {
+/// `chattr +i` or `+a` for as long as it lives.
+class Marked {
  public:
-  explicit Immutable(const fs::path& file) : descriptor_(::open(file.c_str(), O_RDONLY)) {
-    is_ = ::ioctl(descriptor_, FS_IOC_GETFLAGS, &before_) == 0 && set(before_ | FS_IMMUTABLE_FL);
+  Marked(const fs::path& file, int mark) : descriptor_(::open(file.c_str(), O_RDONLY)) {
+    is_ = ::ioctl(descriptor_, FS_IOC_GETFLAGS, &before_) == 0 && set(before_ | mark);
   }
-  ~Immutable() {
-    if (is_ && !set(before_)) ADD_FAILURE() << "still immutable";
+  ~Marked() {
+    if (is_ && !set(before_)) ADD_FAILURE() << "still marked";
     ::close(descriptor_);
   }
   bool is() const { return is_; }
@@ -156,12 +156,25 @@ class Immutable {
 TEST(WriteWholeFiles, AreNoneWhereOneIsImmutable) {
   const ScratchFolder folder;
   const fs::path fresh = folder.path() / "a", fixed = folder.write("b", "old");
-  const Immutable immutable(fixed);
+  const Marked immutable(fixed, FS_IMMUTABLE_FL);
   if (!immutable.is()) GTEST_SKIP() << "needs root, and a file system of immutable files";
   EXPECT_THROW(check_outputs({fresh, fixed}, {}), SpecError);  // before the work
   EXPECT_THROW(write_whole_files({{fresh, "new"}, {fixed, "new"}}), SpecError);
   EXPECT_EQ(read_file_bytes(fixed), "old");
   EXPECT_EQ(entries_in(folder.path()), 1);
+}
+
+// What gets a name there keeps it: new content could never take the old file's place, nor go away.
+TEST(WriteWholeFile, LeavesNothingInAFolderThatOnlyGrows) {
+  const ScratchFolder folder;
+  const fs::path old = folder.write("old", "old"), fresh = folder.path() / "fresh";
+  const Marked grows(folder.path(), FS_APPEND_FL);
+  if (!grows.is()) GTEST_SKIP() << "needs root, and a file system of append-only folders";
+  EXPECT_THROW(check_outputs({old}, {}), SpecError);  // before the work
+  EXPECT_NE(refusal_to_write(old).find("append-only"), std::string::npos);
+  EXPECT_EQ(read_file_bytes(old), "old");
+  EXPECT_EQ(refusal_to_write(fresh), "");
+  EXPECT_EQ(entries_in(folder.path()), 2);
 }
 
 TEST(WriteWholeFile, KeepsTheOldFileIfThereIsNoRoom) {
@@ -226,7 +239,8 @@ class Watch {
 // own: the others follow before it ends the process.
 TEST(WriteWholeFiles, AreAllThereWhateverSignalComesBetween) {
   for (const int signal :
-       {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM}) {
+       {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM, SIGPROF,
+        SIGPWR, SIGIO, SIGPIPE, SIGSTKFLT, SIGRTMIN, SIGRTMIN + 7, SIGRTMAX}) {
     const ScratchFolder folder;
     std::vector<FileContent> files;
     for (int i = 0; i < 100; ++i) {

@@ -34,6 +34,33 @@ TEST(ReadDocument, GivesTheValuesAndTheHashOfTheBytes) {
   EXPECT_TRUE(document.root["target_ratio"].is_number_integer());  // 20.0
 }
 
+// A document without a name is called as its file is; one with a name has one to be called by.
+TEST(ReadDocument, RefusesABlankName) {
+  const std::filesystem::path specs = TORQUEWRIGHT_SOURCE_DIR "/specs";
+  for (const auto& [file, kind] : {std::pair{"actuator/d151_knee.json", "actuator"},
+                                   {"gearbox/d151_strength.json", "gear_strength"},
+                                   {"gearbox/d151_knee.json", "gearbox_problem"},
+                                   {"trajectory/parallel_ankle_table.json", "jacobian"},
+                                   {"randomisation/hopper.json", "randomisation"},
+                                   {"rig/knee_sweep.json", "rig"},
+                                   {"robot/hopper.json", "robot"},
+                                   {"trajectory/cassie_columns.json", "trajectory_columns"}}) {
+    json root = read_document(specs / file, kind).root;
+    root["name"] = " k ";
+    EXPECT_NO_THROW(check_document(root, kind, "a.json", "")) << file;
+    for (const char* blank : {"", " ", "   "}) {
+      root["name"] = blank;
+      try {
+        check_document(root, kind, "a.json", "");
+        ADD_FAILURE() << file;
+      } catch (const SpecError& error) {
+        EXPECT_EQ(error.what(),
+                  "a.json#/name: \"" + std::string(blank) + "\" is blank, must hold a character");
+      }
+    }
+  }
+}
+
 TEST(ReadDocument, AcceptsAByteOrderMark) {
   const ScratchFolder folder;
   const std::string text = "\xEF\xBB\xBF" + std::string(kKnee);

@@ -30,6 +30,12 @@ TEST(OneLine, ReplacesWhatIsNoUtf8AsJsonDoes) {
             const std::size_t at = expected.find(missing);
             if (at != std::string::npos) expected.replace(at, 3, "\xEF\xBF\xBD");
           }
+          // The controls of C1, of two bytes each.
+          for (std::size_t at = 0; (at = expected.find('\xC2', at)) != std::string::npos; ++at) {
+            if (static_cast<unsigned char>(expected[at + 1]) <= 0x9F) {
+              expected.replace(at, 2, "\xEF\xBF\xBD");
+            }
+          }
           EXPECT_EQ(one_line(text), expected);
           EXPECT_EQ(unprintable_in(text).has_value(), one_line(text) != text);
         }
@@ -50,6 +56,23 @@ TEST(OneLine, ReplacesWhatNoLineHolds) {
   EXPECT_EQ(unprintable_in("k\xE9"), "the byte 0xE9, which is no UTF-8");
   EXPECT_EQ(unprintable_in("kn\xC3\xA9"), std::nullopt);
   EXPECT_EQ(one_line(""), "");
+}
+
+// Oracle: Unicode 15, the category Cc (C0, DEL, C1), its separators of lines and paragraphs, and
+// the embeddings, overrides and isolates of its annex 9; characters beside each range are none.
+TEST(OneLine, HoldsNoControlsOfTerminalsAndOfDirection) {
+  for (const std::string text :
+       {"\xC2\x80", "\xC2\x85", "\xC2\x9B", "\xC2\x9F", "\xE2\x80\xA8", "\xE2\x80\xA9",
+        "\xE2\x80\xAA", "\xE2\x80\xAE", "\xE2\x81\xA6", "\xE2\x81\xA9"}) {
+    EXPECT_NE(unprintable_in("k" + text), std::nullopt) << text;
+    EXPECT_EQ(one_line(text + "k"), "\xEF\xBF\xBDk") << text;
+  }
+  for (const std::string text :
+       {"~", "\xC2\xA0", "\xE2\x80\xA7", "\xE2\x80\xAF", "\xE2\x81\xA5", "\xE2\x81\xAA"}) {
+    EXPECT_EQ(unprintable_in(text), std::nullopt) << text;
+    EXPECT_EQ(one_line(text), text);
+  }
+  EXPECT_EQ(unprintable_in("\xC2\x9B"), "the character U+009B");
 }
 
 TEST(OneLine, NamesAFileAndItsStem) {

@@ -56,6 +56,9 @@ void collect_keywords(const json& schema, std::vector<std::string>& keywords) {
   if (!schema.is_object()) return;
   for (const auto& [key, value] : schema.items()) {
     keywords.push_back(key);
+    if (key == "pattern") {
+      EXPECT_EQ(value, "\\S");  // "not blank": the only one that is known
+    }
     if (key == "properties" || key == "definitions") {
       for (const json& each : value) collect_keywords(each, keywords);
     } else if (key == "items" || key == "anyOf" || key == "additionalProperties") {
@@ -67,10 +70,10 @@ void collect_keywords(const json& schema, std::vector<std::string>& keywords) {
 // A keyword the diagnosis does not know would be enforced without a sentence that says so.
 TEST(Schemas, UseOnlyKeywordsThatTheDiagnosisKnows) {
   const std::vector<std::string> known = {
-      "$schema",    "title",    "description", "definitions", "type",     "const",
-      "enum",       "minimum",  "maximum",     "minItems",    "maxItems", "items",
-      "properties", "required", "anyOf",       "$ref",        "unit",     "additionalProperties",
-      "also_called"};
+      "$schema",     "title",    "description", "definitions", "type",     "const",
+      "enum",        "minimum",  "maximum",     "minItems",    "maxItems", "items",
+      "properties",  "required", "anyOf",       "$ref",        "unit",     "additionalProperties",
+      "also_called", "pattern"};
   for (const std::string& kind : document_kinds()) {
     std::vector<std::string> keywords;
     collect_keywords(schema_of(kind), keywords);

@@ -12,15 +12,18 @@ namespace torquewright::hopper {
 using Rule = std::vector<Finding> (*)(const CheckedMotion& checked);
 
 std::vector<Finding> center_of_pressure(const CheckedMotion& checked);
+std::vector<Finding> contact_above_ground(const CheckedMotion& checked);
 std::vector<Finding> friction_cone(const CheckedMotion& checked);
+std::vector<Finding> friction_sliding(const CheckedMotion& checked);
 std::vector<Finding> ground_penetration(const CheckedMotion& checked);
 std::vector<Finding> impact_by_motors(const CheckedMotion& checked);
+std::vector<Finding> impact_energy(const CheckedMotion& checked);
 std::vector<Finding> joint_limits(const CheckedMotion& checked);
 std::vector<Finding> mechanism_margins(const CheckedMotion& checked);
 std::vector<Finding> self_collision(const CheckedMotion& checked);
 
-constexpr std::array<Rule, 7> kEveryRule{joint_limits,    mechanism_margins,  ground_penetration,
-                                         friction_cone,   center_of_pressure, self_collision,
-                                         impact_by_motors};
+constexpr std::array<Rule, 10> kEveryRule{
+    joint_limits,     mechanism_margins,  ground_penetration, contact_above_ground, friction_cone,
+    friction_sliding, center_of_pressure, self_collision,     impact_by_motors,     impact_energy};
 
 }  // namespace torquewright::hopper

@@ -4,21 +4,20 @@
 // (26)-(28).
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <numbers>
 
 #include "dynamics/point.hpp"
 #include "hopper/check/rules/every_rule.hpp"
+#include "hopper/contact/sliding.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 using Eigen::Index;
 
-// MuJoCo's default solimp: from 0.9 at the surface to 0.95 a millimetre below it.
-constexpr double kSoftest = 0.9;
-constexpr double kStiffest = 0.95;
+constexpr double kSoftest = kSoftestImpedance;
+constexpr double kStiffest = kStiffestImpedance;
 constexpr double kStiffensOver_m = 1e-3;
 
 /// How deep soft ground lets a point of a motion sink, and of what.
@@ -51,23 +50,18 @@ double touch_down_speed_m_s(const Motion& motion, const Eigen::MatrixXd& heights
 /// (MuJoCo's body_invweight0), less what the point has.
 double load_m_s2(const CheckedMotion& checked, Index point, Index sample) {
   const double force_N = checked.demand.forces_N(3 * point + 2, sample);
-  WholeBody body(checked.robot);
-  const bool reaches =
-      body.set(checked.motion.positions.col(sample), checked.motion.velocities.col(sample));
-  if (!reaches || !(force_N > 0.0)) return 0.0;
-  const Index size = checked.robot.tree.velocity_size();
-  Eigen::MatrixXd mass(size, size);
-  body.mass_matrix(mass);
-  Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian(3, size);
+  if (!(force_N > 0.0)) return 0.0;
   const ContactPoint& contact = checked.robot.contacts[static_cast<std::size_t>(point)];
-  dynamics::point_jacobian(body.state(), contact.point, jacobian);
+  const std::optional<double> moves_1_kg =
+      mean_inverse_mass_1_kg(checked.robot, checked.motion, contact.point.body, sample);
+  if (!moves_1_kg) return 0.0;
+  dynamics::TreeState state(checked.robot.tree);
+  state.set(checked.motion.positions.col(sample), checked.motion.velocities.col(sample));
+  Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian(3, checked.robot.tree.velocity_size());
+  dynamics::point_jacobian(state, contact.point, jacobian);
   const double up_m_s2 = jacobian.row(2).dot(checked.motion.accelerations.col(sample)) +
-                         dynamics::point_bias_acceleration_m_s2(body.state(), contact.point).z();
-  const std::size_t foot = contact.point.body;
-  const Eigen::Vector3d& center_m = checked.robot.tree.bodies[foot].inertia.center_of_mass_m;
-  dynamics::point_jacobian(body.state(), {foot, center_m}, jacobian);
-  const Eigen::MatrixXd moved = mass.ldlt().solve(jacobian.transpose());
-  return std::max(0.0, force_N * (jacobian * moved).trace() / 3.0 - up_m_s2);
+                         dynamics::point_bias_acceleration_m_s2(state, contact.point).z();
+  return std::max(0.0, force_N * *moves_1_kg - up_m_s2);
 }
 
 double sinking_by_load_m(double time_constant_s, double downwards_m_s2) {

@@ -78,6 +78,20 @@ TEST(Plan, KeepsToTheRigsLimits) {
   }
 }
 
+// What is simulated while searching does not grow with the length without end: drawn and refined
+// ones together are at most twice kMostTried_s. Short plans are searched as asked.
+TEST(Plan, TriesLongOnesLessOften) {
+  PlanOptions options;
+  EXPECT_EQ(tries_of(options), options.candidates);
+  for (const double duration_s : {8.0, 240.0, 241.0, 600.0}) {
+    options.duration_s = duration_s;
+    EXPECT_LE(static_cast<double>(tries_of(options)) * duration_s, kMostTried_s) << duration_s;
+    EXPECT_GE(tries_of(options), 2u);
+  }
+  options.candidates = 2;  // as asked for below the bound, at any length
+  EXPECT_EQ(tries_of(options), 2u);
+}
+
 TEST(Plan, IsTheSameEveryTime) {
   const Plan again = plan_excitation(bench_rig(), bench_actuator(),
                                      asked({"stribeck_friction", "coulomb_friction"}));

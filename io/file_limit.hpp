@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+namespace torquewright::io {
+
+/// No document comes near this; a larger file is some other file.
+constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
+
+}  // namespace torquewright::io
