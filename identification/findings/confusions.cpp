@@ -15,35 +15,23 @@ bool has(const std::vector<std::string>& effects, std::initializer_list<const ch
 
 using Names = std::vector<std::string>;
 
-/// What scales all torque of the drive's side as the torque constant does: the sensor or the driver
-/// that its channel comes from. A winding's voltage yields torque by the constant twice.
-void add_drives_gain(const Bench& bench, Names& group) {
-  if (bench.drive != Drive::kVoltage) group.emplace_back("current_gain_error");
-}
-
-/// What the rig's own values and sensors may stand for, whether it calls them uncertain or not: no
-/// log says who is right.
+/// What the rig's own values and its torque sensor's response may stand for, whether it calls them
+/// uncertain or not: no log says who is right. Gains of sensors are what all is measured by: they
+/// are trusted (docs/decisions/0025).
 std::vector<Names> groups_of_the_rig(const Bench& bench) {
-  Names constant = {"torque_constant_error"};
-  if (bench.load_side == LoadSide::kSensor) {
-    constant.emplace_back("torque_gain_error");
-    add_drives_gain(bench, constant);
-    return {constant, {"torque_lag", "channel_lag"}};
-  }
+  if (bench.load_side == LoadSide::kSensor) return {{"torque_lag", "channel_lag"}};
   if (bench.load_side != LoadSide::kModel) return {};
+  Names constant = {"torque_constant_error"};
   switch (bench.rig->load.type) {
     case LoadType::kFree:
       constant.insert(constant.end(), {"reflected_inertia", "load_inertia_error"});
-      add_drives_gain(bench, constant);
       return {constant};
     case LoadType::kLinearAxis:
       constant.insert(constant.end(), {"reflected_inertia", "load_mass_error"});
-      add_drives_gain(bench, constant);
       return {constant};
     case LoadType::kPendulum:
     case LoadType::kSerialArm:
       constant.emplace_back("load_mass_error");
-      add_drives_gain(bench, constant);
       return {constant, {"reflected_inertia", "load_inertia_error"}};
     case LoadType::kDynamometer:
       break;
@@ -55,8 +43,7 @@ std::vector<Names> groups_of_the_rig(const Bench& bench) {
 
 std::vector<std::string> exact_identities(const Bench& bench, const std::string& effect) {
   // A ripple of the output need not be a multiple of the ratio: only cogging's name is in question.
-  // A current's gain is named where it is not the same for both signs, as no constant is.
-  if (effect == "gear_ripple" || effect == "current_gain_error") return {effect};
+  if (effect == "gear_ripple") return {effect};
   std::vector<Names> groups = groups_of_the_rig(bench);
   groups.push_back({"torque_offset", "current_offset", "asymmetric_friction"});
   const double ratio = bench.actuator().transmission.ratio;
@@ -79,10 +66,6 @@ std::string separated_by(const Bench& bench, const std::vector<std::string>& eff
   if (has(effects, {"torque_lag", "channel_delay"})) {
     return "motion so fast that lag times angular frequency exceeds 0.5, or a second pair of "
            "channels";
-  }
-  if (has(effects, {"torque_gain_error"})) {
-    return "a known weight on the torque sensor, the voltage equation, or, where the sensors are "
-           "known to be right, \"uncertain\": [\"/motor/torque_constant_Nm_A\"] in the rig";
   }
   if (has(effects, {"load_length_error"})) {
     return "a load that was weighed and balanced, or another known one";

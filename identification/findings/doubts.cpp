@@ -35,7 +35,9 @@ bool is_constant_in_doubt(const EquationResult& result) {
 
 void doubt_certain_of_actuator(const std::string& why, EquationResult& result) {
   for (NamedEffect& each : result.added) {
-    if (each.family == EffectFamily::kActuator && is_certain(result, each.effect)) each.doubt = why;
+    if (each.family != EffectFamily::kActuator || !is_certain(result, each.effect)) continue;
+    each.doubt = why;
+    each.is_refuted = true;
   }
 }
 
@@ -47,6 +49,7 @@ void append_doubts(EquationResult& result) {
       each.doubt =
           fmt::format("it raises the error of the runs that no fit saw, {:.4g} -> {:.4g} {}",
                       each.holdout_rms_before, each.holdout_rms_after, result.unit);
+      each.is_refuted = true;
     } else if (is_constant_in_doubt(result) && holds_a_torque(each.parameters) &&
                is_certain(result, each.effect)) {
       each.doubt = "its size goes with the torque constant's, which is not told apart from others";
@@ -74,6 +77,7 @@ void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& 
     if (std::abs(scale - 1.0) <= kErrorsOfScale * error) continue;
     for (NamedEffect& inertia : torque.added) {
       if (inertia.effect != "reflected_inertia" || !inertia.doubt.empty()) continue;
+      inertia.is_refuted = true;
       inertia.doubt = fmt::format(
           "{} and position differ by a scale of {:.4g}: times, angles or speeds of the log are off "
           "by as much, and accelerations with them",

@@ -47,7 +47,9 @@ bool is_certain(const EquationResult& result, const std::string& effect) {
       [&](const NamedEffect& each) { return each.effect == effect && !each.doubt.empty(); });
   if (is_in_doubt) return false;
   return std::none_of(result.confounded.begin(), result.confounded.end(), [&](const auto& group) {
-    return std::find(group.effects.begin(), group.effects.end(), effect) != group.effects.end();
+    const bool is_only_a_name = group.exact && group.consequence.empty();
+    return !is_only_a_name &&
+           std::find(group.effects.begin(), group.effects.end(), effect) != group.effects.end();
   });
 }
 

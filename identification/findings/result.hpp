@@ -46,9 +46,10 @@ struct NamedEffect {
   nlohmann::ordered_json standard_error;  ///< By the same keys.
   double holdout_rms_before = 0.0;        ///< Of the model with the effects before it.
   double holdout_rms_after = 0.0;
-  std::string replaces;  ///< Stated effects that it takes the place of: "a, b".
-  std::string evidence;  ///< A sentence.
-  std::string doubt;     ///< Why it is not sure though no other is named for it; empty: nothing.
+  std::string replaces;     ///< Stated effects that it takes the place of: "a, b".
+  std::string evidence;     ///< A sentence.
+  std::string doubt;        ///< Why it is not sure though no other is named for it; empty: nothing.
+  bool is_refuted = false;  ///< The doubt is what the log itself says against it.
 };
 
 /// A value that the rig calls uncertain, as fitted.
@@ -113,7 +114,8 @@ struct EquationResult {
 std::vector<const NamedEffect*> certain_of(const EquationResult& result);
 
 /// Whether no other effect, of the actuator, the rig or the log, may stand in the place of one that
-/// was named, in this log or in any of such a rig, and nothing speaks against it.
+/// was named, in this log or in any of such a rig, and nothing speaks against it. Others that mean
+/// the same for the region are only other names.
 bool is_certain(const EquationResult& result, const std::string& effect);
 
 }  // namespace torquewright::identification

@@ -66,6 +66,7 @@ std::vector<std::string> undecided(const Identification& found) {
   };
   for (const EquationResult& equation : found.equations) {
     for (const Confounded& group : equation.confounded) {
+      if (group.exact && group.consequence.empty()) continue;  // names of one thing
       add(fmt::format("{} {} apart.",
                       group.exact ? "No log of such a rig tells" : "The log cannot tell",
                       fmt::join(group.effects, " and ")));
@@ -110,17 +111,24 @@ std::string partly_sentence(const Identification& found) {
                      fmt::join(open, " "), along(found));
 }
 
+std::string explained_sentence(const Identification& found) {
+  const std::vector<std::string> names = certain_names(found), open = undecided(found);
+  const char* with = !open.empty() ? "what is named" : names.size() == 1 ? "it" : "them";
+  std::string sentence;
+  if (!names.empty())
+    sentence = fmt::format("Missing from the model: {}. ", fmt::join(names, ", "));
+  if (!open.empty()) sentence += fmt::format("{} ", fmt::join(open, " "));
+  return sentence + fmt::format("With {} what is left is noise.", with);
+}
+
 std::string sentence_of_verdict(const Identification& found, bool select) {
   switch (found.verdict) {
     case Verdict::kNothingMissing:
       return "The error is noise: nothing is missing that this log could show.";
     case Verdict::kCannotTell:
       return doubt_sentence(found);
-    case Verdict::kExplained: {
-      const std::vector<std::string> names = certain_names(found);
-      return fmt::format("Missing from the model: {}. With {} what is left is noise.",
-                         fmt::join(names, ", "), names.size() == 1 ? "it" : "them");
-    }
+    case Verdict::kExplained:
+      return explained_sentence(found);
     case Verdict::kPartlyExplained:
       return partly_sentence(found);
     case Verdict::kUnexplained:

@@ -40,16 +40,15 @@ TEST(Confusions, CoggingIsARippleWhereTheRatioIsWhole) {
   EXPECT_EQ(exact_identities(made.bench(), "cogging_torque"), Names{"cogging_torque"});
 }
 
-// On a free load all torque accelerates: (N Kt g i) = (J + dJ) a has one unknown, whatever is off.
-// With a sensor of gain s the sides are s tau = N Kt g i: one unknown too, and no inertia.
-TEST(Confusions, TorqueConstantIsInertiaOnAFreeLoadAndAGainBesideASensor) {
+// On a free load all torque accelerates: (N Kt i) s = (J + dJ) a has one unknown. With a sensor the
+// two sides are measured apart.
+TEST(Confusions, TorqueConstantIsInertiaOnAFreeLoadOnly) {
   Case made;
   EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"),
-            (Names{"torque_constant_error", "torque_gain_error", "current_gain_error"}));
+            Names{"torque_constant_error"});
   EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"), Names{"reflected_inertia"});
   made.made.rig.load.type = LoadType::kFree;
-  const Names group = {"torque_constant_error", "reflected_inertia", "load_inertia_error",
-                       "current_gain_error"};
+  const Names group = {"torque_constant_error", "reflected_inertia", "load_inertia_error"};
   EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"), group);
   EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"), group);
 }
@@ -64,7 +63,7 @@ TEST(Confusions, AnErrorOfTheRigNeedsNoLeaveOfTheRig) {
     EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"),
               (Names{"reflected_inertia", "load_inertia_error"}));
     EXPECT_EQ(exact_identities(made.bench(), "torque_constant_error"),
-              (Names{"torque_constant_error", "load_mass_error", "current_gain_error"}));
+              (Names{"torque_constant_error", "load_mass_error"}));
   }
 }
 
@@ -73,8 +72,7 @@ TEST(Confusions, MassIsInertiaOnALinearAxis) {
   Case made;
   made.made.rig.load.type = LoadType::kLinearAxis;
   EXPECT_EQ(exact_identities(made.bench(), "reflected_inertia"),
-            (Names{"torque_constant_error", "reflected_inertia", "load_mass_error",
-                   "current_gain_error"}));
+            (Names{"torque_constant_error", "reflected_inertia", "load_mass_error"}));
 }
 
 // s_sensor tau and s_actuator tau are the same low pass of the same torque.
@@ -85,12 +83,6 @@ TEST(Confusions, ALagIsTheSensorsOrTheActuatorsWhereASensorMeasuresTorque) {
             std::string::npos);
   made.made.rig.load.type = LoadType::kFree;
   EXPECT_EQ(exact_identities(made.bench(), "torque_lag"), Names{"torque_lag"});
-}
-
-// Two gains that differ by the current's sign are no constant.
-TEST(Confusions, ACurrentsGainThatIsNamedIsNoConstant) {
-  Case made;
-  EXPECT_EQ(exact_identities(made.bench(), "current_gain_error"), Names{"current_gain_error"});
 }
 
 TEST(Confusions, FrictionHasNoIdentity) {

@@ -42,12 +42,20 @@ TEST(Doubts, AreNoneWhereEachNameLowersTheErrorAndNoneStandsForIt) {
 TEST(Doubts, GroupsOfEitherKindLeaveNoNameSure) {
   for (const bool exact : {false, true}) {
     EquationResult result = with_two(0.3, 0.1);
-    result.confounded.push_back({{"torque_offset", "viscous_friction"}, exact, "", ""});
+    result.confounded.push_back({{"torque_offset", "viscous_friction"}, exact, "", "another"});
     append_doubts(result);
     EXPECT_FALSE(is_certain(result, "viscous_friction"));
     EXPECT_TRUE(is_certain(result, "load_dependent_friction"));
-    EXPECT_EQ(verdict_of(result, true), Verdict::kCannotTell);
+    EXPECT_EQ(verdict_of(result, true), exact ? Verdict::kExplained : Verdict::kCannotTell);
   }
+}
+
+// Cogging at a whole ratio is a ripple of the output: neither the region nor a prediction differs.
+TEST(Doubts, AreNoneOfAnotherNameForTheSame) {
+  EquationResult result = with_two(0.3, 0.1);
+  result.confounded.push_back({{"viscous_friction", "another_name"}, true, "", ""});
+  append_doubts(result);
+  EXPECT_EQ(certain_of(result).size(), 2u);
 }
 
 TEST(Doubts, FallOnANameThatRaisesTheHeldOutError) {

@@ -99,7 +99,7 @@ TEST(VerdictSentence, CallsNoModelWrongForWhatGoesWithNothing) {
 
 TEST(VerdictSentence, SaysWhatNoLogOfSuchARigTellsAndWhatIsInDoubt) {
   EquationResult torque = equation("output_torque_Nm", Verdict::kCannotTell, {"a", "b", "c"});
-  torque.confounded.push_back({{"b", "d"}, true, "", ""});
+  torque.confounded.push_back({{"b", "d"}, true, "", "another"});
   torque.added[2].doubt = "it raises the error";
   EXPECT_EQ(
       verdict_sentence(identification_of(Verdict::kCannotTell, {torque}), true),
