@@ -161,9 +161,8 @@ Verdict verdict_of(const HopperReport& whole) {
   const bool is_load_open =
       std::any_of(whole.transmission_loads.begin(), whole.transmission_loads.end(),
                   [](const TransmissionLoad& load) { return load.verdict == Verdict::kUndecided; });
-  const bool is_undecided =
-      some(Verdict::kUndecided) || is_load_open || report.drives.empty() ||
-      std::any_of(report.findings.begin(), report.findings.end(), is_open);
+  const bool is_undecided = some(Verdict::kUndecided) || is_load_open || report.drives.empty() ||
+                            std::any_of(report.findings.begin(), report.findings.end(), is_open);
   return is_undecided ? Verdict::kUndecided : Verdict::kPass;
 }
 

@@ -2,7 +2,6 @@
 #include "identification/answer/analysis.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "identification/findings/doubts.hpp"

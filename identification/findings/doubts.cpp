@@ -10,13 +10,13 @@
 namespace torquewright::identification {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Parameters = decltype(NamedEffect::parameters);
 
 constexpr double kErrorsOfScale = 3.0;
 constexpr double kNoise = 1.58;  ///< Floors, up to which a simulation's error is noise.
 
 /// Whether a number in it is a torque, or an inertia: what scales with the torque constant.
-bool holds_a_torque(const Json& parameters) {
+bool holds_a_torque(const Parameters& parameters) {
   if (!parameters.is_structured()) return false;
   for (const auto& [key, value] : parameters.items()) {
     const bool is_torque =
