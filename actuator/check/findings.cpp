@@ -280,7 +280,7 @@ std::string contradiction_sentence(const std::string& joint,
   const std::string cause =
       agreement.correlation() >= kAgreement
           ? fmt::format("it is {:.4g} times d(position)/dt{}", factor, cause_of(factor))
-          : "is one of the columns dead, late, another joint's, or a position noisy?";
+          : "one of the columns may be dead, late or another joint's, or a position noisy";
   return fmt::format(
       "the velocity of {0} is not the rate of its position: from t = {1:.6g} s to {2:.6g} s the "
       "position changes by {3:.4g} rad and the integral of the velocity by {4:.4g} rad; {5}. Mend "

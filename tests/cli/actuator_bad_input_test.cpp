@@ -209,9 +209,10 @@ TEST(DeadVelocity, IsRefused) {
   EXPECT_EQ(
       outcome.err,
       "m.csv: the velocity of knee is not the rate of its position: from t = 0 s to 0.14 s the "
-      "position changes by -1.4 rad and the integral of the velocity by 0 rad; is one of the "
-      "columns dead, late or another joint's? Mend it or leave it out: without a velocity the "
-      "slopes of the position are taken\n");
+      "position changes by -1.4 rad and the integral of the velocity by 0 rad; one of the "
+      "columns may be dead, late or another joint's, or a position noisy. Mend the column that is "
+      "wrong (--column states a unit and a factor), or take knee's velocity out of the file: then "
+      "the slopes of the position are taken\n");
 }
 
 // Degrees under a header in rad: 6 rad/s are 344 deg/s, beyond what the knee can turn.

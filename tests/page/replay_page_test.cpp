@@ -21,7 +21,7 @@ using nlohmann::json;
 
 const std::string kHostile =
     "</script><script>window.injected = 1</script>\"'><img src=x onerror=window.injected=1>"
-    "\xE2\x80\xA8;//&amp;${window.injected=1}";
+    ";//&amp;${window.injected=1}";
 
 /// The flip, which the robot does not survive, of a robot with a name that is code.
 class ReplayPage : public testing::Test {
