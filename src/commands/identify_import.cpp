@@ -8,11 +8,13 @@
 
 #include "identification/imports/files_json.hpp"
 #include "io/atomic_file.hpp"
+#include "io/document.hpp"
 #include "io/file_bytes.hpp"
 #include "io/new_folder.hpp"
 #include "io/one_line.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/identify_commands.hpp"
+#include "src/commands/result_json.hpp"
 #include "src/standard_output.hpp"
 #include "src/window_text.hpp"
 
@@ -61,8 +63,10 @@ ExitCode run_import(const ImportOptions& options) {
   const fs::path folder = options.folder;
   const fs::path csv = folder / "log.csv", rig = folder / "rig.json";
   const std::string name = io::stem_in_text(options.files.front());
-  write(options,
-        {{csv, identification::imported_csv(log)}, {rig, identification::imported_rig(log, name)}});
+  const std::string rig_text = identification::imported_rig(log, name);
+  // What a file states may be beyond what any rig has.
+  io::check_document(as_read(rig_text), "rig", io::name_in_text(rig) + " is not written", "");
+  write(options, {{csv, identification::imported_csv(log)}, {rig, rig_text}});
   std::string said =
       fmt::format("{}: {} run{}\n{}: {} columns\n", io::name_in_text(csv), log.runs.size(),
                   log.runs.size() == 1 ? "" : "s", io::name_in_text(rig), log.columns.size());

@@ -94,6 +94,14 @@ TEST(Import, ReadsSysId) {
             std::string::npos);
 }
 
+// Found by the fuzzer: a rig that its own reader refuses was written.
+TEST(Import, WritesNoRigThatIsNone) {
+  json arm = sysid();
+  arm["unitsPerRotation"] = 67714885;
+  expect_refused(imported_text("sysid", "arm.json", arm.dump()),
+                 "made/rig.json is not written#/columns/position/scale: ");
+}
+
 TEST(Import, KeepsTheRigThatSomebodyHasEdited) {
   const Workplace place;
   place.write("arm.json", sysid().dump());
