@@ -214,8 +214,9 @@ class Pass {
 };
 
 /// The request with windings as warm as they become, where nobody said how warm they are; empty
-/// where none is warmer than its region was asked at.
+/// where none is warmer than its region was asked at, and of a single run, which begins cold.
 std::optional<CheckRequest> once_warm(const CheckRequest& request, const CheckReport& report) {
+  if (request.runs < 2) return std::nullopt;
   CheckRequest warm = request;
   bool is_warmer = false;
   for (std::size_t i = 0; i < request.drives.size(); ++i) {

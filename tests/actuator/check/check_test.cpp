@@ -213,6 +213,20 @@ TEST(Check, HoldsAWarmWindingAgainstItsOwnRegion) {
   EXPECT_EQ(checked.report(text).verdict, Verdict::kPass);
 }
 
+// The same drive with little heat to fill, within one run: what it does cold comes first.
+TEST(Check, DoesNotHoldASingleRunAgainstTheHeatOfItsEnd) {
+  Actuator actuator = test::simple_actuator();
+  actuator.thermal = Thermal{0.2, 0.3, 0.5, 0.5, 380.0, 300.0};
+  actuator.motor.winding_temperature_K = 300.0;
+  actuator.effects.push_back(
+      {find_effect("winding_resistance_temperature"), {0.004}, {}, false, ""});
+  Checked checked(actuator);
+  const CheckReport report = checked.report(motion(
+      10, nullptr, [](double) { return 42.7; }, [](double) { return 10.0; }));
+  EXPECT_GT(report.drives[0].interpretation.winding->peak_K, 315.0);
+  EXPECT_EQ(report.verdict, Verdict::kPass);
+}
+
 // Oracle: closed form. 20 Nm ask 20 A for ever; 0.5 ohm * 400 A^2 = 200 W (dc) over 0.5 K/W in all
 // settle at 100 K above the ambient, if the resistance does not grow.
 TEST(Check, WindingOverRepeatedRuns) {
