@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "actuator/check/drive_rows.hpp"
@@ -241,6 +243,17 @@ CheckReport check(const CheckRequest& request) {
   if (report.verdict == Verdict::kFail) return report;
   const std::optional<CheckRequest> warm = once_warm(request, report);
   if (!warm) return report;
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(request.trajectory, unknown)) {
+    Finding finding;
+    finding.severity = Severity::kWarning;
+    finding.rule = "winding-temperature";
+    finding.sentence =
+        "windings get warmer than their regions were asked at, and what comes through a pipe is "
+        "read once: check it again with --winding-temperature, or from a file";
+    report.findings.push_back(std::move(finding));
+    return report;
+  }
   CheckReport hot = Pass(*warm).run();
   if (hot.verdict != Verdict::kFail) return report;
   for (std::size_t i = 0; i < hot.drives.size(); ++i) {
