@@ -12,6 +12,7 @@
 
 #include "actuator/check/drive_rows.hpp"
 #include "actuator/check/findings.hpp"
+#include "actuator/check/last_run_heat.hpp"
 #include "actuator/check/shared_battery.hpp"
 #include "actuator/check/travel_agreement.hpp"
 #include "actuator/check/velocity_agreement.hpp"
@@ -43,6 +44,8 @@ class Pass {
     }
   }
 
+  explicit Pass(CheckRequest&&) = delete;  // it refers to it
+
   CheckReport run() {
     Row row;
     for (std::size_t count = 0; reader_.next(row); ++count) {
@@ -56,6 +59,18 @@ class Pass {
     to_velocity_.finish();
     to_acceleration_.finish();
     return report();
+  }
+
+  /// Findings and verdict by what the drives say.
+  void settle(CheckReport& report) const {
+    report.findings = findings(report.drives);
+    const auto some = [&](Verdict verdict) {
+      return std::any_of(report.drives.begin(), report.drives.end(),
+                         [verdict](const DriveReport& drive) { return drive.verdict == verdict; });
+    };
+    report.verdict = some(Verdict::kFail)        ? Verdict::kFail
+                     : some(Verdict::kUndecided) ? Verdict::kUndecided
+                                                 : Verdict::kPass;
   }
 
  private:
@@ -173,29 +188,27 @@ class Pass {
       if (request_.keep_traces) result.traces.push_back(checks_[i]->trace());
       result.drives.push_back(std::move(drive));
     }
-    result.findings = findings_of(result.drives);
+    require_seen_speeds(result.drives);
+    require_own_velocities(result.drives);
+    settle(result);
+    result.sha256 = reader_.sha256();
+    return result;
+  }
+
+  std::vector<Finding> findings(const std::vector<DriveReport>& drives) const {
+    std::vector<Finding> findings = findings_of(drives);
     if (const std::string shifted = reader_.clock().sentence(); !shifted.empty()) {
       Finding finding;
       finding.rule = "clock";
       finding.severity = Severity::kNote;
       finding.sentence = shifted;
-      result.findings.push_back(std::move(finding));
+      findings.push_back(std::move(finding));
     }
-    require_seen_speeds(result.drives);
-    require_own_velocities(result.drives);
-    if (auto gap = gap_finding(longest_step())) result.findings.push_back(std::move(*gap));
+    if (auto gap = gap_finding(longest_step())) findings.push_back(std::move(*gap));
     for (Finding& finding : shared_battery_findings(request_.drives)) {
-      result.findings.push_back(std::move(finding));
+      findings.push_back(std::move(finding));
     }
-    const auto some = [&](Verdict verdict) {
-      return std::any_of(result.drives.begin(), result.drives.end(),
-                         [verdict](const DriveReport& drive) { return drive.verdict == verdict; });
-    };
-    result.verdict = some(Verdict::kFail)        ? Verdict::kFail
-                     : some(Verdict::kUndecided) ? Verdict::kUndecided
-                                                 : Verdict::kPass;
-    result.sha256 = reader_.sha256();
-    return result;
+    return findings;
   }
 
   const CheckRequest& request_;
@@ -215,52 +228,68 @@ class Pass {
   LongestStep longest_;
 };
 
-/// The request with windings as warm as they become, where nobody said how warm they are; empty
-/// where none is warmer than its region was asked at, and of a single run, which begins cold.
-std::optional<CheckRequest> once_warm(const CheckRequest& request, const CheckReport& report) {
-  if (request.runs < 2) return std::nullopt;
-  CheckRequest warm = request;
-  bool is_warmer = false;
+using Heats = std::vector<std::optional<LastRunHeat>>;
+
+/// By drive; empty where none is warmer in its last run than its region was asked at.
+Heats last_run_heats(const CheckRequest& request, const CheckReport& report) {
+  Heats heats;
   for (std::size_t i = 0; i < request.drives.size(); ++i) {
-    const auto& winding = report.drives[i].interpretation.winding;
-    const CheckedDrive& drive = request.drives[i];
-    if (!winding || drive.conditions.winding_temperature_K) continue;
-    const double asked_K = winding_temperature_K(*drive.actuator, drive.conditions);
-    if (!std::isfinite(winding->peak_K) || winding->peak_K < asked_K + kSteady_K) continue;
-    OperatingConditions& conditions = warm.drives[i].conditions;
-    conditions.winding_temperature_K = winding->peak_K;
-    if (!objections(*drive.actuator, conditions).empty()) conditions = drive.conditions;
-    is_warmer = is_warmer || conditions.winding_temperature_K.has_value();
+    heats.push_back(last_run_heat(request.drives[i], report.drives[i]));
   }
-  return is_warmer ? std::optional(std::move(warm)) : std::nullopt;
+  const bool some =
+      std::any_of(heats.begin(), heats.end(), [](const auto& heat) { return !!heat; });
+  return some ? heats : Heats{};
+}
+
+CheckRequest at_heat(CheckRequest request, const Heats& heats,
+                     OperatingConditions LastRunHeat::*which) {
+  for (std::size_t i = 0; i < heats.size(); ++i) {
+    if (heats[i]) request.drives[i].conditions = (*heats[i]).*which;
+  }
+  return request;
+}
+
+/// Of what comes through a pipe, which cannot be read again.
+Finding read_once() {
+  Finding finding;
+  finding.severity = Severity::kWarning;
+  finding.rule = "winding-temperature";
+  finding.sentence =
+      "windings get warmer than their regions were asked at, and what comes through a pipe is "
+      "read once: check it again with --winding-temperature, or from a file";
+  return finding;
+}
+
+/// Holds what passes cold against the heat of its last run.
+CheckReport held_warm(const CheckRequest& request, const Heats& heats, CheckReport cold) {
+  const CheckRequest at_warmest = at_heat(request, heats, &LastRunHeat::warmest);
+  const CheckRequest at_coldest = at_heat(request, heats, &LastRunHeat::coldest);
+  Pass pass(at_warmest);
+  CheckReport warmest = pass.run();
+  if (warmest.verdict != Verdict::kFail) return cold;
+  const CheckReport coldest = Pass(at_coldest).run();
+  for (std::size_t i = 0; i < heats.size(); ++i) {
+    DriveReport& drive = warmest.drives[i];
+    const bool turns = heats[i] && drive.verdict == Verdict::kFail;
+    if (turns) hold_warm(*heats[i], coldest.drives[i].verdict, drive);
+  }
+  pass.settle(warmest);
+  return warmest;
 }
 
 }  // namespace
 
-/// What passes cold and fails in the last run's heat fails.
 CheckReport check(const CheckRequest& request) {
   CheckReport report = Pass(request).run();
   if (report.verdict == Verdict::kFail) return report;
-  const std::optional<CheckRequest> warm = once_warm(request, report);
-  if (!warm) return report;
+  const Heats heats = last_run_heats(request, report);
+  if (heats.empty()) return report;
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(request.trajectory, unknown)) {
-    Finding finding;
-    finding.severity = Severity::kWarning;
-    finding.rule = "winding-temperature";
-    finding.sentence =
-        "windings get warmer than their regions were asked at, and what comes through a pipe is "
-        "read once: check it again with --winding-temperature, or from a file";
-    report.findings.push_back(std::move(finding));
+    report.findings.push_back(read_once());
     return report;
   }
-  CheckReport hot = Pass(*warm).run();
-  if (hot.verdict != Verdict::kFail) return report;
-  for (std::size_t i = 0; i < hot.drives.size(); ++i) {
-    if (hot.drives[i].verdict != Verdict::kFail) continue;
-    hot.findings.push_back(warmth_finding(hot.drives[i], warm->drives[i].conditions));
-  }
-  return hot;
+  return held_warm(request, heats, std::move(report));
 }
 
 }  // namespace torquewright::actuator

@@ -4,26 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace torquewright::actuator {
+#include "actuator/region/torque_at.hpp"
 
-double armature_kg_m2(const Actuator& actuator) {
-  const Transmission& gear = actuator.transmission;
-  double sum_kg_m2 =
-      gear.ratio * gear.ratio * actuator.motor.rotor_inertia_kg_m2 + gear.inertia_kg_m2;
-  Instant at;
-  at.acceleration_rad_s2 = 1.0;
-  for (const Effect& effect : actuator.effects) {
-    if (effect.kind->acts == Acts::kInertialTorque) sum_kg_m2 -= effect.kind->law(effect, at);
-  }
-  return sum_kg_m2;
-}
+namespace torquewright::actuator {
 
 DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
     : name_(drive.name),
       options_(options),
       conditions_(drive.conditions),
       basis_(*drive.actuator, drive.conditions),
-      armature_kg_m2_(actuator::armature_kg_m2(*drive.actuator)),
+      armature_kg_m2_(reflected_inertia_kg_m2(*drive.actuator)),
       interpretation_(basis_, !options.only_verdict) {
   const bool is_open = options.inertia == InertiaConvention::kUnstated && armature_kg_m2_ > 0.0;
   if (is_open && options.has_torque) with_inertia_.emplace(basis_, !options.only_verdict);

@@ -27,9 +27,6 @@ struct DriveOptions {
   bool only_verdict = false;  ///< Leaves out the speed margin.
 };
 
-/// Rotor, gears and reflected_inertia effects, at the joint: N^2 J + ...
-double armature_kg_m2(const Actuator& actuator);
-
 /// Checks the samples of one actuator, in flat memory.
 class DriveCheck {
  public:

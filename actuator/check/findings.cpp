@@ -97,6 +97,23 @@ void add_winding(const DriveReport& drive, std::vector<Finding>& findings) {
   findings.push_back(std::move(result));
 }
 
+/// What holds in the last of several runs, and how sure that is.
+void add_last_run(const DriveReport& drive, std::vector<Finding>& findings) {
+  if (!drive.held_warm_K) return;
+  const WindingReport& winding = *drive.interpretation.winding;
+  const bool is_open = drive.verdict == Verdict::kUndecided;
+  findings.push_back(finding(
+      drive, is_open ? Severity::kWarning : Severity::kNote, "winding-temperature",
+      fmt::format("{}: held against its region with the winding at {:.4g} K, which it reaches in "
+                  "run {}; cold it does not fail{} (--winding-temperature)",
+                  drive.name, *drive.held_warm_K, winding.runs,
+                  is_open ? ", nor as cold as it is in that run: undecided" : "")));
+  if (!is_open) return;
+  for (Finding& one : findings) {
+    if (one.severity == Severity::kViolation) one.severity = Severity::kWarning;
+  }
+}
+
 void add_continuous(const DriveReport& drive, const ContinuousUse& use, const char* rule,
                     const char* what, const char* unit, std::vector<Finding>& findings) {
   if (!use.is_passed()) return;
@@ -210,6 +227,7 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
   if (drive.has_torque) {
     add_winding(drive, findings);
     add_continuous(drive, findings);
+    add_last_run(drive, findings);
     add_inertia(drive, findings);
   }
   if (drive.unwrapped > 0) {
@@ -232,14 +250,6 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
 }
 
 }  // namespace
-
-Finding warmth_finding(const DriveReport& drive, const OperatingConditions& conditions) {
-  const WindingReport& winding = *drive.interpretation.winding;
-  return finding(drive, Severity::kNote, "winding-temperature",
-                 fmt::format("{}: held against its region with the winding at {:.4g} K, which it "
-                             "reaches in run {}; cold it passes (--winding-temperature)",
-                             drive.name, *conditions.winding_temperature_K, winding.runs));
-}
 
 std::optional<Finding> gap_finding(const LongestStep& step) {
   if (step.usual_s == 0.0 || step.duration_s <= kGap * step.usual_s) return std::nullopt;

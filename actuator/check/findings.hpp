@@ -10,7 +10,6 @@
 #include "actuator/check/time_gap.hpp"
 #include "actuator/check/travel_agreement.hpp"
 #include "actuator/check/velocity_agreement.hpp"
-#include "actuator/region/operating_conditions.hpp"
 
 namespace torquewright::actuator {
 
@@ -28,9 +27,6 @@ constexpr double kImplausibleSpeed = 3.0;
 
 /// Nobody knows what a leg did in a longer step: it can have made a stance of its own.
 constexpr double kMostUnseen_s = 0.1;
-
-/// That a drive was held against its region with the winding as warm as it becomes.
-Finding warmth_finding(const DriveReport& drive, const OperatingConditions& conditions);
 
 std::optional<Finding> gap_finding(const LongestStep& step);
 

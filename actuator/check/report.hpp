@@ -97,6 +97,8 @@ struct DriveReport {
   double velocity_correlation = 0.0;  ///< Of the two, squared; 0: not compared.
   std::size_t unwrapped = 0;          ///< Times that its position was made to run on,
   double unwrapped_from_s = 0.0;      ///< and when first.
+  /// Of the winding, in the last of several runs, where this is the report of that.
+  std::optional<double> held_warm_K;
   std::vector<std::string> left_out;
   std::vector<std::string> assumed;
 };

@@ -60,14 +60,16 @@ void WindingHeat::add(double square_A2, double duration_s) {
   steps_in_last_ = 1;
 }
 
-WindingHeat::Peak WindingHeat::run(Warmth warmth) const {
+WindingHeat::Course WindingHeat::run(Warmth warmth) const {
   warmth = without_nan(warmth);
+  double coldest_K = warmth[0];
   double warmest_K = warmth[0];
   for (const HeatStep& block : blocks_) {
     warmth = without_nan(block.after(warmth));
+    coldest_K = std::min(coldest_K, warmth[0]);
     warmest_K = std::max(warmest_K, warmth[0]);
   }
-  return {warmest_K, warmth};
+  return {coldest_K, warmest_K, warmth};
 }
 
 HeatStep WindingHeat::whole() const {
@@ -97,8 +99,10 @@ WindingReport WindingHeat::report(std::size_t runs, double pause_s) const {
   report.limit_K = model_.limit_K();
   report.runs = runs;
   report.first_peak_K = peak_K(1);
-  report.peak_K = peak_K(runs);
-  report.end_K = ambient_K + run(start_of_run(runs - 1, pause_s)).end[0];
+  const Course last = run(start_of_run(runs - 1, pause_s));
+  report.peak_K = ambient_K + last.warmest_K;
+  report.coldest_K = ambient_K + last.coldest_K;
+  report.end_K = ambient_K + last.end[0];
   report.resolution_s = steps_a_block_ == 1 || blocks_.empty() ? 0.0 : blocks_.front().duration_s;
   HeatStep cycle = whole();
   if (pause_s > 0.0) cycle = then(cycle, model_.step(0.0, pause_s));

@@ -13,7 +13,8 @@ namespace torquewright::actuator {
 struct WindingReport {
   double limit_K = 0.0;
   double first_peak_K = 0.0;  ///< In the first run.
-  double peak_K = 0.0;        ///< In the last run asked for.
+  double peak_K = 0.0;        ///< In the last run asked for,
+  double coldest_K = 0.0;     ///< and the coldest there.
   double end_K = 0.0;         ///< When it ends.
   std::size_t runs = 1;
   std::optional<double> steady_peak_K;        ///< After very many; empty: it never settles.
@@ -38,11 +39,12 @@ class WindingHeat {
   static constexpr std::size_t kMostBlocks = 8192;
 
  private:
-  struct Peak {
+  struct Course {
+    double coldest_K;
     double warmest_K;
     Warmth end;
   };
-  Peak run(Warmth warmth) const;
+  Course run(Warmth warmth) const;
   Warmth start_of_run(std::size_t index, double pause_s) const;
   HeatStep whole() const;
 

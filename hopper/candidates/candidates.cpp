@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
-#include "actuator/check/drive_check.hpp"
 #include "actuator/check/region_words.hpp"
 #include "actuator/region/joint_region.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "hopper/in_parallel.hpp"
 
 namespace torquewright::hopper {
@@ -197,7 +197,7 @@ CandidateResult described(const Robot& robot, std::size_t drivetrain, const Cand
   result.drivetrain = drivetrain;
   result.name = candidate.name;
   result.ratio = candidate.actuator.transmission.ratio;
-  result.rotor_inertia_kg_m2 = actuator::armature_kg_m2(candidate.actuator);
+  result.rotor_inertia_kg_m2 = actuator::reflected_inertia_kg_m2(candidate.actuator);
   if (candidate.actuator.mass_kg) {
     const auto count = robot.drivetrains[drivetrain].actuators.size();
     result.mass_kg = *candidate.actuator.mass_kg * static_cast<double>(count);

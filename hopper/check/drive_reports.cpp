@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "actuator/check/drive_check.hpp"
+#include "actuator/check/last_run_heat.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper {
@@ -77,16 +77,21 @@ struct Place {
   std::size_t drive;     ///< Of all.
 };
 
+actuator::CheckedDrive checked_as(const actuator::OperatingConditions& conditions,
+                                  const Place& place) {
+  const auto& [drivetrain, actuator, drive] = place;
+  return {drivetrain.actuator_names[actuator], &drivetrain.actuators[actuator], conditions};
+}
+
 /// Holds one drive's samples against its region, on its battery's voltage.
 actuator::DriveReport checked_drive(const CheckedMotion& checked,
+                                    const actuator::OperatingConditions& conditions,
                                     const actuator::DriveOptions& options,
                                     const Eigen::VectorXd& torque_Nm,
                                     const std::vector<SharedBus>& buses, const Place& place,
                                     std::vector<actuator::TracePoint>* trace = nullptr) {
-  const auto& [drivetrain, actuator, drive] = place;
-  actuator::DriveCheck check({drivetrain.actuator_names[actuator], &drivetrain.actuators[actuator],
-                              checked.options.conditions},
-                             options);
+  const std::size_t drive = place.drive;
+  actuator::DriveCheck check(checked_as(conditions, place), options);
   const SharedBus* bus = nullptr;
   for (const SharedBus& shared : buses) {
     for (const std::size_t member : shared.drives) bus = member == drive ? &shared : bus;
@@ -102,27 +107,68 @@ actuator::DriveReport checked_drive(const CheckedMotion& checked,
   return report;
 }
 
+/// Holds one drive against its region under one set of conditions, as far as its torques are known.
+class DriveAtConditions {
+ public:
+  DriveAtConditions(const CheckedMotion& checked, const DriveTorques& torques,
+                    const std::vector<SharedBus>& buses, const Place& place)
+      : checked_(checked),
+        buses_(buses),
+        place_(place),
+        torque_Nm_(torques.torque_Nm.row(static_cast<Index>(place.drive))),
+        options_{true, torques.inertia, checked.options.runs, checked.options.pause_s, false} {
+    if (torques.doubt_Nm.size() == 0) return;
+    doubt_Nm_ = torques.doubt_Nm.row(static_cast<Index>(place.drive));
+  }
+
+  actuator::DriveReport report(const actuator::OperatingConditions& conditions,
+                               std::vector<actuator::TracePoint>* trace = nullptr) const {
+    actuator::DriveOptions options = options_;
+    options.keep_trace = trace != nullptr;
+    actuator::DriveReport report =
+        checked_drive(checked_, conditions, options, torque_Nm_, buses_, place_, trace);
+    if (doubt_Nm_.size() == 0 || doubt_Nm_.maxCoeff() == 0.0) return report;
+    const double side = report.verdict == Verdict::kFail ? -1.0 : 1.0;
+    if (verdict_moved(conditions, side) != report.verdict) report.verdict = Verdict::kUndecided;
+    return report;
+  }
+
+ private:
+  Verdict verdict_moved(const actuator::OperatingConditions& conditions, double side) const {
+    actuator::DriveOptions options = options_;
+    options.only_verdict = true;
+    const Eigen::ArrayXd size_Nm = (torque_Nm_.array().abs() + side * doubt_Nm_.array()).max(0.0);
+    const Eigen::VectorXd moved_Nm = (torque_Nm_.array() < 0.0).select(-size_Nm, size_Nm);
+    return checked_drive(checked_, conditions, options, moved_Nm, buses_, place_).verdict;
+  }
+
+  const CheckedMotion& checked_;
+  const std::vector<SharedBus>& buses_;
+  const Place& place_;
+  Eigen::VectorXd torque_Nm_;
+  Eigen::VectorXd doubt_Nm_;  ///< Empty: none.
+  actuator::DriveOptions options_;
+};
+
+/// What passes cold is held against the heat of its last run.
 void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
                  const std::vector<SharedBus>& buses, const Place& place, DriveReports& reports) {
-  const auto row = static_cast<Index>(place.drive);
-  const Eigen::VectorXd torque_Nm = torques.torque_Nm.row(row);
   std::vector<actuator::TracePoint>* trace =
       checked.options.keep_traces ? &reports.traces.emplace_back() : nullptr;
-  actuator::DriveOptions options{true, torques.inertia, checked.options.runs,
-                                 checked.options.pause_s, trace != nullptr};
-  reports.drives.push_back(checked_drive(checked, options, torque_Nm, buses, place, trace));
-  if (torques.doubt_Nm.size() == 0 || torques.doubt_Nm.row(row).maxCoeff() == 0.0) return;
+  const DriveAtConditions drive(checked, torques, buses, place);
+  const actuator::CheckedDrive as_asked = checked_as(checked.options.conditions, place);
+  reports.drives.push_back(drive.report(as_asked.conditions, trace));
   actuator::DriveReport& report = reports.drives.back();
-  options.keep_trace = false;
-  options.only_verdict = true;
-  const auto verdict_at = [&](double side) {
-    const Eigen::ArrayXd size_Nm =
-        (torque_Nm.array().abs() + side * torques.doubt_Nm.row(row).transpose().array()).max(0.0);
-    const Eigen::VectorXd moved_Nm = (torque_Nm.array() < 0.0).select(-size_Nm, size_Nm);
-    return checked_drive(checked, options, moved_Nm, buses, place).verdict;
-  };
-  const Verdict other = verdict_at(report.verdict == Verdict::kFail ? -1.0 : 1.0);
-  if (other != report.verdict) report.verdict = Verdict::kUndecided;
+  if (report.verdict == Verdict::kFail) return;
+  const auto heat = actuator::last_run_heat(as_asked, report);
+  if (!heat) return;
+  std::vector<actuator::TracePoint> warm_trace;
+  actuator::DriveReport warmest =
+      drive.report(heat->warmest, trace != nullptr ? &warm_trace : nullptr);
+  if (warmest.verdict == report.verdict) return;
+  actuator::hold_warm(*heat, drive.report(heat->coldest).verdict, warmest);
+  report = std::move(warmest);
+  if (trace != nullptr) *trace = std::move(warm_trace);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "actuator/check/drive_check.hpp"
 #include "actuator/motor/actuator_spec.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "hopper/find_name.hpp"
 #include "hopper/mechanisms/library_spec.hpp"
 #include "hopper/robot/mechanism_reach.hpp"
@@ -202,7 +202,7 @@ class MechanismReader {
     if (joint.kind == dynamics::JointKind::kPrismatic) return;  // of a screw no lead is known
     const double ratio = (*jacobian)(0, 0);
     joint.reflected_inertia =
-        ratio * ratio * actuator::armature_kg_m2(drivetrain.actuators.front());
+        ratio * ratio * actuator::reflected_inertia_kg_m2(drivetrain.actuators.front());
   }
 
   Robot& robot_;

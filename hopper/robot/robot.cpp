@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "actuator/check/drive_check.hpp"
+#include "actuator/region/torque_at.hpp"
 
 namespace torquewright::hopper {
 
 double rotor_at_output_kg_m2(const Drivetrain& drivetrain, std::size_t actuator) {
   const std::vector<double>& stated = drivetrain.stated_rotors_kg_m2;
-  return stated.empty() ? actuator::armature_kg_m2(drivetrain.actuators[actuator])
+  return stated.empty() ? actuator::reflected_inertia_kg_m2(drivetrain.actuators[actuator])
                         : stated[actuator];
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "actuator/check/drive_check.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/jet.hpp"
 #include "dynamics/mass_matrix.hpp"
@@ -40,8 +40,9 @@ double in_front_of_gears_kg_m2(const Robot& robot, const Drivetrain& drivetrain,
                                std::size_t index) {
   const actuator::Actuator& actuator = drivetrain.actuators[index];
   // A crank turns behind the gears.
-  const double all_kg_m2 = rotors_stay_in_tree(drivetrain) ? actuator::armature_kg_m2(actuator)
-                           : drivetrain.rotors_in_tree     ? rotor_kg_m2(robot, drivetrain, index)
+  const double all_kg_m2 = rotors_stay_in_tree(drivetrain)
+                               ? actuator::reflected_inertia_kg_m2(actuator)
+                           : drivetrain.rotors_in_tree ? rotor_kg_m2(robot, drivetrain, index)
                                                        : rotor_at_output_kg_m2(drivetrain, index);
   return std::max(0.0, all_kg_m2 - actuator.transmission.inertia_kg_m2);
 }

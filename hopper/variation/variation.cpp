@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-#include "actuator/check/drive_check.hpp"
 #include "actuator/region/operating_conditions.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "hopper/variation/drive_groups.hpp"
 #include "io/refusal.hpp"
 
@@ -117,8 +117,8 @@ std::vector<double> inertia_factors(const Robot& robot, const Drivetrain& before
                                     const Drivetrain& after, const Variable& variable) {
   std::vector<double> factors;
   for (std::size_t i = 0; i < before.actuators.size(); ++i) {
-    const double before_kg_m2 = actuator::armature_kg_m2(before.actuators[i]);
-    const double after_kg_m2 = actuator::armature_kg_m2(after.actuators[i]);
+    const double before_kg_m2 = actuator::reflected_inertia_kg_m2(before.actuators[i]);
+    const double after_kg_m2 = actuator::reflected_inertia_kg_m2(after.actuators[i]);
     const bool is_same =
         after.actuators[i].transmission.ratio == before.actuators[i].transmission.ratio;
     if (!is_same && after_kg_m2 == before_kg_m2 && holds_rotors(robot, before)) {

@@ -3,10 +3,14 @@
 #include "actuator/check/check.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <thread>
 
 #include "actuator/check/check_report_spec.hpp"
 #include "actuator/effects/library.hpp"
@@ -213,18 +217,58 @@ TEST(Check, HoldsAWarmWindingAgainstItsOwnRegion) {
   EXPECT_EQ(checked.report(text).verdict, Verdict::kPass);
 }
 
-// The same drive with little heat to fill, within one run: what it does cold comes first.
-TEST(Check, DoesNotHoldASingleRunAgainstTheHeatOfItsEnd) {
+/// The same drive with so little heat to fill that a run of a second warms it.
+Actuator soon_warm() {
   Actuator actuator = test::simple_actuator();
   actuator.thermal = Thermal{0.2, 0.3, 0.5, 0.5, 380.0, 300.0};
   actuator.motor.winding_temperature_K = 300.0;
   actuator.effects.push_back(
       {find_effect("winding_resistance_temperature"), {0.004}, {}, false, ""});
-  Checked checked(actuator);
+  return actuator;
+}
+
+// What it does cold comes first.
+TEST(Check, DoesNotHoldASingleRunAgainstTheHeatOfItsEnd) {
+  Checked checked(soon_warm());
   const CheckReport report = checked.report(motion(
       10, nullptr, [](double) { return 42.7; }, [](double) { return 10.0; }));
   EXPECT_GT(report.drives[0].interpretation.winding->peak_K, 315.0);
   EXPECT_EQ(report.verdict, Verdict::kPass);
+}
+
+// After a pause of 100 s, many of its time constants, the last run begins as cold as the first.
+TEST(Check, LeavesOpenWhatFailsOnlyWithinTheLastRun) {
+  Checked checked(soon_warm());
+  const std::string text = motion(
+      10, nullptr, [](double) { return 42.7; }, [](double) { return 10.0; });
+  checked.request().runs = 3;
+  checked.request().pause_s = 100.0;
+  const CheckReport paused = checked.report(text);
+  EXPECT_EQ(paused.verdict, Verdict::kUndecided);
+  EXPECT_NEAR(paused.drives[0].interpretation.winding->coldest_K, 300.0, 1e-6);
+  EXPECT_TRUE(has_finding(paused, "winding-temperature", Severity::kWarning));
+  EXPECT_FALSE(has_finding(paused, "motor-operating-region", Severity::kViolation));
+  checked.request().pause_s = 0.0;
+  EXPECT_EQ(checked.report(text).verdict, Verdict::kFail);
+}
+
+// Nothing is read from a pipe a second time, and nobody waits for it.
+TEST(Check, SaysThatWhatComesThroughAPipeIsJudgedCold) {
+  test::ScratchFolder folder;
+  const Actuator actuator = soon_warm();
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string text = motion(
+      10, nullptr, [](double) { return 42.7; }, [](double) { return 10.0; });
+  std::thread writer([&] { std::ofstream(pipe) << text; });
+  CheckRequest request;
+  request.trajectory = pipe;
+  request.drives = {{"k", &actuator, {}}};
+  request.runs = 3;
+  const CheckReport report = check(request);
+  writer.join();
+  EXPECT_EQ(report.verdict, Verdict::kPass);
+  EXPECT_TRUE(has_finding(report, "winding-temperature", Severity::kWarning));
 }
 
 // Oracle: closed form. 20 Nm ask 20 A for ever; 0.5 ohm * 400 A^2 = 200 W (dc) over 0.5 K/W in all

@@ -9,6 +9,7 @@
 #include "actuator/check/check.hpp"
 #include "actuator/check/region_lookup.hpp"
 #include "actuator/effects/library.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "tests/actuator/check/checked_joint.hpp"
 
 namespace torquewright::actuator {
@@ -53,11 +54,11 @@ TEST(DriveFigures, PeakSpeedIsThatOfEitherDirection) {
 // Oracle: sums by hand. N^2 J = 0.01 kg m^2, the effect's own 0.03, the gears' 0.002.
 TEST(DriveFigures, ArmatureHoldsAStatedReflectedInertia) {
   Actuator actuator = test::simple_actuator();
-  EXPECT_NEAR(armature_kg_m2(actuator), 0.01, 1e-15);
+  EXPECT_NEAR(reflected_inertia_kg_m2(actuator), 0.01, 1e-15);
   actuator.effects.push_back({find_effect("reflected_inertia"), {0.03}, {}, false, ""});
-  EXPECT_NEAR(armature_kg_m2(actuator), 0.04, 1e-15);
+  EXPECT_NEAR(reflected_inertia_kg_m2(actuator), 0.04, 1e-15);
   actuator.transmission.inertia_kg_m2 = 0.002;
-  EXPECT_NEAR(armature_kg_m2(actuator), 0.042, 1e-15);
+  EXPECT_NEAR(reflected_inertia_kg_m2(actuator), 0.042, 1e-15);
 }
 
 TEST(DriveFigures, ListEffectsThatNoRegionHolds) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "actuator/effects/library.hpp"
 #include "hopper/check/base_residual.hpp"
 #include "hopper/check/contact_load.hpp"
 #include "hopper/check/drive_reports.hpp"
@@ -13,6 +14,7 @@
 #include "hopper/check/shared_bus.hpp"
 #include "hopper/mechanisms/constant_jacobian.hpp"
 #include "io/spec_error.hpp"
+#include "tests/actuator/check/simple_actuator.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::hopper {
@@ -312,6 +314,33 @@ TEST(DriveReports, CountEverySampleOfTheirDrive) {
   ASSERT_EQ(second.drives.size(), 1u);
   EXPECT_EQ(second.drives[0].name, "two");
   EXPECT_DOUBLE_EQ(second.drives[0].interpretation.peak_torque_Nm, 70.0);
+}
+
+// Oracle: closed form, as of Check.HoldsAWarmWindingAgainstItsOwnRegion: 10 Nm settle at 27.8 K,
+// where the drive of 43 rad/s does 42.44.
+TEST(DriveReports, HoldRepeatedRunsAgainstTheHeatOfTheLast) {
+  DrivenMotion driven(4);
+  for (Drivetrain& drivetrain : driven.robot.drivetrains) {
+    actuator::Actuator& actuator = drivetrain.actuators[0];
+    actuator = test::simple_actuator();
+    actuator.thermal = actuator::Thermal{0.2, 0.3, 20.0, 200.0, 380.0, 300.0};
+    actuator.motor.winding_temperature_K = 300.0;
+    actuator.effects.push_back(
+        {actuator::find_effect("winding_resistance_temperature"), {0.004}, {}, false, ""});
+  }
+  for (DriveInstant& instant : driven.demand.drives[0]) instant.speed_rad_s = 42.7;
+  DriveTorques torques = drive_torques(driven.checked());
+  torques.torque_Nm.row(0).setConstant(10.0);
+  EXPECT_EQ(check_drives(driven.checked(), torques, {}).drives[0].verdict,
+            actuator::Verdict::kPass);
+  driven.options.runs = 10'000'000;
+  const DriveReports warm = check_drives(driven.checked(), torques, {});
+  EXPECT_EQ(warm.drives[0].verdict, actuator::Verdict::kFail);
+  EXPECT_NEAR(*warm.drives[0].held_warm_K, 300.0 + 25.0 / 0.9, 1e-3);
+  EXPECT_EQ(warm.drives[1].verdict, actuator::Verdict::kPass);
+  driven.options.conditions.winding_temperature_K = 300.0;
+  EXPECT_EQ(check_drives(driven.checked(), torques, {}).drives[0].verdict,
+            actuator::Verdict::kPass);
 }
 
 // Oracle: means by hand over windows of 20 ms. Limits: a tenth of 100 N, and that times 0.5 m.

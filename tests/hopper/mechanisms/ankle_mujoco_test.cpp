@@ -68,7 +68,8 @@ test::MujocoEngine looped(const Robot& robot, double part_kg, const std::string&
     const std::size_t first = tree.bodies.size();
     dynamics::Body crank =
         part("crank_" + number, 1, kPlaces[i].actuator_m, Vector3d::UnitY(), part_kg);
-    crank.joint.reflected_inertia = actuator::armature_kg_m2(robot.drivetrains[1].actuators[i]);
+    crank.joint.reflected_inertia =
+        actuator::reflected_inertia_kg_m2(robot.drivetrains[1].actuators[i]);
     tree.bodies.push_back(crank);
     tree.bodies.push_back(
         part("fork_" + number, first, {-kCrank_m, 0, 0}, Vector3d::UnitY(), part_kg));
@@ -170,8 +171,8 @@ struct State {
 
 SmallVector armatures(const Robot& robot) {
   const auto& actuators = robot.drivetrains[1].actuators;
-  return test::pair_of(actuator::armature_kg_m2(actuators[0]),
-                       actuator::armature_kg_m2(actuators[1]));
+  return test::pair_of(actuator::reflected_inertia_kg_m2(actuators[0]),
+                       actuator::reflected_inertia_kg_m2(actuators[1]));
 }
 
 TEST(AnkleBesideMujoco, HasTheSameMotionAndForces) {
