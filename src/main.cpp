@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <csignal>
+#include <string_view>
 
 #include "io/atomic_file.hpp"
+#include "io/direct_output.hpp"
 #include "io/file_session.hpp"
 #include "src/command_line/exit_status.hpp"
+#include "src/exit_code.hpp"
+#include "src/limited_stack.hpp"
 #include "src/program.hpp"
 #include "src/sweep/worker_channel.hpp"
 
 int main(int argc, char** argv) {
+  if (const std::string_view complaint = torquewright::cli::stack_complaint(); !complaint.empty()) {
+    torquewright::io::write_all(STDERR_FILENO, complaint);
+    return static_cast<int>(torquewright::cli::ExitCode::kBadInput);
+  }
   torquewright::io::ignore_file_size_signal();
   std::signal(SIGCHLD, SIG_DFL);  // or nobody could tell us how a process that we start ends
   torquewright::sweep::end_with_starter();

@@ -18,7 +18,7 @@ struct ResidualPeak {
 struct BaseResidual {
   ResidualPeak force;    ///< On a floating base.
   ResidualPeak moment;   ///< About the centre of mass.
-  ResidualPeak passive;  ///< Torque of joints that no actuator moves.
+  ResidualPeak passive;  ///< Torque of joints that no actuator moves; forces of slides by size_m.
   double window_s = 0.0;
 };
 

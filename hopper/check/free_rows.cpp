@@ -24,7 +24,10 @@ FreeRows::FreeRows(const WholeBody& body)
     for (const std::size_t joint : drivetrain.joints) is_driven[joint] = true;
   }
   for (std::size_t i = 1; i < is_driven.size(); ++i) {
-    if (!is_driven[i]) passive_.push_back(base_ + static_cast<Index>(i) - 1);
+    if (is_driven[i]) continue;
+    const bool slides = body.robot().tree.bodies[i].joint.kind == dynamics::JointKind::kPrismatic;
+    if (slides) slides_.push_back(size());
+    passive_.push_back(base_ + static_cast<Index>(i) - 1);
   }
   turn_.setIdentity(base_, base_);
 }
@@ -51,13 +54,15 @@ void FreeRows::take(const Eigen::Ref<const Eigen::MatrixXd>& from,
 Eigen::VectorXd FreeRows::scales(double weight_N, double size_m) const {
   Eigen::VectorXd scales = Eigen::VectorXd::Constant(size(), weight_N * size_m);
   scales.head(kinds().forces).setConstant(weight_N);
+  for (const Index row : slides_) scales[row] = weight_N;
   return scales;
 }
 
 RowKinds FreeRows::kinds() const {
   const auto passives = static_cast<Index>(passive_.size());
-  if (kind_ == BaseKind::kFixed) return {0, 0, passives};
-  return kind_ == BaseKind::kPlanar ? RowKinds{2, 1, passives} : RowKinds{3, 3, passives};
+  if (kind_ == BaseKind::kFixed) return {0, 0, passives, slides_};
+  return kind_ == BaseKind::kPlanar ? RowKinds{2, 1, passives, slides_}
+                                    : RowKinds{3, 3, passives, slides_};
 }
 
 }  // namespace torquewright::hopper

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "hopper/robot/whole_body.hpp"
 
 namespace torquewright::hopper {
 
 /// How many of the free rows are what, in this order.
 struct RowKinds {
-  Eigen::Index forces = 0;    ///< On the base.
-  Eigen::Index moments = 0;   ///< On the base, about the centre of mass.
-  Eigen::Index passives = 0;  ///< On joints without an actuator.
+  Eigen::Index forces = 0;           ///< On the base.
+  Eigen::Index moments = 0;          ///< On the base, about the centre of mass.
+  Eigen::Index passives = 0;         ///< On joints without an actuator,
+  std::vector<Eigen::Index> slides;  ///< of which these rows, of all, hold forces (N).
 };
 
 /// The rows of the equations of motion that no actuator appears in: those of a floating base, and
@@ -39,7 +42,8 @@ class FreeRows {
   dynamics::BaseKind kind_;
   Eigen::Index base_;
   std::vector<Eigen::Index> passive_;  ///< Rows of velocity.
-  Eigen::MatrixXd turn_;               ///< Square, of the base's rows.
+  std::vector<Eigen::Index> slides_;
+  Eigen::MatrixXd turn_;  ///< Square, of the base's rows.
 };
 
 }  // namespace torquewright::hopper

@@ -98,7 +98,8 @@ void require_physical(const CheckedMotion& checked, const BaseResidual& residual
   };
   require(residual.force, "a force on the base", "N");
   require(residual.moment, "a moment about the centre of mass", "Nm");
-  require(residual.passive, "a torque of joints without an actuator", "Nm");
+  require(residual.passive,
+          "a torque of joints without an actuator (forces of slides times the robot's size)", "Nm");
   if (!faults.empty()) throw io::SpecError(std::move(faults));
 }
 

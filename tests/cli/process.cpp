@@ -73,6 +73,7 @@ bool become_nobody() {
                         ::dup2(to, STDOUT_FILENO) >= 0 && ::dup2(err.ends[1], STDERR_FILENO) >= 0 &&
                         limit(RLIMIT_FSIZE, circumstances.file_size_limit) &&
                         limit(RLIMIT_AS, circumstances.memory_limit) &&
+                        limit(RLIMIT_STACK, circumstances.stack_limit) &&
                         (!circumstances.as_nobody || become_nobody());
   if (is_ready) ::execv(words.front(), words.data());
   ::_exit(kNotStarted);

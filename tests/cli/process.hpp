@@ -22,6 +22,7 @@ struct Circumstances {
   std::filesystem::path folder = ".";       ///< Its working directory.
   std::optional<rlim_t> file_size_limit{};  ///< Of files it writes, as on a full disk [bytes].
   std::optional<rlim_t> memory_limit{};     ///< Of its address space [bytes].
+  std::optional<rlim_t> stack_limit{};      ///< [bytes]
   /// Ctrl-C so long after it has begun to listen for it.
   std::optional<std::chrono::milliseconds> interrupt_after{};
   std::optional<Signal> signal{};

@@ -365,6 +365,18 @@ TEST(BaseResidual, IsTheGreatestMeanOverItsWindowAndTheShareBeyond) {
   EXPECT_THROW(require_physical(driven.checked(), found, {}), io::SpecError);
 }
 
+// Oracle: 6 N along a slide are 3 Nm at the size of 0.5 m, of noise alike.
+TEST(BaseResidual, TakesTheForceOfASlideAtTheRobotsSize) {
+  DrivenMotion driven(11);
+  driven.demand.rows.slides = {3};
+  driven.demand.residual.row(3).setConstant(6.0);
+  EXPECT_NEAR(base_residual(driven.checked()).passive.mean, 3.0, 1e-12);
+  EXPECT_NEAR(base_residual(driven.checked()).passive.limit, 5.0, 1e-12);
+  driven.demand.residual_noise.setZero(4);
+  driven.demand.residual_noise[3] = 1.0;
+  EXPECT_NEAR(base_residual(driven.checked()).passive.limit, 5.0 + 4.0 * 0.5, 1e-12);
+}
+
 TEST(BaseResidual, CountsTheImpulsesOfJolts) {
   DrivenMotion driven(11);
   driven.options.residual_window_s = 0.02;
