@@ -7,14 +7,14 @@ namespace torquewright::cli {
 namespace {
 
 /// Plans take 512 to 768 KiB, the most of all commands.
-constexpr rlim_t kNeeded_bytes = rlim_t{1} << 20;
+constexpr rlim_t kNeededStack_bytes = rlim_t{1} << 20;
 
 }  // namespace
 
 std::string_view stack_complaint() {
   rlimit limits{};
   const bool is_enough =
-      ::getrlimit(RLIMIT_STACK, &limits) != 0 || limits.rlim_cur >= kNeeded_bytes;
+      ::getrlimit(RLIMIT_STACK, &limits) != 0 || limits.rlim_cur >= kNeededStack_bytes;
   return is_enough ? "" : "ulimit -s: leaves less than 1024 KiB, too little; 8192 is usual\n";
 }
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -12,7 +12,7 @@
 
 #include "actuator/check/drive_rows.hpp"
 #include "actuator/check/findings.hpp"
-#include "actuator/check/last_run_heat.hpp"
+#include "actuator/check/heat_ends.hpp"
 #include "actuator/check/shared_battery.hpp"
 #include "actuator/check/travel_agreement.hpp"
 #include "actuator/check/velocity_agreement.hpp"
@@ -23,6 +23,7 @@ namespace torquewright::actuator {
 namespace {
 
 constexpr std::size_t kRowsBetweenProgress = 20000;
+constexpr char kReadOnce[] = "what comes through a pipe is read once, and was judged as asked for";
 
 /// One pass over the trajectory: rows of joints, velocities filled in; rows of drives,
 /// accelerations filled in; each drive's check.
@@ -168,6 +169,25 @@ class Pass {
                hidden_motion_sentence(longest_step(), reader_.clock().origin_s(), "velocities"));
   }
 
+  std::size_t rows() const { return steps_ + 1; }
+
+  /// Two rows have a velocity where it is differentiated, three an acceleration.
+  void require_rates(const std::vector<DriveReport>& drives) const {
+    const auto some = [&](bool (*holds)(const DriveReport&)) {
+      return std::any_of(drives.begin(), drives.end(), holds);
+    };
+    const bool differentiates = some([](const auto& one) { return one.is_speed_differentiated; });
+    const bool adds_rotors = request_.inertia == InertiaConvention::kExcluded &&
+                             some([](const auto& one) { return one.armature_kg_m2 > 0.0; });
+    const std::size_t least = adds_rotors ? (differentiates ? 3 : 2) : differentiates ? 2 : 1;
+    if (rows() >= least) return;
+    io::refuse(reader_.file(),
+               fmt::format("{} cannot be had from fewer than {} rows, and there {}; state "
+                           "velocities in the file, or take more rows (--from, --until)",
+                           adds_rotors ? "the rotors' acceleration" : "velocities", least,
+                           rows() == 1 ? "is one" : "are two"));
+  }
+
   void require_own_velocities(const std::vector<DriveReport>& drives) const {
     for (std::size_t i = 0; i < drives.size(); ++i) {
       for (const std::size_t joint : rows_.joints_of(i)) {
@@ -188,6 +208,7 @@ class Pass {
       if (request_.keep_traces) result.traces.push_back(checks_[i]->trace());
       result.drives.push_back(std::move(drive));
     }
+    require_rates(result.drives);
     require_seen_speeds(result.drives);
     require_own_velocities(result.drives);
     settle(result);
@@ -228,68 +249,69 @@ class Pass {
   LongestStep longest_;
 };
 
-using Heats = std::vector<std::optional<LastRunHeat>>;
+using Ends = std::vector<std::vector<HeatEnd>>;
 
-/// By drive; empty where none is warmer in its last run than its region was asked at.
-Heats last_run_heats(const CheckRequest& request, const CheckReport& report) {
-  Heats heats;
+/// By drive.
+Ends ends_to_judge(const CheckRequest& request, const CheckReport& report) {
+  Ends ends;
   for (std::size_t i = 0; i < request.drives.size(); ++i) {
-    heats.push_back(last_run_heat(request.drives[i], report.drives[i]));
+    ends.push_back(heat_ends(request.drives[i], report.drives[i]));
+    if (!need_judging(report.drives[i], ends.back())) ends.back().clear();
   }
-  const bool some =
-      std::any_of(heats.begin(), heats.end(), [](const auto& heat) { return !!heat; });
-  return some ? heats : Heats{};
+  return ends;
 }
 
-CheckRequest at_heat(CheckRequest request, const Heats& heats,
-                     OperatingConditions LastRunHeat::*which) {
-  for (std::size_t i = 0; i < heats.size(); ++i) {
-    if (heats[i]) request.drives[i].conditions = (*heats[i]).*which;
+bool is_to_be_judged(const HeatEnd& end) { return !end.is_as_asked && end.objection.empty(); }
+
+/// With windings as warm as at one of their ends; empty where none is to be judged there.
+std::optional<CheckRequest> at_end(CheckRequest request, const Ends& ends, std::size_t which) {
+  bool some = false;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (ends[i].size() <= which || !is_to_be_judged(ends[i][which])) continue;
+    request.drives[i].conditions = ends[i][which].conditions;
+    some = true;
   }
-  return request;
+  return some ? std::optional(std::move(request)) : std::nullopt;
 }
 
-/// Of what comes through a pipe, which cannot be read again.
-Finding read_once() {
-  Finding finding;
-  finding.severity = Severity::kWarning;
-  finding.rule = "winding-temperature";
-  finding.sentence =
-      "windings get warmer than their regions were asked at, and what comes through a pipe is "
-      "read once: check it again with --winding-temperature, or from a file";
-  return finding;
+bool can_be_read_again(const std::filesystem::path& file) {
+  std::error_code unknown;
+  return std::filesystem::is_regular_file(file, unknown);
 }
 
-/// Holds what passes cold against the heat of its last run.
-CheckReport held_warm(const CheckRequest& request, const Heats& heats, CheckReport cold) {
-  const CheckRequest at_warmest = at_heat(request, heats, &LastRunHeat::warmest);
-  const CheckRequest at_coldest = at_heat(request, heats, &LastRunHeat::coldest);
-  Pass pass(at_warmest);
-  CheckReport warmest = pass.run();
-  if (warmest.verdict != Verdict::kFail) return cold;
-  const CheckReport coldest = Pass(at_coldest).run();
-  for (std::size_t i = 0; i < heats.size(); ++i) {
-    DriveReport& drive = warmest.drives[i];
-    const bool turns = heats[i] && drive.verdict == Verdict::kFail;
-    if (turns) hold_warm(*heats[i], coldest.drives[i].verdict, drive);
+/// Whole checks at the coldest and at the warmest; empty where there is none.
+using AtEnds = std::array<std::optional<CheckReport>, 2>;
+
+void settle_drive(std::size_t drive, const std::vector<HeatEnd>& ends, const AtEnds& at_ends,
+                  const std::string& why_not, CheckReport& report) {
+  std::vector<std::optional<DriveReport>> there(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (at_ends[i] && is_to_be_judged(ends[i])) there[i] = at_ends[i]->drives[drive];
   }
-  pass.settle(warmest);
-  return warmest;
+  DriveReport& mine = report.drives[drive];
+  mine = judged_at_ends(std::move(mine), ends, std::move(there), why_not);
+  if (report.traces.empty() || !mine.held_heat->shown_K) return;
+  const std::size_t shown = *mine.held_heat->shown_K == ends.front().winding_K ? 0 : 1;
+  report.traces[drive] = at_ends[shown]->traces[drive];
 }
 
 }  // namespace
 
 CheckReport check(const CheckRequest& request) {
-  CheckReport report = Pass(request).run();
-  if (report.verdict == Verdict::kFail) return report;
-  const Heats heats = last_run_heats(request, report);
-  if (heats.empty()) return report;
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(request.trajectory, unknown)) {
-    report.findings.push_back(read_once());
-    return report;
+  Pass pass(request);
+  CheckReport report = pass.run();
+  const Ends ends = ends_to_judge(request, report);
+  const bool is_pipe = !can_be_read_again(request.trajectory);
+  AtEnds at_ends;
+  for (std::size_t which = 0; which < at_ends.size() && !is_pipe; ++which) {
+    const std::optional<CheckRequest> there = at_end(request, ends, which);
+    if (there) at_ends[which] = Pass(*there).run();
   }
-  return held_warm(request, heats, std::move(report));
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!ends[i].empty()) settle_drive(i, ends[i], at_ends, kReadOnce, report);
+  }
+  pass.settle(report);
+  return report;
 }
 
 }  // namespace torquewright::actuator

@@ -97,17 +97,34 @@ void add_winding(const DriveReport& drive, std::vector<Finding>& findings) {
   findings.push_back(std::move(result));
 }
 
-/// What holds in the last of several runs, and how sure that is.
-void add_last_run(const DriveReport& drive, std::vector<Finding>& findings) {
-  if (!drive.held_warm_K) return;
-  const WindingReport& winding = *drive.interpretation.winding;
+std::string heat_words(const HeldHeat& heat, std::size_t runs) {
+  if (heat.coldest_K == heat.warmest_K) {
+    return fmt::format("the winding begins at {:.4g} K", heat.coldest_K);
+  }
+  return fmt::format(
+      "in run {} the winding is between {:.4g} and {:.4g} K, by the currents as asked for", runs,
+      heat.coldest_K, heat.warmest_K);
+}
+
+/// That the figures are not as asked for, and whether the verdict turns on the heat.
+void add_held_heat(const DriveReport& drive, std::vector<Finding>& findings) {
+  if (!drive.held_heat) return;
+  const HeldHeat& heat = *drive.held_heat;
   const bool is_open = drive.verdict == Verdict::kUndecided;
-  findings.push_back(finding(
-      drive, is_open ? Severity::kWarning : Severity::kNote, "winding-temperature",
-      fmt::format("{}: held against its region with the winding at {:.4g} K, which it reaches in "
-                  "run {}; cold it does not fail{} (--winding-temperature)",
-                  drive.name, *drive.held_warm_K, winding.runs,
-                  is_open ? ", nor as cold as it is in that run: undecided" : "")));
+  if (!heat.shown_K && !is_open) return;
+  std::string sentence =
+      fmt::format("{}: {}", drive.name, heat_words(heat, drive.interpretation.winding->runs));
+  if (heat.shown_K) {
+    sentence += fmt::format("; the figures are those at {:.4g} K all along, where it is worst",
+                            *heat.shown_K);
+  }
+  if (is_open) {
+    sentence += heat.objection.empty()
+                    ? "; it fails at one of these temperatures and not at the other: undecided"
+                    : fmt::format("; {}: undecided", heat.objection);
+  }
+  findings.push_back(finding(drive, is_open ? Severity::kWarning : Severity::kNote,
+                             "winding-temperature", sentence + " (--winding-temperature)"));
   if (!is_open) return;
   for (Finding& one : findings) {
     if (one.severity == Severity::kViolation) one.severity = Severity::kWarning;
@@ -227,7 +244,7 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
   if (drive.has_torque) {
     add_winding(drive, findings);
     add_continuous(drive, findings);
-    add_last_run(drive, findings);
+    add_held_heat(drive, findings);
     add_inertia(drive, findings);
   }
   if (drive.unwrapped > 0) {

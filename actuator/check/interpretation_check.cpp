@@ -21,7 +21,7 @@ double rms(const Integral& square, double duration_s, double peak) {
 /// Of `square`'s quantity over the motion and the pause after it. Eq. (8), (9).
 ContinuousUse continuous_use(const Integral& square, double duration_s, double peak, double pause_s,
                              std::optional<double> limit) {
-  ContinuousUse use{rms(square, duration_s > 0.0 ? duration_s + pause_s : 0.0, peak), limit, {}};
+  ContinuousUse use{rms(square, duration_s + pause_s, peak), limit, {}};
   if (limit) use.pause_s = std::max(0.0, square.sum() / (*limit * *limit) - duration_s);
   return use;
 }

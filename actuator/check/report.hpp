@@ -73,6 +73,14 @@ struct CheckedInterpretation {
 /// Whether torque in the file is the motor's, which accelerates its own rotor too, or the load's.
 enum class InertiaConvention { kUnstated, kIncluded, kExcluded };
 
+/// Between which temperatures the winding is in the last run, and at which the report is.
+struct HeldHeat {
+  double coldest_K = 0.0;
+  double warmest_K = 0.0;         ///< Of a single run the same: what it begins with.
+  std::optional<double> shown_K;  ///< Empty: as asked for, which is no better.
+  std::string objection;          ///< Why an end could not be judged; empty: both were.
+};
+
 /// One actuator's part of the report.
 struct DriveReport {
   std::string name;
@@ -97,8 +105,7 @@ struct DriveReport {
   double velocity_correlation = 0.0;  ///< Of the two, squared; 0: not compared.
   std::size_t unwrapped = 0;          ///< Times that its position was made to run on,
   double unwrapped_from_s = 0.0;      ///< and when first.
-  /// Of the winding, in the last of several runs, where this is the report of that.
-  std::optional<double> held_warm_K;
+  std::optional<HeldHeat> held_heat;  ///< Where it was judged elsewhere than as asked for.
   std::vector<std::string> left_out;
   std::vector<std::string> assumed;
 };

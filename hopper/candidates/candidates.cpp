@@ -170,7 +170,12 @@ double copper_loss_J(const actuator::Actuator& actuator,
 
 std::string reason(const actuator::DriveReport& report, bool by_dynamics) {
   const actuator::CheckedInterpretation& interpretation = report.interpretation;
-  if (by_dynamics && report.verdict == Verdict::kUndecided) {
+  const bool is_open = report.verdict == Verdict::kUndecided;
+  if (is_open && report.held_heat) {
+    return fmt::format("{}: undecided, its winding is between {:.4g} and {:.4g} K", report.name,
+                       report.held_heat->coldest_K, report.held_heat->warmest_K);
+  }
+  if (by_dynamics && is_open) {
     return fmt::format("{}: undecided, its limits lie within what the torques leave open",
                        report.name);
   }

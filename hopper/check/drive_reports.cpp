@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "actuator/check/last_run_heat.hpp"
+#include "actuator/check/heat_ends.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper {
@@ -150,25 +150,29 @@ class DriveAtConditions {
   actuator::DriveOptions options_;
 };
 
-/// What passes cold is held against the heat of its last run.
+/// As asked for, and at both ends of its winding's heat.
 void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
                  const std::vector<SharedBus>& buses, const Place& place, DriveReports& reports) {
-  std::vector<actuator::TracePoint>* trace =
-      checked.options.keep_traces ? &reports.traces.emplace_back() : nullptr;
+  const bool keeps_trace = checked.options.keep_traces;
   const DriveAtConditions drive(checked, torques, buses, place);
   const actuator::CheckedDrive as_asked = checked_as(checked.options.conditions, place);
-  reports.drives.push_back(drive.report(as_asked.conditions, trace));
-  actuator::DriveReport& report = reports.drives.back();
-  if (report.verdict == Verdict::kFail) return;
-  const auto heat = actuator::last_run_heat(as_asked, report);
-  if (!heat) return;
-  std::vector<actuator::TracePoint> warm_trace;
-  actuator::DriveReport warmest =
-      drive.report(heat->warmest, trace != nullptr ? &warm_trace : nullptr);
-  if (warmest.verdict == report.verdict) return;
-  actuator::hold_warm(*heat, drive.report(heat->coldest).verdict, warmest);
-  report = std::move(warmest);
-  if (trace != nullptr) *trace = std::move(warm_trace);
+  std::vector<actuator::TracePoint> trace;
+  actuator::DriveReport report = drive.report(as_asked.conditions, keeps_trace ? &trace : nullptr);
+  const std::vector<actuator::HeatEnd> ends = actuator::heat_ends(as_asked, report);
+  if (actuator::need_judging(report, ends)) {
+    std::vector<std::optional<actuator::DriveReport>> at_ends(ends.size());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (ends[i].is_as_asked || !ends[i].objection.empty()) continue;
+      at_ends[i] = drive.report(ends[i].conditions);
+    }
+    report = actuator::judged_at_ends(std::move(report), ends, std::move(at_ends));
+    if (const auto& shown_K = report.held_heat->shown_K; keeps_trace && shown_K) {
+      drive.report((*shown_K == ends.front().winding_K ? ends.front() : ends.back()).conditions,
+                   &trace);
+    }
+  }
+  reports.drives.push_back(std::move(report));
+  if (keeps_trace) reports.traces.push_back(std::move(trace));
 }
 
 }  // namespace

@@ -9,10 +9,10 @@ namespace torquewright::hopper {
 
 /// How many of the free rows are what, in this order.
 struct RowKinds {
-  Eigen::Index forces = 0;           ///< On the base.
-  Eigen::Index moments = 0;          ///< On the base, about the centre of mass.
-  Eigen::Index passives = 0;         ///< On joints without an actuator,
-  std::vector<Eigen::Index> slides;  ///< of which these rows, of all, hold forces (N).
+  Eigen::Index forces = 0;             ///< On the base.
+  Eigen::Index moments = 0;            ///< On the base, about the centre of mass.
+  Eigen::Index passives = 0;           ///< On joints without an actuator,
+  std::vector<Eigen::Index> slides{};  ///< of which these rows, of all, hold forces (N).
 };
 
 /// The rows of the equations of motion that no actuator appears in: those of a floating base, and

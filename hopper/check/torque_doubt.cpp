@@ -105,7 +105,8 @@ std::vector<Finding> doubt_findings(const CheckedMotion& checked,
   std::vector<Finding> findings;
   for (std::size_t i = 0; i < peaks.size(); ++i) {
     const PeakDoubt& peak = peaks[i];
-    const bool is_open = drives[i].verdict == actuator::Verdict::kUndecided;
+    // What the winding's heat leaves open is said beside it.
+    const bool is_open = drives[i].verdict == actuator::Verdict::kUndecided && !drives[i].held_heat;
     const bool is_notable = peak.most_Nm - peak.least_Nm > kNotable * peak.peak_Nm &&
                             peak.most_Nm > kMatters * greatest_Nm;
     if (!is_open && !is_notable) continue;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/motion/slopes.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "io/refusal.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -174,9 +178,24 @@ FittedAcceleration fitted_acceleration(const dynamics::Tree& tree, const Motion&
   return found;
 }
 
+/// A line goes through two rows, a parabola through three.
+void require_rows(const Motion& motion, bool needs_velocity, bool needs_acceleration) {
+  const Index least = needs_velocity && needs_acceleration   ? 3
+                      : needs_velocity || needs_acceleration ? 2
+                                                             : 1;
+  if (motion.samples() >= least) return;
+  io::refuse(
+      motion.file,
+      fmt::format("{} cannot be had from fewer than {} rows, and there {}; state them in the "
+                  "file, or take more rows (--from, --until)",
+                  needs_acceleration ? "accelerations" : "velocities", least,
+                  motion.samples() == 1 ? "is one" : "are two"));
+}
+
 void derive_rates(const dynamics::Tree& tree, Motion& motion, Index reach) {
   const bool needs_velocity = motion.velocity_origin != Origin::kGiven;
   const bool needs_acceleration = motion.acceleration_origin != Origin::kGiven;
+  require_rows(motion, needs_velocity, needs_acceleration);
   const Index size = tree.velocity_size();
   const auto of_positions = [&](Index one, Index other) {
     return displacement(tree, motion.positions.col(one), motion.positions.col(other));

@@ -13,7 +13,8 @@ namespace torquewright::hopper {
 /// the velocities where those are given, and the curvature of the same parabola where they are not.
 /// Rotations of a spatial base count as rotation vectors from the sample's own. Second order in the
 /// step, on uneven steps too; a stretch of two samples has one slope and no curvature, a single
-/// sample neither. docs/derivations/whole_body_check.md eq. (1).
+/// sample neither. Throws io::SpecError where the whole motion has too few for what is missing.
+/// docs/derivations/whole_body_check.md eq. (1).
 void derive_rates(const dynamics::Tree& tree, Motion& motion, Eigen::Index reach = 1);
 
 /// A table of rows over time, such as forces, averaged over samples as derived accelerations are:

@@ -267,8 +267,78 @@ TEST(Check, SaysThatWhatComesThroughAPipeIsJudgedCold) {
   request.runs = 3;
   const CheckReport report = check(request);
   writer.join();
-  EXPECT_EQ(report.verdict, Verdict::kPass);
+  EXPECT_EQ(report.verdict, Verdict::kUndecided);
   EXPECT_TRUE(has_finding(report, "winding-temperature", Severity::kWarning));
+}
+
+// A joint that fails cold keeps no other from its own heat, and none changes another's figures.
+TEST(Check, JudgesEveryJointInItsOwnHeat) {
+  const Actuator actuator = soon_warm();
+  test::ScratchFolder folder;
+  std::string text = "time_s,a_velocity_rad_s,a_torque_Nm,b_velocity_rad_s,b_torque_Nm\n";
+  for (int i = 0; i <= 10; ++i) text += fmt::format("{},{},10,{},10\n", 0.1 * i, 42.7, 43.5);
+  CheckRequest request;
+  request.trajectory = folder.write("m.csv", text);
+  request.drives = {{"a", &actuator, {}}, {"b", &actuator, {}}};
+  request.runs = 1000;
+  const CheckReport both = check(request);
+  EXPECT_EQ(both.drives[0].verdict, Verdict::kFail);  // 42.7 of 43 rad/s cold, of 42.4 warm
+  EXPECT_TRUE(both.drives[0].held_heat.has_value());
+  EXPECT_EQ(both.drives[1].verdict, Verdict::kFail);
+  EXPECT_FALSE(both.drives[1].held_heat.has_value());
+}
+
+// Oracle: closed form. The document's resistance is that of 300 K, and it begins at 390 K.
+TEST(Check, HoldsASingleRunAgainstTheWindingThatItBeginsWith) {
+  Actuator actuator = soon_warm();
+  actuator.thermal->ambient_K = 390.0;
+  actuator.thermal->winding_limit_K = 600.0;
+  Checked checked(actuator);
+  const CheckReport report = checked.report(motion(
+      10, nullptr, [](double) { return 42.7; }, [](double) { return 10.0; }));
+  // 0.5 (1 + 0.004 * 90) ohm at 10 A are 6.8 V beside 42.7 V.
+  EXPECT_EQ(report.verdict, Verdict::kFail);
+  EXPECT_NEAR(*report.drives[0].held_heat->shown_K, 390.0, 1e-9);
+  EXPECT_NEAR(*report.drives[0].interpretation.voltage_margin_V, 48.0 - 42.7 - 6.8, 1e-9);
+}
+
+// Oracle: at 1 - 0.01 (T - 300) no flux is left from 400 K on; 30 A settle at 225 K above 300 K.
+TEST(Check, IsOpenWhereTheDocumentsLawsEndBeforeTheHeat) {
+  Actuator actuator = test::simple_actuator();
+  actuator.thermal = Thermal{0.2, 0.3, 0.5, 0.5, 900.0, 300.0};
+  actuator.motor.winding_temperature_K = 300.0;
+  actuator.effects.push_back({find_effect("torque_constant_temperature"), {-0.01}, {}, false, ""});
+  Checked checked(actuator);
+  checked.request().runs = 1000;
+  const CheckReport report = checked.report(motion(10, nullptr, rest, [](double) { return 25.0; }));
+  EXPECT_EQ(report.verdict, Verdict::kUndecided);
+  EXPECT_NE(report.drives[0].held_heat->objection, "");
+}
+
+// Two rows have one slope, one has none.
+TEST(Check, RefusesRatesThatTooFewRowsHold) {
+  Checked checked;
+  checked.request().window = {0.45, 0.55};
+  EXPECT_NE(checked.refusal(motion(10, swing, nullptr, steady_5))
+                .find("velocities cannot be had from fewer than 2 rows, and there is one"),
+            std::string::npos);
+  checked.request().inertia = InertiaConvention::kExcluded;
+  EXPECT_NE(checked.refusal(motion(10, nullptr, swing_rate, steady_5)).find("fewer than 2 rows"),
+            std::string::npos);
+  checked.request().window = {0.45, 0.65};
+  EXPECT_NE(checked.refusal(motion(10, swing, nullptr, steady_5)).find("fewer than 3 rows"),
+            std::string::npos);
+  checked.report(motion(10, nullptr, swing_rate, steady_5));
+}
+
+// Oracle: an instant in a pause of any length is none of it.
+TEST(Check, ARowWithoutDurationAsksNothingOfAPause) {
+  Checked checked;
+  checked.request().pause_s = 1.0;
+  const std::string text = "time_s,k_velocity_rad_s,k_torque_Nm\n0,5,4\n";
+  EXPECT_EQ(checked.report(text).drives[0].interpretation.continuous_current.rms, 0.0);
+  checked.request().pause_s = 0.0;
+  EXPECT_NEAR(checked.report(text).drives[0].interpretation.continuous_current.rms, 4.0, 1e-12);
 }
 
 // Oracle: closed form. 20 Nm ask 20 A for ever; 0.5 ohm * 400 A^2 = 200 W (dc) over 0.5 K/W in all

@@ -336,7 +336,7 @@ TEST(DriveReports, HoldRepeatedRunsAgainstTheHeatOfTheLast) {
   driven.options.runs = 10'000'000;
   const DriveReports warm = check_drives(driven.checked(), torques, {});
   EXPECT_EQ(warm.drives[0].verdict, actuator::Verdict::kFail);
-  EXPECT_NEAR(*warm.drives[0].held_warm_K, 300.0 + 25.0 / 0.9, 1e-3);
+  EXPECT_NEAR(*warm.drives[0].held_heat->shown_K, 300.0 + 25.0 / 0.9, 1e-3);
   EXPECT_EQ(warm.drives[1].verdict, actuator::Verdict::kPass);
   driven.options.conditions.winding_temperature_K = 300.0;
   EXPECT_EQ(check_drives(driven.checked(), torques, {}).drives[0].verdict,
