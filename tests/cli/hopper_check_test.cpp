@@ -87,6 +87,13 @@ class HopperCheck : public testing::Test {
   Workplace place_;
 };
 
+TEST_F(HopperCheck, SaysWhereTheRowsAreThatNoWindowHolds) {
+  expect_refusal(crane(), swing(0.5),
+                 "motion.csv: no rows lie between --from 7 s and --until 9 s; the file's go from "
+                 "0 s to 2 s\n",
+                 {"--from", "7", "--until", "9"});
+}
+
 // A misspelt header would be missing in silence, a wrong unit would count.
 TEST_F(HopperCheck, NotesWhatItDoesNotReadAndUnitsThatContradictNames) {
   std::string motion = swing(0.5);
