@@ -182,8 +182,12 @@ std::string cause_of(double factor) {
     const char* cause;
   };
   static constexpr Known kKnown[] = {
-      {kDegrees, "; it seems to be in degrees, the position in rad"},
-      {1.0 / kDegrees, "; the position seems to be in degrees"},
+      {kDegrees,
+       "; it seems to be in degrees, the position in rad; or the position is in rad and was taken "
+       "for degrees"},
+      {1.0 / kDegrees,
+       "; the position seems to be in degrees, or the velocity is in rad/s and was taken for "
+       "deg/s"},
       {60.0 / kTurn_rad, "; it seems to be in revolutions per minute, the position in rad"},
       {1.0 / kTurn_rad, "; it seems to be in turns, the position in rad"},
       {kTurn_rad, "; the position seems to be in turns"},
@@ -194,13 +198,34 @@ std::string cause_of(double factor) {
   return "";
 }
 
+bool is_plain(double factor) { return factor <= kPlainFactor && factor >= 1.0 / kPlainFactor; }
+
 void add_agreement(const DriveReport& drive, std::vector<Finding>& findings) {
   const double factor = drive.velocity_over_slope;
-  const bool is_plain = factor <= kPlainFactor && factor >= 1.0 / kPlainFactor;
-  if (is_plain || drive.velocity_correlation < kAgreement) return;
+  if (is_plain(factor) || drive.velocity_correlation < kAgreement) return;
   findings.push_back(finding(drive, Severity::kWarning, "velocity-mismatch",
                              fmt::format("{}: the velocity is {:.4g} times d(position)/dt{}",
                                          drive.name, factor, cause_of(factor))));
+}
+
+/// It goes with the position's slope but for a constant that stands out of their scatter.
+bool has_offset(const VelocityAgreement& agreement) {
+  return agreement.correlation_about_means() >= kAgreement &&
+         is_plain(agreement.factor_about_means()) &&
+         std::abs(agreement.offset_rad_s()) > agreement.scatter_rad_s();
+}
+
+/// What a velocity that is not the rate of its position looks like.
+std::string likely_cause(const VelocityAgreement& agreement) {
+  if (has_offset(agreement)) {
+    return fmt::format("it seems to be d(position)/dt and an offset of {:.4g} rad/s",
+                       agreement.offset_rad_s());
+  }
+  const double factor = agreement.factor();
+  if (agreement.correlation() >= kAgreement && !is_plain(factor)) {
+    return fmt::format("it is {:.4g} times d(position)/dt{}", factor, cause_of(factor));
+  }
+  return "one of the columns may be dead, late or another joint's, or a position noisy";
 }
 
 void add_torque(const DriveReport& drive, std::vector<Finding>& findings) {
@@ -219,8 +244,9 @@ void add_torque(const DriveReport& drive, std::vector<Finding>& findings) {
   }
   Finding result =
       finding(drive, Severity::kWarning, "torque-missing",
-              fmt::format("{}: the trajectory holds no torque of this joint, so only its "
-                          "speeds can be checked",
+              fmt::format("{}: the trajectory holds no torque of this joint (no column "
+                          "JOINT_torque_Nm, and --column states none), so only its speeds can be "
+                          "checked",
                           drive.name));
   if (drive.limiting_speed_rad_s) {
     result.severity = Severity::kViolation;
@@ -303,18 +329,14 @@ std::string hidden_motion_sentence(const LongestStep& step, double clock_origin_
 std::string contradiction_sentence(const std::string& joint,
                                    const TravelContradiction& contradiction, double clock_origin_s,
                                    const VelocityAgreement& agreement) {
-  const double factor = agreement.factor();
-  const std::string cause =
-      agreement.correlation() >= kAgreement
-          ? fmt::format("it is {:.4g} times d(position)/dt{}", factor, cause_of(factor))
-          : "one of the columns may be dead, late or another joint's, or a position noisy";
   return fmt::format(
       "the velocity of {0} is not the rate of its position: from t = {1:.6g} s to {2:.6g} s the "
       "position changes by {3:.4g} rad and the integral of the velocity by {4:.4g} rad; {5}. Mend "
       "the column that is wrong (--column states a unit and a factor), or take {0}'s velocity out "
       "of the file: then the slopes of the position are taken",
       joint, clock_origin_s + contradiction.from_s, clock_origin_s + contradiction.until_s,
-      contradiction.position_change_rad, contradiction.velocity_integral_rad, cause);
+      contradiction.position_change_rad, contradiction.velocity_integral_rad,
+      likely_cause(agreement));
 }
 
 std::vector<Finding> findings_of(const std::vector<DriveReport>& drives) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "actuator/lint/few_digits.hpp"
+#include "actuator/lint/idle_limit.hpp"
 #include "actuator/lint/joint_explanation.hpp"
 
 namespace torquewright::actuator::lint {
@@ -214,6 +215,7 @@ Examination examine(const Actuator& document) {
     }
   }
   for (Finding& note : few_digits(document)) examination.findings.push_back(std::move(note));
+  if (auto note = idle_regeneration_limit(document)) examination.findings.push_back(*note);
   return examination;
 }
 

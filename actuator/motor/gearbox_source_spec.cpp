@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
@@ -98,10 +99,16 @@ Gearbox from_gearbox(const io::Document& document) {
   return gearbox;
 }
 
-io::Document gearbox_document(const std::filesystem::path& file,
+io::Document gearbox_document(const std::string& name, const io::Document& actuator,
                               std::span<const io::Document> read_before) {
+  const std::filesystem::path file = std::filesystem::path(actuator.file).parent_path() / name;
   for (const io::Document& document : read_before) {
     if (document.file == file) return document;
+  }
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown)) {
+    refuse(actuator, "/gearbox/file",
+           fmt::format("\"{}\": no such file, seen from this document", name));
   }
   return io::read_document(file, {"gearbox", "gearbox_result"});
 }
@@ -111,9 +118,7 @@ io::Document gearbox_document(const std::filesystem::path& file,
 Transmission transmission_from_file(const json& reference, const io::Document& actuator,
                                     std::span<const io::Document> read_before,
                                     std::vector<io::Document>& documents) {
-  const std::filesystem::path file =
-      std::filesystem::path(actuator.file).parent_path() / reference["file"].get<std::string>();
-  const io::Document document = gearbox_document(file, read_before);
+  const io::Document document = gearbox_document(reference["file"], actuator, read_before);
   Gearbox gearbox =
       document.root["kind"] == "gearbox" ? from_gearbox(document) : from_result(document);
   if (reference.contains("friction_coefficient")) {

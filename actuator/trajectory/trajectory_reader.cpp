@@ -132,6 +132,16 @@ std::vector<ColumnMapping> complete(const io::CsvReader& csv,
 
 }  // namespace
 
+std::string no_rows_within(const Window& window, double first_s, double last_s) {
+  const bool has_from = std::isfinite(window.from_s), has_until = std::isfinite(window.until_s);
+  const std::string within =
+      has_from && has_until
+          ? fmt::format("between --from {} s and --until {} s", window.from_s, window.until_s)
+      : has_from ? fmt::format("from --from {} s on", window.from_s)
+                 : fmt::format("up to --until {} s", window.until_s);
+  return fmt::format("no rows lie {}; the file's go from {} s to {} s", within, first_s, last_s);
+}
+
 TrajectoryReader::TrajectoryReader(const std::filesystem::path& file,
                                    const std::vector<ColumnMapping>& mappings,
                                    const std::vector<std::string>& joints, const Window& window)
@@ -194,6 +204,7 @@ double TrajectoryReader::read_time_s() {
                             time_s, *previous_s_, previous_line_, Clock::kShortestStep_s,
                             csv_.header()[time_->column]));
   }
+  if (!first_s_) first_s_ = time_s;
   previous_s_ = time_s;
   previous_line_ = csv_.line();
   return time_s;
@@ -220,7 +231,12 @@ bool TrajectoryReader::next(Row& row) {
       read(joints_[i].velocity, kVelocityAt);
       read(joints_[i].torque, kTorqueAt);
     }
-    if (stamp_s >= window_.from_s && stamp_s <= window_.until_s) return true;
+    if (stamp_s < window_.from_s || stamp_s > window_.until_s) continue;
+    has_found_row_ = true;
+    return true;
+  }
+  if (first_s_ && !has_found_row_) {
+    io::refuse(csv_.file(), no_rows_within(window_, *first_s_, *previous_s_));
   }
   return false;
 }

@@ -21,6 +21,9 @@ struct Window {
   double until_s = std::numeric_limits<double>::infinity();
 };
 
+/// Says that a file, whose rows go from the first to the last time, has none in that window.
+std::string no_rows_within(const Window& window, double first_s, double last_s);
+
 /// Where a row holds what of a joint: from kPlaces times the joint's index. What the file does not
 /// hold is 0; the slope of the position is left for a SlopeFilter.
 enum Place : std::size_t { kPositionAt, kVelocityAt, kTorqueAt, kSlopeAt, kPlaces };
@@ -52,8 +55,8 @@ class TrajectoryReader {
 
   const Clock& clock() const { return clock_; }
 
-  /// The next row inside the window; false at the end. Throws for what CsvReader throws for, and
-  /// where time repeats or runs backwards.
+  /// The next row inside the window; false at the end. Throws for what CsvReader throws for, where
+  /// time repeats or runs backwards, and at the end of rows of which none lies in the window.
   bool next(Row& row);
 
   bool has_read_rows() const { return previous_s_.has_value(); }  ///< Inside the window or not.
@@ -73,7 +76,9 @@ class TrajectoryReader {
   std::vector<JointColumns> joints_;
   std::vector<AngleUnwrap> unwraps_;
   Clock clock_;
+  std::optional<double> first_s_;
   std::optional<double> previous_s_;
+  bool has_found_row_ = false;  ///< Inside the window.
   std::size_t previous_line_ = 0;
 };
 

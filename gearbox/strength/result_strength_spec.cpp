@@ -59,6 +59,22 @@ const Steel& named_steel(const std::string& name) {
   io::refuse("--steel", fmt::format("\"{}\" is not known; one of: {}", name, known_steels()));
 }
 
+/// All that is missing at once.
+void require_steel_and_widths(const io::Document& result, const ResultStrengthOptions& options) {
+  std::vector<io::Fault> missing;
+  if (options.steel.empty()) {
+    missing.push_back({result.file, "",
+                       fmt::format("a gearbox_result says no steel; say --steel ({}), or write a "
+                                   "gear_strength document that names this file",
+                                   known_steels())});
+  }
+  if (options.face_width_mm.empty() && !result.root["problem"].contains("face_width_mm")) {
+    missing.push_back(
+        {result.file, "/problem/face_width_mm", "missing; say --face-width MM (by layer: 10,8)"});
+  }
+  if (!missing.empty()) throw io::SpecError(std::move(missing));
+}
+
 /// "sun=..." in its two parts.
 std::pair<std::string, std::string> parts_of(const std::string& option, const std::string& item,
                                              const Topology& topology) {
@@ -94,12 +110,7 @@ std::vector<const Steel*> chosen_steels(const io::Document& result, const Topolo
     const auto found = own.find(gear);
     list.push_back(found == own.end() ? common : found->second);
     if (list.back() != nullptr) continue;
-    refuse(result, "",
-           stated.empty()
-               ? fmt::format("a gearbox_result says no steel; say --steel ({}), or write a "
-                             "gear_strength document that names this file",
-                             known_steels())
-               : fmt::format("--steel says none for {}", gear));
+    refuse(result, "", fmt::format("--steel says none for {}", gear));
   }
   return list;
 }
@@ -134,13 +145,9 @@ json material_json(const GearMaterial& material) {
   return keys;
 }
 
-/// What is stated, or the problem's own; one width stands for both layers.
+/// What is stated, or the problem's own (one of them is); one width stands for both layers.
 json face_widths(const io::Document& result, const std::vector<double>& stated, bool has_second) {
-  const json& problem = result.root["problem"];
-  if (stated.empty()) {
-    if (problem.contains("face_width_mm")) return problem["face_width_mm"];
-    refuse(result, "/problem/face_width_mm", "missing; say --face-width MM (by layer: 10,8)");
-  }
+  if (stated.empty()) return result.root["problem"]["face_width_mm"];
   if (stated.size() > (has_second ? 2U : 1U)) {
     refuse(result, "",
            fmt::format("--face-width has {} numbers; this train has {}", stated.size(),
@@ -208,6 +215,7 @@ std::string assumed_sentence(const ReadStrength& read, const ResultStrengthOptio
 
 ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions& options) {
   const json design = chosen_design(result, options.design);
+  require_steel_and_widths(result, options);
   const json& problem = result.root["problem"];
   const std::string topology = problem["topology"];
   const Topology& gears = *find_topology(topology);

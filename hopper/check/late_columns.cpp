@@ -245,6 +245,11 @@ RowReading::RowReading(const Robot& robot, const CheckOptions& options, Motion& 
   const bool is_short = motion.samples() < kFewestSamples;
   const bool has_impacts = states_impacts(motion);
   if (options.late_columns == LateRows::kShift) {
+    if (!given_.any()) {
+      io::refuse(motion.file,
+                 "--late-columns shift: there is nothing to shift, neither accelerations nor "
+                 "contact forces nor torques (contact flags are shifted beside accelerations)");
+    }
     if (has_impacts) {
       io::refuse(motion.file,
                  "--late-columns shift: two rows of one time state an impact, as no log of a "

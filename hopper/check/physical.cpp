@@ -21,20 +21,45 @@ const char* help_words(const Motion& motion) {
              : "; accelerations in the log, or samples closer together, would help";
 }
 
+/// What of the file decides where the ground touches; empty: heights and speeds do.
+std::string deciding_columns(const Motion& motion) {
+  if (motion.has_forces) return "forces";
+  return motion.has_touching ? "flags" : "";
+}
+
+std::string missed_contact(const Motion& motion) {
+  const std::string columns = deciding_columns(motion);
+  if (columns.empty()) {
+    return "the ground touches where no contact was found (--contact-height, --contact-speed)";
+  }
+  return fmt::format(
+      "the ground touches where the file's contact {0} say that it does not (take these columns "
+      "out: without them contacts are found by height and speed)",
+      columns);
+}
+
+std::string question_of_contacts(const Motion& motion) {
+  const std::string columns = deciding_columns(motion);
+  if (columns.empty()) return "are its contacts found (--contact-height, --ground-height)";
+  return fmt::format(
+      "are the file's contact {} right, which decide where the ground touches (without these "
+      "columns contacts are found by height and speed)",
+      columns);
+}
+
 std::string sentence(const char* what, const ResidualPeak& peak, const char* unit, double window_s,
                      const Motion& motion) {
   return fmt::format(
       "t = {:.6g} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
       "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): is it this "
-      "robot's motion, are its contacts found (--contact-height, --ground-height), its rates "
-      "smooth? --residual-limit allows more{}",
+      "robot's motion, {}, are its rates smooth? --residual-limit allows more{}",
       peak.time_s, what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
-      100.0 * peak.share_beyond, help_words(motion));
+      100.0 * peak.share_beyond, question_of_contacts(motion), help_words(motion));
 }
 
 /// What makes a body fall so: time and lengths in other units, z down, or a force.
-std::string cause_of_fall(const Flight& flight, double gravity_m_s2) {
-  const double share = -flight.fall_m_s2.z() / gravity_m_s2;
+std::string cause_of_fall(const Flight& flight, const CheckedMotion& checked) {
+  const double share = -flight.fall_m_s2.z() / checked.robot.tree.gravity_m_s2;
   struct Known {
     double share;
     const char* words;
@@ -46,8 +71,7 @@ std::string cause_of_fall(const Flight& flight, double gravity_m_s2) {
   for (const Known& known : kShares) {
     if (std::abs(share / known.share - 1.0) < kKnownFactor) return known.words;
   }
-  return "another gravity, or the ground touches where no contact was found (--contact-height, "
-         "--contact-speed)";
+  return "another gravity, or " + missed_contact(checked.motion);
 }
 
 void add_fall(const CheckedMotion& checked, const Flight& flight, std::vector<io::Fault>& faults) {
@@ -61,7 +85,7 @@ void add_fall(const CheckedMotion& checked, const Flight& flight, std::vector<io
                    flight.from_s, flight.until_s, flight.fall_m_s2.x(), flight.fall_m_s2.y(),
                    flight.fall_m_s2.z(), flight.fall_error_m_s2,
                    100.0 * flight.fall_error_m_s2 / gravity_m_s2, flight.fall_limit_m_s2,
-                   cause_of_fall(flight, gravity_m_s2), help_words(checked.motion))});
+                   cause_of_fall(flight, checked), help_words(checked.motion))});
 }
 
 void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io::Fault>& faults) {
@@ -72,14 +96,13 @@ void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io
        fmt::format(
            "t = {:.6g} to {:.6g} s: in flight the angular momentum about the centre of mass "
            "moves by {:.4g} Nm s from its mean of {:.4g} Nm s (limit {:.3g}), and nothing "
-           "turns a body in the air; likely cause: {}, or the ground touches where no "
-           "contact was found; --residual-limit allows more{}",
+           "turns a body in the air; likely cause: {}, or {}; --residual-limit allows more{}",
            flight.from_s, flight.until_s, flight.angular_momentum_drift_Nm_s,
            flight.angular_momentum_Nm_s, flight.angular_momentum_limit_Nm_s,
            is_derived ? "masses or inertias of another robot, a joint's sign"
                       : "velocities in other units or axes, a joint's sign, masses or "
                         "inertias of another robot",
-           help_words(checked.motion))});
+           missed_contact(checked.motion), help_words(checked.motion))});
 }
 
 }  // namespace

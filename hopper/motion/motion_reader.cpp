@@ -55,8 +55,9 @@ class MotionReader {
       }
     }
     if (motion_.times_s.empty()) {
-      io::refuse(csv_.file(), has_rows_ ? "no rows lie between --from and --until"
-                                        : "holds a header and no rows");
+      io::refuse(csv_.file(),
+                 first_s_ ? actuator::no_rows_within(source_.window, *first_s_, *previous_s_)
+                          : "holds a header and no rows");
     }
     store_tables();
     motion_.file = csv_.file();
@@ -244,9 +245,9 @@ class MotionReader {
   }
 
   void read_row() {
-    has_rows_ = true;
     const double stamp_s = number(*source_of(0));
     require_order(stamp_s);
+    if (!first_s_) first_s_ = stamp_s;
     const double time_s = clock_.since_origin_s(stamp_s);
     motion_.clock = clock_;
     if (stamp_s < source_.window.from_s || stamp_s > source_.window.until_s) return;
@@ -380,10 +381,10 @@ class MotionReader {
   std::array<std::vector<double>, 7> tables_;
   Motion motion_;
   actuator::Clock clock_;
+  std::optional<double> first_s_;
   std::optional<double> previous_s_;
   bool is_repeated_ = false;
   bool was_repeated_ = false;
-  bool has_rows_ = false;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "actuator/region/torque_at.hpp"
@@ -63,7 +64,9 @@ class MechanismReader {
     for (std::size_t i = 0; i < keys["joints"].size(); ++i) {
       claim(keys["joints"][i], fmt::format("{}/joints/{}", path, i), drivetrain);
     }
-    for (const json& file : keys["actuators"]) read_actuator(file, drivetrain);
+    for (std::size_t i = 0; i < keys["actuators"].size(); ++i) {
+      read_actuator(keys["actuators"][i], fmt::format("{}/actuators/{}", path, i), drivetrain);
+    }
     read_names(keys, path, drivetrain);
     refuse_repeated_names(drivetrain, path);
     read_inertias(keys, path, "reflected_inertia_kg_m2", drivetrain.stated_rotors_kg_m2);
@@ -146,11 +149,15 @@ class MechanismReader {
     if (const auto body = robot_.find_joint(name)) drivetrain.joints.push_back(*body);
   }
 
-  void read_actuator(const std::string& name, Drivetrain& drivetrain) {
+  void read_actuator(const std::string& name, const std::string& path, Drivetrain& drivetrain) {
     drivetrain.actuator_files.push_back(name);
+    const std::filesystem::path file = std::filesystem::path(file_).parent_path() / name;
+    std::error_code unknown;
+    if (!std::filesystem::exists(file, unknown)) {
+      return report(path, fmt::format("\"{}\": no such file, seen from this document", name));
+    }
     try {
-      io::Document document =
-          io::read_document(std::filesystem::path(file_).parent_path() / name, "actuator");
+      io::Document document = io::read_document(file, "actuator");
       // The robot's battery feeds every drive that states none of its own.
       const bool has_battery = document.root.contains("battery");
       if (root_.contains("battery") && !has_battery) document.root["battery"] = root_["battery"];

@@ -195,8 +195,10 @@ class Comparison {
     if (found.samples < kFewestWindows || found.correlation > -kSuspect) return;
     warn(fmt::format(
         "{} goes against {} (correlation {:.2f}): a torque of the wrong sign is "
-        "suspected; it must be what the actuator exerts on the load. If so, {}",
-        name(torque), name_of(drive), found.correlation, remedy({joint_, torque}, rig_, -1.0)));
+        "suspected; it must be what the actuator exerts on the load. If so, {}; if the torque is "
+        "right, the sign of {} is wrong: {}",
+        name(torque), name_of(drive), found.correlation, remedy({joint_, torque}, rig_, -1.0),
+        name_of(drive), remedy({joint_, drive}, rig_, -1.0)));
   }
 
   /// On a load that only stores and loses energy the drive puts in more than it takes back.

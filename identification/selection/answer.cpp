@@ -205,8 +205,14 @@ Errors errors_with_certain(const ModelFitter& fitter, const ModelFit& best,
                                                   static_cast<Eigen::Index>(coordinates.size()))));
 }
 
-std::string reason_of(const Comparison& gain) {
+std::string reason_of(const Comparison& gain, const SearchRules& rules) {
   if (gain.gain <= 0.0) return "it raises the error where it was not fitted";
+  if (gain.change_rms <= rules.least_change) {
+    return fmt::format(
+        "it lowers the error where it was not fitted by {:.1f} standard errors, and changes the "
+        "prediction by {:.3g}, which is less than the {:.3g} of the tolerance",
+        gain.t, gain.change_rms, rules.least_change);
+  }
   return fmt::format(
       "it lowers the error where it was not fitted by {:.1f} standard errors, and changes the "
       "prediction by {:.3g}; another effect explains as much, or chance would",
@@ -220,7 +226,8 @@ std::string reason_of(const Unsteadiness& by) {
       by.coordinate, 100.0 * by.share);
 }
 
-void describe_refused(const Judgement& judged, const Found& found, EquationResult& result) {
+void describe_refused(const Judgement& judged, const Found& found, const SearchRules& rules,
+                      EquationResult& result) {
   std::set<std::string> seen;
   for (const Wanderer& each : judged.wanderers) {
     if (seen.insert(each.candidate->effect).second) {
@@ -229,7 +236,7 @@ void describe_refused(const Judgement& judged, const Found& found, EquationResul
   }
   for (const Refusal& each : found.refused) {
     if (seen.insert(each.candidate->effect).second) {
-      result.rejected.push_back({each.candidate->effect, reason_of(each.gain)});
+      result.rejected.push_back({each.candidate->effect, reason_of(each.gain, rules)});
     }
   }
   for (const EffectCandidate* each : found.silent) {
@@ -368,7 +375,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   name_members(fitter, found, result);
   append_groups(bench, equation, found, result);
   append_doubts(result);
-  describe_refused(judged, found, result);
+  describe_refused(judged, found, rules, result);
   result.runs = run_results(equation, rows, found.empty.residual, kept.residual);
   if (options.select) result.models = models_within_noise(bench, fitter, found);
   result.lines = spectral_lines(

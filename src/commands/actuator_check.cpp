@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "actuator/check/column_findings.hpp"
 #include "actuator/region/mor_table.hpp"
 #include "io/atomic_file.hpp"
 #include "io/one_line.hpp"
@@ -32,7 +34,11 @@ actuator::CheckReport check_motion(actuator::CheckRequest request) {
   request.on_progress = [&progress](double share) {
     progress.show(fmt::format("reading the trajectory: {:.0f} %", 100.0 * share));
   };
-  return actuator::check(request);
+  actuator::CheckReport report = actuator::check(request);
+  for (actuator::Finding& finding : actuator::column_findings(request)) {
+    report.findings.push_back(std::move(finding));
+  }
+  return report;
 }
 
 std::string plot_of(const CheckOptions& options, const ActuatorCheckInputs& inputs,

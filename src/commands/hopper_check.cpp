@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "hopper/candidates/candidates.hpp"
+#include "hopper/check/column_findings.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/hopper_check_candidates.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
@@ -28,6 +30,14 @@ hopper::HopperReport check_whole_body(const HopperCheckInputs& inputs, hopper::M
     progress.show(fmt::format("forces and torques: {:.0f} %", 100.0 * share));
   };
   return hopper::check_motion(inputs.robot.robot, motion, check);
+}
+
+/// Behind all others: they are notes.
+void add_column_findings(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
+                         actuator::CheckReport& report) {
+  const hopper::MotionFile source{request.trajectory_file, request.columns, inputs.columns, {}};
+  std::vector<actuator::Finding> more = hopper::column_findings(inputs.robot.robot, source);
+  std::move(more.begin(), more.end(), std::back_inserter(report.findings));
 }
 
 std::vector<hopper::CandidateResult> try_by_threads(const HopperCheckRequest& request,
@@ -76,6 +86,7 @@ ExitCode run_hopper_check(const HopperCheckRequest& request) {
   HopperCheckFound found;
   found.motion = std::move(motion);
   found.report = check_whole_body(inputs, found.motion);
+  add_column_findings(request, inputs, found.report.check);
   if (!try_shelf(request, inputs, found)) return ExitCode::kPasses;
   write_outputs(request, inputs, found);
   return is_interrupted() ? ExitCode::kUndecided : verdict_code(found.report.check.verdict);

@@ -73,8 +73,18 @@ void require_no_contradiction(const IdentifyRequest& request) {
   }
 }
 
+/// What adds to a report that goes nowhere would be dropped in silence.
+void require_report_for_tables(const IdentifyRequest& request) {
+  const bool has_report = request.as.empty() || !request.outputs.empty();
+  if (!request.empirical || has_report || !request.report_file.empty()) return;
+  command_line::refuse(
+      "--empirical: adds a table to the report, in whose place --as prints numbers; allowed beside "
+      "it with --output or --report");
+}
+
 IdentifyInputs read(const IdentifyRequest& request) {
   require_log_options(request);
+  require_report_for_tables(request);
   require_names("--only", request.only);
   require_names("--without", request.without);
   require_no_contradiction(request);

@@ -118,6 +118,10 @@ std::vector<BadArguments> bad_arguments() {
       {{"hopper", "flip", "a.json", "--warm", ""}, "command line: --warm: \"\" is blank"},
       {{"robot", "import", "a.urdf", "--body", ""}, "command line: --body: \"\" is blank"},
       {{"identify", "a.csv", "--as", ""}, "command line: --as: \"\" is blank"},
+      {{"identify", "a.csv", "--rig", "r.json", "--actuator", "a.json", "--as", "bam",
+        "--empirical"},
+       "command line: --empirical: adds a table to the report, in whose place --as prints numbers; "
+       "allowed beside it with --output or --report"},
       {{"identify", "import", "moteus", "a.csv", "--units", ""},
        "command line: --units: \"\" is blank"},
       {{"actuator", "mor", ""}, "command line: actuator: \"\" is blank"},

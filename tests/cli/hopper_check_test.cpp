@@ -87,6 +87,33 @@ class HopperCheck : public testing::Test {
   Workplace place_;
 };
 
+TEST_F(HopperCheck, SaysWhereTheRowsAreThatNoWindowHolds) {
+  expect_refusal(crane(), swing(0.5),
+                 "motion.csv: no rows lie between --from 7 s and --until 9 s; the file's go from "
+                 "0 s to 2 s\n",
+                 {"--from", "7", "--until", "9"});
+}
+
+// A misspelt header would be missing in silence, a wrong unit would count.
+TEST_F(HopperCheck, NotesWhatItDoesNotReadAndUnitsThatContradictNames) {
+  std::string motion = swing(0.5);
+  motion.insert(motion.find('\n'), ",elbow_torqe_Nm");
+  for (std::size_t end = motion.find('\n', motion.find('\n') + 1); end != std::string::npos;
+       end = motion.find('\n', end + 3)) {
+    motion.insert(end, ",1");
+  }
+  const Outcome outcome =
+      check(crane(), motion, {"--column", "base_x_position_m=base_x.position:mm"});
+  EXPECT_NE(outcome.out.find("not read: \"elbow_torqe_Nm\" (is near elbow_torque_Nm, which is "
+                             "missing)"),
+            std::string::npos)
+      << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("\"base_x_position_m\" is read in mm, as is stated, though its name "
+                             "ends in m"),
+            std::string::npos)
+      << outcome.out;
+}
+
 // A row counter before the time, which would make the swing last a thousand times as long.
 TEST_F(HopperCheck, RefusesTwoColumnsThatMayBeTheTime) {
   std::string counted;

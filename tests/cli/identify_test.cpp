@@ -122,6 +122,21 @@ TEST(Identify, AsksOnlyWhatItMay) {
   EXPECT_NE(misspelt.err.find("no effect is called \"load_friction\""), std::string::npos);
 }
 
+// The effect that is there, of which the tolerance keeps the name back.
+TEST(Identify, SaysThatTheToleranceRefuses) {
+  const Bench bench;
+  const json report = report_of(bench.run({"identify", "--json"}, {"--tolerance", "1"}));
+  EXPECT_TRUE(report["effects_added"].empty());
+  std::string reason;
+  for (const json& each : report["rejected"]) {
+    if (each["effect"] == "load_dependent_friction") reason = each["reason"];
+  }
+  EXPECT_NE(reason.find("changes the prediction by 0.735, which is less than the "),
+            std::string::npos)
+      << reason << report["rejected"];
+  EXPECT_NE(reason.find("of the tolerance"), std::string::npos) << reason;
+}
+
 TEST(Identify, ResidualStopsBeforeTheSelection) {
   const Outcome outcome = Bench().run({"identify", "residual"}, {"--json"});
   EXPECT_EQ(outcome.exit_code, 1);

@@ -49,6 +49,34 @@ std::string swing() {
   return csv;
 }
 
+// Which document names the file that is not there, and under which key.
+TEST(Init, OfARobotWithoutItsActuatorSaysWhoNamesIt) {
+  const Workplace place;
+  ASSERT_EQ(place.run({"init", "robot", "-o", "r.json"}).exit_code, 0);
+  const json robot = json::parse(place.text("r.json"));
+  const Outcome outcome = place.run({"robot", "export", "r.json", "--format", "urdf"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  std::string expected;
+  for (std::size_t i = 0; i < robot["mechanisms"].size(); ++i) {
+    for (std::size_t j = 0; j < robot["mechanisms"][i]["actuators"].size(); ++j) {
+      expected += "r.json#/mechanisms/" + std::to_string(i) + "/actuators/" + std::to_string(j) +
+                  ": \"actuator.json\": no such file, seen from this document\n";
+    }
+  }
+  EXPECT_EQ(outcome.err, expected);
+}
+
+TEST(Init, OfAnActuatorWithoutItsGearboxSaysWhoNamesIt) {
+  const Workplace place;
+  json actuator = json::parse(text_of(in_repository("specs/actuator/d151_knee.json")));
+  actuator["gearbox"] = {{"file", "gone.json"}, {"friction_coefficient", 0.05}};
+  place.write("a.json", actuator.dump());
+  const Outcome outcome = place.run({"actuator", "mor", "a.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "a.json#/gearbox/file: \"gone.json\": no such file, seen from this document\n");
+}
+
 TEST(Init, WritesDocumentsThatTheirCommandsTake) {
   const Started place;
   place.write("swing.csv", swing());

@@ -168,6 +168,9 @@ TEST(StrengthOfAResult, RefusesWhatHoldsNoGearbox) {
   };
   refused(strength_of_result({"--face-width", "10"}),
           "says no steel; say --steel (case_hardened, ");
+  const Outcome bare = strength_of_result({});
+  refused(bare, "says no steel; say --steel (case_hardened, ");
+  refused(bare, "#/problem/face_width_mm: missing; say --face-width MM");
   refused(strength_of_result({"--steel", "cheese", "--face-width", "10"}), "is not known; one of:");
   refused(strength_of_result({"--steel", "case_hardened"}), "missing; say --face-width MM");
   refused(strength_of_result({"--steel", "case_hardened", "--face-width", "1,2,3"}), "two layers");

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pages of docs/journeys, typed into a terminal as a user types them. What a page shows must
 // stand in the window. Oracles of the numbers: closed forms, and for the gears an enumeration that
-// shares no code with the search. What goes in is made here, by the same closed forms.
+// shares no code with the search. What goes in are example files of the same closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <random>
 #include <regex>
 #include <sstream>
 
 #include "gearbox/problem_spec.hpp"
+#include "io/csv.hpp"
 #include "io/document.hpp"
 #include "tests/cli/workplace.hpp"
 #include "tests/journeys/journey.hpp"
@@ -50,18 +50,6 @@ Instant hip_at(double time_s) {
   return {kSwing_rad * kSwing_rad_s * std::cos(phase),
           -kSwing_rad * kSwing_rad_s * kSwing_rad_s * std::sin(phase),
           kSwing_rad * std::sin(phase)};
-}
-
-std::string hip_csv() {
-  std::ostringstream text;
-  text.precision(12);
-  text << "time_s,hip_position_rad,hip_velocity_rad_s,hip_torque_Nm\n";
-  for (int i = 0; i < kSamples; ++i) {
-    const Instant at = hip_at(kStep_s * i);
-    text << kStep_s * i << ',' << at.position_rad << ',' << at.speed_rad_s << ',' << at.torque_Nm()
-         << '\n';
-  }
-  return text.str();
 }
 
 /// What the motion asks of a drive of that ratio where both have one sign, at most, and how many
@@ -116,29 +104,52 @@ double on_the_load_Nm(double motor_Nm, double speed_rad_s) {
   return direction * left_Nm * (left_Nm > 0.0 ? kForward : 1.0 / kBackward);
 }
 
-std::string bench_csv() {
-  std::mt19937 random(7);
-  std::normal_distribution<double> current_noise_A(0.0, 0.02), torque_noise_Nm(0.0, 0.05);
-  std::ostringstream text;
-  text.precision(8);
-  text << "Test,Time [ms],Speed [rpm],Iq [A],Torque [Nm]\n";
-  for (int run = 1; run <= 4; ++run) {
-    const double speed_rad_s = 6.0 + 3.0 * run, rate_rad_s = 0.4 + 0.13 * run;
-    for (int i = 0; i < 3000; ++i) {
-      const double t = 0.005 * i;
-      const double w = speed_rad_s * std::sin(rate_rad_s * t);
-      const double a = speed_rad_s * rate_rad_s * std::cos(rate_rad_s * t);
-      const double current_A = 8 * std::sin(1.1 * t + run) +
-                               7 * std::sin(0.37 * (1 + 0.2 * run) * t) +
-                               5 * std::sin(2.3 * t + 2 * run);
-      const double motor_Nm =
-          kBenchRatio * (kTorqueConstant_Nm_A * current_A - kBenchRatio * kRotor_kg_m2 * a);
-      text << 'T' << run << ',' << 5 * i << ',' << w * 30.0 / std::numbers::pi << ','
-           << current_A + current_noise_A(random) << ','
-           << on_the_load_Nm(motor_Nm, w) + torque_noise_Nm(random) << '\n';
-    }
+constexpr double kCurrentNoise_A = 0.02, kTorqueNoise_Nm = 0.05;
+
+/// What the bench did in that run.
+struct BenchInstant {
+  double speed_rad_s, current_A, torque_Nm;
+};
+
+BenchInstant bench_at(int run, double time_s) {
+  const double greatest_rad_s = 6.0 + 3.0 * run, rate_rad_s = 0.4 + 0.13 * run;
+  const double speed_rad_s = greatest_rad_s * std::sin(rate_rad_s * time_s);
+  const double acceleration_rad_s2 = greatest_rad_s * rate_rad_s * std::cos(rate_rad_s * time_s);
+  const double current_A = 8 * std::sin(1.1 * time_s + run) +
+                           7 * std::sin(0.37 * (1 + 0.2 * run) * time_s) +
+                           5 * std::sin(2.3 * time_s + 2 * run);
+  const double motor_Nm = kBenchRatio * (kTorqueConstant_Nm_A * current_A -
+                                         kBenchRatio * kRotor_kg_m2 * acceleration_rad_s2);
+  return {speed_rad_s, current_A, on_the_load_Nm(motor_Nm, speed_rad_s)};
+}
+
+/// An example file, where a reader of the pages finds it.
+void take(const cli_test::Workplace& place, const std::string& folder, const std::string& name) {
+  place.write(name, cli_test::text_of(cli_test::in_repository(folder + "/" + name)));
+}
+
+// The example files are what the oracles below take them for.
+TEST(ExampleFiles, AreTheMotionAndTheBenchOfThePages) {
+  constexpr double kDigits = 1e-7, kNoises = 5.0;
+  io::CsvReader hip(cli_test::in_repository("specs/trajectory/hip.csv"));
+  int rows = 0;
+  for (; hip.next(); ++rows) {
+    const Instant at = hip_at(kStep_s * rows);
+    EXPECT_NEAR(hip.number(1), at.position_rad, kDigits);
+    EXPECT_NEAR(hip.number(2), at.speed_rad_s, kDigits);
+    EXPECT_NEAR(hip.number(3), at.torque_Nm(), kDigits);
   }
-  return text.str();
+  EXPECT_EQ(rows, kSamples);
+  io::CsvReader bench(cli_test::in_repository("specs/log/bench.csv"));
+  for (rows = 0; bench.next(); ++rows) {
+    const int run = bench.text(0)[1] - '0';
+    const BenchInstant at = bench_at(run, 1e-3 * bench.number(1));
+    const double rpm = at.speed_rad_s * 30.0 / std::numbers::pi;
+    EXPECT_NEAR(bench.number(2), rpm, 1e-4 * std::abs(rpm) + 1e-9);
+    EXPECT_NEAR(bench.number(3), at.current_A, kNoises * kCurrentNoise_A);
+    EXPECT_NEAR(bench.number(4), at.torque_Nm, kNoises * kTorqueNoise_Nm);
+  }
+  EXPECT_EQ(rows, 4 * 1500);
 }
 
 /// The number behind these words in the first line that holds them; NaN where none does.
@@ -229,7 +240,7 @@ Words answer(const std::vector<std::pair<std::string, Words>>& answers, const st
 }
 
 TEST_F(Journey, CatalogueDriveAndHipTrajectory) {
-  place_.write("hip.csv", hip_csv());
+  take(place_, "specs/trajectory", "hip.csv");
   const auto answers = play("drive.md");
   const Words first = answer(answers, "torquewright actuator check");
   EXPECT_NEAR(number_behind(first, "margin   peak torque "), greatest_Nm(9) - asked(9).driving_Nm,
@@ -307,8 +318,8 @@ TEST_F(Journey, RegionForIsaacLabAndMuJoCo) {
 }
 
 TEST_F(Journey, ForeignLogInRpmAndMilliseconds) {
-  place_.write("hip.csv", hip_csv());
-  place_.write("bench.csv", bench_csv());
+  take(place_, "specs/trajectory", "hip.csv");
+  take(place_, "specs/log", "bench.csv");
   const auto answers = play("log.md");
   const Words found = answer(answers, "torquewright identify");
   const Fitted coulomb = fitted(found, "coulomb_Nm "), viscous = fitted(found, "viscous_Nm_s_rad ");

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <thread>
@@ -411,7 +412,10 @@ TEST(Check, RefusesTrajectoriesWithoutRows) {
   EXPECT_EQ(checked.refusal("time_s,k_velocity_rad_s\n"), "m.csv: holds a header and no rows");
   checked.request().window = {5.0, 6.0};
   EXPECT_EQ(checked.refusal(motion(10, nullptr, steady_5, nullptr)),
-            "m.csv: no rows lie between --from and --until");
+            "m.csv: no rows lie between --from 5 s and --until 6 s; the file's go from 0 s to 1 s");
+  checked.request().window = {1.5, std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(checked.refusal(motion(10, nullptr, steady_5, nullptr)),
+            "m.csv: no rows lie from --from 1.5 s on; the file's go from 0 s to 1 s");
 }
 
 TEST(Check, ASingleRowIsChecked) {

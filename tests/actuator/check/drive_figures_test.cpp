@@ -118,6 +118,21 @@ TEST(DriveFigures, AnEmptyRegionSaysItsOwnReason) {
   EXPECT_EQ(report.drives[0].interpretation.worst.limiter, truth.why_empty);
 }
 
+// A factor near 1 is no mistake: what is left is the offset, or nothing that can be named.
+TEST(Findings, NameTheOffsetOfAVelocity) {
+  Checked checked;
+  const auto refusal = [&](double (*velocity)(double)) {
+    return checked.refusal(motion(200, angle, velocity, slow));
+  };
+  const std::string above = refusal([](double t) { return rate(t) + 2.0; });
+  EXPECT_TRUE(says(above, "it seems to be d(position)/dt and an offset of 2")) << above;
+  EXPECT_FALSE(says(above, "times d(position)/dt")) << above;
+  const std::string below = refusal([](double t) { return rate(t) - 2.0; });
+  EXPECT_TRUE(says(below, "an offset of -")) << below;
+  const std::string dead = refusal([](double) { return 0.0; });
+  EXPECT_TRUE(says(dead, "may be dead")) << dead;
+}
+
 // Oracle: which mistake was made; the sentence names that one and no other.
 TEST(Findings, NameTheMistakeThatAVelocityLooksLike) {
   Checked checked;
@@ -135,6 +150,10 @@ TEST(Findings, NameTheMistakeThatAVelocityLooksLike) {
   EXPECT_TRUE(says(refusal([](double t) { return 0.5 / std::numbers::pi * rate(t); }),
                    "in turns, the position in rad"));
   EXPECT_TRUE(says(refusal([](double t) { return 0.5 * rate(t); }), "it is 0.5"));
+  const std::string stated_wrongly =
+      refusal([](double t) { return std::numbers::pi / 180.0 * rate(t); });
+  EXPECT_TRUE(says(stated_wrongly, "the position seems to be in degrees")) << stated_wrongly;
+  EXPECT_TRUE(says(stated_wrongly, "the velocity is in rad/s and was taken for deg/s"));
   const auto scaled = [](double t) { return 0.75 * rate(t); };
   const std::string warning =
       sentence_of(checked.report(motion(200, angle, scaled, slow)), "velocity-mismatch");

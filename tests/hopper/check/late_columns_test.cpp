@@ -126,6 +126,21 @@ TEST(LateColumns, AreReadAsStated) {
   EXPECT_EQ(moved.samples(), 199);
 }
 
+// "shift" of a file that has nothing to shift would be dropped in silence.
+TEST(LateColumns, ThatAreNotThereCannotBeShifted) {
+  Motion bare = swing(kFirstOrder);
+  bare.acceleration_origin = Origin::kAbsent;
+  try {
+    reading_of(bare, LateRows::kShift);
+    FAIL() << "was read";
+  } catch (const io::SpecError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("--late-columns shift: there is nothing to shift"), std::string::npos)
+        << said;
+  }
+  EXPECT_FALSE(reading_of(bare, LateRows::kKeep).late().any());
+}
+
 Verdict verdict_of(double bus_V, const StepRule& rule, LateRows rows, bool* is_said = nullptr) {
   CheckOptions options;
   options.late_columns = rows;

@@ -14,6 +14,7 @@
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/motion/rate_agreement.hpp"
 #include "hopper/robot/robot_spec.hpp"
+#include "io/spec_error.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -196,6 +197,39 @@ TEST(TimeGap, IsSaidAndNothingIsDifferentiatedAcrossIt) {
     EXPECT_NE(refused.find("with --until 0.25 and with --from 5.251"), std::string::npos)
         << refused;
   }
+}
+
+/// What is said of the squat, in which a flat foot stands all the time, where the file denies that.
+std::string refusal_of_squat(void (*deny)(Motion&, Index contacts)) {
+  const Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
+  Motion motion = read_motion(
+      robot, {TORQUEWRIGHT_SOURCE_DIR "/specs/trajectory/hopper_squat.csv", {}, {}, {}});
+  deny(motion, static_cast<Index>(robot.contacts.size()));
+  try {
+    check_motion(robot, motion, {});
+  } catch (const io::SpecError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Heights and speeds do not count where the file says what touches.
+TEST(Contacts, ThatTheFileDeniesAreNamedAsItsOwn) {
+  const std::string flags = refusal_of_squat([](Motion& motion, Index contacts) {
+    motion.has_touching = true;
+    motion.touching.setZero(contacts, motion.samples());
+  });
+  EXPECT_NE(flags.find("the file's contact flags say that it does not (take these columns out"),
+            std::string::npos)
+      << flags;
+  EXPECT_EQ(flags.find("--contact-height"), std::string::npos) << flags;
+  const std::string forces = refusal_of_squat([](Motion& motion, Index contacts) {
+    motion.has_forces = true;
+    motion.forces_N.setZero(3 * contacts, motion.samples());
+  });
+  EXPECT_NE(forces.find("the file's contact forces say that it does not"), std::string::npos)
+      << forces;
+  EXPECT_EQ(forces.find("--contact-height"), std::string::npos) << forces;
 }
 
 // Radius of gyration sqrt(0.6/10): 1 % of 98.1 N at 0.245 m make 0.12 Nm s in 0.5 s, 2 % of 6 Nm s

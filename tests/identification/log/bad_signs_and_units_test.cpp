@@ -177,6 +177,14 @@ TEST(BadLog, TorqueOfTheWrongSignIsSuspectedAndSaid) {
   EXPECT_EQ(result.refusal, "");
   EXPECT_EQ(result.finding("output_torque_Nm goes against motor_current_A").weight,
             Weight::kWarning);
+  // The log cannot tell which of the two it is.
+  const std::string either = checked({.i = -1.0}).finding("goes against").sentence;
+  EXPECT_NE(either.find("{\"quantity\": \"output_torque_Nm\", \"scale\": -1}"), std::string::npos)
+      << either;
+  EXPECT_NE(either.find("the sign of motor_current_A is wrong: write {\"quantity\": "
+                        "\"motor_current_A\", \"scale\": -1}"),
+            std::string::npos)
+      << either;
   actuator::Actuator reversing = nominal();
   reversing.transmission.ratio = -20.0;
   EXPECT_EQ(checked({.tau = -1.0}, kArmRig, reversing).finding("goes against").sentence, "");

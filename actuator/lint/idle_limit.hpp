@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "actuator/lint/finding.hpp"
+
+namespace torquewright::actuator::lint {
+
+/// A note where a drive states how much power may flow back to its bus and that none does: then the
+/// limit is ignored.
+std::optional<Finding> idle_regeneration_limit(const Actuator& document);
+
+}  // namespace torquewright::actuator::lint
