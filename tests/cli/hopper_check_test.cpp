@@ -179,6 +179,12 @@ TEST_F(HopperCheck, WritesEverythingByTime) {
 }
 
 // Three panels, and nothing where the file tells no motion of the base.
+// Two rows of positions are a velocity and no acceleration, not one of zero.
+TEST_F(HopperCheck, RefusesRatesThatTooFewRowsHold) {
+  expect_refusal(crane(), "time_s,elbow_position_rad,elbow_torque_Nm\n0,0,5\n1,0,5\n",
+                 "accelerations cannot be had from fewer than 3 rows, and there are two");
+}
+
 TEST_F(HopperCheck, DrawsTheMomentum) {
   const Outcome outcome = check(crane(), swing(0.5), {"--plot-momentum", "momentum.svg"});
   if (outcome.err.find("not installed") != std::string::npos) GTEST_SKIP() << "no gnuplot";
@@ -192,7 +198,7 @@ TEST_F(HopperCheck, DrawsTheMomentum) {
   expect_refusal(crane(), swing(0.5), "momentum.pdf", {"--plot-momentum", "momentum.pdf"});
   expect_refusal(crane(), swing(0.5), "motion.csv", {"--plot-momentum", "motion.csv"});
   const Outcome floating =
-      check(crane(), "time_s,elbow_position_rad,elbow_torque_Nm\n0,0,5\n1,0,5\n",
+      check(crane(), "time_s,elbow_position_rad,elbow_torque_Nm\n0,0,5\n1,0,5\n2,0,5\n",
             {"--plot-momentum", "none.svg"});
   EXPECT_NE(floating.err.find("none.svg: not drawn"), std::string::npos) << floating.err;
   EXPECT_FALSE(place_.has("none.svg"));
@@ -285,8 +291,9 @@ TEST_F(HopperCheck, OverwritesNoInputAndWritesAllOrNothing) {
   EXPECT_EQ(check(crane(), motion, {"--figures", "a.svg", "-o", "b.txt"}).exit_code, 0);
   EXPECT_TRUE(place_.has("a.svg") && place_.has("b.txt"));
   // Where nothing says how the base moves there is nothing to draw, and no empty file.
-  const Outcome bare = check(crane(), "time_s,elbow_position_rad,elbow_torque_Nm\n0,0,1\n1,0,1\n",
-                             {"--figures", "c.svg"});
+  const Outcome bare =
+      check(crane(), "time_s,elbow_position_rad,elbow_torque_Nm\n0,0,1\n1,0,1\n2,0,1\n",
+            {"--figures", "c.svg"});
   EXPECT_NE(bare.err.find("c.svg: not drawn"), std::string::npos) << bare.err;
   EXPECT_FALSE(place_.has("c.svg"));
 }
