@@ -11,7 +11,7 @@
 #include <Eigen/LU>
 #include <array>
 
-#include "actuator/check/drive_check.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "hopper/robot/robot_spec.hpp"
