@@ -52,7 +52,7 @@ struct Counts {
   int as_before = 0, done = 0;  ///< All files.
   int cut_short = 0;            ///< By Ctrl-C: whole files of a search that says so.
   int torn_by_kill = 0;         ///< KILL within the exchange (docs/decisions/0016).
-  int left_by_kill = 0;         ///< Its temporary file.
+  int left_by_kill = 0;         ///< Its temporary files, no more than one for each file.
   int wrong = 0;
 };
 
@@ -67,7 +67,8 @@ class Bench {
     int wrong = 0;
     fmt::print(
         "| command | lasts (s) | kills | as before | finished | cut short by Ctrl-C | KILL in the "
-        "exchange | its temporary file | wrong |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+        "exchange | its temporary files | wrong "
+        "|\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (const Words& command : example_commands()) {
       const bool is_asked = fmt::format("{}", fmt::join(command, " ")).starts_with(options_.only);
       if (!is_asked || outputs_of(command).empty()) continue;
@@ -169,7 +170,7 @@ class Bench {
       ++counts.done;
     } else if (is_cut_short && left == 0) {
       ++counts.cut_short;
-    } else if (is_kill && untouched + (is_timed ? whole : finished) == all && left <= 1) {
+    } else if (is_kill && untouched + (is_timed ? whole : finished) == all && left <= all) {
       counts.torn_by_kill += untouched < all && finished < all ? 1 : 0;
       counts.left_by_kill += left > 0 ? 1 : 0;
     } else {
