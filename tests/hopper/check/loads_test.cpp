@@ -10,6 +10,7 @@
 #include "hopper/check/base_residual.hpp"
 #include "hopper/check/contact_load.hpp"
 #include "hopper/check/drive_reports.hpp"
+#include "hopper/check/free_rows.hpp"
 #include "hopper/check/physical.hpp"
 #include "hopper/check/shared_bus.hpp"
 #include "hopper/mechanisms/constant_jacobian.hpp"
@@ -363,6 +364,19 @@ TEST(BaseResidual, IsTheGreatestMeanOverItsWindowAndTheShareBeyond) {
   EXPECT_NEAR(found.passive.mean, 6.0, 1e-12);
   EXPECT_NEAR(found.passive.share_beyond, 9.0 / 11.0, 1e-15);  // windows that end in the motion
   EXPECT_THROW(require_physical(driven.checked(), found, {}), io::SpecError);
+}
+
+// By hand: two forces and a moment of the base, then a hinge's torque and a slide's force.
+TEST(FreeRows, TellTheForceOfASlideFromATorque) {
+  Robot robot;
+  robot.tree.base = dynamics::BaseKind::kPlanar;
+  robot.tree.bodies.resize(3);
+  robot.tree.bodies[2].joint.kind = dynamics::JointKind::kPrismatic;
+  const WholeBody body(robot);
+  const FreeRows rows(body);
+  EXPECT_EQ(rows.kinds().slides, std::vector<Index>{4});
+  const Eigen::VectorXd scales = rows.scales(100.0, 0.5);
+  EXPECT_EQ(scales, (Eigen::VectorXd(5) << 100.0, 100.0, 50.0, 50.0, 100.0).finished());
 }
 
 // Oracle: 6 N along a slide are 3 Nm at the size of 0.5 m, of noise alike.
