@@ -171,21 +171,25 @@ class Pass {
 
   std::size_t rows() const { return steps_ + 1; }
 
-  /// Two rows have a velocity where it is differentiated, three an acceleration.
+  /// Two rows have a velocity where it is differentiated, three an acceleration, which a rotor's
+  /// torque takes unless the file's holds it.
   void require_rates(const std::vector<DriveReport>& drives) const {
-    const auto some = [&](bool (*holds)(const DriveReport&)) {
-      return std::any_of(drives.begin(), drives.end(), holds);
-    };
+    const auto some = [&](auto holds) { return std::any_of(drives.begin(), drives.end(), holds); };
     const bool differentiates = some([](const auto& one) { return one.is_speed_differentiated; });
-    const bool adds_rotors = request_.inertia == InertiaConvention::kExcluded &&
-                             some([](const auto& one) { return one.armature_kg_m2 > 0.0; });
-    const std::size_t least = adds_rotors ? (differentiates ? 3 : 2) : differentiates ? 2 : 1;
+    const bool adds_rotors =
+        request_.inertia != InertiaConvention::kIncluded &&
+        some([](const auto& one) { return one.has_torque && one.armature_kg_m2 > 0.0; });
+    const std::size_t least = 1 + (adds_rotors ? 1 : 0) + (differentiates ? 1 : 0);
     if (rows() >= least) return;
-    io::refuse(reader_.file(),
-               fmt::format("{} cannot be had from fewer than {} rows, and there {}; state "
-                           "velocities in the file, or take more rows (--from, --until)",
-                           adds_rotors ? "the rotors' acceleration" : "velocities", least,
-                           rows() == 1 ? "is one" : "are two"));
+    const bool is_open = adds_rotors && request_.inertia == InertiaConvention::kUnstated;
+    io::refuse(
+        reader_.file(),
+        fmt::format("{} cannot be had from fewer than {} rows, and there {}; {}{}take more "
+                    "rows (--from, --until)",
+                    adds_rotors ? "the rotors' acceleration" : "velocities", least,
+                    rows() == 1 ? "is one" : "are two",
+                    is_open ? "say --torque-includes-inertia if the file's torque does, " : "",
+                    differentiates ? "state velocities in the file, or " : "or "));
   }
 
   void require_own_velocities(const std::vector<DriveReport>& drives) const {
@@ -261,13 +265,11 @@ Ends ends_to_judge(const CheckRequest& request, const CheckReport& report) {
   return ends;
 }
 
-bool is_to_be_judged(const HeatEnd& end) { return !end.is_as_asked && end.objection.empty(); }
-
 /// With windings as warm as at one of their ends; empty where none is to be judged there.
 std::optional<CheckRequest> at_end(CheckRequest request, const Ends& ends, std::size_t which) {
   bool some = false;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (ends[i].size() <= which || !is_to_be_judged(ends[i][which])) continue;
+    if (ends[i].size() <= which || !ends[i][which].is_to_be_judged()) continue;
     request.drives[i].conditions = ends[i][which].conditions;
     some = true;
   }
@@ -286,7 +288,7 @@ void settle_drive(std::size_t drive, const std::vector<HeatEnd>& ends, const AtE
                   const std::string& why_not, CheckReport& report) {
   std::vector<std::optional<DriveReport>> there(ends.size());
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (at_ends[i] && is_to_be_judged(ends[i])) there[i] = at_ends[i]->drives[drive];
+    if (at_ends[i] && ends[i].is_to_be_judged()) there[i] = at_ends[i]->drives[drive];
   }
   DriveReport& mine = report.drives[drive];
   mine = judged_at_ends(std::move(mine), ends, std::move(there), why_not);

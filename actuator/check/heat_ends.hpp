@@ -16,6 +16,8 @@ struct HeatEnd {
   bool is_as_asked = false;        ///< Within kSteady_K: what is known already holds.
   OperatingConditions conditions;  ///< As asked for, with the winding so warm.
   std::string objection;           ///< Why the document does not reach there; empty: it does.
+
+  bool is_to_be_judged() const { return !is_as_asked && objection.empty(); }
 };
 
 /// The coldest, and of several runs the warmest: a single one is judged by what it begins with.

@@ -157,10 +157,11 @@ std::vector<std::string> objections(const Actuator& actuator,
   const double temperature_K = winding_temperature_K(actuator, conditions);
   const Instant warm = at_winding_temperature(actuator, temperature_K);
   if (resistance_factor(actuator, warm) <= 0.0 || flux_factor(actuator, warm) <= 0.0) {
-    sentences.push_back(fmt::format(
-        "at a winding temperature of {} K the temperature coefficients leave no resistance or no "
-        "magnet; the laws are linear about {} K",
-        temperature_K, actuator.motor.winding_temperature_K));
+    sentences.push_back(
+        fmt::format("at a winding temperature of {:.6g} K the temperature coefficients leave no "
+                    "resistance or no "
+                    "magnet; the laws are linear about {:.6g} K",
+                    temperature_K, actuator.motor.winding_temperature_K));
   }
   const Transmission& gear = actuator.transmission;
   if (gear.backward_efficiency <= 0.0 && gear.peak_torque_Nm == kUnlimited) {

@@ -162,8 +162,7 @@ void check_drive(const CheckedMotion& checked, const DriveTorques& torques,
   if (actuator::need_judging(report, ends)) {
     std::vector<std::optional<actuator::DriveReport>> at_ends(ends.size());
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      if (ends[i].is_as_asked || !ends[i].objection.empty()) continue;
-      at_ends[i] = drive.report(ends[i].conditions);
+      if (ends[i].is_to_be_judged()) at_ends[i] = drive.report(ends[i].conditions);
     }
     report = actuator::judged_at_ends(std::move(report), ends, std::move(at_ends));
     if (const auto& shown_K = report.held_heat->shown_K; keeps_trace && shown_K) {

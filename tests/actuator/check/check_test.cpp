@@ -319,6 +319,7 @@ TEST(Check, IsOpenWhereTheDocumentsLawsEndBeforeTheHeat) {
 // Two rows have one slope, one has none.
 TEST(Check, RefusesRatesThatTooFewRowsHold) {
   Checked checked;
+  checked.request().inertia = InertiaConvention::kIncluded;
   checked.request().window = {0.45, 0.55};
   EXPECT_NE(checked.refusal(motion(10, swing, nullptr, steady_5))
                 .find("velocities cannot be had from fewer than 2 rows, and there is one"),
@@ -332,9 +333,19 @@ TEST(Check, RefusesRatesThatTooFewRowsHold) {
   checked.report(motion(10, nullptr, swing_rate, steady_5));
 }
 
+// What turns the rotor is part of one of two readings of a torque of which nothing is said.
+TEST(Check, RefusesAnOpenReadingThatTooFewRowsHold) {
+  Checked checked;
+  const std::string text = "time_s,k_velocity_rad_s,k_torque_Nm\n0,5,4\n";
+  EXPECT_NE(checked.refusal(text).find("say --torque-includes-inertia"), std::string::npos);
+  checked.request().inertia = InertiaConvention::kIncluded;
+  EXPECT_EQ(checked.report(text).verdict, Verdict::kPass);
+}
+
 // Oracle: an instant in a pause of any length is none of it.
 TEST(Check, ARowWithoutDurationAsksNothingOfAPause) {
   Checked checked;
+  checked.request().inertia = InertiaConvention::kIncluded;
   checked.request().pause_s = 1.0;
   const std::string text = "time_s,k_velocity_rad_s,k_torque_Nm\n0,5,4\n";
   EXPECT_EQ(checked.report(text).drives[0].interpretation.continuous_current.rms, 0.0);
@@ -420,6 +431,7 @@ TEST(Check, RefusesTrajectoriesWithoutRows) {
 
 TEST(Check, ASingleRowIsChecked) {
   Checked checked;
+  checked.request().inertia = InertiaConvention::kIncluded;
   const CheckReport report = checked.report("time_s,k_velocity_rad_s,k_torque_Nm\n0,5,40\n");
   EXPECT_EQ(report.verdict, Verdict::kFail);
   EXPECT_EQ(report.drives[0].interpretation.rms_torque_Nm, 40.0);
