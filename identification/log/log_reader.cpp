@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "actuator/heat/working_temperature.hpp"
 #include "identification/log/channel.hpp"
@@ -14,6 +15,10 @@
 
 namespace torquewright::identification {
 namespace {
+
+/// What a recorder's float can hold, marks of what was not measured among it. Squares of squares
+/// of more overflow.
+constexpr double kGreatestReading = std::numeric_limits<float>::max();
 
 constexpr double kLongStep_s = 0.5;
 
@@ -118,7 +123,9 @@ void LogReader::read_row() {
   if (!columns_.time) return append(0.0);
   const Source& time = *columns_.time;
   const double stated_s = csv_->number(time.column) * time.scale + time.offset;
-  if (!std::isfinite(stated_s)) csv_->refuse(time.column, "too large in SI units");
+  if (!(std::abs(stated_s) <= kGreatestReading)) {
+    csv_->refuse(time.column, "too large in SI units");
+  }
   const double time_s = clock_.since_origin_s(stated_s);
   const bool has_previous = at_once_ > 0;
   if (has_previous && time_s == stamp_s_) {
@@ -211,7 +218,9 @@ void LogReader::append(double time_s) {
   if (columns_.time) run_.time_s.push_back(time_s);
   for (const Source& source : columns_.channels) {
     const double value = csv_->number(source.column) * source.scale + source.offset;
-    if (!std::isfinite(value)) csv_->refuse(source.column, "too large in SI units");
+    if (!(std::abs(value) <= kGreatestReading)) {
+      csv_->refuse(source.column, "too large in SI units");
+    }
     require_possible(source, value);
     const std::size_t first = source.joint.value_or(0);
     const std::size_t end = source.joint ? first + 1 : run_.joints.size();

@@ -191,6 +191,10 @@ TEST(ReadLog, RefusesWithThePlace) {
             "m.csv: line 2, column 1 (run): empty, must name the run");
   EXPECT_EQ(refusal("t,q\n0,1\n1,1e400\n", kPlain),
             "m.csv: line 3, column 2 (q): \"1e400\" is not a finite number");
+  EXPECT_EQ(refusal("t,q\n0,1\n1,-1e39\n", kPlain),
+            "m.csv: line 3, column 2 (q): too large in SI units");
+  EXPECT_EQ(refusal("t,q\n0,1\n1e39,1\n", kPlain),
+            "m.csv: line 3, column 1 (t): too large in SI units");
 }
 
 // Oracle: the gaps put in. The first is noticed late, when the median is known; the second at once.
