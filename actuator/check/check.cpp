@@ -14,8 +14,10 @@
 #include "actuator/check/findings.hpp"
 #include "actuator/check/heat_ends.hpp"
 #include "actuator/check/shared_battery.hpp"
+#include "actuator/check/time_gap.hpp"
 #include "actuator/check/travel_agreement.hpp"
 #include "actuator/check/velocity_agreement.hpp"
+#include "actuator/check/velocity_words.hpp"
 #include "io/refusal.hpp"
 #include "io/spec_error.hpp"
 

@@ -10,13 +10,13 @@
 #include <set>
 
 #include "actuator/check/region_words.hpp"
+#include "actuator/check/velocity_words.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kFactorTolerance = 0.1;  // relative, for a factor to count as a known one
 
 Finding finding(const DriveReport& drive, Severity severity, const char* rule,
                 std::string sentence) {
@@ -174,58 +174,12 @@ void add_speed(const DriveReport& drive, std::vector<Finding>& findings) {
   findings.push_back(std::move(result));
 }
 
-/// What a velocity that is so many times the position's slope looks like.
-std::string cause_of(double factor) {
-  constexpr double kTurn_rad = 2.0 * std::numbers::pi;
-  struct Known {
-    double factor;
-    const char* cause;
-  };
-  static constexpr Known kKnown[] = {
-      {kDegrees,
-       "; it seems to be in degrees, the position in rad; or the position is in rad and was taken "
-       "for degrees"},
-      {1.0 / kDegrees,
-       "; the position seems to be in degrees, or the velocity is in rad/s and was taken for "
-       "deg/s"},
-      {60.0 / kTurn_rad, "; it seems to be in revolutions per minute, the position in rad"},
-      {1.0 / kTurn_rad, "; it seems to be in turns, the position in rad"},
-      {kTurn_rad, "; the position seems to be in turns"},
-      {-1.0, "; their signs differ"}};
-  for (const Known& known : kKnown) {
-    if (std::abs(factor / known.factor - 1.0) < kFactorTolerance) return known.cause;
-  }
-  return "";
-}
-
-bool is_plain(double factor) { return factor <= kPlainFactor && factor >= 1.0 / kPlainFactor; }
-
 void add_agreement(const DriveReport& drive, std::vector<Finding>& findings) {
   const double factor = drive.velocity_over_slope;
-  if (is_plain(factor) || drive.velocity_correlation < kAgreement) return;
+  if (is_plain_factor(factor) || drive.velocity_correlation < kAgreement) return;
   findings.push_back(finding(drive, Severity::kWarning, "velocity-mismatch",
                              fmt::format("{}: the velocity is {:.4g} times d(position)/dt{}",
-                                         drive.name, factor, cause_of(factor))));
-}
-
-/// It goes with the position's slope but for a constant that stands out of their scatter.
-bool has_offset(const VelocityAgreement& agreement) {
-  return agreement.correlation_about_means() >= kAgreement &&
-         is_plain(agreement.factor_about_means()) &&
-         std::abs(agreement.offset_rad_s()) > agreement.scatter_rad_s();
-}
-
-/// What a velocity that is not the rate of its position looks like.
-std::string likely_cause(const VelocityAgreement& agreement) {
-  if (has_offset(agreement)) {
-    return fmt::format("it seems to be d(position)/dt and an offset of {:.4g} rad/s",
-                       agreement.offset_rad_s());
-  }
-  const double factor = agreement.factor();
-  if (agreement.correlation() >= kAgreement && !is_plain(factor)) {
-    return fmt::format("it is {:.4g} times d(position)/dt{}", factor, cause_of(factor));
-  }
-  return "one of the columns may be dead, late or another joint's, or a position noisy";
+                                         drive.name, factor, cause_of_factor(factor))));
 }
 
 void add_torque(const DriveReport& drive, std::vector<Finding>& findings) {
@@ -293,51 +247,6 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
 }
 
 }  // namespace
-
-std::optional<Finding> gap_finding(const LongestStep& step) {
-  if (step.usual_s == 0.0 || step.duration_s <= kGap * step.usual_s) return std::nullopt;
-  Finding result;
-  result.severity = Severity::kWarning;
-  result.rule = "time-gap";
-  result.time_s = step.from_s;
-  result.value = step.duration_s;
-  result.limit = kGap * step.usual_s;
-  result.unit = "s";
-  result.sentence = fmt::format(
-      "no samples for {:.6g} s from t = {:.6g} s on, while the other steps are {:.3g} s on "
-      "average; "
-      "what is integrated, energy, rms and heat, runs straight across",
-      step.duration_s, step.from_s, step.usual_s);
-  return result;
-}
-
-bool hides_motion(const LongestStep& step) {
-  return step.usual_s > 0.0 && step.duration_s > kGap * step.usual_s &&
-         step.duration_s > kMostUnseen_s;
-}
-
-std::string hidden_motion_sentence(const LongestStep& step, double clock_origin_s,
-                                   std::string_view rates) {
-  const double until_s = clock_origin_s + step.from_s;
-  return fmt::format(
-      "no samples for {0:.6g} s from t = {1:.6g} s on, while the other steps are {2:.3g} s on "
-      "average: {3} are differentiated across them; state {3} in the file, or check the parts "
-      "apart, with --until {4:.15g} and with --from {5:.15g}",
-      step.duration_s, step.from_s, step.usual_s, rates, until_s, until_s + step.duration_s);
-}
-
-std::string contradiction_sentence(const std::string& joint,
-                                   const TravelContradiction& contradiction, double clock_origin_s,
-                                   const VelocityAgreement& agreement) {
-  return fmt::format(
-      "the velocity of {0} is not the rate of its position: from t = {1:.6g} s to {2:.6g} s the "
-      "position changes by {3:.4g} rad and the integral of the velocity by {4:.4g} rad; {5}. Mend "
-      "the column that is wrong (--column states a unit and a factor), or take {0}'s velocity out "
-      "of the file: then the slopes of the position are taken",
-      joint, clock_origin_s + contradiction.from_s, clock_origin_s + contradiction.until_s,
-      contradiction.position_change_rad, contradiction.velocity_integral_rad,
-      likely_cause(agreement));
-}
 
 std::vector<Finding> findings_of(const std::vector<DriveReport>& drives) {
   std::vector<Finding> findings;

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "actuator/check/findings.hpp"
+#include "actuator/check/time_gap.hpp"
 #include "hopper/check/contact_search.hpp"
 #include "hopper/check/late_columns.hpp"
 #include "hopper/check/physical.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/check/time_gap.hpp"
 
-#include "actuator/check/findings.hpp"
+#include "actuator/check/time_gap.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper {

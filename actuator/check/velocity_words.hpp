@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "actuator/check/travel_agreement.hpp"
+#include "actuator/check/velocity_agreement.hpp"
+
+namespace torquewright::actuator {
+
+/// Logged velocity over d(position)/dt outside of 1/kPlainFactor...kPlainFactor is another unit or
+/// another filter, if the two otherwise agree to kAgreement.
+constexpr double kPlainFactor = 1.2;
+constexpr double kAgreement = 0.8;
+
+bool is_plain_factor(double factor);
+
+/// What a velocity that is so many times the position's slope looks like, a clause from its
+/// semicolon on; empty: like nothing known.
+std::string cause_of_factor(double factor);
+
+/// That the velocity of a joint is not the rate of its position, from where to where, why perhaps,
+/// and what can be done. Times are in the file's own clock.
+std::string contradiction_sentence(const std::string& joint,
+                                   const TravelContradiction& contradiction, double clock_origin_s,
+                                   const VelocityAgreement& agreement);
+
+}  // namespace torquewright::actuator
