@@ -8,7 +8,7 @@
 namespace torquewright::actuator {
 
 RotorBeforeMesh::RotorBeforeMesh(const Actuator& actuator)
-    : rotor_kg_m2_(reflected_inertia_kg_m2(actuator) - actuator.transmission.inertia_kg_m2),
+    : rotor_kg_m2_(before_gears_kg_m2(actuator)),
       driving_(after_mesh_Nm(actuator, 1.0, 1.0)),
       driven_(after_mesh_Nm(actuator, 1.0, -1.0)) {}
 
@@ -20,7 +20,9 @@ GearedTorque RotorBeforeMesh::of(double speed_rad_s, double torque_Nm,
   // A joint at rest turns the way it is accelerated.
   const double direction = speed_rad_s == 0.0 ? acceleration_rad_s2 : speed_rad_s;
   const double before_Nm = teeth_Nm / factor(teeth_Nm, direction) + rotor_Nm;
-  return {before_Nm * factor(before_Nm, direction), teeth_Nm};
+  // The region at rest is asked what can be held, for which the mesh helps.
+  const double asked = speed_rad_s == 0.0 ? -before_Nm : speed_rad_s;
+  return {before_Nm * factor(before_Nm, asked), teeth_Nm};
 }
 
 Actuator RotorBeforeMesh::behind_any_teeth(Actuator actuator) const {

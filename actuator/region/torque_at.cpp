@@ -31,6 +31,10 @@ double reflected_inertia_kg_m2(const Actuator& actuator) {
          sum_of_laws(actuator.effects, Acts::kInertialTorque, unit);
 }
 
+double before_gears_kg_m2(const Actuator& actuator) {
+  return reflected_inertia_kg_m2(actuator) - actuator.transmission.inertia_kg_m2;
+}
+
 double before_mesh_at_Nm(const Actuator& actuator, const Instant& at) {
   return motor_torque_Nm(actuator, at) + drag_Nm(actuator, at) +
          periodic_motor_torque_Nm(actuator, at) -

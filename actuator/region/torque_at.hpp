@@ -21,6 +21,9 @@ double periodic_motor_torque_Nm(const Actuator& actuator, const Instant& at);
 /// Of rotor and gears, and what effects add, at the output, in kg m^2.
 double reflected_inertia_kg_m2(const Actuator& actuator);
 
+/// Of that what turns before the mesh: without the gears' own.
+double before_gears_kg_m2(const Actuator& actuator);
+
 /// Torque before the mesh: motor, drag, cogging, and what accelerates the rotor.
 double before_mesh_at_Nm(const Actuator& actuator, const Instant& at);
 

@@ -561,8 +561,12 @@ class DemandPass {
     body_.at_actuators(contact, jolt.contact_Nm_s);
     body_.at_actuators(left, jolt.drive_Nm_s);
     body_.speed_changes(change, jolt.rotor_Nm_s);
+    VectorXd carried_Nm_s(drives);
+    body_.carried_momenta(change, carried_Nm_s);
     for (Index i = 0; i < drives; ++i) {
-      jolt.rotor_Nm_s[i] *= body_.before_gears_kg_m2(static_cast<std::size_t>(i));
+      jolt.rotor_Nm_s[i] =
+          body_.before_gears_kg_m2(static_cast<std::size_t>(i)) * jolt.rotor_Nm_s[i] +
+          carried_Nm_s[i];
     }
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "actuator/check/heat_ends.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "io/refusal.hpp"
 
 namespace torquewright::hopper {
@@ -96,11 +97,13 @@ actuator::DriveReport checked_drive(const CheckedMotion& checked,
   for (const SharedBus& shared : buses) {
     for (const std::size_t member : shared.drives) bus = member == drive ? &shared : bus;
   }
+  const double rotor_kg_m2 =
+      actuator::before_gears_kg_m2(place.drivetrain.actuators[place.actuator]);
   for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
     if (bus != nullptr) check.set_bus_voltage_V(bus->voltage_V[sample]);
     const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
     check.add(checked.motion.time_s(sample), at.speed_rad_s, torque_Nm[sample],
-              at.acceleration_rad_s2);
+              at.rotor_acceleration_rad_s2(rotor_kg_m2));
   }
   actuator::DriveReport report = check.finish();
   if (trace != nullptr) *trace = check.trace();

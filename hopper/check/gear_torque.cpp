@@ -50,7 +50,9 @@ class GearPass {
         .drives[static_cast<std::size_t>(drive)][static_cast<std::size_t>(sample)];
   }
   double rotor_Nm(Index drive, Index sample) const {
-    return checked_.demand.before_gears_kg_m2[drive] * at(drive, sample).acceleration_rad_s2;
+    const DriveInstant& instant = at(drive, sample);
+    return checked_.demand.before_gears_kg_m2[drive] * instant.acceleration_rad_s2 +
+           instant.carried_Nm;
   }
 
   void add_torque(const actuator::Actuator& actuator, Index drive, Index sample) {

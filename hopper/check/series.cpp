@@ -11,6 +11,7 @@
 
 #include "actuator/check/bus_levels.hpp"
 #include "actuator/check/demand.hpp"
+#include "actuator/region/torque_at.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -93,15 +94,17 @@ class SeriesPass {
     const actuator::PhaseModel model = actuator::phase_model_at(actuator, options_.conditions);
     const double temperature_K = winding_temperature_K(actuator, options_.conditions);
     const actuator::CheckBasis own(actuator, options_.conditions);
+    const double rotor_kg_m2 = actuator::before_gears_kg_m2(actuator);
     actuator::BusLevels levels(actuator, options_.conditions);
     Eigen::MatrixXd found = Eigen::MatrixXd::Constant(6, motion_.samples(), kNone);
     for (Index sample = 0; sample < motion_.samples(); ++sample) {
       const DriveInstant& at =
           demand().drives[static_cast<std::size_t>(drive)][static_cast<std::size_t>(sample)];
       const actuator::CheckBasis& basis = bus != nullptr ? levels.at(bus->voltage_V[sample]) : own;
-      const double motor_Nm =
-          basis.rotor.of(at.speed_rad_s, report_.torques_Nm(drive, sample), at.acceleration_rad_s2)
-              .motor_Nm;
+      const double motor_Nm = basis.rotor
+                                  .of(at.speed_rad_s, report_.torques_Nm(drive, sample),
+                                      at.rotor_acceleration_rad_s2(rotor_kg_m2))
+                                  .motor_Nm;
       const actuator::TorqueRange range = basis.lookup.at(at.speed_rad_s, motor_Nm);
       if (!range.is_empty) {
         found.col(sample).segment<3>(3) << range.least_Nm, range.greatest_Nm,

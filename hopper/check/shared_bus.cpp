@@ -8,6 +8,7 @@
 
 #include "actuator/check/demand.hpp"
 #include "actuator/check/geared_torque.hpp"
+#include "actuator/region/torque_at.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::hopper {
@@ -43,12 +44,13 @@ void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator,
   const actuator::PhaseModel model = actuator::phase_model_at(actuator, checked.options.conditions);
   const double temperature_K = winding_temperature_K(actuator, checked.options.conditions);
   const actuator::RotorBeforeMesh rotor(actuator);
+  const double rotor_kg_m2 = actuator::before_gears_kg_m2(actuator);
   for (Index sample = 0; sample < power_W.size(); ++sample) {
     const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
     const double torque_Nm = torques_Nm(static_cast<Index>(drive), sample);
-    const auto asked =
-        actuator::demand_at(actuator, model, temperature_K, at.speed_rad_s,
-                            rotor.of(at.speed_rad_s, torque_Nm, at.acceleration_rad_s2).motor_Nm);
+    const auto asked = actuator::demand_at(
+        actuator, model, temperature_K, at.speed_rad_s,
+        rotor.of(at.speed_rad_s, torque_Nm, at.rotor_acceleration_rad_s2(rotor_kg_m2)).motor_Nm);
     if (asked) power_W[sample] += asked->bus_power_W;
   }
 }

@@ -26,6 +26,9 @@ void require_run(const Robot& robot, const DriveSteps& steps, double window_s) {
                                     &steps.speed_after_rad_s, &steps.contact_Nm_s}) {
     fits = fits && of->rows() == drives && of->cols() == count && of->allFinite();
   }
+  const Eigen::MatrixXd& carried = steps.carried_Nm_s;
+  fits = fits && (carried.size() == 0 ||
+                  (carried.rows() == drives && carried.cols() == count && carried.allFinite()));
   fits = fits && (steps.has_impact.empty() || steps.has_impact.size() + 1 == steps.times_s.size());
   const auto falls = [](double one, double next) { return !(one < next); };
   const bool ascends =
@@ -82,8 +85,10 @@ class DriveRun {
  private:
   /// By the rotor, of the torque at the output.
   double taken_Nm_s(Index step) const {
-    return rotor_kg_m2_ *
-           (steps_.speed_after_rad_s(drive_, step) - steps_.speed_before_rad_s(drive_, step));
+    const double carried_Nm_s =
+        steps_.carried_Nm_s.size() > 0 ? steps_.carried_Nm_s(drive_, step) : 0.0;
+    return carried_Nm_s + rotor_kg_m2_ * (steps_.speed_after_rad_s(drive_, step) -
+                                          steps_.speed_before_rad_s(drive_, step));
   }
 
   const actuator::Actuator& actuator_;

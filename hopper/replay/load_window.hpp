@@ -16,6 +16,9 @@ struct DriveSteps {
   Eigen::MatrixXd speed_before_rad_s;  ///< (drives x steps): at the step's beginning,
   Eigen::MatrixXd speed_after_rad_s;   ///< and at its end, after its impacts.
   Eigen::MatrixXd contact_Nm_s;        ///< (drives x steps): A^-T J^T of the contacts' impulses.
+  /// (drives x steps): what the turning of their carriers changed of the rotors' angular momenta
+  /// (WholeBody::carried_momenta); empty: nothing.
+  Eigen::MatrixXd carried_Nm_s;
   /// Whether a contact began in the step. What changes the rotor's speed in it then counts as an
   /// impact's impulse, by its size, as in the check; empty: none is told from steady torque, and
   /// all counts by its sign.

@@ -84,6 +84,7 @@ class Run {
       return;
     }
     body_.speed_changes(parts_.engine.velocity(), speed_);
+    body_.carried_momenta(parts_.engine.velocity(), carried_);
   }
 
   void stop(RunEnd end, std::string reason) {
@@ -178,8 +179,10 @@ class Run {
     steps.speed_before_rad_s.col(column) = speed_;
     steps.torque_Nm.col(column) = made.torque_Nm;
     steps.contact_Nm_s.col(column) = contact_;
+    steps.carried_Nm_s.col(column) = -carried_;
     place();
     steps.speed_after_rad_s.col(column) = speed_;
+    steps.carried_Nm_s.col(column) += carried_;
     steps.times_s.push_back(time_s() + options_.step_s);
     row_.torque_Nm = made.torque_Nm;
     row_.bus_V = made.bus_V;
@@ -216,10 +219,10 @@ class Run {
     for (Eigen::MatrixXd* table : tables()) table->conservativeResize(drives_, made);
   }
 
-  std::array<Eigen::MatrixXd*, 4> tables() {
+  std::array<Eigen::MatrixXd*, 5> tables() {
     DriveSteps& steps = record_.steps;
     return {&steps.torque_Nm, &steps.speed_before_rad_s, &steps.speed_after_rad_s,
-            &steps.contact_Nm_s};
+            &steps.contact_Nm_s, &steps.carried_Nm_s};
   }
 
   const RunParts& parts_;
@@ -231,7 +234,7 @@ class Run {
   long steps_ = 0;
   VectorXd force_;
   Index drives_;
-  VectorXd speed_, wanted_, contact_;
+  VectorXd speed_, carried_, wanted_, contact_;
   TouchingPoints seen_touches_;
   std::deque<Observation> looks_;
   std::uint64_t look_number_ = 0;

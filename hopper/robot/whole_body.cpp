@@ -172,9 +172,52 @@ void WholeBodyOf<T>::add_at_joints(const Drivetrain& drivetrain, const SmallVect
 }
 
 template <typename T>
+std::vector<Eigen::Vector3d> WholeBodyOf<T>::turning(
+    const VectorIn& acceleration, bool has_products) const requires std::same_as<T, double> {
+  const std::vector<dynamics::Body>& bodies = state_.tree().bodies;
+  std::vector<Eigen::Vector3d> turning(bodies.size(), Eigen::Vector3d::Zero());
+  if (state_.tree().base == dynamics::BaseKind::kPlanar) {
+    turning[0].y() = acceleration[2];
+  } else if (state_.tree().base == dynamics::BaseKind::kSpatial) {
+    turning[0] = state_.motion(0).R_WB * acceleration.segment<3>(3);
+  }
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    turning[i] = turning[bodies[i].parent];
+    if (bodies[i].joint.kind != dynamics::JointKind::kRevolute) continue;
+    const Eigen::Vector3d& axis = state_.motion(i).axis;
+    turning[i] += acceleration[state_.joint_row(i)] * axis;
+    if (!has_products) continue;
+    const Eigen::Vector3d& carrier_rad_s = state_.motion(bodies[i].parent).angular_velocity_rad_s;
+    turning[i] += state_.joint_velocity(i) * carrier_rad_s.cross(axis);
+  }
+  return turning;
+}
+
+template <typename T>
+Eigen::VectorXd WholeBodyOf<T>::carried(
+    const std::vector<Eigen::Vector3d>& turning) const requires std::same_as<T, double> {
+  const std::vector<dynamics::Body>& bodies = state_.tree().bodies;
+  Eigen::VectorXd carried = Eigen::VectorXd::Zero(state_.tree().velocity_size());
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    const std::size_t carrier = bodies[i].parent;
+    carried[state_.joint_row(i)] =
+        (state_.motion(carrier).R_WB * bodies[i].joint.rotor_spin_kg_m2).dot(turning[carrier]);
+  }
+  return carried;
+}
+
+template <typename T>
+void WholeBodyOf<T>::carried_momenta(
+    const VectorIn& velocity, VectorOut at_actuators) const requires std::same_as<T, double> {
+  this->at_actuators(carried(turning(velocity, false)), at_actuators);
+}
+
+template <typename T>
 void WholeBodyOf<T>::drives(const VectorIn& acceleration, const VectorIn& load_force,
                             std::vector<DriveInstant>& out) const requires std::same_as<T, double> {
   out.resize(drive_count());
+  Eigen::VectorXd carried_Nm(static_cast<Index>(drive_count()));
+  at_actuators(carried(turning(acceleration, true)), carried_Nm);
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot_->drivetrains[i];
     const SmallVector speeds = transfers_[i].jacobian * joints_of(drivetrain, state_.velocity());
@@ -182,8 +225,12 @@ void WholeBodyOf<T>::drives(const VectorIn& acceleration, const VectorIn& load_f
     const SmallVector loads = actuator_torque_Nm(transfers_[i], joints_of(drivetrain, load_force));
     for (Index j = 0; j < speeds.size(); ++j) {
       const std::size_t drive = first_drive_[i] + static_cast<std::size_t>(j);
-      out[drive] = {transfers_[i].actuator_position_rad[j], speeds[j], rates[j], loads[j],
-                    loads[j] + rotors_kg_m2_[drive] * rates[j]};
+      out[drive] = {transfers_[i].actuator_position_rad[j],
+                    speeds[j],
+                    rates[j],
+                    loads[j],
+                    loads[j] + rotors_kg_m2_[drive] * rates[j],
+                    carried_Nm[static_cast<Index>(drive)]};
     }
   }
 }

@@ -16,6 +16,14 @@ struct DriveInstant {
   double acceleration_rad_s2 = 0.0;
   double load_torque_Nm = 0.0;  ///< Without what its own rotor takes: what the gears pass on.
   double torque_Nm = 0.0;       ///< With it.
+  /// What its rotor takes for the turning of what carries it: the inertia of its own spin times
+  /// that part of the carrier's acceleration (Joint::rotor_spin_kg_m2). Part of both torques.
+  double carried_Nm = 0.0;
+
+  /// Of the rotor in space, by what it reflects at the output: what turns it is that times this.
+  double rotor_acceleration_rad_s2(double rotor_kg_m2) const {
+    return acceleration_rad_s2 + (rotor_kg_m2 > 0.0 ? carried_Nm / rotor_kg_m2 : 0.0);
+  }
 };
 
 /// Whether what its joints state of rotors stays in the tree: where they do not turn with one joint
@@ -72,6 +80,10 @@ class WholeBodyOf {
   /// Forces per velocity as torques at the actuators' outputs: A^-T of the joints' part.
   void at_actuators(const dynamics::VectorIn& force,
                     dynamics::VectorOut torque_Nm) const requires std::same_as<T, double>;
+  /// What the turning of their carriers adds to the rotors' angular momenta, of a velocity or a
+  /// change of one, in Nm s at the actuators' outputs.
+  void carried_momenta(const dynamics::VectorIn& velocity,
+                       dynamics::VectorOut at_actuators) const requires std::same_as<T, double>;
   /// Changes of the joints' speeds as changes of the actuators' outputs' speeds: A times them.
   void speed_changes(const dynamics::VectorIn& change,
                      dynamics::VectorOut at_actuators) const requires std::same_as<T, double>;
@@ -81,6 +93,13 @@ class WholeBodyOf {
                              const dynamics::VectorInOf<T>& values) const;
   SmallVectorOf<T> accelerations(std::size_t drivetrain,
                                  const dynamics::VectorInOf<T>& acceleration) const;
+  /// Angular accelerations of the bodies for an acceleration, in the world's axes; without
+  /// velocity products their angular velocities for a velocity.
+  std::vector<Eigen::Vector3d> turning(const dynamics::VectorIn& acceleration,
+                                       bool has_products) const requires std::same_as<T, double>;
+  /// Of rotors' own spins that turn so with their carriers, by velocity.
+  Eigen::VectorXd carried(
+      const std::vector<Eigen::Vector3d>& turning) const requires std::same_as<T, double>;
   /// Adds torques of a drivetrain's joints to forces per velocity.
   void add_at_joints(const Drivetrain& drivetrain, const SmallVectorOf<T>& torque_Nm,
                      dynamics::VectorOutOf<T>& force) const;

@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "identification/findings/doubts.hpp"
+#include "identification/findings/undetermined.hpp"
 #include "identification/findings/verdict.hpp"
+#include "identification/findings/with_effects.hpp"
 #include "identification/forward/plain_forward.hpp"
 #include "identification/forward/torque_forward.hpp"
 #include "identification/replay/position_study.hpp"
@@ -15,6 +17,18 @@
 
 namespace torquewright::identification {
 namespace {
+
+/// As a refined document has them: what two equations name, by the first.
+std::vector<NamedEffect> first_of_each_name(const std::vector<NamedEffect>& all) {
+  std::vector<NamedEffect> kept;
+  for (const NamedEffect& each : all) {
+    const bool is_there = std::any_of(kept.begin(), kept.end(), [&](const NamedEffect& other) {
+      return other.effect == each.effect;
+    });
+    if (!is_there) kept.push_back(with_what_is_determined(each));
+  }
+  return kept;
+}
 
 /// The equations of one joint, one after the other.
 class JointAnalysis {
@@ -49,6 +63,7 @@ class JointAnalysis {
       judge_again_if_doubted(results.front());
     }
     results.insert(results.end(), plain.begin(), plain.end());
+    doubt_what_harms_others(results);
     return results;
   }
 
@@ -77,6 +92,56 @@ class JointAnalysis {
     for (const NamedEffect* each : certain_of(voltage)) {
       if (each->effect == "torque_constant_error")
         constant_factor_by_voltage_ = each->parameters.value("factor", 1.0);
+    }
+  }
+
+  /// The equations' errors with an actuator in the place of the stated one; none for what is
+  /// simulated in windows.
+  std::vector<std::optional<Errors>> errors_with(const actuator::Actuator& actuator,
+                                                 const std::vector<EquationResult>& results) {
+    const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];
+    bench_.actuators[bench_.joint] = &actuator;
+    const HeldSignals held = signals();
+    std::vector<ForwardEquation> equations = plain_forward(bench_, held.rows);
+    if (bench_.has_torque_balance()) {
+      equations.push_back(torque_forward(bench_, held.rows, folds_));
+    }
+    AnalysisOptions options = options_;
+    options.select = false;
+    std::vector<std::optional<Errors>> errors;
+    for (const EquationResult& each : results) {
+      errors.emplace_back();
+      const auto same = std::find_if(
+          equations.begin(), equations.end(),
+          [&](const ForwardEquation& other) { return other.quantity == each.quantity; });
+      if (same == equations.end() || each.runs.empty() || held.rows.empty()) continue;
+      if (each.band_Hz > 0.0) options.band_Hz[each.quantity] = each.band_Hz;
+      errors.back() = answer(bench_, log_, *same, held, folds_, options).before;
+    }
+    bench_.actuators[bench_.joint] = &nominal;
+    return errors;
+  }
+
+  /// What is certain in one equation has to hold in the others.
+  void doubt_what_harms_others(std::vector<EquationResult>& results) {
+    std::vector<NamedEffect> sure;
+    for (const EquationResult& each : results) {
+      for (const NamedEffect* effect : certain_of(each)) sure.push_back(*effect);
+    }
+    if (results.size() < 2 || sure.empty()) return;
+    const auto refined = with_effects(*bench_.actuators[bench_.joint], first_of_each_name(sure));
+    const std::vector<std::optional<Errors>> errors = errors_with(refined, results);
+    for (std::size_t harmed = 0; harmed < results.size(); ++harmed) {
+      const EquationResult one = results[harmed];
+      if (!errors[harmed] ||
+          !breaks_promise(one.with_certain, *errors[harmed], one.noise_floor_rms)) {
+        continue;
+      }
+      for (std::size_t i = 0; i < results.size(); ++i) {
+        if (i == harmed) continue;
+        doubt_what_harms_another(one, *errors[harmed], results[i]);
+        judge_again_if_doubted(results[i]);
+      }
     }
   }
 

@@ -6,6 +6,7 @@
 
 #include "identification/answer/allowed_equations.hpp"
 #include "identification/answer/analysis.hpp"
+#include "identification/findings/undetermined.hpp"
 #include "identification/findings/with_effects.hpp"
 #include "identification/forward/candidates.hpp"
 
@@ -202,7 +203,7 @@ nlohmann::ordered_json refined_actuator(const Identification& found,
   for (const EquationResult& equation : found.equations) {
     if (equation.joint != actuator.joint) continue;
     for (const NamedEffect* named : certain_of_actuator(equation)) {
-      const NamedEffect& effect = *named;
+      const NamedEffect effect = with_what_is_determined(*named);
       if (!written.insert(effect.effect).second) continue;  // Another equation has it too.
       if (!effect.replaces.empty()) erase_effects(document, effect.replaces);
       nlohmann::ordered_json entry = {{"effect", effect.effect}, {"parameters", effect.parameters}};

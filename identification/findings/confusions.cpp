@@ -106,7 +106,11 @@ std::string separated_by(const Bench& bench, const std::vector<std::string>& eff
   return "a mix of slow and fast motion in both directions under several loads";
 }
 
-std::string consequence(const std::vector<std::string>& effects) {
+std::string consequence(const std::string& named, const std::vector<std::string>& effects) {
+  if (named == "asymmetric_friction") {
+    return "As an offset of a sensor the friction that both directions have in common remains, the "
+           "mean of their two values; as asymmetric friction each direction has its own.";
+  }
   if (has(effects, {"torque_offset"})) {
     return "As an offset of a sensor nothing changes in the region; as asymmetric friction its "
            "bounds for the two directions move by the value.";

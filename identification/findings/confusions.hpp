@@ -15,7 +15,8 @@ std::vector<std::string> exact_identities(const Bench& bench, const std::string&
 /// What would tell them apart, a sentence.
 std::string separated_by(const Bench& bench, const std::vector<std::string>& effects);
 
-/// What follows for the region from each reading, a sentence; for exact groups.
-std::string consequence(const std::vector<std::string>& effects);
+/// What follows for the region from each reading, a sentence; for exact groups. `named`: the one
+/// that was taken.
+std::string consequence(const std::string& named, const std::vector<std::string>& effects);
 
 }  // namespace torquewright::identification

@@ -13,7 +13,9 @@ namespace {
 using Parameters = decltype(NamedEffect::parameters);
 
 constexpr double kErrorsOfScale = 3.0;
-constexpr double kNoise = 1.58;  ///< Floors, up to which a simulation's error is noise.
+constexpr double kAsPromised = 1.05;   ///< The rig's own uncertain values are as stated.
+constexpr double kOfNoiseFloor = 0.2;  ///< What that may change besides.
+constexpr double kNoise = 1.58;        ///< Floors, up to which a simulation's error is noise.
 
 /// Whether a number in it is a torque, or an inertia: what scales with the torque constant.
 bool holds_a_torque(const Parameters& parameters) {
@@ -64,6 +66,32 @@ void doubt_what_does_harm(EquationResult& result) {
                   "-> {:.4g} {}",
                   result.before.holdout_rms, result.with_certain.holdout_rms, result.unit),
       result);
+}
+
+bool breaks_promise(const Errors& promised, const Errors& came_out, double noise_floor_rms) {
+  const auto breaks = [&](double promise, double rms) {
+    return rms > kAsPromised * promise + kOfNoiseFloor * noise_floor_rms;
+  };
+  return breaks(promised.train_rms, came_out.train_rms) ||
+         breaks(promised.holdout_rms, came_out.holdout_rms);
+}
+
+void doubt_what_harms_another(const EquationResult& harmed, const Errors& came_out,
+                              EquationResult& result) {
+  for (NamedEffect& each : result.added) {
+    const bool is_sure = each.family == EffectFamily::kActuator && is_certain(result, each.effect);
+    const bool is_shared =
+        std::any_of(harmed.added.begin(), harmed.added.end(),
+                    [&](const NamedEffect& other) { return other.effect == each.effect; });
+    if (!is_sure || is_shared) continue;
+    each.is_refuted = true;
+    each.doubt = fmt::format("in {} it raises the error, {:.4g} -> {:.4g} {}", harmed.quantity,
+                             harmed.with_certain.train_rms, came_out.train_rms, harmed.unit);
+    if (each.effect != "torque_constant_error" || result.quantity != "winding_voltage_V") continue;
+    each.doubt +=
+        "; so it is the back-EMF constant that is another: /motor/back_emf_constant_V_s_rad "
+        "states it apart from the torque constant";
+  }
 }
 
 void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& torque) {

@@ -19,6 +19,15 @@ void doubt_what_does_harm(EquationResult& result);
 void doubt_what_follows_worse(const Errors& stated, const Errors& certain, double noise_floor_rms,
                               EquationResult& result);
 
+/// Whether errors that came out are larger than promised, beyond what values of the rig that are
+/// open and noise may change.
+bool breaks_promise(const Errors& promised, const Errors& came_out, double noise_floor_rms);
+
+/// What raises the error of another equation of the log than the one that named it is no property
+/// of the actuator, or not by that law. `harmed` as stated; `came_out` with what is certain.
+void doubt_what_harms_another(const EquationResult& harmed, const Errors& came_out,
+                              EquationResult& result);
+
 /// An inertia of an actuator beside a logged velocity that is no derivative of the position by its
 /// scale: times, angles or speeds are off by as much, and accelerations with them.
 void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& torque);

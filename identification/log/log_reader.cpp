@@ -10,6 +10,7 @@
 #include "actuator/heat/working_temperature.hpp"
 #include "identification/log/channel.hpp"
 #include "identification/log/remedy.hpp"
+#include "identification/log/stale_rows.hpp"
 #include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
@@ -58,6 +59,8 @@ std::vector<DataFinding> LogReader::findings() const {
   say(spread_, Weight::kWarning,
       "of other values at the time of the row before, a rounded time: spread evenly to the next "
       "time");
+  say(stale_, Weight::kWarning,
+      "that repeat the row before while the joint moves on, words of another time: left out");
   return all;
 }
 
@@ -135,8 +138,11 @@ void LogReader::read_row() {
                                             kMostAtOnce, stated_s));
     }
   } else {
+    const bool is_repeat = has_previous && repeats_row();
+    if (!is_repeat) drop_if_stale(time_s);
     check_time(time_s);
     at_once_ = 1;
+    repeats_ = is_repeat && !run_.masked.empty() ? repeats_ + 1 : 0;
   }
   append(time_s);
 }
@@ -148,6 +154,32 @@ bool LogReader::repeats_row() const {
     return channels[source.quantity].back() ==
            csv_->number(source.column) * source.scale + source.offset;
   });
+}
+
+bool is_position(Quantity quantity) {
+  return quantity == Quantity::kOutputPosition || quantity == Quantity::kMotorPosition ||
+         quantity == Quantity::kLinearPosition;
+}
+
+/// Where a joint went on as it had come while the rows before this one said the same, they are left
+/// out: what they say is of another time.
+void LogReader::drop_if_stale(double next_s) {
+  bool is_stale = false;
+  for (std::size_t i = 0; i < columns_.channels.size(); ++i) {
+    const Source& source = columns_.channels[i];
+    const std::vector<double>& position = run_.joints[source.joint.value_or(0)][source.quantity];
+    if (!is_position(source.quantity) || position.empty()) continue;
+    const double next = csv_->number(source.column) * source.scale + source.offset;
+    is_stale =
+        is_stale || are_stale({run_.time_s, position, least_step_[i]}, repeats_, next_s, next);
+    const double step = std::abs(next - position.back());
+    if (step > 0.0 && (least_step_[i] == 0.0 || step < least_step_[i])) least_step_[i] = step;
+  }
+  if (!is_stale) return;
+  stale_.add(run_.name, repeats_);
+  run_ = part_of(run_, 0, run_.masked.size() - repeats_);
+  stamp_s_ = run_.time_s.back();
+  previous_s_ = stamp_s_;
 }
 
 /// The rows of the last stamp, evenly over the time to the next one, but for a gap before it.
@@ -185,6 +217,8 @@ void LogReader::begin_run(std::string_view name) {
     run_.name = io::stem_in_text(files_[file_]);
   }
   run_.joints.assign(rig_.joints.size(), {});
+  least_step_.assign(columns_.channels.size(), 0.0);
+  repeats_ = 0;
   is_in_run_ = true;
   median_s_.reset();
 }

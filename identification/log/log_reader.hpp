@@ -26,7 +26,8 @@ class LogReader {
   LogReader(std::vector<std::filesystem::path> files, const Rig& rig);
 
   /// The next stretch, or piece of one (all but the first have Run::continues); false at the end.
-  /// Rows of one time, rounded, are spread to the next; equal ones and a cut last line left out.
+  /// Rows of one time, rounded, are spread to the next; equal ones, stale ones and a cut last line
+  /// left out.
   /// Throws io::SpecError for what cannot be read: columns that do not fit the rig, cells that are
   /// no finite number, time that runs backwards or stands still within a run, rows of one run in
   /// two places, a file without samples.
@@ -58,6 +59,7 @@ class LogReader {
   void end_run();
   void check_time(double time_s);
   bool repeats_row() const;
+  void drop_if_stale(double next_s);
   void spread(double next_s);
   void append(double time_s);
   void require_possible(const Source& source, double value) const;
@@ -93,7 +95,9 @@ class LogReader {
     std::vector<std::string> runs;
     void add(const std::string& run, std::size_t rows);
   };
-  Rows repeated_, spread_;
+  Rows repeated_, spread_, stale_;
+  std::size_t repeats_ = 0;            ///< Last rows that say what the row before them says.
+  std::vector<double> least_step_;     ///< Of positions, by channel of columns_; 0: none yet.
   std::vector<DataFinding> findings_;  ///< Of files.
   struct Printed {
     PrintedDigits digits;

@@ -39,15 +39,9 @@ std::optional<double> known_offset_A(const EquationResult& torque,
   return sum;
 }
 
-double rms(const std::vector<double>& losses) {
-  double sum = 0.0;
-  for (const double loss : losses) sum += loss;
-  return losses.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(losses.size()));
-}
-
 Errors errors_of(const ReplayCase& log, const actuator::Actuator& actuator) {
-  return {rms(log.losses(actuator, log.chosen(false))),
-          rms(log.losses(actuator, log.chosen(true)))};
+  return {rms_of_losses(log.losses(actuator, log.chosen(false))),
+          rms_of_losses(log.losses(actuator, log.chosen(true)))};
 }
 
 /// What the channels' noise does to the errors: of the start, the drive and the position.
@@ -58,7 +52,7 @@ double noise_floor(const ReplayCase& log, const Replay& noisy, const actuator::A
         noisy.errors(actuator, window) - log.replay.errors(actuator, window);
     losses.push_back(added.squaredNorm() / static_cast<double>(added.size()));
   }
-  return rms(losses);
+  return rms_of_losses(losses);
 }
 
 StandstillScale scale_of(const Bench& bench, const std::vector<Signals>& signals) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/replay/replay_case.hpp"
 
+#include <cmath>
+
 namespace torquewright::identification {
 
 std::vector<double> ReplayCase::losses(const actuator::Actuator& actuator,
@@ -19,6 +21,12 @@ std::vector<std::size_t> ReplayCase::chosen(bool held_out) const {
     if (windows[w].is_held_out == held_out) indices.push_back(w);
   }
   return indices;
+}
+
+double rms_of_losses(const std::vector<double>& losses) {
+  double sum = 0.0;
+  for (const double loss : losses) sum += loss;
+  return losses.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(losses.size()));
 }
 
 }  // namespace torquewright::identification

@@ -19,4 +19,7 @@ struct ReplayCase {
   std::vector<std::size_t> chosen(bool held_out) const;
 };
 
+/// The root of the mean of windows' mean squares; 0 of none.
+double rms_of_losses(const std::vector<double>& losses);
+
 }  // namespace torquewright::identification

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "actuator/effects/library.hpp"
 #include "identification/findings/with_effects.hpp"
@@ -83,12 +82,6 @@ Gain gain_between(const std::vector<double>& without, const std::vector<double>&
       std::sqrt(std::max(0.0, squares - count * mean * mean) * count / (count - 1.0));
   gain.t = error > 0.0 ? sum / error : 0.0;
   return gain;
-}
-
-double rms(const std::vector<double>& losses) {
-  if (losses.empty()) return 0.0;
-  return std::sqrt(std::accumulate(losses.begin(), losses.end(), 0.0) /
-                   static_cast<double>(losses.size()));
 }
 
 NamedEffect named(const StandstillTrial& trial, const std::vector<double>& parameters,
@@ -173,8 +166,8 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
   if (!found.objection.empty()) return found;
   const std::vector<double> parameters = with.parameters_of_start();
   NamedEffect effect = named(with, parameters, with.standard_errors(parameters, training));
-  effect.holdout_rms_before = rms(seen);
-  effect.holdout_rms_after = rms(unseen);
+  effect.holdout_rms_before = rms_of_losses(seen);
+  effect.holdout_rms_after = rms_of_losses(unseen);
   effect.evidence = fmt::format(
       "Simulated in {} windows of one second, it removes {:.0f} % of the squared error of position "
       "where it was not fitted, {:.1f} standard errors.",

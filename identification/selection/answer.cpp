@@ -9,6 +9,7 @@
 
 #include "identification/findings/confusions.hpp"
 #include "identification/findings/doubts.hpp"
+#include "identification/findings/undetermined.hpp"
 #include "identification/findings/verdict.hpp"
 #include "identification/forward/sample_step.hpp"
 #include "identification/selection/comparison.hpp"
@@ -20,6 +21,7 @@
 #include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
 #include "identification/selection/search.hpp"
+#include "io/wording.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -63,6 +65,13 @@ std::string evidence_for(const Comparison& gain, double share) {
       "It removes {:.0f} % of the squared error where it was not fitted, {:.1f} standard errors; "
       "it helps in {} of {} parts.",
       100.0 * std::clamp(share, 0.0, 1.0), gain.t, gain.parts_better, gain.parts);
+}
+
+std::string undetermined_words(const std::vector<std::string>& parameters) {
+  if (parameters.empty()) return "";
+  return fmt::format(
+      " Of {} the log says nothing: less than its own error; a refined document has 0.",
+      io::listed(parameters));
 }
 
 /// Stated effects that a member takes the place of, and the one of its own kind.
@@ -109,7 +118,8 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
     named.holdout_rms_before = last.holdout_rms;
     named.holdout_rms_after = after.holdout_rms;
     named.replaces = stated_parts_of(*found.best.members[m], fitter.equation().stated.actuator);
-    named.evidence = evidence_for(found.gains[m], found.gains[m].gain / before);
+    named.evidence = evidence_for(found.gains[m], found.gains[m].gain / before) +
+                     undetermined_words(undetermined_parameters(named));
     last = after;
     const auto same = std::find_if(result.added.begin(), result.added.end(), [&](const auto& each) {
       return found.best.members[m]->order > 0.0 && is_wave_of(each, named);
@@ -123,12 +133,12 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
   }
 }
 
-void append_group(const Bench& bench, std::vector<std::string> effects, bool exact,
-                  EquationResult& result) {
+void append_group(const Bench& bench, const std::string& named, std::vector<std::string> effects,
+                  bool exact, EquationResult& result) {
   if (effects.size() < 2) return;
   Confounded group;
   group.separated_by = separated_by(bench, effects);
-  if (exact) group.consequence = consequence(effects);
+  if (exact) group.consequence = consequence(named, effects);
   group.effects = std::move(effects);
   group.exact = exact;
   result.confounded.push_back(std::move(group));
@@ -170,7 +180,7 @@ void append_groups(const Bench& bench, const ForwardEquation& equation, const Fo
                    EquationResult& result) {
   for (const NamedEffect& named : result.added) {
     const std::vector<std::string> exact = same_on_such_a_rig(bench, equation, found, named);
-    append_group(bench, exact, true, result);
+    append_group(bench, named.effect, exact, true, result);
     std::vector<std::string> others = {named.effect};
     for (const ModelFit& rival : found.rivals) {
       if (rival.holds(named.effect)) continue;
@@ -183,7 +193,7 @@ void append_groups(const Bench& bench, const ForwardEquation& equation, const Fo
         }
       }
     }
-    append_group(bench, others, false, result);
+    append_group(bench, named.effect, others, false, result);
   }
 }
 

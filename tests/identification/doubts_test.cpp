@@ -84,6 +84,27 @@ TEST(Doubts, FallOnWhatASimulationFollowsWorseThanByNoise) {
   EXPECT_TRUE(certain_of(result).empty());
 }
 
+// A torque constant by the voltage that the torque balance speaks against is the back-EMF's.
+TEST(Doubts, FallOnWhatRaisesTheErrorOfAnotherEquation) {
+  EquationResult balance = with_two(0.3, 0.1);
+  balance.quantity = "output_torque_Nm";
+  balance.noise_floor_rms = 0.01;
+  EXPECT_FALSE(breaks_promise(balance.with_certain, {0.106, 0.106}, 0.01));
+  EXPECT_TRUE(breaks_promise(balance.with_certain, {0.1, 0.108}, 0.01));
+  EquationResult voltage;
+  voltage.quantity = "winding_voltage_V";
+  voltage.is_noise_after = true;
+  voltage.added = {named("torque_constant_error", "factor", 0.4, 0.1),
+                   named("viscous_friction", "viscous_Nm_s_rad", 0.4, 0.1)};
+  doubt_what_harms_another(balance, {0.9, 0.9}, voltage);
+  EXPECT_FALSE(is_certain(voltage, "torque_constant_error"));
+  EXPECT_NE(voltage.added[0].doubt.find("in output_torque_Nm it raises the error, 0.1 -> 0.9"),
+            std::string::npos);
+  EXPECT_NE(voltage.added[0].doubt.find("/motor/back_emf_constant_V_s_rad"), std::string::npos);
+  EXPECT_TRUE(is_certain(voltage, "viscous_friction"));  // which the balance names itself
+  EXPECT_EQ(verdict_of(voltage, true), Verdict::kCannotTell);
+}
+
 // Times that are 2 % too long make accelerations 4 % too small, with any rotor.
 TEST(Doubts, FallOnAnInertiaBesideAVelocityOfAnotherScale) {
   for (const double scale : {1.0004, 1.02}) {

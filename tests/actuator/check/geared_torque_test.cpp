@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "actuator/check/demand.hpp"
 #include "tests/actuator/check/checked_joint.hpp"
 
 namespace torquewright::actuator {
@@ -68,6 +69,22 @@ TEST(GearedTorque, OfTheRotorIsLostInNoMesh) {
   EXPECT_NEAR(current_A(slowing_down, pull_8), 0.5 * 8.0 + 10.0, 1e-9);
   EXPECT_NEAR(current_A(slowing_down, push_8), 0.0, 1e-9);  // 8 / 0.8 - 10: the rotor pushes
   EXPECT_NEAR(current_A(steady, push_8), 10.0, 1e-9);
+}
+
+// Oracle: as above, at the instant at which it begins to move: 8 Nm behind the mesh, 10 Nm before.
+TEST(GearedTorque, OfAJointThatBeginsToMoveIsThatOfOneThatMoves) {
+  Actuator actuator = heavy_rotor();
+  actuator.transmission.forward_efficiency = 0.8;
+  actuator.transmission.backward_efficiency = 0.5;
+  for (const double way : {1.0, -1.0}) {
+    const GearedTorque asked = RotorBeforeMesh(actuator).of(0.0, way * 18.0, way * 20.0);
+    EXPECT_NEAR(asked.teeth_Nm, way * 8.0, 1e-12);
+    const OperatingConditions conditions;
+    const auto demand = demand_at(actuator, phase_model_at(actuator, conditions),
+                                  winding_temperature_K(actuator, conditions), 0.0, asked.motor_Nm);
+    ASSERT_TRUE(demand.has_value());
+    EXPECT_NEAR(demand->current_A, 8.0 / 0.8 + 10.0, 1e-9);
+  }
 }
 
 // A braking rotor asks for all that the motor has, although the gear would help it to hold a load.

@@ -69,6 +69,17 @@ Motion steadily(double speed_rad_s, double rate_rad_s2) {
   return motion;
 }
 
+/// A wheel on a body that floats without gravity, both centres on the axis; the rotor's spin
+/// counts.
+Robot wheel_in_space(double body_kg_m2, double wheel_kg_m2, double ratio, double rotor_kg_m2) {
+  Robot robot = arm(wheel_kg_m2, ratio, rotor_kg_m2);
+  robot.tree.base = dynamics::BaseKind::kPlanar;
+  robot.tree.bodies[0].inertia = {3.0, Eigen::Vector3d::Zero(),
+                                  body_kg_m2 * Eigen::Matrix3d::Identity()};
+  robot.tree.bodies[1].joint.rotor_spin_kg_m2 = {0.0, ratio * rotor_kg_m2, 0.0};
+  return robot;
+}
+
 // I q'' passes the gears, (I + N^2 J) q'' is the motor's: at any sign of speed, rate and ratio.
 TEST(GearTorque, IsTheLoadsPartOfTheMotorsTorque) {
   constexpr double kArm = 0.2;
@@ -349,6 +360,35 @@ TEST_F(FlipGears, StandInTheSeries) {
   EXPECT_NEAR(impulse_N_s, jolts_N_s, 1e-12 * jolts_N_s);
   const std::string csv = series_csv(series);
   EXPECT_EQ(static_cast<Index>(std::count(csv.begin(), csv.end(), '\n')), motion.samples() + 1);
+}
+
+// Oracle: the gears alone turn the wheel in space, I_w (a_b + q''), and the rotor takes
+// J (a_b + N q'') of the motor; the body turns by the momentum of both, (I_b + I_w) a_b = -(I_w + N
+// J) q''.
+TEST(GearTorque, OfARotorWhoseCarrierTurnsIsTheLoadsToo) {
+  constexpr double kBody = 0.08, kWheel = 0.006, kRotor = 0.01, kRate = 96.0;
+  for (const double ratio : {2.0, -2.0}) {
+    const Robot robot = wheel_in_space(kBody, kWheel, ratio, kRotor);
+    const double turning = -(kWheel + ratio * kRotor) * kRate / (kBody + kWheel);
+    Motion motion = steadily(0.0, 0.0);
+    motion.has_base = true;
+    for (Eigen::MatrixXd* table : {&motion.positions, &motion.velocities, &motion.accelerations}) {
+      table->setZero(4, motion.samples());
+    }
+    for (Index i = 0; i < motion.samples(); ++i) {
+      const double t = motion.time_s(i);
+      motion.positions.col(i).tail<2>() << 0.5 * turning * t * t, 0.5 * kRate * t * t;
+      motion.velocities.col(i).tail<2>() << turning * t, kRate * t;
+      motion.accelerations.col(i).tail<2>() << turning, kRate;
+    }
+    const HopperReport report = check_motion(robot, motion, {});
+    const double load_Nm = kWheel * (turning + kRate);
+    for (Index i = 0; i < motion.samples(); ++i) {
+      EXPECT_NEAR(report.gears.joint_Nm(0, i), load_Nm, 1e-9);
+      EXPECT_NEAR(report.torques_Nm(0, i),
+                  load_Nm + ratio * kRotor * turning + ratio * ratio * kRotor * kRate, 1e-9);
+    }
+  }
 }
 
 }  // namespace

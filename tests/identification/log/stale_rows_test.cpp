@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows that a recorder wrote again while the joint moved on. Oracle: which rows were put in.
+#include "identification/log/stale_rows.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/identification/log/written_log.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using test::read;
+using test::ReadLog;
+
+const nlohmann::json kRig =
+    test::rig_json({{"t", "time_s"}, {"q", "output_position_rad"}, {"i", "motor_current_A"}});
+
+/// A swing at 100 Hz that says at some rows what it said `late` rows before the last fresh one.
+std::string swing_with_holds(int first, int last) {
+  std::string text = "t,q,i\n";
+  for (int row = 0; row < 600; ++row) {
+    const double said_s = 0.01 * (row >= first && row < last ? first - 1 : row);
+    text += fmt::format("{},{:.6f},{:.4f}\n", 0.01 * row, std::sin(6.0 * said_s),
+                        2.0 * std::cos(6.0 * said_s + 0.2));
+  }
+  return text;
+}
+
+std::size_t rows_of(const ReadLog& result) {
+  std::size_t rows = 0;
+  for (const Run& run : result.log.runs) rows += run.time_s.size();
+  return rows;
+}
+
+TEST(StaleRows, AreLeftOutAndSaid) {
+  const ReadLog result = read({{"a.csv", swing_with_holds(100, 103)}}, kRig);
+  ASSERT_EQ(result.refusal, "");
+  EXPECT_EQ(rows_of(result), 597u);
+  for (const auto& run : result.log.runs) {
+    for (std::size_t row = 0; row < run.time_s.size(); ++row) {
+      EXPECT_NEAR(run.joints[0][Quantity::kOutputPosition][row], std::sin(6.0 * run.time_s[row]),
+                  1e-6);
+    }
+  }
+  EXPECT_NE(result.finding("3 rows that repeat the row before").sentence, "");
+}
+
+TEST(StaleRows, LongOnesLeaveAGap) {
+  const ReadLog result = read({{"a.csv", swing_with_holds(100, 110)}}, kRig);
+  ASSERT_EQ(result.refusal, "");
+  EXPECT_NE(result.finding("10 rows that repeat the row before").sentence, "");
+  EXPECT_NE(result.finding("it is cut there").sentence, "");
+}
+
+// Stands still from 1 to 2 s: what it says then is true.
+TEST(StaleRows, AreNoneAtRest) {
+  std::string text = "t,q,i\n";
+  for (int row = 0; row < 600; ++row) {
+    const double t = row < 100 ? 0.01 * row : row < 200 ? 1.0 : 0.01 * (row - 100);
+    const double angle = 2.0 * std::numbers::pi * t;
+    text += fmt::format("{},{:.6f},{:.4f}\n", 0.01 * row,
+                        t - std::sin(angle) / (2.0 * std::numbers::pi),
+                        row < 100 || row >= 200 ? std::sin(angle) : 0.0);
+  }
+  const ReadLog result = read({{"a.csv", text}}, kRig);
+  ASSERT_EQ(result.refusal, "");
+  EXPECT_EQ(rows_of(result), 600u);
+}
+
+TEST(StaleRows, GoOnAsTheyCame) {
+  const std::vector<double> time_s{0.0, 1.0, 2.0, 3.0}, moving{0.0, 1.0, 1.0, 1.0};
+  const Travel travel{time_s, moving, 0.01};
+  EXPECT_TRUE(are_stale(travel, 2, 4.0, 4.0));
+  EXPECT_FALSE(are_stale(travel, 2, 4.0, 1.5));   // it had nearly stopped
+  EXPECT_FALSE(are_stale(travel, 2, 4.0, -2.0));  // it turned back
+  EXPECT_FALSE(are_stale(travel, 0, 4.0, 4.0));
+  EXPECT_FALSE(are_stale({time_s, moving, 0.5}, 2, 4.0, 4.0));  // steps of its resolution
+}
+
+}  // namespace
+}  // namespace torquewright::identification
