@@ -107,6 +107,24 @@ TEST(JointLimits, TakeTheFilesTorqueWhereItHasOneElseTheDynamics) {
   EXPECT_EQ(joint_limits(scene.checked()).size(), 1u);
 }
 
+// The slide has no drive and is pushed by 2 N at most; of 1e-8 N nobody need know.
+TEST(JointWithoutDrive, IsNamedWithWhatItNeeds) {
+  Scene scene = arm();
+  scene.demand.joint_effort.row(0).setConstant(30.0);
+  scene.demand.joint_effort.row(1) << 1.0, -2.0, 0.0, 0.0, 1.5;
+  EXPECT_TRUE(joint_without_drive(scene.checked()).empty());  // no drive at all: another finding
+  Drivetrain hinge;
+  hinge.joints = {1};
+  scene.robot.drivetrains = {hinge};
+  const std::vector<Finding> findings = joint_without_drive(scene.checked());
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].severity, Severity::kNote);
+  EXPECT_NE(findings[0].sentence.find("slide 2 N"), std::string::npos) << findings[0].sentence;
+  EXPECT_EQ(findings[0].sentence.find("hinge"), std::string::npos);
+  scene.demand.joint_effort.row(1).setConstant(1e-8);
+  EXPECT_TRUE(joint_without_drive(scene.checked()).empty());
+}
+
 // 1e-9 of the limit, or of 1 where that is less, is rounding.
 TEST(JointLimits, GrantRoundingAndNoMore) {
   Scene scene = arm();
