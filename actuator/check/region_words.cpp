@@ -8,7 +8,17 @@
 namespace torquewright::actuator {
 namespace {
 
+constexpr double kRounding = 1e-9;  ///< Of the torque that is asked for.
+
 std::string amount(double torque_Nm) { return fmt::format("{:.6g} Nm", std::abs(torque_Nm)); }
+
+/// Whether all that stands against it is that its supply takes nothing back: by its own power
+/// (plugging) it could, which counts for nothing (docs/decisions/0007).
+bool brakes_into_full_supply(const WorstSample& sample, double torque_Nm) {
+  const double limit_Nm = std::abs(sample.limit_Nm.value_or(0.0));
+  return sample.limiter == Limiter::kRegeneration && torque_Nm < 0.0 &&
+         limit_Nm <= kRounding * std::abs(torque_Nm);
+}
 
 }  // namespace
 
@@ -19,6 +29,12 @@ std::string outside_words(const WorstSample& sample) {
   const std::string asked =
       torque_Nm == 0.0 ? "turn freely"
                        : (torque_Nm < 0.0 ? "brake with " : "push with ") + amount(torque_Nm);
+  if (speed_rad_s > 0.0 && brakes_into_full_supply(sample, torque_Nm)) {
+    return fmt::format(
+        "at {:.6g} rad/s the drive may not brake: its supply takes nothing back, and "
+        "plugging counts for nothing; it is asked to {}",
+        speed_rad_s, asked);
+  }
   if (!sample.limit_Nm) {
     return fmt::format("at {:.6g} rad/s the drive has no torque at all; it is asked to {}",
                        speed_rad_s, asked);

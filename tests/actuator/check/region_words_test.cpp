@@ -58,5 +58,22 @@ TEST(RegionWords, SayWhereThereIsNoTorqueAtAll) {
             "at 40 rad/s the drive has no torque at all; it is asked to push with 25 Nm");
 }
 
+// Beyond a bound of zero, and where the region is empty: what it could by plugging is not denied.
+TEST(RegionWords, SayThatTheSupplyTakesNothingBack) {
+  for (const std::optional<double> limit_Nm :
+       {std::optional<double>(0.0), std::optional<double>()}) {
+    WorstSample sample;
+    sample.speed_rad_s = 8.0;
+    sample.torque_Nm = -30.0;
+    sample.limit_Nm = limit_Nm;
+    sample.limiter = Limiter::kRegeneration;
+    EXPECT_EQ(outside_words(sample),
+              "at 8 rad/s the drive may not brake: its supply takes nothing back, and plugging "
+              "counts for nothing; it is asked to brake with 30 Nm");
+    sample.limiter = Limiter::kVoltage;
+    EXPECT_EQ(outside_words(sample).find("supply"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace torquewright::actuator
