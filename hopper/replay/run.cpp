@@ -34,7 +34,8 @@ class Run {
     steps_ = static_cast<long>(std::ceil(span_s / options.step_s));
     record_.step_s = options.step_s;
     record_.control_period_s = options.step_s * options.steps_per_control;
-    for (VectorXd* of_drives : {&speed_, &wanted_, &contact_}) of_drives->setZero(drives_);
+    for (VectorXd* of_drives : {&speed_, &carried_, &wanted_, &contact_})
+      of_drives->setZero(drives_);
     for (Eigen::MatrixXd* table : tables()) table->setZero(drives_, steps_);
     record_.steps.times_s.reserve(static_cast<std::size_t>(steps_) + 1);
   }
