@@ -79,8 +79,8 @@ TEST_F(Ranks, GoOnAfterAllWereEnded) {
   EXPECT_EQ(again.out, place.run({"--points", "8"}).out);
 }
 
-/// One of three ranks dies. Where OpenMPI itself fails to tell the others (it says so, and rarely
-/// does, and they wait), it is tried again.
+/// One of three ranks dies. Where OpenMPI itself fails to tell the others, which is rare and which
+/// it says, they wait: then it is tried again.
 Outcome with_one_that_dies(const Workplace& place) {
   constexpr int kTrials = 3;
   Outcome outcome;
