@@ -10,7 +10,6 @@
 #include "actuator/heat/working_temperature.hpp"
 #include "identification/log/channel.hpp"
 #include "identification/log/remedy.hpp"
-#include "identification/log/stale_rows.hpp"
 #include "io/one_line.hpp"
 #include "io/spec_error.hpp"
 
@@ -170,14 +169,13 @@ void LogReader::drop_if_stale(double next_s) {
     const std::vector<double>& position = run_.joints[source.joint.value_or(0)][source.quantity];
     if (!is_position(source.quantity) || position.empty()) continue;
     const double next = csv_->number(source.column) * source.scale + source.offset;
-    is_stale =
-        is_stale || are_stale({run_.time_s, position, least_step_[i]}, repeats_, next_s, next);
-    const double step = std::abs(next - position.back());
-    if (step > 0.0 && (least_step_[i] == 0.0 || step < least_step_[i])) least_step_[i] = step;
+    const Travel travel{run_.time_s, position, resolution_[i].least()};
+    is_stale = is_stale || are_stale(travel, repeats_, next_s, next);
+    resolution_[i].add(next - position.back());
   }
   if (!is_stale) return;
   stale_.add(run_.name, repeats_);
-  run_ = part_of(run_, 0, run_.masked.size() - repeats_);
+  drop_last(run_, repeats_);
   stamp_s_ = run_.time_s.back();
   previous_s_ = stamp_s_;
 }
@@ -217,7 +215,7 @@ void LogReader::begin_run(std::string_view name) {
     run_.name = io::stem_in_text(files_[file_]);
   }
   run_.joints.assign(rig_.joints.size(), {});
-  least_step_.assign(columns_.channels.size(), 0.0);
+  resolution_.assign(columns_.channels.size(), {});
   repeats_ = 0;
   is_in_run_ = true;
   median_s_.reset();

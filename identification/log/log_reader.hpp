@@ -14,6 +14,7 @@
 #include "identification/log/columns.hpp"
 #include "identification/log/log.hpp"
 #include "identification/log/printed_digits.hpp"
+#include "identification/log/stale_rows.hpp"
 #include "identification/log/stretch.hpp"
 #include "io/csv.hpp"
 
@@ -96,9 +97,9 @@ class LogReader {
     void add(const std::string& run, std::size_t rows);
   };
   Rows repeated_, spread_, stale_;
-  std::size_t repeats_ = 0;            ///< Last rows that say what the row before them says.
-  std::vector<double> least_step_;     ///< Of positions, by channel of columns_; 0: none yet.
-  std::vector<DataFinding> findings_;  ///< Of files.
+  std::size_t repeats_ = 0;             ///< Last rows that say what the row before them says.
+  std::vector<Resolution> resolution_;  ///< Of positions, by channel of columns_.
+  std::vector<DataFinding> findings_;   ///< Of files.
   struct Printed {
     PrintedDigits digits;
     double scale = 1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/log/stale_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace torquewright::identification {
@@ -8,8 +9,19 @@ namespace {
 
 constexpr double kOfThePace = 3.0;   ///< Most that the pace changes by within the rows.
 constexpr double kLeastSteps = 3.0;  ///< Of the position's resolution: slower may be one of it.
+constexpr double kRounding = 1e-9;   ///< Of a step: differences that are none.
 
 }  // namespace
+
+void Resolution::add(double step) {
+  note(std::abs(step), std::abs(step));
+  note(std::abs(step - last_step_), std::max(std::abs(step), std::abs(last_step_)));
+  last_step_ = step;
+}
+
+void Resolution::note(double difference, double of) {
+  if (difference > kRounding * of && (least_ == 0.0 || difference < least_)) least_ = difference;
+}
 
 bool are_stale(const Travel& travel, std::size_t repeats, double next_s, double next_position) {
   const std::size_t rows = travel.position.size();
@@ -17,7 +29,7 @@ bool are_stale(const Travel& travel, std::size_t repeats, double next_s, double 
   const std::size_t held = rows - 1 - repeats;
   const double before = travel.position[held] - travel.position[held - 1];
   const double across = next_position - travel.position[held];
-  const double least = kLeastSteps * travel.least_step;
+  const double least = kLeastSteps * travel.resolution;
   if (std::abs(before) < least || std::abs(across) < least || before * across <= 0.0) return false;
   const double pace_before = before / (travel.time_s[held] - travel.time_s[held - 1]);
   const double pace_across = across / (next_s - travel.time_s[held]);

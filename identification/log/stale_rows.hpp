@@ -6,11 +6,25 @@
 
 namespace torquewright::identification {
 
+/// Of a channel, at most: what its steps, or two of them that follow one another, differ by least.
+/// All are multiples of what it counts in.
+class Resolution {
+ public:
+  void add(double step);
+  double least() const { return least_; }  ///< 0: not yet known.
+
+ private:
+  void note(double difference, double of);
+
+  double last_step_ = 0.0;
+  double least_ = 0.0;
+};
+
 /// Position of one joint at the rows of a run, in the order of time.
 struct Travel {
   const std::vector<double>& time_s;
   const std::vector<double>& position;
-  double least_step = 0.0;  ///< Of the position between two rows that differ; 0: none was seen.
+  double resolution = 0.0;  ///< Of the position, at most; 0: not yet known.
 };
 
 /// Whether the last `repeats` rows, which say the same as the row before them, are late words of a

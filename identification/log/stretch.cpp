@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/log/stretch.hpp"
 
+#include <algorithm>
+
 namespace torquewright::identification {
 
 std::size_t sample_count(const Run& run) { return run.masked.size(); }
@@ -19,6 +21,16 @@ Run part_of(const Run& run, std::size_t begin, std::size_t end) {
     }
   }
   return part;
+}
+
+void drop_last(Run& run, std::size_t rows) {
+  const std::size_t kept = run.masked.size() - rows;
+  const auto shorten = [kept](auto& values) { values.resize(std::min(values.size(), kept)); };
+  shorten(run.time_s);
+  shorten(run.masked);
+  for (Channels& channels : run.joints) {
+    for (std::vector<double>& values : channels.of) shorten(values);
+  }
 }
 
 void append(Run& run, const Run& piece) {

@@ -30,6 +30,9 @@ std::size_t sample_count(const Run& run);
 /// The samples from `begin` to before `end`.
 Run part_of(const Run& run, std::size_t begin, std::size_t end);
 
+/// Takes the last rows off. Requires so many.
+void drop_last(Run& run, std::size_t rows);
+
 /// Adds the samples of a piece that follows. Requires the same channels.
 void append(Run& run, const Run& piece);
 

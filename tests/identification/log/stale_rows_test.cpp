@@ -56,6 +56,21 @@ TEST(StaleRows, LongOnesLeaveAGap) {
   EXPECT_NE(result.finding("it is cut there").sentence, "");
 }
 
+// Written at twice the rate at which it is measured. Of the first pair nothing is known, and where
+// it turns back, once, the pace of some is another.
+TEST(StaleRows, AreEverySecondOfALogThatIsWrittenTwiceAsOften) {
+  std::string text = "t,q,i\n";
+  for (int row = 0; row < 1200; ++row) {
+    const double said_s = 0.01 * (row / 2);
+    text += fmt::format("{},{:.6f},{:.4f}\n", 0.005 * row, std::sin(0.4 * said_s),
+                        2.0 * std::cos(0.4 * said_s));
+  }
+  const ReadLog result = read({{"a.csv", text}}, kRig);
+  ASSERT_EQ(result.refusal, "");
+  EXPECT_GE(rows_of(result), 601u);
+  EXPECT_LE(rows_of(result), 610u);
+}
+
 // Stands still from 1 to 2 s: what it says then is true.
 TEST(StaleRows, AreNoneAtRest) {
   std::string text = "t,q,i\n";
@@ -79,6 +94,16 @@ TEST(StaleRows, GoOnAsTheyCame) {
   EXPECT_FALSE(are_stale(travel, 2, 4.0, -2.0));  // it turned back
   EXPECT_FALSE(are_stale(travel, 0, 4.0, 4.0));
   EXPECT_FALSE(are_stale({time_s, moving, 0.5}, 2, 4.0, 4.0));  // steps of its resolution
+}
+
+// An encoder of 0.1 that is read at even speed, and one that moves as it likes.
+TEST(Resolution, IsWhatStepsDifferByLeast) {
+  Resolution even, uneven;
+  for (const double step : {0.7, 0.7, 0.6, 0.7}) even.add(step);
+  EXPECT_NEAR(even.least(), 0.1, 1e-12);
+  for (const double step : {0.5, 0.30, 0.33}) uneven.add(step);
+  EXPECT_NEAR(uneven.least(), 0.03, 1e-12);
+  EXPECT_EQ(Resolution().least(), 0.0);
 }
 
 }  // namespace
