@@ -169,9 +169,12 @@ void LogReader::drop_if_stale(double next_s) {
     const std::vector<double>& position = run_.joints[source.joint.value_or(0)][source.quantity];
     if (!is_position(source.quantity) || position.empty()) continue;
     const double next = csv_->number(source.column) * source.scale + source.offset;
-    const Travel travel{run_.time_s, position, resolution_[i].least()};
+    const Printed& printed =
+        printed_[source.joint.value_or(0)][static_cast<std::size_t>(source.quantity)];
+    const double digit = std::abs(printed.scale) * printed.digits.last_digit();
+    const Travel travel{run_.time_s, position, std::max(resolution_[i].least(), digit)};
     is_stale = is_stale || are_stale(travel, repeats_, next_s, next);
-    resolution_[i].add(next - position.back());
+    resolution_[i].add(next - position.back(), digit);
   }
   if (!is_stale) return;
   stale_.add(run_.name, repeats_);

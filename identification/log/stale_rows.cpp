@@ -7,20 +7,23 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kOfThePace = 3.0;   ///< Most that the pace changes by within the rows.
-constexpr double kLeastSteps = 3.0;  ///< Of the position's resolution: slower may be one of it.
-constexpr double kRounding = 1e-9;   ///< Of a step: differences that are none.
+constexpr double kOfThePace = 3.0;      ///< Most that the pace changes by within the rows.
+constexpr double kLeastSteps = 3.0;     ///< Of the position's resolution: slower may be one of it.
+constexpr double kRounding = 1e-9;      ///< Of a step: differences that are none;
+constexpr double kRoundedDigits = 2.5;  ///< so are four roundings to the last digit.
 
 }  // namespace
 
-void Resolution::add(double step) {
-  note(std::abs(step), std::abs(step));
-  note(std::abs(step - last_step_), std::max(std::abs(step), std::abs(last_step_)));
+void Resolution::add(double step, double digit) {
+  const double size = std::max(std::abs(step), std::abs(last_step_));
+  const double rounding = std::max(kRoundedDigits * digit, kRounding * size);
+  note(std::abs(step), rounding);
+  note(std::abs(step - last_step_), rounding);
   last_step_ = step;
 }
 
-void Resolution::note(double difference, double of) {
-  if (difference > kRounding * of && (least_ == 0.0 || difference < least_)) least_ = difference;
+void Resolution::note(double difference, double rounding) {
+  if (difference > rounding && (least_ == 0.0 || difference < least_)) least_ = difference;
 }
 
 bool are_stale(const Travel& travel, std::size_t repeats, double next_s, double next_position) {

@@ -7,14 +7,15 @@
 namespace torquewright::identification {
 
 /// Of a channel, at most: what its steps, or two of them that follow one another, differ by least.
-/// All are multiples of what it counts in.
+/// All are multiples of what it counts in, but for the rounding of what is written.
 class Resolution {
  public:
-  void add(double step);
+  /// `digit`: the last that is written.
+  void add(double step, double digit);
   double least() const { return least_; }  ///< 0: not yet known.
 
  private:
-  void note(double difference, double of);
+  void note(double difference, double rounding);
 
   double last_step_ = 0.0;
   double least_ = 0.0;
