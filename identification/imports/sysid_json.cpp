@@ -26,6 +26,10 @@ const PositionUnit& unit_of_file(const JsonFile& file) {
 void add_runs(const JsonFile& file, const std::string& prefix, ImportedLog& log) {
   for (const char* test : kTests) {
     if (!file.root.contains(test)) continue;
+    if (!file.root[test].is_array()) {
+      file.refuse(fmt::format("/{}", test),
+                  "must be a list of [timestamp, voltage, position, velocity]");
+    }
     ImportedLog::Run run{prefix + test, {}};
     for (std::size_t i = 0; i < file.root[test].size(); ++i) {
       const json& entry = file.root[test][i];

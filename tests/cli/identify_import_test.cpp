@@ -140,6 +140,9 @@ TEST(Import, RefusesSysIdByName) {
   expect_refused(changed("fast-forward", {{1, 2, 3}}), "arm.json#/fast-forward/0: must be");
   expect_refused(changed("fast-forward", {{1, 2, 3, "x"}}), "\"x\" is no number");
   expect_refused(imported_text("sysid", "arm.json", "[1]"), "arm.json: is no JSON object");
+  for (const json& no_list : {json(true), json(nullptr), json{{"0", 1}}}) {
+    expect_refused(changed("fast-backward", no_list), "/fast-backward: must be a list");
+  }
   expect_refused(imported_text("sysyd", "arm.json", "{}"), "did you mean \"sysid\"?");
 }
 
