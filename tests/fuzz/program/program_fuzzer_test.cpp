@@ -104,6 +104,10 @@ TEST(ProgramRules, LetOutputsHaveAnyName) {
   run.outputs.insert("nan");
   run.outcome.out = "written to nan";
   EXPECT_EQ(breach_in(run, {}).rule, "");
+  run = good_run();
+  run.outputs.insert("imported/");
+  run.changed.emplace_back("work/imported/log.csv");
+  EXPECT_EQ(breach_in(run, {}).rule, "");
 }
 
 // A journal is written before something else may be refused; no other output is.

@@ -121,7 +121,7 @@ std::string conforms_to_schemas(const Run& run, const Limits&) {
 /// Whether a changed file was asked for. It may lie in a folder that was named.
 bool is_output(const Run& run, const std::string& name) {
   return std::any_of(run.outputs.begin(), run.outputs.end(), [&](const std::string& output) {
-    return name == output || name.starts_with(output + "/");
+    return name == output || name.starts_with(output.ends_with('/') ? output : output + "/");
   });
 }
 
