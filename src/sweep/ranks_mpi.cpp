@@ -8,9 +8,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <mutex>
 #include <stdexcept>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -30,15 +34,32 @@ constexpr int kTag = 0;
 constexpr milliseconds kLookAgain{2};
 constexpr seconds kBeat{1};
 constexpr seconds kPatience{10};  // many beats: a rank that is silent for so long is gone
+constexpr seconds kPatienceToBegin{60};
 
 struct Message {
   int rank = 0;
   std::string text;
 };
 
+/// MPI begins once every rank has: for one that was killed before it would wait for ever.
+void end_where_mpi_does_not_begin(const std::stop_token& has_begun) {
+  std::mutex nobody_elses;
+  std::unique_lock lock(nobody_elses);
+  std::condition_variable_any patience;
+  patience.wait_for(lock, has_begun, kPatienceToBegin, [] { return false; });
+  if (has_begun.stop_requested()) return;
+  std::fprintf(
+      stderr,
+      "error: mpirun: not every rank has begun within %d s; one was killed, or its machine "
+      "does not answer: start again\n",
+      static_cast<int>(kPatienceToBegin.count()));
+  std::_Exit(1);
+}
+
 void begin() {
+  const std::jthread watch(end_where_mpi_does_not_begin);
   int thread_level = 0;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SINGLE, &thread_level);
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &thread_level);
   MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
 }
 

@@ -31,9 +31,16 @@ struct Toy {
   int thrown = -1;         ///< The point that throws.
   int refuses = -1;        ///< Exit code with which processes end before they begin.
   int slow_ms = 0;
-  int dies = -1;      ///< The rank of mpirun that is killed after half a second.
+  int dies = -1;      ///< The rank of mpirun that is killed by its worker, at its first point.
   std::string diary;  ///< A file: each point that is done, on a line.
 };
+
+/// In a worker, whose parent the rank is. MPI has begun there: one that dies before leaves the
+/// others to wait within MPI.
+bool is_in_rank(int number) {
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  return rank != nullptr && std::atoi(rank) == number;
+}
 
 std::string row_of(const Toy& toy, std::size_t point) {
   const int number = static_cast<int>(point);
@@ -41,6 +48,7 @@ std::string row_of(const Toy& toy, std::size_t point) {
     std::ofstream(toy.diary, std::ios::app) << fmt::format("{}\n", number) << std::flush;
   }
   if (number == toy.killed) ::raise(SIGKILL);
+  if (is_in_rank(toy.dies)) ::kill(::getppid(), SIGKILL);
   if (number == toy.thrown) throw std::runtime_error("point of trouble");
   std::this_thread::sleep_for(std::chrono::milliseconds(toy.slow_ms));
   return fmt::format(R"({{ "square": {}, "third": {} }})", number * number, number / 3.0);
@@ -49,13 +57,6 @@ std::string row_of(const Toy& toy, std::size_t point) {
 cli::ExitCode run(const Toy& toy) {
   cli::catch_interrupt();
   if (toy.refuses >= 0 && sweep::is_silent()) std::exit(toy.refuses);
-  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
-  if (rank != nullptr && std::atoi(rank) == toy.dies && !sweep::is_worker()) {
-    std::thread([] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(500));
-      ::raise(SIGKILL);
-    }).detach();
-  }
   sweep::Request request;
   for (int i = 0; i < toy.points; ++i) request.points.push_back(fmt::format("number={}", i));
   request.fingerprint = toy.is_fickle ? std::to_string(::getpid()) : toy.request;
