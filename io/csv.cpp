@@ -208,6 +208,13 @@ void CsvReader::refuse(std::size_t column, const std::string& message) const {
       {{file(), "", fmt::format("line {}, column {}{}: {}", line(), column + 1, name, message)}});
 }
 
+void CsvReader::require_within(std::size_t column, double value, double greatest) const {
+  if (std::abs(value) <= greatest) return;
+  refuse(column, fmt::format("too large in SI units, in which {:.4g} is the most; is its unit the "
+                             "one that is stated?",
+                             greatest));
+}
+
 void CsvReader::refuse_row(const std::string& message) const {
   throw SpecError({{file(), "", fmt::format("line {}: {}", line(), message)}});
 }

@@ -52,6 +52,8 @@ class CsvReader {
 
   /// Throws a SpecError at a cell of the present row, or at the row.
   [[noreturn]] void refuse(std::size_t column, const std::string& message) const;
+  /// Refuses the cell where its value, in SI units, is greater than that in size.
+  void require_within(std::size_t column, double value, double greatest) const;
   [[noreturn]] void refuse_row(const std::string& message) const;
 
  private:

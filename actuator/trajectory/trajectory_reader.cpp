@@ -189,9 +189,7 @@ void TrajectoryReader::require_complete(const std::vector<ColumnMapping>& found,
 
 double TrajectoryReader::read_time_s() {
   const double time_s = csv_.number(time_->column) * time_->factor;
-  if (!(std::abs(time_s) <= Clock::kLatest_s)) {
-    csv_.refuse(time_->column, "too large in SI units");
-  }
+  csv_.require_within(time_->column, time_s, Clock::kLatest_s);
   if (previous_s_ && time_s <= *previous_s_) {
     csv_.refuse(time_->column, fmt::format("time {}: {} s follows {} s of line {}",
                                            time_s == *previous_s_ ? "repeats" : "runs backwards",
@@ -219,8 +217,7 @@ bool TrajectoryReader::next(Row& row) {
       const auto read = [&](const std::optional<JointColumns::Source>& source, Place place) {
         if (!source) return;
         const double value = csv_.number(source->column) * source->factor;
-        if (!(std::abs(value) <= kGreatestValue))
-          csv_.refuse(source->column, "too large in SI units");
+        csv_.require_within(source->column, value, kGreatestValue);
         row.values[kPlaces * i + place] = value;
       };
       read(joints_[i].position, kPositionAt);

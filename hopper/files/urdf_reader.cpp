@@ -12,6 +12,7 @@
 
 #include "dynamics/rigid_inertia.hpp"
 #include "hopper/files/finish.hpp"
+#include "hopper/files/gazebo_words.hpp"
 #include "hopper/files/mended_inertia.hpp"
 #include "hopper/files/urdf_tree.hpp"
 #include "hopper/files/urdf_vocabulary.hpp"
@@ -43,6 +44,8 @@ class UrdfReader {
     imported_.robot.tree.base =
         tree_.floats ? dynamics::BaseKind::kSpatial : dynamics::BaseKind::kFixed;
     finish(draft_, options_, imported_, faults_);
+    if (tree_.floats && !tree_.is_said_to_float) note_base();
+    for (std::string& note : gazebo_notes(root_)) imported_.notes.push_back(std::move(note));
     for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
     return std::move(imported_);
   }
@@ -77,6 +80,14 @@ class UrdfReader {
       }
       refuse_loops(held);
     }
+  }
+
+  /// URDF has no word for it.
+  void note_base() {
+    imported_.notes.push_back(
+        fmt::format("\"{0}\" floats, for no joint carries it; where the robot stands fixed, join "
+                    "it by a fixed joint to a link named \"world\"",
+                    tree_.names[tree_.order.front().body]));
   }
 
   DraftBody drafted(const Place& place, const std::map<std::size_t, std::size_t>& places) {

@@ -91,6 +91,7 @@ UrdfTree read_urdf_tree(const Element& robot, Faults& faults) {
   const std::size_t root = root_link(robot, tree, faults);
   std::size_t base = without_world(root, tree);
   tree.floats = base != root || tree.names[root] != "world";
+  tree.is_said_to_float = base != root;
   if (base != root) {
     drop_link(root, tree);
     if (base > root) --base;

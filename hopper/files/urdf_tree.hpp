@@ -18,6 +18,7 @@ struct UrdfTree {
   std::map<std::string, const Element*> joints;  ///< By name.
   std::vector<Place> order;                      ///< The root first.
   bool floats = true;                            ///< Whether the root does.
+  bool is_said_to_float = false;                 ///< By a joint of that type.
 };
 
 /// Throws io::SpecError where they are none. A root without mass whose only joint is a floating one

@@ -33,7 +33,8 @@ std::string place_of(const Element& element, const Element& holder) {
   return around.empty() ? fmt::format("line {}", element.line) : around;
 }
 
-/// Long lists say how many more there are.
+}  // namespace
+
 std::string listed(std::vector<std::string> places) {
   constexpr std::size_t kMost = 12;
   if (places.size() <= kMost) return fmt::format("{}", fmt::join(places, ", "));
@@ -41,8 +42,6 @@ std::string listed(std::vector<std::string> places) {
   places.resize(kMost);
   return fmt::format("{} and {} more", fmt::join(places, ", "), more);
 }
-
-}  // namespace
 
 const Words* Vocabulary::find(std::string_view element, Words::Kind kind,
                               std::string_view name) const {

@@ -31,6 +31,9 @@ struct Words {
   std::string_view advice = {};  ///< For what is refused.
 };
 
+/// In one line. Long lists say how many more there are.
+std::string listed(std::vector<std::string> places);
+
 /// Holds elements against a list of words, and keeps what was left behind.
 class Vocabulary {
  public:

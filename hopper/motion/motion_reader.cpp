@@ -276,9 +276,8 @@ class MotionReader {
   double number(const Source& source) const {
     const double value = csv_.number(source.column) * source.factor;
     const bool is_time = &source == source_of(0);
-    if (!(std::abs(value) <= (is_time ? actuator::Clock::kLatest_s : actuator::kGreatestValue))) {
-      csv_.refuse(source.column, "too large in SI units");
-    }
+    csv_.require_within(source.column, value,
+                        is_time ? actuator::Clock::kLatest_s : actuator::kGreatestValue);
     return value;
   }
 

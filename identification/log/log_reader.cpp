@@ -125,9 +125,7 @@ void LogReader::read_row() {
   if (!columns_.time) return append(0.0);
   const Source& time = *columns_.time;
   const double stated_s = csv_->number(time.column) * time.scale + time.offset;
-  if (!(std::abs(stated_s) <= kGreatestReading)) {
-    csv_->refuse(time.column, "too large in SI units");
-  }
+  csv_->require_within(time.column, stated_s, kGreatestReading);
   const double time_s = clock_.since_origin_s(stated_s);
   const bool has_previous = at_once_ > 0;
   if (has_previous && time_s == stamp_s_) {
@@ -253,9 +251,7 @@ void LogReader::append(double time_s) {
   if (columns_.time) run_.time_s.push_back(time_s);
   for (const Source& source : columns_.channels) {
     const double value = csv_->number(source.column) * source.scale + source.offset;
-    if (!(std::abs(value) <= kGreatestReading)) {
-      csv_->refuse(source.column, "too large in SI units");
-    }
+    csv_->require_within(source.column, value, kGreatestReading);
     require_possible(source, value);
     const std::size_t first = source.joint.value_or(0);
     const std::size_t end = source.joint ? first + 1 : run_.joints.size();

@@ -53,7 +53,7 @@ void end_where_mpi_does_not_begin(const std::stop_token& has_begun) {
       "error: mpirun: not every rank has begun within %d s; one was killed, or its machine "
       "does not answer: start again\n",
       static_cast<int>(kPatienceToBegin.count()));
-  std::_Exit(1);
+  std::_Exit(2);
 }
 
 void begin() {

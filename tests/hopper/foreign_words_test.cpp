@@ -281,6 +281,35 @@ TEST(UrdfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
   }
 }
 
+// Oracle: what the words mean to Gazebo (SDFormat).
+TEST(UrdfWords, OfGazeboAreSaidWithWhatTheyWouldChange) {
+  const std::string joint =
+      "<joint name='j' type='revolute'><parent link='world'/><child link='a'/>"
+      "<limit lower='-1' upper='1'/></joint>";
+  const std::string said = all_of(
+      urdf(kArm + joint +
+           "<gazebo reference='j'><springStiffness>3</springStiffness></gazebo>"
+           "<gazebo reference='a'><mu1>0.4</mu1><gravity>true</gravity><material>Red</material>"
+           "</gazebo><gazebo><static>true</static></gazebo>")
+          .notes);
+  for (const char* sentence :
+       {"<springStiffness> in <gazebo> is a force that a robot document does not hold, so that "
+        "drives are charged with it: j",
+        "<mu1> in <gazebo> is not read: the ground's friction is friction_coefficient of a "
+        "contact: a",
+        "<static> in <gazebo> is not read: a root that stands fixed is a link named \"world\": the "
+        "whole robot",
+        "left behind of <gazebo>: gravity, material"}) {
+    EXPECT_NE(said.find(sentence), std::string::npos) << sentence << "\n" << said;
+  }
+  EXPECT_EQ(said.find("floats"), std::string::npos) << said;
+}
+
+TEST(UrdfWords, SayThatARootWhichNoJointCarriesFloats) {
+  const std::string said = all_of(urdf("<link name='base'>" + kUnit + "</link>").notes);
+  EXPECT_NE(said.find("\"base\" floats"), std::string::npos) << said;
+}
+
 const std::string kEnds = "<parent link='world'/><child link='a'/>";
 
 TEST(UrdfWords, ThatStandTwiceAreRefused) {

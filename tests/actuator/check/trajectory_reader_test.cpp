@@ -178,7 +178,8 @@ TEST(TrajectoryReader, RefusesWithThePlace) {
       {"time_s,k_velocity_rad_s\n0,1e300\n",
        {"k_velocity_rad_s=k.velocity*1e300"},
        {"k"},
-       "line 2, column 2 (k_velocity_rad_s): too large in SI units"},
+       "line 2, column 2 (k_velocity_rad_s): too large in SI units, in which 1e+09 is the "
+       "most; is its unit the one that is stated?"},
   };
   for (const MistakenRequest& mistake : mistakes) {
     EXPECT_EQ(read(mistake.text, mistake.mappings, mistake.joints).refusal,

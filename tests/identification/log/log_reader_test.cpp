@@ -192,9 +192,11 @@ TEST(ReadLog, RefusesWithThePlace) {
   EXPECT_EQ(refusal("t,q\n0,1\n1,1e400\n", kPlain),
             "m.csv: line 3, column 2 (q): \"1e400\" is not a finite number");
   EXPECT_EQ(refusal("t,q\n0,1\n1,-1e39\n", kPlain),
-            "m.csv: line 3, column 2 (q): too large in SI units");
+            "m.csv: line 3, column 2 (q): too large in SI units, in which 3.403e+38 is the most; "
+            "is its unit the one that is stated?");
   EXPECT_EQ(refusal("t,q\n0,1\n1e39,1\n", kPlain),
-            "m.csv: line 3, column 1 (t): too large in SI units");
+            "m.csv: line 3, column 1 (t): too large in SI units, in which 3.403e+38 is the most; "
+            "is its unit the one that is stated?");
 }
 
 // Oracle: the gaps put in. The first is noticed late, when the median is known; the second at once.
