@@ -17,8 +17,8 @@ double rotor_torque_Nm(const Actuator& actuator, double temperature_K, double sp
   const double mesh_Nm = before_mesh_Nm(actuator, torque_Nm, direction);
   const Span side = motor_side_torque_Nm(actuator, speed_rad_s, direction, temperature_K);
   const double before_Nm = mesh_Nm - 0.5 * (side.least + side.greatest);
-  // Friction holds a load at rest, it does not move it.
-  if (is_at_rest && before_Nm * torque_Nm < 0.0) return 0.0;
+  // Friction holds a load at rest, it does not move it, nor anything without a load.
+  if (is_at_rest && before_Nm * torque_Nm <= 0.0) return 0.0;
   return before_Nm / actuator.transmission.ratio;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string_view>
 
 #include "actuator/exporters/downhill_simplex.hpp"
 #include "actuator/region/bracketed_search.hpp"
@@ -66,9 +68,10 @@ double driving_end_rad_s(const Subject& subject) {
   return least_rad_s;
 }
 
-/// How far a law lies outside a sample.
+/// How far a law lies outside a sample; without end where its numbers have no meaning.
 double excess_Nm(const TorqueLimits& limits, const Sample& sample) {
   if (!sample.holds_zero) return 0.0;
+  if (limits.greatest_Nm == -std::numeric_limits<double>::infinity()) return -limits.greatest_Nm;
   return std::max(
       {0.0, limits.greatest_Nm - sample.greatest_Nm, sample.least_Nm - limits.least_Nm});
 }
@@ -85,11 +88,16 @@ class Judge {
 
   bool has_samples() const { return !samples_.empty(); }
 
-  /// The shape with its no-load speed drawn in to where the region stops driving.
+  /// The shape with its no-load speed drawn in to where the region stops driving, and with it a
+  /// knee that would lie beyond.
   Shape within_no_load(Shape shape) const {
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-      if (is_no_load_speed(i)) shape[i] = std::min(shape[i], driving_end_rad_s_);
+    const auto no_load = place_of("no_load_speed_rad_s");
+    if (!no_load || shape[*no_load] <= driving_end_rad_s_) return shape;
+    const auto knee = place_of("knee_speed_rad_s");
+    if (knee && shape[*knee] >= driving_end_rad_s_) {
+      shape[*knee] *= driving_end_rad_s_ / shape[*no_load];
     }
+    shape[*no_load] = driving_end_rad_s_;
     return shape;
   }
 
@@ -124,8 +132,11 @@ class Judge {
   }
 
  private:
-  bool is_no_load_speed(std::size_t i) const {
-    return exporter_.parameters[i].name == "no_load_speed_rad_s";
+  std::optional<std::size_t> place_of(std::string_view parameter) const {
+    for (std::size_t i = 0; i < exporter_.parameters.size(); ++i) {
+      if (exporter_.parameters[i].name == parameter) return i;
+    }
+    return std::nullopt;
   }
 
   /// Sum of both bounds' squares.

@@ -53,7 +53,8 @@ Supply supply_at(const Actuator& actuator, const OperatingConditions& conditions
   supply.least_power_W = actuator.drive.regeneration ? -actuator.drive.regeneration_limit_W : 0.0;
   if (!actuator.battery) return supply;
   const Battery& battery = *actuator.battery;
-  if (battery.discharge_limit_A < kUnlimited) {
+  // From half the short circuit's current on more current is less power: there the source limits.
+  if (2.0 * supply.resistance_ohm * battery.discharge_limit_A < supply.open_circuit_V) {
     supply.greatest_power_W = power_at_W(supply, battery.discharge_limit_A);
   }
   if (battery.charge_limit_A < kUnlimited) {

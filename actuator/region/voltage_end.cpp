@@ -168,6 +168,7 @@ class EndSearch {
     const double limit_A = model_.current_limit_A;
     if (i.amplitude_A() > limit_A * (1.0 + kPastLimit)) return false;
     if (i.d_A < -model_.demagnetisation_current_A * (1.0 + kPastLimit)) return false;
+    if (!(plane.torque_Nm.q > 0.0)) return false;  // the flux would have changed its sign
     return beside == Beside::kLeastCurrent ||
            condition(Beside::kLeastCurrent, i, plane).value >=
                -kPastLimit * limit_A * model_.torque_constant_Nm_A;

@@ -233,10 +233,10 @@ void add_battery(const std::vector<SharedBus>& buses, std::size_t first, std::si
     const bool is_fed = std::any_of(bus.drives.begin(), bus.drives.end(), [&](std::size_t drive) {
       return drive >= first && drive < first + count;
     });
-    if (bus.starved == 0 || !is_fed) continue;
+    const std::string overload = overload_of(bus);
+    if (overload.empty() || !is_fed) continue;
     result.verdict = Verdict::kFail;
-    result.why = fmt::format("the battery cannot deliver {:.4g} W at t = {:.4g} s",
-                             bus.greatest_power_W, bus.power_time_s);
+    result.why = "the battery that it shares: " + overload;
   }
 }
 

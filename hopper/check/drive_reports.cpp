@@ -69,6 +69,7 @@ void add_rotors(const Demand& demand, DriveTorques& torques) {
   torques.torque_Nm += by_dynamics(demand, &DriveInstant::torque_Nm) -
                        by_dynamics(demand, &DriveInstant::load_torque_Nm);
   torques.inertia = InertiaConvention::kIncluded;
+  torques.adds_rotors = true;
 }
 
 /// One drive of the motion.

@@ -12,6 +12,7 @@ struct DriveTorques {
   Eigen::MatrixXd doubt_Nm;   ///< How far they may be off; empty: they are as they are.
   actuator::InertiaConvention inertia = actuator::InertiaConvention::kIncluded;
   bool from_file = false;
+  bool adds_rotors = false;  ///< To the file's, which are without theirs.
   std::vector<Finding> findings;
 };
 

@@ -2,6 +2,7 @@
 #include "hopper/check/shared_bus.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "actuator/check/demand.hpp"
 #include "actuator/check/geared_torque.hpp"
 #include "actuator/region/torque_at.hpp"
+#include "hopper/robot/drive_supply.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::hopper {
@@ -22,19 +24,6 @@ std::vector<const actuator::Actuator*> drives_of(const Robot& robot) {
     for (const actuator::Actuator& actuator : drivetrain.actuators) drives.push_back(&actuator);
   }
   return drives;
-}
-
-std::vector<SharedBus> groups_of(const std::vector<const actuator::Actuator*>& drives) {
-  std::vector<SharedBus> buses;
-  for (std::size_t i = 0; i < drives.size(); ++i) {
-    if (!drives[i]->battery) continue;
-    const auto same = std::find_if(buses.begin(), buses.end(), [&](const SharedBus& bus) {
-      return *drives[bus.drives.front()]->battery == *drives[i]->battery;
-    });
-    (same != buses.end() ? *same : buses.emplace_back()).drives.push_back(i);
-  }
-  std::erase_if(buses, [](const SharedBus& bus) { return bus.drives.size() < 2; });
-  return buses;
 }
 
 /// Adds what one drive asks for; torque that no current yields counts as nothing (the drive's own
@@ -55,27 +44,29 @@ void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator,
   }
 }
 
+/// What rounding may add to a limit of power.
+constexpr double kRounding = 1e-9;
+
 void settle(const CheckedMotion& checked, const actuator::Supply& supply,
             const Eigen::VectorXd& power_W, SharedBus& bus) {
   bus.open_circuit_V = supply.open_circuit_V;
   bus.power_limit_W = supply.greatest_power_W;
-  bus.least_V = bus.open_circuit_V;
+  bus.return_limit_W = supply.least_power_W;
   bus.voltage_V.resize(power_W.size());
+  const double rounding_W = kRounding * power_W.cwiseAbs().maxCoeff();
   for (Index sample = 0; sample < power_W.size(); ++sample) {
-    const auto voltage_V = actuator::bus_voltage_V(supply, power_W[sample]);
-    const bool delivers = voltage_V && power_W[sample] <= supply.greatest_power_W;
-    if (!delivers) ++bus.starved;
-    // Where it gives out: at half the open circuit it delivers the most.
-    bus.voltage_V[sample] = voltage_V.value_or(0.5 * supply.open_circuit_V);
-    if (bus.voltage_V[sample] < bus.least_V) {
-      bus.least_V = bus.voltage_V[sample];
-      bus.least_time_s = checked.motion.time_s(sample);
-    }
-    if (power_W[sample] > bus.greatest_power_W) {
-      bus.greatest_power_W = power_W[sample];
-      bus.power_time_s = checked.motion.time_s(sample);
-    }
+    bus.voltage_V[sample] = loaded_voltage_V(supply, power_W[sample]);
+    if (power_W[sample] > greatest_power_W(supply) + rounding_W) ++bus.starved;
+    if (power_W[sample] < bus.return_limit_W - rounding_W) ++bus.flooded;
   }
+  const auto time_s = [&](Index sample) { return checked.motion.time_s(sample); };
+  Index sample = 0;
+  bus.least_V = std::min(bus.open_circuit_V, bus.voltage_V.minCoeff(&sample));
+  bus.least_time_s = time_s(sample);
+  bus.greatest_power_W = std::max(0.0, power_W.maxCoeff(&sample));
+  bus.power_time_s = time_s(sample);
+  bus.least_power_W = std::min(0.0, power_W.minCoeff(&sample));
+  bus.return_time_s = time_s(sample);
 }
 
 std::string names_of(const CheckedMotion& checked, const SharedBus& bus) {
@@ -93,17 +84,34 @@ std::string names_of(const CheckedMotion& checked, const SharedBus& bus) {
 std::vector<SharedBus> shared_buses(const CheckedMotion& checked,
                                     const Eigen::MatrixXd& torques_Nm) {
   const auto drives = drives_of(checked.robot);
-  std::vector<SharedBus> buses = groups_of(drives);
-  for (SharedBus& bus : buses) {
+  std::vector<SharedBus> buses;
+  for (DriveSupply& feeds : drive_supplies(drives, checked.options.conditions)) {
+    if (feeds.drives.size() < 2) continue;
     Eigen::VectorXd power_W = Eigen::VectorXd::Zero(checked.motion.samples());
-    for (const std::size_t drive : bus.drives) {
+    for (const std::size_t drive : feeds.drives) {
       add_power(checked, *drives[drive], drive, torques_Nm, power_W);
     }
-    const actuator::PhaseModel model =
-        actuator::phase_model_at(*drives[bus.drives.front()], checked.options.conditions);
-    settle(checked, model.supply, power_W, bus);
+    SharedBus& bus = buses.emplace_back();
+    bus.drives = std::move(feeds.drives);
+    settle(checked, feeds.supply, power_W, bus);
   }
   return buses;
+}
+
+std::string overload_of(const SharedBus& bus) {
+  std::vector<std::string> sentences;
+  if (bus.starved > 0) {
+    sentences.push_back(
+        fmt::format("it cannot deliver the power of {} samples, {:.6g} W at t = {:.6g} s",
+                    bus.starved, bus.greatest_power_W, bus.power_time_s));
+  }
+  if (bus.flooded > 0) {
+    sentences.push_back(fmt::format(
+        "it cannot take back the power of {} samples, {:.6g} W at t = {:.6g} s, where {:.6g} W are "
+        "the most by its charge_limit_A or maximum_voltage_V",
+        bus.flooded, -bus.least_power_W, bus.return_time_s, 0.0 - bus.return_limit_W));
+  }
+  return fmt::format("{}", fmt::join(sentences, "; "));
 }
 
 std::vector<Finding> shared_bus_findings(const CheckedMotion& checked,
@@ -121,18 +129,17 @@ std::vector<Finding> shared_bus_findings(const CheckedMotion& checked,
         "at the voltage of each instant",
         names_of(checked, bus), bus.open_circuit_V, bus.least_V, bus.least_time_s,
         bus.greatest_power_W, bus.power_time_s);
-    if (bus.starved == 0) continue;
+    if (bus.starved + bus.flooded == 0) continue;
+    const bool is_starved = bus.starved > 0;
     finding.severity = actuator::Severity::kViolation;
     finding.rule = "battery-power";
-    finding.value = bus.greatest_power_W;
-    finding.limit = bus.power_limit_W;
-    if (!std::isfinite(bus.power_limit_W)) finding.limit.reset();
-    finding.time_s = bus.power_time_s;
+    finding.value = is_starved ? bus.greatest_power_W : bus.least_power_W;
+    finding.limit = (is_starved ? bus.power_limit_W : bus.return_limit_W) + 0.0;  // no -0
+    if (!std::isfinite(*finding.limit)) finding.limit.reset();
+    finding.time_s = is_starved ? bus.power_time_s : bus.return_time_s;
     finding.unit = "W";
-    finding.sentence = fmt::format(
-        "{} load one battery together: it cannot deliver the power of {} samples, {:.6g} W at "
-        "t = {:.6g} s",
-        names_of(checked, bus), bus.starved, bus.greatest_power_W, bus.power_time_s);
+    finding.sentence =
+        fmt::format("{} load one battery together: {}", names_of(checked, bus), overload_of(bus));
   }
   return findings;
 }

@@ -16,6 +16,10 @@ struct SharedBus {
   double power_time_s = 0.0;
   double power_limit_W = 0.0;  ///< Of the battery; may be infinite.
   std::size_t starved = 0;     ///< Samples whose power it cannot deliver.
+  double least_power_W = 0.0;  ///< Negative: all drives together return it.
+  double return_time_s = 0.0;
+  double return_limit_W = 0.0;  ///< What the battery takes back, negative; may be infinite.
+  std::size_t flooded = 0;      ///< Samples whose power it cannot take back.
 };
 
 /// The batteries that feed two or more drives, and their voltage over the motion.
@@ -24,7 +28,10 @@ struct SharedBus {
 std::vector<SharedBus> shared_buses(const CheckedMotion& checked,
                                     const Eigen::MatrixXd& torques_Nm);
 
-/// What there is to say of them: a note, or a violation where one gives out.
+/// What there is to say of one that gives out or cannot take back; empty where it does neither.
+std::string overload_of(const SharedBus& bus);
+
+/// What there is to say of them: a note, or a violation where one is overloaded.
 std::vector<Finding> shared_bus_findings(const CheckedMotion& checked,
                                          const std::vector<SharedBus>& buses);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fields: the URDF XML specification (wiki.ros.org/urdf/XML), and Drake's <drake:rotor_inertia>,
-// <drake:gear_ratio> in a transmission's actuator (drake.mit.edu, "Notes on parsing").
+// <drake:gear_ratio> in a transmission's actuator (drake.mit.edu, "Notes on parsing"); RaiSim's
+// rotor_inertia (raisim.com, "URDF convention").
 #include "hopper/files/urdf_reader.hpp"
 
 #include <fmt/format.h>
@@ -170,6 +171,19 @@ class UrdfReader {
     const auto reflected = reflected_.find(joint.name);
     draft.states_rotor = reflected != reflected_.end();
     if (draft.states_rotor) joint.reflected_inertia = reflected->second;
+    if (const Element* dynamics = child(element, "dynamics")) read_armature(*dynamics, draft);
+  }
+
+  /// RaiSim's: what its mass matrix has more at the joint.
+  void read_armature(const Element& dynamics, DraftBody& draft) {
+    if (find_attribute(dynamics, "rotor_inertia") == nullptr) return;
+    const double inertia = faults_.number(dynamics, "rotor_inertia", 0);
+    if (inertia < 0) faults_.report(dynamics, "rotor_inertia is negative");
+    if (draft.states_rotor) {
+      faults_.report(dynamics, "rotor_inertia: a transmission states the rotor of this joint too");
+    }
+    draft.states_rotor = true;
+    draft.body.joint.reflected_inertia = inertia;
   }
 
   std::string type_of(const Element& element) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names: the URDF XML specification (wiki.ros.org/urdf/XML); Drake's in "Notes on parsing"
-// (drake.mit.edu); Gazebo's, ros2_control's and MuJoCo's own extensions.
+// (drake.mit.edu); Gazebo's, ros2_control's, MuJoCo's and RaiSim's own extensions.
 #include "hopper/files/urdf_vocabulary.hpp"
 
 namespace torquewright::hopper {
@@ -34,6 +34,7 @@ std::span<const Words> urdf_words() {
       {"joint", kAttributes, kRead, "name type"},
       {"joint", kChildren, kRead, "parent child origin axis limit mimic"},
       {"joint", kChildren, kForce, "dynamics"},
+      {"dynamics", kAttributes, kRead, "rotor_inertia"},
       {"joint", kChildren, kNeutral, "safety_controller calibration hardwareInterface"},
       {"axis", kAttributes, kRead, "xyz"},
       {"limit", kAttributes, kRead, "lower upper effort velocity"},

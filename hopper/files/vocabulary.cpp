@@ -85,8 +85,12 @@ void Vocabulary::check_attributes(const Element& element) {
 void Vocabulary::check(const Element& element) {
   check_attributes(element);
   for (const Element& held : element.children) {
-    const bool is_empty = std::all_of(held.attributes.begin(), held.attributes.end(),
-                                      [](const auto& next) { return says_nothing(next.second); });
+    const bool is_empty =
+        std::all_of(held.attributes.begin(), held.attributes.end(), [&](const auto& next) {
+          const Words* known = find(held.name, Words::Kind::kAttributes, next.first);
+          return says_nothing(next.second) ||
+                 (known != nullptr && known->meaning == Meaning::kRead);
+        });
     const Words* words = find(element.name, Words::Kind::kChildren, held.name);
     if (words != nullptr && words->meaning == Meaning::kForce && is_empty) continue;
     check_word(element, Words::Kind::kChildren, held.name, held);

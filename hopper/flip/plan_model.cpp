@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hopper/replay/drive_supply.hpp"
+#include "hopper/robot/drive_supply.hpp"
 #include "hopper/robot/whole_body.hpp"
 #include "io/refusal.hpp"
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "actuator/region/bracketed_search.hpp"
-#include "hopper/replay/drive_supply.hpp"
 #include "hopper/replay/working_drive.hpp"
+#include "hopper/robot/drive_supply.hpp"
 #include "io/spec_error.hpp"
 
 namespace torquewright::hopper {

@@ -206,7 +206,6 @@ class MechanismReader {
       return;
     }
     dynamics::Joint& joint = robot_.tree.bodies[drivetrain.joints.front()].joint;
-    if (joint.kind == dynamics::JointKind::kPrismatic) return;  // of a screw no lead is known
     const double ratio = (*jacobian)(0, 0);
     joint.reflected_inertia =
         ratio * ratio * actuator::reflected_inertia_kg_m2(drivetrain.actuators.front());

@@ -143,6 +143,18 @@ TEST(MotorRange, AgreesWithBruteForceForUnequalInductances) {
   }
 }
 
+// Magnets so weak beside the reluctance that 16 A of negative d current, of 40 A, turn the flux
+// around: an end beyond is no end of the drive's.
+TEST(MotorRange, AgreesWithBruteForceWhereTheFluxCouldTurn) {
+  PhaseModel model = reference_model(3e-5, true);
+  model.torque_constant_Nm_A = 0.03;
+  model.pole_pairs = 14.0;
+  model.back_emf_V_s_rad = 0.02;  // 3/2 of it is Kt
+  model.resistance_ohm = 0.12;
+  model.inductance_d_H = 1.2e-4;
+  for (double w = 300.0; w <= 760.0; w += 20.0) compare_with_brute_force(model, w);
+}
+
 void expect_same(const MotorRange& one, const MotorRange& other, double tolerance_Nm) {
   ASSERT_EQ(one.is_empty, other.is_empty);
   if (one.is_empty) return;
@@ -283,6 +295,21 @@ TEST(MotorRange, StopsAtTheBatterysPower) {
   EXPECT_NEAR(range.greatest.torque_Nm, 0.5 * i, 1e-10);
   EXPECT_NEAR(range.greatest.bus_power_W, power_W, 1e-8);
   EXPECT_EQ(range.greatest.limiter, Limiter::kBatteryPower);
+}
+
+// Oracle: (5). From half the short circuit's 500 A on a limit of the current stands in no way: the
+// bus never has so much.
+TEST(MotorRange, IsNotStoppedByALimitThatTheBatteryCannotReach) {
+  Actuator actuator = round_actuator();
+  actuator.battery = Battery{};
+  actuator.battery->cell_open_circuit = {{1.0, 50.0}};
+  actuator.battery->cell_resistance_ohm = 0.1;
+  const MotorRange unlimited = motor_range(phase_model_at(actuator, {}), 40.0);
+  for (const double limit_A : {250.0, 499.0, 501.0, 1e6}) {
+    actuator.battery->discharge_limit_A = limit_A;
+    const MotorRange range = motor_range(phase_model_at(actuator, {}), 40.0);
+    EXPECT_EQ(range.greatest.torque_Nm, unlimited.greatest.torque_Nm) << limit_A;
+  }
 }
 
 // Oracle: without regeneration the region ends where P = 0, which is i = 0; plugging starts where

@@ -108,6 +108,20 @@ TEST(Urdf, ReadsRotorsOfTransmissions) {
   EXPECT_EQ(read.notes.size(), 1u);
 }
 
+// Oracle: RaiSim's word, which stands at the joint.
+TEST(Urdf, ReadsTheRotorInertiaOfDynamics) {
+  const std::string arm = R"(<robot name="r"><link name="world"/>
+    <link name="a"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
+    <joint name="j" type="continuous"><parent link="world"/><child link="a"/>
+      <dynamics damping="0" rotor_inertia="0.09"/></joint>)";
+  const Imported read = imported_urdf(arm + "</robot>");
+  EXPECT_EQ(read.robot.tree.bodies[1].joint.reflected_inertia, 0.09);
+  EXPECT_TRUE(read.notes.empty());
+  EXPECT_THROW(imported_urdf(arm + R"(<transmission><joint name="j"/><actuator name="m">
+    <drake:rotor_inertia value="0.0002"/></actuator></transmission></robot>)"),
+               io::SpecError);
+}
+
 TEST(Mjcf, TakesDefaultsDegreesAndJointsAwayFromTheBodysOrigin) {
   const Imported read = imported_mjcf(R"(<mujoco><default><joint armature="0.1"/>
     <default class="leg"><joint range="-90 45" axis="0 1 0"/></default></default>

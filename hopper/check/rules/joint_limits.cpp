@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "hopper/check/drive_reports.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 
 namespace torquewright::hopper {
@@ -46,10 +47,17 @@ void add(const std::string& joint, const Words& words, const Beyond& beyond, Ind
                    words.unit, beyond.samples, all)});
 }
 
+/// Those of the dynamics have the rotors' torque, which is a joint's too.
+bool counts_file(const CheckedMotion& checked) {
+  if (checked.options.torques == TorqueSource::kDynamics) return false;
+  return !drive_torques(checked).adds_rotors;
+}
+
 }  // namespace
 
 std::vector<Finding> joint_limits(const CheckedMotion& checked) {
   std::vector<Finding> findings;
+  const bool trusts_file = !checked.demand.has_dynamics || counts_file(checked);
   const Motion& motion = checked.motion;
   const Index joints = static_cast<Index>(checked.robot.tree.bodies.size()) - 1;
   for (Index i = 0; i < joints; ++i) {
@@ -67,10 +75,10 @@ std::vector<Finding> joint_limits(const CheckedMotion& checked) {
       position.note(at, joint.limits.position_max, at - joint.limits.position_max, time_s);
       const double rate = speeds[sample];
       speed.note(rate, joint.limits.speed_max, std::abs(rate) - joint.limits.speed_max, time_s);
-      const bool has_effort = motion.has_effort[static_cast<std::size_t>(i)];
-      if (!has_effort && !checked.demand.has_dynamics) continue;
+      const bool is_of_file = motion.has_effort[static_cast<std::size_t>(i)] && trusts_file;
+      if (!is_of_file && !checked.demand.has_dynamics) continue;
       const double torque =
-          has_effort ? motion.efforts(i, sample) : checked.demand.joint_effort(i, sample);
+          is_of_file ? motion.efforts(i, sample) : checked.demand.joint_effort(i, sample);
       effort.note(torque, joint.limits.effort_max, std::abs(torque) - joint.limits.effort_max,
                   time_s);
     }

@@ -58,6 +58,7 @@ TEST(Demand, FrictionHoldsAtRest) {
   EXPECT_NEAR(demand(actuator, 0.0, 10.0).current_A, 9.3, 1e-12);
   EXPECT_NEAR(demand(actuator, 0.0, -10.0).current_A, 9.3, 1e-12);
   EXPECT_EQ(demand(actuator, 0.0, 0.5).current_A, 0.0);
+  EXPECT_EQ(demand(actuator, 0.0, 0.0).current_A, 0.0);
 }
 
 TEST(Demand, IsEmptyWhereSaturationYieldsNoTorque) {

@@ -169,6 +169,31 @@ TEST(LawFit, NeverPassesTheNoLoadSpeed) {
   }
 }
 
+// Oracle: closed form. 100 Nm s/rad end the driving at 1536 / (1536/10.5 + 100) = 6.24 rad/s,
+// before the voltage's corner of 8.3125: the law's own knee lies before that end too.
+TEST(LawFit, KeepsItsKneeBeforeWhereFrictionEndsTheDriving) {
+  Actuator actuator = knee();
+  actuator.effects.push_back({find_effect("viscous_friction"), {100.0}, {}, false, ""});
+  const Example example(std::move(actuator));
+  for (const LawFit fit : {LawFit::kConservative, LawFit::kBest}) {
+    for (const Exporter* exporter : {&exporters::unitree_xy, &exporters::jaxsim}) {
+      SCOPED_TRACE(exporter->name);
+      const Shape shape = exporter->shape(example.subject(fit));
+      EXPECT_GT(exporter->law(shape, 0.0).greatest_Nm, 0.0);
+      EXPECT_EQ(exporter->law(shape, 6.24).greatest_Nm, 0.0);
+      for (const double speed_rad_s : {0.5, 2.0, 4.0, 6.0}) {
+        const double driving_Nm =
+            std::min(320.0, 1536.0 * (1.0 - speed_rad_s / 10.5)) - 100.0 * speed_rad_s;
+        const double most_Nm = exporter->law(shape, speed_rad_s).greatest_Nm;
+        if (fit == LawFit::kConservative) {
+          EXPECT_LE(most_Nm, std::max(0.0, driving_Nm) + 1e-6) << speed_rad_s;
+        }
+        EXPECT_GE(most_Nm, 0.5 * driving_Nm) << speed_rad_s;
+      }
+    }
+  }
+}
+
 // Friction that holds at rest and does not drive: what it adds there is in no row of motion.
 TEST(ErrorReport, RestHasRowsOfItsOwn) {
   Actuator actuator = knee();

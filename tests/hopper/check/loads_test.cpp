@@ -201,6 +201,33 @@ TEST(SharedBus, CountsTheSamplesWhosePowerIsTooMuch) {
   EXPECT_TRUE(shared_buses(driven.checked(), torques_Nm).empty());
 }
 
+// Together they return 100 W, 1 A at most is taken back: 1 (50 + 0.1) W. What a drive alone may not
+// return is its region's matter, and not counted here.
+TEST(SharedBus, CountsTheSamplesWhoseReturnIsTooMuch) {
+  DrivenMotion driven = on_one_battery(3);
+  for (Drivetrain& drivetrain : driven.robot.drivetrains) {
+    drivetrain.actuators[0].battery->charge_limit_A = 1.0;
+    drivetrain.actuators[0].drive.regeneration_limit_W = 10.0;
+  }
+  for (std::size_t sample = 0; sample < 3; ++sample) {
+    driven.demand.drives[0][sample].speed_rad_s = 4.0;
+    driven.demand.drives[1][sample].speed_rad_s = 3.0;
+  }
+  Eigen::MatrixXd torques_Nm(2, 3);
+  torques_Nm << 10.0, -60.0, -20.0,  //
+      10.0, 20.0, 20.0;
+  const std::vector<SharedBus> buses = shared_buses(driven.checked(), torques_Nm);
+  ASSERT_EQ(buses.size(), 1u);
+  EXPECT_EQ(buses[0].flooded, 1u);
+  const std::vector<Finding> findings = shared_bus_findings(driven.checked(), buses);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].rule, "battery-power");
+  EXPECT_EQ(findings[0].severity, actuator::Severity::kViolation);
+  EXPECT_NEAR(*findings[0].value, power_W(-60.0, 4.0) + power_W(20.0, 3.0), 1e-9);
+  EXPECT_NEAR(*findings[0].limit, -50.1, 1e-12);
+  EXPECT_DOUBLE_EQ(*findings[0].time_s, 0.01);
+}
+
 // A stiff wall of 50 V behind 2 ohm delivers 312.5 W, at 25 V, and no more.
 TEST(SharedBus, StandsAtHalfTheOpenCircuitWhereItGivesOut) {
   DrivenMotion driven = on_one_battery(2);

@@ -107,6 +107,17 @@ TEST(JointLimits, TakeTheFilesTorqueWhereItHasOneElseTheDynamics) {
   EXPECT_EQ(joint_limits(scene.checked()).size(), 1u);
 }
 
+TEST(JointLimits, TakeTheTorqueOfTheDynamicsWhereTheseAreAskedFor) {
+  Scene scene = arm();
+  scene.motion.has_effort[0] = true;
+  scene.motion.efforts.row(0).setConstant(900.0);
+  scene.demand.joint_effort.row(0) << 0.0, 0.0, 31.0, 0.0, 0.0;
+  scene.options.torques = TorqueSource::kDynamics;
+  const std::vector<Finding> findings = joint_limits(scene.checked());
+  ASSERT_EQ(findings.size(), 1u);
+  expect_finding(findings[0], "joint-torque", "hinge", 1.02, 31.0, 30.0);
+}
+
 // The slide has no drive and is pushed by 2 N at most; of 1e-8 N nobody need know.
 TEST(JointWithoutDrive, IsNamedWithWhatItNeeds) {
   Scene scene = arm();

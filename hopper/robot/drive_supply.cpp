@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/replay/drive_supply.hpp"
+#include "hopper/robot/drive_supply.hpp"
 
 #include <algorithm>
 
