@@ -17,8 +17,9 @@ using actuator::Verdict;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kClearlyBetter = 0.5;  // share of the other interpretation's mismatch
-constexpr double kNotable = 0.05;       // share of a drive's rms torque
+constexpr double kClearlyBetter = 0.5;    // share of the other interpretation's mismatch
+constexpr double kNotable = 0.05;         // share of a drive's rms torque
+constexpr double kNoBetter = 1.0 - 1e-9;  // of the dynamics' torque: as far off as no torque is
 
 MatrixXd by_dynamics(const Demand& demand, double DriveInstant::*torque) {
   const std::size_t samples = demand.drives.empty() ? 0 : demand.drives.front().size();
@@ -51,6 +52,8 @@ void compare(const CheckedMotion& checked, DriveTorques& torques) {
   Index sample = 0;
   const MatrixXd difference = file - (excludes ? without : with_rotors);
   const double worst_Nm = difference.cwiseAbs().maxCoeff(&drive, &sample);
+  torques.is_doubtful = torques.from_file && checked.options.torques == TorqueSource::kBest &&
+                        mismatch_Nm > kNoBetter * std::min(rms(with_rotors), rms(without));
   Finding& finding = torques.findings.emplace_back();
   finding.rule = "torque-agreement";
   if (mismatch_Nm > kNotable * rms(file)) finding.severity = actuator::Severity::kWarning;
@@ -62,7 +65,10 @@ void compare(const CheckedMotion& checked, DriveTorques& torques) {
       "Nm rms, {:.4g} Nm at most (t = {:.6g} s); the {} are held against the regions{}",
       excludes ? "without" : "with", mismatch_Nm, worst_Nm, *finding.time_s,
       torques.from_file ? "file's" : "dynamics'",
-      torques.from_file ? " (--torques dynamics for the others)" : "");
+      torques.is_doubtful ? "; they explain nothing of the motion, so that a pass by them is "
+                            "none: --torques states which count"
+      : torques.from_file ? " (--torques dynamics for the others)"
+                          : "");
 }
 
 void add_rotors(const Demand& demand, DriveTorques& torques) {

@@ -13,6 +13,9 @@ struct DriveTorques {
   actuator::InertiaConvention inertia = actuator::InertiaConvention::kIncluded;
   bool from_file = false;
   bool adds_rotors = false;  ///< To the file's, which are without theirs.
+  /// That the file's are no nearer to those of the dynamics than none at all, and nobody asked for
+  /// them: a dead column, or one of another sign.
+  bool is_doubtful = false;
   std::vector<Finding> findings;
 };
 

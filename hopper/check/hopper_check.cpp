@@ -163,6 +163,7 @@ Verdict verdict_of(const HopperReport& whole) {
       std::any_of(whole.transmission_loads.begin(), whole.transmission_loads.end(),
                   [](const TransmissionLoad& load) { return load.verdict == Verdict::kUndecided; });
   const bool is_undecided = some(Verdict::kUndecided) || is_load_open || report.drives.empty() ||
+                            whole.has_doubtful_torques ||
                             std::any_of(report.findings.begin(), report.findings.end(), is_open);
   return is_undecided ? Verdict::kUndecided : Verdict::kPass;
 }
@@ -196,6 +197,7 @@ HopperReport check_as_read(const Robot& robot, const CheckOptions& options, RowR
   report.check.drives = std::move(drives.drives);
   report.check.traces = std::move(drives.traces);
   report.torques_Nm = torques.torque_Nm;
+  report.has_doubtful_torques = torques.is_doubtful;
   report.gears = gear_torque(checked, torques);
   report.transmission_loads = transmission_loads(checked, report.gears);
   report.contact_loads = contact_loads(checked);

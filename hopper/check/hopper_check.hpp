@@ -13,7 +13,8 @@ namespace torquewright::hopper {
 struct HopperReport {
   actuator::CheckReport check;  ///< Verdict, drives, findings: as of actuator::check().
   BaseResidual base_residual;
-  Eigen::MatrixXd torques_Nm;  ///< By drive and sample: those that count, rotors included.
+  Eigen::MatrixXd torques_Nm;         ///< By drive and sample: those that count, rotors included.
+  bool has_doubtful_torques = false;  ///< DriveTorques::is_doubtful.
   GearTorque gears;
   std::vector<TransmissionLoad> transmission_loads;
   std::vector<ContactLoad> contact_loads;  ///< Empty without dynamics.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "actuator/region/torque_at.hpp"
 #include "identification/findings/doubts.hpp"
 #include "identification/findings/undetermined.hpp"
 #include "identification/findings/verdict.hpp"
@@ -60,6 +61,11 @@ class JointAnalysis {
     if (bench_.has_torque_balance()) {
       add_torque_and_position(held, results);
       for (const EquationResult& each : plain) doubt_what_goes_with_scale(each, results.front());
+      if (bench_.load_side == LoadSide::kSensor) {
+        doubt_what_one_factor_explains(actuator::reflected_inertia_kg_m2(bench_.actuator()),
+                                       actuator::before_gears_kg_m2(bench_.actuator()),
+                                       results.front());
+      }
       judge_again_if_doubted(results.front());
     }
     results.insert(results.end(), plain.begin(), plain.end());
@@ -115,7 +121,8 @@ class JointAnalysis {
           equations.begin(), equations.end(),
           [&](const ForwardEquation& other) { return other.quantity == each.quantity; });
       if (same == equations.end() || each.runs.empty() || held.rows.empty()) continue;
-      if (each.band_Hz > 0.0) options.band_Hz[each.quantity] = each.band_Hz;
+      const std::string& joint = bench_.rig->joints[bench_.joint];
+      if (each.band_Hz > 0.0) options.band_Hz[{joint, each.quantity}] = each.band_Hz;
       errors.back() = answer(bench_, log_, *same, held, folds_, options).before;
     }
     bench_.actuators[bench_.joint] = &nominal;

@@ -33,7 +33,7 @@ std::string broken_promise(const std::vector<std::filesystem::path>& logs, const
   IdentifyOptions options;
   options.select = false;
   for (const EquationResult& each : found.equations) {
-    if (each.band_Hz > 0.0) options.analysis.band_Hz[each.quantity] = each.band_Hz;
+    if (each.band_Hz > 0.0) options.analysis.band_Hz[{each.joint, each.quantity}] = each.band_Hz;
   }
   Rig as_written = rig;  // Nothing of the document is open any more.
   as_written.uncertain.clear();

@@ -35,6 +35,25 @@ bool is_constant_in_doubt(const EquationResult& result) {
   });
 }
 
+/// An effect's parameter and its standard error.
+struct Estimate {
+  double value = 0.0;
+  double error = 0.0;
+};
+Estimate estimate_of(const NamedEffect& effect, const char* parameter) {
+  const auto& errors = effect.standard_error;
+  const bool has_error = errors.contains(parameter) && errors[parameter].is_number();
+  return {effect.parameters.value(parameter, 0.0),
+          has_error ? errors[parameter].get<double>() : 0.0};
+}
+
+NamedEffect* sure_one(const char* effect, EquationResult& result) {
+  for (NamedEffect& each : result.added) {
+    if (each.effect == effect && is_certain(result, effect)) return &each;
+  }
+  return nullptr;
+}
+
 void doubt_certain_of_actuator(const std::string& why, EquationResult& result) {
   for (NamedEffect& each : result.added) {
     if (each.family != EffectFamily::kActuator || !is_certain(result, each.effect)) continue;
@@ -97,11 +116,7 @@ void doubt_what_harms_another(const EquationResult& harmed, const Errors& came_o
 void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& torque) {
   for (const NamedEffect& each : velocity.added) {
     if (each.effect != "velocity_mismatch") continue;
-    const double scale = each.parameters.value("scale", 1.0);
-    const double error =
-        each.standard_error.contains("scale") && each.standard_error["scale"].is_number()
-            ? each.standard_error["scale"].get<double>()
-            : 0.0;
+    const auto [scale, error] = estimate_of(each, "scale");
     if (std::abs(scale - 1.0) <= kErrorsOfScale * error) continue;
     for (NamedEffect& inertia : torque.added) {
       if (inertia.effect != "reflected_inertia" || !inertia.doubt.empty()) continue;
@@ -124,6 +139,32 @@ void doubt_what_follows_worse(const Errors& stated, const Errors& certain, doubl
       fmt::format("simulated with what is sure the log is followed worse, {:.4g} -> {:.4g}", before,
                   after),
       result);
+}
+
+void doubt_what_one_factor_explains(double inertia_kg_m2, double before_gears_kg_m2,
+                                    EquationResult& torque) {
+  NamedEffect* constant = sure_one("torque_constant_error", torque);
+  NamedEffect* inertia = sure_one("reflected_inertia", torque);
+  if (constant == nullptr || inertia == nullptr) return;
+  const Estimate factor = estimate_of(*constant, "factor");
+  const Estimate more_kg_m2 = estimate_of(*inertia, "inertia_kg_m2");
+  const auto agrees = [&](double expected_kg_m2, double slope_kg_m2) {
+    const double error_kg_m2 = std::hypot(more_kg_m2.error, slope_kg_m2 * factor.error);
+    return std::abs(more_kg_m2.value - expected_kg_m2) <= kErrorsOfScale * error_kg_m2;
+  };
+  std::string other;
+  if (agrees((factor.value - 1.0) * inertia_kg_m2, inertia_kg_m2)) {
+    other = "the torque sensor's gain would: calibrate it, or log the winding's voltage";
+  } else if (agrees((factor.value * factor.value - 1.0) * before_gears_kg_m2,
+                    2.0 * factor.value * before_gears_kg_m2)) {
+    other = "a gear ratio that is off by it would: count the teeth, or log the motor's position";
+  } else {
+    return;
+  }
+  constant->doubt = fmt::format("one factor, {:.4g}, explains it and the inertia together, as {}",
+                                factor.value, other);
+  inertia->doubt = "it goes with torque_constant_error by one factor";
+  constant->is_refuted = inertia->is_refuted = true;
 }
 
 }  // namespace torquewright::identification

@@ -32,4 +32,10 @@ void doubt_what_harms_another(const EquationResult& harmed, const Errors& came_o
 /// scale: times, angles or speeds are off by as much, and accelerations with them.
 void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& torque);
 
+/// A torque constant and an inertia that are off by one factor, or by it and its square, beside a
+/// torque sensor: its gain would have the former, a gear ratio the latter. The inertias as stated,
+/// at the output: all of them, and the part before the gears.
+void doubt_what_one_factor_explains(double inertia_kg_m2, double before_gears_kg_m2,
+                                    EquationResult& torque);
+
 }  // namespace torquewright::identification

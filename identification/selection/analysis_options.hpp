@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace torquewright::identification {
@@ -16,7 +17,8 @@ struct AnalysisOptions {
   std::uint64_t seed = 1;            ///< Of the noise replicas.
   std::vector<std::string> only;     ///< Effects that are asked about; empty: all ...
   std::vector<std::string> without;  ///< ... but these.
-  std::map<std::string, double> band_Hz;  ///< By quantity; else chosen by what stands out.
+  /// By joint and quantity; else chosen by what stands out.
+  std::map<std::pair<std::string, std::string>, double> band_Hz;
   /// Called with what is being done, and how much of all is done (0 to 1).
   std::function<void(const std::string&, double)> progress;
   /// Called often, while models are fitted; what it throws ends the work. May be empty.

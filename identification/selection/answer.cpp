@@ -358,7 +358,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
       with_what_is_determined(stated, held, fold_of_run), held, fold_of_run, rules);
   result.quantity = equation.quantity;
   result.unit = equation.unit;
-  const auto band = options.band_Hz.find(equation.quantity);
+  const auto band = options.band_Hz.find({bench.rig->joints[bench.joint], equation.quantity});
   const Rows rows(held.rows, fold_of_run,
                   {band != options.band_Hz.end() ? band->second
                                                  : telling_band_Hz(equation, held, fold_of_run)});

@@ -145,6 +145,26 @@ std::string sentence_of_verdict(const Identification& found, bool select) {
                      found.not_asked.empty() ? "of the library" : "that was asked", along(found));
 }
 
+constexpr double kApart = 5.0;  ///< Times what the next run, or noise, has left.
+
+/// Of a run in which more is left than in any other.
+std::string run_sentence(const Identification& found) {
+  for (const EquationResult& equation : found.equations) {
+    std::vector<RunResult> runs = equation.runs;
+    if (!is_open(equation) || runs.size() < 3) continue;
+    std::sort(runs.begin(), runs.end(),
+              [](const RunResult& a, const RunResult& b) { return a.rms_after > b.rms_after; });
+    const double next = std::max(runs[1].rms_after, equation.noise_floor_rms);
+    if (!(runs[0].rms_after > kApart * next)) continue;
+    return fmt::format(
+        " It is {} alone: {:.3g} {} are left in it, in any other run {:.3g} {} at most. See "
+        "whether "
+        "its load, its actuator or something on the rig was another.",
+        runs[0].run, runs[0].rms_after, equation.unit, runs[1].rms_after, equation.unit);
+  }
+  return "";
+}
+
 /// Of the clearest line that is the data's own.
 std::string line_sentence(const Identification& found) {
   for (const EquationResult& equation : found.equations) {
@@ -160,7 +180,7 @@ std::string line_sentence(const Identification& found) {
 }  // namespace
 
 std::string verdict_sentence(const Identification& found, bool select) {
-  return sentence_of_verdict(found, select) + line_sentence(found);
+  return sentence_of_verdict(found, select) + run_sentence(found) + line_sentence(found);
 }
 
 std::string not_asked_sentence(const Identification& found) {

@@ -130,5 +130,31 @@ TEST(Doubts, FallOnTorquesBesideATorqueConstantInDoubt) {
   EXPECT_TRUE(is_certain(result, "load_dependent_friction"));
 }
 
+/// Beside a torque sensor, at an output with 0.5 kg m^2 of which 0.4 stand before the gears.
+EquationResult with_constant_and_inertia(double factor, double inertia_kg_m2) {
+  EquationResult result;
+  result.unit = "Nm";
+  result.added = {named("torque_constant_error", "factor", 0.4, 0.2),
+                  named("reflected_inertia", "inertia_kg_m2", 0.2, 0.1)};
+  result.added[0].parameters["factor"] = factor;
+  result.added[0].standard_error["factor"] = 0.001;
+  result.added[1].parameters["inertia_kg_m2"] = inertia_kg_m2;
+  result.added[1].standard_error["inertia_kg_m2"] = 0.002;
+  doubt_what_one_factor_explains(0.5, 0.4, result);
+  return result;
+}
+
+// Oracle: tau g = g N Kt i - g J a of a sensor's gain; N r Kt i - r^2 J a of a ratio.
+TEST(Doubts, FallOnAConstantAndAnInertiaThatOneFactorExplains) {
+  const EquationResult gain = with_constant_and_inertia(1.1, 0.1 * 0.5 + 0.004);
+  EXPECT_TRUE(certain_of(gain).empty());
+  EXPECT_NE(gain.added[0].doubt.find("torque sensor's gain"), std::string::npos);
+  const EquationResult ratio = with_constant_and_inertia(1.1, 0.21 * 0.4 - 0.004);
+  EXPECT_TRUE(certain_of(ratio).empty());
+  EXPECT_NE(ratio.added[0].doubt.find("gear ratio"), std::string::npos);
+  EXPECT_EQ(certain_of(with_constant_and_inertia(1.1, 0.02)).size(), 2u);
+  EXPECT_EQ(certain_of(with_constant_and_inertia(1.1, -0.05)).size(), 2u);
+}
+
 }  // namespace
 }  // namespace torquewright::identification

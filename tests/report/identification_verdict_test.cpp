@@ -55,6 +55,25 @@ TEST(VerdictSentence, SaysWhatIsCertainBesideWhatIsNotToldApart) {
             "Missing from the model: a. The log cannot tell b and c apart.");
 }
 
+TEST(VerdictSentence, NamesTheRunThatDoesNotFitTheOthers) {
+  EquationResult equation_of_runs = equation("motor_current_A", Verdict::kUnexplained, {}, {});
+  equation_of_runs.unit = "A";
+  equation_of_runs.noise_floor_rms = 0.02;
+  for (const double rms_A : {0.03, 0.02, 1.3}) {
+    RunResult& run = equation_of_runs.runs.emplace_back();
+    run.run = rms_A > 1.0 ? "run3" : "another";
+    run.rms_after = rms_A;
+  }
+  const auto sentence = [&] {
+    return verdict_sentence(identification_of(Verdict::kUnexplained, {equation_of_runs}), true);
+  };
+  EXPECT_NE(sentence().find("It is run3 alone: 1.3 A are left in it, in any other run 0.03 A"),
+            std::string::npos)
+      << sentence();
+  equation_of_runs.runs[0].rms_after = 1.0;
+  EXPECT_EQ(sentence().find("alone"), std::string::npos);
+}
+
 // What is left of an equation that is explained is noise: it is not what is left.
 TEST(VerdictSentence, SpeaksOfTheEquationThatIsOpen) {
   const Identification found = identification_of(

@@ -309,6 +309,18 @@ TEST(DriveTorques, GetTheRotorsWhereTheFileLeavesThemOut) {
   EXPECT_EQ(torques.findings[0].severity, actuator::Severity::kNote);
 }
 
+// A column that is dead or of the other sign is no nearer to the dynamics than no torque is; one of
+// half the size is.
+TEST(DriveTorques, AreDoubtfulWhereTheFilesExplainNothing) {
+  for (const double factor : {0.0, -1.0, 0.5}) {
+    DrivenMotion driven = with_rotors();
+    driven.demand.file_torque_Nm = factor * rows_of(14.0, -16.0);
+    EXPECT_EQ(drive_torques(driven.checked()).is_doubtful, factor <= 0.0) << factor;
+    driven.options.torques = TorqueSource::kFile;
+    EXPECT_FALSE(drive_torques(driven.checked()).is_doubtful);
+  }
+}
+
 TEST(DriveTorques, AreThoseThatWereAskedFor) {
   DrivenMotion driven = with_rotors();
   EXPECT_EQ(drive_torques(driven.checked()).torque_Nm, rows_of(14.0, -16.0));
