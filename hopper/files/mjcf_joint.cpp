@@ -41,7 +41,12 @@ void read_axis(const Element& element, const Placed& placed, const MjcfContext& 
 
 bool is_limited(const Element& element, const char* limited, const MjcfContext& context) {
   const std::string stated = context.faults.one_of(element, limited, {"auto", "true", "false"});
-  return stated == "true" || (stated == "auto" && context.compiler.are_limits_automatic);
+  if (stated == "auto" && !context.compiler.are_limits_automatic) {
+    context.faults.report(element, fmt::format("has a range and does not say whether it holds, "
+                                               "which autolimits=\"false\" asks for: state {}",
+                                               limited));
+  }
+  return stated != "false";
 }
 
 double force_either_way(const Element& element, const char* range, const char* limited,

@@ -26,7 +26,8 @@ void refuse_ball(const Element& joint, Faults& faults);
 /// About x, y and z, in place of a ball joint.
 std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball);
 
-/// Whether a range holds: as stated, or where none is stated and limits are automatic.
+/// Whether a range holds: as stated, or where none is stated and limits are automatic. Where they
+/// are not it is a fault to state none.
 bool is_limited(const Element& element, const char* limited, const MjcfContext& context);
 
 /// What a range of force or control leaves in either direction, above zero: the smaller side.

@@ -119,6 +119,9 @@ double foot_at_rest_s(const Record& record, const StandingRule& rule) {
 std::string objection(const Robot& robot, const Reference& reference, const Record& record,
                       double at_rest_s, const StandingRule& rule) {
   const RecordRow& last = record.rows.back();
+  if (last.touches.size() > 0 && !last.touches.any()) {
+    return "at the end of the time that it is watched, no foot touches the ground";
+  }
   if (at_rest_s < rule.at_rest_s) {
     return fmt::format(
         "at the end of the time that it is watched, its feet are at rest for {:.3g} s only, where "

@@ -110,6 +110,7 @@ std::string inertia_text(const DesignReport& report) {
                        *report.reflected_inertia_kg_m2,
                        report.rotor_inertia_at_output_kg_m2.value_or(0.0));
   }
+  if (report.ratio == 0) return "not known, the output stands still";
   const std::string needed = "the gears need face_width_mm and materials";
   if (!report.rotor_inertia_at_output_kg_m2) return "not known, " + needed;
   return fmt::format("{:.4g} kg m^2 at the output from the rotor alone; {}",
