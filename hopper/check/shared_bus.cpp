@@ -18,6 +18,8 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double kRounding = 1e-9;  // of the greatest power
+
 std::vector<const actuator::Actuator*> drives_of(const Robot& robot) {
   std::vector<const actuator::Actuator*> drives;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
@@ -43,9 +45,6 @@ void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator,
     if (asked) power_W[sample] += asked->bus_power_W;
   }
 }
-
-/// What rounding may add to a limit of power.
-constexpr double kRounding = 1e-9;
 
 void settle(const CheckedMotion& checked, const actuator::Supply& supply,
             const Eigen::VectorXd& power_W, SharedBus& bus) {

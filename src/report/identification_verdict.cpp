@@ -158,8 +158,7 @@ std::string run_sentence(const Identification& found) {
     if (!(runs[0].rms_after > kApart * next)) continue;
     return fmt::format(
         " It is {} alone: {:.3g} {} are left in it, in any other run {:.3g} {} at most. See "
-        "whether "
-        "its load, its actuator or something on the rig was another.",
+        "whether its load, its actuator or something on the rig was another.",
         runs[0].run, runs[0].rms_after, equation.unit, runs[1].rms_after, equation.unit);
   }
   return "";
