@@ -59,7 +59,6 @@ void advance_motion(std::vector<Instant>& at, double delay_s, double step_s) {
                      &Instant::output_angle_rad, &Instant::motor_angle_rad, &Instant::direction}) {
     advance_field(at, field, delay_s, step_s);
   }
-  for (Instant& each : at) each.direction = std::clamp(each.direction, -1.0, 1.0);
 }
 
 bool is_same_load(const Rig& a, const Rig& b) { return a.load == b.load && a.loads == b.loads; }
@@ -76,7 +75,9 @@ Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals
   Motion motion{
       signals.at, {}, load_of(bench, hypothesis, signals), signals.motor_acceleration_rad_s2};
   motion.drive.resize(signals.size());
+  const bool is_filtered = !signals.filtered_direction.empty();
   for (std::size_t i = 0; i < signals.size(); ++i) {
+    if (is_filtered) motion.at[i].direction = signals.filtered_direction[i];
     motion.drive[i] =
         bench.drive == Drive::kVoltage ? signals.voltage_V[i] : signals.at[i].current_A;
   }
@@ -121,11 +122,11 @@ template <typename Law>
 double over_directions(Instant& at, const Law& law) {
   const double forward = 0.5 * (1.0 + at.direction);
   double sum = 0.0;
-  if (forward > 0.0) {
+  if (forward != 0.0) {
     at.direction = 1.0;
     sum += forward * law(at);
   }
-  if (forward < 1.0) {
+  if (forward != 1.0) {
     at.direction = -1.0;
     sum += (1.0 - forward) * law(at);
   }

@@ -28,10 +28,10 @@ struct WaveRows {
 /// What a smooth model of a torque balance is made of.
 const std::vector<double (*)(const Signals&, std::size_t)>& smooth_columns() {
   static const std::vector<double (*)(const Signals&, std::size_t)> columns = {
-      [](const Signals& s, std::size_t i) { return s.at[i].direction; },
+      [](const Signals& s, std::size_t i) { return s.filtered_direction[i]; },
       [](const Signals& s, std::size_t i) { return s.at[i].speed_rad_s; },
       [](const Signals& s, std::size_t i) {
-        return std::abs(s.at[i].load_torque_Nm) * s.at[i].direction;
+        return std::abs(s.at[i].load_torque_Nm) * s.filtered_direction[i];
       },
       [](const Signals& s, std::size_t i) { return s.at[i].load_torque_Nm; },
       [](const Signals& s, std::size_t i) { return s.at[i].acceleration_rad_s2; },

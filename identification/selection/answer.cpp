@@ -175,6 +175,14 @@ std::vector<std::string> same_on_such_a_rig(const Bench& bench, const ForwardEqu
   return exact;
 }
 
+/// One of those, or what contains one of them and says no more by being as good.
+bool says_the_same(const EffectCandidate& rival, const std::vector<std::string>& exact) {
+  return std::any_of(exact.begin(), exact.end(), [&](const std::string& effect) {
+    return rival.effect == effect ||
+           std::find(rival.tends_to.begin(), rival.tends_to.end(), effect) != rival.tends_to.end();
+  });
+}
+
 /// Exact groups, and what stands in the place of a member in rivals that do without it.
 void append_groups(const Bench& bench, const ForwardEquation& equation, const Found& found,
                    EquationResult& result) {
@@ -185,10 +193,8 @@ void append_groups(const Bench& bench, const ForwardEquation& equation, const Fo
     for (const ModelFit& rival : found.rivals) {
       if (rival.holds(named.effect)) continue;
       for (const EffectCandidate* each : rival.members) {
-        const auto is_in = [&](const std::vector<std::string>& list) {
-          return std::find(list.begin(), list.end(), each->effect) != list.end();
-        };
-        if (!found.best.holds(each->effect) && !is_in(others) && !is_in(exact)) {
+        const bool is_known = std::find(others.begin(), others.end(), each->effect) != others.end();
+        if (!found.best.holds(each->effect) && !is_known && !says_the_same(*each, exact)) {
           others.push_back(each->effect);
         }
       }

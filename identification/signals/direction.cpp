@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kWithinNoise = 3.0;          ///< Deviations within which a sign is not known.
 constexpr double kBeyondNoise = 4.0;          ///< The same of wide bands: they are asked oftener.
+constexpr double kNear = 1.0;                 ///< Periods of a band's cut-off.
 constexpr double kBands[] = {2.0, 4.0, 8.0};  ///< Times the low-pass's own.
 constexpr double kHighest = 0.45;             ///< Of the sampling rate.
 
@@ -21,14 +22,20 @@ double velocity_noise(double deviation_rad, double cutoff_Hz, double step_s) {
   return deviation_rad * 2.0 * std::numbers::pi * cutoff_Hz * std::sqrt(share / 3.0);
 }
 
-/// Puts a wider band's velocity where it is beyond its noise.
+/// Puts a wider band's velocity where it is beyond its noise, and where it turns between two such
+/// samples that are so near that a narrower band would move the reversal further than noise does.
 void widen(double cutoff_Hz, const std::vector<double>& unfiltered_rad,
            const PositionSamples& samples, std::vector<double>& velocity_rad_s) {
   const std::vector<double> wide = velocity_below(cutoff_Hz, unfiltered_rad, samples.step_s);
   const double known =
       kBeyondNoise * velocity_noise(samples.deviation_rad, cutoff_Hz, samples.step_s);
+  const auto near = static_cast<std::size_t>(kNear / (cutoff_Hz * samples.step_s));
+  std::size_t last = wide.size();
   for (std::size_t i = 0; i < wide.size(); ++i) {
-    if (std::abs(wide[i]) > known) velocity_rad_s[i] = wide[i];
+    if (std::abs(wide[i]) <= known) continue;
+    const bool turns = last < i && i - last <= near && wide[i] * wide[last] < 0.0;
+    for (std::size_t k = turns ? last + 1 : i; k <= i; ++k) velocity_rad_s[k] = wide[k];
+    last = i;
   }
 }
 

@@ -26,6 +26,7 @@ std::optional<Signals> unfiltered_run(const Log& log, std::size_t run, const Ben
   if (is_sensor) signals->motor_acceleration_rad_s2 = smooth->motor_acceleration_rad_s2;
   for (std::size_t i = 0; i < signals->size(); ++i) {
     signals->at[i].direction = smooth->at[i].direction;
+    signals->filtered_direction[i] = smooth->at[i].direction;
     if (is_sensor) signals->at[i].acceleration_rad_s2 = smooth->at[i].acceleration_rad_s2;
   }
   return signals;

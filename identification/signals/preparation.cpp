@@ -158,6 +158,7 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
   const std::vector<double> temperature_K = winding_temperature_K(grid, actuator);
   const std::vector<double> motor_angle_rad = grid.read_if_any(Quantity::kMotorPosition);
   signals.at = instants(motion, direction, motor_angle_rad, temperature_K, actuator);
+  signals.filtered_direction = grid.filtered(direction);
   signals.voltage_V = winding_voltage_V(grid, actuator);
   signals.bus_V = grid.read_if_any(Quantity::kBusVoltage);
   read_logged_speeds(grid, signals);

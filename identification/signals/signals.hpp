@@ -40,6 +40,9 @@ struct Signals {
   double start_s = 0.0;
   std::vector<double> time_s;
   std::vector<actuator::Instant> at;  ///< Output side; current from the drive's side.
+  /// Of the motion, through the low-pass of the channels: what they hold of a friction's step, with
+  /// the overshoot of a filter. `at` holds it as it is; empty: these are all that there is.
+  std::vector<double> filtered_direction;
   std::vector<double> motor_side_Nm;  ///< N Kt i of the stated constants.
   std::vector<double> load_side_Nm;   ///< On the load: sensor, or the rig's model.
   std::vector<double> voltage_V;      ///< Of the winding; empty if unknown.

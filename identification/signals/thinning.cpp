@@ -33,8 +33,8 @@ void average_directions(std::vector<actuator::Instant>& at, std::size_t factor) 
 
 void thin(Signals& signals, std::size_t factor) {
   for (std::vector<double>* values :
-       {&signals.time_s, &signals.motor_side_Nm, &signals.load_side_Nm, &signals.voltage_V,
-        &signals.bus_V, &signals.bus_A, &signals.logged_velocity_rad_s,
+       {&signals.time_s, &signals.filtered_direction, &signals.motor_side_Nm, &signals.load_side_Nm,
+        &signals.voltage_V, &signals.bus_V, &signals.bus_A, &signals.logged_velocity_rad_s,
         &signals.motor_velocity_rad_s, &signals.motor_acceleration_rad_s2, &signals.twist_rad}) {
     thin_values(*values, factor);
   }

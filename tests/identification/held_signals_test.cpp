@@ -6,10 +6,13 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 
+#include "actuator/effects/library.hpp"
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/log/stretch.hpp"
+#include "identification/signals/rows.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::held_signals_test {
@@ -27,8 +30,13 @@ constexpr double kRoundOff = 1e-7;
 
 constexpr std::size_t kAllRows = 1000000;
 
+/// Torque on the output beside the motor's, by the speed.
+double smooth_friction_Nm(double speed_rad_s) {
+  return -0.4 * std::tanh(speed_rad_s / 0.05) - 0.03 * speed_rad_s;
+}
+
 /// Runs of 31.8 s at 1 kHz.
-Log whole_log() {
+Log whole_log(double (*friction_Nm)(double speed_rad_s) = smooth_friction_Nm) {
   Log log;
   for (std::size_t r = 0; r < MadeBench::kRuns; ++r) {
     Run run;
@@ -43,8 +51,7 @@ Log whole_log() {
       run.time_s.push_back(t);
       run.joints[0][Quantity::kOutputPosition].push_back(MadeBench::angle_rad(r, t));
       run.joints[0][Quantity::kMotorCurrent].push_back(MadeBench::current_A(r, t));
-      run.joints[0][Quantity::kOutputTorque].push_back(torque - 0.4 * std::tanh(speed / 0.05) -
-                                                       0.03 * speed);
+      run.joints[0][Quantity::kOutputTorque].push_back(torque + friction_Nm(speed));
     }
     run.masked.assign(kSamples, 0);
     log.runs.push_back(std::move(run));
@@ -127,6 +134,34 @@ TEST(HeldSignals, HoldsRowsOfAPartOnly) {
   EXPECT_GE(prepared.held.rows.size(), 3u);
   EXPECT_LE(prepared.held.rows.size(), 5u);
   EXPECT_EQ(Prepared(whole_log()).held.rows.size(), MadeBench::kRuns);
+}
+
+// A sensor shows a friction's step as the filters pass it; the prediction must go through the same.
+// Oracle: closed form. Samples know a reversal to half a step h, which leaves the area c h of a
+// friction c; a filter 1/(1 + (f/fc)^4) makes of an impulse the square 2 fc pi 3/(8 sqrt 2), by its
+// integral over frequency, and the signals' own filter no more.
+TEST(HeldSignals, HoldTheBalanceThroughReversals) {
+  constexpr double kFriction_Nm = 0.4, kStep_s = 0.001, kBand_Hz = 24.0;
+  Prepared log(whole_log([](double speed) { return speed > 0.0 ? -kFriction_Nm : kFriction_Nm; }));
+  log.rig.actuator.effects = {
+      {actuator::find_effect("coulomb_friction"), {kFriction_Nm}, {}, false, ""}};
+  const Rows rows(log.held.rows, {0, 0, 0, 0}, {kBand_Hz});
+  const Eigen::VectorXd left = rows.values([&](const Signals& signals) {
+    return torque_balance_Nm(log.bench, {log.rig.actuator, log.rig.rig, {}}, signals);
+  });
+  double reversals = 0.0, duration_s = 0.0;
+  for (std::size_t r = 0; r < MadeBench::kRuns; ++r) {
+    for (std::size_t k = 1; k < kSamples; ++k) {
+      const double t = kStep_s * static_cast<double>(k);
+      reversals += MadeBench::speed_rad_s(r, t) * MadeBench::speed_rad_s(r, t - kStep_s) < 0.0;
+    }
+    duration_s += kStep_s * static_cast<double>(kSamples);
+  }
+  ASSERT_GT(reversals, 50.0);
+  const double of_an_impulse_Hz =
+      2.0 * kBand_Hz * std::numbers::pi * 3.0 / (8.0 * std::numbers::sqrt2);
+  const double square = std::pow(kFriction_Nm * kStep_s, 2) * of_an_impulse_Hz;
+  EXPECT_LT(left.squaredNorm() / static_cast<double>(left.size()), square * reversals / duration_s);
 }
 
 }  // namespace

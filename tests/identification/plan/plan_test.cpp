@@ -249,7 +249,11 @@ TEST(PlannedColumns, AreTheLawsBehindAGearWithoutLosses) {
     const Eigen::VectorXd found = planned_rows(bench, rows, {columns[index]});
     const Eigen::VectorXd known = rows.values([&](const Signals& stretch) {
       std::vector<double> values;
-      for (const actuator::Instant& at : stretch.at) values.push_back(law(at));
+      for (std::size_t i = 0; i < stretch.size(); ++i) {
+        actuator::Instant seen = stretch.at[i];
+        seen.direction = stretch.filtered_direction[i];
+        values.push_back(law(seen));
+      }
       return values;
     });
     ASSERT_GT(known.norm(), 0.0) << effect;
