@@ -40,5 +40,17 @@ TEST(CannotExist, IsNotSaidOfAGearboxThatDoes) {
   EXPECT_EQ(count(place.text("knee.svg"), "CANNOT EXIST"), 0U);
 }
 
+// Oracle: of 3K gears the ratio is that of S (P1 - P2): planets alike let the output stand still,
+// and no ratio is what reflects an inertia.
+TEST(CannotExist, IsARatioWherePlanetsAreAlike) {
+  Workplace place;
+  place.write("knee.json", knee());
+  const Outcome outcome = place.run({"gearbox", "evaluate", "knee.json", "--teeth", "44,44,44"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(count(outcome.out, "  ratio             does not exist, the output stands still"), 1U)
+      << outcome.out;
+  EXPECT_EQ(count(outcome.out, "not known, the output stands still"), 1U) << outcome.out;
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test

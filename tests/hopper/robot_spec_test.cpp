@@ -94,6 +94,15 @@ TEST_F(RobotSpec, TakesTheActuatorsReflectedInertiaUnlessTheJointStatesOne) {
   EXPECT_EQ(read_robot(written(document)).robot.tree.bodies[1].joint.reflected_inertia, 0.1);
 }
 
+// The same N^2 J, in kg, where N is the rotor's turn over the slide's way.
+TEST_F(RobotSpec, ASlideTakesItsActuatorsRotorToo) {
+  json document = leg();
+  document["joints"][0].erase("reflected_mass_kg");
+  document["mechanisms"][0]["joints"] = {"toe"};
+  EXPECT_NEAR(read_robot(written(document)).robot.tree.bodies[2].joint.reflected_inertia, 0.3688,
+              1e-12);
+}
+
 struct Bad {
   const char* pointer;  // what is changed, and where the fault is found
   json value;

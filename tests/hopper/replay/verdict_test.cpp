@@ -132,6 +132,14 @@ TEST(ReplayVerdict, HoppingAndSlidingAreNotStanding) {
   }
 }
 
+TEST(ReplayVerdict, AFootInTheAirAtTheEndIsWhatIsSaid) {
+  Record record = turning(1.0, kPlanned_s, 2.0);
+  record.rows.back().touches.setConstant(false);
+  const ReplayOutcome outcome = outcome_of(hopper_robot(), one_turn(), record, {});
+  EXPECT_EQ(outcome.verdict, ReplayVerdict::kFell);
+  EXPECT_NE(outcome.reason.find("no foot touches the ground"), std::string::npos) << outcome.reason;
+}
+
 TEST(ReplayVerdict, ABodyThatStillMovesDoesNotStand) {
   const StandingRule rule;
   Record record = turning(1.0, kPlanned_s, 2.0);
