@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+
+#include "actuator/effects/library.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -15,7 +18,9 @@ using Parameters = decltype(NamedEffect::parameters);
 constexpr double kErrorsOfScale = 3.0;
 constexpr double kAsPromised = 1.05;   ///< The rig's own uncertain values are as stated.
 constexpr double kOfNoiseFloor = 0.2;  ///< What that may change besides.
-constexpr double kNoise = 1.58;        ///< Floors, up to which a simulation's error is noise.
+constexpr char kSpeed[] = "output_velocity_rad_s";
+constexpr double kMost = 0.5;    ///< Of the squares that are left.
+constexpr double kNoise = 1.58;  ///< Floors, up to which a simulation's error is noise.
 
 /// Whether a number in it is a torque, or an inertia: what scales with the torque constant.
 bool holds_a_torque(const Parameters& parameters) {
@@ -47,6 +52,12 @@ Estimate estimate_of(const NamedEffect& effect, const char* parameter) {
           has_error ? errors[parameter].get<double>() : 0.0};
 }
 
+bool is_law_of_speed(const NamedEffect& named) {
+  const actuator::EffectKind* kind = actuator::find_effect(named.effect);
+  return kind != nullptr && kind->acts == actuator::Acts::kDrag && !kind->has_harmonics &&
+         kind->name != "load_dependent_friction";
+}
+
 NamedEffect* sure_one(const char* effect, EquationResult& result) {
   for (NamedEffect& each : result.added) {
     if (each.effect == effect && is_certain(result, effect)) return &each;
@@ -64,6 +75,18 @@ void doubt_certain_of_actuator(const std::string& why, EquationResult& result) {
 
 }  // namespace
 
+double Left::floors() const {
+  return std::sqrt((squares + noise) / std::max(std::numeric_limits<double>::min(), noise));
+}
+
+std::string doubt_beside(const Left& left, double squares, double most_floors) {
+  if (left.floors() <= most_floors || squares >= left.squares) return "";
+  return fmt::format(
+      "{:.2g} noise floors are left beside it, more than it takes: what is missing may take its "
+      "place",
+      left.floors());
+}
+
 void append_doubts(EquationResult& result) {
   for (NamedEffect& each : result.added) {
     if (each.holdout_rms_after > each.holdout_rms_before) {
@@ -75,6 +98,22 @@ void append_doubts(EquationResult& result) {
                is_certain(result, each.effect)) {
       each.doubt = "its size goes with the torque constant's, which is not told apart from others";
     }
+  }
+}
+
+void doubt_laws_of_drag(double noise_floors, EquationResult& result) {
+  if (!(result.after.train_rms > noise_floors * result.noise_floor_rms)) return;
+  for (const ResidualStructure& left : result.structure_after) {
+    const bool is_of_speed = left.coordinate == kSpeed && is_significant(left);
+    if (!is_of_speed || left.share <= kMost) continue;
+    for (NamedEffect& each : result.added) {
+      if (!is_law_of_speed(each) || !each.doubt.empty()) continue;
+      each.doubt = fmt::format(
+          "of the {:.2g} noise floors that are left beside it {:.0f} % of the square still goes "
+          "with the speed: the drag is another law of it",
+          result.after.train_rms / result.noise_floor_rms, 100.0 * left.share);
+    }
+    return;
   }
 }
 

@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "identification/findings/result.hpp"
 
 namespace torquewright::identification {
+
+/// Squares that a model leaves where it was not fitted, beyond those of noise; and noise's.
+struct Left {
+  double squares = 0.0, noise = 0.0;
+  double floors() const;
+};
+
+/// Why an effect that takes `squares` of them is not sure: where more than `most_floors` are left,
+/// a smaller one may stand for a part of what the model lacks. Empty: it is no doubt.
+std::string doubt_beside(const Left& left, double squares, double most_floors);
 
 /// Doubts about what an equation named, beside the groups that hold others: what raises the error
 /// of the runs that no fit saw is not sure, and a torque is known no better than the torque
 /// constant beside it. docs/derivations/identification.md section 7.
 void append_doubts(EquationResult& result);
+
+/// Laws of drag where more than `noise_floors` are left and most of that still goes with the speed:
+/// the drag is another law of it.
+void doubt_laws_of_drag(double noise_floors, EquationResult& result);
 
 /// Leaves nothing certain where what is certain raises, all together, the error of the runs that no
 /// fit saw: of the equation itself by EquationResult::with_certain.

@@ -96,7 +96,20 @@ std::vector<std::size_t> by_gain(const Found& found) {
   return order;
 }
 
-void name_members(const ModelFitter& fitter, const Found& found, EquationResult& result) {
+Left left_in(const Rows& rows, const ModelFit& fit, bool held_out) {
+  Left left;
+  for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
+    if (rows.blocks()[b].is_held_out() != held_out) continue;
+    left.squares += std::max(0.0, fit.unseen[b]);
+    left.noise += fit.sums[b].noise;
+  }
+  return left;
+}
+
+void name_members(const ModelFitter& fitter, const Found& found, const SearchRules& rules,
+                  EquationResult& result) {
+  const Left seen = left_in(fitter.rows(), found.best, false);
+  const Left held_out = left_in(fitter.rows(), found.best, true);
   Errors last = errors_over(fitter.equation(), fitter.rows(), found.empty.residual);
   EffectSet members;
   double before = std::max(1e-300, found.empty.unseen_loss);
@@ -120,6 +133,9 @@ void name_members(const ModelFitter& fitter, const Found& found, EquationResult&
     named.replaces = stated_parts_of(*found.best.members[m], fitter.equation().stated.actuator);
     named.evidence = evidence_for(found.gains[m], found.gains[m].gain / before) +
                      undetermined_words(undetermined_parameters(named));
+    named.doubt = doubt_beside(held_out, found.gains[m].held_out_gain, rules.unexplained_floors);
+    if (named.doubt.empty())
+      named.doubt = doubt_beside(seen, found.gains[m].gain, rules.unexplained_floors);
     last = after;
     const auto same = std::find_if(result.added.begin(), result.added.end(), [&](const auto& each) {
       return found.best.members[m]->order > 0.0 && is_wave_of(each, named);
@@ -388,9 +404,10 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   result.structure_after =
       kept.members.empty() ? result.structure_before : structure_left(rows, kept.residual);
   result.is_noise_after = leaves_noise(search, fitter, kept, result.structure_after);
-  name_members(fitter, found, result);
+  name_members(fitter, found, rules, result);
   append_groups(bench, equation, found, result);
   append_doubts(result);
+  doubt_laws_of_drag(rules.unexplained_floors, result);
   describe_refused(judged, found, rules, result);
   result.runs = run_results(equation, rows, found.empty.residual, kept.residual);
   if (options.select) result.models = models_within_noise(bench, fitter, found);

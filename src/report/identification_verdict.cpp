@@ -57,6 +57,26 @@ bool goes_with_nothing(const Identification& found) {
   });
 }
 
+/// Names, and why they are not sure, where no other is named for them.
+struct Doubt {
+  std::vector<std::string> names;
+  std::string why;
+};
+std::vector<Doubt> doubts(const Identification& found) {
+  std::vector<Doubt> all;
+  for (const EquationResult& equation : found.equations) {
+    for (const NamedEffect& each : equation.added) {
+      if (each.doubt.empty()) continue;
+      auto same = std::find_if(all.begin(), all.end(),
+                               [&](const Doubt& other) { return other.why == each.doubt; });
+      if (same == all.end()) same = all.insert(all.end(), {{}, each.doubt});
+      if (std::find(same->names.begin(), same->names.end(), each.effect) == same->names.end())
+        same->names.push_back(each.effect);
+    }
+  }
+  return all;
+}
+
 /// A sentence for each group of which the log does not say which it is, and for each doubt.
 std::vector<std::string> undecided(const Identification& found) {
   std::vector<std::string> sentences;
@@ -72,10 +92,8 @@ std::vector<std::string> undecided(const Identification& found) {
                       fmt::join(group.effects, " and ")));
     }
   }
-  for (const EquationResult& equation : found.equations) {
-    for (const NamedEffect& each : equation.added) {
-      if (!each.doubt.empty()) add(fmt::format("Not sure of {}: {}.", each.effect, each.doubt));
-    }
+  for (const auto& [names, doubt] : doubts(found)) {
+    add(fmt::format("Not sure of {}: {}.", fmt::join(names, ", "), doubt));
   }
   return sentences;
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "identification/findings/verdict.hpp"
 
 namespace torquewright::identification {
@@ -47,6 +49,31 @@ TEST(Doubts, GroupsOfEitherKindLeaveNoNameSure) {
     EXPECT_FALSE(is_certain(result, "viscous_friction"));
     EXPECT_TRUE(is_certain(result, "load_dependent_friction"));
     EXPECT_EQ(verdict_of(result, true), exact ? Verdict::kExplained : Verdict::kCannotTell);
+  }
+}
+
+// Of 9.9 floors, whose square is that of noise 98 times, 97 are the model's.
+TEST(Doubts, FallOnWhatTakesLessThanIsLeft) {
+  const Left left{97.0, 1.0};
+  EXPECT_NEAR(left.floors(), std::sqrt(98.0), 1e-12);
+  EXPECT_NE(doubt_beside(left, 96.0, 3.0).find("9.9 noise floors"), std::string::npos);
+  EXPECT_EQ(doubt_beside(left, 97.0, 3.0), "");
+  EXPECT_EQ(doubt_beside({7.9, 1.0}, 1.0, 3.0), "");
+}
+
+// Friction that leaves its own error along the speed is no such friction; a spring may be there.
+TEST(Doubts, FallOnLawsOfDragWhereTheRestGoesWithTheSpeed) {
+  for (const double share : {0.49, 0.51}) {
+    for (const double floors : {2.9, 3.1}) {
+      EquationResult result = with_two(0.3, 0.1);
+      result.added[1].effect = "parallel_spring";
+      result.after = {0.1 * floors, 0.1};
+      result.noise_floor_rms = 0.1;
+      result.structure_after = {{"output_velocity_rad_s", true, share, 0.0, {}, {}}};
+      doubt_laws_of_drag(3.0, result);
+      EXPECT_EQ(is_certain(result, "viscous_friction"), share < 0.5 || floors < 3.0);
+      EXPECT_TRUE(is_certain(result, "parallel_spring"));
+    }
   }
 }
 

@@ -117,12 +117,12 @@ TEST(VerdictSentence, CallsNoModelWrongForWhatGoesWithNothing) {
 }
 
 TEST(VerdictSentence, SaysWhatNoLogOfSuchARigTellsAndWhatIsInDoubt) {
-  EquationResult torque = equation("output_torque_Nm", Verdict::kCannotTell, {"a", "b", "c"});
+  EquationResult torque = equation("output_torque_Nm", Verdict::kCannotTell, {"a", "b", "c", "e"});
   torque.confounded.push_back({{"b", "d"}, true, "", "another"});
-  torque.added[2].doubt = "it raises the error";
+  torque.added[2].doubt = torque.added[3].doubt = "it raises the error";
   EXPECT_EQ(
       verdict_sentence(identification_of(Verdict::kCannotTell, {torque}), true),
-      "Missing from the model: a. No log of such a rig tells b and d apart. Not sure of c: it "
+      "Missing from the model: a. No log of such a rig tells b and d apart. Not sure of c, e: it "
       "raises the error.");
 }
 
