@@ -60,29 +60,34 @@ AtParts at_parts(std::size_t step, std::size_t samples, const ValueAt& value_at)
   return values;
 }
 
-/// One effect, through the stretch. Friction follows the motion alone, a lag the motor's torque.
-void add_history(const actuator::Actuator& actuator, const actuator::Effect& effect,
-                 const std::vector<Instant>& at, const std::vector<double>& motor_Nm, double step_s,
-                 std::vector<double>& sum_Nm) {
+bool is_friction_of(const actuator::Effect& effect) { return effect.kind->name != "torque_lag"; }
+
+/// One effect's torque, at every part of every step. Friction follows the motion alone, a lag the
+/// motor's torque.
+std::vector<double> history_Nm(const actuator::Effect& effect, const std::vector<Instant>& at,
+                               const std::vector<double>& motor_Nm, double step_s) {
   const std::size_t n = at.size();
   const double part_s = step_s / kParts;
-  const bool is_friction = effect.kind->name != "torque_lag";
+  const bool is_friction = is_friction_of(effect);
+  std::vector<double> torque_Nm;
+  torque_Nm.reserve(n * kParts);
   double state = is_friction ? 0.0 : motor_Nm.front();
-  for (std::size_t i = 0; i < n; ++i) {
-    Instant now = at[i];
+  Instant now = at.front();
+  const auto add = [&](double input_Nm) {
     now.state = state;
-    now.input = motor_Nm[i];
-    const double torque_Nm = effect.kind->law(effect, now);
-    sum_Nm[i] += is_friction ? torque_Nm * actuator::drag_factor(actuator, now) : torque_Nm;
-    if (i + 1 == n) break;
+    now.input = input_Nm;
+    torque_Nm.push_back(effect.kind->law(effect, now));
+  };
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    now = at[i];
     const AtParts angle_rad =
         at_parts(i, n, [&](std::size_t sample) { return at[sample].output_angle_rad; });
     AtParts input{};
     if (!is_friction) input = at_parts(i, n, [&](std::size_t sample) { return motor_Nm[sample]; });
     for (std::size_t part = 0; part < kParts; ++part) {
+      add(input[part]);
       now.speed_rad_s = (angle_rad[part + 1] - angle_rad[part]) / part_s;
       now.direction = now.speed_rad_s > 0.0 ? 1.0 : now.speed_rad_s < 0.0 ? -1.0 : 0.0;
-      now.input = input[part];
       const LinearRate begin = rate_at(effect, now, state);
       LinearRate end = begin;
       if (!is_friction) {
@@ -92,6 +97,9 @@ void add_history(const actuator::Actuator& actuator, const actuator::Effect& eff
       state = advanced_state(begin, end, state, part_s);
     }
   }
+  now = at.back();
+  add(motor_Nm.back());
+  return torque_Nm;
 }
 
 bool is_neutral(const actuator::Effect& effect) {
@@ -102,12 +110,18 @@ bool is_neutral(const actuator::Effect& effect) {
 
 std::vector<double> torque_of_histories_Nm(const actuator::Actuator& actuator,
                                            const std::vector<Instant>& at,
-                                           const std::vector<double>& motor_Nm, double step_s) {
+                                           const std::vector<double>& motor_Nm, double step_s,
+                                           double cutoff_Hz) {
   std::vector<double> sum_Nm(at.size(), 0.0);
   if (at.empty() || !(step_s > 0.0)) return sum_Nm;
   for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->state_rate != nullptr && !is_neutral(effect)) {
-      add_history(actuator, effect, at, motor_Nm, step_s, sum_Nm);
+    if (effect.kind->state_rate == nullptr || is_neutral(effect)) continue;
+    std::vector<double> torque_Nm = history_Nm(effect, at, motor_Nm, step_s);
+    const bool is_friction = is_friction_of(effect);
+    if (is_friction && cutoff_Hz > 0.0) LowPass(cutoff_Hz, kParts / step_s).apply(torque_Nm);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const double factor = is_friction ? actuator::drag_factor(actuator, at[i]) : 1.0;
+      sum_Nm[i] += factor * torque_Nm[i * kParts];
     }
   }
   return sum_Nm;

@@ -24,7 +24,7 @@ using actuator::Acts;
 using actuator::Actuator;
 using actuator::Instant;
 
-constexpr double kMostTurnsPerSample = 0.35;     ///< Of a wave: faster, it would fold.
+constexpr double kMostTurnsPerSample = 0.5;      ///< Of a wave: faster, it would fold.
 constexpr double kLeastSlope = 0.05;             ///< Of the stated one.
 constexpr double kMostGain = 1.0 / kLeastSlope;  ///< Of a mesh that nearly locks.
 
@@ -171,27 +171,29 @@ void subtract_gap(const Bench& bench, const Hypothesis& hypothesis, const Signal
   }
 }
 
-/// An actuator without those waves that turn too fast for the signals' step, where they would fold
-/// into the band; their mean over a step is nothing.
-class SlowWaves {
+/// An actuator whose waves are as large as the signals' low-pass leaves them, and as nothing where
+/// they turn so fast that they would fold.
+class SeenWaves {
  public:
-  SlowWaves(const Actuator& actuator, double step_s) : all_(actuator), step_s_(step_s) {
-    for (const actuator::Effect& effect : actuator.effects) {
-      for (const actuator::Harmonic& wave : effect.harmonics) {
-        fastest_turns_ = std::max(fastest_turns_, turns_per_rad(effect, wave));
-      }
-    }
+  SeenWaves(const Actuator& actuator, const Signals& signals)
+      : all_(actuator), seen_(actuator), step_s_(signals.step_s) {
+    if (signals.cutoff_Hz > 0.0) filter_.emplace(signals.cutoff_Hz, 1.0 / signals.sample_step_s);
+    has_waves_ = std::any_of(all_.effects.begin(), all_.effects.end(),
+                             [](const auto& effect) { return !effect.harmonics.empty(); });
   }
 
-  const Actuator& below_folding(double speed_rad_s) {
-    const double speed = std::abs(speed_rad_s) * step_s_;
-    if (fastest_turns_ * speed <= kMostTurnsPerSample) return all_;
-    std::size_t folded = 0;
-    for (const actuator::Effect& effect : all_.effects) {
-      for (const actuator::Harmonic& wave : effect.harmonics) folded += folds(effect, wave, speed);
+  /// Valid until the next call.
+  const Actuator& at(double speed_rad_s) {
+    if (!has_waves_) return all_;
+    for (std::size_t e = 0; e < all_.effects.size(); ++e) {
+      const actuator::Effect& effect = all_.effects[e];
+      for (std::size_t h = 0; h < effect.harmonics.size(); ++h) {
+        const actuator::Harmonic& wave = effect.harmonics[h];
+        seen_.effects[e].harmonics[h].amplitude =
+            wave.amplitude * gain(turns_per_rad(effect, wave) * std::abs(speed_rad_s));
+      }
     }
-    if (folded != folded_) keep_slow(speed, folded);
-    return slow_;
+    return seen_;
   }
 
  private:
@@ -200,22 +202,16 @@ class SlowWaves {
     return wave.order * (is_of_motor ? std::abs(all_.transmission.ratio) : 1.0) /
            (2.0 * std::numbers::pi);
   }
-  bool folds(const actuator::Effect& effect, const actuator::Harmonic& wave, double speed) const {
-    return turns_per_rad(effect, wave) * speed > kMostTurnsPerSample;
-  }
-  void keep_slow(double speed, std::size_t folded) {
-    slow_ = all_;
-    folded_ = folded;
-    for (actuator::Effect& effect : slow_.effects) {
-      std::erase_if(effect.harmonics, [&](const auto& wave) { return folds(effect, wave, speed); });
-    }
+  double gain(double frequency_Hz) const {
+    if (frequency_Hz * step_s_ > kMostTurnsPerSample) return 0.0;
+    return filter_ ? filter_->gain(frequency_Hz) : 1.0;
   }
 
   const Actuator& all_;
-  Actuator slow_;
+  Actuator seen_;
   double step_s_;
-  double fastest_turns_ = 0.0;
-  std::size_t folded_ = 0;
+  std::optional<LowPass> filter_;
+  bool has_waves_ = false;
 };
 
 double current_of_A(const Bench& bench, const Actuator& actuator, const actuator::Winding& winding,
@@ -309,16 +305,16 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
     motor_Nm[i] = drive.motor_Nm(motion.drive[i], at);
     if (!is_sensor) stated_per_own[i] = drive.stated_over_own_slope(motion.drive[i], at);
   }
-  const std::vector<double> histories_Nm =
-      torque_of_histories_Nm(hypothesis.actuator, motion.at, motor_Nm, signals.step_s);
+  const std::vector<double> histories_Nm = torque_of_histories_Nm(
+      hypothesis.actuator, motion.at, motor_Nm, signals.step_s, signals.cutoff_Hz);
   const Mesh mesh(hypothesis.actuator);
   const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(hypothesis.actuator);
   std::vector<double> balance_Nm(n);
   const bool has_ripple = acts_on_output(hypothesis.actuator);
-  SlowWaves waves(hypothesis.actuator, signals.step_s);
+  SeenWaves waves(hypothesis.actuator, signals);
   for (std::size_t i = 0; i < n; ++i) {
     Instant& at = motion.at[i];
-    const Actuator& actuator = waves.below_folding(at.speed_rad_s);
+    const Actuator& actuator = waves.at(at.speed_rad_s);
     const double imbalance = imbalance_Nm(hypothesis, at.output_angle_rad);
     const double acceleration_rad_s2 = motion.motor_acceleration_rad_s2.empty()
                                            ? at.acceleration_rad_s2

@@ -155,6 +155,7 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
   Signals signals;
   signals.pole_pairs = actuator.motor.pole_pairs;
   set_time(grid, signals);
+  if (!grid.is_map()) signals.cutoff_Hz = options.cutoff_Hz;
   const std::vector<double> temperature_K = winding_temperature_K(grid, actuator);
   const std::vector<double> motor_angle_rad = grid.read_if_any(Quantity::kMotorPosition);
   signals.at = instants(motion, direction, motor_angle_rad, temperature_K, actuator);

@@ -14,12 +14,13 @@ constexpr double kFifthDifferenceNorm = 252.0;  ///< Sum of the squares of 1 5 1
 
 }  // namespace
 
-LowPass::LowPass(double cutoff_Hz, double rate_Hz) {
+LowPass::LowPass(double cutoff_Hz, double rate_Hz) : rate_Hz_(rate_Hz) {
   if (cutoff_Hz >= kPassesAllAbove * rate_Hz) {
     passes_all_ = true;
     return;
   }
   const double k = std::tan(std::numbers::pi * cutoff_Hz / rate_Hz);
+  bent_cutoff_ = k;
   const double norm = 1.0 / (1.0 + std::numbers::sqrt2 * k + k * k);
   b0_ = k * k * norm;
   b1_ = 2.0 * b0_;
@@ -28,6 +29,13 @@ LowPass::LowPass(double cutoff_Hz, double rate_Hz) {
   a2_ = (1.0 - std::numbers::sqrt2 * k + k * k) * norm;
   // The poles' envelope is exp(-2 pi f t / sqrt 2); it falls to 1 % in about this time.
   settling_ = static_cast<std::size_t>(std::ceil(1.1 * rate_Hz / cutoff_Hz));
+}
+
+double LowPass::gain(double frequency_Hz) const {
+  if (frequency_Hz >= 0.5 * rate_Hz_) return 0.0;
+  if (passes_all_) return 1.0;
+  const double bent = std::tan(std::numbers::pi * frequency_Hz / rate_Hz_) / bent_cutoff_;
+  return 1.0 / (1.0 + bent * bent * bent * bent);
 }
 
 void LowPass::pass(std::vector<double>& signal) const {

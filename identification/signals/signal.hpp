@@ -18,6 +18,9 @@ class LowPass {
 
   void apply(std::vector<double>& signal) const;
 
+  /// Of a wave that is sampled at the rate, both ways together; 0 from half of it on.
+  double gain(double frequency_Hz) const;
+
   /// Samples after which an end's influence has died away (to about 1 %).
   std::size_t settling() const { return settling_; }
 
@@ -25,6 +28,7 @@ class LowPass {
   void pass(std::vector<double>& signal) const;
 
   bool passes_all_ = false;
+  double rate_Hz_ = 1.0, bent_cutoff_ = 1.0;
   double b0_ = 1.0, b1_ = 0.0, b2_ = 0.0, a1_ = 0.0, a2_ = 0.0;
   std::size_t settling_ = 0;
 };

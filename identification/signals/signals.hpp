@@ -36,6 +36,7 @@ struct Signals {
   std::string run_name;
   double step_s = 0.0;         ///< Of the grid.
   double sample_step_s = 0.0;  ///< Of the log, mean; 0 in a map without time.
+  double cutoff_Hz = 0.0;      ///< Of the low-pass that they have passed; 0: none.
   double pole_pairs = 1.0;
   double start_s = 0.0;
   std::vector<double> time_s;

@@ -117,6 +117,26 @@ TEST(ForwardBalance, LagsAsAFirstOrderLagDoes) {
   }
 }
 
+// Oracle: the gain of the signals' filter at its cut-off, one half; and a wave of more than half a
+// turn in a sample shows nowhere.
+TEST(ForwardBalance, HoldsWavesAsTheirFilterLeavesThem) {
+  constexpr double kCutoff_Hz = 25.0, kOrder = 7.0, kAmplitude_Nm = 0.3;
+  OneInstant bench(0.0, 1.0);
+  actuator::Effect ripple = effect("gear_ripple", {});
+  ripple.harmonics = {{kOrder, kAmplitude_Nm, 0.5 * std::numbers::pi}};
+  bench.actuator.effects = {ripple};
+  const auto predicted_Nm = [&](double frequency_Hz) {
+    bench.signals.at[0].speed_rad_s = 2.0 * std::numbers::pi * frequency_Hz / kOrder;
+    return bench.predicted_Nm();
+  };
+  EXPECT_NEAR(predicted_Nm(kCutoff_Hz), kAmplitude_Nm, 1e-12);
+  bench.signals.cutoff_Hz = kCutoff_Hz;
+  bench.signals.sample_step_s = 0.001;
+  EXPECT_NEAR(predicted_Nm(1e-3), kAmplitude_Nm, 1e-12);
+  EXPECT_NEAR(predicted_Nm(kCutoff_Hz), 0.5 * kAmplitude_Nm, 1e-12);
+  EXPECT_EQ(predicted_Nm(0.51 / bench.signals.step_s), 0.0);
+}
+
 using Named = std::map<std::string, nlohmann::ordered_json>;
 
 /// What a search finds in an equation of a log: effects, with their parameters as reported.

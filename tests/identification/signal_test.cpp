@@ -51,6 +51,7 @@ TEST(LowPass, HasTheGainOfAButterworthFilterTwiceAndNoPhase) {
     // Round-off, and ends that have died away to exp(-2 pi fc t / sqrt 2), t = 4 s.
     EXPECT_NEAR(wave.in_step, 1.0 / (1.0 + std::pow(bent, 4)), 1e-9) << frequency_Hz;
     EXPECT_NEAR(wave.ahead, 0.0, 1e-9) << frequency_Hz;
+    EXPECT_NEAR(LowPass(cutoff_Hz, kRate_Hz).gain(frequency_Hz), wave.in_step, 1e-9);
   }
 }
 
