@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "actuator/effects/library.hpp"
@@ -75,9 +74,7 @@ void doubt_certain_of_actuator(const std::string& why, EquationResult& result) {
 
 }  // namespace
 
-double Left::floors() const {
-  return std::sqrt((squares + noise) / std::max(std::numeric_limits<double>::min(), noise));
-}
+double Left::floors() const { return noise > 0.0 ? std::sqrt((squares + noise) / noise) : 0.0; }
 
 std::string doubt_beside(const Left& left, double squares, double most_floors) {
   if (left.floors() <= most_floors || squares >= left.squares) return "";
@@ -102,7 +99,8 @@ void append_doubts(EquationResult& result) {
 }
 
 void doubt_laws_of_drag(double noise_floors, EquationResult& result) {
-  if (!(result.after.train_rms > noise_floors * result.noise_floor_rms)) return;
+  const double floor = result.noise_floor_rms;
+  if (!(floor > 0.0 && result.after.train_rms > noise_floors * floor)) return;
   for (const ResidualStructure& left : result.structure_after) {
     const bool is_of_speed = left.coordinate == kSpeed && is_significant(left);
     if (!is_of_speed || left.share <= kMost) continue;
@@ -111,7 +109,7 @@ void doubt_laws_of_drag(double noise_floors, EquationResult& result) {
       each.doubt = fmt::format(
           "of the {:.2g} noise floors that are left beside it {:.0f} % of the square still goes "
           "with the speed: the drag is another law of it",
-          result.after.train_rms / result.noise_floor_rms, 100.0 * left.share);
+          result.after.train_rms / floor, 100.0 * left.share);
     }
     return;
   }

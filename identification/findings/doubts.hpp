@@ -10,7 +10,7 @@ namespace torquewright::identification {
 /// Squares that a model leaves where it was not fitted, beyond those of noise; and noise's.
 struct Left {
   double squares = 0.0, noise = 0.0;
-  double floors() const;
+  double floors() const;  ///< 0 where noise is nothing: no measure.
 };
 
 /// Why an effect that takes `squares` of them is not sure: where more than `most_floors` are left,

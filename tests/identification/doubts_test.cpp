@@ -59,6 +59,7 @@ TEST(Doubts, FallOnWhatTakesLessThanIsLeft) {
   EXPECT_NE(doubt_beside(left, 96.0, 3.0).find("9.9 noise floors"), std::string::npos);
   EXPECT_EQ(doubt_beside(left, 97.0, 3.0), "");
   EXPECT_EQ(doubt_beside({7.9, 1.0}, 1.0, 3.0), "");
+  EXPECT_EQ(doubt_beside({7.9, 0.0}, 1.0, 3.0), "");  // no noise is no measure
 }
 
 // Friction that leaves its own error along the speed is no such friction; a spring may be there.
