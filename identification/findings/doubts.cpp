@@ -53,8 +53,7 @@ Estimate estimate_of(const NamedEffect& effect, const char* parameter) {
 
 bool is_law_of_speed(const NamedEffect& named) {
   const actuator::EffectKind* kind = actuator::find_effect(named.effect);
-  return kind != nullptr && kind->acts == actuator::Acts::kDrag && !kind->has_harmonics &&
-         kind->name != "load_dependent_friction";
+  return kind != nullptr && kind->acts == actuator::Acts::kDrag && !kind->has_harmonics;
 }
 
 NamedEffect* sure_one(const char* effect, EquationResult& result) {
