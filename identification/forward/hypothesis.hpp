@@ -30,6 +30,7 @@ struct Hypothesis {
   actuator::Actuator actuator;
   Rig rig;
   LogErrors log;
+  double winding_inductance_H = 0.0;  ///< As the winding's volts and amperes count.
   /// Of the load's gravity, beyond the rig's: what it takes is sine sin(q) + cosine cos(q).
   double imbalance_sine_Nm = 0.0, imbalance_cosine_Nm = 0.0;
 };

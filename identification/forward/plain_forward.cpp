@@ -25,6 +25,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kMostMismatch = 10.0;  ///< Of a velocity's scale, to either side of one.
 constexpr double kWholeTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kMostEncoderError_rad = 0.3;
+constexpr double kLongestWinding_s = 0.02;  ///< Inductance over resistance.
 constexpr const char* kResistance = "/motor/resistance_ohm";
 
 bool has(const std::vector<Signals>& signals, std::vector<double> Signals::*channel) {
@@ -121,8 +122,55 @@ ForwardEquation twist_forward(const Bench& bench, const actuator::Ranges& ranges
   return equation;
 }
 
-/// V - R i - Ke N w - what the bridge keeps.
-ForwardEquation voltage_forward(const Bench& bench, const actuator::Ranges& ranges) {
+/// What the bridge adds, over both signs of the current by their shares of a sample's time.
+double bridge_V(const actuator::Actuator& actuator, Instant at, double sign) {
+  const double size_A = std::abs(at.current_A);
+  at.current_A = size_A;
+  const double forward_V = actuator::winding_voltage_change_V(actuator, at);
+  at.current_A = -size_A;
+  const double backward_V = actuator::winding_voltage_change_V(actuator, at);
+  return 0.5 * ((1.0 + sign) * forward_V + (1.0 - sign) * backward_V);
+}
+
+double current_sign(const Signals& signals, std::size_t i) {
+  if (!signals.filtered_current_sign.empty()) return signals.filtered_current_sign[i];
+  const double current_A = signals.at[i].current_A;
+  return current_A > 0.0 ? 1.0 : current_A < 0.0 ? -1.0 : 0.0;
+}
+
+/// A number that every model fits, for documents state it of a phase, roughly, or not at all.
+void add_inductance(const Bench& bench, ForwardEquation& equation) {
+  const double most_H = kLongestWinding_s * actuator::winding_of(bench.actuator()).resistance_ohm;
+  equation.always.push_back({"inductance of the winding", 0.0, most_H, 0.1 * most_H, false});
+  equation.always_start.push_back(0.0);
+  const std::size_t index = equation.always.size() - 1;
+  equation.apply_always = [index, before = equation.apply_always](std::span<const double> values,
+                                                                  Hypothesis& hypothesis) {
+    before(values, hypothesis);
+    hypothesis.winding_inductance_H = values[index];
+  };
+}
+
+/// V - R i - L di/dt - Ke N w - what the bridge keeps.
+std::vector<double> voltage_left_V(const Hypothesis& supposed, const Signals& signals) {
+  const actuator::Actuator& actuator = supposed.actuator;
+  const actuator::Winding winding = actuator::winding_of(actuator);
+  const double ratio = actuator.transmission.ratio;
+  std::vector<double> left(signals.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const Instant& at = signals.at[i];
+    left[i] =
+        signals.voltage_V[i] + bridge_V(actuator, at, current_sign(signals, i)) -
+        winding.back_emf_V_s_rad * actuator::flux_factor(actuator, at) * ratio * at.speed_rad_s -
+        actuator::resistance_ohm(actuator, winding, at) * at.current_A;
+    if (signals.current_rate_A_s.empty()) continue;
+    left[i] -= supposed.winding_inductance_H * signals.current_rate_A_s[i];
+  }
+  return left;
+}
+
+ForwardEquation voltage_forward(const Bench& bench, const std::vector<Signals>& signals,
+                                const actuator::Ranges& ranges) {
   ForwardEquation equation = equation_of(bench, "winding_voltage_V", "V");
   const auto& uncertain = bench.rig->uncertain;
   if (std::find(uncertain.begin(), uncertain.end(), kResistance) != uncertain.end()) {
@@ -134,26 +182,14 @@ ForwardEquation voltage_forward(const Bench& bench, const actuator::Ranges& rang
       hypothesis.actuator.motor.resistance_ohm = values[0];
     };
   }
+  if (has(signals, &Signals::current_rate_A_s)) add_inductance(bench, equation);
   if (!bench.actuator().motor.back_emf_constant_V_s_rad) {
     add_effect(bench, "torque_constant_error", ranges, equation);
   }
   if (bench.has_temperature) add_effect(bench, "winding_resistance_temperature", ranges, equation);
   add_effect(bench, "inverter_dead_time", ranges, equation);
-  equation.measured = [](const Signals& signals) { return signals.voltage_V; };
-  equation.residual = [](const Hypothesis& supposed, const Signals& signals) {
-    const actuator::Actuator& actuator = supposed.actuator;
-    const actuator::Winding winding = actuator::winding_of(actuator);
-    const double ratio = actuator.transmission.ratio;
-    std::vector<double> left(signals.size());
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      const Instant& at = signals.at[i];
-      left[i] =
-          signals.voltage_V[i] + actuator::winding_voltage_change_V(actuator, at) -
-          winding.back_emf_V_s_rad * actuator::flux_factor(actuator, at) * ratio * at.speed_rad_s -
-          actuator::resistance_ohm(actuator, winding, at) * at.current_A;
-    }
-    return left;
-  };
+  equation.measured = [](const Signals& stretch) { return stretch.voltage_V; };
+  equation.residual = voltage_left_V;
   return equation;
 }
 
@@ -223,7 +259,7 @@ std::vector<ForwardEquation> plain_forward(const Bench& bench,
   std::vector<ForwardEquation> equations;
   if (has(signals, &Signals::twist_rad)) equations.push_back(twist_forward(bench, ranges));
   if (bench.drive == Drive::kCurrent && has(signals, &Signals::voltage_V)) {
-    equations.push_back(voltage_forward(bench, ranges));
+    equations.push_back(voltage_forward(bench, signals, ranges));
     equations.back().used = rms_of(signals, &Signals::voltage_V);
   }
   if (has(signals, &Signals::bus_V) && has(signals, &Signals::bus_A)) {

@@ -6,16 +6,15 @@
 #include <numbers>
 
 #include "actuator/effects/acting.hpp"
-#include "actuator/heat/temperature_laws.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
 #include "identification/forward/backlash_residual.hpp"
 #include "identification/forward/histories.hpp"
+#include "identification/forward/winding_current.hpp"
 #include "identification/signals/balance.hpp"
 #include "identification/signals/load_model.hpp"
 #include "identification/signals/signal.hpp"
-#include "identification/signals/winding_channels.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -27,6 +26,7 @@ using actuator::Instant;
 constexpr double kMostTurnsPerSample = 0.5;      ///< Of a wave: faster, it would fold.
 constexpr double kLeastSlope = 0.05;             ///< Of the stated one.
 constexpr double kMostGain = 1.0 / kLeastSlope;  ///< Of a mesh that nearly locks.
+constexpr double kSlopeStep = 1e-3;              ///< Of the peak current, or of the bus.
 
 /// What drives, moves and loads a stretch, each as it was before its channel was late.
 struct Motion {
@@ -34,6 +34,7 @@ struct Motion {
   std::vector<double> drive;  ///< Ampere, or volt.
   std::vector<double> load_Nm;
   std::vector<double> motor_acceleration_rad_s2;
+  double drive_late_s = 0.0;
 };
 
 double delay_of_motion_s(const Hypothesis& hypothesis) {
@@ -73,7 +74,7 @@ std::vector<double> load_of(const Bench& bench, const Hypothesis& hypothesis,
 
 Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals) {
   Motion motion{
-      signals.at, {}, load_of(bench, hypothesis, signals), signals.motor_acceleration_rad_s2};
+      signals.at, {}, load_of(bench, hypothesis, signals), signals.motor_acceleration_rad_s2, 0.0};
   motion.drive.resize(signals.size());
   const bool is_filtered = !signals.filtered_direction.empty();
   for (std::size_t i = 0; i < signals.size(); ++i) {
@@ -93,9 +94,11 @@ Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals
       motion.load_Nm = advanced(motion.load_Nm, moved_s, step_s);
   }
   const auto& delay_s = hypothesis.log.delay_s;
-  const double drive_s =
+  motion.drive_late_s =
       delay_s[static_cast<std::size_t>(bench.drive_channel)] + hypothesis.log.instant_s;
-  if (drive_s != 0.0) motion.drive = advanced(motion.drive, drive_s, step_s);
+  if (motion.drive_late_s != 0.0) {
+    motion.drive = advanced(motion.drive, motion.drive_late_s, step_s);
+  }
   if (bench.load_side == LoadSide::kSensor) {
     const double load_s = delay_s[static_cast<std::size_t>(bench.load_channel)];
     if (load_s != 0.0) motion.load_Nm = advanced(motion.load_Nm, load_s, step_s);
@@ -214,96 +217,71 @@ class SeenWaves {
   bool has_waves_ = false;
 };
 
-double current_of_A(const Bench& bench, const Actuator& actuator, const actuator::Winding& winding,
-                    double voltage_V, bool bus_is_logged, const Instant& at) {
-  const double back_emf_V = winding.back_emf_V_s_rad * actuator::flux_factor(actuator, at) *
-                            actuator.transmission.ratio * at.speed_rad_s;
-  double resistance = actuator::resistance_ohm(actuator, winding, at);
-  if (!bus_is_logged && bench.drive_channel == Quantity::kDuty) {
-    Instant unit = at;
-    unit.bus_current_A = 1.0;
-    const double duty = voltage_V / actuator.drive.bus_voltage_V;
-    resistance -= actuator::bus_voltage_change_V(actuator, unit) * duty * duty *
-                  bus_amperes_per_ampere(actuator);
-  }
-  Instant forward = at;
-  forward.current_A = 1.0;
-  const double dead_V = std::abs(actuator::winding_voltage_change_V(actuator, forward));
-  const double drop_V = voltage_V - back_emf_V;
-  if (std::abs(drop_V) <= dead_V) return 0.0;
-  return (drop_V - std::copysign(dead_V, drop_V)) / resistance;
-}
-
-/// From what the sensor says.
-double true_current_A(const LogErrors& log, double measured_A) {
-  const double current_A = measured_A - log.current_offset_A;
-  return current_A / (current_A < 0.0 ? log.negative_current_gain : log.positive_current_gain);
-}
-
 /// What the drive's channel makes of the motor under a hypothesis.
 class DriveSide {
  public:
-  DriveSide(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals)
-      : bench_(bench),
-        actuator_(hypothesis.actuator),
-        log_(hypothesis.log),
-        winding_(actuator::winding_of(hypothesis.actuator)),
-        is_voltage_(bench.drive == Drive::kVoltage),
-        bus_is_logged_(!signals.bus_V.empty()) {
+  DriveSide(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
+            const Motion& motion)
+      : actuator_(hypothesis.actuator), is_voltage_(bench.drive == Drive::kVoltage) {
     const Actuator& stated = bench.actuator();
     stated_slope_ = stated.transmission.ratio * stated.motor.torque_constant_Nm_A;
-    if (is_voltage_) stated_slope_ /= actuator::winding_of(stated).resistance_ohm;
-    step_ = 1e-3 * (is_voltage_ ? stated.drive.bus_voltage_V : stated.drive.peak_current_A);
+    step_A_ = kSlopeStep * stated.drive.peak_current_A;
+    if (is_voltage_) {
+      const double stated_ohm = actuator::winding_of(stated).resistance_ohm;
+      stated_slope_ /= stated_ohm;
+      step_A_ = kSlopeStep * stated.drive.bus_voltage_V / stated_ohm;
+      currents_ =
+          winding_currents(bench, actuator_, signals, motion.drive, motion.at, motion.drive_late_s);
+      return;
+    }
+    for (const double measured_A : motion.drive) {
+      const double current_A = measured_A - hypothesis.log.current_offset_A;
+      const double gain = current_A < 0.0 ? hypothesis.log.negative_current_gain
+                                          : hypothesis.log.positive_current_gain;
+      currents_.current_A.push_back(current_A / gain);
+      currents_.per_unit.push_back(1.0 / gain);
+    }
   }
 
   /// The motor's torque at the output; sets the instant's current.
-  double motor_Nm(double drive, Instant& at) const {
-    at.current_A = is_voltage_
-                       ? current_of_A(bench_, actuator_, winding_, drive, bus_is_logged_, at)
-                       : true_current_A(log_, drive);
-    return actuator::motor_torque_Nm(actuator_, at);
-  }
+  double motor_Nm(std::size_t i, Instant& at) const { return motor_Nm(currents_.current_A[i], at); }
 
   /// Where the drive's channel is what was measured, what is missing counts by what the stated
   /// actuator makes of a unit of it: else a fit could make everything small by a motor that yields
   /// little. By a difference; at least a twentieth of the stated one.
-  double stated_over_own_slope(double drive, Instant& at) const {
-    const double own_A = at.current_A;
-    const double above_Nm = motor_Nm(drive + step_, at), below_Nm = motor_Nm(drive - step_, at);
-    at.current_A = own_A;
-    const double share = 0.5 * (above_Nm - below_Nm) / step_ / stated_slope_;
+  double stated_over_own_slope(std::size_t i, Instant at) const {
+    const double own_A = currents_.current_A[i];
+    const double per_A = 0.5 * (motor_Nm(own_A + step_A_, at) - motor_Nm(own_A - step_A_, at));
+    const double share = per_A / step_A_ * currents_.per_unit[i] / stated_slope_;
     // The bridge's dead band yields nothing; that says nothing of the rest.
     return 1.0 / std::max(share, is_voltage_ ? kLeastSlope : kLeastSlope * kLeastSlope);
   }
 
  private:
-  const Bench& bench_;
+  double motor_Nm(double current_A, Instant& at) const {
+    at.current_A = current_A;
+    return actuator::motor_torque_Nm(actuator_, at);
+  }
+
   const Actuator& actuator_;
-  const LogErrors& log_;
-  actuator::Winding winding_;
-  bool is_voltage_, bus_is_logged_;
-  double stated_slope_ = 1.0, step_ = 1.0;
+  bool is_voltage_;
+  double stated_slope_ = 1.0, step_A_ = 1.0;
+  Currents currents_;
 };
 
 }  // namespace
-
-double winding_current_A(const Bench& bench, const Actuator& actuator, double voltage_V,
-                         bool bus_is_logged, const Instant& at) {
-  return current_of_A(bench, actuator, actuator::winding_of(actuator), voltage_V, bus_is_logged,
-                      at);
-}
 
 std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
                                       const Signals& signals) {
   Motion motion = motion_of(bench, hypothesis, signals);
   const std::size_t n = signals.size();
   const bool is_sensor = bench.load_side == LoadSide::kSensor;
-  const DriveSide drive(bench, hypothesis, signals);
+  const DriveSide drive(bench, hypothesis, signals, motion);
   std::vector<double> motor_Nm(n), stated_per_own(n, 1.0);
   for (std::size_t i = 0; i < n; ++i) {
     Instant& at = motion.at[i];
-    motor_Nm[i] = drive.motor_Nm(motion.drive[i], at);
-    if (!is_sensor) stated_per_own[i] = drive.stated_over_own_slope(motion.drive[i], at);
+    motor_Nm[i] = drive.motor_Nm(i, at);
+    if (!is_sensor) stated_per_own[i] = drive.stated_over_own_slope(i, at);
   }
   const std::vector<double> histories_Nm = torque_of_histories_Nm(
       hypothesis.actuator, motion.at, motor_Nm, signals.step_s, signals.cutoff_Hz);

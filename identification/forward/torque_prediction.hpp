@@ -18,9 +18,4 @@ namespace torquewright::identification {
 std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
                                       const Signals& signals);
 
-/// The current of a drive that is known by its voltage: quasi-static winding, with dead time, the
-/// resistance at its temperature, and the bus's sag where the bus was not logged.
-double winding_current_A(const Bench& bench, const actuator::Actuator& actuator, double voltage_V,
-                         bool bus_is_logged, const actuator::Instant& at);
-
 }  // namespace torquewright::identification

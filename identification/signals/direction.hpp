@@ -16,10 +16,8 @@ struct PositionSamples {
 std::vector<double> velocity_below(double cutoff_Hz, const std::vector<double>& unfiltered_rad,
                                    double step_s);
 
-/// The sign of the motion at each sample: its mean over the sample's step, so that a reversal
-/// counts when it happens. A low-pass moves a reversal where the velocity bends; so the velocity of
-/// the widest band in which it exceeds its noise decides, of the unfiltered position where there is
-/// one. Within the noise of the filtered velocity the sign is in proportion to it.
+/// The sign of the motion at each sample, by the unfiltered position where there is one: see
+/// mean_signs.
 std::vector<double> directions(const std::vector<double>& velocity_rad_s,
                                const std::vector<double>& unfiltered_rad,
                                const PositionSamples& samples);

@@ -15,6 +15,7 @@
 #include "identification/signals/output_motion.hpp"
 #include "identification/signals/rest_mask.hpp"
 #include "identification/signals/signal.hpp"
+#include "identification/signals/signs.hpp"
 #include "identification/signals/thinning.hpp"
 #include "identification/signals/winding_channels.hpp"
 
@@ -26,7 +27,7 @@ constexpr double kEnabled = 0.99;  ///< Below, the filter has seen a drive that 
 constexpr double kStickBand = 2.0;       ///< Times the cut-off, where sticking is looked for.
 constexpr double kLeastStick_s = 0.005;  ///< A shorter one moves a reversal by less than a sample.
 constexpr double kShortestStretch_s = 0.5;
-constexpr std::size_t kLeastSamples = 16;
+constexpr std::size_t kLeastOfStretch = 16;
 
 constexpr double kAround_s = 1.0;
 constexpr std::size_t kThinned = 120;
@@ -79,15 +80,43 @@ void set_twist(const ChannelGrid& grid, const std::vector<double>& motor_angle_r
   for (double& each : signals.motor_acceleration_rad_s2) each /= ratio;
 }
 
+/// Of the winding: what is asked of its volts is fast only where they are the drive's channel.
+void set_voltage(ChannelGrid& grid, const Bench& bench, Signals& signals) {
+  WindingVoltage voltage = winding_voltage(grid, bench.actuator());
+  signals.voltage_V = std::move(voltage.filtered_V);
+  if (bench.drive == Drive::kVoltage) signals.fast_voltage_V = std::move(voltage.fast_V);
+}
+
+/// What a winding's volts have of its current beyond R i: a bridge's dead time, and inductance.
+void set_current_beside_voltage(const ChannelGrid& grid, const std::vector<double>& unfiltered_A,
+                                const std::vector<double>& current_A, double deviation_A,
+                                double cutoff_Hz, Signals& signals) {
+  if (signals.voltage_V.empty() || grid.is_map()) return;
+  signals.filtered_current_sign =
+      grid.filtered(mean_signs_of(unfiltered_A, deviation_A, cutoff_Hz, grid.step_s()));
+  signals.current_rate_A_s = derivative(current_A, grid.step_s());
+}
+
+std::vector<double> read_drive(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
+                               double cutoff_Hz, Signals& signals) {
+  if (bench.drive == Drive::kVoltage) return signals.voltage_V;
+  const std::vector<double> unfiltered = grid.read_unfiltered(bench.drive_channel);
+  std::vector<double> drive = grid.filtered(unfiltered);
+  if (bench.drive == Drive::kCurrent) {
+    const double deviation_A = levels[static_cast<std::size_t>(bench.drive_channel)];
+    set_current_beside_voltage(grid, unfiltered, drive, deviation_A, cutoff_Hz, signals);
+  }
+  return drive;
+}
+
 /// The motor's current by the drive's channel, and its torque at the output by the stated constant.
-void set_drive(ChannelGrid& grid, const Bench& bench, Signals& signals) {
+void set_drive(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels, double cutoff_Hz,
+               Signals& signals) {
   const actuator::Actuator& actuator = bench.actuator();
   const double ratio = actuator.transmission.ratio;
   const actuator::Winding winding = actuator::winding_of(actuator);
   std::vector<double> drive;
-  if (bench.drive) {
-    drive = bench.drive == Drive::kVoltage ? signals.voltage_V : grid.read(bench.drive_channel);
-  }
+  if (bench.drive) drive = read_drive(grid, bench, levels, cutoff_Hz, signals);
   signals.motor_side_Nm.resize(signals.size());
   for (std::size_t i = 0; i < signals.size(); ++i) {
     actuator::Instant& at = signals.at[i];
@@ -160,11 +189,11 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
   const std::vector<double> motor_angle_rad = grid.read_if_any(Quantity::kMotorPosition);
   signals.at = instants(motion, direction, motor_angle_rad, temperature_K, actuator);
   signals.filtered_direction = grid.filtered(direction);
-  signals.voltage_V = winding_voltage_V(grid, actuator);
+  set_voltage(grid, bench, signals);
   signals.bus_V = grid.read_if_any(Quantity::kBusVoltage);
   read_logged_speeds(grid, signals);
   set_twist(grid, motor_angle_rad, actuator.transmission.ratio, motion, signals);
-  set_drive(grid, bench, signals);
+  set_drive(grid, bench, levels, options.cutoff_Hz, signals);
   std::vector<std::uint8_t> rest;
   if (!grid.is_map())
     rest = rests(grid, bench, motion, unfiltered_rad, play_rad, options.cutoff_Hz);
@@ -215,7 +244,7 @@ void set_loads(Signals& signals, const Bench& bench) {
 }
 
 bool is_long_enough(const Run& run) {
-  if (run.masked.size() < kLeastSamples) return false;
+  if (run.masked.size() < kLeastOfStretch) return false;
   return run.time_s.empty() || run.time_s.back() - run.time_s.front() >= kShortestStretch_s;
 }
 

@@ -30,7 +30,8 @@ struct JointMotion {
 };
 
 /// One stretch of one joint on a uniform grid, in the band of the raw channels: the instants at
-/// which effects are asked, and the two sides of the torque balance. All vectors are of one length.
+/// which effects are asked, and the two sides of the torque balance. All vectors are of one length,
+/// but for the voltage's fast part.
 struct Signals {
   std::size_t run = 0;  ///< Index into RunTable.
   std::string run_name;
@@ -46,7 +47,14 @@ struct Signals {
   std::vector<double> filtered_direction;
   std::vector<double> motor_side_Nm;  ///< N Kt i of the stated constants.
   std::vector<double> load_side_Nm;   ///< On the load: sensor, or the rig's model.
-  std::vector<double> voltage_V;      ///< Of the winding; empty if unknown.
+  /// Of a current that was measured beside a voltage: its sign, through the same low-pass, and its
+  /// rate; else empty, and in a map without time.
+  std::vector<double> filtered_current_sign, current_rate_A_s;
+  std::vector<double> voltage_V;  ///< Of the winding; empty if unknown.
+  /// What the low-pass took of the voltage, at the log's own samples: `raw_per_sample` for each, of
+  /// a drive that is known by its voltage; else empty.
+  std::vector<double> fast_voltage_V;
+  std::size_t raw_per_sample = 1;
   std::vector<double> bus_V;
   std::vector<double> bus_A;
   std::vector<double> logged_velocity_rad_s;

@@ -34,7 +34,8 @@ void average_directions(std::vector<actuator::Instant>& at, std::size_t factor) 
 void thin(Signals& signals, std::size_t factor) {
   for (std::vector<double>* values :
        {&signals.time_s, &signals.filtered_direction, &signals.motor_side_Nm, &signals.load_side_Nm,
-        &signals.voltage_V, &signals.bus_V, &signals.bus_A, &signals.logged_velocity_rad_s,
+        &signals.filtered_current_sign, &signals.current_rate_A_s, &signals.voltage_V,
+        &signals.bus_V, &signals.bus_A, &signals.logged_velocity_rad_s,
         &signals.motor_velocity_rad_s, &signals.motor_acceleration_rad_s2, &signals.twist_rad}) {
     thin_values(*values, factor);
   }
@@ -47,6 +48,7 @@ void thin(Signals& signals, std::size_t factor) {
   thin_values(signals.at, factor);
   thin_values(signals.masked, factor);
   thin_values(signals.usable, factor);
+  signals.raw_per_sample *= factor;
   signals.step_s *= static_cast<double>(factor);
 }
 

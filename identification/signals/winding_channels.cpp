@@ -19,12 +19,21 @@ double bus_amperes_per_ampere(const actuator::Actuator& actuator) {
   return power_factor(actuator.motor.torque_constant_convention);
 }
 
-std::vector<double> winding_voltage_V(ChannelGrid& grid, const actuator::Actuator& actuator) {
-  if (grid.has(Quantity::kWindingVoltage)) return grid.read(Quantity::kWindingVoltage);
-  if (!grid.has(Quantity::kDuty)) return {};
-  std::vector<double> voltage = grid.read(Quantity::kDuty);
+WindingVoltage winding_voltage(ChannelGrid& grid, const actuator::Actuator& actuator) {
+  const bool is_voltage = grid.has(Quantity::kWindingVoltage);
+  if (!is_voltage && !grid.has(Quantity::kDuty)) return {};
+  WindingVoltage voltage;
+  voltage.fast_V = grid.read_unfiltered(is_voltage ? Quantity::kWindingVoltage : Quantity::kDuty);
+  voltage.filtered_V = grid.filtered(voltage.fast_V);
+  for (std::size_t i = 0; i < voltage.fast_V.size(); ++i) {
+    voltage.fast_V[i] -= voltage.filtered_V[i];
+  }
+  if (is_voltage) return voltage;
   const std::vector<double> bus = grid.read_or(Quantity::kBusVoltage, actuator.drive.bus_voltage_V);
-  for (std::size_t i = 0; i < voltage.size(); ++i) voltage[i] *= bus[i];
+  for (std::size_t i = 0; i < bus.size(); ++i) {
+    voltage.filtered_V[i] *= bus[i];
+    voltage.fast_V[i] *= bus[i];
+  }
   return voltage;
 }
 

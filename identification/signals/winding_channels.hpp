@@ -6,9 +6,12 @@
 
 namespace torquewright::identification {
 
-/// Winding voltage in V, logged or duty times bus (the nominal one where the bus was not logged);
-/// empty if neither was logged.
-std::vector<double> winding_voltage_V(ChannelGrid& grid, const actuator::Actuator& actuator);
+/// Winding voltage in V, logged or duty times bus (the nominal one where the bus was not logged):
+/// through the low-pass, and what that took of it; empty if neither was logged.
+struct WindingVoltage {
+  std::vector<double> filtered_V, fast_V;
+};
+WindingVoltage winding_voltage(ChannelGrid& grid, const actuator::Actuator& actuator);
 
 /// Amperes of the bus per ampere of the motor's convention at full duty.
 double bus_amperes_per_ampere(const actuator::Actuator& actuator);

@@ -14,6 +14,7 @@
 #include "identification/forward/plain_forward.hpp"
 #include "identification/forward/torque_forward.hpp"
 #include "identification/forward/torque_prediction.hpp"
+#include "identification/forward/winding_current.hpp"
 #include "identification/selection/comparison.hpp"
 #include "identification/selection/folds.hpp"
 #include "identification/selection/search.hpp"
@@ -89,8 +90,9 @@ TEST(ForwardBalance, TakesTheCurrentFromTheVoltageWithDeadTimeAndSag) {
   actuator::Instant at;
   at.speed_rad_s = 2.0;
   const double duty = 0.5, back_emf_V = 0.5 * 4.0 * 2.0;
-  EXPECT_NEAR(winding_current_A(bench.bench, bench.actuator, duty * 48.0, false, at),
-              (24.0 - 0.5 - back_emf_V) / (0.4 + 0.2 * duty * duty), 1e-12);
+  const Currents currents =
+      winding_currents(bench.bench, bench.actuator, bench.signals, {duty * 48.0}, {at}, 0.0);
+  EXPECT_NEAR(currents.current_A[0], (24.0 - 0.5 - back_emf_V) / (0.4 + 0.2 * duty * duty), 1e-12);
 }
 
 // Oracle: the response of a first-order lag to a sine, amplitude 1/sqrt(1 + x^2), phase -atan(x).
