@@ -22,10 +22,11 @@ std::vector<Finding> joint_limits(const CheckedMotion& checked);
 std::vector<Finding> joint_without_drive(const CheckedMotion& checked);
 std::vector<Finding> mechanism_margins(const CheckedMotion& checked);
 std::vector<Finding> self_collision(const CheckedMotion& checked);
+std::vector<Finding> slide_units(const CheckedMotion& checked);
 
-constexpr std::array<Rule, 11> kEveryRule{
-    joint_limits,     mechanism_margins, ground_penetration, contact_above_ground,
-    friction_cone,    friction_sliding,  center_of_pressure, self_collision,
-    impact_by_motors, impact_energy,     joint_without_drive};
+constexpr std::array<Rule, 12> kEveryRule{
+    joint_limits,     mechanism_margins, ground_penetration,  contact_above_ground,
+    friction_cone,    friction_sliding,  center_of_pressure,  self_collision,
+    impact_by_motors, impact_energy,     joint_without_drive, slide_units};
 
 }  // namespace torquewright::hopper

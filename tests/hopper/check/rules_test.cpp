@@ -118,6 +118,22 @@ TEST(JointLimits, TakeTheTorqueOfTheDynamicsWhereTheseAreAskedFor) {
   expect_finding(findings[0], "joint-torque", "hinge", 1.02, 31.0, 30.0);
 }
 
+TEST(SlideUnits, NameTheDrivesOfSlidesAlone) {
+  Scene scene = arm();
+  Drivetrain hinge, slide;
+  hinge.joints = {1};
+  hinge.actuator_names = {"hip"};
+  scene.robot.drivetrains = {hinge};
+  EXPECT_TRUE(slide_units(scene.checked()).empty());
+  slide.joints = {2};
+  slide.actuator_names = {"rail"};
+  scene.robot.drivetrains.push_back(slide);
+  const std::vector<Finding> findings = slide_units(scene.checked());
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].severity, Severity::kNote);
+  EXPECT_EQ(findings[0].sentence.find("rail: "), 0u);
+}
+
 // The slide has no drive and is pushed by 2 N at most; of 1e-8 N nobody need know.
 TEST(JointWithoutDrive, IsNamedWithWhatItNeeds) {
   Scene scene = arm();
