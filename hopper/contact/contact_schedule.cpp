@@ -61,6 +61,19 @@ MatrixXd vertical_speeds(const Robot& robot, const Motion& motion) {
   return speeds_m_s;
 }
 
+/// What approached the ground and leaves it within an impact, between two rows of one time, was
+/// thrown back by it: it touches at the second of them, however fast it leaves.
+void stop_at_bounces(const Motion& motion, MatrixXd& speeds_m_s) {
+  for (Index sample = 1; sample < motion.samples(); ++sample) {
+    if (motion.step_s(sample - 1) > 0.0) continue;
+    for (Index i = 0; i < speeds_m_s.rows(); ++i) {
+      if (speeds_m_s(i, sample - 1) < 0.0 && speeds_m_s(i, sample) > 0.0) {
+        speeds_m_s(i, sample) = 0.0;
+      }
+    }
+  }
+}
+
 /// Speed of approach just before and just after a sample begins, from the heights alone where no
 /// velocity is given.
 struct Approach {
@@ -223,6 +236,7 @@ ContactSchedule schedule_contacts(const Robot& robot, const ContactRule& rule, M
     schedule.touches = motion.touching.array() != 0.0;
   } else {
     schedule.speed_m_s = vertical_speeds(robot, motion);
+    stop_at_bounces(motion, schedule.speed_m_s);
     schedule.touches = touching_by(schedule.thresholds, schedule);
   }
   schedule.presses = pressing(schedule.touches, motion);

@@ -204,6 +204,21 @@ TEST(ImpactRebound, IsNoFasterThanTheRestitutionLetsIt) {
   EXPECT_TRUE(found(block(0.0), bounce(0.0).motion, "impact-rebound").empty());
 }
 
+// Thrown back within an impact of two rows, feet touch whether the file says so or not: m v (1 +
+// f).
+TEST(ImpactRebound, IsFoundWithoutFlagsOfContact) {
+  Fall fall = bounce(0.5);
+  fall.motion.has_touching = false;
+  Motion again = fall.motion;
+  EXPECT_EQ(found(block(0.3), fall.motion, "impact-rebound").size(), 1u);
+  EXPECT_TRUE(found(block(0.5), fall.motion, "impact-rebound").empty());
+  const HopperReport report = check_motion(block(0.5), again, {});
+  ASSERT_EQ(report.demand.jolts.size(), 1u);
+  double normal_N_s = 0.0;
+  for (int i = 0; i < 4; ++i) normal_N_s += report.demand.jolts[0].impulses_N_s[3 * i + 2];
+  EXPECT_NEAR(normal_N_s, 1.5 * kMass_kg * fall.speed_m_s, 1e-6);
+}
+
 TEST(FrictionSliding, InAnImpactPushesNothingAlong) {
   const std::vector<Finding> pushed =
       found(block(), bounce(0.0, 1.1, 1.1 + 0.8).motion, "friction-sliding");
