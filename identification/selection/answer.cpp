@@ -18,6 +18,7 @@
 #include "identification/selection/line_traces.hpp"
 #include "identification/selection/models_within_noise.hpp"
 #include "identification/selection/named.hpp"
+#include "identification/selection/position_curve.hpp"
 #include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
 #include "identification/selection/search.hpp"
@@ -408,6 +409,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   append_groups(bench, equation, found, result);
   append_doubts(result);
   doubt_laws_of_drag(rules.unexplained_floors, result);
+  if (!result.is_noise_after) doubt_laws_of_position(fitter, kept, result);
   describe_refused(judged, found, rules, result);
   result.runs = run_results(equation, rows, found.empty.residual, kept.residual);
   if (options.select) result.models = models_within_noise(bench, fitter, found);

@@ -58,6 +58,28 @@ TEST(OutsideTheLibrary, FrictionOfOneSpeedIsNoFrictionOfTheLibrary) {
   EXPECT_EQ(result.structure_before.front().coordinate, "output_velocity_rad_s");
 }
 
+/// A spring that stiffens by the cube of its angle: stops and waves may come near it, and a
+/// polynomial of as many numbers is what it is.
+TEST(OutsideTheLibrary, AStiffeningSpringIsNoStopsOrWavesForSure) {
+  const EquationResult result = torque_of(
+      made::MadeBench().log([](const Made& at) { return -0.05 * std::pow(at.angle_rad, 3); }));
+  EXPECT_NE(result.verdict, Verdict::kExplained);
+  for (const NamedEffect& each : result.added) {
+    EXPECT_FALSE(is_certain(result, each.effect)) << each.effect << " " << each.parameters;
+  }
+}
+
+/// A spring and a wave of it, beside friction by the clock, which no curve of the position is.
+TEST(OutsideTheLibrary, ASpringAndAWaveStaySureBesideWhatIsNoneOfThePosition) {
+  const EquationResult result = torque_of(MadeBench().log([](const Made& at) {
+    return -0.8 * at.angle_rad + 0.5 * std::sin(3.0 * at.angle_rad) -
+           0.02 * sign(at.speed_rad_s) * at.time_s;
+  }));
+  for (const char* effect : {"parallel_spring", "gear_ripple"}) {
+    EXPECT_TRUE(is_certain(result, effect)) << effect;
+  }
+}
+
 /// Friction that grows by the clock: at no speed, load or angle is it what it is.
 TEST(OutsideTheLibrary, FrictionThatGrowsWithTimeIsNoFrictionOfTheLibrary) {
   const MadeBench made;
