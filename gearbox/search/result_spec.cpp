@@ -126,14 +126,16 @@ ordered_json report_json(const Topology& topology, const DesignReport& report) {
   ordered_json result = design_json(topology, report.design);
   if (report.design.is_shifted()) add_shifts(topology, report, result);
   result["planet_types"] = report.planet_types;
-  result["ratio"] = {{"numerator", whole_number(report.ratio.get_num())},
-                     {"denominator", whole_number(report.ratio.get_den())},
-                     {"value", io::nearest(report.ratio)}};
+  const bool turns = report.ratio != 0;
+  const auto if_turns = [&](ordered_json value) { return turns ? value : ordered_json(); };
+  result["ratio"] = if_turns({{"numerator", whole_number(report.ratio.get_num())},
+                              {"denominator", whole_number(report.ratio.get_den())},
+                              {"value", io::nearest(report.ratio)}});
   result["objective"] = report.objective;
   result["objective_unit"] = report.objective_unit;
-  result["forward_efficiency"] = report.forward_efficiency;
-  result["backward_efficiency"] = report.backward_efficiency;
-  result["self_locking"] = report.self_locking;
+  result["forward_efficiency"] = if_turns(report.forward_efficiency);
+  result["backward_efficiency"] = if_turns(report.backward_efficiency);
+  result["self_locking"] = if_turns(report.self_locking);
   for (const MeshReport& mesh : report.meshes) {
     result["mesh_efficiencies"][mesh.name] = mesh.efficiency;
     result["contact_ratios"][mesh.name] = mesh.contact_ratio;

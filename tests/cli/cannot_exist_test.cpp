@@ -2,6 +2,8 @@
 // What no gearbox can miss, where the paper's constraints let it pass: said once, and drawn.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {
@@ -50,6 +52,11 @@ TEST(CannotExist, IsARatioWherePlanetsAreAlike) {
   EXPECT_EQ(count(outcome.out, "  ratio             does not exist, the output stands still"), 1U)
       << outcome.out;
   EXPECT_EQ(count(outcome.out, "not known, the output stands still"), 1U) << outcome.out;
+  const auto result = nlohmann::json::parse(
+      place.run({"gearbox", "evaluate", "knee.json", "--teeth", "44,44,44", "--json"}).out);
+  for (const char* key : {"ratio", "forward_efficiency", "backward_efficiency", "self_locking"}) {
+    EXPECT_TRUE(result["designs"][0][key].is_null()) << key;
+  }
 }
 
 }  // namespace
