@@ -31,6 +31,7 @@ struct Hypothesis {
   Rig rig;
   LogErrors log;
   double winding_inductance_H = 0.0;  ///< As the winding's volts and amperes count.
+  double winding_late_s = 0.0;        ///< By which its current follows what drives it.
   /// Of the load's gravity, beyond the rig's: what it takes is sine sin(q) + cosine cos(q).
   double imbalance_sine_Nm = 0.0, imbalance_cosine_Nm = 0.0;
 };

@@ -183,6 +183,20 @@ bool is_late_by_less(const Hypothesis& hypothesis, const actuator::Actuator& sta
       [&](const actuator::Effect& each) { return is_lag(each) && is_less(each.values[0]); });
 }
 
+/// L/R of a winding that is known by its voltage. The instant of the step moves the voltage alone,
+/// this the current that it drives; from half a step on it is a lag of the torque.
+void add_winding_lag(double half_a_step_s, ForwardEquation& equation) {
+  if (half_a_step_s == 0.0) return;
+  const std::size_t index = equation.always.size();
+  equation.always.push_back({"lag of the winding", 0.0, half_a_step_s, half_a_step_s, false});
+  equation.always_start.push_back(0.0);
+  equation.apply_always = [index, before = equation.apply_always](std::span<const double> values,
+                                                                  Hypothesis& hypothesis) {
+    before(values, hypothesis);
+    hypothesis.winding_late_s = values[index];
+  };
+}
+
 }  // namespace
 
 std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuator::Ranges& ranges) {
@@ -227,6 +241,7 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   const actuator::Ranges ranges = ranges_of(bench, signals);
   add_uncertain(bench, ranges, equation);
   add_instant(half_a_step_s(signals), &LogErrors::instant_s, equation);
+  if (bench.drive == Drive::kVoltage) add_winding_lag(half_a_step_s(signals), equation);
   equation.candidates = torque_candidates(bench, ranges);
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
     return torque_balance_Nm(bench, hypothesis, stretch);

@@ -232,6 +232,10 @@ class DriveSide {
       step_A_ = kSlopeStep * stated.drive.bus_voltage_V / stated_ohm;
       currents_ =
           winding_currents(bench, actuator_, signals, motion.drive, motion.at, motion.drive_late_s);
+      if (hypothesis.winding_late_s > 0.0) {
+        currents_.current_A =
+            advanced(currents_.current_A, -hypothesis.winding_late_s, signals.step_s);
+      }
       return;
     }
     for (const double measured_A : motion.drive) {

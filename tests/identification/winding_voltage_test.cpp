@@ -57,12 +57,14 @@ struct WindingBench : MadeBench {
     return log;
   }
 
-  EquationResult of_voltage() const {
-    for (EquationResult& each : analyse(rig, log(kNoise_V, kNoise_A), 0, {&actuator}, {})) {
-      if (each.quantity == "winding_voltage_V") return std::move(each);
+  EquationResult of(const char* quantity, double noise_V, bool has_current) const {
+    const Log made = log(noise_V, kNoise_A, has_current);
+    for (EquationResult& each : analyse(rig, made, 0, {&actuator}, {})) {
+      if (each.quantity == quantity) return std::move(each);
     }
     return {};
   }
+  EquationResult of_voltage() const { return of("winding_voltage_V", kNoise_V, true); }
 
   double inductance_H;
 };
@@ -112,6 +114,12 @@ TEST(WindingVoltage, NamesADeadTimeThatIsNotDeclared) {
   EXPECT_EQ(result.added[0].effect, "inverter_dead_time");
   EXPECT_NEAR(result.added[0].parameters["voltage_V"].get<double>(), kDead_V,
               3.0 * result.added[0].standard_error["voltage_V"].get<double>());
+}
+
+/// L/R of 2 ms, of which half a step of the log is 2.5.
+TEST(WindingVoltage, ThatIsAllThatIsKnownHoldsTheLagOfItsWinding) {
+  EXPECT_EQ(WindingBench(1e-3, true).of("output_torque_Nm", 0.1 * kNoise_V, false).verdict,
+            Verdict::kNothingMissing);
 }
 
 /// Where the voltage alone is logged the current is what leaves the bridge, through the low-pass.
