@@ -8,10 +8,9 @@
 #include "actuator/effects/acting.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
-#include "actuator/region/winding.hpp"
 #include "identification/forward/backlash_residual.hpp"
+#include "identification/forward/drive_side.hpp"
 #include "identification/forward/histories.hpp"
-#include "identification/forward/winding_current.hpp"
 #include "identification/signals/balance.hpp"
 #include "identification/signals/load_model.hpp"
 #include "identification/signals/signal.hpp"
@@ -23,10 +22,8 @@ using actuator::Acts;
 using actuator::Actuator;
 using actuator::Instant;
 
-constexpr double kMostTurnsPerSample = 0.5;      ///< Of a wave: faster, it would fold.
-constexpr double kLeastSlope = 0.05;             ///< Of the stated one.
-constexpr double kMostGain = 1.0 / kLeastSlope;  ///< Of a mesh that nearly locks.
-constexpr double kSlopeStep = 1e-3;              ///< Of the peak current, or of the bus.
+constexpr double kMostTurnsPerSample = 0.5;  ///< Of a wave: faster, it would fold.
+constexpr double kMostGain = 20.0;           ///< Of a mesh that nearly locks.
 
 /// What drives, moves and loads a stretch, each as it was before its channel was late.
 struct Motion {
@@ -217,62 +214,6 @@ class SeenWaves {
   bool has_waves_ = false;
 };
 
-/// What the drive's channel makes of the motor under a hypothesis.
-class DriveSide {
- public:
-  DriveSide(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
-            const Motion& motion)
-      : actuator_(hypothesis.actuator), is_voltage_(bench.drive == Drive::kVoltage) {
-    const Actuator& stated = bench.actuator();
-    stated_slope_ = stated.transmission.ratio * stated.motor.torque_constant_Nm_A;
-    step_A_ = kSlopeStep * stated.drive.peak_current_A;
-    if (is_voltage_) {
-      const double stated_ohm = actuator::winding_of(stated).resistance_ohm;
-      stated_slope_ /= stated_ohm;
-      step_A_ = kSlopeStep * stated.drive.bus_voltage_V / stated_ohm;
-      currents_ =
-          winding_currents(bench, actuator_, signals, motion.drive, motion.at, motion.drive_late_s);
-      if (hypothesis.winding_late_s > 0.0) {
-        currents_.current_A =
-            advanced(currents_.current_A, -hypothesis.winding_late_s, signals.step_s);
-      }
-      return;
-    }
-    for (const double measured_A : motion.drive) {
-      const double current_A = measured_A - hypothesis.log.current_offset_A;
-      const double gain = current_A < 0.0 ? hypothesis.log.negative_current_gain
-                                          : hypothesis.log.positive_current_gain;
-      currents_.current_A.push_back(current_A / gain);
-      currents_.per_unit.push_back(1.0 / gain);
-    }
-  }
-
-  /// The motor's torque at the output; sets the instant's current.
-  double motor_Nm(std::size_t i, Instant& at) const { return motor_Nm(currents_.current_A[i], at); }
-
-  /// Where the drive's channel is what was measured, what is missing counts by what the stated
-  /// actuator makes of a unit of it: else a fit could make everything small by a motor that yields
-  /// little. By a difference; at least a twentieth of the stated one.
-  double stated_over_own_slope(std::size_t i, Instant at) const {
-    const double own_A = currents_.current_A[i];
-    const double per_A = 0.5 * (motor_Nm(own_A + step_A_, at) - motor_Nm(own_A - step_A_, at));
-    const double share = per_A / step_A_ * currents_.per_unit[i] / stated_slope_;
-    // The bridge's dead band yields nothing; that says nothing of the rest.
-    return 1.0 / std::max(share, is_voltage_ ? kLeastSlope : kLeastSlope * kLeastSlope);
-  }
-
- private:
-  double motor_Nm(double current_A, Instant& at) const {
-    at.current_A = current_A;
-    return actuator::motor_torque_Nm(actuator_, at);
-  }
-
-  const Actuator& actuator_;
-  bool is_voltage_;
-  double stated_slope_ = 1.0, step_A_ = 1.0;
-  Currents currents_;
-};
-
 }  // namespace
 
 std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
@@ -280,7 +221,7 @@ std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypo
   Motion motion = motion_of(bench, hypothesis, signals);
   const std::size_t n = signals.size();
   const bool is_sensor = bench.load_side == LoadSide::kSensor;
-  const DriveSide drive(bench, hypothesis, signals, motion);
+  const DriveSide drive(bench, hypothesis, signals, motion.drive, motion.at, motion.drive_late_s);
   std::vector<double> motor_Nm(n), stated_per_own(n, 1.0);
   for (std::size_t i = 0; i < n; ++i) {
     Instant& at = motion.at[i];
