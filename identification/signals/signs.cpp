@@ -9,11 +9,12 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr double kWithinNoise = 3.0;          ///< Deviations within which a sign is not known.
-constexpr double kBeyondNoise = 4.0;          ///< The same of wide bands: they are asked oftener.
-constexpr double kNear = 1.0;                 ///< Periods of a band's cut-off.
-constexpr double kWider[] = {2.0, 4.0, 8.0};  ///< Times the low-pass's own.
-constexpr double kHighest = 0.45;             ///< Of the sampling rate.
+/// Of white noise on x the expected sign is erf(x/(sqrt 2 deviation)); a ramp of the same slope.
+constexpr double kUnsure = 1.2533141373155003;  // sqrt(pi/2)
+constexpr double kBeyondNoise = 4.0;            ///< The same of wide bands: they are asked oftener.
+constexpr double kNear = 1.0;                   ///< Periods of a band's cut-off.
+constexpr double kWider[] = {2.0, 4.0, 8.0};    ///< Times the low-pass's own.
+constexpr double kHighest = 0.45;               ///< Of the sampling rate.
 
 /// Puts a wider band where it is beyond its noise, and where it turns between two such samples that
 /// are so near that a narrower band would move the reversal further than noise does.
@@ -53,7 +54,7 @@ std::vector<double> mean_signs(std::vector<double> values, const Bands& bands) {
     widen(cutoff_Hz, bands, values);
   }
   // Far below anything that is measured: a sign, and 0 where there is nothing.
-  const double unit = std::max(kWithinNoise * bands.noise(bands.cutoff_Hz), 1e-12);
+  const double unit = std::max(bands.unsure_deviations * bands.noise(bands.cutoff_Hz), 1e-12);
   const std::size_t n = values.size();
   std::vector<double> sign(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -74,6 +75,7 @@ std::vector<double> mean_signs_of(const std::vector<double>& unfiltered, double 
   };
   bands.cutoff_Hz = cutoff_Hz;
   bands.step_s = step_s;
+  bands.unsure_deviations = kUnsure;
   return mean_signs(bands.below(cutoff_Hz), bands);
 }
 

@@ -12,12 +12,13 @@ struct Bands {
   std::function<double(double cutoff_Hz)> noise;  ///< The deviation of its noise there.
   double cutoff_Hz = 0.0;                         ///< Of the low-pass that it has passed.
   double step_s = 0.0;
+  double unsure_deviations = 3.0;  ///< Of its noise, within which a sign grows in proportion.
 };
 
 /// The sign of a filtered channel at each sample: its mean over the sample's step, so that a
 /// reversal counts when it happens. A low-pass moves a reversal where the channel bends; so the
-/// widest band in which it exceeds its noise decides. Within the noise of the filtered channel the
-/// sign is in proportion to it.
+/// widest band in which it exceeds its noise decides. Within so many deviations of the filtered
+/// channel's noise the sign is in proportion to it.
 std::vector<double> mean_signs(std::vector<double> filtered, const Bands& bands);
 
 /// Of a channel of white noise, which is given unfiltered.
