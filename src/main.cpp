@@ -11,9 +11,11 @@
 #include "src/exit_code.hpp"
 #include "src/limited_stack.hpp"
 #include "src/program.hpp"
+#include "src/standard_descriptors.hpp"
 #include "src/sweep/worker_channel.hpp"
 
 int main(int argc, char** argv) {
+  torquewright::cli::fill_standard_descriptors();
   if (const std::string_view complaint = torquewright::cli::stack_complaint(); !complaint.empty()) {
     torquewright::io::write_all(STDERR_FILENO, complaint);
     return static_cast<int>(torquewright::cli::ExitCode::kBadInput);

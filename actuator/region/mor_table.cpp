@@ -138,7 +138,8 @@ class HalfTable {
     const MorRow last = middle_of(middle, far);
     const double error_Nm =
         std::max({miss_Nm(near, first, far), miss_Nm(near, middle, far), miss_Nm(near, last, far)});
-    if (error_Nm <= allowed.error_Nm || allowed.splits_left == 0) {
+    // Nothing is gained where torques have no bound.
+    if (!(error_Nm > allowed.error_Nm) || allowed.splits_left == 0) {
       error_Nm_ = std::max(error_Nm_, error_Nm);
       all.push_back(far);
       return;

@@ -8,10 +8,15 @@
 
 #include "actuator/effects/acting.hpp"
 #include "actuator/heat/temperature_laws.hpp"
+#include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 
 namespace torquewright::actuator {
 namespace {
+
+/// Torque at the joint over that of the motor as it brakes; no gearbox that can be turned at all
+/// has more.
+constexpr double kMostHeld = 1e3;
 
 double cell_voltage_V(const Battery& battery, double state_of_charge) {
   const std::vector<ChargePoint>& curve = battery.cell_open_circuit;
@@ -164,11 +169,12 @@ std::vector<std::string> objections(const Actuator& actuator,
                     "magnet; the laws are linear about {:.6g} K",
                     temperature_K, actuator.motor.winding_temperature_K));
   }
-  const Transmission& gear = actuator.transmission;
-  if (gear.backward_efficiency <= 0.0 && gear.peak_torque_Nm == kUnlimited) {
-    sentences.push_back(
-        "the gearbox locks itself: braking torque is held by its teeth, not by the motor; state "
-        "/gearbox/peak_torque_Nm");
+  const double held = after_mesh_Nm(actuator, 1.0, -1.0);
+  if (held > kMostHeld && actuator.transmission.peak_torque_Nm == kUnlimited) {
+    sentences.push_back(fmt::format(
+        "the gearbox locks itself: braking torque is held by its teeth, not by the motor{}; state "
+        "/gearbox/peak_torque_Nm",
+        std::isfinite(held) ? fmt::format(" ({:.3g} times what the motor gives)", held) : ""));
   }
   return sentences;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -20,6 +21,8 @@ namespace torquewright::identification {
 namespace {
 
 using nlohmann::json;
+
+constexpr double kLeastScale = 1e-15;  ///< Of a column in any unit; less would leave no numbers.
 
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
@@ -146,6 +149,9 @@ class RigReader {
   void check_column(const ColumnUse& use, const json& fields, const std::string& path) {
     if (fields.value("scale", 1.0) == 0.0)
       report(path + "/scale", "0 would leave nothing of the column");
+    if (const double size = std::abs(fields.value("scale", 1.0)); size > 0.0 && size < kLeastScale)
+      report(path + "/scale",
+             fmt::format("{:g} is less than {:g} in magnitude", size, kLeastScale));
     if (use.quantity == Quantity::kTime && use.scale < 0.0) {
       report(path + "/scale", "is negative; time must run forward");
     }

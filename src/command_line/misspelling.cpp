@@ -77,6 +77,7 @@ std::string unknown_command(const DeclaredCommand& program, const Reached& where
     }
   });
   if (!meant.empty()) return fmt::format("{}; did you mean {}?", what, meant);
+  if (here.empty()) return fmt::format("{}; {} has none below it", what, where.path);
   return fmt::format("{}; there are {}", what, io::listed(here));
 }
 

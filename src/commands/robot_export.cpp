@@ -14,6 +14,7 @@
 #include "io/refusal.hpp"
 #include "src/commands/origin_lines.hpp"
 #include "src/commands/robot_commands.hpp"
+#include "src/options/operating_options.hpp"
 #include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
 #include "src/window_text.hpp"
@@ -55,6 +56,13 @@ hopper::ReadRobot read(const ExportOptions& options) {
   hopper::ReadRobot robot = hopper::read_robot(options.robot_file);
   if (actuators_only(options) && robot.robot.drivetrains.empty()) {
     throw io::SpecError({{options.robot_file, "/mechanisms", "missing: there are no drives"}});
+  }
+  if (options.parts.actuators) {
+    for (const hopper::Drivetrain& drivetrain : robot.robot.drivetrains) {
+      for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
+        require_possible(drivetrain.actuators[i], drivetrain.actuator_files[i], {});
+      }
+    }
   }
   check_written(named({options.output_file}), {});
   return robot;

@@ -5,14 +5,18 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include "io/atomic_file.hpp"
@@ -23,6 +27,8 @@ extern char** environ;  // NOLINT: the name is POSIX's.
 
 namespace torquewright::report {
 namespace {
+
+constexpr std::chrono::seconds kLongest(60);  ///< That a drawing may take.
 
 /// Bytes in memory that a child can take for a file.
 class MemoryFile {
@@ -93,6 +99,18 @@ class SpawnAttributes {
   posix_spawnattr_t attributes_;
 };
 
+/// No picture takes as much. What PATH calls gnuplot may be anything, and outlive us.
+void limit(pid_t child) {
+  constexpr rlim_t kMostDrawn_bytes = 256 << 20;
+  rlimit drawn{};
+  if (::prlimit(child, RLIMIT_FSIZE, nullptr, &drawn) != 0) return;
+  drawn.rlim_cur = std::min(drawn.rlim_cur, kMostDrawn_bytes);
+  ::prlimit(child, RLIMIT_FSIZE, &drawn, nullptr);
+  rlimit time{};
+  time.rlim_cur = time.rlim_max = static_cast<rlim_t>(kLongest.count());
+  ::prlimit(child, RLIMIT_CPU, &time, nullptr);
+}
+
 pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const MemoryFile& words,
                     const std::string& option) {
   std::string name = "gnuplot";
@@ -108,7 +126,10 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
   const int error = posix_spawnp(&child, arguments[0], &actions, attributes.get(), arguments,
                                  variables_without_terminal().data());
   posix_spawn_file_actions_destroy(&actions);
-  if (error == 0) return child;
+  if (error == 0) {
+    limit(child);
+    return child;
+  }
   if (error == ENOENT) {
     throw io::SpecError({{option, "",
                           "gnuplot, which draws the picture, is not installed "
@@ -120,9 +141,20 @@ pid_t start_gnuplot(const MemoryFile& script, const MemoryFile& drawing, const M
 
 /// Waits for its end; how that went wrong, or nothing.
 std::string ending_of(pid_t child) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point latest = Clock::now() + kLongest;
+  std::chrono::milliseconds pause(1);
   int status = 0;
-  pid_t ended = -1;
-  while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) continue;
+  pid_t ended = 0;
+  while ((ended = ::waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+    if (Clock::now() > latest) {
+      ::kill(-child, SIGKILL);
+      ::waitpid(child, &status, 0);
+      return fmt::format("had not ended after {} s", kLongest.count());
+    }
+    std::this_thread::sleep_for(pause);
+    pause = std::min(2 * pause, std::chrono::milliseconds(20));
+  }
   if (ended < 0) return "ended unseen";
   if (WIFSIGNALED(status)) return fmt::format("was ended by signal {}", WTERMSIG(status));
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("ended with {}", WEXITSTATUS(status));
@@ -145,12 +177,18 @@ PlotFormat plot_format(const std::filesystem::path& file) {
 }
 
 std::string gnuplot_quoted(std::string_view text) {
-  // Within single quotes gnuplot expands nothing; a quote is doubled.
+  // Within single quotes gnuplot expands nothing. It has no escape for one that all versions
+  // read, and its SVG leaves "]]>" as it is, which no XML may hold.
   std::string quoted = "'";
   for (const char character : text) {
     if (static_cast<unsigned char>(character) < 0x20) continue;
-    quoted += character;
-    if (character == '\'') quoted += character;
+    if (character == '\'') {
+      quoted += "\u2019";
+    } else if (character == '>' && quoted.ends_with("]]")) {
+      quoted += " >";
+    } else {
+      quoted += character;
+    }
   }
   return quoted + "'";
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "actuator/effects/library.hpp"
 #include "actuator/region/motor_region.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
@@ -55,6 +56,23 @@ TEST(OperatingConditions, TakeTheLowerOfStatedAndThermalCurrent) {
   const MotorRange range = motor_range(phase_model_at(actuator, continuous), 0.0);
   EXPECT_NEAR(range.greatest.torque_Nm, 0.5, 1e-14);
   EXPECT_EQ(range.greatest.limiter, Limiter::kCurrent);
+}
+
+// A gearbox that holds a thousand times what the motor gives holds by its teeth, whether it is its
+// efficiency that says so or friction by the load.
+TEST(OperatingConditions, AskWhatTeethHoldWhereAGearboxLocks) {
+  for (const double efficiency : {0.0, 5e-324, 1e-12, 0.9e-3}) {
+    Actuator actuator = round_actuator();
+    actuator.transmission.backward_efficiency = efficiency;
+    EXPECT_EQ(objections(actuator, {}).size(), 1u) << efficiency;
+    actuator.transmission.peak_torque_Nm = 100.0;
+    EXPECT_TRUE(objections(actuator, {}).empty()) << efficiency;
+  }
+  Actuator actuator = round_actuator();
+  actuator.transmission.backward_efficiency = 1.1e-3;
+  EXPECT_TRUE(objections(actuator, {}).empty());
+  actuator.effects = {{find_effect("load_dependent_friction"), {0.0, 0.5}, {}, false, "stated"}};
+  EXPECT_EQ(objections(actuator, {}).size(), 1u);
 }
 
 TEST(OperatingConditions, ReadTheBatterysCurve) {

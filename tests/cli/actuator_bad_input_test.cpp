@@ -228,5 +228,29 @@ TEST(SuspiciousMotion, InDegreesIsWarnedOf) {
   EXPECT_NE(outcome.out.find("degrees under a header in rad?"), std::string::npos);
 }
 
+// Also where it is a robot's: no table of it has an end.
+TEST(LockedGearbox, IsRefusedWithoutALimitOfItsTeeth) {
+  const Workplace place;
+  fs::copy(in_repository("specs"), place.path("specs"), fs::copy_options::recursive);
+  const std::string knee = text_of(in_repository("specs/actuator/d151_knee.json"));
+  const std::string key = "\"backward_efficiency\": ";
+  const std::size_t from = knee.find(key);
+  ASSERT_NE(from, std::string::npos);
+  const std::string stated = knee.substr(from, knee.find_first_of(",}", from) - from);
+  for (const char* efficiency : {"0", "5e-324"}) {
+    place.write("specs/actuator/d151_knee.json", with(knee, stated, key + efficiency));
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"actuator", "mor", "specs/actuator/d151_knee.json", "--at-speed", "0"},
+             {"robot", "export", "specs/robot/hopper.json", "--format", "mjcf", "--actuators"},
+             {"robot", "export", "specs/robot/hopper.json", "--format", "newton", "--actuators"}}) {
+      const Outcome outcome = place.run(words);
+      EXPECT_EQ(outcome.exit_code, 2) << words[0];
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_NE(outcome.err.find("d151_knee.json: the gearbox locks itself"), std::string::npos)
+          << outcome.err;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test

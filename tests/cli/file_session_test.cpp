@@ -484,5 +484,15 @@ TEST(Outputs, AreRefusedUnderNoName) {
       2);
 }
 
+// What the starter closed is not taken by a file that is opened.
+TEST(FileSession, MistakesNoFileForAClosedStandardError) {
+  Workplace place;
+  place.here.closes_stderr = true;
+  const Outcome outcome =
+      place.run({"actuator", "mor", in_repository(kKneeFile), "--at-speed", "0"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("0,-320"), std::string::npos) << outcome.out;
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test

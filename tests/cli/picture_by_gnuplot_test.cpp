@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "tests/cli/well_formed.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {
@@ -41,6 +42,30 @@ TEST(PictureByGnuplot, IsNoneWhereGnuplotFails) {
         << outcome.err;
     EXPECT_FALSE(place.has("region.svg")) << script;
   }
+}
+
+TEST(PictureByGnuplot, HoldsAnyName) {
+  if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is absent";
+  const std::string knee = text_of(in_repository("specs/actuator/ak80_9.json"));
+  const std::string key = "\"name\": \"";
+  const std::size_t from = knee.find(key) + key.size();
+  const std::string own = knee.substr(from, knee.find('"', from) - from);
+  for (const char* name : {"'tis", "x''", "it's", "k]]>nee", "a'\\\\]]>'"}) {
+    Workplace place;
+    place.write("knee.json", with(knee, key + own, key + name));
+    const Outcome outcome = place.run({"actuator", "mor", "knee.json", "--plot", "knee.svg"});
+    ASSERT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    EXPECT_EQ(fault_in(place.text("knee.svg")), "") << name;
+  }
+}
+
+/// What PATH calls gnuplot writes without end: so much is no picture.
+TEST(PictureByGnuplot, IsNotWithoutEnd) {
+  Workplace place;
+  install(place, "exec yes");
+  const Outcome outcome = draw(place, "region.svg");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("was ended by signal"), std::string::npos) << outcome.err;
 }
 
 TEST(PictureByGnuplot, NeedsNoScreen) {

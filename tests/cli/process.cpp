@@ -75,6 +75,7 @@ bool become_nobody() {
                         limit(RLIMIT_AS, circumstances.memory_limit) &&
                         limit(RLIMIT_STACK, circumstances.stack_limit) &&
                         (!circumstances.as_nobody || become_nobody());
+  if (is_ready && circumstances.closes_stderr) ::close(STDERR_FILENO);
   if (is_ready) ::execv(words.front(), words.data());
   ::_exit(kNotStarted);
 }

@@ -27,6 +27,7 @@ struct Circumstances {
   std::optional<std::chrono::milliseconds> interrupt_after{};
   std::optional<Signal> signal{};
   bool ignores_interrupt = false;          ///< As a shell starts what is in the background.
+  bool closes_stderr = false;              ///< As by `2>&-`.
   bool as_nobody = false;                  ///< Without root's rights. Requires root.
   std::filesystem::path stdout_file{};     ///< Instead of a pipe, as by `>>`; `out` stays empty.
   std::vector<std::string> environment{};  ///< More variables, NAME=VALUE.

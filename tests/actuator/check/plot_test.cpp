@@ -45,7 +45,8 @@ TEST(Plot, FormatIsTheFilesEnding) {
 
 // gnuplot would run what stands in `...` within double quotes; within single ones nothing.
 TEST(Plot, TextCannotLeaveItsQuotes) {
-  EXPECT_EQ(gnuplot_quoted("it's"), "'it''s'");
+  EXPECT_EQ(gnuplot_quoted("'it's''"), "'\u2019it\u2019s\u2019\u2019'");
+  EXPECT_EQ(gnuplot_quoted("k]]>x > y]>"), "'k]] >x > y]>'");
   EXPECT_EQ(gnuplot_quoted("a\n`touch x`\n"), "'a`touch x`'");
 }
 

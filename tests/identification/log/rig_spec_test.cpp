@@ -153,6 +153,8 @@ TEST(ReadRig, RefusesWithThePlace) {
            R"(is output_position_rad as "q2" is; name one)"},
           {R"({"columns": {"q_rad": {"quantity": "output_position_rad", "scale": 0}}})",
            "/columns/q_rad/scale: 0 would leave nothing"},
+          {R"({"columns": {"q_rad": {"quantity": "output_position_rad", "scale": -5e-324}}})",
+           "/columns/q_rad/scale: 4.94066e-324 is less than 1e-15 in magnitude"},
           {R"({"columns": {"q_rad": {"quantity": "output_position_rad", "joint": "a"}}})",
            "only a serial_arm has several joints"},
           {R"({"columns": {"t_s": {"quantity": "time_s", "scale": -1}}})", "is negative; time"},
