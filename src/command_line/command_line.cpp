@@ -400,6 +400,12 @@ bool Program::is_answered(const std::vector<std::string>& words,
 
 void Program::refuse_words(const std::vector<std::string>& words, const std::string& why) const {
   if (const auto misspelt = misspelling(declared_, words)) refuse(*misspelt);
+  // CLI11 takes the next word for what "--option=" leaves empty.
+  const bool is_left_empty = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word.starts_with("--") && word.ends_with('=');
+  });
+  const auto blank = is_left_empty ? blank_value(declared_, words) : std::nullopt;
+  if (blank) refuse(*blank);
   const DeclaredCommand& command = *reached_by(declared_, words).command;
   for (const DeclaredOption& option : command.options) {
     if (why != longest_name(option) + " is required" || option.choices.empty()) continue;

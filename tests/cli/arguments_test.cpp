@@ -108,6 +108,8 @@ std::vector<BadArguments> bad_arguments() {
       {{"gearbox", "strength", "result.json", "--face-width", ",8"},
        "command line: --face-width: \",8\" has a blank place in its list"},
       // Unset variables of a script.
+      {{"actuator", "mor", "a.json", "--bus-voltage=", "--at-speed", "0"},
+       "command line: --bus-voltage: \"\" is blank"},
       {{"actuator", "mor", "a.json", "--need", ""}, "command line: --need: \"\" is blank"},
       {{"actuator", "mor", "a.json", "--ratio", ""}, "command line: --ratio: \"\" is blank"},
       {{"actuator", "mor", "a.json", "--compare", ""}, "command line: --compare: \"\" is blank"},
