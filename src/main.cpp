@@ -7,15 +7,15 @@
 #include "io/atomic_file.hpp"
 #include "io/direct_output.hpp"
 #include "io/file_session.hpp"
+#include "io/standard_descriptors.hpp"
 #include "src/command_line/exit_status.hpp"
 #include "src/exit_code.hpp"
 #include "src/limited_stack.hpp"
 #include "src/program.hpp"
-#include "src/standard_descriptors.hpp"
 #include "src/sweep/worker_channel.hpp"
 
 int main(int argc, char** argv) {
-  torquewright::cli::fill_standard_descriptors();
+  torquewright::io::fill_standard_descriptors();
   if (const std::string_view complaint = torquewright::cli::stack_complaint(); !complaint.empty()) {
     torquewright::io::write_all(STDERR_FILENO, complaint);
     return static_cast<int>(torquewright::cli::ExitCode::kBadInput);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "src/standard_descriptors.hpp"
+#include "io/standard_descriptors.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace torquewright::cli {
+namespace torquewright::io {
 
 void fill_standard_descriptors() {
   // The other way round for stdin and stdout: what uses them is told that they are not there.
@@ -15,4 +15,4 @@ void fill_standard_descriptors() {
   }
 }
 
-}  // namespace torquewright::cli
+}  // namespace torquewright::io
