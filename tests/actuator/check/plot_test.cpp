@@ -58,7 +58,7 @@ TEST(Plot, DrawsBothFormats) {
   const std::string svg = bytes_of(folder.path() / "r.svg");
   EXPECT_NE(svg.find("<svg"), std::string::npos);
   EXPECT_NE(svg.find("limited by voltage"), std::string::npos);
-  EXPECT_NE(svg.find("it's `x`"), std::string::npos);
+  EXPECT_NE(svg.find("it\u2019s `x`"), std::string::npos);
   const std::vector<PlottedMotion> motions{
       {"knee", table(), {{0.0, 1.0, 2.0, false}, {0.5, 40.0, 29.0, true}}}};
   draw_with_gnuplot(motion_plot(PlotFormat::kPng, "motion", motions), folder.path() / "m.png");
