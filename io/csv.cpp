@@ -238,7 +238,10 @@ void CsvReader::split(std::string_view line) {
         if (line[end] == '"') ++end;
         cell += line[end];
       }
-      if (end == line.size()) refuse(cells_.size(), "a quote opens here and never closes");
+      if (end == line.size()) {
+        refuse(cells_.size(),
+               "a quote opens here and does not close in this line; a cell must be one line");
+      }
       const std::size_t closed = end + 1;
       end = std::min(line.find(',', closed), line.size());
       if (!trimmed(line.substr(closed, end - closed)).empty()) {

@@ -163,7 +163,9 @@ InputFile::InputFile(const std::filesystem::path& file)
              fmt::format("is a {}, and nobody wrote into it within {} s",
                          S_ISCHR(status_.st_mode) ? "device" : "named pipe", kWriterPatience_s));
     }
-    ::fcntl(descriptor_, F_SETFL, ::fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
+    // What looks like a file and waits (/proc/kmsg) fails at its end.
+    const bool may_wait = !S_ISREG(status_.st_mode);
+    if (may_wait) ::fcntl(descriptor_, F_SETFL, ::fcntl(descriptor_, F_GETFL) & ~O_NONBLOCK);
     remember(file, status_);
     refuse_messages_into(status_);
   } catch (...) {

@@ -28,23 +28,23 @@ struct ImportOptions {
   std::vector<std::string> files;
 };
 
-/// Whether it is there as it would be written. Refuses one that says something else: somebody may
-/// have stated in it what the actuator moved.
-bool has_rig(const fs::path& rig, const std::string& text) {
+/// Whether it is there as it would be written. Refuses one that says something else: who names a
+/// folder has not named it, a log may be somebody's only one, and a rig edited.
+bool is_there(const io::FileContent& made) {
   std::error_code unknown;
-  if (!fs::is_regular_file(rig, unknown)) return false;
-  if (io::read_file_bytes(rig) == text) return true;
-  io::refuse(rig.string(),
+  if (!fs::is_regular_file(made.file, unknown)) return false;
+  if (io::holds(made.file, made.content)) return true;
+  io::refuse(made.file.string(),
              "is there already and says something else; take it away, or name another "
              "folder by -o");
 }
 
-/// The log, and the rig where it is not there yet.
+/// What of the two is not there yet.
 void write(const ImportOptions& options, std::vector<io::FileContent> log_and_rig) {
   const io::NewFolder folder(options.folder);
   io::check_outputs({log_and_rig[0].file, log_and_rig[1].file},
                     {options.files.begin(), options.files.end()});
-  if (has_rig(log_and_rig[1].file, log_and_rig[1].content)) log_and_rig.pop_back();
+  std::erase_if(log_and_rig, is_there);
   io::write_whole_files(log_and_rig);
 }
 

@@ -118,6 +118,20 @@ TEST(Import, KeepsTheRigThatSomebodyHasEdited) {
   EXPECT_EQ(again.rig, edited);
 }
 
+// Nobody named the file that a link of that name leads to.
+TEST(Import, KeepsALogThatIsThere) {
+  const Workplace place;
+  place.write("arm.json", sysid().dump());
+  fs::create_directory(place.path("made"));
+  fs::create_symlink(place.path("measured.csv"), place.path("made/log.csv"));
+  place.write("measured.csv", "time_s\n0\n");
+  const Outcome refused = place.run({"identify", "import", "sysid", "arm.json", "-o", "made"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err.find("made/log.csv: is there already and says something else"), 0u);
+  EXPECT_EQ(place.text("measured.csv"), "time_s\n0\n");
+  EXPECT_FALSE(place.has("made/rig.json"));
+}
+
 TEST(Import, ReadsSysIdOfALinearMechanism) {
   json file = sysid();
   file["test"] = "Elevator";

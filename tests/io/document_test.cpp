@@ -123,6 +123,8 @@ TEST(ReadDocument, RefusesWhatIsNoReadableFile) {
   EXPECT_EQ(refusal_to_read(folder.path()), name + ": is a folder, must be a file");
   EXPECT_EQ(refusal_to_read("/proc/self/mem"),
             "/proc/self/mem: cannot be read: Input/output error");
+  // Who may read it gets to where it waits for the kernel's next message, which may never come.
+  EXPECT_EQ(refusal_to_read("/proc/kmsg").find("/proc/kmsg: cannot be read: "), 0u);
   EXPECT_EQ(refusal_to_read("/dev/zero"), "/dev/zero: holds more than the allowed 64 MiB");
 }
 

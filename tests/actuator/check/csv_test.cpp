@@ -145,7 +145,9 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{"1,2\n3,4\n",
                      "line 1, column 1 (1): 1 is a number; the first line must name the columns"},
         MistakenText{"a,b\n1,2\n\n3,4\n", "line 3: empty, between rows"},
-        MistakenText{"a,b\n1,\"2\n", "line 2, column 2 (b): a quote opens here and never closes"},
+        MistakenText{"a,b\n1,\"2\n",
+                     "line 2, column 2 (b): a quote opens here and does not close in this line; a "
+                     "cell must be one line"},
         MistakenText{"a,b\n1,\"2\"3\n",
                      "line 2, column 2 (b): text stands behind the closing quote"},
         MistakenText{std::string("a,b\n1,\0\n", 8),
