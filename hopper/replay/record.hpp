@@ -15,7 +15,7 @@ struct RecordRow {
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;
   Eigen::VectorXd wanted_Nm;   ///< By drive, at its output; so the next two.
-  Eigen::VectorXd torque_Nm;   ///< That acted at the end of the interval.
+  Eigen::VectorXd torque_Nm;   ///< That acted at the end of the interval; in the first row, next.
   Eigen::VectorXd cut_off_Nm;  ///< The greatest of the interval, signed.
   Eigen::VectorXd speed_rad_s;
   Eigen::VectorXd bus_V;
@@ -23,7 +23,6 @@ struct RecordRow {
   Eigen::VectorXd impulses_N_s;  ///< (3 points x 1), the sum over the interval.
   TouchingPoints touches;        ///< Points that the ground pressed on in the interval.
   double slip_m_s = 0.0;         ///< Of the fastest of those.
-  double power_W = 0.0;
 };
 
 /// How a run ended.
@@ -44,6 +43,9 @@ struct Record {
   double step_s = 0.0;
   double control_period_s = 0.0;
   std::size_t starved_steps = 0;  ///< In which a battery could not give the power.
+  double greatest_power_W = 0.0;  ///< Of all batteries together, of all steps.
+  double least_bus_V = 0.0;       ///< Of any drive, of all steps; 0 without one.
+  double least_bus_s = 0.0;
 };
 
 }  // namespace torquewright::hopper

@@ -61,11 +61,16 @@ void note_errors(const Robot& robot, const Reference& reference, const Record& r
 }
 
 void note_torques(const Record& record, std::vector<DriveReplay>& drives) {
+  if (record.steps.torque_Nm.cols() > 0) {
+    const VectorXd peak_Nm = record.steps.torque_Nm.cwiseAbs().rowwise().maxCoeff();
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+      drives[i].peak_torque_Nm = peak_Nm[static_cast<Index>(i)];
+    }
+  }
   for (const RecordRow& row : record.rows) {
     for (std::size_t i = 0; i < drives.size(); ++i) {
       const auto at = static_cast<Index>(i);
       DriveReplay& drive = drives[i];
-      drive.peak_torque_Nm = std::max(drive.peak_torque_Nm, std::abs(row.torque_Nm[at]));
       const double cut_off_Nm = std::abs(row.cut_off_Nm[at]);
       if (cut_off_Nm > 0.0) drive.clipped_share += 1.0 / static_cast<double>(record.rows.size());
       if (cut_off_Nm > drive.peak_cut_off_Nm) {
@@ -96,19 +101,6 @@ TouchDownLoad load_after(const Record& record, double touch_down_s, double windo
     load.peak_force_N = std::max(load.peak_force_N, impulse_N_s.norm() / record.control_period_s);
   }
   return load;
-}
-
-void note_bus(const Record& record, ReplayResult& result) {
-  bool is_first = true;
-  for (const RecordRow& row : record.rows) {
-    result.greatest_power_W = std::max(result.greatest_power_W, row.power_W);
-    if (row.bus_V.size() == 0) continue;
-    const double least_V = row.bus_V.minCoeff();
-    if (!is_first && least_V >= result.least_bus_V) continue;
-    is_first = false;
-    result.least_bus_V = least_V;
-    result.least_bus_s = row.time_s;
-  }
 }
 
 void add_clipped(const DriveReplay& drive, std::vector<Finding>& findings) {
@@ -160,7 +152,9 @@ ReplayResult result_of(const Robot& robot, const Reference& reference, const Rec
   result.drives = named_drives(robot);
   note_errors(robot, reference, record, result.drives);
   note_torques(record, result.drives);
-  note_bus(record, result);
+  result.greatest_power_W = record.greatest_power_W;
+  result.least_bus_V = record.least_bus_V;
+  result.least_bus_s = record.least_bus_s;
   if (result.outcome.touch_down) {
     result.touch_down_load = load_after(record, result.outcome.touch_down->time_s, load_window_s);
   }

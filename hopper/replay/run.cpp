@@ -69,7 +69,7 @@ class Run {
     seen_touches_ = parts_.reference.modes().front().touches;
     row_.touches = TouchingPoints::Constant(points, false);
     row_.impulses_N_s.setZero(3 * points);
-    row_.cut_off_Nm.setZero(drives_);
+    for (VectorXd* of_drives : {&row_.torque_Nm, &row_.cut_off_Nm}) of_drives->setZero(drives_);
     place();
     row_.speed_rad_s = speed_;
     look();
@@ -144,7 +144,6 @@ class Run {
     row_.velocity = parts_.engine.velocity();
     row_.wanted_Nm = wanted_;
     row_.speed_rad_s = speed_;
-    if (row_.torque_Nm.size() == 0) row_.torque_Nm = wanted_;
     row_.slip_m_s = 0.0;
     for (Index point = 0; point < row_.touches.size(); ++point) {
       if (!row_.touches[point]) continue;
@@ -185,10 +184,11 @@ class Run {
     steps.speed_after_rad_s.col(column) = speed_;
     steps.carried_Nm_s.col(column) += carried_;
     steps.times_s.push_back(time_s() + options_.step_s);
+    if (column == 0) record_.rows.front().torque_Nm = made.torque_Nm;
     row_.torque_Nm = made.torque_Nm;
     row_.bus_V = made.bus_V;
     row_.winding_K = made.winding_K;
-    row_.power_W = made.power_W;
+    note_batteries(made, column == 0);
     for (Index drive = 0; drive < drives_; ++drive) {
       if (std::abs(made.cut_off_Nm[drive]) > std::abs(row_.cut_off_Nm[drive])) {
         row_.cut_off_Nm[drive] = made.cut_off_Nm[drive];
@@ -201,6 +201,15 @@ class Run {
       row_.touches[point] = true;
       seen_touches_[point] = true;
     }
+  }
+
+  void note_batteries(const DriveStep& made, bool is_first) {
+    record_.greatest_power_W = std::max(record_.greatest_power_W, made.power_W);
+    if (made.bus_V.size() == 0) return;
+    const double least_V = made.bus_V.minCoeff();
+    if (!is_first && least_V >= record_.least_bus_V) return;
+    record_.least_bus_V = least_V;
+    record_.least_bus_s = time_s();
   }
 
   static std::string words_of(EngineOutcome outcome) {
