@@ -11,6 +11,7 @@
 
 #include "actuator/check/region_words.hpp"
 #include "actuator/check/velocity_words.hpp"
+#include "io/time_text.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::actuator {
@@ -32,11 +33,11 @@ Finding region_violation(const DriveReport& drive, const CheckedInterpretation& 
   const WorstSample& worst = interpretation.worst;
   Finding result = finding(
       drive, severity, "motor-operating-region",
-      fmt::format("{}{}: {} of {} samples ({}) lie outside the region, the worst at t = {:.6g} s: "
+      fmt::format("{}{}: {} of {} samples ({}) lie outside the region, the worst at t = {} s: "
                   "{} ({})",
                   drive.name, how, interpretation.clipped_samples, drive.samples,
-                  percent(interpretation.clipped_samples, drive.samples), worst.time_s,
-                  outside_words(worst), name_of(worst.limiter)));
+                  percent(interpretation.clipped_samples, drive.samples),
+                  io::time_text(worst.time_s), outside_words(worst), name_of(worst.limiter)));
   result.time_s = worst.time_s;
   result.value = worst.torque_Nm;
   result.limit = worst.limit_Nm;
@@ -206,9 +207,9 @@ void add_torque(const DriveReport& drive, std::vector<Finding>& findings) {
     result.severity = Severity::kViolation;
     result.rule = "motor-operating-region";
     result.sentence = fmt::format(
-        "{}: at {:.6g} rad/s (t = {:.6g} s) the actuator can hold no torque "
+        "{}: at {:.6g} rad/s (t = {} s) the actuator can hold no torque "
         "at all, whatever the motion needs",
-        drive.name, *drive.limiting_speed_rad_s, *drive.limiting_time_s);
+        drive.name, *drive.limiting_speed_rad_s, io::time_text(*drive.limiting_time_s));
     result.time_s = drive.limiting_time_s;
     result.value = drive.limiting_speed_rad_s;
     result.unit = "rad/s";
@@ -230,10 +231,9 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
   if (drive.unwrapped > 0) {
     findings.push_back(finding(
         drive, Severity::kNote, "angle-unwrapped",
-        fmt::format(
-            "{}: the position jumps by a whole turn {} times, first at t = {:.6g} s; it was "
-            "made to run on",
-            drive.name, drive.unwrapped, drive.unwrapped_from_s)));
+        fmt::format("{}: the position jumps by a whole turn {} times, first at t = {} s; it was "
+                    "made to run on",
+                    drive.name, drive.unwrapped, io::time_text(drive.unwrapped_from_s))));
     findings.back().time_s = drive.unwrapped_from_s;
   }
   if (drive.is_speed_differentiated) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "io/time_text.hpp"
+
 namespace torquewright::actuator {
 
 std::optional<Finding> gap_finding(const LongestStep& step) {
@@ -15,10 +17,10 @@ std::optional<Finding> gap_finding(const LongestStep& step) {
   result.limit = kGap * step.usual_s;
   result.unit = "s";
   result.sentence = fmt::format(
-      "no samples for {:.6g} s from t = {:.6g} s on, while the other steps are {:.3g} s on "
+      "no samples for {:.6g} s from t = {} s on, while the other steps are {:.3g} s on "
       "average; "
       "what is integrated, energy, rms and heat, runs straight across",
-      step.duration_s, step.from_s, step.usual_s);
+      step.duration_s, io::time_text(step.from_s), step.usual_s);
   return result;
 }
 

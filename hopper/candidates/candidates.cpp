@@ -13,6 +13,7 @@
 #include "actuator/region/joint_region.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "hopper/in_parallel.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -181,12 +182,12 @@ std::string reason(const actuator::DriveReport& report, bool by_dynamics) {
   }
   if (interpretation.first) {
     const actuator::WorstSample& first = *interpretation.first;
-    return fmt::format(
-        "{} at t = {:.4g} s: {} ({}); {:.3g} % of the samples, the worst at t = {:.4g} s",
-        report.name, first.time_s, actuator::outside_words(first), actuator::name_of(first.limiter),
-        100.0 * static_cast<double>(interpretation.clipped_samples) /
-            static_cast<double>(report.samples),
-        interpretation.worst.time_s);
+    return fmt::format("{} at t = {} s: {} ({}); {:.3g} % of the samples, the worst at t = {} s",
+                       report.name, io::time_text(first.time_s, 4), actuator::outside_words(first),
+                       actuator::name_of(first.limiter),
+                       100.0 * static_cast<double>(interpretation.clipped_samples) /
+                           static_cast<double>(report.samples),
+                       io::time_text(interpretation.worst.time_s, 4));
   }
   if (interpretation.winding && interpretation.winding->runs_to_limit) {
     return fmt::format("{}: its winding passes {:.4g} K in run {}", report.name,

@@ -14,6 +14,7 @@
 #include "hopper/contact/cone_least_squares.hpp"
 #include "hopper/robot/touching_point.hpp"
 #include "io/refusal.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -219,9 +220,10 @@ class DemandPass {
       angles += fmt::format("{}{} at {:.6g} rad", angles.empty() ? "" : ", ",
                             robot_.tree.bodies[joint].joint.name, motion_.positions(row, sample));
     }
-    io::refuse(motion_.file,
-               fmt::format("t = {:.6g} s: {}: there the {} mechanism cannot be, or it is singular",
-                           motion_.time_s(sample), angles, drivetrain.mechanism->type()));
+    io::refuse(
+        motion_.file,
+        fmt::format("t = {} s: {}: there the {} mechanism cannot be, or it is singular",
+                    io::time_text(motion_.time_s(sample)), angles, drivetrain.mechanism->type()));
   }
 
   void measure_robot() {

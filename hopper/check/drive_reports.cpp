@@ -8,6 +8,7 @@
 #include "actuator/check/heat_ends.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "io/refusal.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -62,8 +63,8 @@ void compare(const CheckedMotion& checked, DriveTorques& torques) {
   finding.unit = "Nm";
   finding.sentence = fmt::format(
       "the file's torques, read as {} the rotors' own, and those of the dynamics differ by {:.3g} "
-      "Nm rms, {:.4g} Nm at most (t = {:.6g} s); the {} are held against the regions{}",
-      excludes ? "without" : "with", mismatch_Nm, worst_Nm, *finding.time_s,
+      "Nm rms, {:.4g} Nm at most (t = {} s); the {} are held against the regions{}",
+      excludes ? "without" : "with", mismatch_Nm, worst_Nm, io::time_text(*finding.time_s),
       torques.from_file ? "file's" : "dynamics'",
       torques.is_doubtful ? "; they explain nothing of the motion, so that a pass by them is "
                             "none: --torques states which count"

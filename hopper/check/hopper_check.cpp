@@ -17,6 +17,7 @@
 #include "hopper/check/time_gap.hpp"
 #include "hopper/motion/rate_agreement.hpp"
 #include "io/spec_error.hpp"
+#include "io/time_text.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::hopper {
@@ -62,9 +63,9 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
   }
   for (const UnwrappedAngle& angle : motion.unwrapped) {
     note("angle-unwrapped", Severity::kNote,
-         fmt::format("{} jumps by a whole turn {} times, first at t = {:.6g} s; it was made to run "
+         fmt::format("{} jumps by a whole turn {} times, first at t = {} s; it was made to run "
                      "on",
-                     angle.column, angle.count, angle.first_s));
+                     angle.column, angle.count, io::time_text(angle.first_s)));
     findings.back().time_s = angle.first_s;
   }
   if (const std::string shifted = motion.clock.sentence(); !shifted.empty()) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "io/spec_error.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -50,10 +51,10 @@ std::string question_of_contacts(const Motion& motion) {
 std::string sentence(const char* what, const ResidualPeak& peak, const char* unit, double window_s,
                      const Motion& motion) {
   return fmt::format(
-      "t = {:.6g} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
+      "t = {} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
       "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): is it this "
       "robot's motion, {}, are its rates smooth? --residual-limit allows more{}",
-      peak.time_s, what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
+      io::time_text(peak.time_s), what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
       100.0 * peak.share_beyond, question_of_contacts(motion), help_words(motion));
 }
 
@@ -79,13 +80,14 @@ void add_fall(const CheckedMotion& checked, const Flight& flight, std::vector<io
   const double gravity_m_s2 = checked.robot.tree.gravity_m_s2;
   faults.push_back(
       {checked.motion.file, "",
-       fmt::format("t = {:.6g} to {:.6g} s: in flight the centre of mass accelerates by ({:.4g}, "
+       fmt::format("t = {} to {} s: in flight the centre of mass accelerates by ({:.4g}, "
                    "{:.4g}, {:.4g}) m/s^2, {:.4g} m/s^2 ({:.3g} % of gravity) from falling freely "
                    "(limit {:.3g}); likely cause: {}; --residual-limit allows more{}",
-                   flight.from_s, flight.until_s, flight.fall_m_s2.x(), flight.fall_m_s2.y(),
-                   flight.fall_m_s2.z(), flight.fall_error_m_s2,
-                   100.0 * flight.fall_error_m_s2 / gravity_m_s2, flight.fall_limit_m_s2,
-                   cause_of_fall(flight, checked), help_words(checked.motion))});
+                   io::time_text(flight.from_s), io::time_text(flight.until_s),
+                   flight.fall_m_s2.x(), flight.fall_m_s2.y(), flight.fall_m_s2.z(),
+                   flight.fall_error_m_s2, 100.0 * flight.fall_error_m_s2 / gravity_m_s2,
+                   flight.fall_limit_m_s2, cause_of_fall(flight, checked),
+                   help_words(checked.motion))});
 }
 
 void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io::Fault>& faults) {
@@ -94,11 +96,12 @@ void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io
   faults.push_back(
       {checked.motion.file, "",
        fmt::format(
-           "t = {:.6g} to {:.6g} s: in flight the angular momentum about the centre of mass "
+           "t = {} to {} s: in flight the angular momentum about the centre of mass "
            "moves by {:.4g} Nm s from its mean of {:.4g} Nm s (limit {:.3g}), and nothing "
            "turns a body in the air; likely cause: {}, or {}; --residual-limit allows more{}",
-           flight.from_s, flight.until_s, flight.angular_momentum_drift_Nm_s,
-           flight.angular_momentum_Nm_s, flight.angular_momentum_limit_Nm_s,
+           io::time_text(flight.from_s), io::time_text(flight.until_s),
+           flight.angular_momentum_drift_Nm_s, flight.angular_momentum_Nm_s,
+           flight.angular_momentum_limit_Nm_s,
            is_derived ? "masses or inertias of another robot, a joint's sign"
                       : "velocities in other units or axes, a joint's sign, masses or "
                         "inertias of another robot",

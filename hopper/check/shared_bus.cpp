@@ -11,6 +11,7 @@
 #include "actuator/check/geared_torque.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "hopper/robot/drive_supply.hpp"
+#include "io/time_text.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::hopper {
@@ -101,14 +102,15 @@ std::string overload_of(const SharedBus& bus) {
   std::vector<std::string> sentences;
   if (bus.starved > 0) {
     sentences.push_back(
-        fmt::format("it cannot deliver the power of {} samples, {:.6g} W at t = {:.6g} s",
-                    bus.starved, bus.greatest_power_W, bus.power_time_s));
+        fmt::format("it cannot deliver the power of {} samples, {:.6g} W at t = {} s", bus.starved,
+                    bus.greatest_power_W, io::time_text(bus.power_time_s)));
   }
   if (bus.flooded > 0) {
     sentences.push_back(fmt::format(
-        "it cannot take back the power of {} samples, {:.6g} W at t = {:.6g} s, where {:.6g} W are "
+        "it cannot take back the power of {} samples, {:.6g} W at t = {} s, where {:.6g} W are "
         "the most by its charge_limit_A or maximum_voltage_V",
-        bus.flooded, -bus.least_power_W, bus.return_time_s, 0.0 - bus.return_limit_W));
+        bus.flooded, -bus.least_power_W, io::time_text(bus.return_time_s),
+        0.0 - bus.return_limit_W));
   }
   return fmt::format("{}", fmt::join(sentences, "; "));
 }
@@ -123,11 +125,11 @@ std::vector<Finding> shared_bus_findings(const CheckedMotion& checked,
     finding.time_s = bus.least_time_s;
     finding.unit = "V";
     finding.sentence = fmt::format(
-        "{} load one battery together: its voltage falls from {:.4g} V to {:.4g} V at t = {:.6g} "
-        "s, the power is {:.4g} W at most (t = {:.6g} s); every drive is held against the region "
+        "{} load one battery together: its voltage falls from {:.4g} V to {:.4g} V at t = {} "
+        "s, the power is {:.4g} W at most (t = {} s); every drive is held against the region "
         "at the voltage of each instant",
-        names_of(checked, bus), bus.open_circuit_V, bus.least_V, bus.least_time_s,
-        bus.greatest_power_W, bus.power_time_s);
+        names_of(checked, bus), bus.open_circuit_V, bus.least_V, io::time_text(bus.least_time_s),
+        bus.greatest_power_W, io::time_text(bus.power_time_s));
     if (bus.starved + bus.flooded == 0) continue;
     const bool is_starved = bus.starved > 0;
     finding.severity = actuator::Severity::kViolation;

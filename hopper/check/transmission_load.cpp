@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/time_text.hpp"
+
 namespace torquewright::hopper {
 namespace {
 
@@ -111,9 +113,10 @@ std::vector<Finding> transmission_findings(const std::vector<TransmissionLoad>& 
     if (load.verdict == Verdict::kUndecided) finding.severity = Severity::kWarning;
     finding.sentence = fmt::format(
         "{}: {:.4g} Nm at the joint, {:.4g} Nm at the motor pass its gears (mean of {:g} ms from "
-        "t = {:.6g} s){}{}",
-        load.drive, load.joint.mean, load.motor.mean, 1e3 * load.window_s, load.judged().time_s,
-        load.limit ? limit_words(load) : "", doubt_words(load));
+        "t = {} s){}{}",
+        load.drive, load.joint.mean, load.motor.mean, 1e3 * load.window_s,
+        io::time_text(load.judged().time_s), load.limit ? limit_words(load) : "",
+        doubt_words(load));
   }
   return findings;
 }

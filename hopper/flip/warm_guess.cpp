@@ -10,6 +10,7 @@
 
 #include "hopper/contact/contact_schedule.hpp"
 #include "io/refusal.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -44,8 +45,8 @@ class Reader {
     } else {
       if (std::abs(from[1]) > kInPlane || std::abs(from[4]) > kInPlane ||
           std::abs(from[6]) > kInPlane) {
-        io::refuse(file_, fmt::format("leaves the sagittal plane at t = {:.4g} s",
-                                      motion_.time_s(sample)));
+        io::refuse(file_, fmt::format("leaves the sagittal plane at t = {} s",
+                                      io::time_text(motion_.time_s(sample), 4)));
       }
       double pitch = 2.0 * std::atan2(from[5], from[3]);
       pitch += 2.0 * std::numbers::pi * std::round((pitch_ - pitch) / (2.0 * std::numbers::pi));

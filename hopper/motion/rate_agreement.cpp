@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "hopper/motion/slopes.hpp"
+#include "io/time_text.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::hopper {
@@ -264,14 +265,14 @@ io::Fault fault_of(const std::string& file, const std::vector<RateMismatch>& ali
   for (const RateMismatch& one : alike) names.push_back(one.coordinate);
   const char* given = worst.is_acceleration ? "acceleration" : "velocity";
   const char* from = worst.is_acceleration ? "velocity" : "position";
-  return {
-      file, "",
-      fmt::format("t = {:.6g} to {:.6g} s: the {} of {} is not the rate of its {}: {} differs by "
-                  "{:.4g} rms of {:.4g} (SI units), in {:.3g} % of the motion by more than a "
-                  "quarter; likely cause: {}",
-                  worst.from_s, worst.until_s, given, io::listed(names), from, worst.coordinate,
-                  worst.difference_rms, std::max(worst.given_rms, worst.slope_rms),
-                  100.0 * worst.share, worst.likely_cause)};
+  return {file, "",
+          fmt::format("t = {} to {} s: the {} of {} is not the rate of its {}: {} differs by "
+                      "{:.4g} rms of {:.4g} (SI units), in {:.3g} % of the motion by more than a "
+                      "quarter; likely cause: {}",
+                      io::time_text(worst.from_s), io::time_text(worst.until_s), given,
+                      io::listed(names), from, worst.coordinate, worst.difference_rms,
+                      std::max(worst.given_rms, worst.slope_rms), 100.0 * worst.share,
+                      worst.likely_cause)};
 }
 
 }  // namespace

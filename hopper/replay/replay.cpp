@@ -14,6 +14,7 @@
 #include "hopper/tracking/lqr.hpp"
 #include "hopper/tracking/pd.hpp"
 #include "io/refusal.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -27,10 +28,10 @@ void require_start_above_ground(const Robot& robot, const Motion& motion, double
   const auto point = buried(robot, state, ground_m, kAllowedDepth_m);
   if (!point) return;
   io::refuse(motion.file,
-             fmt::format("at its first sample (t = {:.6g} s) {} is {:.3g} m below the ground at z "
+             fmt::format("at its first sample (t = {} s) {} is {:.3g} m below the ground at z "
                          "= {:.6g} m, where at most {:g} m is rounding; --ground-height states "
                          "another ground, --from a later start",
-                         motion.times_s.front(), robot.contacts[point->contact].name,
+                         io::time_text(motion.times_s.front()), robot.contacts[point->contact].name,
                          point->depth_m, ground_m, kAllowedDepth_m));
 }
 

@@ -8,6 +8,7 @@
 
 #include "hopper/replay/load_window.hpp"
 #include "hopper/robot/whole_body.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -114,8 +115,9 @@ void add_clipped(const DriveReplay& drive, std::vector<Finding>& findings) {
   finding.unit = "Nm";
   finding.sentence = fmt::format(
       "{}: its torque was cut off in {:.3g} % of the control instants, by {:.4g} Nm at most (t = "
-      "{:.6g} s)",
-      drive.name, 100.0 * drive.clipped_share, drive.peak_cut_off_Nm, drive.cut_off_time_s);
+      "{} s)",
+      drive.name, 100.0 * drive.clipped_share, drive.peak_cut_off_Nm,
+      io::time_text(drive.cut_off_time_s));
 }
 
 void add_heat(const DriveReplay& drive, std::vector<Finding>& findings) {

@@ -15,6 +15,7 @@
 #include "hopper/tracking/riccati.hpp"
 #include "hopper/tracking/tipping_torque.hpp"
 #include "hopper/tracking/touch_down.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -234,8 +235,8 @@ std::string sentence_of(const LqrResult& result) {
                      : result.outcome == GainOutcome::kNoSteadyState
                          ? "no torque holds the robot as the motion's end stands"
                          : "the gains blow up: no torque mends errors there";
-  return fmt::format("gains of the regulator: t = {:.6g} s: {}; position {}; velocity {}",
-                     result.time_s, what, listed(result.instant.position),
+  return fmt::format("gains of the regulator: t = {} s: {}; position {}; velocity {}",
+                     io::time_text(result.time_s), what, listed(result.instant.position),
                      listed(result.instant.velocity));
 }
 

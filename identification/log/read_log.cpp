@@ -10,6 +10,7 @@
 #include "identification/log/run_groups.hpp"
 #include "identification/log/spread_runs.hpp"
 #include "io/spec_error.hpp"
+#include "io/time_text.hpp"
 #include "io/wording.hpp"
 
 namespace torquewright::identification {
@@ -29,10 +30,10 @@ void report_gaps(const std::vector<Stretch>& stretches, std::vector<DataFinding>
     if (count == 0) continue;
     findings.push_back(
         {Weight::kWarning,
-         fmt::format("run \"{}\" has {} gap{} in time, the longest {:.4g} s after t = {:.6g} s, "
+         fmt::format("run \"{}\" has {} gap{} in time, the longest {:.4g} s after t = {} s, "
                      "where the median step is {:.4g} s; it is cut there",
-                     name, count, count == 1 ? "" : "s", longest.length_s, longest.at_s,
-                     longest.median_s)});
+                     name, count, count == 1 ? "" : "s", longest.length_s,
+                     io::time_text(longest.at_s), longest.median_s)});
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "actuator/check/region_words.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -22,10 +23,10 @@ std::string clipped_line(const DriveReport& drive, const CheckedInterpretation& 
   const WorstSample& worst = interpretation.worst;
   return fmt::format(
       "  clipped  {:.3g} % of samples ({}), {:.4g} s\n"
-      "  worst    t = {:.6g} s: {} (limiter: {})\n",
+      "  worst    t = {} s: {} (limiter: {})\n",
       100.0 * static_cast<double>(interpretation.clipped_samples) /
           static_cast<double>(drive.samples),
-      interpretation.clipped_samples, interpretation.clipped_time_s, worst.time_s,
+      interpretation.clipped_samples, interpretation.clipped_time_s, io::time_text(worst.time_s),
       outside_words(worst), name_of(worst.limiter));
 }
 
@@ -95,10 +96,11 @@ std::string interpretation_lines(const DriveReport& drive,
 
 std::string drive_text(const DriveReport& drive) {
   std::string text = fmt::format(
-      "\n{} ({}): {}\n  samples  {}, {:.6g} to {:.6g} s, speeds up to {:.4g} rad/s (no load "
+      "\n{} ({}): {}\n  samples  {}, {} to {} s, speeds up to {:.4g} rad/s (no load "
       "{:.4g})\n",
-      drive.name, drive.actuator, name_of(drive.verdict), drive.samples, drive.from_s,
-      drive.until_s, drive.peak_speed_rad_s, drive.no_load_speed_rad_s);
+      drive.name, drive.actuator, name_of(drive.verdict), drive.samples,
+      io::time_text(drive.from_s), io::time_text(drive.until_s), drive.peak_speed_rad_s,
+      drive.no_load_speed_rad_s);
   if (!drive.has_torque) return text;
   text += interpretation_lines(drive, drive.interpretation);
   if (!drive.with_inertia) return text;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "actuator/region/mor_table.hpp"
+#include "io/time_text.hpp"
 #include "src/report/chart.hpp"
 #include "src/report/page_parts.hpp"
 #include "src/report/time_charts.hpp"
@@ -201,11 +202,11 @@ std::string gear_chart(const ChartSource& source, std::size_t drive) {
   draw_cursor(chart, {header}, "");
   const std::string limit =
       load.limit ? fmt::format("limit {:.4g} Nm", limit_Nm) : "no limit stated";
-  return panel_of(
-      fmt::format("{}: {}, {}", load.drive, actuator::name_of(load.verdict), limit),
-      chart.svg(fmt::format("{}: torque through its gears over time at the {}; the "
-                            "greatest mean is {:.4g} Nm from {:.4g} s, {}.",
-                            load.drive, side, load.judged().mean, load.judged().time_s, limit)));
+  return panel_of(fmt::format("{}: {}, {}", load.drive, actuator::name_of(load.verdict), limit),
+                  chart.svg(fmt::format("{}: torque through its gears over time at the {}; the "
+                                        "greatest mean is {:.4g} Nm from {} s, {}.",
+                                        load.drive, side, load.judged().mean,
+                                        io::time_text(load.judged().time_s, 4), limit)));
 }
 
 /// 1 where nothing touches; of the two samples of a touch-down only the first.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "io/one_line.hpp"
+#include "io/time_text.hpp"
 #include "src/report/cursor_page.hpp"
 #include "src/report/hopper_cursor.hpp"
 #include "src/report/kept_samples.hpp"
@@ -83,7 +84,7 @@ std::string moments_table(const ChartSource& source) {
   };
   for (const Moment& moment : moments_of(page.motion, page.report.flights, kMomentRows)) {
     auto& row = rows.emplace_back();
-    row = {fmt::format("{:.4g} s", page.motion.time_s(moment.sample)),
+    row = {io::time_text(page.motion.time_s(moment.sample), 4) + " s",
            moment.is_in_flight ? "flight" : "ground"};
     for (const actuator::DriveReport& drive : page.report.check.drives) {
       row.push_back(fmt::format(

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "io/one_line.hpp"
+#include "io/time_text.hpp"
 #include "src/report/check_text.hpp"
 
 namespace torquewright::report {
@@ -29,21 +30,20 @@ std::string motion_lines(const Robot& robot, const Motion& motion, const HopperR
   }
   for (const Flight& flight : report.flights) {
     text += fmt::format(
-        "  flight   {:.4g} to {:.4g} s, {:.3g} m up; CAM {:.4g} Nm s (drift {:.1g}); CAV {:.4g} "
+        "  flight   {} to {} s, {:.3g} m up; CAM {:.4g} Nm s (drift {:.1g}); CAV {:.4g} "
         "rad/s at take-off, {:.4g} at most, {:.4g} at the end\n",
-        flight.from_s, flight.until_s, flight.rise_m, flight.angular_momentum_Nm_s,
-        flight.angular_momentum_drift_Nm_s, flight.take_off_rad_s, flight.peak_rad_s,
-        flight.touch_down_rad_s);
+        io::time_text(flight.from_s, 4), io::time_text(flight.until_s, 4), flight.rise_m,
+        flight.angular_momentum_Nm_s, flight.angular_momentum_drift_Nm_s, flight.take_off_rad_s,
+        flight.peak_rad_s, flight.touch_down_rad_s);
   }
   for (const Jolt& jolt : report.demand.jolts) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i + 2 < jolt.impulses_N_s.size(); i += 3) {
       sum += jolt.impulses_N_s.segment<3>(i);
     }
-    text +=
-        fmt::format("  impact   t = {:.4g} s: impulse ({:.3g}, {:.3g}, {:.3g}) N s, {:.3g} J {}\n",
-                    jolt.time_s, sum.x(), sum.y(), sum.z(), std::abs(jolt.lost_energy_J),
-                    jolt.lost_energy_J < 0.0 ? "gained" : "lost");
+    text += fmt::format("  impact   t = {} s: impulse ({:.3g}, {:.3g}, {:.3g}) N s, {:.3g} J {}\n",
+                        io::time_text(jolt.time_s, 4), sum.x(), sum.y(), sum.z(),
+                        std::abs(jolt.lost_energy_J), jolt.lost_energy_J < 0.0 ? "gained" : "lost");
   }
   return text;
 }
@@ -52,19 +52,19 @@ std::string load_lines(const HopperReport& report, std::size_t drive) {
   const TransmissionLoad& load = report.transmission_loads[drive];
   std::string text = fmt::format(
       "  gears    {:.4g} Nm at the joint, {:.4g} Nm at the motor pass them over {:g} ms (from t = "
-      "{:.6g} s){}\n",
-      load.joint.mean, load.motor.mean, 1e3 * load.window_s, load.judged().time_s,
+      "{} s){}\n",
+      load.joint.mean, load.motor.mean, 1e3 * load.window_s, io::time_text(load.judged().time_s),
       load.limit ? fmt::format(": {}", actuator::name_of(load.verdict)) : "");
   if (load.rotor_Nm_s > 0.0) {
-    text += fmt::format("           {:.3g} Nm s for the rotor in the impact at t = {:.6g} s\n",
-                        load.rotor_Nm_s, load.impact_time_s);
+    text += fmt::format("           {:.3g} Nm s for the rotor in the impact at t = {} s\n",
+                        load.rotor_Nm_s, io::time_text(load.impact_time_s));
   }
   if (drive >= report.contact_loads.size()) return text;
   const ContactLoad& contact = report.contact_loads[drive];
   return text + fmt::format(
                     "  contacts ask for {:.4g} Nm at the joint, {:.4g} Nm at the motor (from t = "
-                    "{:.6g} s), most of it past the gears\n",
-                    contact.joint_Nm, contact.motor_Nm, contact.time_s);
+                    "{} s), most of it past the gears\n",
+                    contact.joint_Nm, contact.motor_Nm, io::time_text(contact.time_s));
 }
 
 std::string or_unknown(const std::optional<double>& value) {

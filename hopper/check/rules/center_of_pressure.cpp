@@ -10,6 +10,7 @@
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/contact/support_polygon.hpp"
 #include "hopper/robot/touching_point.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -66,12 +67,12 @@ std::vector<Finding> center_of_pressure(const CheckedMotion& checked) {
   }
   for (std::size_t body = 0; body < tree.bodies.size(); ++body) {
     if (!std::isfinite(nearest[body].margin_m)) continue;
-    findings.push_back(
-        {actuator::Severity::kNote, "centre-of-pressure", tree.bodies[body].name,
-         nearest[body].time_s, nearest[body].margin_m, 0.0, "m",
-         fmt::format("{}: the centre of pressure comes to {:.4g} m from the edge of "
-                     "what touches, at t = {:.6g} s",
-                     tree.bodies[body].name, nearest[body].margin_m, nearest[body].time_s)});
+    findings.push_back({actuator::Severity::kNote, "centre-of-pressure", tree.bodies[body].name,
+                        nearest[body].time_s, nearest[body].margin_m, 0.0, "m",
+                        fmt::format("{}: the centre of pressure comes to {:.4g} m from the edge of "
+                                    "what touches, at t = {} s",
+                                    tree.bodies[body].name, nearest[body].margin_m,
+                                    io::time_text(nearest[body].time_s))});
   }
   return findings;
 }

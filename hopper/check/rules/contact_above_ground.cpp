@@ -10,6 +10,7 @@
 
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/running_integral.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -180,9 +181,9 @@ std::vector<Finding> contact_above_ground(const CheckedMotion& checked) {
   finding.limit = limit_m;
   finding.unit = "m";
   finding.sentence = fmt::format(
-      "{}: touches by the file {:.4g} m above the ground at t = {:.6g} s, up to {:.4g} m counts as "
+      "{}: touches by the file {:.4g} m above the ground at t = {} s, up to {:.4g} m counts as "
       "touching; points so high carry up to {:.4g} N (mean over {:g} ms). {}",
-      finding.joint, load.height_m, *finding.time_s, limit_m, load.mean_N,
+      finding.joint, load.height_m, io::time_text(*finding.time_s), limit_m, load.mean_N,
       1e3 * checked.options.residual_window_s,
       what_to_do(checked, level_m, is_level, is_level ? load : left));
   return {finding};

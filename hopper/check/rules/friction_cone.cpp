@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "hopper/check/rules/every_rule.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -51,21 +52,22 @@ std::vector<Finding> friction_cone(const CheckedMotion& checked) {
       findings.push_back({actuator::Severity::kViolation, "ground-pulls", contact.name, pull_time_s,
                           -pull_N, 0.0, "N",
                           fmt::format("{}: the ground would have to pull, with {:.4g} N at t = "
-                                      "{:.6g} s",
-                                      contact.name, pull_N, pull_time_s)});
+                                      "{} s",
+                                      contact.name, pull_N, io::time_text(pull_time_s))});
     }
     if (most == 0.0) continue;
     const bool slips = most > contact.friction_coefficient * (1.0 + kRoundOff) + kRoundOff;
-    Finding finding{slips ? actuator::Severity::kViolation : actuator::Severity::kNote,
-                    "friction-cone",
-                    contact.name,
-                    most_time_s,
-                    most,
-                    contact.friction_coefficient,
-                    "",
-                    fmt::format("{}: tangential over normal force reaches {:.3g} at t = {:.6g} "
-                                "s, the friction coefficient is {:.3g}",
-                                contact.name, most, most_time_s, contact.friction_coefficient)};
+    Finding finding{
+        slips ? actuator::Severity::kViolation : actuator::Severity::kNote,
+        "friction-cone",
+        contact.name,
+        most_time_s,
+        most,
+        contact.friction_coefficient,
+        "",
+        fmt::format("{}: tangential over normal force reaches {:.3g} at t = {} "
+                    "s, the friction coefficient is {:.3g}",
+                    contact.name, most, io::time_text(most_time_s), contact.friction_coefficient)};
     const double share = most / std::max(contact.friction_coefficient, kRoundOff);
     if (slips) {
       findings.push_back(std::move(finding));

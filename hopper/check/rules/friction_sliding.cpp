@@ -12,6 +12,7 @@
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/running_integral.hpp"
 #include "hopper/contact/sliding.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -165,10 +166,10 @@ Finding slides(const CheckedMotion& checked, const Sliding& sliding, const Lacki
   finding.limit = lacking.limit_N;
   finding.unit = lacking.unit;
   finding.sentence = fmt::format(
-      "{}: slides at {:.3g} m/s at t = {:.6g} s, where the ground would have to {}; what slides "
+      "{}: slides at {:.3g} m/s at t = {} s, where the ground would have to {}; what slides "
       "under {:.4g} N is braked with {:.4g} N. {:.4g} {} over {:g} ms are not explained by such "
       "friction (limit {:.3g} {}). Is the friction_coefficient right, does the point touch?",
-      finding.joint, friction.speed_m_s, *finding.time_s,
+      finding.joint, friction.speed_m_s, io::time_text(*finding.time_s),
       along_words(friction.along_N, checked.demand.weight_N), friction.normal_N, friction.brake_N,
       lacking.mean_N, lacking.unit, 1e3 * checked.options.residual_window_s, lacking.limit_N,
       lacking.unit);
@@ -208,10 +209,11 @@ std::optional<Finding> pushed_in_impact(const CheckedMotion& checked) {
              pushed_N_s,
              negligible_N_s,
              "N s",
-             fmt::format("{}: slides before and after the impact at t = {:.6g} s, at {:.3g} and "
+             fmt::format("{}: slides before and after the impact at t = {} s, at {:.3g} and "
                          "{:.3g} m/s along the {:.4g} N s that the ground would have to push it "
                          "with, and it only brakes what slides",
-                         name, jolt.time_s, before / pushed_N_s, after / pushed_N_s, pushed_N_s)};
+                         name, io::time_text(jolt.time_s), before / pushed_N_s, after / pushed_N_s,
+                         pushed_N_s)};
   }
   return worst;
 }

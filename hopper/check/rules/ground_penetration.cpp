@@ -10,6 +10,7 @@
 #include "dynamics/point.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/contact/sliding.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -116,10 +117,10 @@ std::vector<Finding> ground_penetration(const CheckedMotion& checked) {
     findings.push_back(
         {least_m < -limit_m ? actuator::Severity::kViolation : actuator::Severity::kWarning,
          "contact-below-ground", name, checked.motion.time_s(sample), least_m, -limit_m, "m",
-         fmt::format("{}: {:.4g} m below the ground at t = {:.6g} s ({}; is the ground at {:.4g} "
+         fmt::format("{}: {:.4g} m below the ground at t = {} s ({}; is the ground at {:.4g} "
                      "m? --ground-height)",
-                     name, -least_m, checked.motion.time_s(sample), sinking_words(checked, sinking),
-                     checked.options.contact.ground_height_m)});
+                     name, -least_m, io::time_text(checked.motion.time_s(sample)),
+                     sinking_words(checked, sinking), checked.options.contact.ground_height_m)});
   }
   return findings;
 }

@@ -7,6 +7,7 @@
 
 #include "actuator/region/joint_region.hpp"
 #include "hopper/check/rules/every_rule.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -45,11 +46,11 @@ std::vector<Finding> impact_by_motors(const CheckedMotion& checked) {
           {is_possible ? actuator::Severity::kNote : actuator::Severity::kWarning,
            "impact-by-motors", drivetrain.actuator_names[i], worst->time_s, asked_Nm_s, limit_Nm_s,
            "Nm s",
-           fmt::format("{}: velocities jump at t = {:.6g} s by more than the impact of rigid "
+           fmt::format("{}: velocities jump at t = {} s by more than the impact of rigid "
                        "bodies makes; its motor would have to give {:.4g} Nm s, and can give "
                        "{:.4g} Nm s in the {:.3g} ms between the samples",
-                       drivetrain.actuator_names[i], worst->time_s, asked_Nm_s, limit_Nm_s,
-                       1e3 * step_s)});
+                       drivetrain.actuator_names[i], io::time_text(worst->time_s), asked_Nm_s,
+                       limit_Nm_s, 1e3 * step_s)});
     }
   }
   return findings;

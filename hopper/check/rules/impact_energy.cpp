@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "hopper/check/rules/every_rule.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -84,9 +85,9 @@ std::vector<Finding> impact_energy(const CheckedMotion& checked) {
       made->limit = work.doubt_J;
       made->unit = "J";
       made->sentence = fmt::format(
-          "{}: in the impact at t = {:.6g} s the ground would have to give {:.4g} J, and it only "
+          "{}: in the impact at t = {} s the ground would have to give {:.4g} J, and it only "
           "takes (known to {:.2g} J by the velocities' steps beside it)",
-          made->joint, jolt.time_s, work.made_J, work.doubt_J);
+          made->joint, io::time_text(jolt.time_s), work.made_J, work.doubt_J);
     }
     const double limit_m_s = std::max(work.allowed_m_s, 0.0) + work.doubt_m_s + counts_m_s;
     const bool is_more = !rebounds || work.rebound_m_s > *rebounds->value;
@@ -97,10 +98,10 @@ std::vector<Finding> impact_energy(const CheckedMotion& checked) {
       rebounds->limit = limit_m_s;
       rebounds->unit = "m/s";
       rebounds->sentence = fmt::format(
-          "{}: met the ground at {:.4g} m/s at t = {:.6g} s and leaves it at {:.4g} m/s; its "
+          "{}: met the ground at {:.4g} m/s at t = {} s and leaves it at {:.4g} m/s; its "
           "restitution lets it leave at {:.4g} m/s (and {:.2g} m/s for what counts as touching and "
           "the velocities' steps beside the impact)",
-          rebounds->joint, work.approach_m_s, jolt.time_s, work.rebound_m_s,
+          rebounds->joint, work.approach_m_s, io::time_text(jolt.time_s), work.rebound_m_s,
           std::max(work.allowed_m_s, 0.0), work.doubt_m_s + counts_m_s);
     }
   }

@@ -6,6 +6,7 @@
 
 #include "hopper/check/drive_reports.hpp"
 #include "hopper/check/rules/every_rule.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -42,9 +43,9 @@ void add(const std::string& joint, const Words& words, const Beyond& beyond, Ind
   findings.push_back(
       {actuator::Severity::kViolation, words.rule, joint, beyond.time_s, beyond.value, beyond.limit,
        words.unit,
-       fmt::format("{}: {} of {:.6g} {} at t = {:.6g} s, limit {:.6g} {} ({} of {} samples beyond)",
-                   joint, words.what, beyond.value, words.unit, beyond.time_s, beyond.limit,
-                   words.unit, beyond.samples, all)});
+       fmt::format("{}: {} of {:.6g} {} at t = {} s, limit {:.6g} {} ({} of {} samples beyond)",
+                   joint, words.what, beyond.value, words.unit, io::time_text(beyond.time_s),
+                   beyond.limit, words.unit, beyond.samples, all)});
 }
 
 /// Those of the dynamics have the rotors' torque, which is a joint's too.

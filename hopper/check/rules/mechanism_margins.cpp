@@ -7,6 +7,7 @@
 #include <map>
 
 #include "hopper/check/rules/every_rule.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -27,11 +28,12 @@ Finding finding_of(const Drivetrain& drivetrain, const Least& least) {
           least.margin.value,
           least.margin.limit,
           least.margin.unit,
-          fmt::format("{} ({}): {} comes to {:.4g} {} at t = {:.6g} s, limit {:.4g} {}, margin "
+          fmt::format("{} ({}): {} comes to {:.4g} {} at t = {} s, limit {:.4g} {}, margin "
                       "{:.3g}",
                       fmt::join(drivetrain.actuator_names, ", "), drivetrain.mechanism->type(),
-                      least.margin.name, least.margin.value, least.margin.unit, least.time_s,
-                      least.margin.limit, least.margin.unit, least.margin.margin)};
+                      least.margin.name, least.margin.value, least.margin.unit,
+                      io::time_text(least.time_s), least.margin.limit, least.margin.unit,
+                      least.margin.margin)};
 }
 
 /// Of its own size: margins have units of their own.

@@ -6,6 +6,7 @@
 
 #include "dynamics/point.hpp"
 #include "hopper/check/rules/every_rule.hpp"
+#include "io/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -59,8 +60,8 @@ std::vector<Finding> self_collision(const CheckedMotion& checked) {
     findings.push_back({actuator::Severity::kViolation, "self-collision", one, pair.time_s,
                         pair.gap_m, 0.0, "m",
                         fmt::format("{} and {} meet: their spheres overlap by {:.4g} m at t = "
-                                    "{:.6g} s",
-                                    one, other, -pair.gap_m, pair.time_s)});
+                                    "{} s",
+                                    one, other, -pair.gap_m, io::time_text(pair.time_s))});
   }
   return findings;
 }
