@@ -75,8 +75,9 @@ void add_named_in(const fs::path& document, const fs::path& folder, std::vector<
 
 bool is_journal(const Words& arguments, const std::string& file) {
   if (file.ends_with(kJournal)) return true;
-  const auto option = std::find(arguments.begin(), arguments.end(), "--sweep-journal");
-  return std::find(option, arguments.end(), file) != arguments.end();
+  const Words named{"--sweep-journal", file};
+  return std::search(arguments.begin(), arguments.end(), named.begin(), named.end()) !=
+         arguments.end();
 }
 
 bool names_output(const std::string& word) {

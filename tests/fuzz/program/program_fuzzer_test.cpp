@@ -125,6 +125,14 @@ TEST(ProgramRules, LetAJournalBeWrittenFirst) {
   EXPECT_EQ(breach_in(run, {}).rule, "files");
 }
 
+TEST(ProgramRules, TakeForAJournalOnlyWhatIsNamedSo) {
+  const Words line{"hopper", "replay", "--sweep-journal", "j", "-o", "out.json", "--report", "r"};
+  EXPECT_TRUE(is_journal(line, "j"));
+  EXPECT_TRUE(is_journal(line, "out.json.journal"));
+  EXPECT_FALSE(is_journal(line, "out.json"));
+  EXPECT_FALSE(is_journal(line, "r"));
+}
+
 TEST(ProgramRules, KnowWhatIsNoNumber) {
   for (const char* text : {"torque -nan Nm", "inf", "[inf,1]", "to inf.", "nan,nan"}) {
     EXPECT_TRUE(test::says_no_number(text)) << text;
