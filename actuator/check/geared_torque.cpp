@@ -12,13 +12,14 @@ RotorBeforeMesh::RotorBeforeMesh(const Actuator& actuator)
       driving_(after_mesh_Nm(actuator, 1.0, 1.0)),
       driven_(after_mesh_Nm(actuator, 1.0, -1.0)) {}
 
-GearedTorque RotorBeforeMesh::of(double speed_rad_s, double torque_Nm,
-                                 double acceleration_rad_s2) const {
+GearedTorque RotorBeforeMesh::of(double speed_rad_s, double torque_Nm, double acceleration_rad_s2,
+                                 double before_rad_s) const {
   const double rotor_Nm = rotor_kg_m2_ * acceleration_rad_s2;
   const double teeth_Nm = torque_Nm - rotor_Nm;
   if (rotor_Nm == 0.0 || !std::isfinite(driven_)) return {torque_Nm, teeth_Nm};
-  // A joint at rest turns the way it is accelerated.
-  const double direction = speed_rad_s == 0.0 ? acceleration_rad_s2 : speed_rad_s;
+  double direction = acceleration_rad_s2;
+  if (before_rad_s != 0.0) direction = before_rad_s;
+  if (speed_rad_s != 0.0) direction = speed_rad_s;
   const double before_Nm = teeth_Nm / factor(teeth_Nm, direction) + rotor_Nm;
   // The region at rest is asked what can be held, for which the mesh helps.
   const double asked = speed_rad_s == 0.0 ? -before_Nm : speed_rad_s;

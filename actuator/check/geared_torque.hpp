@@ -18,8 +18,11 @@ class RotorBeforeMesh {
  public:
   explicit RotorBeforeMesh(const Actuator& actuator);
 
-  /// Of a joint torque that includes all inertia of rotor and gears, as simulators have it.
-  GearedTorque of(double speed_rad_s, double torque_Nm, double acceleration_rad_s2) const;
+  /// Of a joint torque that includes all inertia of rotor and gears, as simulators have it. At rest
+  /// the mesh still drives the way of the speed `before_rad_s`; where that is 0 too the joint
+  /// begins to move, the way it is accelerated.
+  GearedTorque of(double speed_rad_s, double torque_Nm, double acceleration_rad_s2,
+                  double before_rad_s) const;
 
   /// The actuator whose region holds `motor_Nm`: its teeth bear whatever comes. Of a gear that
   /// locks itself it is the actuator as it is.

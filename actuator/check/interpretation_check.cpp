@@ -7,6 +7,8 @@ namespace torquewright::actuator {
 namespace {
 
 constexpr std::size_t kMostWaiting = 256;
+/// Of the no-load speed: a velocity that rounding leaves of none.
+constexpr double kRoundedRest = 1e-9;
 
 std::optional<HeatModel> heat_model(const Actuator& actuator) {
   if (!actuator.thermal) return std::nullopt;
@@ -37,6 +39,8 @@ CheckBasis::CheckBasis(const Actuator& checked, const OperatingConditions& condi
       temperature_K(winding_temperature_K(checked, conditions)),
       rotor(checked),
       lookup(rotor.behind_any_teeth(checked), conditions),
+      rest_rad_s(kRoundedRest * no_load_speed_rad_s(lookup.region().model()) /
+                 std::abs(checked.transmission.ratio)),
       heat(heat_model(checked)) {}
 
 InterpretationCheck::InterpretationCheck(const CheckBasis& basis, bool wants_speed_margin)
@@ -47,7 +51,10 @@ InterpretationCheck::InterpretationCheck(const CheckBasis& basis, bool wants_spe
 bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_Nm,
                               double acceleration_rad_s2) {
   const RegionLookup& lookup = basis_->lookup;
-  const auto [motor_Nm, teeth_Nm] = basis_->rotor.of(speed_rad_s, torque_Nm, acceleration_rad_s2);
+  if (std::abs(speed_rad_s) < basis_->rest_rad_s) speed_rad_s = 0.0;
+  const auto [motor_Nm, teeth_Nm] =
+      basis_->rotor.of(speed_rad_s, torque_Nm, acceleration_rad_s2, last_speed_rad_s_);
+  last_speed_rad_s_ = speed_rad_s;
   const TorqueRange range = lookup.at(speed_rad_s, motor_Nm);
   const double teeth_excess_Nm = std::abs(teeth_Nm) - basis_->actuator->transmission.peak_torque_Nm;
   const double motor_excess_Nm = range.excess_Nm(motor_Nm);
@@ -68,7 +75,9 @@ bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_N
     basis_of_worst_ = basis_;
     interpretation_.worst = sample;
   }
-  if (wants_speed_margin_) note_speed_margin(speed_rad_s, motor_Nm);
+  // What the motor could hold in place of what turns its rotor says nothing of speeds.
+  const bool only_holds = speed_rad_s == 0.0 && motor_Nm != torque_Nm;
+  if (wants_speed_margin_ && !only_holds) note_speed_margin(speed_rad_s, motor_Nm);
   interpretation_.peak_torque_Nm = std::max(interpretation_.peak_torque_Nm, std::abs(torque_Nm));
   torque_square_.add(time_s, torque_Nm * torque_Nm);
   add_demand(time_s, speed_rad_s, motor_Nm, range);

@@ -22,6 +22,7 @@ struct CheckBasis {
   double temperature_K;
   RotorBeforeMesh rotor;
   RegionLookup lookup;  ///< Of the motor: what the teeth bear is no part of it.
+  double rest_rad_s;    ///< What is slower is at rest.
   std::optional<HeatModel> heat;
 };
 
@@ -68,6 +69,7 @@ class InterpretationCheck {
   double peak_motor_torque_Nm_ = 0.0;
   double first_s_ = 0.0;
   double last_s_ = 0.0;
+  double last_speed_rad_s_ = 0.0;
   double last_square_A2_ = 0.0;
   Integral clipped_, torque_square_, motor_torque_square_, current_square_, drawn_, returned_;
   std::optional<WindingHeat> heat_;

@@ -97,14 +97,16 @@ class SeriesPass {
     const double rotor_kg_m2 = actuator::before_gears_kg_m2(actuator);
     actuator::BusLevels levels(actuator, options_.conditions);
     Eigen::MatrixXd found = Eigen::MatrixXd::Constant(6, motion_.samples(), kNone);
+    double before_rad_s = 0.0;
     for (Index sample = 0; sample < motion_.samples(); ++sample) {
       const DriveInstant& at =
           demand().drives[static_cast<std::size_t>(drive)][static_cast<std::size_t>(sample)];
       const actuator::CheckBasis& basis = bus != nullptr ? levels.at(bus->voltage_V[sample]) : own;
       const double motor_Nm = basis.rotor
                                   .of(at.speed_rad_s, report_.torques_Nm(drive, sample),
-                                      at.rotor_acceleration_rad_s2(rotor_kg_m2))
+                                      at.rotor_acceleration_rad_s2(rotor_kg_m2), before_rad_s)
                                   .motor_Nm;
+      before_rad_s = at.speed_rad_s;
       const actuator::TorqueRange range = basis.lookup.at(at.speed_rad_s, motor_Nm);
       if (!range.is_empty) {
         found.col(sample).segment<3>(3) << range.least_Nm, range.greatest_Nm,

@@ -37,12 +37,15 @@ void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator,
   const double temperature_K = winding_temperature_K(actuator, checked.options.conditions);
   const actuator::RotorBeforeMesh rotor(actuator);
   const double rotor_kg_m2 = actuator::before_gears_kg_m2(actuator);
+  double before_rad_s = 0.0;
   for (Index sample = 0; sample < power_W.size(); ++sample) {
     const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
     const double torque_Nm = torques_Nm(static_cast<Index>(drive), sample);
     const auto asked = actuator::demand_at(
         actuator, model, temperature_K, at.speed_rad_s,
-        rotor.of(at.speed_rad_s, torque_Nm, at.rotor_acceleration_rad_s2(rotor_kg_m2)).motor_Nm);
+        rotor.of(at.speed_rad_s, torque_Nm, at.rotor_acceleration_rad_s2(rotor_kg_m2), before_rad_s)
+            .motor_Nm);
+    before_rad_s = at.speed_rad_s;
     if (asked) power_W[sample] += asked->bus_power_W;
   }
 }

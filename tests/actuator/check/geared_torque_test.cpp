@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+
 #include "actuator/check/demand.hpp"
 #include "tests/actuator/check/checked_joint.hpp"
 
@@ -32,6 +34,7 @@ double slowing_down(double t) { return 30.0 - 20.0 * t; }
 double nothing(double) { return 0.0; }
 double push_8(double) { return 8.0; }
 double pull_8(double) { return -8.0; }
+double pull_18(double) { return -18.0; }
 double rotor_10(double) { return 10.0; }
 double steady(double) { return 10.0; }
 
@@ -77,13 +80,50 @@ TEST(GearedTorque, OfAJointThatBeginsToMoveIsThatOfOneThatMoves) {
   actuator.transmission.forward_efficiency = 0.8;
   actuator.transmission.backward_efficiency = 0.5;
   for (const double way : {1.0, -1.0}) {
-    const GearedTorque asked = RotorBeforeMesh(actuator).of(0.0, way * 18.0, way * 20.0);
+    const GearedTorque asked = RotorBeforeMesh(actuator).of(0.0, way * 18.0, way * 20.0, 0.0);
     EXPECT_NEAR(asked.teeth_Nm, way * 8.0, 1e-12);
     const OperatingConditions conditions;
     const auto demand = demand_at(actuator, phase_model_at(actuator, conditions),
                                   winding_temperature_K(actuator, conditions), 0.0, asked.motor_Nm);
     ASSERT_TRUE(demand.has_value());
     EXPECT_NEAR(demand->current_A, 8.0 / 0.8 + 10.0, 1e-9);
+  }
+}
+
+// Oracle: as above, at the instant at which it comes to rest: 8 Nm behind the mesh pull, which that
+// halves, and the rotor's 10 Nm; as a little before.
+TEST(GearedTorque, OfAJointThatComesToRestIsThatOfOneThatBrakes) {
+  Actuator actuator = heavy_rotor();
+  actuator.transmission.forward_efficiency = 0.8;
+  actuator.transmission.backward_efficiency = 0.5;
+  const OperatingConditions conditions;
+  const auto current_A = [&](double speed_rad_s) {
+    const GearedTorque asked = RotorBeforeMesh(actuator).of(speed_rad_s, -18.0, -20.0, 1e-3);
+    return demand_at(actuator, phase_model_at(actuator, conditions),
+                     winding_temperature_K(actuator, conditions), speed_rad_s, asked.motor_Nm)
+        ->current_A;
+  };
+  EXPECT_NEAR(current_A(1e-9), 8.0 * 0.5 + 10.0, 1e-9);
+  EXPECT_NEAR(current_A(0.0), 8.0 * 0.5 + 10.0, 1e-9);
+}
+
+// Braked to a standstill by 18 Nm, 14 A; a last velocity that differs from 0 by rounding is none.
+TEST(GearedTorque, OfAStopIsJudgedAsItsBraking) {
+  Actuator actuator = heavy_rotor();
+  actuator.transmission.forward_efficiency = 0.8;
+  actuator.transmission.backward_efficiency = 0.5;
+  using enum InertiaConvention;
+  const std::initializer_list<check_test::Function> stops{
+      [](double t) { return 20.0 - 20.0 * t; },
+      [](double t) { return t < 1.0 ? 20.0 - 20.0 * t : 1e-16; },
+      [](double t) { return t < 1.0 ? 20.0 - 20.0 * t : -1e-16; }};
+  for (const check_test::Function stop : stops) {
+    actuator.drive.peak_current_A = 14.1;
+    const CheckReport report = checked(actuator, stop, pull_18, kIncluded);
+    EXPECT_EQ(report.verdict, Verdict::kPass) << stop(1.0);
+    EXPECT_GT(report.drives[0].interpretation.speed_margin_rad_s.value_or(0.0), 0.1) << stop(1.0);
+    actuator.drive.peak_current_A = 13.9;
+    EXPECT_EQ(checked(actuator, stop, pull_18, kIncluded).verdict, Verdict::kFail) << stop(1.0);
   }
 }
 
@@ -103,7 +143,7 @@ TEST(GearedTorque, OfASelfLockingGearIsFinite) {
   Actuator actuator = heavy_rotor();
   actuator.transmission.backward_efficiency = 0.0;
   actuator.transmission.peak_torque_Nm = 50.0;
-  const GearedTorque asked = RotorBeforeMesh(actuator).of(5.0, -10.0, -20.0);
+  const GearedTorque asked = RotorBeforeMesh(actuator).of(5.0, -10.0, -20.0, 5.0);
   EXPECT_EQ(asked.motor_Nm, -10.0);
   EXPECT_EQ(asked.teeth_Nm, 0.0);
 }
