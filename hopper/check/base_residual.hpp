@@ -20,6 +20,11 @@ struct BaseResidual {
   ResidualPeak moment;   ///< About the centre of mass.
   ResidualPeak passive;  ///< Torque of joints that no actuator moves; forces of slides by size_m.
   double window_s = 0.0;
+  /// Of the same on the base over a longer window, for a tenth of it, a fifth of the moment: what
+  /// topples keeps asking for little. No limit where the file gives the forces, which may be off by
+  /// as much for as long.
+  ResidualPeak lasting_force, lasting_moment;
+  double lasting_window_s = 0.0;
 };
 
 /// Means over windows that begin at every sample, impulses of jolts included.

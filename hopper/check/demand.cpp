@@ -228,8 +228,7 @@ class DemandPass {
 
   void measure_robot() {
     const dynamics::Centroid all = dynamics::centroid(body_.state());
-    const double gravity = std::max(robot_.tree.gravity_m_s2, 1e-3);
-    demand_.weight_N = all.mass_kg * gravity;
+    demand_.weight_N = all.mass_kg * gravity_of_limits_m_s2(robot_.tree);
     demand_.size_m =
         std::max(kLeastSize_m, std::sqrt(all.inertia_kg_m2.trace() / 2.0 / all.mass_kg));
     scales_ = rows_.scales(demand_.weight_N, demand_.size_m);
@@ -515,7 +514,7 @@ class DemandPass {
     note_velocities(count, sample, jolt);
     if (count > 0) {
       rows_.take(impulse, asked_);
-      share_out(count, asked_, std::sqrt(demand_.size_m / robot_gravity()));
+      share_out(count, asked_, std::sqrt(demand_.size_m / gravity_of_limits_m_s2(robot_.tree)));
       contact = jacobians_.leftCols(3 * count) * shared_;
       for (Index k = 0; k < count; ++k) {
         jolt.impulses_N_s.segment<3>(3 * touching_[static_cast<std::size_t>(k)]) =
@@ -549,8 +548,6 @@ class DemandPass {
           (at(k, sample - 1) - at(k, first)).norm() + (at(k, last) - at(k, sample)).norm();
     }
   }
-
-  double robot_gravity() const { return std::max(robot_.tree.gravity_m_s2, 1e-3); }
 
   void finish_jolt(const VectorXd& change, const VectorXd& contact, const VectorXd& left,
                    Jolt& jolt) {

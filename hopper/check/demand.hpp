@@ -9,6 +9,11 @@
 
 namespace torquewright::hopper {
 
+/// Of what limits are shares: gravity; of a robot without it, the Earth's.
+inline double gravity_of_limits_m_s2(const dynamics::Tree& tree) {
+  return tree.gravity_m_s2 > 0.0 ? tree.gravity_m_s2 : 9.81;
+}
+
 /// A jump of the motion's velocities between two samples, and the impulses that make it: given the
 /// jump, the inverse of an impact. docs/derivations/whole_body_check.md eq. (10).
 struct Jolt {

@@ -62,7 +62,8 @@ void add_fall(const CheckedMotion& checked, Index from, Index count, Flight& fli
   const double counted_s = kShortFlights * checked.options.residual_window_s;
   flight.fall_m_s2 = to_rate * fitted.row(2).transpose();
   flight.fall_error_m_s2 = (flight.fall_m_s2 + Eigen::Vector3d(0, 0, gravity_m_s2)).norm();
-  flight.fall_limit_m_s2 = kOverAFlight * checked.options.residual_share * gravity_m_s2 *
+  flight.fall_limit_m_s2 = kOverAFlight * checked.options.residual_share *
+                               gravity_of_limits_m_s2(checked.robot.tree) *
                                std::max(1.0, 0.5 * counted_s / half_s) +
                            kNoise * to_rate * std::sqrt(variance_m2 * inverse(2, 2));
 }

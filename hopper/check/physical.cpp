@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -49,18 +50,18 @@ std::string question_of_contacts(const Motion& motion) {
 }
 
 std::string sentence(const char* what, const ResidualPeak& peak, const char* unit, double window_s,
-                     const Motion& motion) {
+                     const Motion& motion, const std::string& question) {
   return fmt::format(
       "t = {} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
-      "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): is it this "
-      "robot's motion, {}, are its rates smooth? --residual-limit allows more{}",
+      "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): {}, {}, are its "
+      "rates smooth? --residual-limit allows more{}",
       io::time_text(peak.time_s), what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
-      100.0 * peak.share_beyond, question_of_contacts(motion), help_words(motion));
+      100.0 * peak.share_beyond, question, question_of_contacts(motion), help_words(motion));
 }
 
 /// What makes a body fall so: time and lengths in other units, z down, or a force.
 std::string cause_of_fall(const Flight& flight, const CheckedMotion& checked) {
-  const double share = -flight.fall_m_s2.z() / checked.robot.tree.gravity_m_s2;
+  const double share = -flight.fall_m_s2.z() / gravity_of_limits_m_s2(checked.robot.tree);
   struct Known {
     double share;
     const char* words;
@@ -77,7 +78,7 @@ std::string cause_of_fall(const Flight& flight, const CheckedMotion& checked) {
 
 void add_fall(const CheckedMotion& checked, const Flight& flight, std::vector<io::Fault>& faults) {
   if (flight.fall_error_m_s2 <= flight.fall_limit_m_s2) return;
-  const double gravity_m_s2 = checked.robot.tree.gravity_m_s2;
+  const double gravity_m_s2 = gravity_of_limits_m_s2(checked.robot.tree);
   faults.push_back(
       {checked.motion.file, "",
        fmt::format("t = {} to {} s: in flight the centre of mass accelerates by ({:.4g}, "
@@ -117,15 +118,26 @@ void require_physical(const CheckedMotion& checked, const BaseResidual& residual
     add_fall(checked, flight, faults);
     add_spin(checked, flight, faults);
   }
-  const auto require = [&](const ResidualPeak& peak, const char* what, const char* unit) {
+  const auto require_over = [&](double window_s, const char* question, const ResidualPeak& peak,
+                                const char* what, const char* unit) {
     if (peak.mean <= peak.limit) return;
     faults.push_back(
-        {checked.motion.file, "", sentence(what, peak, unit, residual.window_s, checked.motion)});
+        {checked.motion.file, "", sentence(what, peak, unit, window_s, checked.motion, question)});
+  };
+  const auto require = [&](const ResidualPeak& peak, const char* what, const char* unit) {
+    require_over(residual.window_s, "is it this robot's motion", peak, what, unit);
   };
   require(residual.force, "a force on the base", "N");
   require(residual.moment, "a moment about the centre of mass", "Nm");
   require(residual.passive,
           "a torque of joints without an actuator (forces of slides times the robot's size)", "Nm");
+  if (faults.empty()) {
+    const double window_s = std::min(residual.lasting_window_s, checked.motion.duration_s());
+    const char* question = "it would topple or slide away: does it stay above what it stands on";
+    require_over(window_s, question, residual.lasting_force, "a force on the base", "N");
+    require_over(window_s, question, residual.lasting_moment, "a moment about the centre of mass",
+                 "Nm");
+  }
   if (!faults.empty()) throw io::SpecError(std::move(faults));
 }
 

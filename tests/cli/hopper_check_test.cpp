@@ -366,6 +366,30 @@ TEST_F(HopperCheck, RefusesAMotionThatIsNone) {
   expect_refusal(crane(), motion, "a force on the base of 107.9 N over 10 ms is left");
 }
 
+// Statics: the centre of mass stands at x = 0.5 / 11 = 0.0455 m. 25 mm beyond the front point 107.9
+// N turn the post over with 2.7 Nm, however slowly; 5 mm within it stands.
+TEST_F(HopperCheck, RefusesToStandBesideItsFeet) {
+  json robot = crane();
+  robot["contacts"][0]["position_m"][0] = 0.0205;
+  expect_refusal(robot, swing(0.0), "it would topple or slide away");
+  robot["contacts"][0]["position_m"][0] = 0.0505;
+  EXPECT_EQ(check(robot, swing(0.0)).exit_code, 0);
+}
+
+// Without gravity what is at rest stays so, in the air too; limits are then shares of the Earth's.
+TEST_F(HopperCheck, LetsARobotRestWithoutGravity) {
+  json robot = crane();
+  robot["gravity_m_s2"] = 0;
+  std::string motion = swing(0.0);
+  for (std::size_t at = motion.find(",0,0,0,"); at != std::string::npos;
+       at = motion.find(",0,0,0,", at + 1)) {
+    motion.replace(at, 7, ",0,1.1,0,");
+  }
+  const Outcome outcome = check(robot, motion, {"--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NEAR(json::parse(outcome.out)["joints"][0]["peak_torque_Nm"].get<double>(), 0.0, 1e-9);
+}
+
 TEST_F(HopperCheck, RefusesWithASentence) {
   const std::string good = swing(0.5);
   std::string other = good;
