@@ -11,8 +11,8 @@
 
 namespace torquewright::hopper {
 
-/// Where a format demands a range and the robot has none.
-inline constexpr double kNoRange = 1e6;
+/// Where a format demands a range and the robot has none: the widest that a robot document holds.
+inline constexpr double kNoRange = 1e4;
 
 /// The shortest decimals that read back the same.
 std::string text_of(double value);

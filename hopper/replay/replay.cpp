@@ -40,6 +40,13 @@ void require_replayable(const Robot& robot, const Motion& motion, const HopperRe
   if (!motion.has_base || !report.demand.has_dynamics) {
     io::refuse(motion.file, "holds no motion of the base: a replay begins with it");
   }
+  if (robot.tree.base == dynamics::BaseKind::kFixed || robot.contacts.empty()) {
+    io::refuse(motion.file,
+               fmt::format("{} {}: a replay tells whether a robot stands or falls, which this one "
+                           "cannot; `hopper check` judges its drives",
+                           robot.name,
+                           robot.contacts.empty() ? "has no contacts" : "is held by a fixed base"));
+  }
   if (robot.drivetrains.empty()) {
     io::refuse(motion.file, fmt::format("{} has no drive that could do it", robot.name));
   }

@@ -156,6 +156,24 @@ TEST_F(HopperReplay, AHopInsideTheRegionsStandsInBothEngines) {
               mujoco["touch_down"]["time_s"].get<double>(), 1e-3);
 }
 
+TEST_F(HopperReplay, RefusesARobotThatCannotFall) {
+  place_.write("specs/robot/arm.json", R"({"kind": "robot", "version": 1, "name": "arm",
+    "base": {"body": "wall", "motion": "fixed"},
+    "bodies": [{"name": "wall"}, {"name": "arm", "mass_kg": 1, "center_of_mass_m": [0.5, 0, 0],
+      "inertia_kg_m2": {"xx": 0.1, "yy": 0.1, "zz": 0.1}}],
+    "joints": [{"name": "elbow", "type": "revolute", "parent": "wall", "child": "arm",
+      "axis": [0, 1, 0]}],
+    "mechanisms": [{"type": "direct", "joints": ["elbow"],
+      "actuators": ["../actuator/d151_knee.json"]}]})");
+  std::string motion = "time_s,elbow_position_rad\n";
+  for (int i = 0; i <= 100; ++i) motion += std::to_string(0.01 * i) + ",0\n";
+  place_.write("arm.csv", motion);
+  const Outcome outcome = place_.run({"hopper", "replay", "specs/robot/arm.json", "arm.csv"});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+  EXPECT_NE(outcome.err.find("a replay tells whether a robot stands or falls"), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(HopperReplay, WhatItWritesByTimeIsAMotionThatTheCheckPasses) {
   const Outcome replayed = run({"--series", "run.csv", "-o", "run.txt"});
   ASSERT_EQ(replayed.exit_code, 0) << replayed.err;
