@@ -23,7 +23,10 @@ double law(const Effect& effect, const Instant& at) {
 const EffectKind inverter_dead_time = {
     .name = "inverter_dead_time",
     .acts = Acts::kWindingVoltage,
-    .sentence = "The bridge's dead time costs a constant voltage, against the current's sign.",
+    .sentence =
+        "The bridge's dead time costs a constant voltage, against the current's sign; in the "
+        "convention "
+        "of /motor/torque_constant_convention: line to line under dc, else a phase's amplitude.",
     .parameters = kParameters,
     .has_harmonics = false,
     .law = law,
