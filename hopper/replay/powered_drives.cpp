@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "actuator/region/bracketed_search.hpp"
+#include "hopper/replay/free_rotors.hpp"
 #include "hopper/replay/working_drive.hpp"
 #include "hopper/robot/drive_supply.hpp"
 #include "io/spec_error.hpp"
@@ -33,8 +34,11 @@ FixedDrives fixed_drives(const Robot& robot) {
   FixedDrives drives;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
-      drives.push_back({drivetrain.actuators[i], file_of(drivetrain, i),
-                        rotor_at_output_kg_m2(drivetrain, i), nullptr});
+      const bool is_free = is_rotor_free(robot, drivetrain, i);
+      const double rotor_kg_m2 = is_free ? rotor_turned_kg_m2(robot, drivetrain, i)
+                                         : rotor_at_output_kg_m2(drivetrain, i);
+      drives.push_back(
+          {drivetrain.actuators[i], file_of(drivetrain, i), rotor_kg_m2, !is_free, nullptr});
     }
   }
   return drives;
@@ -120,18 +124,22 @@ class PoweredDrives::Work {
     step_.winding_K = step_.bus_V = VectorXd::Zero(size());
   }
 
-  const DriveStep& drive(const VectorXd& wanted_Nm, const VectorXd& speed_rad_s, double step_s) {
-    if (wanted_Nm.size() != size() || speed_rad_s.size() != size() || !wanted_Nm.allFinite() ||
-        !speed_rad_s.allFinite() || !(step_s > 0.0) || !std::isfinite(step_s)) {
+  const DriveStep& drive(const VectorXd& wanted_Nm, const VectorXd& position_rad,
+                         const VectorXd& speed_rad_s, double step_s) {
+    const auto is_one_each = [&](const VectorXd& values) {
+      return values.size() == size() && values.allFinite();
+    };
+    if (!is_one_each(wanted_Nm) || !is_one_each(position_rad) || !is_one_each(speed_rad_s) ||
+        !(step_s > 0.0) || !std::isfinite(step_s)) {
       throw std::invalid_argument(
-          "a step of drives needs a finite torque and speed of each, and a length");
+          "a step of drives needs a finite torque, position and speed of each, and a length");
     }
     step_.is_starved = false;
     step_.power_W = 0.0;
     for (Index i = 0; i < size(); ++i) at(i).want(wanted_Nm[i], speed_rad_s[i]);
     for (Bus& bus : buses_) {
       settle(bus);
-      finish(bus, step_s);
+      finish(bus, position_rad, step_s);
     }
     return step_;
   }
@@ -214,14 +222,14 @@ class PoweredDrives::Work {
     }
   }
 
-  void finish(const Bus& bus, double step_s) {
+  void finish(const Bus& bus, const VectorXd& position_rad, double step_s) {
     const double asked_W = power_W(bus);
     const double voltage_V = loaded_voltage_V(bus.feeds.supply, asked_W);
     step_.power_W += asked_W;
     for (const std::size_t drive : bus.feeds.drives) {
       const auto i = static_cast<Index>(drive);
+      step_.torque_Nm[i] = drives_[drive].acting_Nm(position_rad[i], step_s);
       drives_[drive].end(step_s);
-      step_.torque_Nm[i] = drives_[drive].acting_Nm(step_s);
       step_.cut_off_Nm[i] = drives_[drive].cut_off_Nm();
       step_.current_A[i] = drives_[drive].current_A();
       step_.winding_K[i] = drives_[drive].winding_K();
@@ -251,9 +259,9 @@ PoweredDrives PoweredDrives::under(const PoweredDriveOptions& options) const {
 
 void PoweredDrives::start() { work_->start(); }
 
-const DriveStep& PoweredDrives::drive(const VectorXd& wanted_Nm, const VectorXd& speed_rad_s,
-                                      double step_s) {
-  return work_->drive(wanted_Nm, speed_rad_s, step_s);
+const DriveStep& PoweredDrives::drive(const VectorXd& wanted_Nm, const VectorXd& position_rad,
+                                      const VectorXd& speed_rad_s, double step_s) {
+  return work_->drive(wanted_Nm, position_rad, speed_rad_s, step_s);
 }
 
 Index PoweredDrives::size() const { return work_->size(); }

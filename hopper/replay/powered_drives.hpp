@@ -11,7 +11,9 @@ namespace torquewright::hopper {
 
 /// What the drives did in a step. By drive (drives x 1).
 struct DriveStep {
-  Eigen::VectorXd torque_Nm;   ///< On the rotor and the load at the output: what acts.
+  /// What acts at the output, with all that the effects of its document do there: on rotor and
+  /// load, of an elastic train (free_rotors.hpp) on the load alone.
+  Eigen::VectorXd torque_Nm;
   Eigen::VectorXd cut_off_Nm;  ///< Of what was wanted; signed, zero where nothing was. Further
                                ///< friction is not in it.
   Eigen::VectorXd current_A;   ///< Amplitude, in the document's convention.
@@ -24,8 +26,10 @@ struct DriveStep {
 };
 
 /// A robot's drives and batteries while they work: region, sag under all drives at once, friction,
-/// heat. A torque inside the region acts as it is wanted: the drive compensates what its document
-/// knows of friction and saturation. docs/derivations/replay_drives.md.
+/// heat. A torque inside the region acts as it is wanted, as far as the current can see to it: the
+/// drive compensates what its document knows of friction and saturation. What no current evens out
+/// acts besides, by simulation/joint: lag, backlash, compliance, presliding friction, waves,
+/// springs and stops. docs/derivations/replay_drives.md.
 ///
 /// The region is clipped by actuator/clip.hpp at the voltage that all drives on the battery leave
 /// with the torques that then act: solved in every step, eq. (2). Temperatures are those at which
@@ -48,10 +52,11 @@ class PoweredDrives {
   /// its thermal data, else as its document has it; the case at the ambient.
   void start();
 
-  /// A step of positive length in which torques are wanted at the outputs (drives x 1) at these
-  /// speeds there. std::invalid_argument on wrong sizes or numbers that are not finite.
-  const DriveStep& drive(const Eigen::VectorXd& wanted_Nm, const Eigen::VectorXd& speed_rad_s,
-                         double step_s);
+  /// A step of positive length in which torques are wanted at the outputs, which begin it at these
+  /// positions and turn at these speeds (drives x 1 each). std::invalid_argument on wrong sizes or
+  /// numbers that are not finite.
+  const DriveStep& drive(const Eigen::VectorXd& wanted_Nm, const Eigen::VectorXd& position_rad,
+                         const Eigen::VectorXd& speed_rad_s, double step_s);
 
   Eigen::Index size() const;
   bool has_heat(Eigen::Index drive) const;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hopper/replay/fall.hpp"
+#include "hopper/replay/free_rotors.hpp"
 #include "hopper/replay/sensor_noise.hpp"
 #include "hopper/replay/trial.hpp"
 #include "hopper/tracking/lqr.hpp"
@@ -119,10 +120,11 @@ struct Replay::Ready {
   ReplayedRun run(const Robot& of, const Variation& variation, const Watching& watching) const {
     EngineOptions on = options.engine_options;
     on.ground_height_m = variation.run.ground_height_m;
-    const auto engine = engine_of(of, options.engine, on);
+    const Robot moved = without_free_rotors(of);
+    const auto engine = engine_of(moved, options.engine, on);
     const auto follows = controller();
     PoweredDrives drives(of, {options.limits, variation.conditions, variation.further_friction_Nm});
-    const RunParts parts{of,
+    const RunParts parts{moved,
                          reference,
                          *engine,
                          *follows,
@@ -134,7 +136,7 @@ struct Replay::Ready {
                          watching.on_progress};
     ReplayedRun done;
     done.record = run_replay(parts, variation.run);
-    done.result = result_of(of, reference, done.record, options.standing, options.load_window_s);
+    done.result = result_of(moved, reference, done.record, options.standing, options.load_window_s);
     return done;
   }
 

@@ -34,7 +34,7 @@ class Run {
     steps_ = static_cast<long>(std::ceil(span_s / options.step_s));
     record_.step_s = options.step_s;
     record_.control_period_s = options.step_s * options.steps_per_control;
-    for (VectorXd* of_drives : {&speed_, &carried_, &wanted_, &contact_})
+    for (VectorXd* of_drives : {&position_, &speed_, &carried_, &wanted_, &contact_})
       of_drives->setZero(drives_);
     for (Eigen::MatrixXd* table : tables()) table->setZero(drives_, steps_);
     record_.steps.times_s.reserve(static_cast<std::size_t>(steps_) + 1);
@@ -84,6 +84,7 @@ class Run {
                        drivetrain.mechanism->type(), drivetrain.actuator_names.front()));
       return;
     }
+    body_.drive_positions(position_);
     body_.speed_changes(parts_.engine.velocity(), speed_);
     body_.carried_momenta(parts_.engine.velocity(), carried_);
   }
@@ -159,7 +160,7 @@ class Run {
   }
 
   void advance() {
-    const DriveStep& made = parts_.drives.drive(wanted_, speed_, options_.step_s);
+    const DriveStep& made = parts_.drives.drive(wanted_, position_, speed_, options_.step_s);
     force_.setZero();
     body_.add_drive_torques(made.torque_Nm, force_);
     const EngineOutcome outcome = parts_.engine.step(force_, options_.step_s);
@@ -244,7 +245,7 @@ class Run {
   long steps_ = 0;
   VectorXd force_;
   Index drives_;
-  VectorXd speed_, carried_, wanted_, contact_;
+  VectorXd position_, speed_, carried_, wanted_, contact_;
   TouchingPoints seen_touches_;
   std::deque<Observation> looks_;
   std::uint64_t look_number_ = 0;

@@ -24,7 +24,7 @@ struct RunOptions {
 /// Who takes part in a run. All of one robot, which may differ from the one that the controller
 /// believes to have.
 struct RunParts {
-  const Robot& robot;
+  const Robot& robot;  ///< As the engine moves it: without_free_rotors().
   const Reference& reference;
   Engine& engine;
   Controller& controller;

@@ -46,6 +46,33 @@ ClipTable box_of(double peak_Nm, double no_load_rad_s) {
                     {peak_Nm, peak_Nm, peak_Nm, 0.0}});
 }
 
+/// Whether the drive evens an effect out by the current that it chooses: friction that it knows at
+/// its speed, and what makes the motor weaker. Waves, springs, stops and what has a state are felt.
+/// An inertia is the engine's.
+bool is_evened_out(const actuator::Effect& effect) {
+  switch (effect.kind->acts) {
+    case actuator::Acts::kMotorSideTorque:
+    case actuator::Acts::kOutputTorque:
+    case actuator::Acts::kDynamics:
+      return false;
+    case actuator::Acts::kDrag:
+      return !effect.kind->has_harmonics;
+    default:
+      return true;
+  }
+}
+
+bool has_felt_effects(const Actuator& actuator) {
+  return !std::all_of(actuator.effects.begin(), actuator.effects.end(), is_evened_out);
+}
+
+simulation::SimulationOptions joint_options(const FixedDrive& fixed) {
+  simulation::SimulationOptions options;
+  // Without an inertia of its own no rotor leaves its output.
+  options.motor_inertia_kg_m2 = fixed.turns_with_output ? 0.0 : fixed.turned_kg_m2;
+  return options;
+}
+
 }  // namespace
 
 WorkingDrive::WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& options,
@@ -62,13 +89,21 @@ WorkingDrive::WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& o
     const actuator::Interval rest = fixed.levels->limits(open_V, start_.winding_K, 0.0);
     box_ = box_of(std::max(-rest.least_Nm, rest.greatest_Nm), no_load_rad_s);
   }
-  const double slow = fixed.turned_kg_m2 > 0.0 ? kRestWidth : kRestWidthOfUnknown;
+  if (has_felt_effects(fixed.actuator)) joint_.emplace(fixed.actuator, joint_options(fixed));
+  const bool turns_rotor = fixed.turns_with_output && fixed.turned_kg_m2 > 0.0;
+  const double slow = turns_rotor ? kRestWidth : kRestWidthOfUnknown;
   rest_width_rad_s_ = slow * (no_load_rad_s > 0.0 ? no_load_rad_s : kAnySpeed_rad_s);
 }
 
-void WorkingDrive::want(double wanted_Nm, double speed_rad_s) {
+void WorkingDrive::start() {
+  nodes_ = start_;
+  if (joint_) joint_->start();
+}
+
+void WorkingDrive::want(double wanted_Nm, double output_speed_rad_s) {
   wanted_Nm_ = wanted_Nm;
-  speed_rad_s_ = speed_rad_s;
+  output_speed_rad_s_ = output_speed_rad_s;
+  speed_rad_s_ = joint_ ? joint_->motor_speed_rad_s(output_speed_rad_s) : output_speed_rad_s;
   model_ = fixed_->levels->model(0.0, nodes_.winding_K);
   is_loaded_ = false;
 }
@@ -140,13 +175,39 @@ void WorkingDrive::switch_off() {
   is_loaded_ = true;
 }
 
-double WorkingDrive::acting_Nm(double step_s) const {
-  if (friction_Nm_ == 0.0) return made_Nm_;
+/// Of the motion, also at rest, as rotor_torque_Nm() has it.
+double WorkingDrive::direction() const {
+  return speed_rad_s_ == 0.0 ? -std::copysign(1.0, made_Nm_) : std::copysign(1.0, speed_rad_s_);
+}
+
+/// What the motor makes, at the output, so that made_Nm_ is there once mesh and known friction have
+/// taken theirs.
+double WorkingDrive::motor_Nm() const {
+  const Actuator& actuator = fixed_->actuator;
+  const actuator::Span side = actuator::motor_side_torque_Nm(actuator, speed_rad_s_, direction(),
+                                                             nodes_.winding_K);
+  return actuator::before_mesh_Nm(actuator, made_Nm_, direction()) -
+         0.5 * (side.least + side.greatest);
+}
+
+double WorkingDrive::acting_Nm(double output_position_rad, double step_s) {
+  double torque_Nm = made_Nm_;
+  if (joint_) {
+    simulation::DriveNow now;
+    now.value = current_A_;
+    now.motor_Nm = motor_Nm();
+    torque_Nm = joint_->advance({output_position_rad, output_speed_rad_s_, step_s}, now,
+                                direction(), nodes_.winding_K);
+    // What would turn a gear that locks holds itself.
+    if (!std::isfinite(torque_Nm)) torque_Nm = made_Nm_;
+  }
+  if (friction_Nm_ == 0.0) return torque_Nm;
   // Eq. (5): whatever else moves with it, the rotor does.
-  const double turning_rad_s =
-      fixed_->turned_kg_m2 > 0.0 ? friction_Nm_ * step_s / fixed_->turned_kg_m2 : 0.0;
+  const double turning_rad_s = fixed_->turns_with_output && fixed_->turned_kg_m2 > 0.0
+                                   ? friction_Nm_ * step_s / fixed_->turned_kg_m2
+                                   : 0.0;
   const double width_rad_s = std::max(rest_width_rad_s_, turning_rad_s);
-  return made_Nm_ - friction_Nm_ * std::clamp(speed_rad_s_ / width_rad_s, -1.0, 1.0);
+  return torque_Nm - friction_Nm_ * std::clamp(output_speed_rad_s_ / width_rad_s, -1.0, 1.0);
 }
 
 void WorkingDrive::end(double step_s) {

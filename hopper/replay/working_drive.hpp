@@ -8,6 +8,7 @@
 #include "actuator/heat/heat_model.hpp"
 #include "hopper/replay/powered_drive_options.hpp"
 #include "hopper/replay/region_levels.hpp"
+#include "simulation/in_engine/joint_in_engine.hpp"
 
 namespace torquewright::hopper {
 
@@ -16,6 +17,8 @@ struct FixedDrive {
   actuator::Actuator actuator;
   std::string file;           ///< Its document, for what is said of it.
   double turned_kg_m2 = 0.0;  ///< Of rotor and gears, at the output.
+  /// Whether the engine turns them with the output; else an elastic train has them to itself.
+  bool turns_with_output = true;
   std::shared_ptr<const RegionLevels> levels;
 };
 
@@ -23,13 +26,14 @@ struct FixedDrive {
 /// current and a power, and it warms. docs/derivations/replay_drives.md eqs. (1), (4)-(6).
 class WorkingDrive {
  public:
-  /// Requires that there are no objections to the conditions. `fixed` must outlive it.
+  /// Requires that there are no objections to the conditions. `fixed` must outlive it, and all
+  /// copies of it.
   WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& options, double friction_Nm);
 
-  void start() { nodes_ = start_; }
+  void start();
 
-  /// Begins a step.
-  void want(double wanted_Nm, double speed_rad_s);
+  /// Begins a step, in which the output turns at that speed.
+  void want(double wanted_Nm, double output_speed_rad_s);
   /// What it does with the bus at that voltage. Without voltage it is off.
   void hold(double bus_V);
   /// The motor makes that share of the torque that hold() left it, at the same speed.
@@ -42,9 +46,10 @@ class WorkingDrive {
   double power_W() const { return power_W_; }
   double current_A() const { return current_A_; }
   double cut_off_Nm() const { return wanted_Nm_ - made_Nm_; }
-  /// What acts, further friction included: that is smoothed about rest so widely that no step of
-  /// this length turns the motion round.
-  double acting_Nm(double step_s) const;
+  /// What acts at the output, with all that its effects do there, by simulation/joint, and further
+  /// friction: that is smoothed about rest so widely that no step of this length turns the motion
+  /// round. Once a step, before end(). `output_position_rad`: where the step begins.
+  double acting_Nm(double output_position_rad, double step_s);
   double winding_K() const { return nodes_.winding_K; }
   bool has_heat() const { return heat_.has_value(); }
   bool is_in_box() const { return box_.has_value(); }
@@ -53,10 +58,13 @@ class WorkingDrive {
   void load(double torque_Nm, double bus_V);
   bool is_same_current(double bus_V) const;
   double coasting_Nm() const;
+  double direction() const;
+  double motor_Nm() const;
 
   const FixedDrive* fixed_;
   std::optional<actuator::ClipTable> box_;
   std::optional<actuator::HeatModel> heat_;
+  std::optional<simulation::JointInEngine> joint_;  ///< Where an effect acts that no drive evens out.
   actuator::NodeTemperatures start_;
   actuator::NodeTemperatures nodes_;
   double friction_Nm_;
@@ -64,7 +72,8 @@ class WorkingDrive {
   // Of the step.
   actuator::PhaseModel model_;
   double wanted_Nm_ = 0.0;
-  double speed_rad_s_ = 0.0;
+  double speed_rad_s_ = 0.0;  ///< Of the motor, at the output.
+  double output_speed_rad_s_ = 0.0;
   double held_Nm_ = 0.0;  ///< By the voltage,
   double made_Nm_ = 0.0;  ///< and by what the battery gives.
   double power_W_ = 0.0;

@@ -28,11 +28,7 @@ dynamics::Tree without_rotors(const Robot& robot) {
 
 double rotor_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator) {
   if (rotors_stay_in_tree(drivetrain)) return 0.0;
-  if (drivetrain.rotors_in_tree) {
-    const double ratio =
-        drivetrain.mechanism->constant_jacobian().value_or(SmallMatrix::Identity(1, 1))(0, 0);
-    return robot.tree.bodies[drivetrain.joints.front()].joint.reflected_inertia / (ratio * ratio);
-  }
+  if (drivetrain.rotors_in_tree) return rotor_in_tree_kg_m2(robot, drivetrain);
   return turned_at_output_kg_m2(drivetrain, actuator);
 }
 
@@ -52,6 +48,12 @@ double in_front_of_gears_kg_m2(const Robot& robot, const Drivetrain& drivetrain,
 bool rotors_stay_in_tree(const Drivetrain& drivetrain) {
   return drivetrain.rotors_in_tree &&
          (drivetrain.joints.size() > 1 || !drivetrain.mechanism->constant_jacobian());
+}
+
+double rotor_in_tree_kg_m2(const Robot& robot, const Drivetrain& drivetrain) {
+  const double ratio =
+      drivetrain.mechanism->constant_jacobian().value_or(SmallMatrix::Identity(1, 1))(0, 0);
+  return robot.tree.bodies[drivetrain.joints.front()].joint.reflected_inertia / (ratio * ratio);
 }
 
 template <typename T>
@@ -254,6 +256,16 @@ void WholeBodyOf<T>::speed_changes(const VectorIn& change,
     const SmallVector part = transfers_[i].jacobian * joints_of(robot_->drivetrains[i], change);
     for (Index j = 0; j < part.size(); ++j) {
       at_actuators[static_cast<Index>(first_drive_[i]) + j] = part[j];
+    }
+  }
+}
+
+template <typename T>
+void WholeBodyOf<T>::drive_positions(VectorOut at_actuators) const requires std::same_as<T, double> {
+  for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
+    const SmallVector& position_rad = transfers_[i].actuator_position_rad;
+    for (Index j = 0; j < position_rad.size(); ++j) {
+      at_actuators[static_cast<Index>(first_drive_[i]) + j] = position_rad[j];
     }
   }
 }

@@ -30,6 +30,10 @@ struct DriveInstant {
 /// at a constant ratio.
 bool rotors_stay_in_tree(const Drivetrain& drivetrain);
 
+/// Of the rotor that turns with the drivetrain's one joint at a constant ratio, at the actuator's
+/// output in kg m^2, as that joint states it. Requires rotors_in_tree, and that they do not stay.
+double rotor_in_tree_kg_m2(const Robot& robot, const Drivetrain& drivetrain);
+
 /// A robot's bodies with its rotors apart: they turn as the drivetrains say, so that their inertia
 /// couples joints and changes with the posture where mechanisms do.
 /// docs/derivations/whole_body_check.md eqs. (2)-(4). Vectors per velocity (n x 1) as in
@@ -84,6 +88,8 @@ class WholeBodyOf {
   /// change of one, in Nm s at the actuators' outputs.
   void carried_momenta(const dynamics::VectorIn& velocity,
                        dynamics::VectorOut at_actuators) const requires std::same_as<T, double>;
+  /// Positions of the actuators' outputs in the posture that is set (drive_count() x 1), in rad.
+  void drive_positions(dynamics::VectorOut at_actuators) const requires std::same_as<T, double>;
   /// Changes of the joints' speeds as changes of the actuators' outputs' speeds: A times them.
   void speed_changes(const dynamics::VectorIn& change,
                      dynamics::VectorOut at_actuators) const requires std::same_as<T, double>;

@@ -25,23 +25,36 @@ const actuator::Effect* find(const actuator::Actuator& actuator, std::string_vie
   return nullptr;
 }
 
+/// A gap that is open; null: none.
+const actuator::Effect* open_gap(const actuator::Actuator& actuator) {
+  const actuator::Effect* gap = find(actuator, "backlash");
+  return gap != nullptr && gap->values[0] > 0.0 ? gap : nullptr;
+}
+
+/// A spring that gives way; null: none.
+const actuator::Effect* soft_spring(const actuator::Actuator& actuator) {
+  const actuator::Effect* spring = find(actuator, "torsional_compliance");
+  return spring != nullptr && std::isfinite(spring->values[0]) ? spring : nullptr;
+}
+
 double step_s(double rate_rad_s, double steps) {
   return rate_rad_s > 0.0 ? 1.0 / (steps * rate_rad_s) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
+bool states_elastic_train(const actuator::Actuator& actuator) {
+  return open_gap(actuator) != nullptr || soft_spring(actuator) != nullptr;
+}
+
 ElasticTrain::ElasticTrain(const actuator::Actuator& actuator, double inertia_kg_m2)
     : actuator_(actuator),
       inertia_kg_m2_(inertia_kg_m2),
+      is_elastic_(states_elastic_train(actuator) && inertia_kg_m2 > 0.0),
+      gap_(open_gap(actuator)),
+      spring_(soft_spring(actuator)),
       contact_Nm_rad_(inertia_kg_m2 * kContact_rad_s * kContact_rad_s),
-      contact_Nm_s_rad_(2.0 * kContactDamping * kContact_rad_s * inertia_kg_m2) {
-  const actuator::Effect* gap = find(actuator, "backlash");
-  if (gap != nullptr && gap->values[0] > 0.0) gap_ = gap;
-  const actuator::Effect* spring = find(actuator, "torsional_compliance");
-  if (spring != nullptr && std::isfinite(spring->values[0])) spring_ = spring;
-  is_elastic_ = (gap_ != nullptr || spring_ != nullptr) && inertia_kg_m2 > 0.0;
-}
+      contact_Nm_s_rad_(2.0 * kContactDamping * kContact_rad_s * inertia_kg_m2) {}
 
 double ElasticTrain::longest_step_s(double felt_inertia_kg_m2) const {
   const double load = felt_inertia_kg_m2 > 0.0 ? 1.0 / felt_inertia_kg_m2 : 0.0;
@@ -50,6 +63,15 @@ double ElasticTrain::longest_step_s(double felt_inertia_kg_m2) const {
   const double swing_s = step_s(std::sqrt(stiffness * (1.0 / inertia_kg_m2_ + load)),
                                 spring_ != nullptr ? kTwistSteps : kContactSteps);
   return std::min(swing_s, step_s(damping * (1.0 / inertia_kg_m2_ + load), kContactSteps));
+}
+
+double ElasticTrain::twist_rad_under(double torque_Nm) const {
+  if (!is_elastic_ || torque_Nm == 0.0) return 0.0;
+  const double stiffness_Nm_rad = spring_ != nullptr ? spring_->values[0] : contact_Nm_rad_;
+  const double gap_rad = gap_ != nullptr ? gap_->values[0] : 0.0;
+  // A spring without stiffness carries nothing at any twist.
+  const double elastic_rad = stiffness_Nm_rad > 0.0 ? torque_Nm / stiffness_Nm_rad : 0.0;
+  return elastic_rad + std::copysign(0.5 * gap_rad, torque_Nm);
 }
 
 ElasticTrain::Twist ElasticTrain::twist(const JointState& state) const {

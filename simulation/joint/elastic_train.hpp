@@ -6,6 +6,10 @@
 
 namespace torquewright::simulation {
 
+/// Whether the actuator's effects let the motor turn without its output: a gap, or a finite
+/// stiffness between them.
+bool states_elastic_train(const actuator::Actuator& actuator);
+
 /// A train with backlash or compliance, which lets the motor have a position of its own. Keeps a
 /// reference to the actuator.
 class ElasticTrain {
@@ -21,6 +25,10 @@ class ElasticTrain {
   };
   Twist twist(const JointState& state) const;
 
+  /// The twist (motor ahead of the load, in rad at the output) under which the train, at rest,
+  /// exerts that torque on the load: the inverse of twist(). 0 without torque and of a rigid train.
+  double twist_rad_under(double torque_Nm) const;
+
   /// The longest step that follows the twist as it swings between motor and load. An inertia of 0
   /// stands for a load that no torque moves otherwise. Only of an elastic train.
   double longest_step_s(double felt_inertia_kg_m2) const;
@@ -28,9 +36,9 @@ class ElasticTrain {
  private:
   const actuator::Actuator& actuator_;
   double inertia_kg_m2_;
-  bool is_elastic_ = false;
-  const actuator::Effect* gap_ = nullptr;
-  const actuator::Effect* spring_ = nullptr;
+  bool is_elastic_;
+  const actuator::Effect* gap_;     ///< Null: none.
+  const actuator::Effect* spring_;  ///< Null: none.
   double contact_Nm_rad_ = 0.0, contact_Nm_s_rad_ = 0.0;  ///< Of a gap without a stated spring.
 };
 

@@ -50,7 +50,8 @@ JointModel::JointModel(const actuator::Actuator& actuator, double felt_inertia_k
                        const SimulationOptions& options)
     : actuator_(actuator),
       circuit_(actuator, options.inductance),
-      inertia_kg_m2_(actuator::reflected_inertia_kg_m2(actuator)),
+      inertia_kg_m2_(
+          options.motor_inertia_kg_m2.value_or(actuator::reflected_inertia_kg_m2(actuator))),
       train_(actuator, inertia_kg_m2_),
       longest_step_s_(options.longest_step_s) {
   if (actuator.thermal) heat_.emplace(actuator);
@@ -104,12 +105,16 @@ double JointModel::state_torque_Nm(const JointState& state, Instant at, double d
   return friction_Nm;
 }
 
+double JointModel::commanded_Nm(const Instant& at, const DriveNow& drive) const {
+  return drive.motor_Nm ? *drive.motor_Nm : actuator::motor_torque_Nm(actuator_, at);
+}
+
 JointForces JointModel::forces(const JointState& state, double direction,
                                const DriveNow& drive) const {
   Instant at = instant_of(actuator_, state, direction);
   JointForces forces;
   forces.current_A = at.current_A = circuit_.current_A(state, drive);
-  forces.motor_Nm = actuator::motor_torque_Nm(actuator_, at);
+  forces.motor_Nm = commanded_Nm(at, drive);
   forces.friction_Nm = actuator::drag_Nm(actuator_, at);
   if (!state.of_effect.empty()) {
     forces.friction_Nm +=
@@ -135,7 +140,7 @@ void JointModel::change_states(JointState& state, const DriveNow& drive, Change 
   if (state.of_effect.empty()) return;
   Instant at = instant_of(actuator_, state, sign_of(state.motor_speed_rad_s));
   at.current_A = circuit_.current_A(state, drive);
-  at.input = actuator::motor_torque_Nm(actuator_, at);
+  at.input = commanded_Nm(at, drive);
   std::size_t next = 0;
   for (const Effect& effect : actuator_.effects) {
     if (effect.kind->state_rate == nullptr) continue;

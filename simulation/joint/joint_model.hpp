@@ -54,6 +54,8 @@ class JointModel {
   const WindingCircuit& circuit() const { return circuit_; }
 
   ElasticTrain::Twist twist(const JointState& state) const { return train_.twist(state); }
+  /// Twist under a torque of the train on the load, at rest; 0 of a rigid train.
+  double twist_rad_under(double torque_Nm) const { return train_.twist_rad_under(torque_Nm); }
   /// Torque before the mesh that belongs to a torque after it.
   double carried_Nm(double after_mesh_Nm, double direction) const;
 
@@ -65,6 +67,8 @@ class JointModel {
  private:
   template <typename Change>
   void change_states(JointState& state, const DriveNow& drive, Change change) const;
+  /// Of the motor without lag.
+  double commanded_Nm(const actuator::Instant& at, const DriveNow& drive) const;
   double state_torque_Nm(const JointState& state, actuator::Instant at, double drag_factor,
                          double* motor_Nm) const;
 

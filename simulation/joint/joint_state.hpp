@@ -27,6 +27,9 @@ struct DriveNow {
   double value = 0.0;
   double position_gain_1_rad = 0.0;
   std::optional<double> bus_V;
+  /// What the motor makes, in Nm at the output, where its drive has found the current for it;
+  /// absent: what `value` leads to by the laws of winding and torque constant.
+  std::optional<double> motor_Nm = {};
 };
 
 /// What the laws of effects are asked with. `direction`: of the motor's motion, also at rest.

@@ -72,8 +72,9 @@ void Stepper::advance(PlantState& state, const std::vector<DriveNow>& drive, dou
   }
 }
 
-void Stepper::advance_rigid_imposed(PlantState& state, const std::vector<DriveNow>& drive,
-                                    double step_s, const ImposedStep& imposed, WorkAccount& work) {
+double Stepper::advance_rigid_imposed(PlantState& state, const std::vector<DriveNow>& drive,
+                                      double step_s, const ImposedStep& imposed,
+                                      WorkAccount& work) {
   PlantState at = state;
   JointState& half = at.joints[0];
   half.position_rad = half.motor_position_rad = imposed.middle_position_rad;
@@ -86,10 +87,11 @@ void Stepper::advance_rigid_imposed(PlantState& state, const std::vector<DriveNo
   JointState& joint = state.joints[0];
   joint.position_rad = joint.motor_position_rad = imposed.end_position_rad;
   joint.speed_rad_s = joint.motor_speed_rad_s = imposed.end_speed_rad_s;
+  return motion.torque_Nm[0];
 }
 
-void Stepper::advance_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
-                              const ImposedStep& imposed, WorkAccount& work) {
+double Stepper::advance_imposed(PlantState& state, const std::vector<DriveNow>& drive,
+                                double step_s, const ImposedStep& imposed, WorkAccount& work) {
   if (!equations_.models()[0].is_elastic()) {
     return advance_rigid_imposed(state, drive, step_s, imposed, work);
   }
@@ -112,6 +114,7 @@ void Stepper::advance_imposed(PlantState& state, const std::vector<DriveNow>& dr
   joint.motor_speed_rad_s = ways[0] == 0.0 || speed * ways[0] < 0.0 ? 0.0 : speed;
   joint.position_rad = imposed.end_position_rad;
   joint.speed_rad_s = imposed.end_speed_rad_s;
+  return motion.torque_Nm[0];
 }
 
 }  // namespace torquewright::simulation

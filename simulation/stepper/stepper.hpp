@@ -29,8 +29,8 @@ class Stepper {
                WorkAccount& work);
 
   /// The same where the output's motion is imposed. Only the motor of an elastic train is
-  /// integrated.
-  void advance_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
+  /// integrated. Returns the torque on what imposes the motion in the middle of the step.
+  double advance_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
                        const ImposedStep& imposed, WorkAccount& work);
 
  private:
@@ -41,7 +41,7 @@ class Stepper {
   };
   void midpoint(const PlantState& from, const std::vector<double>& directions,
                 const std::vector<DriveNow>& drive, double step_s, Part& part);
-  void advance_rigid_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
+  double advance_rigid_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
                              const ImposedStep& imposed, WorkAccount& work);
   void add_work(const PlantState& middle, const PlantMotion& motion, double step_s,
                 WorkAccount& work) const;

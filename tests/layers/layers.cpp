@@ -64,6 +64,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"plants", {}},
       {"joint", {}},
       {"stepper", {"joint"}},
+      {"in_engine", {"joint", "plants", "stepper"}},
       {"run", {"joint", "stepper"}}}},
     {"hopper",
      {{"mechanisms", {}},
