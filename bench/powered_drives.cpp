@@ -82,15 +82,16 @@ void steps(benchmark::State& state, const Robot& robot, double times) {
   const Eigen::MatrixXd torque_Nm = times * flip.torque_Nm;
   Eigen::Index sample = 0;
   Eigen::VectorXd wanted_Nm, speed_rad_s;
+  const Eigen::VectorXd rest_rad = Eigen::VectorXd::Zero(torque_Nm.rows());
   double sum_W = 0.0;
   for (Eigen::Index k = 0; k < 2 * torque_Nm.cols(); ++k) {  // makes the tables
-    drives.drive(torque_Nm.col(k % torque_Nm.cols()), flip.speed_rad_s.col(k % torque_Nm.cols()),
-                 kStep_s);
+    drives.drive(torque_Nm.col(k % torque_Nm.cols()), rest_rad,
+                 flip.speed_rad_s.col(k % torque_Nm.cols()), kStep_s);
   }
   for (auto _ : state) {
     wanted_Nm = torque_Nm.col(sample);
     speed_rad_s = flip.speed_rad_s.col(sample);
-    sum_W += drives.drive(wanted_Nm, speed_rad_s, kStep_s).power_W;
+    sum_W += drives.drive(wanted_Nm, rest_rad, speed_rad_s, kStep_s).power_W;
     sample = sample + 1 == torque_Nm.cols() ? 0 : sample + 1;
   }
   benchmark::DoNotOptimize(sum_W);
@@ -122,8 +123,9 @@ void first_run(benchmark::State& state, const Robot& robot) {
   static const Flip flip;
   for (auto _ : state) {
     PoweredDrives drives(robot, {});
+    const Eigen::VectorXd rest_rad = Eigen::VectorXd::Zero(flip.torque_Nm.rows());
     for (Eigen::Index k = 0; k < flip.torque_Nm.cols(); ++k) {
-      drives.drive(flip.torque_Nm.col(k), flip.speed_rad_s.col(k), kStep_s);
+      drives.drive(flip.torque_Nm.col(k), rest_rad, flip.speed_rad_s.col(k), kStep_s);
     }
   }
 }

@@ -41,7 +41,7 @@ VectorXd alone(double value) { return VectorXd::Constant(1, value); }
 
 /// What one drive does with a torque at a speed.
 DriveStep step_of(PoweredDrives& drives, double wanted_Nm, double speed_rad_s) {
-  return drives.drive(alone(wanted_Nm), alone(speed_rad_s), kStep_s);
+  return drives.drive(alone(wanted_Nm), alone(0.0), alone(speed_rad_s), kStep_s);
 }
 
 // Oracle: Ohm's law. Where the voltage limits, motor and battery are one circuit: i = (Voc - 5 w) /
@@ -84,7 +84,7 @@ TEST(PoweredDrives, BalanceTheirPower) {
   for (int i = 0; i < 2000; ++i) {
     const Vector2d wanted_Nm(torque(dice), torque(dice));
     const Vector2d speed_rad_s(speed(dice), speed(dice));
-    const DriveStep step = drives.drive(wanted_Nm, speed_rad_s, kStep_s);
+    const DriveStep step = drives.drive(wanted_Nm, Vector2d::Zero(), speed_rad_s, kStep_s);
     double power_W = 0.0;
     for (Index k = 0; k < 2; ++k) {
       const double current_A = std::abs(step.torque_Nm[k]) / kNmPerAmpere;
@@ -142,7 +142,7 @@ TEST(PoweredDrives, TakeWhatTheCheckSaysATorqueTakes) {
   for (int i = 0; i < 500; ++i) {
     const Vector2d speed_rad_s(speed(dice), 0.3 * speed(dice));
     const Vector2d wanted_Nm(torque(dice), torque(dice));
-    const DriveStep step = drives.drive(wanted_Nm, speed_rad_s, kStep_s);
+    const DriveStep step = drives.drive(wanted_Nm, Vector2d::Zero(), speed_rad_s, kStep_s);
     held.drive.bus_voltage_V = step.bus_V[0];
     const actuator::PhaseModel model = phase_model_at(held, {});
     double power_W = 0.0;
@@ -285,7 +285,7 @@ TEST(PoweredDrives, ShareWhatAWeakBatteryGives) {
   PoweredDrives drives(driven_robot({round_drive(kBattery_ohm), round_drive(kBattery_ohm)}), {});
   const Vector2d wanted_Nm(100.0, 60.0);
   const Vector2d speed_rad_s(1.0, 2.0);
-  const DriveStep step = drives.drive(wanted_Nm, speed_rad_s, kStep_s);
+  const DriveStep step = drives.drive(wanted_Nm, Vector2d::Zero(), speed_rad_s, kStep_s);
   EXPECT_TRUE(step.is_starved);
   EXPECT_NEAR(step.power_W, 250.0, 1e-5);
   EXPECT_NEAR(step.bus_V[0], 25.0, 0.02);  // as the root of 1e-5 W is: sqrt(R 1e-5) V
@@ -293,7 +293,7 @@ TEST(PoweredDrives, ShareWhatAWeakBatteryGives) {
   // s (100 + 120) + s^2 0.5 (20^2 + 12^2) = 250
   const double share = (-220.0 + std::sqrt(220.0 * 220.0 + 4.0 * 272.0 * 250.0)) / (2.0 * 272.0);
   EXPECT_NEAR(step.torque_Nm[0], share * 100.0, 1e-5);
-  EXPECT_FALSE(drives.drive(Vector2d(10.0, 10.0), speed_rad_s, kStep_s).is_starved);
+  EXPECT_FALSE(drives.drive(Vector2d(10.0, 10.0), Vector2d::Zero(), speed_rad_s, kStep_s).is_starved);
   Actuator limited = round_drive(0.1);
   limited.battery->discharge_limit_A = 5.0;  // 5 A at 49.5 V
   PoweredDrives fused = one_drive(limited);
@@ -331,7 +331,7 @@ TEST(PoweredDrives, WarmAsTwoNodesUnderAConstantCurrent) {
   const actuator::Warmth exact = heat.step(phase_A * phase_A, kDuration_s).after({0.0, 0.0});
   double winding_K = 0.0;
   for (int i = 0; i < static_cast<int>(kDuration_s / kLong_s); ++i) {
-    winding_K = drives.drive(alone(kCurrent_A * kNmPerAmpere), alone(0.0), kLong_s).winding_K[0];
+    winding_K = drives.drive(alone(kCurrent_A * kNmPerAmpere), alone(0.0), alone(0.0), kLong_s).winding_K[0];
   }
   const double growth_1_s =
       kCurrent_A * kCurrent_A * kWinding_ohm * actuator::kCopperCoefficient_1_K / 40.0;
@@ -370,7 +370,7 @@ TEST(PoweredDrives, FurtherFrictionTakesEnergyAndNeverGivesIt) {
       PoweredDrives drives = one_drive(actuator, {DriveLimits::kMor, {}, alone(0.7)});
       double speed_rad_s = 3.0;
       for (int i = 0; i < 3000; ++i) {
-        const double torque_Nm = drives.drive(alone(0.0), alone(speed_rad_s), step_s).torque_Nm[0];
+        const double torque_Nm = drives.drive(alone(0.0), alone(0.0), alone(speed_rad_s), step_s).torque_Nm[0];
         EXPECT_LE(torque_Nm * speed_rad_s, 0.0);
         // Of the no-load speed a thousandth, or what the friction takes in a step.
         const double width_rad_s = std::max(0.01, 0.7 * step_s / inertia_kg_m2);
@@ -392,7 +392,7 @@ std::vector<DriveStep> trial(PoweredDrives& drives, unsigned number) {
   std::vector<DriveStep> steps;
   for (int i = 0; i < 400; ++i) {
     const Vector2d wanted_Nm(torque(dice), torque(dice));
-    steps.push_back(drives.drive(wanted_Nm, Vector2d(speed(dice), speed(dice)), 1e-2));
+    steps.push_back(drives.drive(wanted_Nm, Vector2d::Zero(), Vector2d(speed(dice), speed(dice)), 1e-2));
   }
   return steps;
 }
@@ -476,7 +476,7 @@ TEST(PoweredDrives, UnderOtherOptionsAreAsIfMadeUnderThem) {
 TEST(PoweredDrives, OfARobotWithoutAnyDoNothing) {
   PoweredDrives drives(driven_robot({}), {});
   EXPECT_EQ(drives.size(), 0);
-  const DriveStep& step = drives.drive(VectorXd(), VectorXd(), kStep_s);
+  const DriveStep& step = drives.drive(VectorXd(), VectorXd(), VectorXd(), kStep_s);
   EXPECT_EQ(step.torque_Nm.size(), 0);
   EXPECT_EQ(step.power_W, 0.0);
 }
@@ -485,12 +485,13 @@ TEST(PoweredDrives, RefuseWhatIsNoStep) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   PoweredDrives drives = one_drive(actuator::round_actuator());
   EXPECT_EQ(drives.size(), 1);
-  EXPECT_THROW(drives.drive(alone(kNaN), alone(0.0), kStep_s), std::invalid_argument);
-  EXPECT_THROW(drives.drive(alone(0.0), alone(kNaN), kStep_s), std::invalid_argument);
-  EXPECT_THROW(drives.drive(alone(0.0), alone(HUGE_VAL), kStep_s), std::invalid_argument);
-  EXPECT_THROW(drives.drive(alone(0.0), Vector2d(0.0, 0.0), kStep_s), std::invalid_argument);
-  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), 0.0), std::invalid_argument);
-  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), kNaN), std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(kNaN), alone(0.0), alone(0.0), kStep_s), std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(kNaN), kStep_s), std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(0.0), alone(kNaN), alone(0.0), kStep_s), std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(HUGE_VAL), kStep_s), std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), Vector2d(0.0, 0.0), kStep_s), std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(0.0), 0.0), std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(0.0), kNaN), std::invalid_argument);
   EXPECT_THROW(one_drive(actuator::round_actuator(), {DriveLimits::kMor, {}, alone(-1.0)}),
                std::invalid_argument);
   EXPECT_THROW(one_drive(actuator::round_actuator(), {DriveLimits::kMor, {}, Vector2d(0.0, 0.0)}),
