@@ -31,7 +31,9 @@ Robot without_free_rotors(const Robot& robot) {
     }
     if (!some_are_free) continue;
     if (drivetrain.rotors_in_tree) {
-      engine.tree.bodies[drivetrain.joints.front()].joint.reflected_inertia = 0.0;
+      dynamics::Joint& joint = engine.tree.bodies[drivetrain.joints.front()].joint;
+      joint.reflected_inertia = 0.0;
+      joint.rotor_spin_kg_m2.setZero();
     } else {
       drivetrain.stated_rotors_kg_m2 = std::move(kept_kg_m2);
     }

@@ -16,7 +16,8 @@ double rotor_turned_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std:
 /// inertia is not part of several joints' or of a changing ratio's.
 bool is_rotor_free(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator);
 
-/// The robot as an engine moves it: without the inertia of free rotors. Cranks stay.
+/// The robot as an engine moves it: without the inertia of free rotors, and without the angular
+/// momentum that they carry for what holds them. Cranks stay.
 Robot without_free_rotors(const Robot& robot);
 
 }  // namespace torquewright::hopper
