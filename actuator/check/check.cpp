@@ -124,6 +124,11 @@ class Pass {
     });
   }
 
+  /// Of a drive's output: that of its joint, where it turns one alone.
+  bool knows_angle(std::size_t drive) const {
+    return rows_.joints_of(drive).size() == 1 && every_joint_has(drive, &JointColumns::position);
+  }
+
   void take_joints(const Row& row) {
     joint_row_ = row;
     for (std::size_t i = 0; i < rows_.joints().size(); ++i) {
@@ -142,7 +147,9 @@ class Pass {
   void take_drives(const Row& row) {
     for (std::size_t i = 0; i < checks_.size(); ++i) {
       const double* drive = &row.values[kDrivePlaces * i];
-      checks_[i]->add(row.time_s, drive[kDriveSpeedAt], drive[kDriveTorqueAt],
+      const std::optional<double> position_rad =
+          knows_angle(i) ? std::optional(drive[kDrivePositionAt]) : std::nullopt;
+      checks_[i]->add(row.time_s, position_rad, drive[kDriveSpeedAt], drive[kDriveTorqueAt],
                       drive[kDriveAccelerationAt]);
     }
   }

@@ -114,6 +114,15 @@ ordered_json inertia_json(const DriveReport& drive) {
   return nullptr;
 }
 
+ordered_json left_out_json(const DriveReport& drive) {
+  ordered_json effects = ordered_json::array();
+  for (const LeftOutEffect& effect : drive.effects_left_out) {
+    effects.push_back(
+        {{"effect", effect.effect}, {"misjudged_Nm", number(effect.misjudged_Nm)}});
+  }
+  return effects;
+}
+
 ordered_json joint_json(const DriveReport& drive) {
   ordered_json entry{
       {"name", drive.name},       {"actuator", drive.actuator}, {"verdict", name_of(drive.verdict)},
@@ -133,6 +142,7 @@ ordered_json joint_json(const DriveReport& drive) {
   }
   entry["velocity_differentiated"] = drive.is_speed_differentiated;
   entry["left_out"] = drive.left_out;
+  if (!drive.effects_left_out.empty()) entry["effects_left_out"] = left_out_json(drive);
   entry["assumed"] = drive.assumed;
   return entry;
 }

@@ -14,7 +14,8 @@ DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
       conditions_(drive.conditions),
       basis_(*drive.actuator, drive.conditions),
       armature_kg_m2_(reflected_inertia_kg_m2(*drive.actuator)),
-      interpretation_(basis_, !options.only_verdict) {
+      interpretation_(basis_, !options.only_verdict),
+      left_out_(*drive.actuator, options.part) {
   const bool is_open = options.inertia == InertiaConvention::kUnstated && armature_kg_m2_ > 0.0;
   if (is_open && options.has_torque) with_inertia_.emplace(basis_, !options.only_verdict);
   report_.name = drive.name;
@@ -24,7 +25,7 @@ DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
   report_.inertia = options.inertia;
   report_.no_load_speed_rad_s = no_load_speed_rad_s(basis_.lookup.region().model()) /
                                 std::abs(drive.actuator->transmission.ratio);
-  report_.left_out = left_out(*drive.actuator);
+  report_.left_out = left_out(*drive.actuator, options.part);
   report_.assumed = drive.actuator->assumed;
 }
 
@@ -35,8 +36,8 @@ void DriveCheck::set_bus_voltage_V(double voltage_V) {
   if (with_inertia_) with_inertia_->use(basis);
 }
 
-void DriveCheck::add(double time_s, double speed_rad_s, double torque_Nm,
-                     double acceleration_rad_s2) {
+void DriveCheck::add(double time_s, std::optional<double> position_rad, double speed_rad_s,
+                     double torque_Nm, double acceleration_rad_s2) {
   if (report_.samples++ == 0) report_.from_s = time_s;
   report_.until_s = time_s;
   report_.peak_speed_rad_s = std::max(report_.peak_speed_rad_s, std::abs(speed_rad_s));
@@ -45,6 +46,7 @@ void DriveCheck::add(double time_s, double speed_rad_s, double torque_Nm,
   const bool is_excluded = options_.inertia == InertiaConvention::kExcluded;
   const double read_Nm = is_excluded ? torque_Nm + rotor_Nm : torque_Nm;
   const bool is_outside = interpretation_.add(time_s, speed_rad_s, read_Nm, acceleration_rad_s2);
+  left_out_.add({time_s, position_rad, speed_rad_s, read_Nm, acceleration_rad_s2});
   if (with_inertia_) {
     with_inertia_->add(time_s, speed_rad_s, torque_Nm + rotor_Nm, acceleration_rad_s2);
   }
@@ -72,6 +74,10 @@ DriveReport DriveCheck::finish() const {
   report.interpretation = interpretation_.finish(options_.runs, options_.pause_s);
   const bool as_it_stands = fails(report.interpretation);
   report.verdict = as_it_stands ? Verdict::kFail : Verdict::kPass;
+  report.effects_left_out = left_out_.finish();
+  if (some_outweigh(report.effects_left_out, report.interpretation)) {
+    report.verdict = Verdict::kUndecided;
+  }
   if (!with_inertia_) return report;
   report.with_inertia = with_inertia_->finish(options_.runs, options_.pause_s);
   if (fails(*report.with_inertia) != as_it_stands) report.verdict = Verdict::kUndecided;

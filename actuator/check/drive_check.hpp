@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "actuator/check/bus_levels.hpp"
 #include "actuator/check/interpretation_check.hpp"
+#include "actuator/check/left_out_sizes.hpp"
 #include "actuator/check/trace.hpp"
 
 namespace torquewright::actuator {
@@ -25,6 +27,7 @@ struct DriveOptions {
   double pause_s = 0.0;
   bool keep_trace = false;
   bool only_verdict = false;  ///< Leaves out the speed margin.
+  Part part = Part::kCheck;   ///< kRegion: inertia of effects is in none of the accelerations.
 };
 
 /// Checks the samples of one actuator, in flat memory.
@@ -37,7 +40,9 @@ class DriveCheck {
   /// From the next sample on the bus is held at this voltage, whatever the drive takes.
   void set_bus_voltage_V(double voltage_V);
 
-  void add(double time_s, double speed_rad_s, double torque_Nm, double acceleration_rad_s2);
+  /// `position_rad`: of the actuator's output; unknown where nothing tells it.
+  void add(double time_s, std::optional<double> position_rad, double speed_rad_s,
+           double torque_Nm, double acceleration_rad_s2);
 
   DriveReport finish() const;
   std::vector<TracePoint> trace() const { return trace_.points(); }
@@ -53,6 +58,7 @@ class DriveCheck {
   double armature_kg_m2_;
   InterpretationCheck interpretation_;
   std::optional<InterpretationCheck> with_inertia_;
+  LeftOutSizes left_out_;
   DriveReport report_;
   Trace trace_;
 };

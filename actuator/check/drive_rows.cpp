@@ -86,6 +86,7 @@ void DriveRows::convert(const Row& joints, Row& drives) const {
   for (const Single& single : singles_) {
     const double* from = &joints.values[kPlaces * single.joint];
     double* to = &drives.values[kDrivePlaces * single.drive];
+    to[kDrivePositionAt] = from[kPositionAt];
     to[kDriveSpeedAt] = from[kVelocityAt];
     to[kDriveTorqueAt] = from[kTorqueAt];
   }

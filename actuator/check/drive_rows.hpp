@@ -12,7 +12,13 @@
 namespace torquewright::actuator {
 
 /// Where a row of drives holds what of a drive: from kDrivePlaces times the drive's index.
-enum DrivePlace : std::size_t { kDriveSpeedAt, kDriveTorqueAt, kDriveAccelerationAt, kDrivePlaces };
+enum DrivePlace : std::size_t {
+  kDrivePositionAt,  ///< Of a single joint; where there is none its drive has none.
+  kDriveSpeedAt,
+  kDriveTorqueAt,
+  kDriveAccelerationAt,
+  kDrivePlaces
+};
 
 /// How joints of a trajectory become drives: one by one, or two by two through a Jacobian.
 class DriveRows {

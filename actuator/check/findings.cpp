@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "actuator/check/left_out_sizes.hpp"
 #include "actuator/check/region_words.hpp"
 #include "actuator/check/velocity_words.hpp"
 #include "io/time_text.hpp"
@@ -132,6 +133,35 @@ void add_held_heat(const DriveReport& drive, std::vector<Finding>& findings) {
   }
 }
 
+/// What each effect that the check leaves out may come to, and whether the verdict turns on it.
+void add_left_out(const DriveReport& drive, std::vector<Finding>& findings) {
+  for (const LeftOutEffect& effect : drive.effects_left_out) {
+    const bool is_open = outweighs(effect, drive.interpretation);
+    const double margin_Nm = drive.interpretation.margin_Nm;
+    std::string sentence =
+        effect.misjudged_Nm
+            ? fmt::format("{}: {} is left out; this motion is misjudged by up to {:.3g} Nm for it, "
+                          "{} than the {:.3g} Nm that {} the region's bound",
+                          drive.name, effect.effect, *effect.misjudged_Nm,
+                          is_open ? "more" : "no more", std::abs(margin_Nm),
+                          margin_Nm < 0.0 ? "are missing to" : "are left to")
+            : fmt::format("{}: {} is left out, and what it comes to is not known without positions "
+                          "of the joint",
+                          drive.name, effect.effect);
+    if (is_open) sentence += ": undecided; `hopper replay` reckons with it";
+    Finding result = finding(drive, is_open ? Severity::kWarning : Severity::kNote,
+                             "effect-left-out", std::move(sentence));
+    result.value = effect.misjudged_Nm;
+    result.limit = std::abs(margin_Nm);
+    result.unit = "Nm";
+    findings.push_back(std::move(result));
+  }
+  if (!some_outweigh(drive.effects_left_out, drive.interpretation)) return;
+  for (Finding& one : findings) {
+    if (one.severity == Severity::kViolation) one.severity = Severity::kWarning;
+  }
+}
+
 void add_continuous(const DriveReport& drive, const ContinuousUse& use, const char* rule,
                     const char* what, const char* unit, std::vector<Finding>& findings) {
   if (!use.is_passed()) return;
@@ -226,6 +256,7 @@ std::vector<Finding> findings_of(const DriveReport& drive) {
     add_winding(drive, findings);
     add_continuous(drive, findings);
     add_held_heat(drive, findings);
+    add_left_out(drive, findings);
     add_inertia(drive, findings);
   }
   if (drive.unwrapped > 0) {

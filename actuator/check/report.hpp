@@ -81,6 +81,14 @@ struct HeldHeat {
   std::string objection;          ///< Why an end could not be judged; empty: both were.
 };
 
+/// An effect of the document that the check does not reckon with.
+struct LeftOutEffect {
+  std::string effect;
+  /// Torque at the output by which the motion is misjudged at most (LeftOutSizes); empty: it turns
+  /// on the output's angle, which nothing tells.
+  std::optional<double> misjudged_Nm;
+};
+
 /// One actuator's part of the report.
 struct DriveReport {
   std::string name;
@@ -107,6 +115,7 @@ struct DriveReport {
   double unwrapped_from_s = 0.0;      ///< and when first.
   std::optional<HeldHeat> held_heat;  ///< Where it was judged elsewhere than as asked for.
   std::vector<std::string> left_out;
+  std::vector<LeftOutEffect> effects_left_out;
   std::vector<std::string> assumed;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,15 @@ std::vector<std::vector<double>> starts(const Ranges& ranges) {
   return all;
 }
 
+/// The rotor crosses the gap under the motion's torque and gives off its momentum, sqrt(2 T b J), in
+/// the time in which that torque changes by itself.
+double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
+  if (motion.torque_Nm <= 0.0) return 0.0;
+  const double momentum_Nm_s =
+      std::sqrt(2.0 * motion.torque_Nm * effect.values[0] * motion.motor_inertia_kg_m2);
+  return std::min(momentum_Nm_s * motion.torque_rate_Nm_s / motion.torque_Nm, motion.torque_Nm);
+}
+
 }  // namespace
 
 const EffectKind backlash = {
@@ -42,6 +52,7 @@ const EffectKind backlash = {
     .state_rate = nullptr,
     .state = "",
     .starts = starts,
+    .misjudged_Nm = misjudged_Nm,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -68,6 +68,13 @@ struct Ranges {
   double warmth_K = 0.0;         ///< Away from the reference.
 };
 
+/// The most that a motion asks of a drive, in size. At the output.
+struct MotionExtremes {
+  double torque_Nm = 0.0;
+  double torque_rate_Nm_s = 0.0;       ///< Of the torque from one sample to the next.
+  double motor_inertia_kg_m2 = 0.0;    ///< Of rotor and gears.
+};
+
 /// A sum of A sin(order angle + phase). `amplitude` is in Nm, or dimensionless where the ripple is
 /// proportional to the load.
 struct Harmonic {
@@ -98,6 +105,9 @@ struct EffectKind {
   std::span<const std::string_view> tends_to = {};
   /// Values from which a fit may start; null: the neutral ones.
   std::vector<std::vector<double>> (*starts)(const Ranges&) = nullptr;
+  /// An estimate of the torque at the output, in Nm, by which a motion of these extremes is
+  /// misjudged at most where the effect is left out; null: its law says, sample by sample.
+  double (*misjudged_Nm)(const Effect&, const MotionExtremes&) = nullptr;
 };
 
 /// An effect as a document states it.

@@ -36,6 +36,11 @@ std::vector<std::vector<double>> starts(const Ranges& ranges) {
   return all;
 }
 
+/// The whole friction: no region counts any of it.
+double misjudged_Nm(const Effect& effect, const MotionExtremes& /*motion*/) {
+  return effect.values[0];
+}
+
 }  // namespace
 
 const EffectKind presliding_friction = {
@@ -49,6 +54,7 @@ const EffectKind presliding_friction = {
     .state = "friction torque at the output, in Nm",
     .contains = kContains,
     .starts = starts,
+    .misjudged_Nm = misjudged_Nm,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <limits>
 
 #include "actuator/effects/every_effect.hpp"
@@ -23,6 +24,11 @@ std::vector<std::vector<double>> starts(const Ranges& /*ranges*/) {
   return {{0.0}, {0.01}, {0.04}};
 }
 
+/// What is missing of a ramp; of the steepest change at most the change.
+double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
+  return std::min(effect.values[0] * motion.torque_rate_Nm_s, 2.0 * motion.torque_Nm);
+}
+
 }  // namespace
 
 const EffectKind torque_lag = {
@@ -37,6 +43,7 @@ const EffectKind torque_lag = {
     .state_rate = state_rate,
     .state = "torque that is there, in Nm",
     .starts = starts,
+    .misjudged_Nm = misjudged_Nm,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <limits>
 
 #include "actuator/effects/every_effect.hpp"
@@ -29,6 +30,15 @@ std::vector<std::vector<double>> starts(const Ranges& ranges) {
   return all;
 }
 
+/// What turns the rotor ahead of its output as the twist T/k follows the torque: J (dT/dt)^2/(k T).
+double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
+  if (motion.torque_Nm <= 0.0) return 0.0;
+  const double rate_Nm_s = motion.torque_rate_Nm_s;
+  const double turning_Nm = motion.motor_inertia_kg_m2 * rate_Nm_s * rate_Nm_s /
+                            (effect.values[0] * motion.torque_Nm);
+  return std::min(turning_Nm, motion.torque_Nm);
+}
+
 }  // namespace
 
 const EffectKind torsional_compliance = {
@@ -42,6 +52,7 @@ const EffectKind torsional_compliance = {
     .state_rate = nullptr,
     .state = "",
     .starts = starts,
+    .misjudged_Nm = misjudged_Nm,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "actuator/region/left_out.hpp"
 #include "actuator/region/mor_header.hpp"
 
 namespace torquewright::actuator {
@@ -50,7 +51,9 @@ std::vector<std::string> note_of(const Subject& subject, const Exporter& exporte
                              friction_sentence(header)));
   note.push_back(armature_line(subject));
   note.emplace_back(exporter.advice);
-  for (const std::string& entry : left_out(subject.actuator)) note.push_back("Left out: " + entry);
+  for (const std::string& entry : left_out(subject.actuator, Part::kRegion)) {
+    note.push_back("Left out: " + entry);
+  }
   for (const std::string& entry : subject.actuator.assumed) note.push_back("Assumed: " + entry);
   for (std::size_t i = 0; i < exporter.parameters.size(); ++i) {
     note.push_back(fmt::format("{} = {:.10g}", exporter.parameters[i].name, shape[i]));

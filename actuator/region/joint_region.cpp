@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/region/joint_region.hpp"
 
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -165,32 +164,6 @@ JointRange range_at(const Actuator& actuator, const OperatingConditions& conditi
         return range_at_joint(actuator, model, temperature_K, speed_rad_s, direction, motor);
       },
       speed_rad_s);
-}
-
-std::vector<std::string> left_out(const Actuator& actuator) {
-  std::vector<std::string> sentences;
-  for (const Effect& effect : actuator.effects) {
-    if (effect.kind->acts == Acts::kDynamics || effect.kind->acts == Acts::kInertialTorque) {
-      sentences.push_back(fmt::format(
-          "{}: depends on the motion's history, which no region of torque over speed can hold",
-          effect.kind->name));
-    } else if (effect.kind->acts == Acts::kOutputTorque && !effect.kind->has_harmonics) {
-      sentences.push_back(fmt::format(
-          "{}: depends on the output's angle, which no region of torque over speed can hold",
-          effect.kind->name));
-    }
-  }
-  if (!actuator.battery) sentences.emplace_back("battery: none stated; the bus voltage is stiff");
-  if (!actuator.thermal) {
-    sentences.emplace_back("thermal: none stated; the winding stays at its temperature");
-  }
-  if (actuator.motor.inductance_q_H == 0.0 && actuator.motor.inductance_d_H == 0.0) {
-    sentences.emplace_back("inductance: none stated; voltage is lost over the resistance alone");
-  }
-  if (actuator.effects.empty()) {
-    sentences.emplace_back("friction: no effects stated; losses are the gearbox's efficiencies");
-  }
-  return sentences;
 }
 
 }  // namespace torquewright::actuator

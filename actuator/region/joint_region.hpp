@@ -71,8 +71,4 @@ class Region {
 JointRange range_at(const Actuator& actuator, const OperatingConditions& conditions,
                     double speed_rad_s);
 
-/// Effects that no static region can hold (lag, presliding, backlash, compliance, inertia), and
-/// what the document leaves open: a sentence each.
-std::vector<std::string> left_out(const Actuator& actuator);
-
 }  // namespace torquewright::actuator

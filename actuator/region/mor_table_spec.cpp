@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "actuator/region/left_out.hpp"
 #include "actuator/region/mor_table_spec.hpp"
 
 #include <fmt/format.h>
@@ -77,7 +78,7 @@ ordered_json mor_table_json(const MorHeader& header, const MorTable& table) {
           {"friction_included", friction_sentence(header)},
           {"effects", effects_and_sources(actuator)},
           {"interpolation_error_Nm", table.interpolation_error_Nm},
-          {"left_out", left_out(actuator)},
+          {"left_out", left_out(actuator, Part::kRegion)},
           {"assumed", actuator.assumed},
           {"rows", rows}};
 }

@@ -100,7 +100,10 @@ actuator::DriveReport checked_drive(const CheckedMotion& checked,
                                     const std::vector<SharedBus>& buses, const Place& place,
                                     std::vector<actuator::TracePoint>* trace = nullptr) {
   const std::size_t drive = place.drive;
-  actuator::DriveCheck check(checked_as(conditions, place), options);
+  actuator::DriveOptions with = options;
+  // What a joint states of its rotor knows nothing of an effect.
+  if (place.drivetrain.rotors_in_tree) with.part = actuator::Part::kRegion;
+  actuator::DriveCheck check(checked_as(conditions, place), with);
   const SharedBus* bus = nullptr;
   for (const SharedBus& shared : buses) {
     for (const std::size_t member : shared.drives) bus = member == drive ? &shared : bus;
@@ -110,7 +113,7 @@ actuator::DriveReport checked_drive(const CheckedMotion& checked,
   for (Index sample = 0; sample < checked.motion.samples(); ++sample) {
     if (bus != nullptr) check.set_bus_voltage_V(bus->voltage_V[sample]);
     const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
-    check.add(checked.motion.time_s(sample), at.speed_rad_s, torque_Nm[sample],
+    check.add(checked.motion.time_s(sample), at.position_rad, at.speed_rad_s, torque_Nm[sample],
               at.rotor_acceleration_rad_s2(rotor_kg_m2));
   }
   actuator::DriveReport report = check.finish();

@@ -10,6 +10,7 @@
 
 #include "hopper/replay/fall.hpp"
 #include "hopper/replay/free_rotors.hpp"
+#include "hopper/replay/left_out.hpp"
 #include "hopper/replay/sensor_noise.hpp"
 #include "hopper/replay/trial.hpp"
 #include "hopper/tracking/lqr.hpp"
@@ -137,6 +138,7 @@ struct Replay::Ready {
     ReplayedRun done;
     done.record = run_replay(parts, variation.run);
     done.result = result_of(moved, reference, done.record, options.standing, options.load_window_s);
+    leave_open(effects_left_out(of), done.result);
     return done;
   }
 

@@ -156,6 +156,8 @@ std::string_view name_of(ReplayVerdict verdict) {
       return "stands";
     case ReplayVerdict::kFell:
       return "fell";
+    case ReplayVerdict::kUndecided:
+      return "undecided";
     default:
       return "unfinished";
   }

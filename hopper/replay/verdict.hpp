@@ -9,7 +9,12 @@
 
 namespace torquewright::hopper {
 
-enum class ReplayVerdict { kStands, kFell, kUnfinished };
+enum class ReplayVerdict {
+  kStands,
+  kFell,
+  kUnfinished,
+  kUndecided,  ///< It ended, but an effect of a drive's document was left out.
+};
 std::string_view name_of(ReplayVerdict verdict);
 
 /// What counts as standing, at the end of the time that a robot is watched.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 namespace torquewright::simulation {
 namespace {
@@ -18,23 +17,21 @@ constexpr double kContactDamping = 0.6;
 constexpr double kTwistSteps = 200.0;
 constexpr double kContactSteps = 10.0;
 
-const actuator::Effect* find(const actuator::Actuator& actuator, std::string_view name) {
+bool is_open_gap(const actuator::Effect& effect) {
+  return effect.kind->name == "backlash" && effect.values[0] > 0.0;
+}
+
+bool is_soft_spring(const actuator::Effect& effect) {
+  return effect.kind->name == "torsional_compliance" && std::isfinite(effect.values[0]);
+}
+
+/// The first effect that is one; null: none.
+const actuator::Effect* first_that(bool (*is_one)(const actuator::Effect&),
+                                   const actuator::Actuator& actuator) {
   for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->name == name) return &effect;
+    if (is_one(effect)) return &effect;
   }
   return nullptr;
-}
-
-/// A gap that is open; null: none.
-const actuator::Effect* open_gap(const actuator::Actuator& actuator) {
-  const actuator::Effect* gap = find(actuator, "backlash");
-  return gap != nullptr && gap->values[0] > 0.0 ? gap : nullptr;
-}
-
-/// A spring that gives way; null: none.
-const actuator::Effect* soft_spring(const actuator::Actuator& actuator) {
-  const actuator::Effect* spring = find(actuator, "torsional_compliance");
-  return spring != nullptr && std::isfinite(spring->values[0]) ? spring : nullptr;
 }
 
 double step_s(double rate_rad_s, double steps) {
@@ -43,16 +40,20 @@ double step_s(double rate_rad_s, double steps) {
 
 }  // namespace
 
+bool makes_train_elastic(const actuator::Effect& effect) {
+  return is_open_gap(effect) || is_soft_spring(effect);
+}
+
 bool states_elastic_train(const actuator::Actuator& actuator) {
-  return open_gap(actuator) != nullptr || soft_spring(actuator) != nullptr;
+  return first_that(makes_train_elastic, actuator) != nullptr;
 }
 
 ElasticTrain::ElasticTrain(const actuator::Actuator& actuator, double inertia_kg_m2)
     : actuator_(actuator),
       inertia_kg_m2_(inertia_kg_m2),
       is_elastic_(states_elastic_train(actuator) && inertia_kg_m2 > 0.0),
-      gap_(open_gap(actuator)),
-      spring_(soft_spring(actuator)),
+      gap_(first_that(is_open_gap, actuator)),
+      spring_(first_that(is_soft_spring, actuator)),
       contact_Nm_rad_(inertia_kg_m2 * kContact_rad_s * kContact_rad_s),
       contact_Nm_s_rad_(2.0 * kContactDamping * kContact_rad_s * inertia_kg_m2) {}
 

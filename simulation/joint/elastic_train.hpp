@@ -6,6 +6,9 @@
 
 namespace torquewright::simulation {
 
+/// Whether that effect does: a gap that is open, or a spring that gives way.
+bool makes_train_elastic(const actuator::Effect& effect);
+
 /// Whether the actuator's effects let the motor turn without its output: a gap, or a finite
 /// stiffness between them.
 bool states_elastic_train(const actuator::Actuator& actuator);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "actuator/region/left_out.hpp"
 #include "actuator/region/joint_region.hpp"
 
 #include <gtest/gtest.h>
@@ -153,7 +154,7 @@ TEST(JointRange, LosesMostToEddyCurrentsAtTheCriticalSpeed) {
     EXPECT_NEAR(lost_Nm(w), 8.0 * 2.0 * (w / 2.0) / (1.0 + w * w / 4.0), 1e-10) << w;
     EXPECT_NEAR(lost_Nm(-w), -lost_Nm(w), 1e-10) << w;
   }
-  EXPECT_FALSE(left_out(actuator).front().starts_with("eddy_current_drag"));
+  EXPECT_FALSE(left_out(actuator, Part::kRegion).front().starts_with("eddy_current_drag"));
 }
 
 // A spring's torque has no bound over all angles: the region does without it, and says so.
@@ -163,7 +164,7 @@ TEST(LeftOut, ListsASpringByTheAngleAndLeavesTheRegionAlone) {
   actuator.effects.push_back(effect("parallel_spring", {30.0, 0.4}));
   const Region sprung(actuator, {});
   EXPECT_EQ(sprung.at(3.0).greatest.torque_Nm, free.at(3.0).greatest.torque_Nm);
-  EXPECT_EQ(left_out(actuator).front(),
+  EXPECT_EQ(left_out(actuator, Part::kRegion).front(),
             "parallel_spring: depends on the output's angle, which no region of torque over speed "
             "can hold");
 }
@@ -172,7 +173,7 @@ TEST(LeftOut, ListsWhatARegionCannotHold) {
   Actuator actuator = round_actuator();
   actuator.effects.push_back(effect("torque_lag", {0.01}));
   actuator.effects.push_back(effect("backlash", {0.01}));
-  const std::vector<std::string> sentences = left_out(actuator);
+  const std::vector<std::string> sentences = left_out(actuator, Part::kRegion);
   ASSERT_GE(sentences.size(), 2u);
   EXPECT_TRUE(sentences[0].starts_with("torque_lag"));
   EXPECT_TRUE(sentences[1].starts_with("backlash"));

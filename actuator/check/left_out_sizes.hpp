@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "actuator/check/report.hpp"
+#include "actuator/region/left_out.hpp"
+
+namespace torquewright::actuator {
+
+/// How much the effects that a part leaves out matter in a motion: the greatest torque of those
+/// whose law follows from a sample, and for those with a history the estimate of their record
+/// (EffectKind::misjudged_Nm) by the motion's extremes. docs/derivations/check.md eq. (8).
+class LeftOutSizes {
+ public:
+  struct Sample {
+    double time_s = 0.0;
+    std::optional<double> position_rad;  ///< Of the output.
+    double speed_rad_s = 0.0;
+    double torque_Nm = 0.0;
+    double acceleration_rad_s2 = 0.0;
+  };
+
+  /// Keeps references into the actuator.
+  LeftOutSizes(const Actuator& actuator, Part part);
+
+  void add(const Sample& sample);
+  std::vector<LeftOutEffect> finish() const;
+
+ private:
+  std::vector<const Effect*> effects_;
+  std::vector<double> law_Nm_;  ///< By effect: the greatest so far.
+  bool some_angles_are_unknown_ = false;
+  MotionExtremes extremes_;
+  std::optional<Sample> last_;
+};
+
+/// Whether one of them is larger than the torque margin on which the verdict rests: what is missing
+/// of a torque that fails, what is left of one that passes. A verdict that fails by heat or by what
+/// may last rests on none.
+bool some_outweigh(const std::vector<LeftOutEffect>& effects,
+                   const CheckedInterpretation& interpretation);
+
+/// Whether that one is.
+bool outweighs(const LeftOutEffect& effect, const CheckedInterpretation& interpretation);
+
+}  // namespace torquewright::actuator
