@@ -12,6 +12,7 @@
 #include "hopper/replay/free_rotors.hpp"
 #include "hopper/replay/left_out.hpp"
 #include "hopper/replay/sensor_noise.hpp"
+#include "hopper/replay/step_limit.hpp"
 #include "hopper/replay/trial.hpp"
 #include "hopper/tracking/lqr.hpp"
 #include "hopper/tracking/pd.hpp"
@@ -57,6 +58,7 @@ void require_replayable(const Robot& robot, const Motion& motion, const HopperRe
   }
   require_few_steps(motion, options.run);
   require_start_above_ground(robot, motion, options.engine_options.ground_height_m);
+  require_steps_follow_effects(robot, motion.positions.col(0), options.run.step_s);
 }
 
 std::unique_ptr<Engine> engine_of(const Robot& robot, EngineKind engine,

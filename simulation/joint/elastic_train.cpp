@@ -57,21 +57,29 @@ ElasticTrain::ElasticTrain(const actuator::Actuator& actuator, double inertia_kg
       contact_Nm_rad_(inertia_kg_m2 * kContact_rad_s * kContact_rad_s),
       contact_Nm_s_rad_(2.0 * kContactDamping * kContact_rad_s * inertia_kg_m2) {}
 
+double ElasticTrain::stiffness_Nm_rad() const {
+  if (!is_elastic_) return 0.0;
+  return spring_ != nullptr ? spring_->values[0] : contact_Nm_rad_;
+}
+
+double ElasticTrain::damping_Nm_s_rad() const {
+  if (!is_elastic_) return 0.0;
+  return spring_ != nullptr ? spring_->values[1] : contact_Nm_s_rad_;
+}
+
 double ElasticTrain::longest_step_s(double felt_inertia_kg_m2) const {
   const double load = felt_inertia_kg_m2 > 0.0 ? 1.0 / felt_inertia_kg_m2 : 0.0;
-  const double stiffness = spring_ != nullptr ? spring_->values[0] : contact_Nm_rad_;
-  const double damping = spring_ != nullptr ? spring_->values[1] : contact_Nm_s_rad_;
-  const double swing_s = step_s(std::sqrt(stiffness * (1.0 / inertia_kg_m2_ + load)),
+  const double swing_s = step_s(std::sqrt(stiffness_Nm_rad() * (1.0 / inertia_kg_m2_ + load)),
                                 spring_ != nullptr ? kTwistSteps : kContactSteps);
-  return std::min(swing_s, step_s(damping * (1.0 / inertia_kg_m2_ + load), kContactSteps));
+  return std::min(swing_s,
+                  step_s(damping_Nm_s_rad() * (1.0 / inertia_kg_m2_ + load), kContactSteps));
 }
 
 double ElasticTrain::twist_rad_under(double torque_Nm) const {
   if (!is_elastic_ || torque_Nm == 0.0) return 0.0;
-  const double stiffness_Nm_rad = spring_ != nullptr ? spring_->values[0] : contact_Nm_rad_;
   const double gap_rad = gap_ != nullptr ? gap_->values[0] : 0.0;
   // A spring without stiffness carries nothing at any twist.
-  const double elastic_rad = stiffness_Nm_rad > 0.0 ? torque_Nm / stiffness_Nm_rad : 0.0;
+  const double elastic_rad = stiffness_Nm_rad() > 0.0 ? torque_Nm / stiffness_Nm_rad() : 0.0;
   return elastic_rad + std::copysign(0.5 * gap_rad, torque_Nm);
 }
 

@@ -28,6 +28,10 @@ class ElasticTrain {
   };
   Twist twist(const JointState& state) const;
 
+  /// Torque on the load by its angle and by its speed, where the train is tight; 0 of a rigid one.
+  double stiffness_Nm_rad() const;
+  double damping_Nm_s_rad() const;
+
   /// The twist (motor ahead of the load, in rad at the output) under which the train, at rest,
   /// exerts that torque on the load: the inverse of twist(). 0 without torque and of a rigid train.
   double twist_rad_under(double torque_Nm) const;

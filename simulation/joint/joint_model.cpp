@@ -36,11 +36,16 @@ double stiffness_to_frame_Nm_rad(const Effect& effect) {
   return 0.0;
 }
 
-double spring_rad_s(const actuator::Actuator& actuator, double inertia_kg_m2) {
+double frame_Nm_rad(const actuator::Actuator& actuator) {
   double stiffness_Nm_rad = 0.0;
   for (const Effect& effect : actuator.effects) {
     stiffness_Nm_rad += stiffness_to_frame_Nm_rad(effect);
   }
+  return stiffness_Nm_rad;
+}
+
+double spring_rad_s(const actuator::Actuator& actuator, double inertia_kg_m2) {
+  const double stiffness_Nm_rad = frame_Nm_rad(actuator);
   return inertia_kg_m2 > 0.0 ? std::sqrt(stiffness_Nm_rad / inertia_kg_m2) : 0.0;
 }
 
@@ -171,6 +176,16 @@ void JointModel::heat(JointState& state, double current_A, double step_s) const 
       current_A * actuator::phase_amperes_per_ampere(actuator_.motor.torque_constant_convention);
   const Instant warm = actuator::at_winding_temperature(actuator_, state.temperature.winding_K);
   heat_->advance(state.temperature, actuator::winding_loss_W(actuator_, amplitude_A, warm), step_s);
+}
+
+double JointModel::coupling_Nm_rad() const {
+  double sum_Nm_rad = train_.stiffness_Nm_rad();
+  for (const Effect& effect : actuator_.effects) {
+    // Bristles stand on the motor's side, which an elastic train parts from the output.
+    if (is_elastic() && effect.kind->state_rate != nullptr) continue;
+    sum_Nm_rad += stiffness_to_frame_Nm_rad(effect);
+  }
+  return sum_Nm_rad;
 }
 
 double JointModel::carried_Nm(double after_mesh_Nm, double direction) const {

@@ -59,6 +59,11 @@ class JointModel {
   /// Torque before the mesh that belongs to a torque after it.
   double carried_Nm(double after_mesh_Nm, double direction) const;
 
+  /// What couples the output to rotor and frame, at most: torque by its angle (springs, stops, the
+  /// train; bristles of a rigid one) and by its speed.
+  double coupling_Nm_rad() const;
+  double coupling_Nm_s_rad() const { return train_.damping_Nm_s_rad(); }
+
   bool is_elastic() const { return train_.is_elastic(); }
   double inertia_kg_m2() const { return inertia_kg_m2_; }
   double ratio() const { return actuator_.transmission.ratio; }

@@ -44,6 +44,16 @@ std::string load_lines(const PlanResult& result) {
   return text;
 }
 
+/// Effects of the drives' documents that neither plan nor check reckon with.
+std::string left_out_lines(const PlanResult& result) {
+  std::string text;
+  if (!result.check) return text;
+  for (const hopper::Finding& finding : result.check->check.findings) {
+    if (finding.rule == "effect-left-out") text += "  left out " + finding.sentence + "\n";
+  }
+  return text;
+}
+
 std::string margin_lines(const std::vector<LeastMargin>& margins) {
   if (margins.empty()) return "";
   std::string text = "\nleast margin of each rule, planning margins not taken off\n";
@@ -103,7 +113,7 @@ std::string flip_text(const FlipAnswer& answer) {
   const std::string proof = proof_words(result);
   if (!proof.empty()) text += "  " + proof + "\n";
   text += motion_lines(answer);
-  text += load_lines(result);
+  text += load_lines(result) + left_out_lines(result);
   text += margin_lines(result.least_margins);
   text += binding_lines(result.binding);
   text += round_lines(answer);
