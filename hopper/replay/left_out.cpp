@@ -27,7 +27,7 @@ constexpr char kWeighsNothing[] =
 /// Why an effect does not act; empty: it does.
 std::string reason_against(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator,
                            const Effect& effect) {
-  if (drivetrain.rotors_in_tree && changes_inertia(effect)) return kInJoints;
+  if (drivetrain.joints_state_rotors && changes_inertia(effect)) return kInJoints;
   const bool is_part_of_train = simulation::makes_train_elastic(effect);
   if (!is_part_of_train || is_rotor_free(robot, drivetrain, actuator)) return "";
   return rotors_stay_in_tree(drivetrain) ? kInJoints : kWeighsNothing;
