@@ -29,8 +29,8 @@ std::vector<std::vector<double>> starts(const Ranges& ranges) {
   return all;
 }
 
-/// The rotor crosses the gap under the motion's torque and gives off its momentum, sqrt(2 T b J), in
-/// the time in which that torque changes by itself.
+/// The rotor crosses the gap under the motion's torque and gives off its momentum, sqrt(2 T b J),
+/// in the time in which that torque changes by itself.
 double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
   if (motion.torque_Nm <= 0.0) return 0.0;
   const double momentum_Nm_s =

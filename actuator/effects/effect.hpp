@@ -71,8 +71,8 @@ struct Ranges {
 /// The most that a motion asks of a drive, in size. At the output.
 struct MotionExtremes {
   double torque_Nm = 0.0;
-  double torque_rate_Nm_s = 0.0;       ///< Of the torque from one sample to the next.
-  double motor_inertia_kg_m2 = 0.0;    ///< Of rotor and gears.
+  double torque_rate_Nm_s = 0.0;     ///< Of the torque from one sample to the next.
+  double motor_inertia_kg_m2 = 0.0;  ///< Of rotor and gears.
 };
 
 /// A sum of A sin(order angle + phase). `amplitude` is in Nm, or dimensionless where the ripple is

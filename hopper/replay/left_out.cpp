@@ -42,8 +42,7 @@ std::vector<EffectLeftOut> effects_left_out(const Robot& robot) {
       for (const Effect& effect : drivetrain.actuators[i].effects) {
         const std::string reason = reason_against(robot, drivetrain, i, effect);
         if (reason.empty()) continue;
-        left_out.push_back(
-            {drivetrain.actuator_names[i], std::string(effect.kind->name), reason});
+        left_out.push_back({drivetrain.actuator_names[i], std::string(effect.kind->name), reason});
       }
     }
   }
@@ -56,8 +55,7 @@ void leave_open(const std::vector<EffectLeftOut>& effects, ReplayResult& result)
     finding.rule = "effect-left-out";
     finding.severity = actuator::Severity::kWarning;
     finding.joint = one.drive;
-    finding.sentence =
-        fmt::format("{}: {} is left out: {}", one.drive, one.effect, one.reason);
+    finding.sentence = fmt::format("{}: {} is left out: {}", one.drive, one.effect, one.reason);
   }
   if (effects.empty() || result.outcome.verdict == ReplayVerdict::kUnfinished) return;
   const std::string as_it_went = result.outcome.verdict == ReplayVerdict::kStands

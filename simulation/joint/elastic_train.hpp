@@ -44,8 +44,8 @@ class ElasticTrain {
   const actuator::Actuator& actuator_;
   double inertia_kg_m2_;
   bool is_elastic_;
-  const actuator::Effect* gap_;     ///< Null: none.
-  const actuator::Effect* spring_;  ///< Null: none.
+  const actuator::Effect* gap_;                           ///< Null: none.
+  const actuator::Effect* spring_;                        ///< Null: none.
   double contact_Nm_rad_ = 0.0, contact_Nm_s_rad_ = 0.0;  ///< Of a gap without a stated spring.
 };
 

@@ -217,6 +217,7 @@ const std::vector<Excuse> kFreeNames = {
     {"actuator: replaces", "what a document says of its past: an unknown name changes no number"},
     {"gearbox_result: constraint",
      "read by `gearbox verify`, which says what it expects where a constraint's name differs"},
+    {"check_report: effect", "as an actuator's document has it, whose reader refuses unknown ones"},
     {"identification_report: effect", "effects of rig and log stand in no library"},
     {"identification_report: replaces", "effects of rig and log stand in no library"},
 };
