@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,13 +31,25 @@ std::vector<std::vector<double>> starts(const Ranges& ranges) {
   return all;
 }
 
-/// The rotor crosses the gap under the motion's torque and gives off its momentum, sqrt(2 T b J), in
-/// the time in which that torque changes by itself.
+/// The rotor crosses the gap under the motion's torque and gives off its momentum, sqrt(2 T b J),
+/// in the time in which that torque changes by itself.
 double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
   if (motion.torque_Nm <= 0.0) return 0.0;
   const double momentum_Nm_s =
       std::sqrt(2.0 * motion.torque_Nm * effect.values[0] * motion.motor_inertia_kg_m2);
   return std::min(momentum_Nm_s * motion.torque_rate_Nm_s / motion.torque_Nm, motion.torque_Nm);
+}
+
+/// Half the gap, on the side on which the motor drives the load.
+double twist_rad(const Effect& effect, double torque_Nm) {
+  return torque_Nm == 0.0 ? 0.0 : std::copysign(0.5 * effect.values[0], torque_Nm);
+}
+
+constexpr double kTypicalGap_rad = 0.002;
+
+std::vector<Probe> probes(const Ranges& /*ranges*/, std::span<const double> /*start*/,
+                          std::span<const double> /*step*/) {
+  return {{"share", fmt::format("of a gap of {:.3g} rad", kTypicalGap_rad), {}, {kTypicalGap_rad}}};
 }
 
 }  // namespace
@@ -51,7 +65,10 @@ const EffectKind backlash = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .in_train = TrainPart::kGap,
+    .twist_rad = twist_rad,
     .starts = starts,
+    .probes = probes,
     .misjudged_Nm = misjudged_Nm,
 };
 

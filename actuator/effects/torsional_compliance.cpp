@@ -34,10 +34,12 @@ std::vector<std::vector<double>> starts(const Ranges& ranges) {
 double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
   if (motion.torque_Nm <= 0.0) return 0.0;
   const double rate_Nm_s = motion.torque_rate_Nm_s;
-  const double turning_Nm = motion.motor_inertia_kg_m2 * rate_Nm_s * rate_Nm_s /
-                            (effect.values[0] * motion.torque_Nm);
+  const double turning_Nm =
+      motion.motor_inertia_kg_m2 * rate_Nm_s * rate_Nm_s / (effect.values[0] * motion.torque_Nm);
   return std::min(turning_Nm, motion.torque_Nm);
 }
+
+double twist_rad(const Effect& effect, double torque_Nm) { return torque_Nm / effect.values[0]; }
 
 }  // namespace
 
@@ -51,6 +53,9 @@ const EffectKind torsional_compliance = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .in_train = TrainPart::kSpring,
+    .twist_rad = twist_rad,
+    .stiffness_Nm_rad = [](const Effect& effect) { return effect.values[0]; },
     .starts = starts,
     .misjudged_Nm = misjudged_Nm,
 };
