@@ -31,6 +31,22 @@ double law(const Effect& effect, const Instant& at) {
 
 constexpr std::string_view kContains[] = {"coulomb_friction", "viscous_friction"};
 
+Probe difference(std::string parameter, std::size_t forward, std::span<const double> start,
+                 std::span<const double> step) {
+  Probe probe{std::move(parameter), "", {start.begin(), start.end()}, {}, step[forward]};
+  probe.high = probe.low;
+  probe.high[forward] += 0.5 * step[forward];
+  probe.high[forward + 1] -= 0.5 * step[forward];
+  return probe;
+}
+
+/// What both directions have in common is Coulomb and viscous friction.
+std::vector<Probe> probes(const Ranges& /*ranges*/, std::span<const double> start,
+                          std::span<const double> step) {
+  return {difference("coulomb_difference_Nm", 0, start, step),
+          difference("viscous_difference_Nm_s_rad", 2, start, step)};
+}
+
 }  // namespace
 
 const EffectKind asymmetric_friction = {
@@ -42,7 +58,14 @@ const EffectKind asymmetric_friction = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .at_rest = AtRest::kOwnLaw,
+    .stands_for = StandsFor::kOffset,
+    .consequence =
+        "As an offset of a sensor the friction that both directions have in common "
+        "remains, the mean of their two values; as asymmetric friction each direction "
+        "has its own.",
     .contains = kContains,
+    .probes = probes,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,6 +40,18 @@ double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
   return std::min(momentum_Nm_s * motion.torque_rate_Nm_s / motion.torque_Nm, motion.torque_Nm);
 }
 
+/// Half the gap, on the side on which the motor drives the load.
+double twist_rad(const Effect& effect, double torque_Nm) {
+  return torque_Nm == 0.0 ? 0.0 : std::copysign(0.5 * effect.values[0], torque_Nm);
+}
+
+constexpr double kTypicalGap_rad = 0.002;
+
+std::vector<Probe> probes(const Ranges& /*ranges*/, std::span<const double> /*start*/,
+                          std::span<const double> /*step*/) {
+  return {{"share", fmt::format("of a gap of {:.3g} rad", kTypicalGap_rad), {}, {kTypicalGap_rad}}};
+}
+
 }  // namespace
 
 const EffectKind backlash = {
@@ -51,7 +65,10 @@ const EffectKind backlash = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .in_train = TrainPart::kGap,
+    .twist_rad = twist_rad,
     .starts = starts,
+    .probes = probes,
     .misjudged_Nm = misjudged_Nm,
 };
 

@@ -22,6 +22,8 @@ const EffectKind cogging_torque = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .excited_by = kSlowTurn,
+    .typical_order = 2.0,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -27,6 +27,9 @@ const EffectKind coulomb_friction = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .at_rest = AtRest::kLevel,
+    .excited_by = kSteadySpeeds,
+    .presence = Presence::kEvery,
 };
 
 }  // namespace torquewright::actuator::effects

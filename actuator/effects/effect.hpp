@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "actuator/effects/effect_properties.hpp"
+#include "actuator/effects/excitations.hpp"
+
 namespace torquewright::actuator {
 
 /// Where an effect acts, and so what its law returns.
@@ -98,6 +101,29 @@ struct EffectKind {
   /// d state / dt; null: no state.
   double (*state_rate)(const Effect&, const Instant&) = nullptr;
   std::string_view state;  ///< What the state is, with its unit.
+  /// Whether its harmonics may be ratios of the load.
+  bool may_be_proportional = false;
+  /// Its state follows the torque of the motor (Instant::input), not the motion.
+  bool follows_torque = false;
+
+  /// Where it stands in an elastic train.
+  TrainPart in_train = TrainPart::kNone;
+  /// By how far the motor leads its output, in rad at the output, at rest under a torque on the
+  /// load, in Nm. Null: by nothing.
+  double (*twist_rad)(const Effect&, double torque_Nm) = nullptr;
+  /// The greatest slope of its torque by an angle, in Nm/rad: of a part of a train by the twist, of
+  /// all others by the output's angle, as a spring to the frame. Null: none; infinite: rigid.
+  double (*stiffness_Nm_rad)(const Effect&) = nullptr;
+  /// What it holds where the output stands.
+  AtRest at_rest = AtRest::kNothing;
+  /// How the torque constant falls with the current. Null: it does not.
+  Saturation (*saturation)(const Effect&) = nullptr;
+
+  Needs needs = {};                               ///< What a log has to hold.
+  Excitation excited_by = effects::kMixedMotion;  ///< What shows it apart from others.
+  StandsFor stands_for = StandsFor::kItself;      ///< What it cannot be told from on some benches.
+  /// What it means for the region where the log cannot tell it from what it stands for; a sentence.
+  std::string_view consequence = {};
   /// Effects that are special cases of it: it takes their place.
   std::span<const std::string_view> contains = {};
   /// Effects that it turns into towards an end of its parameters: it may stand beside them, but a
@@ -105,6 +131,17 @@ struct EffectKind {
   std::span<const std::string_view> tends_to = {};
   /// Values from which a fit may start; null: the neutral ones.
   std::vector<std::vector<double>> (*starts)(const Ranges&) = nullptr;
+
+  Presence presence = Presence::kSome;  ///< Whether an experiment is planned for it unasked.
+  /// Directions along which an experiment is planned, of a law that is not linear in its
+  /// parameters; null: each parameter by itself. `start`: from where a fit starts; `step`: a small
+  /// change of each parameter.
+  std::vector<Probe> (*probes)(const Ranges&, std::span<const double> start,
+                               std::span<const double> step) = nullptr;
+  /// Of one with harmonics: the wave that an experiment is planned for, so many times in a turn of
+  /// the output, or of a pole pair where it acts before the mesh.
+  double typical_order = 0.0;
+
   /// An estimate of the torque at the output, in Nm, by which a motion of these extremes is
   /// misjudged at most where the effect is left out; null: its law says, sample by sample.
   double (*misjudged_Nm)(const Effect&, const MotionExtremes&) = nullptr;
@@ -115,7 +152,7 @@ struct Effect {
   const EffectKind* kind = nullptr;
   std::vector<double> values;  ///< In the order of kind->parameters.
   std::vector<Harmonic> harmonics;
-  bool proportional = false;  ///< gear_ripple: amplitudes are ratios of the load.
+  bool proportional = false;  ///< Amplitudes are ratios of the load.
   std::string provenance;     ///< As written: "assumed", "measured", "identified", ...
   friend bool operator==(const Effect&, const Effect&) = default;
 };

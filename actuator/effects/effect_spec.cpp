@@ -104,7 +104,7 @@ class EffectReader {
     std::vector<std::string> names;
     for (const Parameter& parameter : effect_.kind->parameters) names.emplace_back(parameter.name);
     if (effect_.kind->has_harmonics) names.emplace_back("harmonics");
-    if (effect_.kind->name == "gear_ripple") names.emplace_back("proportional");
+    if (effect_.kind->may_be_proportional) names.emplace_back("proportional");
     return names;
   }
 
@@ -212,7 +212,7 @@ nlohmann::ordered_json effect_json(const Effect& effect) {
   for (std::size_t i = 0; i < effect.values.size(); ++i) {
     parameters[std::string(effect.kind->parameters[i].name)] = effect.values[i];
   }
-  if (effect.kind->name == "gear_ripple") parameters["proportional"] = effect.proportional;
+  if (effect.kind->may_be_proportional) parameters["proportional"] = effect.proportional;
   for (const Harmonic& wave : effect.harmonics) {
     parameters["harmonics"].push_back(
         {{"order", wave.order},

@@ -52,6 +52,7 @@ constexpr EffectKind stop(std::string_view name, std::string_view sentence,
   kind.sentence = sentence;
   kind.parameters = kParameters;
   kind.law = law;
+  kind.stiffness_Nm_rad = [](const Effect& effect) { return effect.values[0]; };
   kind.tends_to = kTendsTo;
   kind.starts = starts;
   return kind;

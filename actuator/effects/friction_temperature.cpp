@@ -20,6 +20,8 @@ const EffectKind friction_temperature = {
     .law = temperature_factor,
     .state_rate = nullptr,
     .state = "",
+    .needs = {.winding_temperature = true},
+    .excited_by = kColdAndWarm,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -23,6 +23,9 @@ const EffectKind gear_ripple = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .may_be_proportional = true,
+    .excited_by = kSlowTurn,
+    .typical_order = 2.0,
 };
 
 }  // namespace torquewright::actuator::effects

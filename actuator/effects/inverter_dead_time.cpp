@@ -32,6 +32,7 @@ const EffectKind inverter_dead_time = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .needs = {.winding_voltage = true},
 };
 
 }  // namespace torquewright::actuator::effects

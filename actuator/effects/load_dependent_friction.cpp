@@ -39,6 +39,8 @@ const EffectKind load_dependent_friction = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .excited_by = kBothWaysUnderLoad,
+    .presence = Presence::kMost,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -36,6 +36,7 @@ const EffectKind parallel_spring = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .stiffness_Nm_rad = [](const Effect& effect) { return effect.values[0]; },
     .tends_to = kTendsTo,
     .starts = starts,
 };

@@ -20,6 +20,7 @@ const EffectKind position_dependent_friction = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .typical_order = 1.0,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "actuator/effects/every_effect.hpp"
@@ -41,6 +43,23 @@ double misjudged_Nm(const Effect& effect, const MotionExtremes& /*motion*/) {
   return effect.values[0];
 }
 
+/// Of its bristles, which stand on the frame.
+double stiffness_Nm_rad(const Effect& effect) {
+  return effect.values[0] > 0.0 ? effect.values[1] : 0.0;
+}
+
+constexpr double kTypicalLength_rad = 0.01;  ///< On which it comes to slip.
+
+/// Friction's level at one length: its stiffness grows along.
+std::vector<Probe> probes(const Ranges& /*ranges*/, std::span<const double> /*start*/,
+                          std::span<const double> step) {
+  const auto at = [](double level_Nm) {
+    return std::vector<double>{level_Nm, level_Nm / kTypicalLength_rad};
+  };
+  return {{"coulomb_Nm", fmt::format("at a presliding length of {:.3g} rad", kTypicalLength_rad),
+           at(step[0]), at(2.0 * step[0]), step[0]}};
+}
+
 }  // namespace
 
 const EffectKind presliding_friction = {
@@ -52,8 +71,12 @@ const EffectKind presliding_friction = {
     .law = law,
     .state_rate = state_rate,
     .state = "friction torque at the output, in Nm",
+    .stiffness_Nm_rad = stiffness_Nm_rad,
+    .at_rest = AtRest::kOwnLaw,
+    .excited_by = kCreeping,
     .contains = kContains,
     .starts = starts,
+    .probes = probes,
     .misjudged_Nm = misjudged_Nm,
 };
 

@@ -28,6 +28,8 @@ const EffectKind quadratic_drag = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .excited_by = kSteadySpeeds,
+    .presence = Presence::kMost,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -27,6 +27,11 @@ const EffectKind reflected_inertia = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .stands_for = StandsFor::kLoadInertia,
+    .consequence =
+        "As inertia of the rotor it takes torque wherever the actuator accelerates; as "
+        "an error of the rig nothing changes.",
+    .presence = Presence::kMost,
 };
 
 }  // namespace torquewright::actuator::effects

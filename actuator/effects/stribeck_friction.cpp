@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -39,6 +41,17 @@ std::vector<std::vector<double>> starts(const Ranges& ranges) {
   return all;
 }
 
+/// Breakaway's excess, at a velocity that is a twentieth of the greatest speed.
+std::vector<Probe> probes(const Ranges& ranges, std::span<const double> start,
+                          std::span<const double> step) {
+  const double v_rad_s = 0.05 * ranges.speed_rad_s;
+  return {{"breakaway_over_coulomb_Nm",
+           fmt::format("at a Stribeck velocity of {:.3g} rad/s", v_rad_s),
+           {start[0], 0.0, v_rad_s},
+           {start[0], step[1], v_rad_s},
+           step[1]}};
+}
+
 }  // namespace
 
 const EffectKind stribeck_friction = {
@@ -52,8 +65,12 @@ const EffectKind stribeck_friction = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .at_rest = AtRest::kBreakaway,
+    .excited_by = kCreeping,
     .contains = kContains,
     .starts = starts,
+    .presence = Presence::kMost,
+    .probes = probes,
 };
 
 }  // namespace torquewright::actuator::effects

@@ -25,6 +25,11 @@ const EffectKind torque_constant_error = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .excited_by = kSeveralLoads,
+    .stands_for = StandsFor::kTorqueScale,
+    .consequence =
+        "As an error of the torque constant all torques of the region change by the "
+        "factor; as any other, none.",
 };
 
 }  // namespace torquewright::actuator::effects

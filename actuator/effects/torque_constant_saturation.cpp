@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -26,6 +28,20 @@ std::vector<std::vector<double>> starts(const Ranges& ranges) {
       {0.8 * ranges.current_A, 2.0}, {1.6 * ranges.current_A, 2.0}, {1.2 * ranges.current_A, 4.0}};
 }
 
+Saturation saturation(const Effect& effect) { return {effect.values[0], effect.values[1]}; }
+
+constexpr double kTypicalExponent = 2.0;
+
+/// The whole of a saturation that sets in at the greatest current.
+std::vector<Probe> probes(const Ranges& ranges, std::span<const double> /*start*/,
+                          std::span<const double> /*step*/) {
+  return {{"share",
+           fmt::format("of a saturation at {:.3g} A, exponent {:g}", ranges.current_A,
+                       kTypicalExponent),
+           {},
+           {ranges.current_A, kTypicalExponent}}};
+}
+
 }  // namespace
 
 const EffectKind torque_constant_saturation = {
@@ -37,7 +53,11 @@ const EffectKind torque_constant_saturation = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .saturation = saturation,
+    .excited_by = kSeveralLoads,
     .starts = starts,
+    .presence = Presence::kMost,
+    .probes = probes,
 };
 
 }  // namespace torquewright::actuator::effects

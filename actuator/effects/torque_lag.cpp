@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -29,6 +31,13 @@ double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
   return std::min(effect.values[0] * motion.torque_rate_Nm_s, 2.0 * motion.torque_Nm);
 }
 
+constexpr double kTypicalLag_s = 0.008;
+
+std::vector<Probe> probes(const Ranges& /*ranges*/, std::span<const double> /*start*/,
+                          std::span<const double> /*step*/) {
+  return {{"share", fmt::format("of a lag of {:.3g} s", kTypicalLag_s), {}, {kTypicalLag_s}}};
+}
+
 }  // namespace
 
 const EffectKind torque_lag = {
@@ -42,7 +51,14 @@ const EffectKind torque_lag = {
     .law = law,
     .state_rate = state_rate,
     .state = "torque that is there, in Nm",
+    .follows_torque = true,
+    .excited_by = kFastMotion,
+    .stands_for = StandsFor::kSensorLag,
+    .consequence =
+        "As a lag of the torque it is late by so much; as one of the sensor nothing "
+        "changes.",
     .starts = starts,
+    .probes = probes,
     .misjudged_Nm = misjudged_Nm,
 };
 

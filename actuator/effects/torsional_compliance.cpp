@@ -39,6 +39,8 @@ double misjudged_Nm(const Effect& effect, const MotionExtremes& motion) {
   return std::min(turning_Nm, motion.torque_Nm);
 }
 
+double twist_rad(const Effect& effect, double torque_Nm) { return torque_Nm / effect.values[0]; }
+
 }  // namespace
 
 const EffectKind torsional_compliance = {
@@ -51,6 +53,9 @@ const EffectKind torsional_compliance = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .in_train = TrainPart::kSpring,
+    .twist_rad = twist_rad,
+    .stiffness_Nm_rad = [](const Effect& effect) { return effect.values[0]; },
     .starts = starts,
     .misjudged_Nm = misjudged_Nm,
 };

@@ -25,6 +25,8 @@ const EffectKind viscous_friction = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .excited_by = kSteadySpeeds,
+    .presence = Presence::kEvery,
 };
 
 }  // namespace torquewright::actuator::effects

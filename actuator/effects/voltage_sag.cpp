@@ -25,6 +25,7 @@ const EffectKind voltage_sag = {
     .law = law,
     .state_rate = nullptr,
     .state = "",
+    .needs = {.winding_voltage = true, .duty = true},
 };
 
 }  // namespace torquewright::actuator::effects

@@ -22,6 +22,8 @@ const EffectKind winding_resistance_temperature = {
     .law = temperature_factor,
     .state_rate = nullptr,
     .state = "",
+    .needs = {.winding_temperature = true, .winding_voltage = true},
+    .excited_by = kColdAndWarm,
 };
 
 }  // namespace torquewright::actuator::effects

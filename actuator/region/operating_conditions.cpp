@@ -76,11 +76,12 @@ Supply supply_at(const Actuator& actuator, const OperatingConditions& conditions
 
 void set_saturation(const Actuator& actuator, PhaseModel& model) {
   for (const Effect& effect : actuator.effects) {
-    if (effect.kind->name != "torque_constant_saturation") continue;
-    if (!std::isfinite(effect.values[0])) continue;
+    if (effect.kind->saturation == nullptr) continue;
+    const Saturation saturation = effect.kind->saturation(effect);
+    if (!std::isfinite(saturation.current_A)) continue;
     model.saturation_current_A =
-        effect.values[0] * phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
-    model.saturation_exponent = effect.values[1];
+        saturation.current_A * phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
+    model.saturation_exponent = saturation.exponent;
   }
 }
 

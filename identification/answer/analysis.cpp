@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "actuator/effects/library.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "identification/findings/doubts.hpp"
 #include "identification/findings/undetermined.hpp"
@@ -96,7 +97,7 @@ class JointAnalysis {
 
   void note_constant(const EquationResult& voltage) {
     for (const NamedEffect* each : certain_of(voltage)) {
-      if (each->effect == "torque_constant_error")
+      if (actuator::stands_for(each->effect, actuator::StandsFor::kTorqueScale))
         constant_factor_by_voltage_ = each->parameters.value("factor", 1.0);
     }
   }
@@ -166,9 +167,9 @@ class JointAnalysis {
       const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];
       const actuator::Actuator informed = with_standstill(nominal, position->added.front());
       bench_.actuators[bench_.joint] = &informed;
-      for (const char* settled : {"coulomb_friction", "stribeck_friction", "asymmetric_friction",
-                                  "presliding_friction"}) {
-        torque_options_.without.emplace_back(settled);
+      for (const actuator::EffectKind* each : actuator::effect_library()) {
+        if (each->at_rest == actuator::AtRest::kNothing) continue;
+        torque_options_.without.emplace_back(each->name);
       }
       EquationResult again = torque_result(signals());
       bench_.actuators[bench_.joint] = &nominal;

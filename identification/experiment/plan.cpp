@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "actuator/effects/library.hpp"
 #include "identification/experiment/plan_trial.hpp"
 #include "identification/findings/confusions.hpp"
 #include "io/nearest.hpp"
@@ -26,11 +27,26 @@ constexpr double kTypicalShare = 0.05;  ///< Of the greatest torque, that a typi
 constexpr double kTypicalSigmas = 3.0;
 constexpr double kNeighbour = 0.2;  ///< Largest change of a number near the best.
 
-const std::vector<std::string> kUsual = {
-    "viscous_friction",        "coulomb_friction",           "stribeck_friction", "quadratic_drag",
-    "load_dependent_friction", "torque_constant_saturation", "reflected_inertia"};
-/// What every joint has, and every sensor: fitted along, asked for or not.
-const std::vector<std::string> kAlways = {"coulomb_friction", "viscous_friction", "torque_offset"};
+/// What most joints have: planned for where nothing is asked.
+std::vector<std::string> usual_effects() {
+  std::vector<std::string> names;
+  for (const actuator::EffectKind* each : actuator::effect_library()) {
+    if (each->presence != actuator::Presence::kSome) names.emplace_back(each->name);
+  }
+  return names;
+}
+
+/// What every joint has, and every sensor: fitted along, asked for or not. Constants come first.
+std::vector<std::string> effects_fitted_along() {
+  std::vector<std::string> names;
+  for (const actuator::EffectKind* each : actuator::effect_library()) {
+    if (each->presence != actuator::Presence::kEvery) continue;
+    const bool is_level = each->at_rest == actuator::AtRest::kLevel;
+    names.emplace(is_level ? names.begin() : names.end(), each->name);
+  }
+  names.emplace_back("torque_offset");
+  return names;
+}
 
 [[noreturn]] void refuse_plan(const std::string& where, std::string message) {
   throw io::SpecError({{where, "", std::move(message)}});
@@ -132,7 +148,8 @@ class PlanSearch {
 
   /// Asked for first, then what is fitted along.
   void choose_columns() {
-    const std::vector<std::string>& asked = options_.separate.empty() ? kUsual : options_.separate;
+    const std::vector<std::string> asked =
+        options_.separate.empty() ? usual_effects() : options_.separate;
     for (const std::string& effect : asked) note_identity(effect, asked);
     std::vector<std::string> along;
     for (const std::string& effect : asked) {
@@ -149,7 +166,7 @@ class PlanSearch {
     if (asked_ == 0) {
       refuse_plan("--separate", "the torque balance of this rig shows none of these effects");
     }
-    for (const std::string& effect : kAlways) {
+    for (const std::string& effect : effects_fitted_along()) {
       if (is_taken(effect) || stands_for_asked(effect)) continue;
       std::vector<PlannedColumn> own = trial_.columns(effect);
       columns_.insert(columns_.end(), own.begin(), own.end());

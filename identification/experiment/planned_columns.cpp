@@ -17,30 +17,16 @@ namespace {
 
 using Coordinates = std::vector<double>;
 
-// Typical values at which effects that are not linear are planned for.
-constexpr double kStribeckShare = 0.05;  ///< Of the greatest speed.
-constexpr double kPreslidingLength_rad = 0.01;
-constexpr double kSaturationExponent = 2.0;
-constexpr double kLag_s = 0.008;
-constexpr double kGap_rad = 0.002;
-
 constexpr double kDifference = 1e-4;  ///< Of a parameter's size, between two hypotheses.
 
-const actuator::EffectKind& kind(const char* name) { return *actuator::find_effect(name); }
-
-/// What is asked by name of waves is one of each: the electrical turn's second, the output's
-/// second, and of friction its first.
+/// What is asked by name of waves is one of each, the typical one.
 std::optional<EffectCandidate> planned_wave(const Bench& bench, double torque_Nm,
                                             const std::string& effect) {
-  const double electrical = 2.0 * bench.actuator().motor.pole_pairs;
-  if (effect == "cogging_torque") {
-    return wave_candidate(kind("cogging_torque"), electrical, false, torque_Nm);
-  }
-  if (effect == "gear_ripple") return wave_candidate(kind("gear_ripple"), 2.0, false, torque_Nm);
-  if (effect == "position_dependent_friction") {
-    return wave_candidate(kind("position_dependent_friction"), 1.0, false, torque_Nm);
-  }
-  return std::nullopt;
+  const actuator::EffectKind* kind = actuator::find_effect(effect);
+  if (kind == nullptr || !kind->has_harmonics) return std::nullopt;
+  const bool is_of_motor = kind->acts == actuator::Acts::kMotorSideTorque;
+  const double per_turn = is_of_motor ? bench.actuator().motor.pole_pairs : 1.0;
+  return wave_candidate(*kind, kind->typical_order * per_turn, false, torque_Nm);
 }
 
 std::optional<EffectCandidate> planned_candidate(const Bench& bench, const actuator::Ranges& ranges,
@@ -69,28 +55,15 @@ class Columns {
     stated_.rig = *bench.rig;
   }
 
-  std::vector<PlannedColumn> take() {
-    const std::string& effect = candidate_.effect;
-    if (effect == "stribeck_friction") {
-      return {breakaway(kStribeckShare * ranges_.speed_rad_s)};
+  std::vector<PlannedColumn> take() const {
+    if (kind_ == nullptr || kind_->probes == nullptr) return slopes();
+    std::vector<double> steps;
+    for (std::size_t k = 0; k < start_.size(); ++k) steps.push_back(step(k));
+    std::vector<PlannedColumn> all;
+    for (const actuator::Probe& probe : kind_->probes(ranges_, start_, steps)) {
+      all.push_back(column_of(probe));
     }
-    if (effect == "presliding_friction") return {presliding(kPreslidingLength_rad)};
-    if (effect == "asymmetric_friction") {
-      // What both directions have in common is Coulomb and viscous friction.
-      return {difference("coulomb_difference_Nm", 0, 1),
-              difference("viscous_difference_Nm_s_rad", 2, 3)};
-    }
-    if (effect == "torque_constant_saturation") {
-      return {share({ranges_.current_A, kSaturationExponent},
-                    fmt::format("of a saturation at {:.3g} A, exponent {:g}", ranges_.current_A,
-                                kSaturationExponent))};
-    }
-    if (effect == "torque_lag")
-      return {share({kLag_s}, fmt::format("of a lag of {:.3g} s", kLag_s))};
-    if (effect == "backlash") {
-      return {share({kGap_rad}, fmt::format("of a gap of {:.3g} rad", kGap_rad))};
-    }
-    return slopes();
+    return all;
   }
 
  private:
@@ -154,45 +127,26 @@ class Columns {
     return candidate_.effect == "torque_offset" ? parameter + "_Nm" : parameter;
   }
 
-  PlannedColumn breakaway(double speed_rad_s) const {
-    Coordinates low = start_;
-    low[1] = 0.0;
-    low[2] = candidate_.parameters[2].coordinate(speed_rad_s);
-    Coordinates high = low;
-    high[1] += step(1);
-    return between("breakaway_over_coulomb_Nm",
-                   fmt::format("at a Stribeck velocity of {:.3g} rad/s", speed_rad_s), low, high,
-                   step(1));
-  }
-
-  /// Friction's level at one length: its stiffness grows along.
-  PlannedColumn presliding(double length_rad) const {
-    const auto at = [&](double level_Nm) {
-      return Coordinates{level_Nm, candidate_.parameters[1].coordinate(level_Nm / length_rad)};
-    };
-    return between("coulomb_Nm", fmt::format("at a presliding length of {:.3g} rad", length_rad),
-                   at(step(0)), at(2.0 * step(0)), step(0));
-  }
-
-  PlannedColumn difference(std::string parameter, std::size_t forward, std::size_t backward) const {
-    Coordinates high = start_;
-    high[forward] += 0.5 * step(forward);
-    high[backward] -= 0.5 * step(forward);
-    return between(std::move(parameter), "", start_, high, step(forward));
-  }
-
-  /// Of the whole effect with these values, beside none of its kind.
-  PlannedColumn share(const std::vector<double>& values, std::string at) const {
-    PlannedColumn made = column("share", std::move(at));
-    std::erase_if(made.low.actuator.effects, [&](const actuator::Effect& each) {
-      return each.kind->name == candidate_.effect;
-    });
-    Coordinates high;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      high.push_back(candidate_.parameters[k].coordinate(values[k]));
+  /// Between the probe's two ends; without a lower one, beside none of its kind.
+  PlannedColumn column_of(const actuator::Probe& probe) const {
+    PlannedColumn made = column(probe.parameter, probe.at);
+    if (probe.low.empty()) {
+      std::erase_if(made.low.actuator.effects,
+                    [&](const actuator::Effect& each) { return each.kind == kind_; });
+    } else {
+      candidate_.apply(coordinates(probe.low), made.low);
     }
-    candidate_.apply(high, made.high);
+    candidate_.apply(coordinates(probe.high), made.high);
+    made.change = probe.change;
     return made;
+  }
+
+  Coordinates coordinates(const std::vector<double>& values) const {
+    Coordinates all;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      all.push_back(candidate_.parameters[k].coordinate(values[k]));
+    }
+    return all;
   }
 
   const actuator::Ranges& ranges_;

@@ -12,6 +12,7 @@
 namespace torquewright::identification {
 namespace {
 
+using actuator::StandsFor;
 using Parameters = decltype(NamedEffect::parameters);
 
 constexpr double kErrorsOfScale = 3.0;
@@ -32,10 +33,13 @@ bool holds_a_torque(const Parameters& parameters) {
   return false;
 }
 
+bool is_torque_scale(const std::string& effect) {
+  return actuator::stands_for(effect, StandsFor::kTorqueScale);
+}
+
 bool is_constant_in_doubt(const EquationResult& result) {
   return std::any_of(result.confounded.begin(), result.confounded.end(), [](const auto& group) {
-    return std::find(group.effects.begin(), group.effects.end(), "torque_constant_error") !=
-           group.effects.end();
+    return std::any_of(group.effects.begin(), group.effects.end(), is_torque_scale);
   });
 }
 
@@ -56,9 +60,9 @@ bool is_law_of_speed(const NamedEffect& named) {
   return kind != nullptr && kind->acts == actuator::Acts::kDrag && !kind->has_harmonics;
 }
 
-NamedEffect* sure_one(const char* effect, EquationResult& result) {
+NamedEffect* sure_one(StandsFor what, EquationResult& result) {
   for (NamedEffect& each : result.added) {
-    if (each.effect == effect && is_certain(result, effect)) return &each;
+    if (actuator::stands_for(each.effect, what) && is_certain(result, each.effect)) return &each;
   }
   return nullptr;
 }
@@ -142,7 +146,7 @@ void doubt_what_harms_another(const EquationResult& harmed, const Errors& came_o
     each.is_refuted = true;
     each.doubt = fmt::format("in {} it raises the error, {:.4g} -> {:.4g} {}", harmed.quantity,
                              harmed.with_certain.train_rms, came_out.train_rms, harmed.unit);
-    if (each.effect != "torque_constant_error" || result.quantity != "winding_voltage_V") continue;
+    if (!is_torque_scale(each.effect) || result.quantity != "winding_voltage_V") continue;
     each.doubt +=
         "; so it is the back-EMF constant that is another: /motor/back_emf_constant_V_s_rad "
         "states it apart from the torque constant";
@@ -155,7 +159,8 @@ void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& 
     const auto [scale, error] = estimate_of(each, "scale");
     if (std::abs(scale - 1.0) <= kErrorsOfScale * error) continue;
     for (NamedEffect& inertia : torque.added) {
-      if (inertia.effect != "reflected_inertia" || !inertia.doubt.empty()) continue;
+      const bool is_inertia = actuator::stands_for(inertia.effect, StandsFor::kLoadInertia);
+      if (!is_inertia || !inertia.doubt.empty()) continue;
       inertia.is_refuted = true;
       inertia.doubt = fmt::format(
           "{} and position differ by a scale of {:.4g}: times, angles or speeds of the log are off "
@@ -179,8 +184,8 @@ void doubt_what_follows_worse(const Errors& stated, const Errors& certain, doubl
 
 void doubt_what_one_factor_explains(double inertia_kg_m2, double before_gears_kg_m2,
                                     EquationResult& torque) {
-  NamedEffect* constant = sure_one("torque_constant_error", torque);
-  NamedEffect* inertia = sure_one("reflected_inertia", torque);
+  NamedEffect* constant = sure_one(StandsFor::kTorqueScale, torque);
+  NamedEffect* inertia = sure_one(StandsFor::kLoadInertia, torque);
   if (constant == nullptr || inertia == nullptr) return;
   const Estimate factor = estimate_of(*constant, "factor");
   const Estimate more_kg_m2 = estimate_of(*inertia, "inertia_kg_m2");
@@ -199,7 +204,7 @@ void doubt_what_one_factor_explains(double inertia_kg_m2, double before_gears_kg
   }
   constant->doubt = fmt::format("one factor, {:.4g}, explains it and the inertia together, as {}",
                                 factor.value, other);
-  inertia->doubt = "it goes with torque_constant_error by one factor";
+  inertia->doubt = fmt::format("it goes with {} by one factor", constant->effect);
   constant->is_refuted = inertia->is_refuted = true;
 }
 

@@ -261,7 +261,7 @@ EffectCandidate wave_candidate(const EffectKind& kind, double order, bool propor
         Json::array({{{"order", found.order},
                       {proportional ? "amplitude_ratio" : "amplitude_Nm", found.amplitude},
                       {"phase_rad", found.phase_rad}}});
-    if (kind.name == "gear_ripple") json["proportional"] = proportional;
+    if (kind.may_be_proportional) json["proportional"] = proportional;
     return json;
   };
   return candidate;
@@ -324,7 +324,10 @@ EffectCandidate current_gain_candidate() {
   candidate.parameters = {{"gain_positive", kLeastGain, 1.0 / kLeastGain, 1.0, false},
                           {"gain_negative", kLeastGain, 1.0 / kLeastGain, 1.0, false}};
   candidate.starts = {{1.0, 1.0}};
-  candidate.tends_to = {"torque_constant_error", "torque_offset"};
+  for (const EffectKind* each : actuator::effects_standing_for(actuator::StandsFor::kTorqueScale)) {
+    candidate.tends_to.emplace_back(each->name);
+  }
+  candidate.tends_to.emplace_back("torque_offset");
   candidate.apply = [](std::span<const double> u, Hypothesis& hypothesis) {
     hypothesis.log.positive_current_gain = u[0];
     hypothesis.log.negative_current_gain = u[1];

@@ -60,7 +60,7 @@ AtParts at_parts(std::size_t step, std::size_t samples, const ValueAt& value_at)
   return values;
 }
 
-bool is_friction_of(const actuator::Effect& effect) { return effect.kind->name != "torque_lag"; }
+bool is_friction_of(const actuator::Effect& effect) { return !effect.kind->follows_torque; }
 
 /// One effect's torque, at every part of every step. Friction follows the motion alone, a lag the
 /// motor's torque.

@@ -19,6 +19,8 @@
 namespace torquewright::identification {
 namespace {
 
+using actuator::Acts;
+using actuator::EffectKind;
 using actuator::Instant;
 using Json = nlohmann::ordered_json;
 
@@ -64,20 +66,28 @@ void add_zero(ForwardEquation& equation, double LogErrors::*zero, const std::str
   };
 }
 
-void add_effect(const Bench& bench, const char* name, const actuator::Ranges& ranges,
-                ForwardEquation& equation) {
-  equation.candidates.push_back(
-      actuator_candidate(*actuator::find_effect(name), bench.actuator(), ranges));
+/// Every effect of the library of which the claim holds.
+template <typename Claim>
+void add_effects(const Bench& bench, const actuator::Ranges& ranges, const Claim& claim,
+                 ForwardEquation& equation) {
+  for (const actuator::EffectKind* each : actuator::effect_library()) {
+    if (!claim(*each)) continue;
+    equation.candidates.push_back(actuator_candidate(*each, bench.actuator(), ranges));
+  }
+}
+
+void add_effects_that_act(actuator::Acts acts, const Bench& bench, const actuator::Ranges& ranges,
+                          ForwardEquation& equation) {
+  add_effects(
+      bench, ranges, [acts](const EffectKind& kind) { return kind.acts == acts; }, equation);
 }
 
 /// How far the motor leads the output, both at the output, under the torque that is carried.
 double twist_rad(const actuator::Actuator& actuator, const Instant& at) {
   double twist = 0.0;
   for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->name == "torsional_compliance") twist += at.load_torque_Nm / effect.values[0];
-    if (effect.kind->name == "backlash" && at.load_torque_Nm != 0.0) {
-      twist += std::copysign(0.5 * effect.values[0], at.load_torque_Nm);
-    }
+    if (effect.kind->twist_rad == nullptr) continue;
+    twist += effect.kind->twist_rad(effect, at.load_torque_Nm);
   }
   return twist;
 }
@@ -95,8 +105,9 @@ double encoder_error_rad(const LogErrors& log, double angle_rad) {
 ForwardEquation twist_forward(const Bench& bench, const actuator::Ranges& ranges) {
   ForwardEquation equation = equation_of(bench, "motor_position_rad", "rad");
   add_zero(equation, &LogErrors::encoder_zero_rad, "zero of the encoders", ranges.angle_rad);
-  add_effect(bench, "backlash", ranges, equation);
-  add_effect(bench, "torsional_compliance", ranges, equation);
+  add_effects(
+      bench, ranges,
+      [](const EffectKind& kind) { return kind.in_train != actuator::TrainPart::kNone; }, equation);
   const Quantity output = bench.is_linear ? Quantity::kLinearPosition : Quantity::kOutputPosition;
   equation.candidates.push_back(delay_candidate(Quantity::kMotorPosition));
   equation.candidates.push_back(delay_candidate(output));
@@ -184,10 +195,15 @@ ForwardEquation voltage_forward(const Bench& bench, const std::vector<Signals>& 
   }
   if (has(signals, &Signals::current_rate_A_s)) add_inductance(bench, equation);
   if (!bench.actuator().motor.back_emf_constant_V_s_rad) {
-    add_effect(bench, "torque_constant_error", ranges, equation);
+    add_effects(
+        bench, ranges,
+        [](const EffectKind& kind) { return kind.stands_for == actuator::StandsFor::kTorqueScale; },
+        equation);
   }
-  if (bench.has_temperature) add_effect(bench, "winding_resistance_temperature", ranges, equation);
-  add_effect(bench, "inverter_dead_time", ranges, equation);
+  if (bench.has_temperature) {
+    add_effects_that_act(Acts::kResistanceFactor, bench, ranges, equation);
+  }
+  add_effects_that_act(Acts::kWindingVoltage, bench, ranges, equation);
   equation.measured = [](const Signals& stretch) { return stretch.voltage_V; };
   equation.residual = voltage_left_V;
   return equation;
@@ -197,7 +213,7 @@ ForwardEquation bus_forward(const Bench& bench, const actuator::Ranges& ranges) 
   ForwardEquation equation = equation_of(bench, "bus_voltage_V", "V");
   // What the supply has without load is known to its charge only.
   add_zero(equation, &LogErrors::open_circuit_V, "open circuit", ranges.voltage_V);
-  add_effect(bench, "voltage_sag", ranges, equation);
+  add_effects_that_act(Acts::kBusVoltage, bench, ranges, equation);
   equation.measured = [](const Signals& signals) { return signals.bus_V; };
   equation.residual = [](const Hypothesis& supposed, const Signals& signals) {
     std::vector<double> left(signals.size());

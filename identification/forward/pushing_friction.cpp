@@ -18,7 +18,7 @@ constexpr double kFitsError = 0.25;  ///< Of the strongest wave.
 bool friction_pushes(const actuator::Actuator& actuator, double speed_rad_s) {
   double fastest = 0.0, strongest_Nm = 0.0;
   for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->name != "position_dependent_friction") continue;
+    if (effect.kind->acts != actuator::Acts::kDrag) continue;
     for (const actuator::Harmonic& wave : effect.harmonics) {
       fastest = std::max(fastest, wave.order);
       strongest_Nm = std::max(strongest_Nm, wave.amplitude);

@@ -20,6 +20,8 @@ namespace {
 
 using actuator::Acts;
 using actuator::EffectKind;
+using actuator::StandsFor;
+using actuator::TrainPart;
 
 constexpr double kMostFactor = 30.0;  ///< An uncertain value is within it of what is stated.
 
@@ -28,28 +30,27 @@ bool is_uncertain(const Bench& bench, const char* pointer) {
   return std::find(list.begin(), list.end(), pointer) != list.end();
 }
 
+/// Whether a value that looks like it is fitted in its place.
+bool is_fitted_as_a_value(const Bench& bench, const EffectKind& kind) {
+  switch (kind.stands_for) {
+    case StandsFor::kTorqueScale:
+      return is_uncertain(bench, "/motor/torque_constant_Nm_A");
+    case StandsFor::kLoadInertia:
+      return is_uncertain(bench, "/motor/rotor_inertia_kg_m2") ||
+             is_uncertain(bench, "/load/inertia_kg_m2");
+    default:
+      return false;
+  }
+}
+
 /// Whether a torque balance of such a bench can hold the effect.
 bool can_enter(const Bench& bench, const EffectKind& kind) {
-  switch (kind.acts) {
-    case Acts::kResistanceFactor:
-      return bench.drive == Drive::kVoltage && bench.has_temperature;
-    case Acts::kWindingVoltage:
-      return bench.drive == Drive::kVoltage;
-    case Acts::kBusVoltage:
-      return bench.drive == Drive::kVoltage && bench.drive_channel == Quantity::kDuty;
-    case Acts::kFluxFactor:
-    case Acts::kDragFactor:
-      return bench.has_temperature;
-    case Acts::kInertialTorque:
-      return !is_uncertain(bench, "/motor/rotor_inertia_kg_m2") &&
-             !is_uncertain(bench, "/load/inertia_kg_m2");
-    default:
-      break;
-  }
-  if (kind.name == "torque_constant_error")
-    return !is_uncertain(bench, "/motor/torque_constant_Nm_A");
-  if (kind.name == "backlash") return shows_backlash(bench);
-  return kind.name != "torsional_compliance";
+  const actuator::Needs& needs = kind.needs;
+  if (needs.winding_temperature && !bench.has_temperature) return false;
+  if (needs.winding_voltage && bench.drive != Drive::kVoltage) return false;
+  if (needs.duty && bench.drive_channel != Quantity::kDuty) return false;
+  if (kind.in_train == TrainPart::kGap) return shows_backlash(bench);
+  return kind.in_train == TrainPart::kNone && !is_fitted_as_a_value(bench, kind);
 }
 
 void add_uncertain(const Bench& bench, const actuator::Ranges& ranges, ForwardEquation& equation) {
@@ -107,8 +108,6 @@ void widen_torques(EffectCandidate& candidate) {
   }
 }
 
-const EffectKind& kind(const char* name) { return *actuator::find_effect(name); }
-
 std::vector<EffectCandidate> waves_of(const Bench& bench, const WaveOrders& orders,
                                       const actuator::Ranges& ranges) {
   std::vector<EffectCandidate> waves;
@@ -119,18 +118,21 @@ std::vector<EffectCandidate> waves_of(const Bench& bench, const WaveOrders& orde
                        [&](double each) { return each * ratio == order; });
   };
   const double torque_Nm = ranges.torque_Nm;
+  const EffectKind& of_motor = actuator::first_wave(Acts::kMotorSideTorque);
+  const EffectKind& of_output = actuator::first_wave(Acts::kOutputTorque);
+  const EffectKind& of_friction = actuator::first_wave(Acts::kDrag);
   for (const double order : orders.motor) {
-    waves.push_back(wave_candidate(kind("cogging_torque"), order, false, torque_Nm));
+    waves.push_back(wave_candidate(of_motor, order, false, torque_Nm));
   }
   for (const double order : orders.output) {
     if (order == 1.0 || is_cogging_too(order)) continue;
-    waves.push_back(wave_candidate(kind("gear_ripple"), order, false, torque_Nm));
+    waves.push_back(wave_candidate(of_output, order, false, torque_Nm));
   }
   for (const double order : orders.load) {
-    waves.push_back(wave_candidate(kind("gear_ripple"), order, true, 1.0));
+    waves.push_back(wave_candidate(of_output, order, true, 1.0));
   }
   for (const double order : orders.friction) {
-    waves.push_back(wave_candidate(kind("position_dependent_friction"), order, false, torque_Nm));
+    waves.push_back(wave_candidate(of_friction, order, false, torque_Nm));
   }
   if (is_uncertain(bench, "/motor/torque_constant_Nm_A")) {
     std::for_each(waves.begin(), waves.end(), widen_torques);
@@ -176,7 +178,7 @@ bool is_late_by_less(const Hypothesis& hypothesis, const actuator::Actuator& sta
   const auto is_less = [&](double late_s) { return late_s > 0.0 && late_s < least_s; };
   const auto& delays_s = hypothesis.log.delay_s;
   if (std::any_of(delays_s.begin(), delays_s.end(), is_less)) return true;
-  const auto is_lag = [](const actuator::Effect& each) { return each.kind == &kind("torque_lag"); };
+  const auto is_lag = [](const actuator::Effect& each) { return each.kind->follows_torque; };
   if (std::any_of(stated.effects.begin(), stated.effects.end(), is_lag)) return false;
   return std::any_of(
       hypothesis.actuator.effects.begin(), hypothesis.actuator.effects.end(),
@@ -204,8 +206,7 @@ std::vector<EffectCandidate> torque_candidates(const Bench& bench, const actuato
   for (const EffectKind* each : actuator::effect_library()) {
     if (each->has_harmonics || !can_enter(bench, *each)) continue;
     candidates.push_back(actuator_candidate(*each, bench.actuator(), ranges));
-    if (each == &kind("torque_lag"))
-      candidates.back() = from_mid_step(std::move(candidates.back()));
+    if (each->follows_torque) candidates.back() = from_mid_step(std::move(candidates.back()));
     // Driving less back-driving load friction is the load itself: beside an open torque constant
     // the sum of the two coefficients is all that a log can hold.
     if (each->acts == Acts::kLoadFriction && is_uncertain(bench, "/motor/torque_constant_Nm_A")) {

@@ -161,8 +161,8 @@ double imbalance_Nm(const Hypothesis& hypothesis, double angle_rad) {
 void subtract_gap(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
                   std::vector<double>& balance_Nm) {
   for (const actuator::Effect& effect : hypothesis.actuator.effects) {
-    if (effect.kind->name != "backlash" || effect.values[0] <= 0.0 || !shows_backlash(bench))
-      continue;
+    const bool is_gap = effect.kind->in_train == actuator::TrainPart::kGap;
+    if (!is_gap || effect.values[0] <= 0.0 || !shows_backlash(bench)) continue;
     Bench with_gap = bench;
     with_gap.in_gap = std::make_shared<const Actuator>(hypothesis.actuator);
     const std::vector<double> gap_Nm =

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/effects/library.hpp"
 #include "identification/findings/with_effects.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/replay/standstill.hpp"
+#include "identification/replay/standstill_trial.hpp"
 
 namespace torquewright::identification {
 namespace {
+
+using actuator::AtRest;
 
 constexpr std::size_t kMostWindows = 36;
 constexpr std::size_t kLeastWindows = 4;  ///< Of training.
@@ -66,15 +70,15 @@ StandstillScale scale_of(const Bench& bench, const std::vector<Signals>& signals
   return scale;
 }
 
-bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
-  return std::any_of(names.begin(), names.end(), [&](const char* each) { return name == each; });
-}
-
 bool repeats(const NamedEffect& effect) { return effect.parameters.contains("harmonics"); }
 
+bool breaks_away(const std::string& effect) {
+  return actuator::at_rest_of(effect) == AtRest::kBreakaway;
+}
+
 bool is_beyond_level(const NamedEffect& effect) {
-  return is_one_of(effect.effect,
-                   {"stribeck_friction", "presliding_friction", "asymmetric_friction"});
+  const AtRest at_rest = actuator::at_rest_of(effect.effect);
+  return at_rest == AtRest::kBreakaway || at_rest == AtRest::kOwnLaw;
 }
 
 /// The balance of torques, blind where the output stands, named no law of friction near rest for
@@ -82,8 +86,7 @@ bool is_beyond_level(const NamedEffect& effect) {
 bool leaves_standstill_open(const EquationResult& torque) {
   const bool in_doubt =
       std::any_of(torque.confounded.begin(), torque.confounded.end(), [](const Confounded& group) {
-        return !group.exact && std::find(group.effects.begin(), group.effects.end(),
-                                         "stribeck_friction") != group.effects.end();
+        return !group.exact && std::any_of(group.effects.begin(), group.effects.end(), breaks_away);
       });
   const auto& added = torque.added;
   return in_doubt || std::any_of(added.begin(), added.end(), repeats) ||
@@ -93,7 +96,7 @@ bool leaves_standstill_open(const EquationResult& torque) {
 /// Without what standstill may have been taken for.
 std::vector<NamedEffect> lasting(std::vector<NamedEffect> added) {
   std::erase_if(added, [](const NamedEffect& effect) {
-    return repeats(effect) || effect.effect == "stribeck_friction";
+    return repeats(effect) || breaks_away(effect.effect);
   });
   return added;
 }
@@ -112,9 +115,7 @@ std::vector<NamedEffect> sure_of(const EquationResult& torque) {
 
 std::string replaced_by(const actuator::Actuator& nominal) {
   for (const actuator::Effect& stated : nominal.effects) {
-    if (stated.kind->name == "coulomb_friction" || stated.kind->name == "stribeck_friction") {
-      return std::string(stated.kind->name);
-    }
+    if (is_level(stated)) return std::string(stated.kind->name);
   }
   return "";
 }
@@ -146,7 +147,8 @@ std::optional<EquationResult> study_position(const PositionInput& input,
       known = with_standstill(plain, *found.effect);
       result.added.push_back(*std::move(found.effect));
     } else if (!found.objection.empty()) {
-      result.rejected.push_back({"stribeck_friction", found.objection});
+      result.rejected.push_back(
+          {std::string(actuator::first_friction(AtRest::kBreakaway).name), found.objection});
     }
   }
   const std::vector<NamedEffect> sure = sure_of(torque);

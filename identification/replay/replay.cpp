@@ -66,7 +66,8 @@ simulation::Excitation excitation_of(const Bench& bench, const Signals& stretch,
 /// Half the gap, on the side on which the motor drives the load.
 double motor_ahead_rad(const actuator::Actuator& actuator, double load_Nm) {
   for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->name == "backlash") return std::copysign(0.5 * effect.values[0], load_Nm);
+    if (effect.kind->in_train != actuator::TrainPart::kGap) continue;
+    return std::copysign(effect.kind->twist_rad(effect, 1.0), load_Nm);
   }
   return 0.0;
 }

@@ -33,15 +33,12 @@ double level_Nm(const Actuator& actuator) {
 
 /// Laws that hold a level of their own; and trains whose stiff contacts are simulated in steps so
 /// short that hundreds of trials would take minutes.
-constexpr const char* kNotSearchedBeside[] = {"asymmetric_friction", "presliding_friction",
-                                              "backlash", "torsional_compliance"};
-
 bool is_searched_beside(const Actuator& actuator) {
-  return std::none_of(
-      actuator.effects.begin(), actuator.effects.end(), [](const actuator::Effect& each) {
-        return std::find(std::begin(kNotSearchedBeside), std::end(kNotSearchedBeside),
-                         each.kind->name) != std::end(kNotSearchedBeside);
-      });
+  return std::none_of(actuator.effects.begin(), actuator.effects.end(),
+                      [](const actuator::Effect& each) {
+                        return each.kind->at_rest == actuator::AtRest::kOwnLaw ||
+                               each.kind->in_train != actuator::TrainPart::kNone;
+                      });
 }
 
 /// Training windows by the half of the log that they stand in.

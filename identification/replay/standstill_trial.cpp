@@ -12,26 +12,26 @@ namespace torquewright::identification {
 namespace {
 
 using actuator::Actuator;
+using actuator::AtRest;
 
 constexpr double kDifference = 0.02;  ///< Relative, for derivatives by the parameters.
 
-constexpr const char* kLevels[] = {"coulomb_friction", "stribeck_friction"};
+std::string name_of(AtRest at_rest) { return std::string(actuator::first_friction(at_rest).name); }
 
 }  // namespace
 
 bool is_level(const actuator::Effect& effect) {
-  return std::any_of(std::begin(kLevels), std::end(kLevels),
-                     [&](const char* name) { return effect.kind->name == name; });
+  return effect.kind->at_rest == AtRest::kLevel || effect.kind->at_rest == AtRest::kBreakaway;
 }
 
 Candidate coulomb_candidate(double lowest_Nm, double highest_Nm, double start_Nm) {
-  return {"coulomb_friction",
+  return {name_of(AtRest::kLevel),
           {{lowest_Nm, highest_Nm, start_Nm, true}},
           [](std::span<const double> x) { return std::vector<double>{x[0]}; }};
 }
 
 Candidate stribeck_candidate(double level_Nm, double speed_rad_s) {
-  return {"stribeck_friction",
+  return {name_of(AtRest::kBreakaway),
           {{0.5 * level_Nm, 1.5 * level_Nm, level_Nm, true},
            {0.01, 4.0, 0.4, true},
            {0.001, 1.0, 0.03, true}},

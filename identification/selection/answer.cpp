@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "actuator/effects/library.hpp"
 #include "identification/findings/confusions.hpp"
 #include "identification/findings/doubts.hpp"
 #include "identification/findings/undetermined.hpp"
@@ -174,7 +175,8 @@ bool is_in_phase_with_load(const Bench& bench, const NamedEffect& named) {
 /// Whether the winding's voltage, which no value of the load and no torque sensor enters, has the
 /// same torque constant.
 bool is_confirmed_constant(const ForwardEquation& equation, const NamedEffect& named) {
-  if (named.effect != "torque_constant_error" || !equation.constant_factor_by_voltage) return false;
+  const bool is_constant = actuator::stands_for(named.effect, actuator::StandsFor::kTorqueScale);
+  if (!is_constant || !equation.constant_factor_by_voltage) return false;
   const double factor = named.parameters.value("factor", 1.0);
   return std::abs(factor - *equation.constant_factor_by_voltage) <
          kAgreeing * std::abs(factor - 1.0);
@@ -188,7 +190,7 @@ std::vector<std::string> same_on_such_a_rig(const Bench& bench, const ForwardEqu
     return {named.effect, "load_mass_error", "load_length_error"};
   std::vector<std::string> exact = exact_identities(bench, named.effect);
   if (found.turned_one_way && named.parameters.contains("harmonics"))
-    exact.emplace_back("position_dependent_friction");
+    exact.emplace_back(actuator::first_wave(actuator::Acts::kDrag).name);
   return exact;
 }
 

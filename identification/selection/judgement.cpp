@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "actuator/effects/library.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr std::size_t kFewestOfASpot = 4;  ///< Waves of friction that are multi
 bool is_one_spot(const EffectSet& members) {
   std::vector<double> orders;
   for (const EffectCandidate* each : members) {
-    if (each->effect == "position_dependent_friction") orders.push_back(each->order);
+    if (actuator::is_wave_of_friction(each->effect)) orders.push_back(each->order);
   }
   if (orders.size() < kFewestOfASpot) return false;
   const double lowest = *std::min_element(orders.begin(), orders.end());

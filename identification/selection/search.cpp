@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "actuator/effects/library.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -52,7 +54,7 @@ bool turned_one_way(const Rows& rows) {
 }
 
 bool is_friction_wave(const EffectCandidate& candidate) {
-  return is_wave(candidate) && candidate.effect == "position_dependent_friction";
+  return is_wave(candidate) && actuator::is_wave_of_friction(candidate.effect);
 }
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {

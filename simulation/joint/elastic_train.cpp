@@ -18,11 +18,11 @@ constexpr double kTwistSteps = 200.0;
 constexpr double kContactSteps = 10.0;
 
 bool is_open_gap(const actuator::Effect& effect) {
-  return effect.kind->name == "backlash" && effect.values[0] > 0.0;
+  return effect.kind->in_train == actuator::TrainPart::kGap && effect.values[0] > 0.0;
 }
 
 bool is_soft_spring(const actuator::Effect& effect) {
-  return effect.kind->name == "torsional_compliance" && std::isfinite(effect.values[0]);
+  return effect.kind->in_train == actuator::TrainPart::kSpring && std::isfinite(effect.values[0]);
 }
 
 /// The first effect that is one; null: none.

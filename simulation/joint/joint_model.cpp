@@ -26,14 +26,10 @@ double exponential_step(double state, double rate, double slope, double step_s) 
 
 /// Of what stands between frame and output: a spring, a stop, friction's bristles.
 double stiffness_to_frame_Nm_rad(const Effect& effect) {
-  const std::string_view name = effect.kind->name;
-  if (name == "torsional_compliance") return 0.0;
-  if (name == "presliding_friction" && effect.values[0] <= 0.0) return 0.0;
-  for (std::size_t i = 0; i < effect.kind->parameters.size(); ++i) {
-    if (effect.kind->parameters[i].name != "stiffness_Nm_rad") continue;
-    return std::isfinite(effect.values[i]) ? effect.values[i] : 0.0;
-  }
-  return 0.0;
+  const actuator::EffectKind& kind = *effect.kind;
+  if (kind.in_train != actuator::TrainPart::kNone || kind.stiffness_Nm_rad == nullptr) return 0.0;
+  const double stiffness_Nm_rad = kind.stiffness_Nm_rad(effect);
+  return std::isfinite(stiffness_Nm_rad) ? stiffness_Nm_rad : 0.0;
 }
 
 double frame_Nm_rad(const actuator::Actuator& actuator) {
@@ -100,7 +96,7 @@ double JointModel::state_torque_Nm(const JointState& state, Instant at, double d
     at.state = state.of_effect[next++];
     at.input = *motor_Nm;
     const double torque_Nm = effect.kind->law(effect, at);
-    if (effect.kind->name == "torque_lag") {
+    if (effect.kind->follows_torque) {
       // A time constant of zero follows at once.
       if (effect.values[0] > 0.0) *motor_Nm += torque_Nm;
     } else {
