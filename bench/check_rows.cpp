@@ -15,7 +15,7 @@
 
 #include "actuator/check/check.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::bench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 
 namespace torquewright::bench {
 

@@ -9,8 +9,8 @@
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/point.hpp"
 #include "dynamics/seeds.hpp"
-#include "hopper/robot/linear_dynamics.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/linear_dynamics.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright {
 namespace {

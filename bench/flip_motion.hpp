@@ -6,7 +6,7 @@
 
 #include "bench/cubic_spline.hpp"
 #include "dynamics/tree_state.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::bench {
 

@@ -10,7 +10,7 @@
 
 #include "bench/flight_closure.hpp"
 #include "bench/motion_csv.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::bench {
 namespace {

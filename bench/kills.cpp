@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "io/file_bytes.hpp"
+#include "io/files/file_bytes.hpp"
 #include "src/command_line/command_line.hpp"
 #include "src/command_line/exit_status.hpp"
 #include "tests/fuzz/program/chance.hpp"

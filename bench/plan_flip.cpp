@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "hopper/flip/plan.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "hopper/planning/search/plan.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "hopper/check/demand.hpp"
 #include "hopper/check/drive_reports.hpp"
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::hopper {

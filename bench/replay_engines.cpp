@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "dynamics/position_step.hpp"
-#include "hopper/files/mjcf_writer.hpp"
+#include "robot/mjcf/mjcf_writer.hpp"
 #include "tests/dynamics/mujoco_engine.hpp"
 #include "tests/hopper/engines/hopper_states.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "tests/hopper/logs/hop_log.hpp"
 
 namespace torquewright::test {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/real_data/motions/walk_trial.hpp"
 
 namespace torquewright::bench {

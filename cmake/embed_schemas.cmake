@@ -9,7 +9,7 @@ foreach(schema ${schemas})
   string(APPEND entries "    {\"${kind}\", R\"schema(${text})schema\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Written by the build from specs/schema.
-#include \"io/embedded_schemas.hpp\"
+#include \"io/documents/embedded_schemas.hpp\"
 
 namespace torquewright::io {
 

@@ -8,7 +8,7 @@ literal(script hopper_page.js)
 literal(style hopper_page.css)
 literal(replay_style replay_page.css)
 file(WRITE ${OUTPUT} "// Written by the build from src/report/hopper_page.js and .css and replay_page.css.
-#include \"src/report/embedded_page.hpp\"
+#include \"src/report/parts/embedded_page.hpp\"
 
 namespace torquewright::report {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 
 namespace torquewright::gearbox {
 

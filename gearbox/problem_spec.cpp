@@ -12,9 +12,9 @@
 #include <string_view>
 #include <utility>
 
-#include "io/document.hpp"
-#include "io/one_line.hpp"
-#include "io/schema.hpp"
+#include "io/documents/document.hpp"
+#include "io/documents/schema.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::gearbox {
 namespace {

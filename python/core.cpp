@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "io/document.hpp"
-#include "io/json_text.hpp"
-#include "io/provenance.hpp"
-#include "io/schema.hpp"
+#include "io/documents/document.hpp"
+#include "io/documents/provenance.hpp"
+#include "io/documents/schema.hpp"
+#include "io/faults/json_text.hpp"
 #include "python/interpreter.hpp"
 #include "python/refusals.hpp"
 #include "python/region_clip.hpp"

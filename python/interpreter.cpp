@@ -5,8 +5,8 @@
 
 #include <mutex>
 
-#include "io/file_session.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/files/file_session.hpp"
 #include "src/held_output.hpp"
 #include "src/interrupt.hpp"
 #include "src/program.hpp"

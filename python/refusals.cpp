@@ -5,7 +5,7 @@
 
 #include <exception>
 
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "python/text.hpp"
 
 namespace torquewright::python {

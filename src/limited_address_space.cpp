@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/direct_output.hpp"
+#include "io/files/direct_output.hpp"
 #include "src/exit_code.hpp"
 
 namespace torquewright::cli {

@@ -4,10 +4,10 @@
 #include <csignal>
 #include <string_view>
 
-#include "io/atomic_file.hpp"
-#include "io/direct_output.hpp"
-#include "io/file_session.hpp"
-#include "io/standard_descriptors.hpp"
+#include "io/files/atomic_file.hpp"
+#include "io/files/direct_output.hpp"
+#include "io/files/file_session.hpp"
+#include "io/files/standard_descriptors.hpp"
 #include "src/command_line/exit_status.hpp"
 #include "src/exit_code.hpp"
 #include "src/limited_stack.hpp"

@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "io/provenance.hpp"
+#include "io/documents/provenance.hpp"
 #include "src/command_line/command_line.hpp"
-#include "src/commands/actuator_commands.hpp"
-#include "src/commands/gearbox_commands.hpp"
-#include "src/commands/help_commands.hpp"
-#include "src/commands/hopper_commands.hpp"
-#include "src/commands/identify_commands.hpp"
-#include "src/commands/robot_commands.hpp"
-#include "src/commands/schema_commands.hpp"
+#include "src/commands/actuator/actuator_commands.hpp"
+#include "src/commands/gearbox/gearbox_commands.hpp"
+#include "src/commands/identification/identify_commands.hpp"
+#include "src/commands/robot/hopper_commands.hpp"
+#include "src/commands/robot/robot_commands.hpp"
+#include "src/commands/shared/help_commands.hpp"
+#include "src/commands/shared/schema_commands.hpp"
 
 namespace torquewright::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "io/print.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/print.hpp"
 #include "src/held_output.hpp"
 #include "src/window_text.hpp"
 

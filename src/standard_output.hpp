@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/atomic_file.hpp"
+#include "io/files/atomic_file.hpp"
 
 namespace torquewright::cli {
 

@@ -18,8 +18,8 @@
 #include "actuator/check/travel_agreement.hpp"
 #include "actuator/check/velocity_agreement.hpp"
 #include "actuator/check/velocity_words.hpp"
-#include "io/refusal.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::actuator {
 namespace {

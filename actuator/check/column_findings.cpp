@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "actuator/check/drive_rows.hpp"
-#include "io/csv.hpp"
-#include "io/nearest.hpp"
-#include "io/units.hpp"
-#include "io/wording.hpp"
+#include "io/files/csv.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/units.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "io/nearest.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/nearest.hpp"
 
 namespace torquewright::actuator {
 namespace {

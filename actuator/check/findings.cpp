@@ -12,8 +12,8 @@
 #include "actuator/check/left_out_sizes.hpp"
 #include "actuator/check/region_words.hpp"
 #include "actuator/check/velocity_words.hpp"
-#include "io/time_text.hpp"
-#include "io/wording.hpp"
+#include "io/text/time_text.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
 namespace {

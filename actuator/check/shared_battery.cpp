@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::actuator {
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "actuator/effects/library.hpp"
-#include "io/nearest.hpp"
-#include "io/wording.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "actuator/effects/effect.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::actuator {
 

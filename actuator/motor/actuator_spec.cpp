@@ -10,8 +10,8 @@
 #include "actuator/effects/effect_spec.hpp"
 #include "actuator/motor/gearbox_source_spec.hpp"
 #include "actuator/motor/statement_spec.hpp"
-#include "io/one_line.hpp"
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::actuator {
 namespace {

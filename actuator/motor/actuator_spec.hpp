@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "actuator/motor/actuator.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::actuator {
 

@@ -11,8 +11,8 @@
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "io/document.hpp"
-#include "io/rational.hpp"
+#include "io/documents/document.hpp"
+#include "io/text/rational.hpp"
 
 namespace torquewright::actuator {
 namespace {

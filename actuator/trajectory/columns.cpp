@@ -7,11 +7,11 @@
 #include <charconv>
 #include <cmath>
 
-#include "io/nearest.hpp"
-#include "io/one_line.hpp"
-#include "io/spec_error.hpp"
-#include "io/units.hpp"
-#include "io/wording.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/one_line.hpp"
+#include "io/text/units.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/document.hpp"
-#include "io/units.hpp"
-#include "io/wording.hpp"
+#include "io/documents/document.hpp"
+#include "io/text/units.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "io/document.hpp"
-#include "io/one_line.hpp"
+#include "io/documents/document.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "io/refusal.hpp"
-#include "io/units.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/units.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
 
 namespace torquewright::actuator {
 

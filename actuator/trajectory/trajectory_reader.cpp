@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "actuator/trajectory/one_time.hpp"
-#include "io/nearest.hpp"
-#include "io/refusal.hpp"
-#include "io/wording.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
 namespace {

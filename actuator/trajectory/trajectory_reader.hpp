@@ -11,7 +11,7 @@
 #include "actuator/trajectory/clock.hpp"
 #include "actuator/trajectory/columns.hpp"
 #include "actuator/trajectory/slope_filter.hpp"
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
 
 namespace torquewright::actuator {
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 
 namespace torquewright::gearbox::proof {
 

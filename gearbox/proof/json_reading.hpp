@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "gearbox/proof/faults.hpp"
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 
 namespace torquewright::gearbox::proof {
 

@@ -13,9 +13,9 @@
 
 #include "gearbox/strength/steels.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "io/given_once.hpp"
-#include "io/one_line.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/files/given_once.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearbox/topologies/topology.hpp"
-#include "io/one_line.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::gearbox {
 namespace {

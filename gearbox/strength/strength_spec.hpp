@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gearbox/strength/tooth_load.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::gearbox {
 

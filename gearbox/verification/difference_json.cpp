@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/json_text.hpp"
+#include "io/faults/json_text.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "gearbox/verification/difference_json.hpp"
-#include "io/document.hpp"
-#include "io/file_bytes.hpp"
-#include "io/sha256.hpp"
+#include "io/documents/document.hpp"
+#include "io/files/file_bytes.hpp"
+#include "io/files/sha256.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -6,7 +6,7 @@
 #include "gearbox/search/conflict.hpp"
 #include "gearbox/search/looser_bound.hpp"
 #include "gearbox/search/result_spec.hpp"
-#include "io/provenance.hpp"
+#include "io/documents/provenance.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -11,7 +11,7 @@
 #include "gearbox/verification/input_check_json.hpp"
 #include "gearbox/verification/restatement_json.hpp"
 #include "gearbox/verification/search_record_json.hpp"
-#include "io/provenance.hpp"
+#include "io/documents/provenance.hpp"
 
 namespace torquewright::gearbox {
 namespace {

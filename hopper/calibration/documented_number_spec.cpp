@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/document.hpp"
-#include "io/refusal.hpp"
+#include "io/documents/document.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::hopper::calibration {
 namespace {

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "hopper/calibration/documented_number_spec.hpp"
-#include "io/document.hpp"
-#include "io/refusal.hpp"
+#include "io/documents/document.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::hopper::calibration {
 namespace {

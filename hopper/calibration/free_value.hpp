@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::io {
 struct Document;

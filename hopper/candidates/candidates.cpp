@@ -14,7 +14,7 @@
 #include "actuator/region/joint_region.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "hopper/in_parallel.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "actuator/motor/actuator_spec.hpp"
-#include "io/one_line.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::hopper {
 namespace {

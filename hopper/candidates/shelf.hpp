@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper {
 

@@ -11,8 +11,8 @@
 #include "actuator/check/column_findings.hpp"
 #include "hopper/motion/channel.hpp"
 #include "hopper/motion/mapping_spec.hpp"
-#include "io/csv.hpp"
-#include "io/nearest.hpp"
+#include "io/files/csv.hpp"
+#include "io/text/nearest.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -12,9 +12,9 @@
 #include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
 #include "hopper/contact/cone_least_squares.hpp"
-#include "hopper/robot/touching_point.hpp"
-#include "io/refusal.hpp"
-#include "io/time_text.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/time_text.hpp"
+#include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "hopper/check/free_rows.hpp"
 #include "hopper/contact/contact_schedule.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 

@@ -7,8 +7,8 @@
 
 #include "actuator/check/heat_ends.hpp"
 #include "actuator/region/torque_at.hpp"
-#include "io/refusal.hpp"
-#include "io/time_text.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 

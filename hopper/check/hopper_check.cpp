@@ -16,9 +16,9 @@
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/time_gap.hpp"
 #include "hopper/motion/rate_agreement.hpp"
-#include "io/spec_error.hpp"
-#include "io/time_text.hpp"
-#include "io/wording.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/time_text.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
 namespace {

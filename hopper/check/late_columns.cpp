@@ -10,7 +10,7 @@
 
 #include "hopper/check/drive_reports.hpp"
 #include "hopper/motion/slopes.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "io/spec_error.hpp"
-#include "io/time_text.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

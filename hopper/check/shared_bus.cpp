@@ -10,9 +10,9 @@
 #include "actuator/check/demand.hpp"
 #include "actuator/check/geared_torque.hpp"
 #include "actuator/region/torque_at.hpp"
-#include "hopper/robot/drive_supply.hpp"
-#include "io/time_text.hpp"
-#include "io/wording.hpp"
+#include "io/text/time_text.hpp"
+#include "io/text/wording.hpp"
+#include "robot/model/drive_supply.hpp"
 
 namespace torquewright::hopper {
 namespace {

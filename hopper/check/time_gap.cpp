@@ -2,7 +2,7 @@
 #include "hopper/check/time_gap.hpp"
 
 #include "actuator/check/time_gap.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::hopper {
 

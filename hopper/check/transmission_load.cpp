@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -7,7 +7,7 @@
 #include "dynamics/point.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "hopper/motion/smoothing.hpp"
-#include "hopper/robot/touching_point.hpp"
+#include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "dynamics/point.hpp"
-#include "hopper/robot/touching_point.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/touching_point.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 namespace {

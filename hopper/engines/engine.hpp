@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "dynamics/tree_state.hpp"
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

@@ -8,8 +8,8 @@
 #include "dynamics/position_step.hpp"
 #include "hopper/engines/engine.hpp"
 #include "hopper/engines/mujoco_model.hpp"
-#include "hopper/robot/touching_point.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/touching_point.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 namespace {

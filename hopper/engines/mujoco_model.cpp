@@ -10,8 +10,8 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "hopper/files/mjcf_writer.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/mjcf/mjcf_writer.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -2,7 +2,7 @@
 // Equations: docs/derivations/time_stepping.md.
 #include "dynamics/position_step.hpp"
 #include "hopper/engines/every_engine.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 #include "simulation/contact/time_stepping.hpp"
 
 namespace torquewright::hopper {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "io/nearest.hpp"
-#include "io/wording.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "actuator/trajectory/columns.hpp"
-#include "hopper/robot/robot.hpp"
-#include "io/units.hpp"
+#include "io/text/units.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

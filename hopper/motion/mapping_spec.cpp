@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "actuator/trajectory/columns_spec.hpp"
-#include "io/document.hpp"
-#include "io/spec_error.hpp"
+#include "io/documents/document.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::hopper {
 

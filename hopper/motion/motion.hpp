@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "actuator/trajectory/clock.hpp"
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

@@ -12,9 +12,9 @@
 #include "actuator/trajectory/one_time.hpp"
 #include "hopper/motion/mapping_spec.hpp"
 #include "hopper/motion/slopes.hpp"
-#include "io/nearest.hpp"
-#include "io/refusal.hpp"
-#include "io/wording.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -7,7 +7,7 @@
 #include "actuator/trajectory/trajectory_reader.hpp"
 #include "hopper/motion/channel.hpp"
 #include "hopper/motion/motion.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::hopper {
 

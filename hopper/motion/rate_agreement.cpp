@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "hopper/motion/slopes.hpp"
-#include "io/time_text.hpp"
-#include "io/wording.hpp"
+#include "io/text/time_text.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
 namespace {

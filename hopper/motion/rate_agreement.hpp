@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hopper/motion/motion.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::hopper {
 

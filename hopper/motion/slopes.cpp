@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::hopper {
 namespace {

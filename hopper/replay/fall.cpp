@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "dynamics/point.hpp"
-#include "hopper/robot/touching_point.hpp"
+#include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "dynamics/tree_state.hpp"
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/replay/free_rotors.hpp"
 
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 #include "simulation/joint/elastic_train.hpp"
 
 namespace torquewright::hopper {

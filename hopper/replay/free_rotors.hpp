@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

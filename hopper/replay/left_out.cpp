@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "hopper/replay/free_rotors.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 #include "simulation/joint/elastic_train.hpp"
 
 namespace torquewright::hopper {

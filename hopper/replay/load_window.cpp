@@ -7,7 +7,7 @@
 
 #include "actuator/region/gear_losses.hpp"
 #include "hopper/replay/step_window.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 namespace {

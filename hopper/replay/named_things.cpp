@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "hopper/find_name.hpp"
+#include "robot/find_name.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hopper/replay/named_range.hpp"
-#include "hopper/robot/robot.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

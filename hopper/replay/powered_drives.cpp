@@ -8,8 +8,8 @@
 #include "actuator/region/bracketed_search.hpp"
 #include "hopper/replay/free_rotors.hpp"
 #include "hopper/replay/working_drive.hpp"
-#include "hopper/robot/drive_supply.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/model/drive_supply.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "hopper/replay/powered_drive_options.hpp"
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hopper/replay/named_range.hpp"
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

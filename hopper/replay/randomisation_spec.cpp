@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
 namespace {

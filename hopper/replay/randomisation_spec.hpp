@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hopper/replay/randomisation.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::hopper {
 

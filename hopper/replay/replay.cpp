@@ -14,8 +14,8 @@
 #include "hopper/replay/sensor_noise.hpp"
 #include "hopper/replay/step_limit.hpp"
 #include "hopper/replay/trial.hpp"
-#include "io/refusal.hpp"
-#include "io/time_text.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

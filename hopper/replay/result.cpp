@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "hopper/replay/load_window.hpp"
-#include "hopper/robot/whole_body.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 namespace {

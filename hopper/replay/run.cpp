@@ -10,8 +10,8 @@
 
 #include "dynamics/point.hpp"
 #include "hopper/replay/fall.hpp"
-#include "hopper/robot/touching_point.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/touching_point.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "hopper/replay/free_rotors.hpp"
-#include "hopper/robot/whole_body.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
+#include "robot/model/whole_body.hpp"
 #include "simulation/joint/joint_model.hpp"
 
 namespace torquewright::hopper {

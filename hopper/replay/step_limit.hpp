@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dynamics/tree_state.hpp"
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

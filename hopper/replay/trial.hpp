@@ -7,7 +7,7 @@
 
 #include "actuator/region/operating_conditions.hpp"
 #include "hopper/replay/randomisation.hpp"
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "dynamics/point.hpp"
-#include "hopper/robot/touching_point.hpp"
+#include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper {
 

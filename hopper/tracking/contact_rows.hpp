@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 
 #include "dynamics/tree_state.hpp"
-#include "hopper/robot/robot.hpp"
 #include "hopper/tracking/reference.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

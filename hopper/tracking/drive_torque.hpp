@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

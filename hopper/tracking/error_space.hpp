@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "hopper/robot/whole_body.hpp"
 #include "hopper/tracking/contact_rows.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "hopper/robot/linear_dynamics.hpp"
-#include "hopper/robot/whole_body.hpp"
 #include "hopper/tracking/contact_rows.hpp"
+#include "robot/model/linear_dynamics.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 

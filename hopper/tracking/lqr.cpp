@@ -15,7 +15,7 @@
 #include "hopper/tracking/riccati.hpp"
 #include "hopper/tracking/tipping_torque.hpp"
 #include "hopper/tracking/touch_down.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

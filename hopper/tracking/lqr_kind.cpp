@@ -3,7 +3,7 @@
 
 #include "hopper/tracking/every_controller.hpp"
 #include "hopper/tracking/lqr.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::hopper::controllers {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "dynamics/point.hpp"
 #include "hopper/contact/support_polygon.hpp"
-#include "hopper/robot/touching_point.hpp"
+#include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "hopper/robot/whole_body.hpp"
 #include "hopper/tracking/linearisation.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 

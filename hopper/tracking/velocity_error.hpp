@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/robot/whole_body.hpp"
 #include "hopper/tracking/impact_handling.hpp"
 #include "hopper/tracking/reference_clock.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 

@@ -10,7 +10,7 @@
 #include "actuator/region/operating_conditions.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "hopper/variation/drive_groups.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::hopper {
 namespace {

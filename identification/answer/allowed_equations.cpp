@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "identification/signals/bench.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::identification {
 namespace {

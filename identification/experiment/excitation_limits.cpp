@@ -8,7 +8,7 @@
 
 #include "dynamics/gravity.hpp"
 #include "identification/rig/load_inertia.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::identification {
 namespace {

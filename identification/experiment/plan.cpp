@@ -10,8 +10,8 @@
 #include "actuator/effects/library.hpp"
 #include "identification/experiment/plan_trial.hpp"
 #include "identification/findings/confusions.hpp"
-#include "io/nearest.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/nearest.hpp"
 #include "optimization/fit/local_fit.hpp"
 
 namespace torquewright::identification {

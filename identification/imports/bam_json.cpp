@@ -8,9 +8,9 @@
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/file_json.hpp"
 #include "identification/imports/named_columns.hpp"
-#include "io/json_text.hpp"
-#include "io/one_line.hpp"
-#include "io/wording.hpp"
+#include "io/faults/json_text.hpp"
+#include "io/text/one_line.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification::imports {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "io/file_bytes.hpp"
-#include "io/json_text.hpp"
-#include "io/one_line.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/json_text.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/file_bytes.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::identification::imports {
 

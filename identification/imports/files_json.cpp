@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "io/json_text.hpp"
+#include "io/faults/json_text.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "identification/imports/every_importer.hpp"
-#include "io/nearest.hpp"
-#include "io/refusal.hpp"
-#include "io/wording.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

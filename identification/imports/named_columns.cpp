@@ -7,10 +7,10 @@
 #include <set>
 #include <utility>
 
-#include "io/csv.hpp"
-#include "io/one_line.hpp"
-#include "io/spec_error.hpp"
-#include "io/wording.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/csv.hpp"
+#include "io/text/one_line.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification::imports {
 namespace {

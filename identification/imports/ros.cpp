@@ -8,9 +8,9 @@
 
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/named_columns.hpp"
-#include "io/csv.hpp"
-#include "io/spec_error.hpp"
-#include "io/wording.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/csv.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification::imports {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "identification/imports/named_columns.hpp"
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification::imports {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/sysid_columns.hpp"
-#include "io/csv.hpp"
-#include "io/one_line.hpp"
-#include "io/refusal.hpp"
-#include "io/wording.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/files/csv.hpp"
+#include "io/text/one_line.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification::imports {
 namespace {

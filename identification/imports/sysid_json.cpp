@@ -6,7 +6,7 @@
 #include "identification/imports/every_importer.hpp"
 #include "identification/imports/file_json.hpp"
 #include "identification/imports/sysid_columns.hpp"
-#include "io/one_line.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::identification::imports {
 namespace {

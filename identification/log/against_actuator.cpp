@@ -13,7 +13,7 @@
 #include "identification/log/largest_values.hpp"
 #include "identification/log/log.hpp"
 #include "identification/log/remedy.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "io/nearest.hpp"
-#include "io/spec_error.hpp"
-#include "io/wording.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "identification/rig/rig.hpp"
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
 
 namespace torquewright::identification {
 

@@ -8,9 +8,9 @@
 
 #include "identification/log/run_loads.hpp"
 #include "identification/log/stretch.hpp"
-#include "io/nearest.hpp"
-#include "io/spec_error.hpp"
-#include "io/wording.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

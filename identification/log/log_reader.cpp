@@ -10,8 +10,8 @@
 #include "actuator/heat/working_temperature.hpp"
 #include "identification/log/channel.hpp"
 #include "identification/log/remedy.hpp"
-#include "io/one_line.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -16,7 +16,7 @@
 #include "identification/log/printed_digits.hpp"
 #include "identification/log/stale_rows.hpp"
 #include "identification/log/stretch.hpp"
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
 
 namespace torquewright::identification {
 

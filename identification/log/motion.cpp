@@ -11,7 +11,7 @@
 #include "identification/log/agreement.hpp"
 #include "identification/log/channel.hpp"
 #include "identification/log/remedy.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::identification {
 namespace {

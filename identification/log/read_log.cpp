@@ -9,9 +9,9 @@
 #include "identification/log/repair.hpp"
 #include "identification/log/run_groups.hpp"
 #include "identification/log/spread_runs.hpp"
-#include "io/spec_error.hpp"
-#include "io/time_text.hpp"
-#include "io/wording.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/time_text.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "io/json_text.hpp"
+#include "io/faults/json_text.hpp"
 
 namespace torquewright::identification {
 namespace {

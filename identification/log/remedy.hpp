@@ -4,7 +4,7 @@
 #include <string>
 
 #include "identification/log/channel.hpp"
-#include "io/units.hpp"
+#include "io/text/units.hpp"
 
 namespace torquewright::identification {
 

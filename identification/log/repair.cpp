@@ -13,7 +13,7 @@
 #include "identification/log/stretch.hpp"
 #include "identification/log/stretch_turns.hpp"
 #include "identification/log/wrap.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "io/json_text.hpp"
-#include "io/nearest.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/json_text.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/nearest.hpp"
 
 namespace torquewright::identification {
 

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "identification/log/stretch.hpp"
-#include "io/one_line.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/one_line.hpp"
 
 namespace torquewright::identification {
 

@@ -8,8 +8,8 @@
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
 #include "identification/outputs/every_output.hpp"
-#include "io/json_text.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/json_text.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::identification::outputs {
 namespace {

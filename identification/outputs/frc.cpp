@@ -12,7 +12,7 @@
 #include "dynamics/gravity.hpp"
 #include "identification/outputs/every_output.hpp"
 #include "identification/rig/load_inertia.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::identification::outputs {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "identification/outputs/every_output.hpp"
-#include "io/refusal.hpp"
-#include "io/wording.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

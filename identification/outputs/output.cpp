@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "actuator/region/torque_at.hpp"
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

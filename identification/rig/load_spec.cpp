@@ -7,7 +7,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "io/document.hpp"
-#include "io/file_bytes.hpp"
-#include "io/json_text.hpp"
-#include "io/nearest.hpp"
-#include "io/schema.hpp"
-#include "io/wording.hpp"
+#include "io/documents/document.hpp"
+#include "io/documents/schema.hpp"
+#include "io/faults/json_text.hpp"
+#include "io/files/file_bytes.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

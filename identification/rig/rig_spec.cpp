@@ -10,12 +10,12 @@
 #include "identification/rig/load_spec.hpp"
 #include "identification/rig/rig.hpp"
 #include "identification/rig/rig_parts_spec.hpp"
-#include "io/document.hpp"
-#include "io/json_text.hpp"
-#include "io/nearest.hpp"
-#include "io/one_line.hpp"
-#include "io/units.hpp"
-#include "io/wording.hpp"
+#include "io/documents/document.hpp"
+#include "io/faults/json_text.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/one_line.hpp"
+#include "io/text/units.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

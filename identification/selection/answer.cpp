@@ -23,7 +23,7 @@
 #include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
 #include "identification/selection/search.hpp"
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "identification/log/run_loads.hpp"
 #include "identification/simulated/rig_plant.hpp"
-#include "io/csv.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/csv.hpp"
 
 namespace torquewright::identification {
 namespace {

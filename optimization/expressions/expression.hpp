@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 #include "optimization/expressions/operation.hpp"
 #include "optimization/expressions/precise_interval.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <mpfi.h>
 
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 #include "optimization/expressions/interval.hpp"
 
 namespace torquewright::optimization {

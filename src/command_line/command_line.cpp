@@ -11,10 +11,10 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "io/nearest.hpp"
-#include "io/print.hpp"
-#include "io/spec_error.hpp"
-#include "io/wording.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/print.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 #include "src/command_line/blank_value.hpp"
 #include "src/command_line/help_text.hpp"
 #include "src/command_line/misspelling.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::command_line {
 namespace {

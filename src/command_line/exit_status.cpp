@@ -10,8 +10,8 @@
 #include <string>
 #include <system_error>
 
-#include "io/file_session.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/file_session.hpp"
 
 namespace torquewright::command_line {
 

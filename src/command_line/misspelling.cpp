@@ -6,8 +6,8 @@
 #include <cctype>
 #include <vector>
 
-#include "io/nearest.hpp"
-#include "io/wording.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::command_line {
 namespace {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "hopper/flip/objectives/library.hpp"
-#include "hopper/flip/tasks/library.hpp"
-#include "io/nearest.hpp"
-#include "io/spec_error.hpp"
-#include "io/wording.hpp"
+#include "hopper/planning/objectives/library.hpp"
+#include "hopper/planning/tasks/library.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 #include "src/options/named_sentences.hpp"
 
 namespace torquewright::cli {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/flip/plan.hpp"
+#include "hopper/planning/search/plan.hpp"
 #include "src/options/hopper_check_request.hpp"
 
 namespace torquewright::cli {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::cli {
 

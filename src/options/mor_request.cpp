@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "actuator/exporters/library.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 #include "src/options/output_files.hpp"
 
 namespace torquewright::cli {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "io/given_once.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/given_once.hpp"
 
 namespace torquewright::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <array>
 #include <system_error>
 
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::cli {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "io/direct_output.hpp"
+#include "io/files/direct_output.hpp"
 #include "src/sweep/ranks.hpp"
 
 namespace torquewright::cli {

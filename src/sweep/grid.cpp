@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "io/rational.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/text/rational.hpp"
 
 namespace torquewright::sweep {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "io/sha256.hpp"
+#include "io/files/sha256.hpp"
 
 namespace torquewright::sweep {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/journal_file.hpp"
+#include "io/files/journal_file.hpp"
 #include "src/sweep/request.hpp"
 
 namespace torquewright::sweep {

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::sweep {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // In place of ranks_mpi.cpp where OpenMPI is not installed.
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 #include "src/sweep/ranks.hpp"
 
 namespace torquewright::sweep {

@@ -18,7 +18,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 #include "src/sweep/ranks.hpp"
 #include "src/sweep/worker_channel.hpp"
 #include "src/sweep/worker_pool.hpp"

@@ -13,8 +13,8 @@
 #include <cstdlib>
 #include <exception>
 
-#include "io/direct_output.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/files/direct_output.hpp"
 
 namespace torquewright::sweep {
 namespace {

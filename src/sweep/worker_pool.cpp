@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
 #include "src/exit_code.hpp"
 
 namespace torquewright::sweep {

@@ -13,9 +13,9 @@
 #include <cstring>
 #include <system_error>
 
-#include "io/direct_output.hpp"
-#include "io/file_bytes.hpp"
-#include "io/refusal.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/files/direct_output.hpp"
+#include "io/files/file_bytes.hpp"
 #include "src/sweep/worker_channel.hpp"
 
 extern char** environ;  // NOLINT: the name is POSIX's.

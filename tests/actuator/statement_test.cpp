@@ -11,7 +11,7 @@
 #include "actuator/check/check.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "actuator/region/mor_table.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/diagnosis.hpp"
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
+#include "io/faults/diagnosis.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
 
 namespace torquewright::cli_test::bad_logs {
 namespace {

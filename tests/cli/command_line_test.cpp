@@ -10,7 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "src/command_line/exit_status.hpp"
 
 namespace torquewright::command_line {

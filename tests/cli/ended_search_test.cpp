@@ -7,7 +7,7 @@
 #include "gearbox/proof/certificate.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/search/search.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::gearbox {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
 #include "tests/cli/well_formed.hpp"
 #include "tests/cli/workplace.hpp"
 

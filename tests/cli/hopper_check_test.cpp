@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/csv.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
+#include "io/files/csv.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {

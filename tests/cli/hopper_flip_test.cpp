@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/cli/shell_words.hpp"
 #include "tests/cli/workplace.hpp"
 

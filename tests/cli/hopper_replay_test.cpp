@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {

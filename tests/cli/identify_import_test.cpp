@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
 #include "tests/cli/spoilt_log.hpp"
 #include "tests/cli/workplace.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"

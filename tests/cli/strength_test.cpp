@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Feeds mutated files to all readers: fuzz_readers [SECONDS [SEED]]. Every one has to be accepted
 // or refused with sentences, and soon; anything else ends the program with status 1. Without
-// SECONDS the environment variable TORQUEWRIGHT_FUZZ_SECONDS counts, or else 60.
+// SECONDS the environment variable TORQUEWRIGHT_FUZZ_SECONDS counts, or else 20.
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/file_bytes.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/file_bytes.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/fuzz/readers.hpp"
 #include "tests/io/scratch_folder.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kDefaultSeconds = 60.0;
+constexpr double kDefaultSeconds = 20.0;
 /// For one file: two orders of magnitude above the slowest, for slow machines and sanitizers.
 constexpr unsigned kMostSecondsPerFile = 100;
 

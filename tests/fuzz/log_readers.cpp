@@ -7,7 +7,7 @@
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "identification/log/log.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/fuzz/readers.hpp"
 
 namespace torquewright::fuzz {

@@ -8,7 +8,7 @@
 #include "gearbox/proof/certificate.hpp"
 #include "gearbox/search/search.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/fuzz/readers.hpp"
 
 namespace torquewright::fuzz {

@@ -12,12 +12,12 @@
 #include "actuator/lint/check.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "hopper/engines/engine_kind.hpp"
-#include "hopper/flip/objectives/library.hpp"
-#include "hopper/flip/tasks/library.hpp"
-#include "hopper/mechanisms/library_spec.hpp"
+#include "hopper/planning/objectives/library.hpp"
+#include "hopper/planning/tasks/library.hpp"
 #include "hopper/tracking/controller_kind.hpp"
 #include "identification/imports/importer.hpp"
 #include "identification/outputs/output.hpp"
+#include "robot/mechanisms/library_spec.hpp"
 #include "tests/gates/excuses.hpp"
 #include "tests/gates/source_tree.hpp"
 
@@ -115,7 +115,7 @@ std::vector<Library> libraries() {
        {{"actuator/lint/explanations.cpp", "the other ways of reading numbers, for all checks"},
         {"actuator/lint/library.cpp", "the list"},
         {"actuator/lint/same_motor.cpp", "compares several documents; a check looks at one"}}},
-      {"mechanisms", "hopper/mechanisms", constant_of("MechanismType"), mechanisms(), {}},
+      {"mechanisms", "robot/mechanisms", constant_of("MechanismType"), mechanisms(), {}},
       {"topologies",
        "gearbox/topologies",
        R"(^DesignReport (evaluate)\()",
@@ -129,11 +129,11 @@ std::vector<Library> libraries() {
        hopper_rules(),
        {}},
       {"objectives",
-       "hopper/flip/objectives",
+       "hopper/planning/objectives",
        R"(^const Objective objectives::(\w+)\{)",
        objectives(),
        {}},
-      {"tasks", "hopper/flip/tasks", constant_of("PlanTask"), tasks(), {}},
+      {"tasks", "hopper/planning/tasks", constant_of("PlanTask"), tasks(), {}},
       {"engines",
        "hopper/engines",
        constant_of("EngineKind"),

@@ -64,15 +64,15 @@ TEST(Docs, HoldNoLinkThatLeadsNowhere) {
 }
 
 /// Folders that a path may begin with to be one of the repository's.
-constexpr std::string_view kFolders[] = {"actuator/", "dynamics/",       "gearbox/", "hopper/",
-                                         "io/",       "identification/", "robot/",   "simulation/",
-                                         "scripts/",  "specs/",          "src/",     "tests/"};
+constexpr std::string_view kNamedFolders[] = {
+    "actuator/", "dynamics/",   "gearbox/", "hopper/", "io/",  "identification/",
+    "robot/",    "simulation/", "scripts/", "specs/",  "src/", "tests/"};
 
 // A path with a placeholder stands for a file that is to be written: its folder is there.
 TEST(Contributing, NamesPathsThatAre) {
   int looked_at = 0;
   for (std::string name : matches(text_of("CONTRIBUTING.md"), "`([a-z_]+/[^` ]*)`")) {
-    const bool is_ours = std::any_of(std::begin(kFolders), std::end(kFolders),
+    const bool is_ours = std::any_of(std::begin(kNamedFolders), std::end(kNamedFolders),
                                      [&](std::string_view one) { return name.starts_with(one); });
     if (!is_ours) continue;
     const std::string file = fs::path(name).filename().string();

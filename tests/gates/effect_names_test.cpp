@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Everything above the library of effects.
-const std::vector<fs::path> kFolders = {"actuator", "dynamics",       "simulation",
+const std::vector<fs::path> kFolders = {"actuator", "dynamics",       "robot", "simulation",
                                         "hopper",   "identification", "src"};
 constexpr std::string_view kLibrary = "actuator/effects/";
 
@@ -24,7 +24,8 @@ const std::vector<Excuse> kMayNameEffects = {
     {"identification/outputs/bam_json.cpp", "translates effects into the parameters of BAM"},
     {"identification/outputs/frc.cpp",
      "translates effects into the constants of FRC's feedforward"},
-    {"src/report/design_text.cpp", "reports the play of a gearbox's teeth, which is no effect"},
+    {"src/report/gearbox/design_text.cpp",
+     "reports the play of a gearbox's teeth, which is no effect"},
 };
 
 /// Whether the name of an effect stands as a string literal of its own.

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/gates/source_tree.hpp"
 
 namespace torquewright::gates {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::gearbox {
 namespace {

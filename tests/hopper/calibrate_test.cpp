@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper::calibration {
 namespace {

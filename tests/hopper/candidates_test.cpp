@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "hopper/mechanisms/constant_jacobian.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::hopper {

@@ -6,7 +6,7 @@
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "identification/outputs/output.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/actuator/check/refusal.hpp"
 
 namespace torquewright::identification {

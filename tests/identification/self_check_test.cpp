@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/json_text.hpp"
+#include "io/faults/json_text.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::identification {

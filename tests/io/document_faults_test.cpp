@@ -6,9 +6,9 @@
 #include <ostream>
 #include <string>
 
-#include "io/diagnosis.hpp"
-#include "io/document.hpp"
-#include "io/json_text.hpp"
+#include "io/documents/document.hpp"
+#include "io/faults/diagnosis.hpp"
+#include "io/faults/json_text.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::io {

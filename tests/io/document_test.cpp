@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -8,8 +8,8 @@
 #include <limits>
 #include <thread>
 
-#include "io/file_bytes.hpp"
-#include "io/sha256.hpp"
+#include "io/files/file_bytes.hpp"
+#include "io/files/sha256.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::io {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the lines that were added, and the bytes of the file.
-#include "io/journal_file.hpp"
+#include "io/files/journal_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -8,9 +8,9 @@
 
 #include <csignal>
 
-#include "io/file_bytes.hpp"
-#include "io/file_session.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/files/file_bytes.hpp"
+#include "io/files/file_session.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::io {

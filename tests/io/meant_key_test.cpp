@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is said to a wrong key or a word in other capitals. Oracle: the documents that the schemas
 // start from, each with one slip of the kind that newcomers make, and what each of them meant.
-#include "io/meant_key.hpp"
+#include "io/faults/meant_key.hpp"
 
 #include <gtest/gtest.h>
 
-#include "io/document.hpp"
-#include "io/schema.hpp"
+#include "io/documents/document.hpp"
+#include "io/documents/schema.hpp"
 
 namespace torquewright::io {
 namespace {

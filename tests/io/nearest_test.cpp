@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/nearest.hpp"
+#include "io/text/nearest.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/one_line.hpp"
+#include "io/text/one_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::io {
 namespace {

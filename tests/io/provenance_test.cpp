@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/provenance.hpp"
+#include "io/documents/provenance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <regex>
 #include <vector>
 
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::io {
 namespace {

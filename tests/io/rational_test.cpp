@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 
 #include <gtest/gtest.h>
 

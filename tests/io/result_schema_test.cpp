@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "io/document.hpp"
-#include "io/file_bytes.hpp"
+#include "io/documents/document.hpp"
+#include "io/files/file_bytes.hpp"
 
 namespace torquewright::io {
 namespace {

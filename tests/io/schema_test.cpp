@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "io/diagnosis.hpp"
-#include "io/document.hpp"
-#include "io/file_bytes.hpp"
+#include "io/documents/document.hpp"
+#include "io/faults/diagnosis.hpp"
+#include "io/files/file_bytes.hpp"
 
 namespace torquewright::io {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: decimals written out by hand.
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 #include <gtest/gtest.h>
 

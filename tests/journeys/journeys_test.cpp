@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "gearbox/problem_spec.hpp"
-#include "io/csv.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
+#include "io/files/csv.hpp"
 #include "tests/cli/workplace.hpp"
 #include "tests/journeys/journey.hpp"
 #include "tests/journeys/shown_commands.hpp"

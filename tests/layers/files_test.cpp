@@ -59,7 +59,7 @@ TEST(Files, GiveNamesThroughIoAlone) {
       }
     }
   }
-  gates::expect_excused(broken, {}, "a file's name goes into text by io/one_line.hpp");
+  gates::expect_excused(broken, {}, "a file's name goes into text by io/text/one_line.hpp");
 }
 
 }  // namespace

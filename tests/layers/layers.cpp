@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using Folders = std::set<std::string, std::less<>>;
 
 /// Which folders the files of each may include, besides its own:
-/// python -> src -> hopper, identification -> simulation -> actuator, dynamics -> gearbox ->
+/// python -> src -> hopper, identification -> robot, simulation -> actuator, dynamics -> gearbox ->
 /// optimization; io for all.
 const std::map<std::string, Folders, std::less<>> kMayInclude = {
     {"io", {}},
@@ -24,11 +24,13 @@ const std::map<std::string, Folders, std::less<>> kMayInclude = {
     {"gearbox", {"io", "optimization"}},
     {"actuator", {"io", "optimization", "gearbox"}},
     {"dynamics", {"io", "optimization", "gearbox"}},
+    {"robot", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
     {"simulation", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
-    {"hopper", {"io", "optimization", "gearbox", "actuator", "dynamics", "simulation"}},
-    {"identification", {"io", "optimization", "gearbox", "actuator", "dynamics", "simulation"}},
+    {"hopper", {"io", "optimization", "gearbox", "actuator", "dynamics", "robot", "simulation"}},
+    {"identification",
+     {"io", "optimization", "gearbox", "actuator", "dynamics", "robot", "simulation"}},
     {"src",
-     {"io", "optimization", "gearbox", "actuator", "dynamics", "simulation", "hopper",
+     {"io", "optimization", "gearbox", "actuator", "dynamics", "robot", "simulation", "hopper",
       "identification"}},
     {"python", {"io", "actuator", "src"}},
 };
@@ -37,7 +39,11 @@ const std::map<std::string, Folders, std::less<>> kMayInclude = {
 /// beside the rooms is their common ground: every room may include it, and it includes none.
 using Rooms = std::map<std::string, Folders, std::less<>>;
 const std::map<std::string, Rooms, std::less<>> kRooms = {
-    {"io", {}},
+    {"io",
+     {{"text", {}},
+      {"faults", {"text"}},
+      {"files", {"faults", "text"}},
+      {"documents", {"faults", "files", "text"}}}},
     {"optimization",
      {{"expressions", {}}, {"discrete", {"expressions"}}, {"fit", {}}, {"nonlinear", {}}}},
     {"gearbox",
@@ -66,20 +72,37 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"stepper", {"joint"}},
       {"in_engine", {"joint", "plants", "stepper"}},
       {"run", {"joint", "stepper"}}}},
-    {"hopper",
+    {"robot",
      {{"mechanisms", {}},
-      {"robot", {"mechanisms"}},
-      {"files", {"mechanisms", "robot"}},
-      {"motion", {"robot"}},
-      {"contact", {"robot", "motion"}},
-      {"check", {"robot", "motion", "contact"}},
-      {"candidates", {"robot", "check"}},
-      {"calibration", {"robot"}},
-      {"variation", {"robot"}},
-      {"engines", {"robot", "files"}},
-      {"tracking", {"robot", "motion", "contact"}},
-      {"replay", {"mechanisms", "robot", "motion", "contact", "check", "engines", "tracking"}},
-      {"flip", {"mechanisms", "robot", "motion", "contact", "check", "variation", "replay"}}}},
+      {"model", {"mechanisms"}},
+      {"xml", {"model"}},
+      {"draft", {"model", "xml"}},
+      {"loops", {"draft", "mechanisms", "model", "xml"}},
+      {"urdf", {"draft", "model", "xml"}},
+      {"mjcf", {"draft", "loops", "model", "urdf", "xml"}},
+      {"simulators", {"draft", "model", "urdf"}}}},
+    {"hopper",
+     {{"motion", {}},
+      {"contact", {"motion"}},
+      {"check", {"contact", "motion"}},
+      {"candidates", {"check"}},
+      {"calibration", {}},
+      {"variation", {}},
+      {"engines", {}},
+      {"tracking", {"contact", "motion"}},
+      {"replay", {"contact", "motion", "check", "engines", "tracking"}},
+      {"planning/region", {"replay"}},
+      {"planning/plane", {}},
+      {"planning/tasks", {"check", "replay", "planning/plane"}},
+      {"planning/model", {"planning/plane", "planning/region", "planning/tasks"}},
+      {"planning/objectives", {"planning/model", "planning/plane"}},
+      {"planning/programme",
+       {"contact", "motion", "planning/model", "planning/objectives", "planning/plane",
+        "planning/tasks"}},
+      {"planning/result", {"check", "planning/model", "planning/plane"}},
+      {"planning/search",
+       {"check", "replay", "variation", "planning/objectives", "planning/plane",
+        "planning/programme", "planning/result", "planning/tasks"}}}},
     {"identification",
      {{"rig", {}},
       {"imports", {"rig"}},
@@ -95,10 +118,28 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"answer", {"log", "signals", "findings", "forward", "selection", "replay"}}}},
     {"src",
      {{"sweep", {}},
-      {"report", {"sweep"}},
       {"command_line", {}},
       {"options", {"command_line", "sweep"}},
-      {"commands", {"report", "command_line", "options", "sweep"}}}},
+      {"report/parts", {"sweep"}},
+      {"report/gearbox", {"report/parts"}},
+      {"report/actuator", {"report/parts"}},
+      {"report/robot", {"report/actuator", "report/parts", "sweep"}},
+      {"report/motion", {"report/parts", "report/robot"}},
+      {"report/identification", {"report/parts"}},
+      {"commands/shared", {"command_line", "options", "report/parts"}},
+      {"commands/gearbox",
+       {"command_line", "commands/shared", "options", "report/gearbox", "report/parts"}},
+      {"commands/actuator",
+       {"command_line", "commands/shared", "options", "report/actuator", "report/parts"}},
+      {"commands/robot",
+       {"command_line", "commands/actuator", "commands/shared", "options", "report/motion",
+        "report/parts", "report/robot", "sweep"}},
+      {"commands/planning",
+       {"commands/actuator", "commands/robot", "commands/shared", "options", "report/motion",
+        "report/parts", "report/robot", "sweep"}},
+      {"commands/identification",
+       {"command_line", "commands/shared", "options", "report/actuator", "report/identification",
+        "report/parts"}}}},
 };
 
 /// The only files that stand above the rooms of their folder.
@@ -109,9 +150,18 @@ std::string folder_of(std::string_view name) {
   return slash == std::string_view::npos ? "" : std::string(name.substr(0, slash));
 }
 
-/// The folder inside the folder; empty where the file lies beside the rooms.
+/// The room of a file: the deepest of the folders that it lies in that the table knows, or the
+/// first one where it knows none; empty where the file lies beside the rooms.
 std::string room_of(std::string_view name) {
-  return folder_of(name.substr(std::min(name.size(), name.find('/') + 1)));
+  const std::string folder = folder_of(name);
+  std::string inside = fs::path(name).parent_path().lexically_relative(folder).generic_string();
+  if (inside == ".") return "";
+  const auto rooms = kRooms.find(folder);
+  const std::string first = inside.substr(0, inside.find('/'));
+  while (rooms != kRooms.end() && !inside.empty() && !rooms->second.contains(inside)) {
+    inside = fs::path(inside).parent_path().generic_string();
+  }
+  return inside.empty() ? first : inside;
 }
 
 std::string objection_inside(const std::string& folder, const std::string& from,
@@ -151,6 +201,25 @@ bool is_source(const fs::path& file) {
 }
 
 }  // namespace
+
+std::map<std::string, std::set<std::string>> folders_below() {
+  std::map<std::string, std::set<std::string>> below;
+  for (const auto& [folder, others] : kMayInclude) below[folder] = {others.begin(), others.end()};
+  return below;
+}
+
+std::map<std::string, std::set<std::string>> rooms_below(const std::string& folder) {
+  std::map<std::string, std::set<std::string>> below;
+  const auto found = kRooms.find(folder);
+  if (found == kRooms.end()) return below;
+  for (const auto& [room, others] : found->second) below[room] = {others.begin(), others.end()};
+  return below;
+}
+
+std::string room_named(std::string_view file) {
+  const std::string room = room_of(file);
+  return folder_of(file) + (room.empty() ? "" : "/" + room);
+}
 
 std::string objection(std::string_view file, const Include& include) {
   const std::string& included = include.name;

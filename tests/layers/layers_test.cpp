@@ -96,7 +96,7 @@ TEST(Objection, KeepsTheCheckerOfProofsApart) {
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/proof/b.hpp"), "");
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem.hpp"), "");
   EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem_spec.hpp"), "");
-  EXPECT_EQ(objection("gearbox/proof/a.cpp", "io/rational.hpp"), "");
+  EXPECT_EQ(objection("gearbox/proof/a.cpp", "io/text/rational.hpp"), "");
   EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/train/efficiency.hpp"), "");
   EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/verification/verification.hpp"), "");
   EXPECT_NE(objection("gearbox/proof/a.cpp", "optimization/expressions/interval.hpp"), "");

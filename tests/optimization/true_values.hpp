@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 #include "optimization/expressions/precise_interval.hpp"
 
 namespace torquewright::optimization {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "io/rational.hpp"
+#include "io/text/rational.hpp"
 
 namespace torquewright::oracles {
 

@@ -9,7 +9,7 @@
 #include "gearbox/search/ranking.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/oracles/dice.hpp"
 #include "tests/oracles/gearbox_enumeration.hpp"
 #include "tests/oracles/named_problems.hpp"

@@ -9,7 +9,7 @@
 #include <memory>
 #include <set>
 
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
 #include "tests/cli/workplace.hpp"
 #include "tests/page/browser.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
 #include "tests/cli/workplace.hpp"
 #include "tests/page/browser.hpp"
 

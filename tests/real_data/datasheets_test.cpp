@@ -16,7 +16,7 @@
 
 #include "actuator/lint/examination.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::actuator::lint {
 namespace {

@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "identification/answer/identify.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::identification {
 namespace {

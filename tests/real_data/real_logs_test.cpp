@@ -12,8 +12,8 @@
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "identification/log/log.hpp"
-#include "io/document.hpp"
-#include "io/spec_error.hpp"
+#include "io/documents/document.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::identification {
 namespace {

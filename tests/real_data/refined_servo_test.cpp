@@ -10,8 +10,8 @@
 #include <filesystem>
 
 #include "identification/answer/identify.hpp"
-#include "io/atomic_file.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
+#include "io/files/atomic_file.hpp"
 #include "tests/real_data/bam_servos/servo.hpp"
 
 namespace torquewright::identification {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `hopper flip` says. Oracle: results filled by hand, and what a reader must not be told: that
 // a search that failed proved something, or that what it left is a plan.
-#include "src/report/flip_text.hpp"
+#include "src/report/motion/flip_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/report/flip_html.hpp"
+#include "src/report/motion/flip_html.hpp"
 
 namespace torquewright::report {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "src/report/gearbox_drawing.hpp"
+#include "src/report/gearbox/gearbox_drawing.hpp"
 
 #include <gtest/gtest.h>
 

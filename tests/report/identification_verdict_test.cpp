@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the equations' own verdicts, from which the sentence has to follow.
-#include "src/report/identification_verdict.hpp"
+#include "src/report/identification/identification_verdict.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the curve itself. Whatever is left out, its extremes and the gaps in it stay.
-#include "src/report/kept_samples.hpp"
+#include "src/report/parts/kept_samples.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the flights that are given.
-#include "src/report/moments.hpp"
+#include "src/report/robot/moments.hpp"
 
 #include <gtest/gtest.h>
 

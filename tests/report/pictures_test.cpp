@@ -8,8 +8,8 @@
 #include <iterator>
 #include <regex>
 
-#include "src/report/gnuplot.hpp"
-#include "src/report/identification_plots.hpp"
+#include "src/report/identification/identification_plots.hpp"
+#include "src/report/parts/gnuplot.hpp"
 
 namespace torquewright::report {
 namespace {

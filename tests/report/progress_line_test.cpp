@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Work that shows its progress is left after Ctrl-C where another program holds it, and there only.
 // Oracle: the signal, and the handler of the test, which stands for that of the other program.
-#include "src/report/progress_line.hpp"
+#include "src/report/parts/progress_line.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A replay that ended before its first row. Oracle: what such a page may hold by its own header.
-#include "src/report/replay_html.hpp"
+#include "src/report/motion/replay_html.hpp"
 
 #include <gtest/gtest.h>
 
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::report {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "src/report/script_policy.hpp"
+#include "src/report/parts/script_policy.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::sweep {
 namespace {

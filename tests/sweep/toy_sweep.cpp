@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "src/command_line/command_line.hpp"
 #include "src/command_line/exit_status.hpp"
 #include "src/interrupt.hpp"

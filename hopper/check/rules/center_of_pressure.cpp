@@ -9,8 +9,8 @@
 #include "dynamics/point.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/contact/support_polygon.hpp"
-#include "hopper/robot/touching_point.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
+#include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/running_integral.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "hopper/check/rules/every_rule.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

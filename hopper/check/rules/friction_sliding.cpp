@@ -12,7 +12,7 @@
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/running_integral.hpp"
 #include "hopper/contact/sliding.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

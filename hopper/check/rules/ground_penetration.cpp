@@ -10,7 +10,7 @@
 #include "dynamics/point.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/contact/sliding.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "actuator/region/joint_region.hpp"
 #include "hopper/check/rules/every_rule.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

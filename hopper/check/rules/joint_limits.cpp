@@ -6,7 +6,7 @@
 
 #include "hopper/check/drive_reports.hpp"
 #include "hopper/check/rules/every_rule.hpp"
-#include "io/time_text.hpp"
+#include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
 namespace {

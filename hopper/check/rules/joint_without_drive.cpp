@@ -6,7 +6,7 @@
 #include <set>
 
 #include "hopper/check/rules/every_rule.hpp"
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
 namespace {

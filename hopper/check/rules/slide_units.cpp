@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "hopper/check/rules/every_rule.hpp"
-#include "io/wording.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "actuator/trajectory/columns_spec.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/process.hpp"
-#include "io/sha256.hpp"
+#include "io/files/sha256.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright {

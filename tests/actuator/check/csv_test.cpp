@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables that are read, and the exact sentence for every kind of mistake in one.
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
 
 #include <gtest/gtest.h>
 
 #include <ostream>
 
-#include "io/units.hpp"
+#include "io/text/units.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "actuator/trajectory/jacobian_spec.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"
 

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <string>
 
-#include "src/report/gnuplot.hpp"
-#include "src/report/region_plot.hpp"
+#include "src/report/actuator/region_plot.hpp"
+#include "src/report/parts/gnuplot.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/actuator/check/simple_actuator.hpp"
 #include "tests/io/scratch_folder.hpp"

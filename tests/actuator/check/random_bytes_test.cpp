@@ -6,7 +6,7 @@
 #include <random>
 
 #include "actuator/trajectory/trajectory_reader.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::test {
 

@@ -11,7 +11,7 @@
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/library.hpp"
 #include "actuator/exporters/simulator_file.hpp"
-#include "io/file_bytes.hpp"
+#include "io/files/file_bytes.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 
 namespace torquewright::actuator {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "actuator/lint/report_spec.hpp"
-#include "io/document.hpp"
-#include "io/file_bytes.hpp"
+#include "io/documents/document.hpp"
+#include "io/files/file_bytes.hpp"
 #include "tests/actuator/lint/sample.hpp"
 
 namespace torquewright::actuator::lint {

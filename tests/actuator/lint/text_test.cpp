@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "src/report/lint_text.hpp"
+#include "src/report/actuator/lint_text.hpp"
 #include "tests/actuator/lint/sample.hpp"
 
 namespace torquewright::actuator::lint {

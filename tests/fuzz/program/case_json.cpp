@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/file_bytes.hpp"
+#include "io/files/file_bytes.hpp"
 
 namespace torquewright::fuzz {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "io/file_bytes.hpp"
+#include "io/files/file_bytes.hpp"
 
 namespace torquewright::fuzz {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/program/draw.hpp"
 
-#include "io/file_bytes.hpp"
+#include "io/files/file_bytes.hpp"
 #include "tests/fuzz/program/argument_mutation.hpp"
 #include "tests/fuzz/program/chance.hpp"
 #include "tests/fuzz/program/command_files.hpp"

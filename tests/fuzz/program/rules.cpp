@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
 #include "tests/cli/no_number.hpp"
 #include "tests/fuzz/program/command_files.hpp"
 

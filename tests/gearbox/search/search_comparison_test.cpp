@@ -10,7 +10,7 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/topologies/topology.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/oracles/gearbox_enumeration.hpp"
 #include "tests/oracles/involute_meshes.hpp"
 #include "tests/oracles/named_problems.hpp"

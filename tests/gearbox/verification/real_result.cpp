@@ -6,8 +6,8 @@
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/search/search.hpp"
-#include "io/document.hpp"
-#include "io/provenance.hpp"
+#include "io/documents/document.hpp"
+#include "io/documents/provenance.hpp"
 
 namespace torquewright::gearbox::verification_test {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/check/series.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -11,7 +11,7 @@
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/contact/sliding.hpp"
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper::ground_laws {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/check/series.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
 
 namespace torquewright::hopper {
 namespace {

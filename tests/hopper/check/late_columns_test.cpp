@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "hopper/check/hopper_check.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -13,8 +13,8 @@
 #include "hopper/check/free_rows.hpp"
 #include "hopper/check/physical.hpp"
 #include "hopper/check/shared_bus.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/check/simple_actuator.hpp"
 #include "tests/actuator/example_actuator.hpp"
 

@@ -13,8 +13,8 @@
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/motion/rate_agreement.hpp"
-#include "hopper/robot/robot_spec.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper {
 namespace {

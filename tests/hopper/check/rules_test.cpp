@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "hopper/check/rules/every_rule.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::hopper {

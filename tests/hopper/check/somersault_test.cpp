@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "hopper/check/hopper_check.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 
 namespace torquewright::hopper {
 namespace {

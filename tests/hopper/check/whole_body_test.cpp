@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracles: the tree with the same inertia on its joints (where that is the same robot), kinetic
 // energy written out rotor by rotor, and power, which no mechanism makes.
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
-#include "hopper/mechanisms/four_bar.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
+#include "robot/mechanisms/four_bar.hpp"
 
 namespace torquewright::hopper {
 namespace {

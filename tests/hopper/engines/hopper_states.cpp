@@ -9,7 +9,7 @@
 #include "dynamics/mass_matrix.hpp"
 #include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::test {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hopper/engines/engine.hpp"
-#include "hopper/robot/whole_body.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::test {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/hopper/engines/hopper_states.hpp"
 
 namespace torquewright::hopper {

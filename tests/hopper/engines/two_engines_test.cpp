@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "dynamics/position_step.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/hopper/engines/hopper_states.hpp"
 
 namespace torquewright::hopper {

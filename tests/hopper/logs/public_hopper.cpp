@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "hopper/files/mjcf_reader.hpp"
-#include "hopper/mechanisms/constant_jacobian.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
+#include "robot/mjcf/mjcf_reader.hpp"
 
 namespace torquewright::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "dynamics/point.hpp"
-#include "hopper/files/mjcf_writer.hpp"
-#include "hopper/robot/touching_point.hpp"
+#include "robot/mjcf/mjcf_writer.hpp"
+#include "robot/model/touching_point.hpp"
 #include "tests/dynamics/mujoco_engine.hpp"
 #include "tests/dynamics/tree_mjcf.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "tests/hopper/logs/hop_log.hpp"
 
 namespace torquewright::test {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "hopper/check/hopper_check.hpp"
-#include "hopper/files/mjcf_writer.hpp"
+#include "robot/mjcf/mjcf_writer.hpp"
 #include "tests/dynamics/mujoco_engine.hpp"
 #include "tests/hopper/logs/hop_log.hpp"
 

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::hopper {

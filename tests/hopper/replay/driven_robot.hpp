@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "hopper/mechanisms/constant_jacobian.hpp"
-#include "hopper/robot/robot.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
+#include "robot/model/robot.hpp"
 #include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::hopper {

@@ -10,7 +10,7 @@
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/replay/powered_drives.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -11,7 +11,7 @@
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/replay/step_window.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/hopper/replay/driven_robot.hpp"
 
 namespace torquewright::hopper {

@@ -14,7 +14,7 @@
 #include "actuator/check/demand.hpp"
 #include "actuator/heat/heat_model.hpp"
 #include "hopper/replay/region_levels.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "tests/hopper/replay/driven_robot.hpp"
 
 namespace torquewright::hopper {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hopper/replay/randomisation_spec.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper::test {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/schema.hpp"
+#include "io/documents/schema.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <functional>
 
-#include "hopper/robot/plausible_inertia.hpp"
+#include "robot/model/plausible_inertia.hpp"
 #include "tests/hopper/replay/kolmogorov.hpp"
 #include "tests/hopper/replay/randomised_hopper.hpp"
 

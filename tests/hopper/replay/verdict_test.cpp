@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "hopper/replay/fall.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -9,9 +9,9 @@
 #include "hopper/check/demand.hpp"
 #include "hopper/check/drive_reports.hpp"
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot/robot_spec.hpp"
-#include "hopper/robot/touching_point.hpp"
 #include "hopper/tracking/linearisation.hpp"
+#include "robot/model/robot_spec.hpp"
+#include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper::test {
 

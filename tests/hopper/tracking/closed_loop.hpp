@@ -6,8 +6,8 @@
 #include <string>
 
 #include "hopper/engines/engine.hpp"
-#include "hopper/robot/whole_body.hpp"
 #include "hopper/tracking/controller.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper::test {
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "dynamics/mass_matrix.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/dynamics/random_numbers.hpp"
 #include "tests/dynamics/rigid_impact.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "hopper/mechanisms/constant_jacobian.hpp"
+#include "robot/mechanisms/constant_jacobian.hpp"
 
 namespace torquewright::hopper {
 namespace {

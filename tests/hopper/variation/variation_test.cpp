@@ -10,9 +10,9 @@
 #include <iterator>
 
 #include "actuator/region/joint_region.hpp"
-#include "hopper/robot/robot_spec.hpp"
-#include "hopper/robot/whole_body.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/model/robot_spec.hpp"
+#include "robot/model/whole_body.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::hopper {

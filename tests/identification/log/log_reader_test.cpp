@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "io/sha256.hpp"
+#include "io/files/sha256.hpp"
 #include "tests/identification/log/written_log.hpp"
 
 namespace torquewright::identification {

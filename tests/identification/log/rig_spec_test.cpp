@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "identification/rig/rig.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/identification/log/written_log.hpp"
 
 namespace torquewright::identification {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "identification/log/log.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"
 

@@ -16,7 +16,7 @@
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/signals/preparation.hpp"
 #include "identification/simulated/rig_plant.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "simulation/run/simulate.hpp"
 
 namespace torquewright::identification {

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <set>
 
-#include "io/csv.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
+#include "io/files/csv.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::oracles {

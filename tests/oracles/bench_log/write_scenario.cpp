@@ -3,7 +3,7 @@
 #include <charconv>
 #include <system_error>
 
-#include "io/atomic_file.hpp"
+#include "io/files/atomic_file.hpp"
 #include "tests/oracles/bench_log/documents.hpp"
 
 namespace torquewright::oracles {

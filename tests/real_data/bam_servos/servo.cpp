@@ -7,7 +7,7 @@
 
 #include "actuator/effects/library.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "io/document.hpp"
+#include "io/documents/document.hpp"
 
 namespace torquewright::identification {
 namespace {

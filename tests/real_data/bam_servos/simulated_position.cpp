@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "identification/simulated/rig_plant.hpp"
-#include "io/spec_error.hpp"
+#include "io/faults/spec_error.hpp"
 #include "simulation/run/simulate.hpp"
 
 namespace torquewright::identification {

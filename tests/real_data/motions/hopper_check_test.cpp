@@ -10,8 +10,8 @@
 #include <filesystem>
 
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/robot/robot_spec.hpp"
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
+#include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -8,8 +8,8 @@
 #include <Eigen/Dense>
 
 #include "dynamics/mass_matrix.hpp"
-#include "hopper/robot/robot_spec.hpp"
 #include "hopper/tracking/impact_invariant.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/dynamics/rigid_impact.hpp"
 #include "tests/real_data/motions/walk_trial.hpp"
 

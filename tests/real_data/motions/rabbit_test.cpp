@@ -5,7 +5,7 @@
 
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
-#include "hopper/robot/robot_spec.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/real_data/motions/rabbit_walk.hpp"
 
 namespace torquewright::hopper {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "io/csv.hpp"
+#include "io/files/csv.hpp"
 
 namespace torquewright::test {
 

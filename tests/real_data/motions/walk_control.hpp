@@ -2,8 +2,8 @@
 #pragma once
 
 #include "dynamics/point.hpp"
-#include "hopper/robot/robot.hpp"
 #include "hopper/tracking/impact_handling.hpp"
+#include "robot/model/robot.hpp"
 #include "tests/real_data/motions/rabbit_walk.hpp"
 
 namespace torquewright::test {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "hopper/robot/robot.hpp"
+#include "robot/model/robot.hpp"
 #include "simulation/contact/time_stepping.hpp"
 
 namespace torquewright::test {

@@ -11,8 +11,8 @@
 #include "dynamics/point.hpp"
 #include "dynamics/position_step.hpp"
 #include "hopper/engines/engine.hpp"
-#include "hopper/files/mjcf_reader.hpp"
-#include "hopper/robot/touching_point.hpp"
+#include "robot/mjcf/mjcf_reader.hpp"
+#include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -12,11 +12,11 @@
 #include <iterator>
 #include <regex>
 
-#include "hopper/files/mjcf_reader.hpp"
-#include "hopper/files/urdf_reader.hpp"
-#include "io/spec_error.hpp"
-#include "tests/hopper/mujoco_twin.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/mjcf/mjcf_reader.hpp"
+#include "robot/urdf/urdf_reader.hpp"
 #include "tests/real_data/robots/stripped_mjcf.hpp"
+#include "tests/robot/mujoco_twin.hpp"
 
 namespace torquewright::hopper {
 namespace {

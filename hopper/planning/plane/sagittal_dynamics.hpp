@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/planning/plane/sagittal_robot.hpp"
+#include "robot/model/whole_body.hpp"
+
+namespace torquewright::hopper {
+
+/// A point of the sole and what the ground gives it, in N or N s along x and z.
+template <typename T>
+struct SoleForceOf {
+  std::size_t sole_point = 0;
+  T x{0.0};
+  T z{0.0};
+};
+
+/// The equations of motion in the plane, on any scalar for which dynamics/ stands. Vectors of what
+/// moves by SagittalRobot::moving, in a frame. On its place nothing depends but places of points.
+/// Keeps its room: for one thread. A mechanism that does not reach a posture makes numbers that are
+/// not finite: a solver steps back from there.
+template <typename T>
+class SagittalDynamicsOf {
+ public:
+  explicit SagittalDynamicsOf(const SagittalRobot& robot);
+
+  /// To a position and a velocity (moving x 1 each).
+  void set(PlanFrame frame, const dynamics::VectorX<T>& position,
+           const dynamics::VectorX<T>& velocity);
+  /// The same instant in the other frame (moving x 1 each).
+  dynamics::VectorX<T> position_in(PlanFrame frame) const;
+  dynamics::VectorX<T> velocity_in(PlanFrame frame) const;
+
+  /// M a + h + rotors - A^T drives - J^T forces, by moving row, then by held row: all 0 in motion.
+  dynamics::VectorX<T> residual(const dynamics::VectorX<T>& acceleration,
+                                const dynamics::VectorX<T>& drive_Nm,
+                                const std::vector<SoleForceOf<T>>& forces);
+  /// M change - J^T impulses, by moving row: 0 across an impact. Held rows are the ground's. Only
+  /// where it was set about the sole, whose velocities change.
+  dynamics::VectorX<T> impact_residual(const dynamics::VectorX<T>& change,
+                                       const std::vector<SoleForceOf<T>>& impulses);
+  /// x and z of a point of the robot, its velocity and, for an acceleration, how it accelerates.
+  Eigen::Matrix<T, 2, 1> place_m(const dynamics::BodyPoint& point) const;
+  Eigen::Matrix<T, 2, 1> velocity_m_s(const dynamics::BodyPoint& point) const;
+  Eigen::Matrix<T, 2, 1> acceleration_m_s2(const dynamics::BodyPoint& point,
+                                           const dynamics::VectorX<T>& acceleration);
+  const SagittalRobot& robot() const { return *robot_; }
+
+ private:
+  /// Rows of the tree of rows of the foot and joints, the base's place and what it does left at 0.
+  dynamics::VectorX<T> unplaced(const dynamics::VectorX<T>& moving) const;
+  /// The same, the base's place such that the frame's origin accelerates as it shall.
+  dynamics::VectorX<T> accelerated(const dynamics::VectorX<T>& acceleration);
+  /// Of a frame's origin, the base's own place and velocity left at 0.
+  Eigen::Matrix<T, 2, 1> origin_m(PlanFrame frame) const;
+  Eigen::Matrix<T, 2, 1> origin_m_s(PlanFrame frame) const;
+  T turned(const dynamics::VectorX<T>& moving) const;
+  const dynamics::TreeStateOf<T>& state() const { return body_.state(); }
+  dynamics::VectorX<T> picked(const dynamics::VectorX<T>& rows, bool with_held) const;
+  void subtract(const std::vector<SoleForceOf<T>>& forces, dynamics::VectorX<T>& rows) const;
+
+  const SagittalRobot* robot_;
+  WholeBodyOf<T> body_;
+  bool is_reached_ = true;
+  PlanFrame frame_ = PlanFrame::kSole;
+  dynamics::VectorX<T> position_;  ///< As set.
+  dynamics::VectorX<T> velocity_;
+  Eigen::Matrix<T, 2, 1> base_m_;    ///< Where the base is, and how it moves: set() leaves the
+  Eigen::Matrix<T, 2, 1> base_m_s_;  ///< tree's own at 0.
+};
+
+/// How drives move with the joints: A, and the rates that follow. For drives and limits, which
+/// depend on joints alone.
+template <typename T>
+struct DriveMotionOf {
+  dynamics::VectorX<T> speed_rad_s;          ///< (drives x 1)
+  dynamics::VectorX<T> acceleration_rad_s2;  ///< (drives x 1)
+  dynamics::VectorX<T> joint_Nm;             ///< By joint that moves, of the drives' torques.
+};
+
+/// By what the joints that move do; torques (drives x 1). Not finite where a mechanism does not
+/// reach.
+template <typename T>
+DriveMotionOf<T> drive_motion(const SagittalRobot& robot, const dynamics::VectorX<T>& joint_rad,
+                              const dynamics::VectorX<T>& joint_rad_s,
+                              const dynamics::VectorX<T>& joint_rad_s2,
+                              const dynamics::VectorX<T>& drive_Nm);
+
+}  // namespace torquewright::hopper

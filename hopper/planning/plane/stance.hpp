@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hopper/planning/plane/sagittal_robot.hpp"
+
+namespace torquewright::hopper {
+
+/// Which points of the sole are on the ground. On more than one, the outermost bear the load, and
+/// what pushes along the ground is one force: the sole is rigid and its points are level.
+struct Stance {
+  std::string name;
+  std::vector<std::size_t> points;  ///< Of the sole: none, one, or the rearmost and the foremost.
+
+  bool is_flight() const { return points.empty(); }
+  PlanFrame frame() const { return is_flight() ? PlanFrame::kMass : PlanFrame::kSole; }
+  bool is_flat() const { return points.size() == 2; }
+  /// One along the ground, if any touches, then one upwards per point.
+  std::size_t force_count() const { return points.empty() ? 0 : 1 + points.size(); }
+  /// Whether that touches which the other does not.
+  bool adds_to(const Stance& other) const;
+};
+
+/// By their names: "flat", "heel", "toe", "flight"; "flat" of a foot of one point is that point.
+/// io::SpecError, naming the stance and those that there are, where one is unknown, two alike
+/// follow each other, or the first or the last is no full stance.
+std::vector<Stance> stances_of(const SagittalRobot& robot, const std::vector<std::string>& names);
+
+}  // namespace torquewright::hopper

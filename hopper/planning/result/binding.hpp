@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/planning/model/plan_model.hpp"
+#include "hopper/planning/model/plan_variables.hpp"
+#include "hopper/planning/result/plan_result.hpp"
+
+namespace torquewright::hopper {
+
+/// What holds a plan back: limits of joints, drives and contacts (planning margins taken off) at
+/// which it stands or beyond which it is, over the instants at which they hold, the most often
+/// binding first. After them the rows of the program that the values violate, the worst first: of
+/// those violations are shares of the rows' scales, and they have no times.
+std::vector<BindingConstraint> binding_constraints(const FlipProgram& program,
+                                                   const PlanModel& model,
+                                                   const PlanMargins& margins,
+                                                   const PlannedMotion& plan,
+                                                   const std::vector<double>& values);
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "hopper/planning/search/plan.hpp"
+
+namespace torquewright::hopper {
+
+/// Null where nothing flies.
+const PlannedPhase* longest_flight(const PlannedMotion& motion);
+
+/// How far the centre of mass rises over its height at take-off, in the longest flight that
+/// `hopper check` found. None without a check or a flight.
+std::optional<double> rise_of(const PlanResult& result);
+
+}  // namespace torquewright::hopper

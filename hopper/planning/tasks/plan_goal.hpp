@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hopper/planning/plane/stance.hpp"
+#include "optimization/nonlinear/program.hpp"
+
+namespace torquewright::hopper {
+
+/// A phase and how it is cut: shares of its duration, from 0 to 1.
+struct MeshPhase {
+  Stance stance;
+  std::vector<double> knots;
+  optimization::Bounds duration_s;
+
+  std::size_t intervals() const { return knots.size() - 1; }
+};
+
+/// What a plan is to do beside obeying physics.
+struct PlanGoal {
+  double turn_rad = 0.0;           ///< Of the foot, forwards.
+  std::optional<double> stride_m;  ///< Of the foot; empty: as it comes.
+  std::optional<double> rise_m;    ///< Of the centre of mass in flight, at least.
+  /// By joint that moves: between what it stands at the begin and at the end.
+  std::vector<optimization::Bounds> standing_rad;
+  /// Whether the base is level at the begin, and turned by `turn_rad` at the end: of a foot of one
+  /// point, whose own pitch is free.
+  bool has_level_base = false;
+};
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/documents/schema_keys.hpp"
+
+namespace torquewright::io {
+
+/// The JSON Schema of a kind as text, for people and their editors: other kinds that it refers to
+/// stand in it. These functions require a known kind.
+std::string published_schema(std::string_view kind);
+
+/// A document of that kind to start from, as text; empty for kinds that only programs write.
+std::string document_to_start_from(std::string_view kind);
+
+/// What a kind of documents is, and every key that one may have.
+struct KindOfDocument {
+  std::string title;
+  std::string description;  ///< May be empty.
+  std::vector<SchemaKey> keys;
+};
+
+KindOfDocument describe_kind(std::string_view kind);
+
+}  // namespace torquewright::io

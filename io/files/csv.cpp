@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/files/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <system_error>
+
+#include "io/faults/spec_error.hpp"
+#include "io/text/one_line.hpp"
+#include "io/text/utf8.hpp"
+
+namespace torquewright::io {
+namespace {
+
+constexpr std::size_t kMostColumns = 10000;
+constexpr std::size_t kLongestCell = 40;
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+/// Whether a decimal number other than 0 is less than 1 in magnitude: the place of its first digit
+/// that counts, and its exponent. A mantissa of 500 zeros is a power of ten as well as "e500" is.
+bool is_below_one(std::string_view text) {
+  const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view mantissa = text.substr(0, mark);
+  const auto first = static_cast<std::int64_t>(mantissa.find_first_of("123456789"));
+  const auto point = static_cast<std::int64_t>(std::min(mantissa.find('.'), mantissa.size()));
+  std::int64_t exponent = 0;
+  if (mark != text.size()) {
+    std::string_view digits = text.substr(mark + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (parsed.ec != std::errc()) return digits.starts_with('-');  // beyond all digits of a line
+  }
+  return exponent < (first < point ? first - point + 1 : first - point);
+}
+
+/// The whole text as a double, infinities and NaN included; a number too small for one is 0.
+std::optional<double> number_of(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (rest != end || text.empty()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return is_below_one(text) ? 0.0 : HUGE_VAL;
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+/// 1,5 or -0,25e3: digits on both sides of one comma.
+bool has_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == text.npos) return false;
+  std::string pointed(text);
+  pointed[comma] = '.';
+  return number_of(pointed).has_value();
+}
+
+std::string in_quotes(std::string_view text) {
+  if (text.size() <= kLongestCell) return fmt::format("\"{}\"", text);
+  return fmt::format("\"{}...\"", text.substr(0, kLongestCell));
+}
+
+}  // namespace
+
+CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end)
+    : lines_(file), cut_end_(cut_end) {
+  std::string_view line;
+  do {
+    if (!lines_.next(line)) {
+      throw SpecError({{lines_.file(), "", "is empty; the first line must name the columns"}});
+    }
+  } while (line.starts_with('#') || trimmed(line).empty());
+  line_ = lines_.line_number();
+  check_encoding(line);
+  split(line);
+  header_.assign(cells_.begin(), cells_.end());
+  check_header();
+}
+
+std::optional<std::size_t> CsvReader::find(std::string_view name) const {
+  const auto found = std::find(header_.begin(), header_.end(), name);
+  if (found == header_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header_.begin());
+}
+
+/// What spreadsheets write that is no table of numbers yet, and what to do about it.
+void CsvReader::check_encoding(std::string_view first_line) const {
+  if (first_line.find('\r') != std::string_view::npos) {
+    refuse_row("its lines end with carriage returns alone; convert it: tr '\\r' '\\n'");
+  }
+  if (trimmed(first_line).substr(0, 4) == "sep=") {
+    refuse_row(
+        fmt::format("{} is a spreadsheet's line about separators; delete it, columns are "
+                    "separated by commas",
+                    in_quotes(trimmed(first_line))));
+  }
+  if (first_that_is_no_utf8(first_line) != std::string_view::npos) {
+    refuse_row("the header is no UTF-8; convert it: iconv -f latin1 -t utf-8");
+  }
+}
+
+void CsvReader::check_header() const {
+  const std::string& first = header_.front();
+  if (header_.size() == 1 && first.find_first_of(";\t") != std::string::npos) {
+    refuse_row(fmt::format("the columns are separated by {}; must be commas, and decimals points",
+                           first.find(';') != std::string::npos ? "semicolons" : "tabs"));
+  }
+  std::set<std::string_view> seen;
+  for (std::size_t column = 0; column < header_.size(); ++column) {
+    const std::string& name = header_[column];
+    if (const auto found = unprintable_in(name)) {
+      refuse(column, fmt::format("the name {} holds {}; must be one line of text", in_quotes(name),
+                                 *found));
+    }
+    if (number_of(name)) {
+      refuse(column, fmt::format("{} is a number; the first line must name the columns", name));
+    }
+    if (!name.empty() && !seen.insert(name).second) {
+      refuse(column, fmt::format("the name {} stands twice in the header", in_quotes(name)));
+    }
+  }
+}
+
+bool CsvReader::next() {
+  std::string_view line;
+  if (!lines_.next(line)) return false;
+  line_ = lines_.line_number();
+  if (!trimmed(line).empty()) {
+    split(line);
+    if (cut_end_ == CutEnd::kDropped && cells_.size() < header_.size() && drops_cut_end()) {
+      return false;
+    }
+    check_row();
+    return true;
+  }
+  const std::size_t empty_line = lines_.line_number();
+  while (lines_.next(line)) {
+    if (trimmed(line).empty()) continue;
+    throw SpecError({{file(), "", fmt::format("line {}: empty, between rows", empty_line)}});
+  }
+  return false;
+}
+
+/// Nothing but empty lines may follow. The cells are then those of the dropped line.
+bool CsvReader::drops_cut_end() {
+  std::string_view line;
+  const std::vector<std::string> short_row(cells_.begin(), cells_.end());
+  while (lines_.next(line)) {
+    if (trimmed(line).empty()) continue;
+    cells_.assign(short_row.begin(), short_row.end());
+    check_row();
+  }
+  cut_line_ = line_;
+  return true;
+}
+
+void CsvReader::check_row() const {
+  if (cells_.size() == header_.size()) {
+    if (!number_of(cells_.front()) && std::equal(cells_.begin(), cells_.end(), header_.begin())) {
+      refuse_row("the header stands here again; one file holds one table");
+    }
+    return;
+  }
+  std::string message =
+      fmt::format("has {} cells, the header has {}", cells_.size(), header_.size());
+  const bool has_points = std::any_of(cells_.begin(), cells_.end(), [](std::string_view cell) {
+    return cell.find('.') != std::string_view::npos;
+  });
+  if (cells_.size() > header_.size() && cells_.size() <= 2 * header_.size() && !has_points) {
+    message += "; decimal commas? write 1.5, not 1,5";
+  }
+  if (cells_.size() == 1 && cells_.front().find(';') != std::string_view::npos) {
+    message += "; separated by semicolons? they must be commas, and decimals points";
+  }
+  refuse_row(message);
+}
+
+double CsvReader::number(std::size_t column) const {
+  const std::string_view text = cells_[column];
+  const std::optional<double> value = number_of(text);
+  if (value && std::isfinite(*value)) return *value;
+  if (text.empty()) refuse(column, "empty, must be a number");
+  if (value) refuse(column, fmt::format("{} is not a finite number", in_quotes(text)));
+  if (has_decimal_comma(text)) {
+    refuse(column, fmt::format("{} has a decimal comma; write 1.5, not 1,5", in_quotes(text)));
+  }
+  refuse(column, fmt::format("{} is not a number", in_quotes(text)));
+}
+
+bool CsvReader::is_number(std::size_t column) const {
+  const std::optional<double> value = number_of(cells_[column]);
+  return value && std::isfinite(*value);
+}
+
+void CsvReader::refuse(std::size_t column, const std::string& message) const {
+  const std::string name =
+      column < header_.size() && !header_[column].empty() ? " (" + header_[column] + ")" : "";
+  throw SpecError(
+      {{file(), "", fmt::format("line {}, column {}{}: {}", line(), column + 1, name, message)}});
+}
+
+void CsvReader::require_within(std::size_t column, double value, double greatest) const {
+  if (std::abs(value) <= greatest) return;
+  refuse(column, fmt::format("too large in SI units, in which {:.4g} is the most; is its unit the "
+                             "one that is stated?",
+                             greatest));
+}
+
+void CsvReader::refuse_row(const std::string& message) const {
+  throw SpecError({{file(), "", fmt::format("line {}: {}", line(), message)}});
+}
+
+void CsvReader::split(std::string_view line) {
+  cells_.clear();
+  unquoted_.clear();
+  unquoted_.reserve(static_cast<std::size_t>(std::count(line.begin(), line.end(), '"')));
+  std::size_t place = 0;
+  while (true) {
+    if (cells_.size() == kMostColumns) {
+      refuse_row(fmt::format("more than the allowed {} columns", kMostColumns));
+    }
+    while (place < line.size() && line[place] == ' ') ++place;
+    std::size_t end = place;
+    if (place < line.size() && line[place] == '"') {
+      // A quote within quotes is doubled.
+      std::string& cell = unquoted_.emplace_back();
+      for (end = place + 1; end < line.size(); ++end) {
+        if (line[end] == '"' && !(end + 1 < line.size() && line[end + 1] == '"')) break;
+        if (line[end] == '"') ++end;
+        cell += line[end];
+      }
+      if (end == line.size()) {
+        refuse(cells_.size(),
+               "a quote opens here and does not close in this line; a cell must be one line");
+      }
+      const std::size_t closed = end + 1;
+      end = std::min(line.find(',', closed), line.size());
+      if (!trimmed(line.substr(closed, end - closed)).empty()) {
+        refuse(cells_.size(), "text stands behind the closing quote");
+      }
+      cells_.push_back(trimmed(cell));
+    } else {
+      end = std::min(line.find(',', place), line.size());
+      cells_.push_back(trimmed(line.substr(place, end - place)));
+    }
+    if (end == line.size()) return;
+    place = end + 1;
+  }
+}
+
+}  // namespace torquewright::io

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/files/line_reader.hpp"
+
+namespace torquewright::io {
+
+/// A table of numbers with a header line, row by row, in flat memory. Cells are separated by commas
+/// and may stand in double quotes; lines that start with # before the header, and empty lines at
+/// the end, are skipped. Every fault is a SpecError with file, line and column.
+class CsvReader {
+ public:
+  /// What a last line is that ends within the row, as that of a recorder that was stopped.
+  enum class CutEnd { kRefused, kDropped };
+
+  /// Reads the header. Throws for an empty file, names that stand twice, numbers in place of names,
+  /// and separators other than the comma.
+  explicit CsvReader(const std::filesystem::path& file, CutEnd cut_end = CutEnd::kRefused);
+
+  const std::vector<std::string>& header() const { return header_; }
+  std::optional<std::size_t> find(std::string_view name) const;
+
+  /// Goes to the next row; false at the end. Throws for a row of another length than the header,
+  /// the header standing again, and an empty line between rows.
+  bool next();
+
+  /// The number in a cell of the present row, columns from 0. Throws if it is none: empty, a word,
+  /// NaN or infinite, too large, with a decimal comma.
+  double number(std::size_t column) const;
+
+  /// Whether number() would give one.
+  bool is_number(std::size_t column) const;
+
+  /// A cell of the present row as it stands, without quotes; valid until the next row.
+  std::string_view text(std::size_t column) const { return cells_[column]; }
+
+  /// The last line, if it was dropped; 0: it was not.
+  std::size_t cut_line() const { return cut_line_; }
+
+  /// Of the present row; from 1.
+  std::size_t line() const { return line_; }
+  const std::string& file() const { return lines_.file(); }
+  std::string sha256() { return lines_.sha256(); }  ///< Of the file; at its end, once.
+  double share_read() const { return lines_.share_read(); }
+
+  /// Throws a SpecError at a cell of the present row, or at the row.
+  [[noreturn]] void refuse(std::size_t column, const std::string& message) const;
+  /// Refuses the cell where its value, in SI units, is greater than that in size.
+  void require_within(std::size_t column, double value, double greatest) const;
+  [[noreturn]] void refuse_row(const std::string& message) const;
+
+ private:
+  void split(std::string_view line);
+  void check_encoding(std::string_view first_line) const;
+  void check_header() const;
+  void check_row() const;
+  bool drops_cut_end();
+
+  LineReader lines_;
+  std::vector<std::string> header_;
+  std::vector<std::string_view> cells_;  ///< Of the present row, trimmed, without quotes.
+  CutEnd cut_end_;
+  std::size_t line_ = 0, cut_line_ = 0;
+  std::vector<std::string> unquoted_;  ///< What cells with doubled quotes refer to.
+};
+
+}  // namespace torquewright::io

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/files/file_session.hpp"
+#include "io/files/sha256.hpp"
+
+namespace torquewright::io {
+
+/// A text file of any length, line by line, in flat memory. A byte order mark at its start and a
+/// carriage return before a line's end are dropped; the last line needs no end.
+class LineReader {
+ public:
+  /// Throws SpecError if the file is missing, a folder or unreadable.
+  explicit LineReader(const std::filesystem::path& file);
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+
+  /// The next line, valid until the next call; false at the end. Throws SpecError for what is no
+  /// text: zero bytes (UTF-16), or a line longer than kLongestLine.
+  bool next(std::string_view& line);
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
+  const std::string& file() const { return file_; }
+  std::size_t line_number() const { return line_number_; }  ///< Of the last line; from 1.
+  std::string sha256() { return hash_.digest(); }           ///< Of the file; at its end, once.
+  double share_read() const;  ///< 0...1; 0 where the length is not known (a pipe).
+
+ private:
+  bool fill();
+  std::string_view cleaned(std::string_view line) const;
+
+  std::string file_;
+  InputFile input_;
+  double size_bytes_ = 0.0;
+  double bytes_read_ = 0.0;
+  Sha256 hash_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+  std::size_t line_number_ = 0;
+};
+
+}  // namespace torquewright::io

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/draft/draft.hpp"
+
+#include "dynamics/rigid_inertia.hpp"
+
+namespace torquewright::hopper {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Merged merged(const std::vector<DraftBody>& draft) {
+  Merged out;
+  for (DraftBody next : draft) {
+    if (out.places.empty()) {
+      out.places.push_back({});
+      out.draft.push_back(std::move(next));
+      continue;
+    }
+    const DraftPlace parent = out.places[next.body.parent];
+    const Matrix3d R = parent.R * next.body.joint.R_PB;
+    const Vector3d p_m = parent.p_m + parent.R * next.body.joint.p_PB_m;
+    if (next.is_welded) {
+      dynamics::RigidInertia& whole = out.draft[parent.draft].body.inertia;
+      whole = dynamics::welded(whole, dynamics::moved(next.body.inertia, R, p_m));
+      for (DraftBall& ball : next.balls) {
+        ball.center_m = p_m + R * ball.center_m;
+        out.draft[parent.draft].balls.push_back(std::move(ball));
+      }
+      out.places.push_back({parent.draft, R, p_m});
+      continue;
+    }
+    next.body.parent = parent.draft;
+    next.body.joint.R_PB = R;
+    next.body.joint.p_PB_m = p_m;
+    out.places.push_back({out.draft.size(), Matrix3d::Identity(), Vector3d::Zero()});
+    out.draft.push_back(std::move(next));
+  }
+  return out;
+}
+
+}  // namespace torquewright::hopper

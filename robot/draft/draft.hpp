@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/model/robot.hpp"
+#include "robot/xml/element.hpp"
+
+namespace torquewright::hopper {
+
+/// A ball of a body that may meet the ground.
+struct DraftBall {
+  std::string name;
+  Eigen::Vector3d center_m;  ///< In the body's frame.
+  double radius_m = 0;
+  std::optional<double> friction_coefficient;
+};
+
+/// A body as a file has it: perhaps welded to its parent, perhaps without mass.
+struct DraftBody {
+  dynamics::Body body;  ///< Parents come first.
+  bool is_welded = false;
+  const Element* source = nullptr;  ///< Of the inertia; null where the file states no such body.
+  bool states_rotor = false;      ///< Whether the file says what its joint's reflected inertia is.
+  double rounding_kg_m2 = 0;      ///< By so much its moments may be off by how they are written.
+  double reference = 0;           ///< Of its joint where all bodies stand as the file puts them.
+  double stiffness = 0;           ///< Of a spring in its joint.
+  const Element* ball = nullptr;  ///< The ball joint that this hinge is one third of.
+  std::vector<DraftBall> balls = {};
+};
+
+/// A robot read from another format, and what was left behind, in sentences.
+struct Imported {
+  Robot robot;
+  std::vector<std::string> notes;
+};
+
+/// Where a frame stands in a draft.
+struct DraftPlace {
+  std::size_t draft = 0;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d p_m = Eigen::Vector3d::Zero();
+};
+
+/// Drafts of which none is welded, and where those that were read stand in them.
+struct Merged {
+  std::vector<DraftBody> draft;
+  std::vector<DraftPlace> places;
+};
+
+/// Welded bodies become part of their parents.
+Merged merged(const std::vector<DraftBody>& draft);
+
+}  // namespace torquewright::hopper

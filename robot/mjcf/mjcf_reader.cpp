@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rules: MuJoCo's XML reference (mujoco.readthedocs.io, XMLreference).
+#include "robot/mjcf/mjcf_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "dynamics/rigid_inertia.hpp"
+#include "robot/draft/finish.hpp"
+#include "robot/draft/mended_inertia.hpp"
+#include "robot/loops/linkages.hpp"
+#include "robot/mjcf/mjcf_base.hpp"
+#include "robot/mjcf/mjcf_connects.hpp"
+#include "robot/mjcf/mjcf_efforts.hpp"
+#include "robot/mjcf/mjcf_equality.hpp"
+#include "robot/mjcf/mjcf_include.hpp"
+#include "robot/mjcf/mjcf_inertia.hpp"
+#include "robot/mjcf/mjcf_vocabulary.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using dynamics::BaseKind;
+using dynamics::JointKind;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kMjcfFriction = 1.0;  // where a geom states none
+
+bool moves(const Element& element) {
+  return std::any_of(element.children.begin(), element.children.end(), [](const Element& held) {
+    return held.name == "joint" || held.name == "freejoint" || moves(held);
+  });
+}
+
+/// Where the file's frame of a body stands in the frame of the draft that it became.
+using Seen = DraftPlace;
+
+class MjcfReader {
+ public:
+  MjcfReader(const std::filesystem::path& file, const ImportFileOptions& options)
+      : options_(options),
+        root_(read_with_includes(file, faults_)),
+        vocabulary_(mjcf_words(), Unlisted::kRefused, faults_),
+        compiler_(read_compiler(root_, faults_)),
+        defaults_(root_, faults_) {}
+
+  Imported read() {
+    imported_.robot.name = attribute(root_, "model");
+    if (imported_.robot.name.empty()) imported_.robot.name = "robot";
+    check_sections();
+    read_gravity();
+    const std::vector<Placed> bodies = bodies_of_world();
+    const Placed* top = chosen(bodies);
+    faults_.refuse();
+    Equalities equalities =
+        read_equalities(root_, *top->element, defaults_, options_.frees_couplings, faults_);
+    for (std::string& note : equalities.freed) imported_.notes.push_back(std::move(note));
+    has_loops_ = !equalities.connects.empty();
+    read_top(*top);
+    faults_.refuse();
+    scale_mass(bodies);
+    limit_efforts();
+    if (has_loops_) open_loops(equalities.connects);
+    finish(draft_, options_, imported_, faults_);
+    for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
+    return std::move(imported_);
+  }
+
+ private:
+  void check_sections() {
+    vocabulary_.check(root_);
+    for (const char* name : {"compiler", "option"}) {
+      for (const Element* element : children(root_, name)) vocabulary_.check(*element);
+    }
+    for (const Element* section : children(root_, "tendon")) {
+      for (const Element& tendon : section->children) {
+        vocabulary_.check(defaults_.completed(tendon, ""));
+      }
+    }
+  }
+
+  void read_gravity() {
+    double& gravity_m_s2 = imported_.robot.tree.gravity_m_s2;
+    for (const Element* option : children(root_, "option")) {
+      const Vector3d gravity = faults_.vector(*option, "gravity", {0, 0, -gravity_m_s2});
+      if (gravity.x() != 0 || gravity.y() != 0 || gravity.z() > 0) {
+        faults_.report(*option, "gravity must point along -z");
+      }
+      gravity_m_s2 = -gravity.z();
+      for (const Element* flag : children(*option, "flag")) {
+        vocabulary_.check(*flag);
+        has_gravity_ = has_gravity_ && attribute(*flag, "gravity") != "disable";
+      }
+    }
+    if (!has_gravity_ || gravity_m_s2 == 0) gravity_m_s2 = 0;
+  }
+
+  std::vector<Placed> bodies_of_world() {
+    std::vector<Placed> bodies;
+    const auto worlds = children(root_, "worldbody");
+    if (worlds.empty()) faults_.report(root_, "holds no worldbody");
+    for (const Element* world : worlds) {
+      for (const Placed& placed : contents(*world, "", context_)) {
+        if (placed.element->name == "body") bodies.push_back(placed);
+      }
+    }
+    return bodies;
+  }
+
+  /// The body that is asked for; else the only one, or the only one that moves.
+  const Placed* chosen(const std::vector<Placed>& bodies) {
+    std::vector<std::string> meant;
+    const Placed* found = nullptr;
+    for (const Placed& body : bodies) {
+      const std::string name = attribute(*body.element, "name");
+      const bool is_meant = options_.body.empty() ? bodies.size() == 1 || moves(*body.element)
+                                                  : name == options_.body;
+      if (!is_meant) continue;
+      found = &body;
+      meant.push_back(name);
+    }
+    if (meant.size() == 1) {
+      note_others(bodies, found);
+      return found;
+    }
+    if (bodies.empty()) {
+      if (child(root_, "worldbody") != nullptr) faults_.report(root_, "its world holds no body");
+    } else if (options_.body.empty()) {
+      faults_.report(root_, fmt::format("the world holds {} bodies that move ({}); one robot, one "
+                                        "tree: name its body by --body",
+                                        meant.size(), fmt::join(meant, ", ")));
+    } else {
+      faults_.report(root_, fmt::format("the world holds {} bodies called \"{}\"", meant.size(),
+                                        options_.body));
+    }
+    return nullptr;
+  }
+
+  void note_others(const std::vector<Placed>& bodies, const Placed* chosen) {
+    std::vector<std::string> names;
+    for (const Placed& body : bodies) {
+      if (&body != chosen) names.push_back(attribute(*body.element, "name"));
+    }
+    if (names.empty()) return;
+    imported_.notes.push_back(
+        fmt::format("other bodies of the world are left out: {}", fmt::join(names, ", ")));
+  }
+
+  void read_top(const Placed& placed) {
+    const Element& body = *placed.element;
+    const Placed pose = pose_of(placed, body, context_);
+    const std::vector<Placed> held = contents(body, placed.childclass, context_);
+    const std::vector<MjcfJoint> joints = joints_in(held);
+    const MjcfBase base = base_of(pose, joints, options_.drops_base_armature, faults_);
+    imported_.robot.tree.base = base.kind;
+    imported_.notes.insert(imported_.notes.end(), base.notes.begin(), base.notes.end());
+    draft_.emplace_back();
+    if (base.kind == BaseKind::kFixed && !joints.empty()) {
+      draft_.back().body.name = "world";
+      read_body(placed, {});
+      return;
+    }
+    draft_.back().source = &body;
+    draft_.back().body.name = name_of(body);
+    if (base.kind == BaseKind::kFixed) {
+      draft_.back().body.joint.R_PB = pose.R;
+      draft_.back().body.joint.p_PB_m = pose.p_m;
+    }
+    fill(body, held, {0, base.R_DB, base.p_DB_m});
+  }
+
+  std::vector<MjcfJoint> joints_in(const std::vector<Placed>& held) {
+    std::vector<MjcfJoint> joints;
+    for (const Placed& placed : held) {
+      if (placed.element->name != "joint" && placed.element->name != "freejoint") continue;
+      MjcfJoint joint = read_mjcf_joint(placed, context_);
+      if (!joint.is_ball) {
+        joints.push_back(std::move(joint));
+        continue;
+      }
+      if (!has_loops_) refuse_ball(*joint.element, faults_);
+      for (MjcfJoint& hinge : hinges_of_ball(joint)) joints.push_back(std::move(hinge));
+    }
+    return joints;
+  }
+
+  /// What a <connect> closes becomes mechanisms, and cranks and rods are no bodies any more.
+  void open_loops(const std::vector<const Element*>& connects) {
+    Merged whole = merged(draft_);
+    draft_ = std::move(whole.draft);
+    std::vector<Connect> loops;
+    for (const Element* element : connects) {
+      vocabulary_.check(*element);
+      const auto loop = read_connect(*element, landmarks_, whole.places, draft_, context_);
+      if (loop) loops.push_back(*loop);
+    }
+    faults_.refuse();
+    read_linkages(loops, driven_joints(root_, context_), options_, draft_, imported_, faults_);
+    for (const DraftBody& left : draft_) {
+      if (left.ball != nullptr && left.body.joint.axis == Vector3d::UnitX()) {
+        refuse_ball(*left.ball, faults_);
+      }
+    }
+    faults_.refuse();
+  }
+
+  /// A body below a draft: welded to it, or carried by a chain of its joints.
+  void read_body(const Placed& placed, const Seen& parent) {
+    const Element& body = *placed.element;
+    const std::vector<Placed> held = contents(body, placed.childclass, context_);
+    const Placed own = pose_of(placed, body, context_);
+    Seen seen{parent.draft, parent.R * own.R, parent.p_m + parent.R * own.p_m};
+    const std::vector<MjcfJoint> joints = joints_in(held);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (joints[i].is_free) faults_.report(*joints[i].element, "a free joint is for the top body");
+      seen = carried(joints[i], seen);
+      draft_.back().body.name = name_of(body);
+      if (i + 1 < joints.size()) draft_.back().body.name += "." + draft_.back().body.joint.name;
+    }
+    if (joints.empty()) {
+      seen = welded(seen);
+      draft_.back().body.name = name_of(body);
+    }
+    draft_.back().source = &body;
+    fill(body, held, seen);
+  }
+
+  Seen welded(const Seen& at) {
+    DraftBody draft;
+    draft.is_welded = true;
+    draft.body.parent = at.draft;
+    draft.body.joint.R_PB = at.R;
+    draft.body.joint.p_PB_m = at.p_m;
+    draft_.push_back(std::move(draft));
+    return {draft_.size() - 1, Matrix3d::Identity(), Vector3d::Zero()};
+  }
+
+  /// Our frames sit at the joint and are where its position is zero, not where the file's body is.
+  Seen carried(const MjcfJoint& stated, const Seen& at) {
+    DraftBody draft;
+    draft.body.parent = at.draft;
+    draft.body.joint = stated.joint;
+    dynamics::Joint& joint = draft.body.joint;
+    if (joint.name.empty()) joint.name = fmt::format("joint_{}", draft_.size());
+    const bool turns = joint.kind == JointKind::kRevolute;
+    const double back = -stated.reference;
+    const Vector3d shift_m = turns ? stated.place_m : stated.place_m + back * joint.axis;
+    joint.p_PB_m = at.p_m + at.R * shift_m;
+    joint.R_PB = at.R;
+    draft.reference = stated.reference;
+    draft.stiffness = stated.stiffness;
+    draft.states_rotor = stated.states_armature;
+    draft.ball = stated.is_ball ? stated.element : nullptr;
+    if (turns && back != 0) {
+      joint.R_PB = at.R * Eigen::AngleAxisd(back, joint.axis).toRotationMatrix();
+    }
+    draft_.push_back(std::move(draft));
+    return {draft_.size() - 1, Matrix3d::Identity(), -stated.place_m};
+  }
+
+  void fill(const Element& body, const std::vector<Placed>& held, const Seen& seen) {
+    draft_[seen.draft].rounding_kg_m2 = rounding_of(child(body, "inertial"));
+    draft_[seen.draft].body.inertia =
+        dynamics::moved(compiled_inertia(body, held, context_), seen.R, seen.p_m);
+    if (has_loops_) landmarks_.add(body, held, seen, context_);
+    for (const Placed& placed : held) {
+      if (placed.element->name == "body") read_body(placed, seen);
+      if (placed.element->name == "geom") read_ball(placed, attribute(body, "name"), seen);
+    }
+  }
+
+  /// A sphere that collides with something.
+  void read_ball(const Placed& placed, const std::string& body, const Seen& seen) {
+    const Element geom = defaults_.completed(*placed.element, placed.childclass);
+    const std::string type = attribute(geom, "type");
+    const bool is_ball = (type.empty() || type == "sphere") &&
+                         find_attribute(geom, "mesh") == nullptr &&
+                         find_attribute(geom, "fromto") == nullptr;
+    if (!is_ball || find_attribute(geom, "size") == nullptr) return;
+    const bool collides =
+        faults_.number(geom, "contype", 1) != 0 || faults_.number(geom, "conaffinity", 1) != 0;
+    if (!collides) return;
+    DraftBall ball;
+    ball.name = attribute(geom, "name");
+    if (ball.name.empty()) ball.name = (body.empty() ? "body" : body) + "_ball";
+    ball.center_m = seen.p_m + seen.R * pose_of(placed, geom, context_).p_m;
+    const auto size_m = faults_.numbers(geom, "size", 1, 3);
+    const auto friction = faults_.numbers(geom, "friction", 1, 3);
+    if (!size_m || !((*size_m)[0] > 0)) return;
+    ball.radius_m = (*size_m)[0];
+    ball.friction_coefficient = friction ? (*friction)[0] : kMjcfFriction;
+    draft_[seen.draft].balls.push_back(std::move(ball));
+  }
+
+  /// All of the world's mass counts.
+  void scale_mass(const std::vector<Placed>& bodies) {
+    if (!compiler_.total_mass_kg) return;
+    double total_kg = 0;
+    for (const Placed& body : bodies) total_kg += total_mass_kg(body, context_);
+    faults_.refuse();
+    const double scale = *compiler_.total_mass_kg / std::max(total_kg, 1e-15);
+    for (DraftBody& draft : draft_) {
+      draft.body.inertia.mass_kg *= scale;
+      draft.body.inertia.inertia_kg_m2 *= scale;
+    }
+  }
+
+  void limit_efforts() {
+    MjcfEfforts efforts = read_efforts(root_, context_);
+    for (DraftBody& draft : draft_) {
+      const auto found = efforts.limit.find(draft.body.joint.name);
+      if (found == efforts.limit.end()) continue;
+      double& greatest = draft.body.joint.limits.effort_max;
+      greatest = std::min(greatest, found->second);
+    }
+    for (std::string& note : efforts.notes) imported_.notes.push_back(std::move(note));
+  }
+
+  std::string name_of(const Element& body) {
+    const std::string name = attribute(body, "name");
+    return name.empty() ? fmt::format("body_{}", draft_.size() - 1) : name;
+  }
+
+  ImportFileOptions options_;
+  Faults faults_;
+  Element root_;
+  Vocabulary vocabulary_;
+  MjcfCompiler compiler_;
+  MjcfDefaults defaults_;
+  MjcfContext context_{compiler_, defaults_, vocabulary_, faults_};
+  Imported imported_;
+  std::vector<DraftBody> draft_;
+  MjcfLandmarks landmarks_;
+  bool has_gravity_ = true;
+  bool has_loops_ = false;
+};
+
+}  // namespace
+
+Imported read_mjcf(const std::filesystem::path& file, const ImportFileOptions& options) {
+  return MjcfReader(file, options).read();
+}
+
+}  // namespace torquewright::hopper

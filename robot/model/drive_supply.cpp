@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/model/drive_supply.hpp"
+
+#include <algorithm>
+
+namespace torquewright::hopper {
+namespace {
+
+using actuator::Actuator;
+using actuator::Supply;
+
+/// Of the battery alone: as if the drive returned whatever there is.
+Supply supply_of(Actuator actuator, const actuator::OperatingConditions& conditions) {
+  actuator.drive.regeneration = true;
+  actuator.drive.regeneration_limit_W = actuator::kUnlimited;
+  return phase_model_at(actuator, conditions).supply;
+}
+
+}  // namespace
+
+std::vector<DriveSupply> drive_supplies(const std::vector<const Actuator*>& drives,
+                                        const actuator::OperatingConditions& conditions) {
+  std::vector<DriveSupply> supplies;
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    const auto same = std::find_if(supplies.begin(), supplies.end(), [&](const DriveSupply& one) {
+      return drives[i]->battery && drives[one.drives.front()]->battery == drives[i]->battery;
+    });
+    if (same != supplies.end()) {
+      same->drives.push_back(i);
+    } else {
+      supplies.push_back({{i}, supply_of(*drives[i], conditions)});
+    }
+  }
+  return supplies;
+}
+
+double greatest_power_W(const Supply& supply) {
+  if (supply.resistance_ohm <= 0.0) return supply.greatest_power_W;
+  const double open_V = supply.open_circuit_V;
+  return std::min(supply.greatest_power_W, open_V * open_V / (4.0 * supply.resistance_ohm));
+}
+
+double loaded_voltage_V(const Supply& supply, double power_W) {
+  const double given_W =
+      std::min(std::max(power_W, supply.least_power_W), greatest_power_W(supply));
+  // At the greatest power the root may be rounded away: there half the open circuit is left.
+  return actuator::bus_voltage_V(supply, given_W).value_or(0.5 * supply.open_circuit_V);
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/model/robot.hpp"
+
+#include <algorithm>
+
+#include "actuator/region/torque_at.hpp"
+
+namespace torquewright::hopper {
+
+double rotor_at_output_kg_m2(const Drivetrain& drivetrain, std::size_t actuator) {
+  const std::vector<double>& stated = drivetrain.stated_rotors_kg_m2;
+  return stated.empty() ? actuator::reflected_inertia_kg_m2(drivetrain.actuators[actuator])
+                        : stated[actuator];
+}
+
+double turned_at_output_kg_m2(const Drivetrain& drivetrain, std::size_t actuator) {
+  const std::vector<double>& cranks = drivetrain.cranks_kg_m2;
+  return rotor_at_output_kg_m2(drivetrain, actuator) + (cranks.empty() ? 0.0 : cranks[actuator]);
+}
+
+std::optional<std::size_t> Robot::find_joint(const std::string& joint_name) const {
+  for (std::size_t i = 1; i < tree.bodies.size(); ++i) {
+    if (tree.bodies[i].joint.name == joint_name) return i;
+  }
+  return std::nullopt;
+}
+
+bool Robot::states_rotor(std::size_t body, const dynamics::Joint& joint) const {
+  return joint.reflected_inertia != 0 ||
+         std::find(without_rotor.begin(), without_rotor.end(), body) != without_rotor.end();
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joint torques are J^T those of the actuators, docs/derivations/mechanisms.md eq. (2): of a joint
+// alone, actuator k carries A_kj with A = J^-T, and turns with J_kj.
+#include "robot/simulators/actuator_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "actuator/exporters/simulator_file.hpp"
+#include "actuator/exporters/text.hpp"
+#include "io/faults/spec_error.hpp"
+#include "io/text/one_line.hpp"
+#include "robot/draft/postures_in_range.hpp"
+#include "robot/draft/rotors_in_joints.hpp"
+#include "robot/model/mechanism_reach.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using actuator::DriveEntry;
+using actuator::Shape;
+
+constexpr double kNoShare = 1e-9;  // of an actuator's torque or speed: it takes no part
+constexpr double kSame = 1e-6;     // of a ratio: no posture changes it
+
+/// An actuator by the law of the simulator, at its own output.
+struct Fitted {
+  std::string file;
+  Shape shape;
+  std::vector<std::string> note;
+};
+
+Fitted fitted(const actuator::Actuator& stated, const std::string& file,
+              const actuator::Exporter& exporter) {
+  const actuator::OperatingConditions conditions;
+  const actuator::Region region(stated, conditions);
+  if (region.at(0.0).is_empty) {
+    throw io::SpecError({{file, "", "no torque is possible at rest: there is no region to write"}});
+  }
+  const actuator::MorTable table = actuator::mor_table(region);
+  const actuator::Subject subject{stated, conditions, region, table};
+  actuator::SimulatorFile written = actuator::simulator_file(subject, exporter, {});
+  return {file, std::move(written.shape), std::move(written.note)};
+}
+
+/// What each actuator carries and how fast it turns for a joint alone, per unit of the joint's.
+struct Shares {
+  SmallMatrix torque;  ///< (actuators x joints)
+  SmallMatrix speed;   ///< (actuators x joints)
+};
+
+std::optional<Shares> shares_at(const Mechanism& mechanism, const SmallVector& joint_rad) {
+  const auto transfer = mechanism.transfer(joint_rad, SmallVector::Zero(joint_rad.size()));
+  if (!transfer) return std::nullopt;
+  const SmallMatrix inverse = transfer->jacobian.inverse();
+  return Shares{inverse.transpose(), transfer->jacobian};
+}
+
+bool is_torque(const actuator::ShapeParameter& parameter) {
+  return parameter.name.ends_with("_Nm");
+}
+
+/// The law of a joint alone: of each number the least that an actuator leaves. Empty where no
+/// actuator takes part.
+Shape shape_of_joint(const actuator::Exporter& exporter, const std::vector<const Fitted*>& drives,
+                     const Shares& shares, Eigen::Index joint) {
+  Shape shape(exporter.parameters.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < drives.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      const double share = std::abs(is_torque(exporter.parameters[i]) ? shares.torque(row, joint)
+                                                                      : shares.speed(row, joint));
+      if (share > kNoShare) shape[i] = std::min(shape[i], drives[k]->shape[i] / share);
+    }
+  }
+  const bool is_bounded =
+      std::all_of(shape.begin(), shape.end(), [](double value) { return std::isfinite(value); });
+  return is_bounded ? shape : Shape();
+}
+
+/// The number of the law that bounds torque at any speed: the last that is a torque.
+std::size_t cap_of(const actuator::Exporter& exporter) {
+  std::size_t cap = 0;
+  for (std::size_t i = 0; i < exporter.parameters.size(); ++i) {
+    if (is_torque(exporter.parameters[i])) cap = i;
+  }
+  return cap;
+}
+
+class Writer {
+ public:
+  Writer(const Robot& robot, const actuator::Exporter& exporter)
+      : robot_(robot), exporter_(exporter), tree_(tree_with_rotors(robot, notes_)) {}
+
+  Exported run(const std::vector<std::string>& origin) {
+    for (const Drivetrain& drivetrain : robot_.drivetrains) {
+      for (std::size_t k = 0; k < drivetrain.actuators.size(); ++k) known(drivetrain, k);
+    }
+    for (const Drivetrain& drivetrain : robot_.drivetrains) add(drivetrain);
+    notes_.emplace_back(
+        "each drive loads the battery alone, and heats alone: neither is held by a line between "
+        "torque and speed");
+    std::vector<std::string> head = origin;
+    head.push_back(fmt::format("{}: every drive, for {}.", robot_.name, exporter_.simulator));
+    head.insert(head.end(), notes_.begin(), notes_.end());
+    for (const Fitted& actuator : fitted_) {
+      head.push_back(fmt::format("-- {}", io::name_in_text(actuator.file)));
+      head.insert(head.end(), actuator.note.begin(), actuator.note.end());
+    }
+    return {exporter_.write_all(entries_, head), std::move(notes_)};
+  }
+
+ private:
+  std::size_t known(const Drivetrain& drivetrain, std::size_t k) {
+    const std::string& file = drivetrain.actuator_files[k];
+    for (std::size_t i = 0; i < fitted_.size(); ++i) {
+      if (fitted_[i].file == file) return i;
+    }
+    fitted_.push_back(fitted(drivetrain.actuators[k], file, exporter_));
+    return fitted_.size() - 1;
+  }
+
+  const std::string& joint_name(std::size_t body) const {
+    return robot_.tree.bodies[body].joint.name;
+  }
+
+  std::string names_of(const Drivetrain& drivetrain) const {
+    std::vector<std::string> names;
+    for (const std::size_t body : drivetrain.joints) names.push_back(joint_name(body));
+    return fmt::format("{}", fmt::join(names, ", "));
+  }
+
+  void add(const Drivetrain& drivetrain) {
+    std::vector<const Fitted*> drives;
+    for (std::size_t k = 0; k < drivetrain.actuators.size(); ++k) {
+      drives.push_back(&fitted_[known(drivetrain, k)]);
+    }
+    const SmallVector home = home_posture_rad(robot_.tree, drivetrain.joints);
+    const auto shares = shares_at(*drivetrain.mechanism, home);
+    if (!shares) {
+      notes_.push_back(fmt::format("{}: not driven, the mechanism is singular nearest to zero",
+                                   names_of(drivetrain)));
+      return;
+    }
+    std::vector<Shape> shapes;
+    for (Eigen::Index j = 0; j < home.size(); ++j) {
+      shapes.push_back(shape_of_joint(exporter_, drives, *shares, j));
+      add_joint(drivetrain, static_cast<std::size_t>(j), *shares, shapes.back());
+    }
+    note_coupling(drivetrain, drives, *shares, shapes);
+    note_postures(drivetrain, drives, shapes);
+  }
+
+  void add_joint(const Drivetrain& drivetrain, std::size_t j, const Shares& shares,
+                 const Shape& shape) {
+    const std::size_t body = drivetrain.joints[j];
+    if (shape.empty()) {
+      notes_.push_back(fmt::format("{}: not driven nearest to zero", joint_name(body)));
+      return;
+    }
+    const double armature_kg_m2 = tree_.bodies[body].joint.reflected_inertia;
+    for (DriveEntry& entry : entries_) {
+      if (entry.shape != shape || entry.armature_kg_m2 != armature_kg_m2) continue;
+      entry.joints.push_back(joint_name(body));
+      return;
+    }
+    const bool is_plain =
+        shares.speed.size() == 1 && std::abs(std::abs(shares.speed(0, 0)) - 1.0) <= kSame;
+    const std::string& name = is_plain ? drivetrain.actuators[0].name : joint_name(body);
+    entries_.push_back(
+        {unique(actuator::identifier(name)), {joint_name(body)}, shape, armature_kg_m2});
+  }
+
+  std::string unique(const std::string& wanted) {
+    std::string name = wanted;
+    for (int i = 2; !names_.insert(name).second; ++i) name = fmt::format("{}_{}", wanted, i);
+    return name;
+  }
+
+  /// What all joints at their own limits would ask of one actuator, in its own limit.
+  double together(const std::vector<const Fitted*>& drives, const Shares& shares,
+                  const std::vector<Shape>& shapes) const {
+    const std::size_t cap = cap_of(exporter_);
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < drives.size(); ++k) {
+      double sum_Nm = 0.0;
+      for (std::size_t j = 0; j < shapes.size(); ++j) {
+        sum_Nm += shapes[j][cap] * std::abs(shares.torque(static_cast<Eigen::Index>(k),
+                                                          static_cast<Eigen::Index>(j)));
+      }
+      greatest = std::max(greatest, sum_Nm / drives[k]->shape[cap]);
+    }
+    return greatest;
+  }
+
+  void note_coupling(const Drivetrain& drivetrain, const std::vector<const Fitted*>& drives,
+                     const Shares& shares, const std::vector<Shape>& shapes) {
+    const auto is_driven = [](const Shape& shape) { return !shape.empty(); };
+    if (shapes.size() < 2 || !std::all_of(shapes.begin(), shapes.end(), is_driven)) return;
+    notes_.push_back(fmt::format(
+        "{} are coupled ({}, driven by {}): each has here what it has alone, while the other "
+        "carries no torque and rests. Both at their limits would ask an actuator for {:.3g} times "
+        "its torque, and their speeds add up likewise: that is left out, as is the inertia that "
+        "couples them",
+        names_of(drivetrain), drivetrain.mechanism->type(),
+        fmt::join(drivetrain.actuator_names, ", "), together(drives, shares, shapes)));
+  }
+
+  /// How the law changes over the joints' ranges, where it does.
+  void note_postures(const Drivetrain& drivetrain, const std::vector<const Fitted*>& drives,
+                     const std::vector<Shape>& shapes) {
+    const std::size_t cap = cap_of(exporter_);
+    for (std::size_t j = 0; j < shapes.size(); ++j) {
+      if (shapes[j].empty()) continue;
+      double least = 1.0;
+      double greatest = 1.0;
+      for (const SmallVector& posture : postures_in_range(robot_.tree, drivetrain)) {
+        const auto shares = shares_at(*drivetrain.mechanism, posture);
+        if (!shares) continue;
+        const Shape there =
+            shape_of_joint(exporter_, drives, *shares, static_cast<Eigen::Index>(j));
+        const double ratio = there.empty() ? 0.0 : there[cap] / shapes[j][cap];
+        least = std::min(least, ratio);
+        greatest = std::max(greatest, ratio);
+      }
+      if (greatest - least <= kSame) continue;
+      notes_.push_back(fmt::format(
+          "{} turns at a ratio that changes with posture ({}): held is {:.4g} Nm, at the posture "
+          "nearest to zero; within the joints' ranges it is {:.4g} to {:.4g} Nm, and the speeds "
+          "change the other way",
+          joint_name(drivetrain.joints[j]), drivetrain.mechanism->type(), shapes[j][cap],
+          least * shapes[j][cap], greatest * shapes[j][cap]));
+    }
+  }
+
+  const Robot& robot_;
+  const actuator::Exporter& exporter_;
+  std::vector<std::string> notes_;
+  dynamics::Tree tree_;
+  std::vector<Fitted> fitted_;
+  std::vector<DriveEntry> entries_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+Exported actuators_of(const Robot& robot, const actuator::Exporter& exporter,
+                      const std::vector<std::string>& origin) {
+  if (robot.drivetrains.empty()) {
+    throw io::SpecError({{robot.name, "/mechanisms", "the robot has no drives to write"}});
+  }
+  return Writer(robot, exporter).run(origin);
+}
+
+}  // namespace torquewright::hopper

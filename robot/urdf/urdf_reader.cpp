@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fields: the URDF XML specification (wiki.ros.org/urdf/XML), and Drake's <drake:rotor_inertia>,
+// <drake:gear_ratio> in a transmission's actuator (drake.mit.edu, "Notes on parsing"); RaiSim's
+// rotor_inertia (raisim.com, "URDF convention").
+#include "robot/urdf/urdf_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "dynamics/rigid_inertia.hpp"
+#include "robot/draft/finish.hpp"
+#include "robot/draft/mended_inertia.hpp"
+#include "robot/model/rotations.hpp"
+#include "robot/urdf/gazebo_words.hpp"
+#include "robot/urdf/urdf_tree.hpp"
+#include "robot/urdf/urdf_vocabulary.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using dynamics::JointKind;
+using Eigen::Vector3d;
+
+class UrdfReader {
+ public:
+  UrdfReader(const std::filesystem::path& file, const ImportFileOptions& options)
+      : options_(options),
+        root_(read_root(file, "robot")),
+        vocabulary_(urdf_words(), Unlisted::kIgnored, faults_) {}
+
+  Imported read() {
+    imported_.robot.name = attribute(root_, "name");
+    check_words();
+    faults_.refuse();
+    tree_ = read_urdf_tree(root_, faults_);
+    read_transmissions();
+    std::map<std::size_t, std::size_t> places;
+    for (const Place& place : tree_.order) {
+      places[place.body] = draft_.size();
+      draft_.push_back(drafted(place, places));
+    }
+    faults_.refuse();
+    imported_.robot.tree.base =
+        tree_.floats ? dynamics::BaseKind::kSpatial : dynamics::BaseKind::kFixed;
+    finish(draft_, options_, imported_, faults_);
+    if (tree_.floats && !tree_.is_said_to_float) note_base();
+    for (std::string& note : gazebo_notes(root_)) imported_.notes.push_back(std::move(note));
+    for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
+    return std::move(imported_);
+  }
+
+ private:
+  void check_words() {
+    vocabulary_.check(root_);
+    for (const Element& held : root_.children) {
+      if (held.name == "link" || held.name == "joint") check_below(held);
+      if (held.name == "gazebo") refuse_loops(held);
+    }
+  }
+
+  /// Of what is left behind, the inside does not count.
+  void check_below(const Element& element) {
+    vocabulary_.check(element);
+    for (const Element& held : element.children) {
+      for (const char* read : {"inertial", "origin", "mass", "inertia", "axis", "limit"}) {
+        if (held.name == read) check_below(held);
+      }
+    }
+  }
+
+  /// Gazebo's way to close a loop is a joint of its own language.
+  void refuse_loops(const Element& element) {
+    for (const Element& held : element.children) {
+      const bool is_joint = held.name == "joint" && child(held, "child") != nullptr;
+      if (is_joint || held.name == "link") {
+        faults_.report(held,
+                       "adds to the robot what URDF does not hold; leave it out, and state "
+                       "a mechanism where it closes a loop");
+      }
+      refuse_loops(held);
+    }
+  }
+
+  /// URDF has no word for it.
+  void note_base() {
+    imported_.notes.push_back(
+        fmt::format("\"{0}\" floats, for no joint carries it; where the robot stands fixed, join "
+                    "it by a fixed joint to a link named \"world\"",
+                    tree_.names[tree_.order.front().body]));
+  }
+
+  DraftBody drafted(const Place& place, const std::map<std::size_t, std::size_t>& places) {
+    DraftBody draft;
+    draft.body.name = tree_.names[place.body];
+    read_inertia(*tree_.links[place.body], draft);
+    read_balls(*tree_.links[place.body], draft);
+    if (place.joint == nullptr) return draft;
+    draft.body.parent = places.at(place.joint->parent);
+    read_joint(*tree_.joints.at(place.joint->joint), draft);
+    return draft;
+  }
+
+  void read_inertia(const Element& link, DraftBody& draft) {
+    dynamics::RigidInertia& inertia = draft.body.inertia;
+    draft.source = &link;
+    const Element* inertial = faults_.only_child(link, "inertial");
+    if (inertial == nullptr) return;
+    const Element* mass = faults_.only_child(*inertial, "mass");
+    const Element* moments = faults_.only_child(*inertial, "inertia");
+    if (mass == nullptr || moments == nullptr) {
+      faults_.report(*inertial, "needs <mass> and <inertia>");
+      return;
+    }
+    if (find_attribute(*mass, "value") == nullptr) faults_.report(*mass, "value is missing");
+    inertia.mass_kg = faults_.number(*mass, "value", 0);
+    if (inertia.mass_kg < 0) faults_.report(*mass, "is negative");
+    const auto at = [&](const char* key) { return faults_.number(*moments, key, 0); };
+    const double xy = at("ixy");
+    const double xz = at("ixz");
+    const double yz = at("iyz");
+    inertia.inertia_kg_m2 << at("ixx"), xy, xz, xy, at("iyy"), yz, xz, yz, at("izz");
+    draft.rounding_kg_m2 = rounding_of(moments);
+    const Element* origin = faults_.only_child(*inertial, "origin");
+    if (origin == nullptr) return;
+    inertia =
+        dynamics::moved(inertia, rotation_of_rpy(faults_.vector(*origin, "rpy", Vector3d::Zero())),
+                        faults_.vector(*origin, "xyz", Vector3d::Zero()));
+  }
+
+  /// Spheres that collide; what else a link's shapes say is left behind.
+  void read_balls(const Element& link, DraftBody& draft) {
+    for (const Element* collision : children(link, "collision")) {
+      const Element* geometry = faults_.only_child(*collision, "geometry");
+      const Element* sphere = geometry != nullptr ? child(*geometry, "sphere") : nullptr;
+      if (sphere == nullptr) continue;
+      DraftBall ball;
+      ball.name = draft.body.name;
+      ball.radius_m = faults_.number(*sphere, "radius", 0);
+      const Element* origin = faults_.only_child(*collision, "origin");
+      ball.center_m = origin != nullptr ? faults_.vector(*origin, "xyz", Vector3d::Zero())
+                                        : Vector3d(Vector3d::Zero());
+      if (ball.radius_m > 0) draft.balls.push_back(std::move(ball));
+    }
+  }
+
+  void read_joint(const Element& element, DraftBody& draft) {
+    dynamics::Joint& joint = draft.body.joint;
+    joint.name = attribute(element, "name");
+    const std::string type = type_of(element);
+    draft.is_welded = type == "fixed";
+    joint.kind = type == "prismatic" ? JointKind::kPrismatic : JointKind::kRevolute;
+    if (const Element* origin = faults_.only_child(element, "origin")) {
+      joint.p_PB_m = faults_.vector(*origin, "xyz", Vector3d::Zero());
+      joint.R_PB = rotation_of_rpy(faults_.vector(*origin, "rpy", Vector3d::Zero()));
+    }
+    joint.axis = Vector3d::UnitX();  // URDF's
+    if (const Element* axis = faults_.only_child(element, "axis")) {
+      const Vector3d along = faults_.vector(*axis, "xyz", Vector3d::UnitX());
+      if (along.norm() < 1e-6 && !draft.is_welded) faults_.report(*axis, "has no direction");
+      if (along.norm() >= 1e-6) joint.axis = along.normalized();
+    }
+    if (const Element* limit = faults_.only_child(element, "limit")) {
+      read_limits(*limit, type == "revolute" || type == "prismatic", draft);
+    }
+    if (faults_.only_child(element, "mimic") != nullptr) {
+      imported_.notes.push_back(fmt::format(
+          "joint \"{}\" mimics another: it is free here; state a mechanism", joint.name));
+    }
+    const auto reflected = reflected_.find(joint.name);
+    draft.states_rotor = reflected != reflected_.end();
+    if (draft.states_rotor) joint.reflected_inertia = reflected->second;
+    if (const Element* dynamics = child(element, "dynamics")) read_armature(*dynamics, draft);
+  }
+
+  /// RaiSim's: what its mass matrix has more at the joint.
+  void read_armature(const Element& dynamics, DraftBody& draft) {
+    if (find_attribute(dynamics, "rotor_inertia") == nullptr) return;
+    const double inertia = faults_.number(dynamics, "rotor_inertia", 0);
+    if (inertia < 0) faults_.report(dynamics, "rotor_inertia is negative");
+    if (draft.states_rotor) {
+      faults_.report(dynamics, "rotor_inertia: a transmission states the rotor of this joint too");
+    }
+    draft.states_rotor = true;
+    draft.body.joint.reflected_inertia = inertia;
+  }
+
+  std::string type_of(const Element& element) {
+    if (attribute(element, "type") == "floating") {
+      faults_.report(element,
+                     "floats, which only the one joint of a root without mass may do here");
+      return "floating";
+    }
+    const std::string type = faults_.needed(element, "type");
+    for (const char* known : {"revolute", "continuous", "prismatic", "fixed"}) {
+      if (type == known) return type;
+    }
+    faults_.report(element,
+                   fmt::format("type \"{}\" must be revolute, continuous, prismatic, fixed "
+                               "or floating",
+                               type));
+    return type;
+  }
+
+  void read_limits(const Element& element, bool has_range, DraftBody& draft) {
+    dynamics::JointLimits& limits = draft.body.joint.limits;
+    if (has_range) {
+      const double lower = faults_.number(element, "lower", 0);
+      const double upper = faults_.number(element, "upper", 0);
+      if (lower > upper) {
+        faults_.report(element, fmt::format("lower {} is not below upper {}", lower, upper));
+      } else {
+        limits.position_min = lower;
+        limits.position_max = upper;
+      }
+      const bool has_both = find_attribute(element, "lower") != nullptr ||
+                            find_attribute(element, "upper") != nullptr;
+      if (limits.position_min == limits.position_max) weld(has_both, draft);
+    }
+    const double effort = read_bound(element, "effort");
+    const double speed = read_bound(element, "velocity");
+    if (effort > 0) limits.effort_max = effort;
+    if (speed > 0) limits.speed_max = speed;
+  }
+
+  /// Zero stands for "not known" in most files.
+  double read_bound(const Element& element, const char* name) {
+    const double bound = faults_.number(element, name, 0);
+    if (bound < 0) {
+      faults_.report(element, fmt::format("{}={} is below 0; it bounds both directions, and 0 says "
+                                          "that it is not known",
+                                          name, bound));
+    }
+    return bound;
+  }
+
+  /// A range of one position is none that a joint could move in.
+  void weld(bool is_stated, DraftBody& draft) {
+    dynamics::Joint& joint = draft.body.joint;
+    const double position = joint.limits.position_min;
+    draft.is_welded = true;
+    if (joint.kind == JointKind::kPrismatic) {
+      joint.p_PB_m += joint.R_PB * (position * joint.axis);
+    } else {
+      joint.R_PB = joint.R_PB * Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
+    }
+    imported_.notes.push_back(
+        fmt::format("joint \"{}\" is welded at {}: its lower and upper limits are {}", joint.name,
+                    position, is_stated ? "the same" : "left out, and mean zero"));
+  }
+
+  void read_transmissions() {
+    for (const Element* transmission : children(root_, "transmission")) {
+      note_reduction(*transmission);
+      for (const Element* motor : children(*transmission, "actuator")) {
+        read_rotor(*transmission, *motor);
+      }
+    }
+  }
+
+  /// Of Drake's: N^2 J.
+  void read_rotor(const Element& transmission, const Element& motor) {
+    const Element* inertia = faults_.only_child(motor, "drake:rotor_inertia");
+    const Element* ratio = faults_.only_child(motor, "drake:gear_ratio");
+    if (inertia == nullptr) return;
+    const Element* joint = faults_.only_child(transmission, "joint");
+    if (joint == nullptr) return;
+    const std::string name = attribute(*joint, "name");
+    const double N = ratio == nullptr ? 1 : faults_.number(*ratio, "value", 1);
+    if (N == 0) faults_.report(*ratio, "value=0 is no ratio");
+    const double rotor_kg_m2 = faults_.number(*inertia, "value", 0);
+    if (rotor_kg_m2 < 0) faults_.report(*inertia, "is negative");
+    if (tree_.joints.count(name) == 0) {
+      faults_.report(*joint, "is no joint of the file, so that the rotor would turn nothing");
+    }
+    if (!reflected_.emplace(name, N * N * rotor_kg_m2).second) {
+      faults_.report(*inertia,
+                     fmt::format("joint \"{}\" has a rotor of another transmission already; state "
+                                 "their sum once",
+                                 name));
+    }
+  }
+
+  /// Gears and rotors of ros_control and Gazebo are the actuator's own document's.
+  void note_reduction(const Element& holder) {
+    for (const Element& held : holder.children) {
+      const bool is_reduction = held.name == "mechanicalReduction";
+      if (is_reduction || held.name == "motorInertia") {
+        const std::string stated = held.text.empty() ? attribute(held, "value") : held.text;
+        const char* const end = stated.data() + stated.size();
+        double value = 0;
+        const bool is_number = std::from_chars(stated.data(), end, value).ptr == end;
+        if (is_number && value == (is_reduction ? 1 : 0)) continue;
+        imported_.notes.push_back(
+            fmt::format("line {}: <{}> of {} is not read: {}", held.line, held.name, stated,
+                        is_reduction ? "ratios stand in the documents of actuators"
+                                     : "rotors stand in the documents of actuators, or as "
+                                       "reflected_inertia_kg_m2 of the joint"));
+      }
+      note_reduction(held);
+    }
+  }
+
+  ImportFileOptions options_;
+  Element root_;
+  Faults faults_;
+  Vocabulary vocabulary_;
+  Imported imported_;
+  UrdfTree tree_;
+  std::vector<DraftBody> draft_;
+  std::map<std::string, double> reflected_;
+};
+
+}  // namespace
+
+Imported read_urdf(const std::filesystem::path& file, const ImportFileOptions& options) {
+  return UrdfReader(file, options).read();
+}
+
+}  // namespace torquewright::hopper

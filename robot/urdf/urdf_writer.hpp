@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/model/robot.hpp"
+
+namespace torquewright::hopper {
+
+/// A robot in another format, and what that cannot hold, in sentences (which stand in the file
+/// too).
+struct Exported {
+  std::string text;
+  std::vector<std::string> notes;
+};
+
+Exported urdf_of(const Robot& robot);
+
+}  // namespace torquewright::hopper

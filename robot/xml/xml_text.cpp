@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot/xml/xml_text.hpp"
+
+#include <fmt/format.h>
+
+namespace torquewright::hopper {
+
+std::string text_of(double value) { return fmt::format("{}", value); }
+
+std::string text_of(const Eigen::Vector3d& vector) {
+  return fmt::format("{} {} {}", vector[0], vector[1], vector[2]);
+}
+
+void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& notes) {
+  std::string comment = "\n";
+  for (const std::string& note : notes) {
+    comment += "  ";
+    // Two hyphens would end the comment.
+    for (const char letter : note) comment += letter == '-' ? '_' : letter;
+    comment += "\n";
+  }
+  out.PushComment(comment.c_str());
+}
+
+void add_common_notes(const Robot& robot, const LeftOut& left_out,
+                      std::vector<std::string>& notes) {
+  for (const dynamics::Body& body : robot.tree.bodies) {
+    if (body.joint.rotor_spin_kg_m2.isZero(0)) continue;
+    notes.emplace_back("the rotors' own spin momentum is not held: reflected inertia alone is");
+    break;
+  }
+  if (left_out.contacts && !robot.contacts.empty()) {
+    notes.push_back(fmt::format("{} contact points, their friction and restitution are not held",
+                                robot.contacts.size()));
+  }
+  if (left_out.drives && !robot.drivetrains.empty()) {
+    notes.push_back(
+        fmt::format("{} mechanisms and their actuators are not held", robot.drivetrains.size()));
+  }
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "robot/model/robot.hpp"
+
+namespace torquewright::hopper {
+
+/// Where a format demands a range and the robot has none: the widest that a robot document holds.
+inline constexpr double kNoRange = 1e4;
+
+/// The shortest decimals that read back the same.
+std::string text_of(double value);
+std::string text_of(const Eigen::Vector3d& vector);
+
+/// As a comment at the file's head.
+void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& notes);
+
+/// Parts of a robot that a file may leave out.
+struct LeftOut {
+  bool contacts = true;
+  bool drives = true;
+};
+
+/// What a file does not hold of this robot.
+void add_common_notes(const Robot& robot, const LeftOut& left_out, std::vector<std::string>& notes);
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "identification/forward/candidates.hpp"
+#include "identification/outputs/output.hpp"
+#include "io/files/atomic_file.hpp"
+#include "io/text/one_line.hpp"
+#include "src/commands/identification/identify_commands.hpp"
+#include "src/commands/identification/identify_inputs.hpp"
+#include "src/commands/identification/identify_json.hpp"
+#include "src/commands/identification/refined_actuators.hpp"
+#include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
+#include "src/report/identification/identification_html.hpp"
+#include "src/report/identification/identification_text.hpp"
+#include "src/report/parts/gnuplot.hpp"
+#include "src/report/parts/progress_line.hpp"
+#include "src/standard_output.hpp"
+#include "src/window_text.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using identification::Identification;
+
+/// What was found, and what follows from it for the actuators.
+struct IdentifyFound {
+  Identification identification;
+  RefinedActuators refined;
+  std::vector<report::RegionSection> regions;  ///< For the page, where one was asked for.
+};
+
+Identification identification_of(const IdentifyRequest& request, const IdentifyInputs& inputs) {
+  report::ProgressLine progress;
+  identification::IdentifyOptions options;
+  options.select = request.select;
+  options.analysis.only = request.only;
+  options.analysis.without = request.without;
+  options.analysis.tolerance = request.tolerance;
+  options.analysis.before_each_fit = leave_if_interrupted;
+  options.empirical = request.empirical;
+  options.progress = [&progress](const std::string& what, double share) {
+    progress.show(fmt::format("{}: {:.0f} %", what, 100.0 * share));
+  };
+  return identification::identify({request.logs.begin(), request.logs.end()}, inputs.rig,
+                                  inputs.actuators, options);
+}
+
+/// An effect that is misspelt would be asked, or not asked, in silence.
+void require_names(const std::string& option, const std::vector<std::string>& names) {
+  const std::vector<std::string> known = identification::nameable_effects();
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    command_line::refuse(fmt::format("{}: no effect is called \"{}\"; allowed are {}", option, name,
+                                     fmt::join(known, ", ")));
+  }
+}
+
+/// What may be named and may not be named is a mistake in one of the two.
+void require_no_contradiction(const IdentifyRequest& request) {
+  for (const std::string& name : request.only) {
+    if (std::find(request.without.begin(), request.without.end(), name) == request.without.end())
+      continue;
+    command_line::refuse(
+        fmt::format("--only and --without: \"{}\" is in both; allowed is one of them", name));
+  }
+}
+
+/// What adds to a report that goes nowhere would be dropped in silence.
+void require_report_for_tables(const IdentifyRequest& request) {
+  const bool has_report = request.as.empty() || !request.outputs.empty();
+  if (!request.empirical || has_report || !request.report_file.empty()) return;
+  command_line::refuse(
+      "--empirical: adds a table to the report, in whose place --as prints numbers; allowed beside "
+      "it with --output or --report");
+}
+
+IdentifyInputs read(const IdentifyRequest& request) {
+  require_log_options(request);
+  require_report_for_tables(request);
+  require_names("--only", request.only);
+  require_names("--without", request.without);
+  require_no_contradiction(request);
+  if (!request.as.empty()) (void)identification::output_of(request.as);
+  IdentifyInputs inputs = read_inputs(request);
+  require_page("--report", request.report_file);
+  if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
+  return inputs;
+}
+
+IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inputs) {
+  IdentifyFound found;
+  found.identification = identification_of(request, inputs);
+  found.refined = refined_actuators(inputs, found.identification);
+  if (!inputs.refined.empty() || !request.as.empty())
+    require_promise(request, inputs, found.identification, found.refined);
+  if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
+  return found;
+}
+
+/// In place of the report: what was found, for another program. On stderr where nothing was.
+std::string output_text(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                        const IdentifyFound& found) {
+  const identification::Output& output = identification::output_of(request.as);
+  if (found.refined.of_joints.empty()) {
+    std::fprintf(stderr, "%s: nothing sure to add; these are the actuator's numbers as stated\n",
+                 request.as.c_str());
+  }
+  std::string text;
+  for (std::size_t i = 0; i < inputs.actuators.size(); ++i) {
+    const std::string& joint = inputs.actuators[i].joint;
+    if (!joint.empty()) text += joint + "\n";
+    const actuator::Actuator& actuator = i < found.refined.of_joints.size()
+                                             ? found.refined.of_joints[i].read.actuator
+                                             : inputs.actuators[i].nominal.actuator;
+    text += output.write({actuator, inputs.rig.load});
+  }
+  return text;
+}
+
+ExitCode exit_code_of(identification::Verdict verdict) {
+  switch (verdict) {
+    case identification::Verdict::kExplained:
+    case identification::Verdict::kNothingMissing:
+      return ExitCode::kPasses;
+    case identification::Verdict::kPartlyExplained:
+    case identification::Verdict::kUnexplained:
+      return ExitCode::kFails;
+    case identification::Verdict::kCannotTell:
+      break;
+  }
+  return ExitCode::kUndecided;
+}
+
+std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                    const IdentifyFound& found, const report::IdentificationContext& context) {
+  if (!request.as.empty()) return output_text(request, inputs, found);
+  return request.json ? identify_json(request, inputs, found.identification)
+                      : for_window(report::identification_text(found.identification, context));
+}
+
+void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
+           const IdentifyFound& found) {
+  report::IdentificationContext context{
+      {}, io::name_in_text(request.rig_file), inputs.rig.name, {}, {}, {}, request.select};
+  for (const std::string& log : request.logs) context.log_files.push_back(io::name_in_text(log));
+  for (const identification::ColumnUse& column : inputs.rig.columns) {
+    context.logged.emplace_back(identification::name_of(column.quantity));
+  }
+  for (const auto& actuator : inputs.actuators) {
+    context.actuator_files.push_back(actuator.nominal.documents.front().file);
+  }
+  std::vector<io::FileContent> files = refined_files(inputs, found.refined);
+  for (const io::FileContent& file : files) context.refined_files.push_back(file.file.string());
+  if (!request.report_file.empty()) {
+    files.push_back({request.report_file,
+                     report::identification_html(found.identification, context, found.regions)});
+  }
+  if (!request.outputs.empty()) {
+    files.push_back(
+        {report_document(request), identify_json(request, inputs, found.identification)});
+  }
+  deliver(std::move(files), printed(request, inputs, found, context));
+  if (request.is_old_spelling) {
+    say_old_spelling(request.refined.front(), "the refined actuator",
+                     "--refined " + request.refined.front());
+  }
+}
+
+ExitCode run_identify(const IdentifyRequest& asked) {
+  const IdentifyRequest request = with_refined(asked);
+  const IdentifyInputs inputs = read(request);
+  const IdentifyFound found = compute(request, inputs);
+  write(request, inputs, found);
+  // An output is missing, whatever the verdict.
+  if (!inputs.refined.empty() && !found.refined.refusal.empty()) return ExitCode::kUndecided;
+  return exit_code_of(found.identification.verdict);
+}
+
+}  // namespace
+
+void add_report_document(command_line::Command& command, IdentifyRequest& request,
+                         const std::string& help) {
+  command.add_option("-o,--output", request.outputs, help).names_a_file().one_value_each();
+}
+
+void add_residual_command(command_line::Command& identify) {
+  auto request = std::make_shared<IdentifyRequest>();
+  request->select = false;
+  command_line::Command command =
+      identify.add_command("residual", "How large is the error, and is it more than noise?");
+  add_log_options(command, *request);
+  add_report_document(command, *request, "Write the report as JSON to this file");
+  command.example(
+      "torquewright identify residual specs/log/bench_as_built.csv --rig "
+      "specs/log/bench_rig.json --actuator specs/log/bench_refined.json");
+  command.works([request] { return run_identify(*request); });
+}
+
+void add_identify_command(command_line::Command& program) {
+  auto request = std::make_shared<IdentifyRequest>();
+  command_line::Command command =
+      program.add_command("identify", "Is the model true, and if not, which effect is missing?");
+  add_log_options(command, *request);
+  command
+      .add_option("--refined", request->refined,
+                  "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
+      .names_a_file()
+      .one_value_each();
+  add_report_document(command, *request,
+                      "Write the report as JSON to this file. Without --refined, a file so named "
+                      "gets the actuator, in this version only");
+  command.add_option("--report", request->report_file, "Write the report with pictures, as HTML")
+      .names_a_file();
+  command.add_flag(
+      "--empirical", request->empirical,
+      "Where no effect fits, report a table over the coordinate along which most is left");
+  command.add_option("--only", request->only, "Effects that may be named (docs/effects.md)")
+      .otherwise("any")
+      .separated_by_commas()
+      .one_value_each();
+  command.add_option("--without", request->without, "Effects that may not be named, as for --only")
+      .otherwise("none")
+      .separated_by_commas()
+      .one_value_each();
+  command
+      .add_option(
+          "--tolerance", request->tolerance,
+          "An effect that changes the prediction by less than this share of it is not named")
+      .between(0.0, 1.0);
+  std::string outputs;
+  for (const identification::Output* output : identification::output_library()) {
+    outputs += fmt::format("{}{}: {}", outputs.empty() ? "" : "; ", output->name, output->what);
+  }
+  command
+      .add_option("--as", request->as,
+                  "Print numbers for other programs in place of the report. " + outputs)
+      .otherwise("the report")
+      .excludes("--json");
+  command.example(
+      "torquewright identify specs/log/bench_as_built.csv --rig "
+      "specs/log/bench_rig.json --actuator specs/log/bench_actuator.json");
+  add_residual_command(command);
+  add_identify_import(command);
+  add_identify_simulate(command);
+  add_identify_plan(command);
+  command.works([request] { return run_identify(*request); });
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/identification/identify_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/faults/refusal.hpp"
+#include "io/files/atomic_file.hpp"
+#include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
+#include "src/commands/shared/moved_references_json.hpp"
+#include "src/standard_output.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using identification::Rig;
+
+bool is_arm(const Rig& rig) { return rig.joints.size() > 1 || !rig.joints.front().empty(); }
+
+std::size_t joint_of(const Rig& rig, const std::string& option, const std::string& name) {
+  const auto found = std::find(rig.joints.begin(), rig.joints.end(), name);
+  if (found != rig.joints.end()) return static_cast<std::size_t>(found - rig.joints.begin());
+  const std::optional<std::string> near = io::nearest(name, rig.joints);
+  io::refuse(option, fmt::format("the rig has no joint \"{}\"{}", name,
+                                 near ? fmt::format("; did you mean \"{}\"?", *near)
+                                      : fmt::format(", only {}", io::listed(rig.joints))));
+}
+
+/// Files given as JOINT=FILE, in the order of the rig's joints; as FILE where there is one joint.
+std::vector<std::string> by_joint(const Rig& rig, const std::string& option,
+                                  const std::vector<std::string>& given) {
+  if (!is_arm(rig)) {
+    if (given.size() != 1) io::refuse(option, "the rig has one joint, and so one such file");
+    return given;
+  }
+  std::vector<std::string> files(rig.joints.size());
+  for (const std::string& text : given) {
+    const std::size_t mark = text.find('=');
+    if (mark == std::string::npos || mark + 1 == text.size()) {
+      io::refuse(option, fmt::format("\"{}\" must be JOINT=FILE; the rig's joints are {}", text,
+                                     io::listed(rig.joints)));
+    }
+    std::string& file = files[joint_of(rig, option, text.substr(0, mark))];
+    if (!file.empty()) io::refuse(option, fmt::format("{} is given twice", text.substr(0, mark)));
+    file = text.substr(mark + 1);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].empty()) io::refuse(option, fmt::format("{}=FILE is missing", rig.joints[i]));
+  }
+  return files;
+}
+
+/// What goes through a pipe can be read once, and the refined actuator is tried on the log again.
+void require_plain_logs(const IdentifyRequest& request) {
+  if (request.refined.empty() && request.as.empty()) return;
+  for (const std::string& log : request.logs) {
+    std::error_code unknown;
+    const std::filesystem::file_status status = std::filesystem::status(log, unknown);
+    if (!std::filesystem::is_other(status)) continue;
+    io::refuse(log,
+               "is no plain file, and for a refined actuator it is read twice; write it into "
+               "a file first");
+  }
+}
+
+void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
+  std::vector<std::filesystem::path> written(inputs.refined.begin(), inputs.refined.end());
+  if (!request.outputs.empty()) written.emplace_back(report_document(request));
+  if (!request.report_file.empty()) written.emplace_back(request.report_file);
+  std::vector<std::filesystem::path> read(request.logs.begin(), request.logs.end());
+  read.emplace_back(request.rig_file);
+  for (const auto& actuator : inputs.actuators) {
+    for (const io::Document& document : actuator.nominal.documents)
+      read.emplace_back(document.file);
+  }
+  check_written(written, read);
+  for (std::size_t i = 0; i < inputs.refined.size(); ++i) {
+    require_movable_actuator(inputs.actuators[i].nominal.documents.front(), inputs.refined[i]);
+  }
+}
+
+}  // namespace
+
+IdentifyInputs read_inputs(const IdentifyRequest& request) {
+  IdentifyInputs inputs;
+  inputs.rig_document = io::read_document(request.rig_file, "rig");
+  inputs.rig = identification::read_rig(inputs.rig_document);
+  const std::vector<std::string> files = by_joint(inputs.rig, "--actuator", request.actuators);
+  if (!request.refined.empty()) {
+    inputs.refined =
+        by_joint(inputs.rig, request.is_old_spelling ? "-o" : "--refined", request.refined);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    inputs.actuators.push_back({inputs.rig.joints[i], actuator::read_actuator(files[i])});
+  }
+  require_plain_logs(request);
+  check_files(request, inputs);
+  return inputs;
+}
+
+}  // namespace torquewright::cli

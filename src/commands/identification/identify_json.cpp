@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/identification/identify_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "identification/answer/report_spec.hpp"
+#include "io/faults/json_text.hpp"
+#include "src/commands/shared/moved_references_json.hpp"
+#include "src/commands/shared/result_json.hpp"
+
+namespace torquewright::cli {
+
+std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                          const identification::Identification& found) {
+  nlohmann::ordered_json document = identification::identification_report_json(found);
+  document["options"] = nlohmann::ordered_json::object();
+  if (!request.select) document["options"]["select"] = false;
+  if (request.empirical) document["options"]["empirical"] = true;
+  if (request.tolerance != IdentifyRequest().tolerance)
+    document["options"]["tolerance"] = request.tolerance;
+  if (!request.only.empty()) document["options"]["only"] = request.only;
+  if (!request.without.empty()) document["options"]["without"] = request.without;
+  std::vector<io::Document> read;
+  for (const auto& file : found.files) read.push_back({file.path, "", {}, file.sha256});
+  read.push_back(inputs.rig_document);
+  for (const auto& actuator : inputs.actuators) {
+    read.insert(read.end(), actuator.nominal.documents.begin(), actuator.nominal.documents.end());
+  }
+  return result_text(std::move(document), read);
+}
+
+std::string refined_text(nlohmann::ordered_json document, const std::string& nominal,
+                         const std::string& output) {
+  if (!output.empty()) move_actuator(document, nominal, output);
+  return io::json_text(document, 2);
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "actuator/motor/actuator_spec.hpp"
+#include "io/files/atomic_file.hpp"
+#include "src/commands/identification/identify_inputs.hpp"
+#include "src/report/identification/identification_html.hpp"
+
+namespace torquewright::cli {
+
+/// The document of one joint's actuator with what was found, and the same as read back.
+struct RefinedActuator {
+  std::string joint;
+  std::string text;
+  actuator::ReadActuator read;
+};
+
+/// Those of all joints, in the rig's order; none where nothing is sure: an actuator with nothing
+/// added to it would only look refined.
+struct RefinedActuators {
+  std::vector<RefinedActuator> of_joints;
+  std::string refusal;  ///< What its own reader says against one of them; then there are none.
+};
+
+RefinedActuators refined_actuators(const IdentifyInputs& inputs,
+                                   const identification::Identification& found);
+
+/// Refuses what does not leave the error, on the request's logs, that was promised of it.
+void require_promise(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                     const identification::Identification& found, RefinedActuators& refined);
+
+/// What is to be written for -o; on stderr where nothing is, though it was asked for.
+std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
+                                           const RefinedActuators& refined);
+
+/// The regions as stated and refined, of the actuators that changed.
+std::vector<report::RegionSection> region_sections(const IdentifyInputs& inputs,
+                                                   const RefinedActuators& refined);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "io/faults/refusal.hpp"
+#include "src/commands/planning/hopper_flip_inputs.hpp"
+#include "src/commands/planning/hopper_flip_outputs.hpp"
+#include "src/commands/planning/hopper_flip_sweep.hpp"
+#include "src/commands/robot/hopper_commands.hpp"
+#include "src/interrupt.hpp"
+#include "src/options/output_files.hpp"
+#include "src/report/parts/progress_line.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+hopper::PlanResult plan(const HopperFlipInputs& inputs) {
+  report::ProgressLine progress;
+  hopper::PlanOptions options = inputs.plan;
+  options.should_stop = is_interrupted;
+  options.on_progress = [&progress](const hopper::PlanProgress& at) {
+    progress.show(fmt::format(
+        "round {}: {} intervals, iteration {}, objective {:.5g}, constraints off by {:.1e}",
+        at.round + 1, at.intervals, at.iteration, at.objective, at.largest_violation));
+  };
+  return hopper::plan_motion(inputs.robot.robot, options);
+}
+
+ExitCode code_of(hopper::PlanStatus status) {
+  switch (status) {
+    case hopper::PlanStatus::kPlanned:
+      return ExitCode::kPasses;
+    case hopper::PlanStatus::kLocallyInfeasible:
+      return ExitCode::kFails;
+    default:
+      return ExitCode::kUndecided;
+  }
+}
+
+/// What a single plan needs, and what it would drop.
+void require_single(const HopperFlipRequest& request) {
+  if (request.motion_file.empty()) {
+    io::refuse("--output", "is required: the CSV that the plan is written to");
+  }
+  if (request.sweep.points.jobs > 0) io::refuse("--jobs", "is for --sweep");
+  if (!request.sweep.points.journal_file.empty()) io::refuse("--sweep-journal", "is for --sweep");
+}
+
+ExitCode run_hopper_flip(const HopperFlipRequest& request) {
+  if (!request.sweep.axes.empty()) return run_hopper_flip_sweep(request);
+  require_single(request);
+  require_flip_outputs(request);
+  const HopperFlipInputs inputs = read_flip_inputs(request);
+  check_flip_files(request);  // now that the robot's files are known
+  require_page("--report", request.report_file);
+  catch_interrupt();
+  hopper::PlanResult result = plan(inputs);
+  write_flip_outputs(request, inputs, result);
+  return code_of(result.status);
+}
+
+}  // namespace
+
+void add_flip_command(command_line::Command& hopper) {
+  auto request = std::make_shared<HopperFlipRequest>();
+  command_line::Command command =
+      hopper.add_command("flip", "Plan a flip, a jump or a hop that these actuators can do");
+  add_hopper_flip_options(command, *request);
+  command.example("torquewright hopper flip specs/robot/hopper.json --task jump -o jump.csv");
+  command.works([request] { return run_hopper_flip(*request); });
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/planning/hopper_flip_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "hopper/planning/tasks/library.hpp"
+#include "io/faults/refusal.hpp"
+#include "src/commands/robot/hopper_check_inputs.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+/// What only some tasks have.
+void set_distances(const HopperFlipRequest& request, hopper::PlanOptions& plan) {
+  if (request.rise_m && !plan.task->takes_rise) {
+    io::refuse("--rise", "a flip rises as far as it has to; --task jump and --task hop take it");
+  }
+  if (request.stride_m && !plan.task->takes_stride) {
+    io::refuse("--stride", "only --task hop takes it; a jump lands where it began");
+  }
+  plan.rise_m = request.rise_m.value_or(plan.rise_m);
+  plan.stride_m = request.stride_m.value_or(plan.stride_m);
+}
+
+/// Heights and speeds tell what touches where the motion does not.
+void require_search_for_contacts(const HopperFlipRequest& request, const hopper::Motion& motion) {
+  if (!motion.has_touching && !motion.has_forces) return;
+  const hopper::ContactRule& contact = request.warm.check.contact;
+  for (const auto& [option, is_given] :
+       {std::pair{"--contact-height", contact.height_m.has_value()},
+        {"--contact-speed", contact.speed_m_s.has_value()}}) {
+    if (!is_given) continue;
+    io::refuse(option,
+               fmt::format("is for motions that do not say what touches, and {} has columns "
+                           "for contacts",
+                           request.warm.trajectory_file));
+  }
+}
+
+std::unique_ptr<hopper::Motion> read_warm(const HopperFlipRequest& request,
+                                          HopperFlipInputs& inputs) {
+  if (request.warm.trajectory_file.empty()) return nullptr;
+  if (request.plan.guess_noise_rad > 0.0) {
+    io::refuse("--guess-noise",
+               "moves the guess that a plan begins from on its own; --warm begins "
+               "from a motion: leave out one of them");
+  }
+  const hopper::MotionFile source = motion_file(request.warm);
+  inputs.columns = source.documents;
+  auto motion = std::make_unique<hopper::Motion>(motion_in(source, inputs.robot.robot));
+  require_search_for_contacts(request, *motion);
+  return motion;
+}
+
+}  // namespace
+
+HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request) {
+  HopperFlipInputs inputs;
+  hopper::PlanOptions& plan = inputs.plan;
+  plan = request.plan;
+  plan.task = &hopper::task_named(request.task);
+  set_distances(request, plan);
+  plan.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
+  plan.stances = request.contacts;
+  plan.objectives = read_objectives(request.objectives);
+  plan.guess_seed = static_cast<unsigned>(request.guess_seed);
+  inputs.robot = hopper::read_robot(request.warm.robot_file);
+  plan.check = check_options(request.warm, inputs.robot);
+  plan.check.keep_traces = !request.report_file.empty();
+  inputs.warm = read_warm(request, inputs);
+  plan.warm = inputs.warm.get();
+  plan.warm_file = request.warm.trajectory_file;
+  return inputs;
+}
+
+}  // namespace torquewright::cli

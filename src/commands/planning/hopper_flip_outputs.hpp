@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "src/commands/planning/hopper_flip_inputs.hpp"
+
+namespace torquewright::cli {
+
+/// For before the work: throws io::SpecError where a file cannot be written or drawn.
+void require_flip_outputs(const HopperFlipRequest& request);
+
+/// Throws io::SpecError where a file cannot be written, or is one that has been read.
+void check_flip_files(const HopperFlipRequest& request);
+
+/// Writes the files that were asked for, all or none, then stdout. The motion and its pictures are
+/// written of a plan alone; that they are not is said on stderr. The motion takes the name of the
+/// file that it goes to.
+void write_flip_outputs(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
+                        hopper::PlanResult& result);
+
+}  // namespace torquewright::cli

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/planning/hopper_flip_row.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "hopper/planning/search/longest_flight.hpp"
+#include "src/commands/robot/hopper_check_row.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using hopper::PlanResult;
+using hopper::PlanStatus;
+
+/// As the exit codes of one plan have it.
+sweep::RowVerdict verdict_of(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kPlanned:
+      return sweep::RowVerdict::kPasses;
+    case PlanStatus::kLocallyInfeasible:
+      return sweep::RowVerdict::kFails;
+    default:
+      return sweep::RowVerdict::kOpen;
+  }
+}
+
+/// A motion that the check does not pass is told from a search that had no time.
+std::string word_of(PlanStatus status) {
+  if (status == PlanStatus::kCheckFails) return "check_fails";
+  return std::string(hopper::name_of(status));
+}
+
+std::optional<double> measure(const sweep::SweepRow& row, const std::string& name) {
+  const auto found =
+      std::find_if(row.measures.begin(), row.measures.end(),
+                   [&](const sweep::Measure& measure) { return measure.name == name; });
+  return found != row.measures.end() ? found->value : std::nullopt;
+}
+
+std::vector<sweep::Measure> measures_of(const PlanResult& result, const sweep::SweepRow& checked) {
+  const hopper::PlannedPhase* flight = hopper::longest_flight(result.plan);
+  const bool is_plan = result.status == PlanStatus::kPlanned;
+  const auto in_flight = [&](double value) {
+    return is_plan && flight != nullptr ? std::optional(value) : std::nullopt;
+  };
+  const auto of_check = [&](const char* name) {
+    return sweep::Measure{name, is_plan ? measure(checked, name) : std::nullopt};
+  };
+  return {of_check("margin_share"),
+          of_check("margin_Nm"),
+          {"cam_kg_m2_s", in_flight(result.angular_momentum_Nm_s)},
+          {"cav_take_off_rad_s", in_flight(result.take_off_rad_s)},
+          {"cav_peak_rad_s", in_flight(result.peak_rad_s)},
+          {"flight_s", in_flight(flight != nullptr ? flight->end_s() - flight->begin_s() : 0.0)},
+          of_check("gear_load_share"),
+          of_check("least_bus_V")};
+}
+
+/// What holds the search back most often.
+std::string binding_of(const PlanResult& result) {
+  if (result.binding.empty()) return "";
+  return fmt::format("{} ({})", result.binding.front().name, result.binding.front().stance);
+}
+
+}  // namespace
+
+sweep::SweepRow hopper_flip_row(const hopper::Robot& robot, const hopper::CheckOptions& check,
+                                const PlanResult& result) {
+  sweep::SweepRow checked;
+  if (result.check) checked = hopper_check_row(robot, check, *result.check);
+  sweep::SweepRow row;
+  row.verdict = verdict_of(result.status);
+  row.status = word_of(result.status);
+  row.measures = measures_of(result, checked);
+  row.why = result.reason;
+  row.binding = result.status == PlanStatus::kPlanned ? checked.binding : binding_of(result);
+  return row;
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/planning/hopper_flip_sweep.hpp"
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "io/faults/refusal.hpp"
+#include "src/commands/planning/hopper_flip_inputs.hpp"
+#include "src/commands/planning/hopper_flip_json.hpp"
+#include "src/commands/planning/hopper_flip_row.hpp"
+#include "src/commands/robot/robot_sweep.hpp"
+#include "src/interrupt.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+/// What is of one plan alone.
+void refuse_single_outputs(const HopperFlipRequest& request) {
+  for (const auto& [option, is_asked] : {std::pair{"--write-best", !request.best_file.empty()},
+                                         {"--plot-momentum", !request.momentum_file.empty()},
+                                         {"--figures", !request.figures_file.empty()},
+                                         {"--report", !request.report_file.empty()},
+                                         {"--explain", request.plan.explain},
+                                         {"--timing", request.timing}}) {
+    if (is_asked) io::refuse(option, "is of one robot, --sweep of several");
+  }
+}
+
+std::vector<std::filesystem::path> named_inputs(const HopperFlipRequest& request) {
+  std::vector<std::filesystem::path> inputs{request.warm.robot_file};
+  if (!request.warm.trajectory_file.empty()) inputs.emplace_back(request.warm.trajectory_file);
+  return inputs;
+}
+
+}  // namespace
+
+ExitCode run_hopper_flip_sweep(const HopperFlipRequest& request) {
+  refuse_single_outputs(request);
+  const std::string& output_file = request.motion_file;
+  require_sweep_outputs(request.sweep, output_file, named_inputs(request));
+  const HopperFlipInputs inputs = read_flip_inputs(request);
+  // Now that the robot's files are known.
+  require_sweep_outputs(request.sweep, output_file, named_inputs(request));
+  const hopper::Robot& robot = inputs.robot.robot;
+  const RobotSweep asked = read_robot_sweep(request.sweep, robot, inputs.plan.check.conditions);
+  catch_interrupt();
+  const auto swept = run_robot_sweep(
+      asked, robot, {"hopper flip", hopper_flip_fingerprint(request, inputs)}, request.sweep.points,
+      output_file, [&](const hopper::Robot& varied) {
+        return hopper_flip_row(varied, inputs.plan.check, hopper::plan_motion(varied, inputs.plan));
+      });
+  if (!swept) return ExitCode::kPasses;
+  write_swept(*swept, request.sweep, output_file, request.json,
+              hopper_flip_sweep_json(request, inputs, *swept));
+  return code_of(*swept);
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/documents/document.hpp"
+#include "io/faults/json_text.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/files/atomic_file.hpp"
+#include "io/files/given_once.hpp"
+#include "io/text/one_line.hpp"
+#include "robot/mjcf/mjcf_reader.hpp"
+#include "robot/model/robot_json.hpp"
+#include "robot/model/robot_spec.hpp"
+#include "robot/urdf/urdf_reader.hpp"
+#include "src/commands/robot/robot_commands.hpp"
+#include "src/commands/shared/result_json.hpp"
+#include "src/options/output_files.hpp"
+#include "src/standard_output.hpp"
+#include "src/window_text.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+struct ImportOptions {
+  std::string file;
+  std::string format;
+  std::string output_file;
+  hopper::ImportFileOptions reading;
+  std::optional<double> link_error;    ///< Empty: the reader's own.
+  std::vector<std::string> actuators;  ///< NAME=FILE.
+};
+
+/// URDF holds neither several robots, nor couplings, nor loops.
+void refuse_options_of_mjcf(const ImportOptions& options) {
+  const hopper::ImportFileOptions& reading = options.reading;
+  for (const auto& [option, is_given] : {std::pair{"--body", !reading.body.empty()},
+                                         {"--drop-base-armature", reading.drops_base_armature},
+                                         {"--free-couplings", reading.frees_couplings},
+                                         {"--link-error", options.link_error.has_value()},
+                                         {"--massless-links", reading.drops_link_mass}}) {
+    if (is_given)
+      io::refuse(option, "is for MJCF files: a URDF file holds nothing that it concerns");
+  }
+}
+
+hopper::Imported read(const ImportOptions& options) {
+  const bool is_urdf = options.format.empty()
+                           ? std::filesystem::path(options.file).extension() == ".urdf"
+                           : options.format == "urdf";
+  if (is_urdf) refuse_options_of_mjcf(options);
+  hopper::ImportFileOptions reading = options.reading;
+  reading.greatest_link_error = options.link_error.value_or(reading.greatest_link_error);
+  hopper::Imported imported =
+      is_urdf ? hopper::read_urdf(options.file, reading) : hopper::read_mjcf(options.file, reading);
+  check_written(named({options.output_file}), {});
+  return imported;
+}
+
+/// Where the document will be; on standard output, where it is asked for.
+std::filesystem::path place_of(const ImportOptions& options) {
+  const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
+  return std::filesystem::absolute(is_file ? options.output_file : "robot.json");
+}
+
+/// Documents of the drives of linkages, as the result names them.
+void name_actuators(const ImportOptions& options, hopper::Robot& robot) {
+  io::require_each_once("--actuator", options.actuators);
+  std::map<std::string, std::string> stated;
+  for (const std::string& text : options.actuators) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+      io::refuse("--actuator", fmt::format("\"{}\" must be NAME=ACTUATOR, the drive of a linkage "
+                                           "and its actuator's file",
+                                           text));
+    }
+    stated[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  const auto folder = place_of(options).parent_path();
+  for (hopper::Drivetrain& drivetrain : robot.drivetrains) {
+    for (const std::string& name : drivetrain.actuator_names) {
+      const auto found = stated.find(name);
+      if (found == stated.end()) {
+        io::refuse("--actuator", fmt::format("the drive {} of a {} is not named; a linkage needs "
+                                             "its actuator: --actuator {}=FILE",
+                                             name, drivetrain.mechanism->type(), name));
+      }
+      const auto file = std::filesystem::absolute(found->second);
+      drivetrain.actuator_files.push_back(std::filesystem::proximate(file, folder).string());
+      stated.erase(found);
+    }
+  }
+  if (stated.empty()) return;
+  io::refuse("--actuator",
+             fmt::format("no linkage of the file has a drive \"{}\"", stated.begin()->first));
+}
+
+/// The robot's document. What a file says may still be no robot (inertias that no body has): such a
+/// document is refused. Files that it names are beside where it will be.
+std::string compute(const ImportOptions& options, const hopper::Imported& imported) {
+  std::string text = io::json_text(hopper::robot_json(imported.robot));
+  const bool has_files = !imported.robot.drivetrains.empty();
+  (void)hopper::robot_of(io::check_document(
+      as_read(text), "robot", has_files ? place_of(options).string() : options.file, ""));
+  return text;
+}
+
+void write(const ImportOptions& options, const hopper::Imported& imported,
+           const std::string& document) {
+  deliver_result(document, options.output_file);
+  std::string notes;
+  for (const std::string& note : imported.notes) notes += "note: " + note + "\n";
+  if (options.output_file.empty() || is_standard_output(options.output_file)) {
+    std::fputs(notes.c_str(), stderr);
+    return;
+  }
+  const std::size_t bodies = imported.robot.tree.bodies.size();
+  print_result(for_window(fmt::format("{}: {} bodies, {} joints\n",
+                                      io::name_in_text(options.output_file), bodies, bodies - 1) +
+                          notes));
+}
+
+ExitCode run_import(const ImportOptions& options) {
+  hopper::Imported imported = read(options);
+  name_actuators(options, imported.robot);
+  const std::string document = compute(options, imported);
+  write(options, imported, document);
+  return ExitCode::kPasses;
+}
+
+}  // namespace
+
+void add_import_command(command_line::Command& robot) {
+  auto options = std::make_shared<ImportOptions>();
+  command_line::Command command =
+      robot.add_command("import", "Read a robot from URDF or MJCF (MuJoCo's XML)");
+  command.add_option("file", options->file, "A URDF file (.urdf) or an MJCF file (MuJoCo's XML)")
+      .required();
+  command
+      .add_option("--format", options->format, "What the file is, where its ending does not say it")
+      .otherwise("by the file's ending, else mjcf")
+      .one_of({"urdf", "mjcf"});
+  command
+      .add_option("--body", options->reading.body,
+                  "Which body of an MJCF file's world is the robot, where several move")
+      .otherwise("the only one that moves");
+  command.add_flag("--drop-base-armature", options->reading.drops_base_armature,
+                   "Read a free joint with armature as one without");
+  command.add_flag("--free-couplings", options->reading.frees_couplings,
+                   "Leave out equalities that couple joints or tendons");
+  command.add_flag(
+      "--mend-inertias", options->reading.mends_inertias,
+      "Where rounding made an inertia that no body can have, take the nearest that one can");
+  command
+      .add_option(
+          "--actuator", options->actuators,
+          "NAME=FILE: a drive of a linkage that <connect> closes, and its actuator's document")
+      .otherwise("none")
+      .one_value_each();
+  command
+      .add_option("--link-error", options->link_error,
+                  "Share by which a motion's kinetic energy may be off because the mass of cranks "
+                  "and rods goes to their neighbours")
+      .otherwise(fmt::format("{:g}", hopper::ImportFileOptions().greatest_link_error))
+      .between(0, 1);
+  command.add_flag("--massless-links", options->reading.drops_link_mass,
+                   "Leave out what cranks and rods of linkages weigh");
+  command.add_option("-o,--output", options->output_file, "Write the document to this file")
+      .otherwise("-, standard output")
+      .names_a_file();
+  command.example("torquewright robot import specs/robot/rabbit.urdf -o rabbit.json");
+  command.works([options] { return run_import(*options); });
+}
+
+}  // namespace torquewright::cli

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/documents/published_schema.hpp"
+#include "io/documents/schema.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/files/atomic_file.hpp"
+#include "io/text/wording.hpp"
+#include "src/commands/shared/schema_commands.hpp"
+#include "src/options/output_files.hpp"
+#include "src/report/parts/key_table.hpp"
+#include "src/report/parts/shell_word.hpp"
+#include "src/standard_output.hpp"
+#include "src/window_text.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+struct InitOptions {
+  std::string kind;
+  std::string output_file;
+  bool explains = false;
+};
+
+/// A kind of which people write documents, and what one does with such a document.
+struct StartedKind {
+  std::string_view kind;
+  std::string_view next;  ///< {} is the document.
+};
+
+constexpr std::array<StartedKind, 9> kStartedKinds{{
+    {"actuator", "actuator mor {}"},
+    {"gear_strength", "gearbox strength {} --torque 20 --side joint"},
+    {"gearbox", "actuator mor ACTUATOR, whose \"gearbox\" names this file as its \"file\""},
+    {"gearbox_problem", "gearbox optimize {}"},
+    {"jacobian", "actuator check TRAJECTORY --jacobian {} --joint NAME=ACTUATOR ..."},
+    {"randomisation", "hopper replay ROBOT MOTION --trials 20 --randomise {}"},
+    {"rig", "identify LOG --rig {} --actuator ACTUATOR"},
+    {"robot", "init actuator -o actuator.json; then robot export {} --format mjcf"},
+    {"trajectory_columns", "actuator check TRAJECTORY --columns {} --joint NAME=ACTUATOR"},
+}};
+
+std::vector<std::string> started_kinds() {
+  std::vector<std::string> kinds;
+  for (const StartedKind& started : kStartedKinds) kinds.emplace_back(started.kind);
+  return kinds;
+}
+
+const StartedKind& started(const std::string& kind) {
+  const auto* found = std::find_if(kStartedKinds.begin(), kStartedKinds.end(),
+                                   [&](const StartedKind& each) { return each.kind == kind; });
+  if (found == kStartedKinds.end()) {
+    io::refuse("init", fmt::format("a {} is written by the program; documents to start from are {}",
+                                   kind, io::listed(started_kinds())));
+  }
+  return *found;
+}
+
+/// Where somebody has begun already, nothing is written over.
+void refuse_existing(const std::string& file) {
+  std::error_code unknown;  // what cannot be looked at cannot be written either, which is said then
+  if (file.empty() || !std::filesystem::is_regular_file(file, unknown)) return;
+  io::refuse(file, "is there already; init writes over no document");
+}
+
+std::string next_line(const StartedKind& kind, const std::string& file) {
+  return fmt::format("\nnext: torquewright {}\n",
+                     fmt::format(fmt::runtime(kind.next), report::shell_word(file)));
+}
+
+ExitCode run_init(const InitOptions& options) {
+  const StartedKind& kind = started(options.kind);
+  refuse_existing(options.output_file);
+  check_written(named({options.output_file}), {});
+  const std::string document = io::document_to_start_from(options.kind);
+  const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
+  if (is_file) {
+    deliver_result(document, options.output_file);
+    print_result(for_window(report::key_table_text(options.kind)) +
+                 next_line(kind, options.output_file));
+  } else {
+    print_result(options.explains && options.output_file.empty()
+                     ? for_window(report::key_table_text(options.kind))
+                     : document);
+  }
+  return ExitCode::kPasses;
+}
+
+}  // namespace
+
+void add_init_command(command_line::Command& program) {
+  auto options = std::make_shared<InitOptions>();
+  command_line::Command command =
+      program.add_command("init", "Print a document to start from, with every key");
+  command.add_option("kind", options->kind, "Kind of document")
+      .required()
+      .one_of(io::document_kinds())
+      .offers(started_kinds());
+  command
+      .add_option("-o,--output", options->output_file,
+                  "Write the document to this file, which must not exist, and print what its keys "
+                  "mean")
+      .otherwise("-, standard output")
+      .names_a_file();
+  command.add_flag("--explain", options->explains, "Print what its keys mean, and no document");
+  command.example("torquewright init actuator");
+  command.works([options] { return run_init(*options); });
+}
+
+}  // namespace torquewright::cli

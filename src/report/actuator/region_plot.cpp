@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/actuator/region_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "src/report/actuator/region_lines.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using namespace actuator;
+
+constexpr int kWidth = 960;
+constexpr int kHeight = 680;
+constexpr int kPanelWidth = 560;
+constexpr int kPanelHeight = 430;
+constexpr const char* kShade = "#eef1f4";
+
+/// Axes through zero, a light grid, names with units.
+std::string axes() {
+  return "set grid back linecolor rgb '#dddddd' linewidth 1\n"
+         "set xzeroaxis linetype 1 linecolor rgb '#888888' linewidth 1\n"
+         "set yzeroaxis linetype 1 linecolor rgb '#888888' linewidth 1\n"
+         "set xlabel 'speed in rad/s' offset 0,0.4\nset ylabel 'torque in Nm'\n"
+         "set border linecolor rgb '#555555'\nset tics nomirror\n"
+         "set datafile separator ','\n";
+}
+
+/// Room around all that is drawn, so that no bound lies on the frame.
+std::string ranges(double speed_low, double speed_high, double torque_low, double torque_high) {
+  const double speed_room = 0.06 * (speed_high - speed_low);
+  const double torque_room = 0.10 * (torque_high - torque_low);
+  return fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
+                     speed_low - speed_room, speed_high + speed_room, torque_low - torque_room,
+                     torque_high + torque_room);
+}
+
+struct Extent {
+  double speed_low = 0.0;
+  double speed_high = 0.0;
+  double torque_low = 0.0;
+  double torque_high = 0.0;
+
+  void include(double speed_rad_s, double torque_Nm) {
+    speed_low = std::min(speed_low, speed_rad_s);
+    speed_high = std::max(speed_high, speed_rad_s);
+    torque_low = std::min(torque_low, torque_Nm);
+    torque_high = std::max(torque_high, torque_Nm);
+  }
+  void include(const MorTable& table) {
+    for (const MorRow& row : table.rows) {
+      if (row.range.is_empty) continue;
+      include(row.speed_rad_s, row.range.least.torque_Nm);
+      include(row.speed_rad_s, row.range.greatest.torque_Nm);
+    }
+  }
+  std::string as_ranges() const { return ranges(speed_low, speed_high, torque_low, torque_high); }
+};
+
+void append(std::vector<std::string>& plots, std::vector<std::string> more) {
+  plots.insert(plots.end(), more.begin(), more.end());
+}
+
+std::string plot_command(const std::vector<std::string>& plots) {
+  std::string command = "plot ";
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    command += (i > 0 ? ", \\\n  " : "") + plots[i];
+  }
+  return command + "\n";
+}
+
+/// Data and plots of the motion: the path coloured by time, what lies outside ringed.
+std::string trace_data(const std::vector<TracePoint>& trace, std::size_t panel) {
+  std::string text = fmt::format("$trace{} << END\n", panel);
+  for (const TracePoint& point : trace) {
+    text += fmt::format("{:.7g},{:.7g},{:.7g},{}\n", point.speed_rad_s, point.torque_Nm,
+                        point.time_s, point.is_outside ? 1 : 0);
+  }
+  return text + "END\n";
+}
+
+std::string motion_panel(const PlottedMotion& motion, std::size_t panel) {
+  Extent extent;
+  extent.include(motion.region);
+  std::size_t outside = 0;
+  for (const TracePoint& point : motion.trace) {
+    extent.include(point.speed_rad_s, point.torque_Nm);
+    if (point.is_outside) ++outside;
+  }
+  const RegionLines lines(motion.region, fmt::format("r{}", panel));
+  std::string script = "set title " + gnuplot_quoted(motion.title) + "\n" + extent.as_ranges();
+  script += lines.data();
+  std::vector<std::string> plots{lines.shade(kShade)};
+  append(plots, lines.plots(2.0, 1));
+  if (!motion.trace.empty()) {
+    script += trace_data(motion.trace, panel);
+    const std::string data = fmt::format("$trace{}", panel);
+    plots.push_back(data +
+                    " using 1:2:3 with linespoints pointtype 7 pointsize 0.28 linewidth 0.8 "
+                    "linecolor palette notitle");
+    if (outside > 0) {
+      plots.push_back(data +
+                      " using ($4 == 1 ? $1 : NaN):2 with points pointtype 6 pointsize 0.8 "
+                      "linewidth 1.2 linecolor rgb '#d00000' title 'outside the region'");
+    }
+  }
+  append(plots, limiter_key({{"", motion.region}}));
+  return script + plot_command(plots);
+}
+
+}  // namespace
+
+std::string region_plot(PlotFormat format, const std::string& title,
+                        const std::vector<PlottedRegion>& regions) {
+  std::string script = gnuplot_terminal(format, kWidth, kHeight) + axes();
+  script += "set title " + gnuplot_quoted(title) + "\n";
+  script += "set key below horizontal spacing 1.3\nset bmargin 8\nset rmargin 4\n";
+  Extent extent;
+  std::vector<std::string> plots;
+  std::vector<std::string> keys;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    extent.include(regions[i].table);
+    const RegionLines lines(regions[i].table, fmt::format("r{}", i));
+    script += lines.data();
+    if (i == 0) plots.push_back(lines.shade(kShade));
+    const double width = i == 0 ? 3.0 : 1.6;
+    append(plots, lines.plots(width, i + 1));
+    if (regions.size() > 1) keys.push_back(label_key(regions[i].label, width, i + 1));
+  }
+  append(plots, keys);
+  append(plots, limiter_key(regions));
+  return script + extent.as_ranges() + plot_command(plots);
+}
+
+std::string motion_plot(PlotFormat format, const std::string& title,
+                        const std::vector<PlottedMotion>& motions) {
+  const auto count = static_cast<int>(motions.size());
+  const int columns = count == 1 ? 1 : 2;
+  const int rows = (count + columns - 1) / columns;
+  const int width = count == 1 ? kWidth : columns * kPanelWidth;
+  const int height = count == 1 ? kHeight : rows * kPanelHeight + 40;
+  std::string script = gnuplot_terminal(format, width, height) + axes();
+  script += gnuplot_palette();
+  script += "set cblabel 'time in s'\nset key below horizontal samplen 2\nset bmargin 5\n";
+  double first_s = 0.0;
+  double last_s = 0.0;
+  bool has_times = false;
+  for (const PlottedMotion& motion : motions) {
+    if (motion.trace.empty()) continue;
+    first_s =
+        has_times ? std::min(first_s, motion.trace.front().time_s) : motion.trace.front().time_s;
+    last_s = std::max(last_s, motion.trace.back().time_s);
+    has_times = true;
+  }
+  if (last_s > first_s) script += fmt::format("set cbrange [{:.9g}:{:.9g}]\n", first_s, last_s);
+  script +=
+      fmt::format("set multiplot layout {},{} title {}\n", rows, columns, gnuplot_quoted(title));
+  for (std::size_t i = 0; i < motions.size(); ++i) script += motion_panel(motions[i], i);
+  return script + "unset multiplot\n";
+}
+
+}  // namespace torquewright::report

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/gearbox/proof_text.hpp"
+
+#include <fmt/format.h>
+
+namespace torquewright::report {
+namespace {
+
+using gearbox::Verification;
+
+std::string counts_text(const gearbox::proof::Counts& counts) {
+  return fmt::format(
+      "  {} boxes, {} cuts, {} splits; leaves: {} empty, {} enumerated ({} points), {} by "
+      "relaxation, "
+      "{} open\n",
+      counts.nodes, counts.cuts, counts.splits, counts.empty_leaves, counts.enumerated_leaves,
+      counts.enumerated_points, counts.relaxation_leaves, counts.open_leaves);
+}
+
+std::string verdict_words(const Verification& found) {
+  if (found.is_ended) {
+    return fmt::format("ended before the proof was checked to its end: {} boxes were.\n",
+                       found.counts.nodes);
+  }
+  if (found.is_accepted) {
+    return fmt::format(
+        "accepted{}: {}\nChecked with exact fractions and intervals, without the "
+        "search:\n{}",
+        found.is_undecided ? ", as undecided" : "", found.claim, counts_text(found.counts));
+  }
+  if (found.is_proved) {
+    return "rejected: the proof is valid, but what the result says beside it is not so:\n";
+  }
+  return "rejected: the result is not proved:\n";
+}
+
+}  // namespace
+
+std::string proof_text(const Verification& found) {
+  std::string text = verdict_words(found);
+  for (const std::string& fault : found.faults) text += fmt::format("  {}\n", fault);
+  for (const std::string& sentence : found.checked) text += fmt::format("  {}\n", sentence);
+  for (const std::string& sentence : found.unchecked) {
+    text += fmt::format("Not checked: {}.\n", sentence);
+  }
+  return text;
+}
+
+}  // namespace torquewright::report

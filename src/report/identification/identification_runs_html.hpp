@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "identification/findings/result.hpp"
+#include "src/report/parts/html_page.hpp"
+
+namespace torquewright::report {
+
+/// Part of a page: measured and predicted over time, and the error in each run. Empty where an
+/// equation has no runs of its own.
+std::string runs_section(const identification::EquationResult& equation, Pictures& pictures);
+
+}  // namespace torquewright::report

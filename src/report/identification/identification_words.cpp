@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/identification/identification_words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "identification/answer/report_spec.hpp"
+#include "src/report/parts/shell_word.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using namespace identification;
+using nlohmann::ordered_json;
+
+constexpr int kMostDecimals = 8;
+
+/// The unit that a parameter's name ends with, longest endings first.
+std::string_view unit_of_parameter(std::string_view effect, std::string_view name) {
+  struct Ending {
+    std::string_view name, unit;
+  };
+  static constexpr std::array<Ending, 12> kEndings = {{{"_Nm_s2_rad2", "Nm s^2/rad^2"},
+                                                       {"_Nm_s_rad", "Nm s/rad"},
+                                                       {"_Nm_rad", "Nm/rad"},
+                                                       {"_kg_m2", "kg m^2"},
+                                                       {"_rad_s", "rad/s"},
+                                                       {"_1_K", "1/K"},
+                                                       {"_ohm", "ohm"},
+                                                       {"_Nm", "Nm"},
+                                                       {"_rad", "rad"},
+                                                       {"_A", "A"},
+                                                       {"_V", "V"},
+                                                       {"_s", "s"}}};
+  for (const Ending& ending : kEndings) {
+    if (name.ends_with(ending.name)) return ending.unit;
+  }
+  if (name != "value") return "";
+  if (effect == "current_offset") return "A";
+  if (effect == "torque_offset") return "Nm";
+  if (effect == "load_inertia_error") return "kg m^2";
+  return effect == "load_mass_error" ? "kg" : "";
+}
+
+double number_or_nan(const ordered_json& value) {
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+std::string spaced(std::string_view unit) {
+  return unit.empty() ? std::string() : " " + std::string(unit);
+}
+
+/// "order 7: amplitude_Nm 0.31 ± 0.01 Nm, phase_rad ..."
+std::string harmonic_text(const ordered_json& wave, const ordered_json& error) {
+  std::vector<std::string> parts;
+  for (const auto& [key, value] : wave.items()) {
+    if (key == "order") continue;
+    const double deviation =
+        error.is_object() && error.contains(key) ? number_or_nan(error[key]) : std::nan("");
+    parts.push_back(fmt::format("{} {}{}", key, with_error(number_or_nan(value), deviation),
+                                spaced(unit_of_parameter("", key))));
+  }
+  return fmt::format("order {:g}: {}", number_or_nan(wave.value("order", ordered_json())),
+                     fmt::join(parts, ", "));
+}
+
+std::string compare_command(const IdentificationContext& context, std::size_t i,
+                            const std::string& refined) {
+  const std::string nominal =
+      i < context.actuator_files.size() ? context.actuator_files[i] : "ACTUATOR";
+  return fmt::format("torquewright actuator mor {} --compare {}", shell_word(refined),
+                     shell_word(nominal));
+}
+
+void add_separation(const Identification& found, std::vector<std::string>& steps) {
+  for (const EquationResult& equation : found.equations) {
+    for (const Confounded& group : equation.confounded) {
+      if (group.separated_by.empty()) continue;
+      std::string step = fmt::format("measure again with {}", group.separated_by);
+      if (std::find(steps.begin(), steps.end(), step) == steps.end())
+        steps.push_back(std::move(step));
+    }
+  }
+}
+
+}  // namespace
+
+std::string with_error(double value, double standard_error) {
+  if (!std::isfinite(value)) return "unlimited";
+  if (!(standard_error > 0.0) || !std::isfinite(standard_error))
+    return fmt::format("{:.4g}", value);
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(standard_error))));
+  if (decimals > kMostDecimals) return fmt::format("{:.4g} ± {:.2g}", value, standard_error);
+  return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, standard_error, decimals);
+}
+
+std::vector<std::string> parameter_texts(const NamedEffect& effect) {
+  std::vector<std::string> texts;
+  for (const auto& [key, value] : effect.parameters.items()) {
+    const ordered_json error =
+        effect.standard_error.contains(key) ? effect.standard_error[key] : ordered_json();
+    if (key == "harmonics" && value.is_array()) {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        texts.push_back(harmonic_text(
+            value[i], error.is_array() && i < error.size() ? error[i] : ordered_json()));
+      }
+    } else if (value.is_string()) {
+      texts.push_back(fmt::format("{} {}", key, value.get<std::string>()));
+    } else if (value.is_boolean()) {
+      if (value.get<bool>()) texts.push_back("in proportion to the load");
+    } else {
+      texts.push_back(fmt::format("{} {}{}", key,
+                                  with_error(number_or_nan(value), number_or_nan(error)),
+                                  spaced(unit_of_parameter(effect.effect, key))));
+    }
+  }
+  return texts;
+}
+
+std::string correction_text(const Correction& correction) {
+  return fmt::format("{}: stated {:.6g}, fitted {}", correction.pointer, correction.stated,
+                     with_error(correction.value, correction.standard_error));
+}
+
+std::string name_of_equation(const EquationResult& equation) {
+  return equation.joint.empty() ? equation.quantity : equation.joint + ": " + equation.quantity;
+}
+
+std::string name_of_coordinate(const ResidualStructure& structure) {
+  return structure.coordinate + (structure.times_direction ? " x direction" : "");
+}
+
+std::string alternatives(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
+std::string name_of_model(const ModelWithinNoise& model) {
+  std::vector<std::string> names;
+  for (const NamedEffect& each : model.effects) names.push_back(each.effect);
+  return names.empty() ? "as stated" : fmt::format("{}", fmt::join(names, " + "));
+}
+
+std::vector<std::string> next_steps(const Identification& found,
+                                    const IdentificationContext& context) {
+  std::vector<std::string> steps;
+  add_separation(found, steps);
+  if (!context.select) {
+    if (found.verdict != Verdict::kNothingMissing) {
+      steps.emplace_back("the same without \"residual\" looks for the effect that is missing");
+    }
+    return steps;
+  }
+  if (found.verdict == Verdict::kUnexplained) {
+    steps.emplace_back("--empirical puts a table of what is left into the report");
+  }
+  const bool has_added = std::any_of(
+      found.equations.begin(), found.equations.end(),
+      [](const EquationResult& each) { return !each.added.empty() || !each.corrected.empty(); });
+  if (!has_added || !identification::has_anything_certain(found)) return steps;
+  if (context.refined_files.empty()) {
+    steps.push_back("--refined REFINED writes the refined actuator; then " +
+                    compare_command(context, 0, "REFINED"));
+  }
+  for (std::size_t i = 0; i < context.refined_files.size(); ++i) {
+    steps.push_back(compare_command(context, i, context.refined_files[i]));
+  }
+  return steps;
+}
+
+double shown_error(const Errors& errors) {
+  return errors.holdout_rms > 0.0 ? errors.holdout_rms : errors.train_rms;
+}
+
+std::vector<WaterfallStep> waterfall(const EquationResult& equation) {
+  std::vector<WaterfallStep> steps{{"as stated", shown_error(equation.before)}};
+  for (const NamedEffect& effect : equation.added) {
+    const double rms =
+        effect.holdout_rms_after > 0.0 ? effect.holdout_rms_after : equation.after.train_rms;
+    steps.push_back({"+ " + effect.effect, rms});
+  }
+  return steps;
+}
+
+bool is_of_interest(const EquationResult& equation) {
+  return equation.verdict != Verdict::kNothingMissing || !equation.corrected.empty();
+}
+
+}  // namespace torquewright::report

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/motion/flip_text.hpp"
+
+#include <fmt/format.h>
+
+#include "src/report/motion/flip_words.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using namespace hopper;
+
+constexpr std::size_t kShownBinding = 12;
+
+std::string motion_lines(const FlipAnswer& answer) {
+  const PlanResult& result = answer.result;
+  std::string text = fmt::format("  robot    {}", answer.robot.name);
+  if (!result.plan.phases.empty()) {
+    text += fmt::format(", {:.4g} s of motion in {} samples",
+                        result.plan.phases.back().end_s() - result.plan.phases.front().begin_s(),
+                        result.motion.samples());
+  }
+  text += "\n  task     " + task_words(answer.options, result) + "\n";
+  for (const PlannedPhase& phase : result.plan.phases) {
+    text += fmt::format("  phase    {:<7} {:.4f} to {:.4f} s: {:.4f} s, {} intervals\n",
+                        phase.stance, phase.begin_s(), phase.end_s(),
+                        phase.end_s() - phase.begin_s(), phase.intervals());
+  }
+  const std::string flight = flight_words(result);
+  return text + (flight.empty() ? "" : "  flight   " + flight + "\n");
+}
+
+std::string load_lines(const PlanResult& result) {
+  std::string text;
+  if (!result.check) return text;
+  for (const TransmissionLoad& load : result.check->transmission_loads) {
+    text += fmt::format(
+        "  gears    {}: {:.4g} Nm at the joint, {:.4g} Nm at the motor pass them over {:g} ms "
+        "(from "
+        "t = {:.4f} s){}\n",
+        load.drive, load.joint.mean, load.motor.mean, 1e3 * load.window_s, load.judged().time_s,
+        load.limit ? fmt::format(": {}", actuator::name_of(load.verdict)) : "");
+  }
+  return text;
+}
+
+/// Effects of the drives' documents that neither plan nor check reckon with.
+std::string left_out_lines(const PlanResult& result) {
+  std::string text;
+  if (!result.check) return text;
+  for (const hopper::Finding& finding : result.check->check.findings) {
+    if (finding.rule == "effect-left-out") text += "  left out " + finding.sentence + "\n";
+  }
+  return text;
+}
+
+std::string margin_lines(const std::vector<LeastMargin>& margins) {
+  if (margins.empty()) return "";
+  std::string text = "\nleast margin of each rule, planning margins not taken off\n";
+  for (const LeastMargin& margin : margins) {
+    text += fmt::format("  {:<24} {}\n", margin.rule, margin_words(margin));
+  }
+  return text;
+}
+
+std::string binding_lines(const std::vector<BindingConstraint>& binding) {
+  if (binding.empty()) return "";
+  std::string text = "\nwhat binds\n";
+  for (std::size_t i = 0; i < binding.size() && i < kShownBinding; ++i) {
+    text += fmt::format("  {:<24} {}\n", binding[i].name, binding_words(binding[i]));
+  }
+  if (binding.size() > kShownBinding) {
+    text += fmt::format("  and {} more (--json lists all)\n", binding.size() - kShownBinding);
+  }
+  return text;
+}
+
+std::string round_lines(const FlipAnswer& answer) {
+  if (answer.result.rounds.empty()) return "";
+  std::string text = "\nrounds\n";
+  std::size_t number = 0;
+  for (const PlanRound& round : answer.result.rounds) {
+    text += fmt::format("  {:<3} {}", ++number, round_words(round));
+    if (answer.has_seconds) {
+      text += fmt::format("; {:.3g} s, {:.3g} s of it in derivatives", round.seconds,
+                          round.derivative_seconds);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string change_lines(const FlipAnswer& answer) {
+  if (answer.result.changes.empty()) return "";
+  std::string text = "\none thing changed, the rest as it is\n";
+  for (const ChangeTried& change : answer.result.changes) {
+    text += "  " + change_words(change) + "\n";
+  }
+  return text;
+}
+
+std::string next_lines(const std::vector<std::string>& next) {
+  std::string text = next.empty() ? "" : "\n";
+  for (const std::string& line : next) text += "next: " + line + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string flip_text(const FlipAnswer& answer) {
+  const PlanResult& result = answer.result;
+  std::string text = verdict_words(answer.options, result) + "\n";
+  const std::string proof = proof_words(result);
+  if (!proof.empty()) text += "  " + proof + "\n";
+  text += motion_lines(answer);
+  text += load_lines(result) + left_out_lines(result);
+  text += margin_lines(result.least_margins);
+  text += binding_lines(result.binding);
+  text += round_lines(answer);
+  text += change_lines(answer);
+  return text + next_lines(answer.next);
+}
+
+}  // namespace torquewright::report

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/motion/replay_text.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "io/text/one_line.hpp"
+#include "src/report/motion/replay_words.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using namespace hopper;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::string end_lines(const Motion& motion, const ReplayResult& result) {
+  std::string text;
+  if (result.outcome.touch_down) {
+    text += "  landing  " + landing_words(*result.outcome.touch_down) + "\n";
+  }
+  if (result.touch_down_load) {
+    text += "           " + ground_words(*result.touch_down_load) + "\n";
+  }
+  return text + "  end      " + end_words(motion, result.outcome) + "\n";
+}
+
+std::string drive_lines(const ReplayResult& result, std::size_t index) {
+  const DriveReplay& drive = result.drives[index];
+  std::string text = fmt::format("\n{}\n  clipped  {}\n", drive.name, clipped_words(drive));
+  text += fmt::format("  torque   peak {:.4g} Nm\n  error    {:.3g} rad at most (t = {:.4f} s)\n",
+                      drive.peak_torque_Nm, drive.peak_tracking_error_rad, drive.error_time_s);
+  if (drive.peak_winding_K) {
+    text += fmt::format("  winding  {:.4g} K at most, limit {:.4g} K\n", *drive.peak_winding_K,
+                        *drive.winding_limit_K);
+  }
+  if (index >= result.transmission_loads.size()) return text;
+  const TransmissionLoad& load = result.transmission_loads[index];
+  text += fmt::format(
+      "  gears    {:.4g} Nm at the joint, {:.4g} Nm at the motor pass them over {:g} ms (from t = "
+      "{:.4f} s){}\n",
+      load.joint.mean, load.motor.mean, 1e3 * load.window_s, load.judged().time_s,
+      load.limit ? fmt::format(": {}", actuator::name_of(load.verdict)) : "");
+  const ContactLoad& contact = result.contact_loads[index];
+  return text + fmt::format(
+                    "  contacts ask for {:.4g} Nm at the joint, {:.4g} Nm at the motor "
+                    "(J^T lambda, from t = {:.4f} s)\n",
+                    contact.joint_Nm, contact.motor_Nm, contact.time_s);
+}
+
+std::string sweep_lines(const std::vector<SweptStep>& sweep) {
+  if (sweep.empty()) return "";
+  std::string text =
+      "\nwith other steps of the engine\n  step ms  verdict     landing s  rotation "
+      "deg  impulse N s   force N  gears Nm at the motor\n";
+  for (const SweptStep& one : sweep) {
+    const ReplayOutcome& outcome = one.result.outcome;
+    text += fmt::format("  {:<7.4g}  {:<10}", 1e3 * one.step_s, name_of(outcome.verdict));
+    if (outcome.touch_down && one.result.touch_down_load) {
+      text += fmt::format("  {:>9.4f}  {:>12.2f}  {:>11.4g}  {:>8.4g}", outcome.touch_down->time_s,
+                          -kDegrees * outcome.touch_down->rotation_short_rad,
+                          one.result.touch_down_load->impulse_N_s.norm(),
+                          one.result.touch_down_load->peak_force_N);
+    } else {
+      text += fmt::format("  {:>9}  {:>12}  {:>11}  {:>8}", "-", "-", "-", "-");
+    }
+    for (const TransmissionLoad& load : one.result.transmission_loads) {
+      text += fmt::format("  {:.4g}", load.motor.mean);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+constexpr std::size_t kShownFailures = 8;
+
+std::string trials_lines(const ReplayTrials& trials) {
+  const TrialCounts counts = trials.counts();
+  std::string text = "\n" + rate_words(trials) + "\n";
+  if (counts.unfinished > 0) {
+    text += fmt::format("  {} of {} asked for were not finished and count neither way\n",
+                        counts.unfinished, counts.all());
+  }
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < trials.outcomes.size(); ++i) {
+    const std::optional<TrialOutcome>& outcome = trials.outcomes[i];
+    if (!outcome || outcome->end == TrialEnd::kStands) continue;
+    if (++shown > kShownFailures) continue;
+    text += fmt::format("  trial {:<4}  t = {:.3f} s: {}\n", trials.first + i, outcome->end_time_s,
+                        outcome->reason);
+  }
+  if (shown > kShownFailures) {
+    text += fmt::format("  and {} more (--json lists all; --trial N repeats one alone)\n",
+                        shown - kShownFailures);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string replay_text(const Robot& robot, const Motion& motion, const ReplayReport& report) {
+  const ReplayResult& result = report.result;
+  std::string text =
+      fmt::format("{}: {}\n", io::name_in_text(motion.file), name_of(result.outcome.verdict));
+  text += fmt::format("  robot    {}, {:.4g} s of motion\n", robot.name, motion.duration_s());
+  text += "  engine   " + simulation_words(report.options) + "\n";
+  text += end_lines(motion, result);
+  text += "  battery  " + battery_words(result) + "\n";
+  for (std::size_t i = 0; i < result.drives.size(); ++i) text += drive_lines(result, i);
+  text += sweep_lines(report.sweep);
+  if (report.trials) text += trials_lines(*report.trials);
+  text += "\n";
+  for (const Finding& finding : result.findings) {
+    text += fmt::format("{} [{}] {}\n", actuator::name_of(finding.severity), finding.rule,
+                        finding.sentence);
+  }
+  return text;
+}
+
+}  // namespace torquewright::report

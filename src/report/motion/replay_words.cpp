@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/motion/replay_words.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace torquewright::report {
+
+using namespace hopper;
+
+namespace {
+
+std::string rotation_words(double short_rad) {
+  const double size = std::abs(short_rad) * 180.0 / std::numbers::pi;
+  return fmt::format("{:.3g} degrees {}", size, short_rad >= 0.0 ? "short" : "over");
+}
+
+}  // namespace
+
+std::string simulation_words(const ReplayOptions& options) {
+  const double period_s = options.run.step_s * options.run.steps_per_control;
+  return fmt::format(
+      "{}, steps of {:.4g} ms; drives held to their {}; {} every {:.4g} ms, {:.4g} ms "
+      "late; at impacts {}",
+      options.engine->name, 1e3 * options.run.step_s,
+      options.limits == DriveLimits::kBox ? "box" : "regions", options.controller->name,
+      1e3 * period_s, 1e3 * options.run.step_s * options.run.latency_steps,
+      name_of(options.impact.handling));
+}
+
+std::string landing_words(const TouchDown& down) {
+  return fmt::format("t = {:.4f} s, {:.3g} ms {} than planned; rotation {}", down.time_s,
+                     1e3 * std::abs(down.time_s - down.planned_s),
+                     down.time_s < down.planned_s ? "earlier" : "later",
+                     rotation_words(down.rotation_short_rad));
+}
+
+std::string ground_words(const TouchDownLoad& load) {
+  return fmt::format(
+      "the ground gives ({:.3g}, {:.3g}, {:.3g}) N s in {:g} ms, {:.4g} N at most (mean of {:g} "
+      "ms)",
+      load.impulse_N_s.x(), load.impulse_N_s.y(), load.impulse_N_s.z(), 1e3 * load.window_s,
+      load.peak_force_N, 1e3 * load.force_window_s);
+}
+
+std::string end_words(const Motion& motion, const ReplayOutcome& outcome) {
+  const double after_s = outcome.end_s - motion.times_s.back();
+  const std::string text = fmt::format(
+      "t = {:.4f} s, {:.4g} s {} the motion's; feet at rest for {:.3g} s", outcome.end_s,
+      std::abs(after_s), after_s < 0.0 ? "before" : "after", outcome.foot_at_rest_s);
+  return text + (outcome.reason.empty() ? "" : ": " + outcome.reason);
+}
+
+std::string battery_words(const ReplayResult& result) {
+  return fmt::format("{:.4g} V at least (t = {:.4f} s), {:.4g} W at most", result.least_bus_V,
+                     result.least_bus_s, result.greatest_power_W);
+}
+
+std::string clipped_words(const DriveReplay& drive) {
+  if (!(drive.peak_cut_off_Nm > 0.0)) return "never";
+  return fmt::format("{:.3g} % of the control instants, by {:.4g} Nm at most (t = {:.4f} s)",
+                     100.0 * drive.clipped_share, drive.peak_cut_off_Nm, drive.cut_off_time_s);
+}
+
+std::string rate_words(const ReplayTrials& trials) {
+  const TrialCounts counts = trials.counts();
+  const ShareInterval interval = success_interval(counts);
+  return fmt::format(
+      "{} of {} randomised trials stand: {:.1f} %, with 95 % between {:.1f} and {:.1f} % (seed {})",
+      counts.succeeded, counts.done(),
+      counts.done() > 0
+          ? 100.0 * static_cast<double>(counts.succeeded) / static_cast<double>(counts.done())
+          : 0.0,
+      100.0 * interval.least, 100.0 * interval.greatest, trials.seed);
+}
+
+}  // namespace torquewright::report

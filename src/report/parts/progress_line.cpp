@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/parts/progress_line.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "src/interrupt.hpp"
+#include "src/sweep/sweep.hpp"
+
+namespace torquewright::report {
+
+namespace {
+
+/// That fit into a row of the window: what goes on in a second row could not be taken back. The
+/// terminal writes ^C behind it, where that is typed.
+int columns() {
+  constexpr int kUsual = 80, kTyped = 3;
+  winsize size{};
+  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > kTyped;
+  return (is_known ? size.ws_col : kUsual) - kTyped;
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine() : is_watched_(isatty(STDERR_FILENO) == 1 && !sweep::is_silent()) {}
+ProgressLine::~ProgressLine() { write(""); }
+
+void ProgressLine::show(const std::string& text) {
+  cli::leave_if_interrupted();
+  write(text);
+}
+
+void ProgressLine::write(const std::string& text) const {
+  if (is_watched_) std::fprintf(stderr, "\r\033[K%.*s", columns(), text.c_str());
+}
+
+}  // namespace torquewright::report

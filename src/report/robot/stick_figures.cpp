@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/robot/stick_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "src/report/parts/svg.hpp"
+#include "src/report/robot/figure_view.hpp"
+#include "src/report/robot/moments.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+constexpr int kMoments = 12;
+constexpr double kLegendHeight = 26;
+constexpr double kLongWay = 3.0;      // width over height of a motion whose view goes along
+constexpr double kArrowShare = 0.45;  // of the height: the greatest force
+
+struct Drawn {
+  std::vector<Moment> moments;
+  std::vector<Pose> poses;
+};
+
+Drawn drawn_moments(const HopperPage& page, const Skeleton& skeleton) {
+  Drawn drawn{moments_of(page.motion, page.report.flights, kMoments), {}};
+  std::vector<Index> samples;
+  for (const Moment& moment : drawn.moments) samples.push_back(moment.sample);
+  drawn.poses = poses_at(page.robot, page.motion, skeleton, samples);
+  return drawn;
+}
+
+std::string line_of(const Skeleton::Bone& bone, const Pose& pose, const std::string& attributes) {
+  const Vector2d& from = pose.points[bone.from];
+  const Vector2d& to = pose.points[bone.to];
+  return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>\n", decimal(from.x(), 1),
+                     decimal(from.y(), 1), decimal(to.x(), 1), decimal(to.y(), 1), attributes);
+}
+
+// The document.
+
+/// From blue to orange over the motion.
+std::string colour(double share) {
+  const auto mix = [share](int from, int to) {
+    return static_cast<int>(std::lround(from + share * (to - from)));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", mix(0x1f, 0xd9), mix(0x5f, 0x6b), mix(0xa8, 0x0f));
+}
+
+/// Room between neighbours, so that they do not hide one another.
+double spread_m(const std::vector<Pose>& poses) {
+  double widest_m = 0.0;
+  for (const Pose& pose : poses) {
+    const auto [least, most] = std::minmax_element(
+        pose.points.begin(), pose.points.end(),
+        [](const Vector2d& one, const Vector2d& other) { return one.x() < other.x(); });
+    widest_m = std::max(widest_m, most->x() - least->x());
+  }
+  return 0.7 * widest_m;
+}
+
+std::string document_figure(const Skeleton& skeleton, const Pose& pose, const Moment& moment,
+                            double share, double bottom) {
+  std::string text =
+      fmt::format("<g stroke=\"{}\" stroke-width=\"3\" stroke-linecap=\"round\">\n", colour(share));
+  for (const Skeleton::Bone& bone : skeleton.bones) text += line_of(bone, pose, "");
+  const std::string x = decimal(pose.center_of_mass_m.x(), 1);
+  return text + fmt::format(
+                    "</g>\n<circle cx=\"{0}\" cy=\"{1}\" r=\"4\" fill=\"{2}\"/>\n<text x=\"{0}\" "
+                    "y=\"{3}\" text-anchor=\"middle\" fill=\"#49566b\">{4} s{5}</text>\n",
+                    x, decimal(pose.center_of_mass_m.y(), 1), colour(share), decimal(bottom, 1),
+                    decimal(pose.time_s, 2), moment.is_in_flight ? " *" : "");
+}
+
+std::string document_legend(double y) {
+  return fmt::format(
+      "<g fill=\"#49566b\"><circle cx=\"20\" cy=\"{1}\" r=\"4\" fill=\"{2}\"/><text x=\"30\" "
+      "y=\"{0}\">centre of mass</text><text x=\"150\" y=\"{0}\">colour: from the begin (blue) to "
+      "the end (orange)</text><text x=\"490\" y=\"{0}\">* in flight</text></g>\n",
+      decimal(y, 1), decimal(y - 4, 1), colour(0.0));
+}
+
+// On the page.
+
+std::set<std::size_t> bad_bodies(const std::vector<ShownViolation>& violations, double time_s) {
+  std::set<std::size_t> bodies;
+  for (const ShownViolation& violation : violations) {
+    if (violation.holds_at(time_s)) bodies.insert(violation.bodies.begin(), violation.bodies.end());
+  }
+  return bodies;
+}
+
+std::string bones_of(const Skeleton& skeleton, const Pose& pose, const std::set<std::size_t>& bad) {
+  std::string text;
+  for (const Skeleton::Bone& bone : skeleton.bones) {
+    text +=
+        line_of(bone, pose,
+                fmt::format(" class=\"bone{}\" data-body=\"{}\" data-from=\"{}\" "
+                            "data-to=\"{}\"",
+                            bad.contains(bone.body) ? " bad" : "", bone.body, bone.from, bone.to));
+  }
+  return text;
+}
+
+/// The script's points of the planned pose come after those of the pose that is.
+std::string planned_bones(const Skeleton& skeleton, const Pose& pose) {
+  const std::size_t points = skeleton.points.size();
+  std::string text;
+  for (const Skeleton::Bone& bone : skeleton.bones) {
+    text += line_of(bone, pose,
+                    fmt::format(" class=\"bone planned\" data-from=\"{}\" data-to=\"{}\"",
+                                points + bone.from, points + bone.to));
+  }
+  return text;
+}
+
+std::string svg_of(const char* style, double width, double height, double ground,
+                   const std::string& title) {
+  return fmt::format(
+      "<svg class=\"{0}\" role=\"img\" viewBox=\"0 0 {1} {2}\">\n<title>{4}</title>\n<line "
+      "class=\"ground\" x1=\"0\" y1=\"{3}\" x2=\"{1}\" y2=\"{3}\"/>\n",
+      style, decimal(width, 1), decimal(height, 1), decimal(ground, 1), escaped(title));
+}
+
+std::string still(const Skeleton& skeleton, const Pose& pose, const Moment& moment,
+                  const FigureView& view, const std::set<std::size_t>& bad) {
+  const std::string when = decimal(pose.time_s, 3) + " s";
+  const char* phase = moment.is_in_flight ? "flight" : "ground";
+  std::string text = svg_of(
+      "still", view.width(), view.height(), view.ground(),
+      fmt::format("The robot at {}, {}{}", when, phase, bad.empty() ? "" : ", violating a limit"));
+  text += bones_of(skeleton, pose, bad);
+  text += fmt::format("<circle class=\"mass\" cx=\"{}\" cy=\"{}\" r=\"4\"/>\n</svg>\n",
+                      decimal(pose.center_of_mass_m.x(), 1), decimal(pose.center_of_mass_m.y(), 1));
+  return fmt::format(
+      "<figure class=\"moment {0}\">\n{1}<figcaption>{2}<br/>{0}</figcaption>\n"
+      "</figure>\n",
+      phase, text, when);
+}
+
+double greatest_force_N(const HopperPage& page) {
+  double greatest_N = 0.0;
+  const Eigen::MatrixXd& forces_N = page.report.demand.forces_N;
+  for (Index row = 0; row + 2 < forces_N.rows(); row += 3) {
+    greatest_N = std::max(greatest_N, forces_N.middleRows(row, 3).colwise().norm().maxCoeff());
+  }
+  return greatest_N;
+}
+
+}  // namespace
+
+std::string stick_figures(const HopperPage& page) {
+  if (!page.motion.has_base) return "";
+  const Skeleton skeleton = skeleton_of(page.robot);
+  const auto [moments, poses] = drawn_moments(page, skeleton);
+  const FigureView view(
+      poses, {page.options.contact.ground_height_m, spread_m(poses), false, 1400, 420, 40});
+  const double height = view.height() + kLegendHeight;
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+      "height=\"{1}\" font-family=\"DejaVu Sans,sans-serif\" font-size=\"12\">\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
+      "<line x1=\"0\" y1=\"{2}\" x2=\"{0}\" y2=\"{2}\" stroke=\"#7a8692\" stroke-width=\"1.5\"/>\n",
+      decimal(view.width(), 1), decimal(height, 1), decimal(view.ground(), 1));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double share =
+        (poses[i].time_s - page.motion.times_s.front()) / std::max(page.motion.duration_s(), 1e-9);
+    text += document_figure(skeleton, view.on_paper(poses[i], i), moments[i], share,
+                            view.height() - 12);
+  }
+  return text + document_legend(height - 12) + "</svg>\n";
+}
+
+std::string still_figures(const HopperPage& page, const std::vector<ShownViolation>& violations) {
+  if (!page.motion.has_base) return "";
+  const Skeleton skeleton = skeleton_of(page.robot);
+  const auto [moments, poses] = drawn_moments(page, skeleton);
+  const FigureView view(poses, {page.options.contact.ground_height_m, 0.0, true, 220, 220, 8});
+  std::string text = "<div class=\"moments\">\n";
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    text += still(skeleton, view.on_paper(poses[i], i), moments[i], view,
+                  bad_bodies(violations, poses[i].time_s));
+  }
+  return text + "</div>\n";
+}
+
+MovingFigure moving_figure(const MovedPoses& moved) {
+  MovingFigure figure;
+  figure.skeleton = moved.skeleton;
+  std::vector<Pose> all = moved.poses;
+  all.insert(all.end(), moved.planned.begin(), moved.planned.end());
+  figure.follows = FigureView::proportion(all, moved.ground_m) > kLongWay;
+  if (figure.follows) {
+    // A view that goes with the robot shows how far it is from where it should be.
+    for (std::size_t i = 0; i < moved.planned.size(); ++i) {
+      all[moved.poses.size() + i].center_of_mass_m = moved.poses[i].center_of_mass_m;
+    }
+  }
+  const FigureView view(all, {moved.ground_m, 0.0, figure.follows, 640, 400, 26});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    (i < moved.poses.size() ? figure.poses : figure.planned).push_back(view.on_paper(all[i], 0));
+  }
+  figure.width = view.width();
+  figure.height = view.height();
+  figure.ground = view.ground();
+  if (moved.greatest_force_N > 0.0) {
+    figure.per_N = kArrowShare * figure.height / moved.greatest_force_N;
+  }
+  return figure;
+}
+
+MovingFigure moving_figure(const HopperPage& page, const std::vector<Index>& samples) {
+  const Skeleton skeleton = skeleton_of(page.robot);
+  MovedPoses moved{skeleton, poses_at(page.robot, page.motion, skeleton, samples)};
+  moved.ground_m = page.options.contact.ground_height_m;
+  moved.greatest_force_N = greatest_force_N(page);
+  return moving_figure(moved);
+}
+
+std::string figure_svg(const std::string& title, const MovingFigure& figure, std::size_t pose,
+                       const std::vector<ShownViolation>& violations) {
+  const Pose& at = figure.poses[pose];
+  std::string text = svg_of("robot", figure.width, figure.height, figure.ground, title);
+  if (!figure.follows) {
+    text += "<polyline class=\"way\" points=\"";
+    for (const Pose& each : figure.poses) {
+      text += fmt::format("{},{} ", decimal(each.center_of_mass_m.x(), 1),
+                          decimal(each.center_of_mass_m.y(), 1));
+    }
+    text += "\"/>\n";
+  }
+  if (!figure.planned.empty()) text += planned_bones(figure.skeleton, figure.planned[pose]);
+  text += bones_of(figure.skeleton, at, bad_bodies(violations, at.time_s));
+  for (std::size_t i = 0; i < figure.skeleton.contacts.size(); ++i) {
+    text += fmt::format("<path class=\"force\" data-contact=\"{}\"/>\n", i);
+  }
+  return text + fmt::format("<circle class=\"mass\" cx=\"{}\" cy=\"{}\" r=\"5\"/>\n</svg>\n",
+                            decimal(at.center_of_mass_m.x(), 1),
+                            decimal(at.center_of_mass_m.y(), 1));
+}
+
+}  // namespace torquewright::report

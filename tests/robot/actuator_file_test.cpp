@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracles: numbers by hand, J^-T of two rods, and the file that one drive has of its own.
+#include "robot/simulators/actuator_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+#include "actuator/exporters/every_exporter.hpp"
+#include "actuator/exporters/line_law.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/model/robot_spec.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+constexpr double kPrinted = 1e-6;  // of a number: shortest decimals of a conservative fit's search
+
+Robot robot_in(const char* file) {
+  return read_robot(std::filesystem::path(TORQUEWRIGHT_SOURCE_DIR) / "specs/robot" / file).robot;
+}
+
+/// The line of a drive's own, as `actuator mor` would write it.
+actuator::Parallelogram line_of(const actuator::Actuator& stated) {
+  const actuator::Region region(stated, {});
+  const actuator::MorTable table = actuator::mor_table(region);
+  const actuator::Subject subject{stated, {}, region, table};
+  return actuator::parallelogram_of(actuator::exporters::isaac_lab.shape(subject));
+}
+
+/// The argument of the entry that stands under a name.
+double argument(const std::string& text, const std::string& entry, const std::string& name) {
+  const std::size_t begin = text.find("\n" + entry + " = ");
+  EXPECT_NE(begin, std::string::npos) << entry;
+  if (begin == std::string::npos) return 0.0;
+  const std::string call = text.substr(begin, text.find("\n)\n", begin) - begin);
+  std::smatch found;
+  EXPECT_TRUE(std::regex_search(call, found, std::regex(name + "=([-0-9.e+]+),"))) << call;
+  return found.empty() ? 0.0 : std::stod(found[1]);
+}
+
+bool has_note(const Exported& exported, const std::string& piece) {
+  for (const std::string& note : exported.notes) {
+    if (note.find(piece) != std::string::npos) return true;
+  }
+  return false;
+}
+
+// The ankle nearest to zero: J = [[5/6, 2/3], [5/6, -2/3]] (docs/robot_documents.md's hopper).
+// Pitch alone asks 1/(2 5/6) = 0.6 of its torque of each rod, roll alone 1/(2 2/3) = 0.75; each
+// actuator has 8 0.44 50 = 176 Nm and weighs 64 0.0002 = 0.0128 kg m^2.
+TEST(ActuatorFile, HoldsWhatACoupledJointHasAlone) {
+  const Robot robot = robot_in("hopper.json");
+  const Exported exported = actuators_of(robot, actuator::exporters::isaac_lab, {"origin"});
+  const auto actuator = line_of(robot.drivetrains[1].actuators[0]);
+  EXPECT_NEAR(actuator.greatest_torque_Nm, 176.0, kPrinted * 176.0);
+  const double ratios[2] = {5.0 / 6.0, 2.0 / 3.0};
+  const char* names[2] = {"ankle_pitch", "ankle_roll"};
+  for (int j = 0; j < 2; ++j) {
+    const double both = 2.0 * ratios[j];
+    const auto near = [&](const char* name, double expected) {
+      EXPECT_NEAR(argument(exported.text, names[j], name), expected, kPrinted * expected)
+          << names[j] << " " << name;
+    };
+    near("actuator_effort_limit", 176.0 * both);
+    near("saturation_effort", actuator.stall_torque_Nm * both);
+    near("actuator_velocity_limit", actuator.no_load_speed_rad_s / ratios[j]);
+    near("armature", 2.0 * ratios[j] * ratios[j] * 0.0128);
+  }
+  EXPECT_TRUE(has_note(exported,
+                       "ankle_pitch, ankle_roll are coupled (parallel_ankle, driven by "
+                       "ankle_left, ankle_right)"));
+  EXPECT_TRUE(has_note(exported, "would ask an actuator for 2 times its torque"));
+  EXPECT_TRUE(has_note(exported, "ankle_pitch turns at a ratio that changes with posture"));
+  // The knee's four-bar is a parallelogram: it turns as its drive does, in every posture.
+  EXPECT_FALSE(has_note(exported, "knee turns at a ratio"));
+  for (const std::string& note : exported.notes) {
+    EXPECT_NE(exported.text.find("# " + note + "\n"), std::string::npos) << note;
+  }
+}
+
+// By hand: of Cassie's ten drives the left and the right are alike, and so are hip pitch and knee.
+TEST(ActuatorFile, GathersDrivesThatAreAlike) {
+  const Robot robot = robot_in("cassie.json");
+  const Exported exported = actuators_of(robot, actuator::exporters::mjlab, {"origin"});
+  const auto knee = line_of(robot.drivetrains[2].actuators[0]);
+  const std::regex entry("= DcMotorActuatorCfg\\(");
+  const auto entries =
+      std::distance(std::sregex_iterator(exported.text.begin(), exported.text.end(), entry),
+                    std::sregex_iterator());
+  std::size_t joints = 0;
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    for (const std::size_t body : drivetrain.joints) {
+      const std::string name = "\"" + robot.tree.bodies[body].joint.name + "\"";
+      EXPECT_EQ(exported.text.find(name), exported.text.rfind(name)) << name;
+      EXPECT_NE(exported.text.find(name), std::string::npos) << name;
+      ++joints;
+    }
+  }
+  EXPECT_EQ(joints, 10U);
+  EXPECT_LE(entries, 5);
+  EXPECT_NE(
+      exported.text.find("effort_limit=" + std::to_string(knee.greatest_torque_Nm).substr(0, 5)),
+      std::string::npos);
+}
+
+// A drive's own file and the robot's say the same of a joint that it turns directly.
+TEST(ActuatorFile, IsTheDrivesOwnWhereItTurnsAJointDirectly) {
+  const Robot robot = robot_in("mini_cheetah.json");
+  const Exported exported = actuators_of(robot, actuator::exporters::newton, {"origin"});
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    const auto line = line_of(drivetrain.actuators[0]);
+    for (const double value :
+         {line.stall_torque_Nm, line.no_load_speed_rad_s, line.greatest_torque_Nm}) {
+      std::ostringstream digits;
+      digits.precision(8);
+      digits << value;
+      EXPECT_NE(exported.text.find(digits.str().substr(0, 6)), std::string::npos) << value;
+    }
+    EXPECT_NE(
+        exported.text.find("\"" + robot.tree.bodies[drivetrain.joints[0]].joint.name + "\": add_"),
+        std::string::npos);
+  }
+}
+
+TEST(ActuatorFile, RefusesARobotWithoutDrives) {
+  EXPECT_THROW(actuators_of(robot_in("rabbit.json"), actuator::exporters::isaac_lab, {}),
+               io::SpecError);
+}
+
+}  // namespace
+}  // namespace torquewright::hopper
