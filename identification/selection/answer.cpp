@@ -275,6 +275,9 @@ void describe_refused(const Judgement& judged, const Found& found, const SearchR
     }
   }
   for (const EffectCandidate* each : found.silent) {
+    // What does nothing by itself may have come in beside another.
+    const EffectSet& members = found.best.members;
+    if (std::find(members.begin(), members.end(), each) != members.end()) continue;
     if (std::find(result.not_excited.begin(), result.not_excited.end(), each->effect) ==
         result.not_excited.end()) {
       result.not_excited.push_back(each->effect);
