@@ -117,8 +117,7 @@ ordered_json inertia_json(const DriveReport& drive) {
 ordered_json left_out_json(const DriveReport& drive) {
   ordered_json effects = ordered_json::array();
   for (const LeftOutEffect& effect : drive.effects_left_out) {
-    effects.push_back(
-        {{"effect", effect.effect}, {"misjudged_Nm", number(effect.misjudged_Nm)}});
+    effects.push_back({{"effect", effect.effect}, {"misjudged_Nm", number(effect.misjudged_Nm)}});
   }
   return effects;
 }

@@ -41,8 +41,8 @@ class DriveCheck {
   void set_bus_voltage_V(double voltage_V);
 
   /// `position_rad`: of the actuator's output; unknown where nothing tells it.
-  void add(double time_s, std::optional<double> position_rad, double speed_rad_s,
-           double torque_Nm, double acceleration_rad_s2);
+  void add(double time_s, std::optional<double> position_rad, double speed_rad_s, double torque_Nm,
+           double acceleration_rad_s2);
 
   DriveReport finish() const;
   std::vector<TracePoint> trace() const { return trace_.points(); }

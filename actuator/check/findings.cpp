@@ -140,14 +140,15 @@ void add_left_out(const DriveReport& drive, std::vector<Finding>& findings) {
     const double margin_Nm = drive.interpretation.margin_Nm;
     std::string sentence =
         effect.misjudged_Nm
-            ? fmt::format("{}: {} is left out; this motion is misjudged by up to {:.3g} Nm for it, "
-                          "{} than the {:.3g} Nm that {} the region's bound",
-                          drive.name, effect.effect, *effect.misjudged_Nm,
-                          is_open ? "more" : "no more", std::abs(margin_Nm),
-                          margin_Nm < 0.0 ? "are missing to" : "are left to")
-            : fmt::format("{}: {} is left out, and what it comes to is not known without positions "
-                          "of the joint",
-                          drive.name, effect.effect);
+            ? fmt::format(
+                  "{}: {} is left out; this motion is misjudged by up to {:.3g} Nm for it, "
+                  "{} than the {:.3g} Nm that {} the region's bound",
+                  drive.name, effect.effect, *effect.misjudged_Nm, is_open ? "more" : "no more",
+                  std::abs(margin_Nm), margin_Nm < 0.0 ? "are missing to" : "are left to")
+            : fmt::format(
+                  "{}: {} is left out, and what it comes to is not known without positions "
+                  "of the joint",
+                  drive.name, effect.effect);
     if (is_open) sentence += ": undecided; `hopper replay` reckons with it";
     Finding result = finding(drive, is_open ? Severity::kWarning : Severity::kNote,
                              "effect-left-out", std::move(sentence));

@@ -11,7 +11,8 @@ namespace torquewright::actuator {
 
 /// How much the effects that a part leaves out matter in a motion: the greatest torque of those
 /// whose law follows from a sample, and for those with a history the estimate of their record
-/// (EffectKind::misjudged_Nm) by the motion's extremes. docs/derivations/check.md eq. (8).
+/// (EffectKind::misjudged_Nm) by the motion's extremes. docs/derivations/check.md eqs. (14) to
+/// (16).
 class LeftOutSizes {
  public:
   struct Sample {

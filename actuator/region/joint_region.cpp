@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/region/joint_region.hpp"
 
-
 #include <algorithm>
 #include <cmath>
 

@@ -10,13 +10,13 @@ bool turns_on_angle(const Effect& effect) {
   return effect.kind->acts == Acts::kOutputTorque && !effect.kind->has_harmonics;
 }
 
-std::string sentence_of(const Effect& effect) {
+}  // namespace
+
+std::string left_out_sentence(const Effect& effect) {
   return fmt::format("{}: depends on the {}, which no region of torque over speed can hold",
                      effect.kind->name,
                      turns_on_angle(effect) ? "output's angle" : "motion's history");
 }
-
-}  // namespace
 
 bool holds(Part part, const Effect& effect) {
   if (part == Part::kReplay) return true;
@@ -35,7 +35,7 @@ std::vector<const Effect*> effects_left_out(const Actuator& actuator, Part part)
 std::vector<std::string> left_out(const Actuator& actuator, Part part) {
   std::vector<std::string> sentences;
   for (const Effect* effect : effects_left_out(actuator, part)) {
-    sentences.push_back(sentence_of(*effect));
+    sentences.push_back(left_out_sentence(*effect));
   }
   if (!actuator.battery) sentences.emplace_back("battery: none stated; the bus voltage is stiff");
   if (!actuator.thermal) {

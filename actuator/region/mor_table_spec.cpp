@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/region/left_out.hpp"
 #include "actuator/region/mor_table_spec.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +6,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "actuator/region/left_out.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "actuator/check/left_out_sizes.hpp"
 #include "actuator/check/region_words.hpp"
 #include "actuator/region/joint_region.hpp"
 #include "actuator/region/torque_at.hpp"
@@ -82,6 +83,7 @@ Robot with(const Robot& robot, std::size_t drivetrain, const Candidate& candidat
     if (battery && !actuator.battery) actuator.battery = battery;
   }
   drive.stated_rotors_kg_m2.clear();
+  drive.joints_state_rotors = false;
   if (!drive.rotors_in_tree) return changed;
   // What the joints state is of the rotors that it replaces; its own turn as the mechanism says.
   drive.rotors_in_tree = false;
@@ -175,6 +177,11 @@ std::string reason(const actuator::DriveReport& report, bool by_dynamics) {
   if (is_open && report.held_heat) {
     return fmt::format("{}: undecided, its winding is between {:.4g} and {:.4g} K", report.name,
                        report.held_heat->coldest_K, report.held_heat->warmest_K);
+  }
+  for (const actuator::LeftOutEffect& effect : report.effects_left_out) {
+    if (!is_open || !actuator::outweighs(effect, interpretation)) continue;
+    return fmt::format("{}: undecided, {} is left out and may outweigh its margin", report.name,
+                       effect.effect);
   }
   if (by_dynamics && is_open) {
     return fmt::format("{}: undecided, its limits lie within what the torques leave open",

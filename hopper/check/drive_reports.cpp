@@ -102,7 +102,7 @@ actuator::DriveReport checked_drive(const CheckedMotion& checked,
   const std::size_t drive = place.drive;
   actuator::DriveOptions with = options;
   // What a joint states of its rotor knows nothing of an effect.
-  if (place.drivetrain.rotors_in_tree) with.part = actuator::Part::kRegion;
+  if (place.drivetrain.joints_state_rotors) with.part = actuator::Part::kRegion;
   actuator::DriveCheck check(checked_as(conditions, place), with);
   const SharedBus* bus = nullptr;
   for (const SharedBus& shared : buses) {

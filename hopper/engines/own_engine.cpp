@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equations: docs/derivations/time_stepping.md.
 #include "dynamics/position_step.hpp"
-#include "hopper/engines/engine.hpp"
+#include "hopper/engines/every_engine.hpp"
 #include "hopper/robot/whole_body.hpp"
 #include "simulation/contact/time_stepping.hpp"
 
@@ -113,4 +113,10 @@ std::unique_ptr<Engine> own_engine(const Robot& robot, const EngineOptions& opti
   return std::make_unique<OwnEngine>(robot, options);
 }
 
+namespace engines {
+
+const EngineKind own = {
+    .name = "own", .sentence = "rigid contact, step by step", .make = own_engine};
+
+}  // namespace engines
 }  // namespace torquewright::hopper

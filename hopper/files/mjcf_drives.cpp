@@ -10,6 +10,7 @@
 
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/line_law.hpp"
+#include "actuator/region/left_out.hpp"
 #include "hopper/files/xml_text.hpp"
 #include "hopper/robot/mechanism_reach.hpp"
 #include "io/spec_error.hpp"
@@ -99,6 +100,17 @@ void write_motor(tinyxml2::XMLPrinter& out, const dynamics::Joint& joint) {
   out.CloseElement();
 }
 
+/// What its drives' regions do not hold, by drive and effect.
+void note_left_out(const Drivetrain& drivetrain, std::size_t index,
+                   std::vector<std::string>& notes) {
+  using actuator::Part;
+  const Part part = drivetrain.joints_state_rotors ? Part::kRegion : Part::kCheck;
+  for (const auto* effect : effects_left_out(drivetrain.actuators[index], part)) {
+    notes.push_back(fmt::format("{}: left out: {}", drivetrain.actuator_names[index],
+                                actuator::left_out_sentence(*effect)));
+  }
+}
+
 }  // namespace
 
 std::vector<Drive> drives_of(const Robot& robot, std::vector<std::string>& notes) {
@@ -113,6 +125,7 @@ std::vector<Drive> drives_of(const Robot& robot, std::vector<std::string>& notes
       const SmallVector row = jacobian->row(static_cast<Eigen::Index>(k)).transpose();
       drive.ratios.assign(row.data(), row.data() + row.size());
       read_region(drivetrain.actuators[k], drivetrain.actuator_files[k], drive);
+      note_left_out(drivetrain, k, notes);
       drives.push_back(std::move(drive));
     }
   }

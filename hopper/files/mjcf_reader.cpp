@@ -44,7 +44,7 @@ class MjcfReader {
   MjcfReader(const std::filesystem::path& file, const ImportFileOptions& options)
       : options_(options),
         root_(read_with_includes(file, faults_)),
-        vocabulary_(mjcf_words(), faults_),
+        vocabulary_(mjcf_words(), Unlisted::kRefused, faults_),
         compiler_(read_compiler(root_, faults_)),
         defaults_(root_, faults_) {}
 

@@ -28,7 +28,9 @@ using Eigen::Vector3d;
 class UrdfReader {
  public:
   UrdfReader(const std::filesystem::path& file, const ImportFileOptions& options)
-      : options_(options), root_(read_root(file, "robot")), vocabulary_(urdf_words(), faults_) {}
+      : options_(options),
+        root_(read_root(file, "robot")),
+        vocabulary_(urdf_words(), Unlisted::kIgnored, faults_) {}
 
   Imported read() {
     imported_.robot.name = attribute(root_, "name");

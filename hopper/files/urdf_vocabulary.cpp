@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names: the URDF XML specification (wiki.ros.org/urdf/XML); Drake's in "Notes on parsing"
-// (drake.mit.edu); Gazebo's, ros2_control's, MuJoCo's and RaiSim's own extensions.
+// (drake.mit.edu); Gazebo's, ros2_control's, MuJoCo's and RaiSim's own extensions. What stands here
+// neither way is no word of URDF's: urdfdom, and with it every reader, skips it.
 #include "hopper/files/urdf_vocabulary.hpp"
 
 namespace torquewright::hopper {
@@ -19,6 +20,12 @@ std::span<const Words> urdf_words() {
        "xacro:include xacro:macro xacro:property xacro:if xacro:unless",
        "macros are not expanded here: run xacro first"},
 
+      {"robot", kChildren, kRefused,
+       "loop_joint drake:joint drake:linear_bushing_rpy drake:linear_spring_damper "
+       "drake:ball_constraint drake:tendon_constraint force_element",
+       "readers that know it add a joint, a loop or a force for it: leave it out, and state a "
+       "mechanism where it closes a loop"},
+
       {"link", kAttributes, kRead, "name"},
       {"link", kAttributes, kNeutral, "type"},
       {"link", kChildren, kRead, "inertial"},
@@ -28,6 +35,8 @@ std::span<const Words> urdf_words() {
       {"inertial", kAttributes, kNeutral, "name"},
       {"inertial", kChildren, kRead, "origin mass inertia"},
       {"origin", kAttributes, kRead, "xyz rpy"},
+      {"origin", kAttributes, kRefused, "quat_xyzw",
+       "some readers turn the frame by it: state rpy"},
       {"mass", kAttributes, kRead, "value"},
       {"inertia", kAttributes, kRead, "ixx ixy ixz iyy iyz izz"},
 
@@ -36,6 +45,8 @@ std::span<const Words> urdf_words() {
       {"joint", kChildren, kForce, "dynamics"},
       {"dynamics", kAttributes, kRead, "rotor_inertia"},
       {"joint", kChildren, kNeutral, "safety_controller calibration hardwareInterface"},
+      {"joint", kChildren, kRefused, "drake:mimic drake:screw_thread_pitch",
+       "readers that know it couple or turn the joint by it"},
       {"axis", kAttributes, kRead, "xyz"},
       {"limit", kAttributes, kRead, "lower upper effort velocity"},
       {"limit", kAttributes, kNeutral, "acceleration drake:acceleration jerk"},

@@ -60,9 +60,7 @@ void Vocabulary::check_word(const Element& element, Words::Kind kind, const std:
                                ? fmt::format("<{}>", name)
                                : fmt::format("{} of <{}>", name, element.name);
   if (words == nullptr) {
-    faults_->report(place, fmt::format("the {} {} is not known here; it might change mass or "
-                                       "kinematics",
-                                       sort, word));
+    note_unlisted(place, sort, word);
   } else if (words->meaning == Meaning::kRefused) {
     faults_->report(place, fmt::format("the {} {} is not read; {}", sort, word, words->advice));
   } else if (words->meaning == Meaning::kNeutral) {
@@ -71,6 +69,17 @@ void Vocabulary::check_word(const Element& element, Words::Kind kind, const std:
     const std::string where = place_of(place, element);
     if (places_.emplace(word, where).second) forces_[word].push_back(where);
   }
+}
+
+void Vocabulary::note_unlisted(const Element& place, const std::string& sort,
+                               const std::string& word) {
+  if (unlisted_ == Unlisted::kIgnored) {
+    ++ignored_[word];
+    return;
+  }
+  faults_->report(place, fmt::format("the {} {} is not known here; it might change mass or "
+                                     "kinematics",
+                                     sort, word));
 }
 
 void Vocabulary::check_attributes(const Element& element) {
@@ -104,6 +113,15 @@ std::vector<std::string> Vocabulary::notes() const {
         fmt::format("{} is a force that a robot document does not hold, so that drives "
                     "are charged with it: {}",
                     what, listed(places)));
+  }
+  if (!ignored_.empty()) {
+    std::vector<std::string> words;
+    for (const auto& [word, times] : ignored_) {
+      words.push_back(times == 1 ? word : fmt::format("{} ({} times)", word, times));
+    }
+    notes.push_back(
+        fmt::format("left behind, for the format does not define it and its readers skip it: {}",
+                    listed(std::move(words))));
   }
   if (!neutral_.empty()) {
     notes.push_back(fmt::format("left behind, for it changes neither mass nor kinematics: {}",

@@ -21,8 +21,14 @@ enum class Meaning {
   kRefused,  ///< It changes mass or kinematics, and is not read.
 };
 
+/// What becomes of a word that no list names.
+enum class Unlisted {
+  kRefused,  ///< The format has a strict schema: it might mean anything.
+  kIgnored,  ///< The format's readers skip what it does not define: left behind, counted and said.
+};
+
 /// Words of one meaning: attributes that elements may have or children that they may hold, all
-/// names between spaces. What no list names is refused.
+/// names between spaces.
 struct Words {
   std::string_view elements;
   enum class Kind { kAttributes, kChildren } kind;
@@ -37,7 +43,8 @@ std::string listed(std::vector<std::string> places);
 /// Holds elements against a list of words, and keeps what was left behind.
 class Vocabulary {
  public:
-  Vocabulary(std::span<const Words> words, Faults& faults) : words_(words), faults_(&faults) {}
+  Vocabulary(std::span<const Words> words, Unlisted unlisted, Faults& faults)
+      : words_(words), unlisted_(unlisted), faults_(&faults) {}
 
   /// Attributes and children of the element, not what is inside these. Attributes that say nothing
   /// ("0", "false") are neutral.
@@ -53,9 +60,13 @@ class Vocabulary {
                   const Element& place);
   const Words* find(std::string_view element, Words::Kind kind, std::string_view name) const;
 
+  void note_unlisted(const Element& place, const std::string& sort, const std::string& word);
+
   std::span<const Words> words_;
+  Unlisted unlisted_;
   Faults* faults_;
   std::set<std::string> neutral_;
+  std::map<std::string, int> ignored_;                      ///< How often, by what.
   std::map<std::string, std::vector<std::string>> forces_;  ///< Where, by what.
   std::set<std::pair<std::string, std::string>> places_;    ///< What and where, of these.
 };

@@ -8,17 +8,6 @@
 
 namespace torquewright::hopper {
 
-std::string_view name_of(PlanTask task) {
-  switch (task) {
-    case PlanTask::kFlip:
-      return "flip";
-    case PlanTask::kJump:
-      return "jump";
-    default:
-      return "hop";
-  }
-}
-
 std::string_view name_of(PlanStatus status) {
   switch (status) {
     case PlanStatus::kPlanned:

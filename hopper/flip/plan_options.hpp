@@ -7,16 +7,10 @@
 #include <vector>
 
 #include "hopper/check/checked_motion.hpp"
+#include "hopper/flip/tasks/every_task.hpp"
 #include "hopper/replay/powered_drive_options.hpp"
 
 namespace torquewright::hopper {
-
-enum class PlanTask {
-  kFlip,  ///< From a stance to the same stance, the foot turned once forwards.
-  kJump,  ///< As high as asked for at least, and down on the same place.
-  kHop,   ///< The same with a stride.
-};
-std::string_view name_of(PlanTask task);
 
 /// What a plan keeps away from limits, so that a replay has something left to steer with.
 struct PlanMargins {
@@ -45,7 +39,7 @@ struct PlanProgress {
 };
 
 struct PlanOptions {
-  PlanTask task = PlanTask::kFlip;
+  const PlanTask* task = &tasks::flip;
   DriveLimits limits = DriveLimits::kMor;
   double rise_m = 0.1;    ///< Of the centre of mass in the flight of a jump or a hop, at least.
   double stride_m = 0.1;  ///< Of a hop, forwards.

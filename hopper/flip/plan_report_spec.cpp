@@ -123,7 +123,7 @@ ordered_json plan_report_json(const PlanOptions& options, const PlanResult& resu
           {"version", 1},
           {"status", name_of(result.status)},
           {"reason", result.reason},
-          {"task", name_of(options.task)},
+          {"task", options.task->name},
           {"limits", name_of(options.limits)},
           {"objective", or_null(result.objective)},
           {"iterations", result.iterations},

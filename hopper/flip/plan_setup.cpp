@@ -52,7 +52,7 @@ std::vector<double> even_knots(std::size_t intervals) {
 }
 
 /// A turn, a rise and a stride happen in the air: where there is none, standing still would do.
-void require_flight(const std::vector<Stance>& stances, PlanTask task) {
+void require_flight(const std::vector<Stance>& stances, const PlanTask& task) {
   const bool has_flight = std::any_of(stances.begin(), stances.end(),
                                       [](const Stance& one) { return one.is_flight(); });
   if (has_flight) return;
@@ -60,14 +60,14 @@ void require_flight(const std::vector<Stance>& stances, PlanTask task) {
   for (const Stance& one : stances) names.push_back(one.name);
   io::refuse("--contacts", fmt::format("{} never leaves the ground, and a {} does: it has a "
                                        "'flight' among its contacts, as flat,flight,flat",
-                                       fmt::join(names, ","), name_of(task)));
+                                       fmt::join(names, ","), task.name));
 }
 
 }  // namespace
 
 std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const PlanOptions& options) {
   // A flight that rises has its apex within.
-  const double rise_m = options.task == PlanTask::kFlip ? 0.0 : options.rise_m;
+  const double rise_m = options.task->takes_rise ? options.rise_m : 0.0;
   const double to_apex_s = std::sqrt(2.0 * rise_m / dynamics::kGravity_m_s2);
   double shares = 0.0;
   for (std::size_t p = 0; p < stances.size(); ++p) shares += kind_of(stances, p).share;
@@ -85,10 +85,7 @@ std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const Plan
 
 PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options) {
   PlanGoal goal;
-  if (options.task == PlanTask::kFlip) goal.turn_rad = 2.0 * std::numbers::pi;
-  if (options.task == PlanTask::kJump) goal.stride_m = 0.0;
-  if (options.task == PlanTask::kHop) goal.stride_m = options.stride_m;
-  if (options.task != PlanTask::kFlip) goal.rise_m = options.rise_m;
+  options.task->set_goal(options, goal);
   goal.has_level_base = model.plane.sole.size() == 1;
   for (const Bounds& range : model.joint_rad) {
     const double quarter = 0.25 * (range.upper - range.lower);
@@ -110,15 +107,12 @@ PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options) {
 std::vector<Stance> plan_stances(const SagittalRobot& plane, const PlanOptions& options) {
   if (!options.stances.empty()) {
     std::vector<Stance> stances = stances_of(plane, options.stances);
-    require_flight(stances, options.task);
+    require_flight(stances, *options.task);
     return stances;
   }
-  if (plane.sole.size() > 1 && options.task == PlanTask::kFlip) {
-    return stances_of(plane, {"flat", "heel", "flight", "heel", "flat"});
-  }
-  // Off a whole sole at once no jump of the hopper was found, over the toe at once.
-  if (plane.sole.size() > 1) return stances_of(plane, {"flat", "toe", "flight", "toe", "flat"});
-  return stances_of(plane, {"flat", "flight", "flat"});
+  if (plane.sole.size() == 1) return stances_of(plane, {"flat", "flight", "flat"});
+  const auto& of_a_sole = options.task->stances_of_a_sole;
+  return stances_of(plane, {of_a_sole.begin(), of_a_sole.end()});
 }
 
 }  // namespace torquewright::hopper

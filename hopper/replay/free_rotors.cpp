@@ -15,8 +15,7 @@ double rotor_turned_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std:
 
 bool is_rotor_free(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator) {
   return simulation::states_elastic_train(drivetrain.actuators[actuator]) &&
-         !rotors_stay_in_tree(drivetrain) &&
-         rotor_turned_kg_m2(robot, drivetrain, actuator) > 0.0;
+         !rotors_stay_in_tree(drivetrain) && rotor_turned_kg_m2(robot, drivetrain, actuator) > 0.0;
 }
 
 Robot without_free_rotors(const Robot& robot) {

@@ -27,7 +27,7 @@ constexpr char kWeighsNothing[] =
 /// Why an effect does not act; empty: it does.
 std::string reason_against(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator,
                            const Effect& effect) {
-  if (drivetrain.rotors_in_tree && changes_inertia(effect)) return kInJoints;
+  if (drivetrain.joints_state_rotors && changes_inertia(effect)) return kInJoints;
   const bool is_part_of_train = simulation::makes_train_elastic(effect);
   if (!is_part_of_train || is_rotor_free(robot, drivetrain, actuator)) return "";
   return rotors_stay_in_tree(drivetrain) ? kInJoints : kWeighsNothing;
@@ -42,8 +42,7 @@ std::vector<EffectLeftOut> effects_left_out(const Robot& robot) {
       for (const Effect& effect : drivetrain.actuators[i].effects) {
         const std::string reason = reason_against(robot, drivetrain, i, effect);
         if (reason.empty()) continue;
-        left_out.push_back(
-            {drivetrain.actuator_names[i], std::string(effect.kind->name), reason});
+        left_out.push_back({drivetrain.actuator_names[i], std::string(effect.kind->name), reason});
       }
     }
   }
@@ -56,8 +55,7 @@ void leave_open(const std::vector<EffectLeftOut>& effects, ReplayResult& result)
     finding.rule = "effect-left-out";
     finding.severity = actuator::Severity::kWarning;
     finding.joint = one.drive;
-    finding.sentence =
-        fmt::format("{}: {} is left out: {}", one.drive, one.effect, one.reason);
+    finding.sentence = fmt::format("{}: {} is left out: {}", one.drive, one.effect, one.reason);
   }
   if (effects.empty() || result.outcome.verdict == ReplayVerdict::kUnfinished) return;
   const std::string as_it_went = result.outcome.verdict == ReplayVerdict::kStands

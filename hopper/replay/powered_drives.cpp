@@ -35,8 +35,8 @@ FixedDrives fixed_drives(const Robot& robot) {
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
       const bool is_free = is_rotor_free(robot, drivetrain, i);
-      const double rotor_kg_m2 = is_free ? rotor_turned_kg_m2(robot, drivetrain, i)
-                                         : rotor_at_output_kg_m2(drivetrain, i);
+      const double rotor_kg_m2 =
+          is_free ? rotor_turned_kg_m2(robot, drivetrain, i) : rotor_at_output_kg_m2(drivetrain, i);
       drives.push_back(
           {drivetrain.actuators[i], file_of(drivetrain, i), rotor_kg_m2, !is_free, nullptr});
     }

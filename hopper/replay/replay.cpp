@@ -14,8 +14,6 @@
 #include "hopper/replay/sensor_noise.hpp"
 #include "hopper/replay/step_limit.hpp"
 #include "hopper/replay/trial.hpp"
-#include "hopper/tracking/lqr.hpp"
-#include "hopper/tracking/pd.hpp"
 #include "io/refusal.hpp"
 #include "io/time_text.hpp"
 
@@ -53,29 +51,16 @@ void require_replayable(const Robot& robot, const Motion& motion, const HopperRe
   if (robot.drivetrains.empty()) {
     io::refuse(motion.file, fmt::format("{} has no drive that could do it", robot.name));
   }
-  if (options.engine == EngineKind::kMujoco) {
-    if (const auto absence = mujoco_absence()) io::refuse("--engine", *absence);
+  if (options.engine->absence != nullptr) {
+    if (const auto absence = options.engine->absence()) io::refuse("--engine", *absence);
   }
   require_few_steps(motion, options.run);
   require_start_above_ground(robot, motion, options.engine_options.ground_height_m);
   require_steps_follow_effects(robot, motion.positions.col(0), options.run.step_s);
 }
 
-std::unique_ptr<Engine> engine_of(const Robot& robot, EngineKind engine,
-                                  const EngineOptions& options) {
-  return engine == EngineKind::kMujoco ? mujoco_engine(robot, options) : own_engine(robot, options);
-}
-
-std::shared_ptr<const GainSchedule> gains_of(const Robot& robot, const Reference& reference,
-                                             const ReplayOptions& options) {
-  if (options.controller != ControllerKind::kLqr) return nullptr;
-  LqrOptions lqr;
-  lqr.control_period_s = options.run.step_s * options.run.steps_per_control;
-  const LqrResult found = lqr_gains(robot, reference, lqr);
-  if (found.gains) return found.gains;
-  io::refuse("--controller",
-             fmt::format("lqr has no gains for this motion: {}; --controller pd needs none",
-                         sentence_of(found)));
+TrackingOptions tracking_options(const ReplayOptions& options) {
+  return {options.run.step_s * options.run.steps_per_control, options.clock, options.impact};
 }
 
 }  // namespace
@@ -112,7 +97,7 @@ struct Replay::Ready {
       : robot(of),
         options(with),
         reference(of, motion, report.contacts, report.torques_Nm),
-        gains(gains_of(of, reference, with)) {}
+        controller(with.controller->prepare(of, reference, tracking_options(with))) {}
 
   Variation plain() const {
     ReferenceInstant first;
@@ -124,8 +109,8 @@ struct Replay::Ready {
     EngineOptions on = options.engine_options;
     on.ground_height_m = variation.run.ground_height_m;
     const Robot moved = without_free_rotors(of);
-    const auto engine = engine_of(moved, options.engine, on);
-    const auto follows = controller();
+    const auto engine = options.engine->make(moved, on);
+    const auto follows = controller->make();
     PoweredDrives drives(of, {options.limits, variation.conditions, variation.further_friction_Nm});
     const RunParts parts{moved,
                          reference,
@@ -144,15 +129,10 @@ struct Replay::Ready {
     return done;
   }
 
-  std::unique_ptr<Controller> controller() const {
-    if (gains) return lqr_controller(robot, reference, gains, options.clock, options.impact);
-    return pd_controller(robot, reference, {}, options.clock, options.impact);
-  }
-
   const Robot& robot;
   ReplayOptions options;
   Reference reference;
-  std::shared_ptr<const GainSchedule> gains;
+  std::unique_ptr<const ReadyController> controller;
 };
 
 Replay::Replay(const Robot& robot, const Motion& motion, const HopperReport& report,

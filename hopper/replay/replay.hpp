@@ -7,19 +7,18 @@
 #include <vector>
 
 #include "hopper/check/hopper_check.hpp"
+#include "hopper/engines/every_engine.hpp"
 #include "hopper/replay/randomisation.hpp"
 #include "hopper/replay/result.hpp"
 #include "hopper/replay/run.hpp"
+#include "hopper/tracking/every_controller.hpp"
 #include "hopper/tracking/reference_clock.hpp"
 
 namespace torquewright::hopper {
 
-enum class EngineKind { kOwn, kMujoco };
-enum class ControllerKind { kLqr, kPd };
-
 struct ReplayOptions {
-  EngineKind engine = EngineKind::kOwn;
-  ControllerKind controller = ControllerKind::kLqr;
+  const EngineKind* engine = &engines::own;
+  const ControllerKind* controller = &controllers::lqr;
   DriveLimits limits = DriveLimits::kMor;
   ImpactOptions impact;
   ClockOptions clock;

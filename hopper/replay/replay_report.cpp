@@ -5,14 +5,6 @@
 
 namespace torquewright::hopper {
 
-std::string_view name_of(EngineKind engine) {
-  return engine == EngineKind::kMujoco ? "mujoco" : "own";
-}
-
-std::string_view name_of(ControllerKind controller) {
-  return controller == ControllerKind::kPd ? "pd" : "lqr";
-}
-
 std::string_view name_of(DriveLimits limits) { return limits == DriveLimits::kBox ? "box" : "mor"; }
 
 std::string_view name_of(ImpactHandling handling) {

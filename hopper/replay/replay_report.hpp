@@ -9,8 +9,6 @@
 namespace torquewright::hopper {
 
 /// Names as options and documents have them.
-std::string_view name_of(EngineKind engine);
-std::string_view name_of(ControllerKind controller);
 std::string_view name_of(DriveLimits limits);
 std::string_view name_of(ImpactHandling handling);
 

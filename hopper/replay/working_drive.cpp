@@ -184,8 +184,8 @@ double WorkingDrive::direction() const {
 /// taken theirs.
 double WorkingDrive::motor_Nm() const {
   const Actuator& actuator = fixed_->actuator;
-  const actuator::Span side = actuator::motor_side_torque_Nm(actuator, speed_rad_s_, direction(),
-                                                             nodes_.winding_K);
+  const actuator::Span side =
+      actuator::motor_side_torque_Nm(actuator, speed_rad_s_, direction(), nodes_.winding_K);
   return actuator::before_mesh_Nm(actuator, made_Nm_, direction()) -
          0.5 * (side.least + side.greatest);
 }

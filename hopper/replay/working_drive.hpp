@@ -64,7 +64,8 @@ class WorkingDrive {
   const FixedDrive* fixed_;
   std::optional<actuator::ClipTable> box_;
   std::optional<actuator::HeatModel> heat_;
-  std::optional<simulation::JointInEngine> joint_;  ///< Where an effect acts that no drive evens out.
+  std::optional<simulation::JointInEngine>
+      joint_;  ///< Where an effect acts that no drive evens out.
   actuator::NodeTemperatures start_;
   actuator::NodeTemperatures nodes_;
   double friction_Nm_;

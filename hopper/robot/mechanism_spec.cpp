@@ -188,6 +188,7 @@ class MechanismReader {
     for (const std::size_t body : drivetrain.joints) {
       const std::string& joint = robot_.tree.bodies[body].joint.name;
       if (!states_inertia(joint)) continue;
+      drivetrain.joints_state_rotors = true;
       if (drivetrain.cranks_kg_m2.empty()) return;
       report(
           path + "/crank_inertia_kg_m2",

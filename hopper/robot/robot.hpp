@@ -41,6 +41,9 @@ struct Drivetrain {
   std::vector<bool> on_robots_battery;
   /// Whether the joints' reflected inertia in the tree holds that of these rotors already.
   bool rotors_in_tree = true;
+  /// Whether a joint's document says what rotors weigh there: it knows nothing then of what an
+  /// actuator's effects add.
+  bool joints_state_rotors = false;
   /// Of rotor and gears at each actuator's output, where the mechanism itself states it; else
   /// empty.
   std::vector<double> stated_rotors_kg_m2;

@@ -261,7 +261,8 @@ void WholeBodyOf<T>::speed_changes(const VectorIn& change,
 }
 
 template <typename T>
-void WholeBodyOf<T>::drive_positions(VectorOut at_actuators) const requires std::same_as<T, double> {
+void WholeBodyOf<T>::drive_positions(
+    VectorOut at_actuators) const requires std::same_as<T, double> {
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
     const SmallVector& position_rad = transfers_[i].actuator_position_rad;
     for (Index j = 0; j < position_rad.size(); ++j) {

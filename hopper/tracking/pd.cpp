@@ -7,6 +7,7 @@
 
 #include "hopper/tracking/drive_torque.hpp"
 #include "hopper/tracking/error_space.hpp"
+#include "hopper/tracking/every_controller.hpp"
 #include "hopper/tracking/linearisation.hpp"
 #include "hopper/tracking/velocity_error.hpp"
 
@@ -124,3 +125,33 @@ std::unique_ptr<Controller> pd_controller(const Robot& robot, const Reference& r
 }
 
 }  // namespace torquewright::hopper
+
+namespace torquewright::hopper::controllers {
+namespace {
+
+class ReadyPd final : public ReadyController {
+ public:
+  ReadyPd(const Robot& robot, const Reference& reference, const TrackingOptions& options)
+      : robot_(robot), reference_(reference), options_(options) {}
+
+  std::unique_ptr<Controller> make() const override {
+    return pd_controller(robot_, reference_, {}, options_.clock, options_.impact);
+  }
+
+ private:
+  const Robot& robot_;
+  const Reference& reference_;
+  TrackingOptions options_;
+};
+
+std::unique_ptr<const ReadyController> prepare_pd(const Robot& robot, const Reference& reference,
+                                                  const TrackingOptions& options) {
+  return std::make_unique<const ReadyPd>(robot, reference, options);
+}
+
+}  // namespace
+
+const ControllerKind pd = {
+    .name = "pd", .sentence = "proportional and derivative on the drives", .prepare = prepare_pd};
+
+}  // namespace torquewright::hopper::controllers

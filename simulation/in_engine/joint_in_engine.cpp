@@ -50,8 +50,8 @@ struct JointInEngine::Parts {
   }
 
   double elastic_Nm(const OutputStep& output, const DriveNow& drive) {
-    const int count = std::max(
-        1, static_cast<int>(std::ceil(output.step_s / model().longest_step_s() - 1e-9)));
+    const int count =
+        std::max(1, static_cast<int>(std::ceil(output.step_s / model().longest_step_s() - 1e-9)));
     const double part_s = output.step_s / count;
     WorkAccount unused;
     double sum_Nm = 0.0;

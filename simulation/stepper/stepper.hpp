@@ -31,7 +31,7 @@ class Stepper {
   /// The same where the output's motion is imposed. Only the motor of an elastic train is
   /// integrated. Returns the torque on what imposes the motion in the middle of the step.
   double advance_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
-                       const ImposedStep& imposed, WorkAccount& work);
+                         const ImposedStep& imposed, WorkAccount& work);
 
  private:
   /// A step of the midpoint rule, its middle and end.
@@ -42,7 +42,7 @@ class Stepper {
   void midpoint(const PlantState& from, const std::vector<double>& directions,
                 const std::vector<DriveNow>& drive, double step_s, Part& part);
   double advance_rigid_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
-                             const ImposedStep& imposed, WorkAccount& work);
+                               const ImposedStep& imposed, WorkAccount& work);
   void add_work(const PlantState& middle, const PlantMotion& motion, double step_s,
                 WorkAccount& work) const;
 

@@ -5,23 +5,19 @@
 
 #include <utility>
 
+#include "hopper/flip/tasks/library.hpp"
 #include "io/refusal.hpp"
 #include "src/commands/hopper_check_inputs.hpp"
 
 namespace torquewright::cli {
 namespace {
 
-hopper::PlanTask task_of(const std::string& name) {
-  if (name == "jump") return hopper::PlanTask::kJump;
-  return name == "hop" ? hopper::PlanTask::kHop : hopper::PlanTask::kFlip;
-}
-
 /// What only some tasks have.
 void set_distances(const HopperFlipRequest& request, hopper::PlanOptions& plan) {
-  if (request.rise_m && plan.task == hopper::PlanTask::kFlip) {
+  if (request.rise_m && !plan.task->takes_rise) {
     io::refuse("--rise", "a flip rises as far as it has to; --task jump and --task hop take it");
   }
-  if (request.stride_m && plan.task != hopper::PlanTask::kHop) {
+  if (request.stride_m && !plan.task->takes_stride) {
     io::refuse("--stride", "only --task hop takes it; a jump lands where it began");
   }
   plan.rise_m = request.rise_m.value_or(plan.rise_m);
@@ -64,7 +60,7 @@ HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request) {
   HopperFlipInputs inputs;
   hopper::PlanOptions& plan = inputs.plan;
   plan = request.plan;
-  plan.task = task_of(request.task);
+  plan.task = &hopper::task_named(request.task);
   set_distances(request, plan);
   plan.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
   plan.stances = request.contacts;

@@ -108,18 +108,17 @@ void require_effect(const HopperReplayRequest& request) {
                 handled);
   refuse_unless(is_handled, request.impact_blend_s == usual.impact_blend_s, "--impact-blend",
                 handled);
-  refuse_unless(
-      request.engine == "mujoco", request.contact_time_constant_s == usual.contact_time_constant_s,
-      "--ground-time-constant", "belongs with --engine mujoco: the own engine's ground is rigid");
+  refuse_unless(hopper::engine_named(request.engine).has_soft_ground,
+                request.contact_time_constant_s == usual.contact_time_constant_s,
+                "--ground-time-constant",
+                "belongs with --engine mujoco: the own engine's ground is rigid");
 }
 
 hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
                                      const HopperCheckInputs& inputs) {
   hopper::ReplayOptions options;
-  options.engine =
-      request.engine == "mujoco" ? hopper::EngineKind::kMujoco : hopper::EngineKind::kOwn;
-  options.controller =
-      request.controller == "pd" ? hopper::ControllerKind::kPd : hopper::ControllerKind::kLqr;
+  options.engine = &hopper::engine_named(request.engine);
+  options.controller = &hopper::controller_named(request.controller);
   options.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
   options.impact = impact_of(request);
   options.clock.resynchronise = !request.fixed_clock;

@@ -8,9 +8,11 @@
 #include <cstdlib>
 
 #include "hopper/flip/objectives/library.hpp"
+#include "hopper/flip/tasks/library.hpp"
 #include "io/nearest.hpp"
 #include "io/spec_error.hpp"
 #include "io/wording.hpp"
+#include "src/options/named_sentences.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -22,10 +24,8 @@ constexpr double kLeastWeight = 1e-6;
 constexpr double kGreatestWeight = 1e6;
 
 void add_task_options(command_line::Command& command, HopperFlipRequest& request) {
-  command
-      .add_option("--task", request.task,
-                  "flip: the foot turned once forwards; jump: straight up; hop: with a stride")
-      .one_of({"flip", "jump", "hop"});
+  command.add_option("--task", request.task, named_sentences(hopper::every_task(), "{}: {}", "; "))
+      .one_of(hopper::task_names());
   command
       .add_option(
           "--rise", request.rise_m,

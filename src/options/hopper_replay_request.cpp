@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/hopper_replay_request.hpp"
 
+#include "hopper/engines/engine_kind.hpp"
+#include "hopper/tracking/controller_kind.hpp"
+#include "src/options/named_sentences.hpp"
+
 namespace torquewright::cli {
 namespace {
 
 void add_simulation_options(command_line::Command& command, HopperReplayRequest& request) {
   command
-      .add_option("--engine", request.engine,
-                  "Which engine simulates: own (rigid contact, step by step) or mujoco (where it "
-                  "was built in)")
-      .one_of({"own", "mujoco"});
+      .add_option(
+          "--engine", request.engine,
+          "Which engine simulates: " + named_sentences(hopper::every_engine(), "{} ({})", " or "))
+      .one_of(hopper::engine_names());
   command
       .add_option("--limits", request.limits,
                   "What limits each drive: mor, its region at the voltage and temperature of the "
@@ -43,11 +47,11 @@ void add_simulation_options(command_line::Command& command, HopperReplayRequest&
 
 void add_tracking_options(command_line::Command& command, HopperReplayRequest& request) {
   command
-      .add_option(
-          "--controller", request.controller,
-          "What follows the motion: lqr, a linear quadratic regulator through the impacts; pd, "
-          "proportional and derivative on the drives; both feed the motion's own torques forward")
-      .one_of({"lqr", "pd"});
+      .add_option("--controller", request.controller,
+                  "What follows the motion: " +
+                      named_sentences(hopper::every_controller(), "{}, {}", "; ") +
+                      "; all feed the motion's own torques forward")
+      .one_of(hopper::controller_names());
   command
       .add_option("--impact", request.impact,
                   "What is fed back of the error of velocities about an impact: default (all), "

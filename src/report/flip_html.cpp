@@ -93,7 +93,7 @@ std::string plan_sections(const Robot& robot, const PlanOptions& options,
                           const PlanResult& result) {
   std::string text =
       fmt::format("<section>\n<h1>{}: a {}? <span class=\"badge {}\">{}</span></h1>\n<p>{}</p>\n",
-                  escaped(robot.name), name_of(options.task), style_of(result.status),
+                  escaped(robot.name), options.task->name, style_of(result.status),
                   words_of(result.status), escaped(verdict_words(options, result)));
   for (const std::string& line :
        {proof_words(result), task_words(options, result), flight_words(result)}) {

@@ -26,7 +26,7 @@ std::string verdict_words(const PlanOptions& options, const PlanResult& result) 
       const bool is_box = options.limits == DriveLimits::kBox;
       const bool passes = result.check && result.check->check.verdict == actuator::Verdict::kPass;
       return fmt::format("planned: the {} keeps to the {} of all drives and to the contacts{}",
-                         name_of(options.task), is_box ? "boxes" : "regions",
+                         options.task->name, is_box ? "boxes" : "regions",
                          passes   ? "; `hopper check` passes it"
                          : is_box ? "; `hopper check` holds it against the regions and fails it"
                                   : "");
@@ -65,7 +65,7 @@ std::string task_words(const PlanOptions& options, const PlanResult& result) {
     objectives.push_back(fmt::format("{} {} (weight {:g})", part.name,
                                      with_unit(part.value, part.unit), part.weight));
   }
-  return fmt::format("{}, drives held to their {}{}{}", name_of(options.task),
+  return fmt::format("{}, drives held to their {}{}{}", options.task->name,
                      options.limits == DriveLimits::kBox ? "boxes" : "regions",
                      objectives.empty() ? "" : "; ", fmt::join(objectives, ", "));
 }

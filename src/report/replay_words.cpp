@@ -24,8 +24,8 @@ std::string simulation_words(const ReplayOptions& options) {
   return fmt::format(
       "{}, steps of {:.4g} ms; drives held to their {}; {} every {:.4g} ms, {:.4g} ms "
       "late; at impacts {}",
-      name_of(options.engine), 1e3 * options.run.step_s,
-      options.limits == DriveLimits::kBox ? "box" : "regions", name_of(options.controller),
+      options.engine->name, 1e3 * options.run.step_s,
+      options.limits == DriveLimits::kBox ? "box" : "regions", options.controller->name,
       1e3 * period_s, 1e3 * options.run.step_s * options.run.latency_steps,
       name_of(options.impact.handling));
 }

@@ -17,9 +17,8 @@ inline Effect effect_of_some_size(const EffectKind& kind) {
   for (const Parameter& parameter : kind.parameters) {
     const bool is_free = std::isfinite(parameter.neutral);
     // Each a little larger, so that what is not to be below another is not.
-    effect.values.push_back(is_free ? std::min(parameter.neutral + (value += 0.05),
-                                               parameter.highest)
-                                    : 300.0);
+    effect.values.push_back(
+        is_free ? std::min(parameter.neutral + (value += 0.05), parameter.highest) : 300.0);
   }
   if (kind.has_harmonics) effect.harmonics = {{3.0, 0.2, 0.4}};
   return effect;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/region/left_out.hpp"
 #include "actuator/region/joint_region.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "actuator/region/left_out.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "tests/actuator/example_actuator.hpp"
 

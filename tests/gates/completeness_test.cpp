@@ -11,7 +11,11 @@
 #include "actuator/exporters/library.hpp"
 #include "actuator/lint/check.hpp"
 #include "gearbox/topologies/topology.hpp"
+#include "hopper/engines/engine_kind.hpp"
+#include "hopper/flip/objectives/library.hpp"
+#include "hopper/flip/tasks/library.hpp"
 #include "hopper/mechanisms/library_spec.hpp"
+#include "hopper/tracking/controller_kind.hpp"
 #include "identification/imports/importer.hpp"
 #include "identification/outputs/output.hpp"
 #include "tests/gates/excuses.hpp"
@@ -72,6 +76,18 @@ Names mechanisms() {
 Names topologies() {
   return names_of(gearbox::topologies(), [](const auto& topology) { return topology.name; });
 }
+Names objectives() {
+  return names_of(hopper::every_objective(), [](const auto& one) { return one.name; });
+}
+Names tasks() {
+  return names_of(hopper::every_task(), [](auto* task) { return task->name; });
+}
+Names engines() {
+  return names_of(hopper::every_engine(), [](auto* engine) { return engine->name; });
+}
+Names controllers() {
+  return names_of(hopper::every_controller(), [](auto* kind) { return kind->name; });
+}
 /// kEveryRule holds functions, which have no names when the program runs.
 Names hopper_rules() {
   const std::string text = text_of("hopper/check/rules/every_rule.hpp");
@@ -112,6 +128,23 @@ std::vector<Library> libraries() {
        R"(^std::vector<Finding> (\w+)\(const CheckedMotion& checked\) \{)",
        hopper_rules(),
        {}},
+      {"objectives",
+       "hopper/flip/objectives",
+       R"(^const Objective objectives::(\w+)\{)",
+       objectives(),
+       {}},
+      {"tasks", "hopper/flip/tasks", constant_of("PlanTask"), tasks(), {}},
+      {"engines",
+       "hopper/engines",
+       constant_of("EngineKind"),
+       engines(),
+       {{"hopper/engines/mujoco_absent.cpp", "a part of mujoco.cpp"},
+        {"hopper/engines/mujoco_engine.cpp", "a part of mujoco.cpp"}}},
+      {"controllers",
+       "hopper/tracking",
+       constant_of("ControllerKind"),
+       controllers(),
+       {{"hopper/tracking/lqr_controller.cpp", "a part of lqr_kind.cpp"}}},
   };
 }
 
@@ -217,6 +250,7 @@ const std::vector<Excuse> kFreeNames = {
     {"actuator: replaces", "what a document says of its past: an unknown name changes no number"},
     {"gearbox_result: constraint",
      "read by `gearbox verify`, which says what it expects where a constraint's name differs"},
+    {"check_report: effect", "as an actuator's document has it, whose reader refuses unknown ones"},
     {"identification_report: effect", "effects of rig and log stand in no library"},
     {"identification_report: replaces", "effects of rig and log stand in no library"},
 };

@@ -2,9 +2,11 @@
 // Every page of docs/ can be reached from its index, and no link leads nowhere. Oracle: the files.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/gates/source_tree.hpp"
@@ -59,6 +61,28 @@ TEST(Docs, HoldNoLinkThatLeadsNowhere) {
       EXPECT_TRUE(fs::exists(root() / link)) << page << " links to " << link;
     }
   }
+}
+
+/// Folders that a path may begin with to be one of the repository's.
+constexpr std::string_view kFolders[] = {"actuator/", "dynamics/",       "gearbox/", "hopper/",
+                                         "io/",       "identification/", "robot/",   "simulation/",
+                                         "scripts/",  "specs/",          "src/",     "tests/"};
+
+// A path with a placeholder stands for a file that is to be written: its folder is there.
+TEST(Contributing, NamesPathsThatAre) {
+  int looked_at = 0;
+  for (std::string name : matches(text_of("CONTRIBUTING.md"), "`([a-z_]+/[^` ]*)`")) {
+    const bool is_ours = std::any_of(std::begin(kFolders), std::end(kFolders),
+                                     [&](std::string_view one) { return name.starts_with(one); });
+    if (!is_ours) continue;
+    const std::string file = fs::path(name).filename().string();
+    const bool is_to_be_written =
+        file.starts_with("NAME") || file.starts_with("KIND") || file.find('*') != std::string::npos;
+    if (is_to_be_written) name = fs::path(name).parent_path().generic_string();
+    EXPECT_TRUE(fs::exists(root() / name)) << "CONTRIBUTING.md names " << name;
+    ++looked_at;
+  }
+  EXPECT_GT(looked_at, 40);
 }
 
 TEST(Docs, ShowEveryPicture) {

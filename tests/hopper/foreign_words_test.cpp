@@ -285,6 +285,22 @@ TEST(UrdfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
   }
 }
 
+// Oracle: urdfdom, and with it MuJoCo, Pinocchio, Bullet and Isaac Sim, skips what URDF does not
+// define. So do we, once each and counted.
+TEST(UrdfWords, ThatUrdfDoesNotDefineAreSkippedAndSaidOnce) {
+  const std::string joint =
+      "<joint name='j' type='revolute' dont_collapse='true'><parent link='world'/><child link='a'/>"
+      "<limit lower='-1' upper='1'/><joint_properties damping='1'/><joint_properties/></joint>";
+  const Imported with = urdf(kArm + joint + "<wobble/>");
+  const std::string said = all_of(with.notes);
+  EXPECT_NE(said.find("<joint_properties> (2 times), <wobble>, dont_collapse of <joint>"),
+            std::string::npos)
+      << said;
+  std::string plain = joint;
+  plain.erase(plain.find("<joint_properties"), plain.rfind("</joint>") - plain.find("<joint_prop"));
+  EXPECT_EQ(robot_json(with.robot), robot_json(urdf(kArm + plain).robot));
+}
+
 // Oracle: what the words mean to Gazebo (SDFormat).
 TEST(UrdfWords, OfGazeboAreSaidWithWhatTheyWouldChange) {
   const std::string joint =

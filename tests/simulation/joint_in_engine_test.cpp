@@ -90,8 +90,7 @@ TEST(JointInEngine, FollowsTheLawsOfEveryEffectOfTheLibrary) {
     for (int number = 0; number < 40; ++number) {
       const OutputStep output = output_of(number, position_rad);
       const DriveNow drive = making(motor_Nm(number));
-      const double acting_Nm =
-          joint.advance(output, drive, sign(output.speed_rad_s), kWarm_K);
+      const double acting_Nm = joint.advance(output, drive, sign(output.speed_rad_s), kWarm_K);
       EXPECT_NEAR(acting_Nm, by_the_laws_Nm(actuator, model, state, output, drive), 1e-9)
           << kind->name << " step " << number;
       position_rad += output.step_s * output.speed_rad_s;
@@ -113,8 +112,8 @@ TEST(JointInEngine, MovesARotorAsSimulateDoesOnADynamometer) {
     options.longest_step_s = JointModel(actuator, 0.0, options).longest_step_s();
     const double step_s = options.longest_step_s;
     // From no torque on, so that nothing is twisted at the start; friction is made up for.
-    const double start_A = -actuator::drag_Nm(
-        actuator, {.speed_rad_s = kSpeed_rad_s, .direction = 1.0});
+    const double start_A =
+        -actuator::drag_Nm(actuator, {.speed_rad_s = kSpeed_rad_s, .direction = 1.0});
     const auto current_A = [&](double t) { return start_A + 400.0 * t; };
     Excitation excited = excitation(400 * step_s, step_s, current_A);
     excited.joints[0].speed_rad_s.assign(excited.time_s.size(), kSpeed_rad_s);
@@ -177,8 +176,7 @@ TEST(JointInEngine, FeelsNothingWhileTheRotorCrossesItsGap) {
   const double crossed_s = std::sqrt(kGap_rad * kRotor_kg_m2 / kTorque_Nm);
   double felt_s = 0.0;
   for (int number = 0; felt_s == 0.0 && number < 1000; ++number) {
-    const double torque_Nm =
-        joint.advance({0.0, 0.0, kStep_s}, making(kTorque_Nm), 1.0, kWarm_K);
+    const double torque_Nm = joint.advance({0.0, 0.0, kStep_s}, making(kTorque_Nm), 1.0, kWarm_K);
     if (torque_Nm > 0.0) felt_s = number * kStep_s;
   }
   EXPECT_NEAR(felt_s, crossed_s, kStep_s);

@@ -53,7 +53,7 @@ TEST(Explanation, ChangesTheVoltageThatWasAskedFor) {
 // Three iterations find nothing, whatever is changed: the ladder is climbed to its end, 40 %.
 TEST(Explanation, SaysHowFarItTriedWhereNothingHelps) {
   PlanOptions options;
-  options.task = PlanTask::kJump;
+  options.task = &tasks::jump;
   options.intervals = 20;
   options.most_iterations = 3;
   const std::vector<ChangeTried> changes = changes_that_help(documented(), options, 1e3);

@@ -60,8 +60,7 @@ TEST_F(FlipBesideMujoco, TheGroundGivesWhatTheMotionTakes) {
 }
 
 TEST_F(FlipBesideMujoco, StandsWhenItIsReplayed) {
-  const ReplayResult run =
-      test::replayed(hopper_robot_of_plans(), planned_flip(), EngineKind::kMujoco);
+  const ReplayResult run = test::replayed(hopper_robot_of_plans(), planned_flip(), engines::mujoco);
   EXPECT_EQ(run.outcome.verdict, ReplayVerdict::kStands) << run.outcome.reason;
   // A degree, and what the base turns (9 rad/s) while ground of 1 ms gives way.
   ASSERT_TRUE(run.outcome.touch_down);

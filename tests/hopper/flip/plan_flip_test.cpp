@@ -136,8 +136,7 @@ TEST(PlannedFlip, IsSampledOnBothSidesOfItsTakeOff) {
 }
 
 TEST(PlannedFlip, StandsWhenItIsReplayed) {
-  const ReplayResult run =
-      test::replayed(hopper_robot_of_plans(), planned_flip(), EngineKind::kOwn);
+  const ReplayResult run = test::replayed(hopper_robot_of_plans(), planned_flip(), engines::own);
   EXPECT_EQ(run.outcome.verdict, ReplayVerdict::kStands) << run.outcome.reason;
   // Asked for: a degree.
   ASSERT_TRUE(run.outcome.touch_down);

@@ -104,7 +104,7 @@ TEST(PlanReport, OfNothingFoundHasNulls) {
   nothing.reason = "none";
   nothing.objective = std::numeric_limits<double>::quiet_NaN();
   PlanOptions options;
-  options.task = PlanTask::kHop;
+  options.task = &tasks::hop;
   options.limits = DriveLimits::kBox;
   const json report = report_of(nothing, PlanSeconds::kLeftOut, options);
   EXPECT_TRUE(conforms(report)) << report.dump(1);

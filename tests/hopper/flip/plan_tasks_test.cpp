@@ -18,7 +18,7 @@ constexpr double kPlace_m = 1e-6;
 struct Task {
   const char* name;
   const char* robot;
-  PlanTask task;
+  const PlanTask* task;
   double rise_m;
   double stride_m;
 };
@@ -39,22 +39,22 @@ TEST_P(PlannedTask, RisesAndLandsWhereItIsToAndTheCheckPassesIt) {
   EXPECT_GE(test::rise_m(robot, result), task.rise_m - kRise_m);
   for (std::size_t contact = 0; contact < robot.contacts.size(); ++contact) {
     const Eigen::Vector3d moved_m = test::moved_m(robot, result, contact);
-    EXPECT_NEAR(moved_m.x(), task.task == PlanTask::kHop ? task.stride_m : 0.0, kPlace_m);
+    EXPECT_NEAR(moved_m.x(), task.task == &tasks::hop ? task.stride_m : 0.0, kPlace_m);
     EXPECT_NEAR(moved_m.z(), 0.0, kPlace_m);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    , PlannedTask,
-    testing::Values(Task{"JumpOfTheHopper", "hopper", PlanTask::kJump, 0.15, 0.0},
-                    Task{"HopOfTheHopper", "hopper", PlanTask::kHop, 0.1, 0.2},
-                    Task{"JumpOfTheLeg", "planar_leg", PlanTask::kJump, 0.12, 0.0}),
-    [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(, PlannedTask,
+                         testing::Values(Task{"JumpOfTheHopper", "hopper", &tasks::jump, 0.15, 0.0},
+                                         Task{"HopOfTheHopper", "hopper", &tasks::hop, 0.1, 0.2},
+                                         Task{"JumpOfTheLeg", "planar_leg", &tasks::jump, 0.12,
+                                              0.0}),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 TEST(PlannedLeg, StandsOnItsPointWithALevelBase) {
   const Robot robot = test::documented_robot("planar_leg");
   PlanOptions options;
-  options.task = PlanTask::kJump;
+  options.task = &tasks::jump;
   options.intervals = 60;
   const PlanResult result = plan_motion(robot, options);
   ASSERT_EQ(result.status, PlanStatus::kPlanned) << result.reason;

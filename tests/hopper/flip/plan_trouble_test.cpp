@@ -96,7 +96,7 @@ TEST(NoPlan, OnABatteryThatCannotGiveThePower) {
     }
   }
   PlanOptions options;
-  options.task = PlanTask::kJump;
+  options.task = &tasks::jump;
   options.rise_m = 0.5;
   options.intervals = 40;
   options.most_seconds = 15.0;

@@ -32,11 +32,11 @@ hopper::HopperReport checked(const hopper::Robot& robot, const hopper::PlanResul
 }
 
 hopper::ReplayResult replayed(const hopper::Robot& robot, const hopper::PlanResult& plan,
-                              hopper::EngineKind engine) {
+                              const hopper::EngineKind& engine) {
   hopper::Motion motion = plan.motion;
   const hopper::HopperReport report = hopper::check_motion(robot, motion, hopper::CheckOptions());
   hopper::ReplayOptions options;
-  options.engine = engine;
+  options.engine = &engine;
   return hopper::Replay(robot, motion, report, options).run({}).result;
 }
 

@@ -14,7 +14,7 @@ const hopper::PlanResult& planned_flip();
 
 /// By the command's default options, in either engine.
 hopper::ReplayResult replayed(const hopper::Robot& robot, const hopper::PlanResult& plan,
-                              hopper::EngineKind engine);
+                              const hopper::EngineKind& engine);
 
 /// The check of a copy of the plan's motion, as `hopper check` makes it of its file: torques and
 /// contact forces are found anew, the plan's own are not in it.

@@ -42,7 +42,9 @@ struct CheckedFlip {
     bus_V.resizeLike(wanted_Nm);
     power_W.resize(1, wanted_Nm.cols());
     for (Index sample = 0; sample < wanted_Nm.cols(); ++sample) {
-      const DriveStep& step = drives.drive(wanted_Nm.col(sample), Eigen::VectorXd::Zero(wanted_Nm.rows()), speeds_rad_s(sample), 1e-3);
+      const DriveStep& step =
+          drives.drive(wanted_Nm.col(sample), Eigen::VectorXd::Zero(wanted_Nm.rows()),
+                       speeds_rad_s(sample), 1e-3);
       cut_off_Nm.col(sample) = step.cut_off_Nm;
       bus_V.col(sample) = step.bus_V;
       power_W(sample) = step.power_W;

@@ -11,8 +11,11 @@
 #include "actuator/check/demand.hpp"
 #include "hopper/engines/engine.hpp"
 #include "hopper/replay/free_rotors.hpp"
+#include "hopper/replay/left_out.hpp"
 #include "hopper/replay/powered_drives.hpp"
+#include "hopper/replay/step_limit.hpp"
 #include "hopper/robot/whole_body.hpp"
+#include "io/spec_error.hpp"
 #include "simulation/in_engine/joint_in_engine.hpp"
 #include "tests/actuator/effect_of_some_size.hpp"
 #include "tests/hopper/replay/driven_robot.hpp"
@@ -148,9 +151,8 @@ TEST_P(FeltEffects, PreslidingFrictionStopsTheWheelWithinItsTravel) {
   while (wheel.speed_rad_s() > 0.0) wheel.step(0.0);
   const double way_rad = wheel.position_rad();
   const double taken_J =
-      kCoulomb_Nm * way_rad -
-      kCoulomb_Nm * kCoulomb_Nm / kStiffness_Nm_rad *
-          (1.0 - std::exp(-kStiffness_Nm_rad * way_rad / kCoulomb_Nm));
+      kCoulomb_Nm * way_rad - kCoulomb_Nm * kCoulomb_Nm / kStiffness_Nm_rad *
+                                  (1.0 - std::exp(-kStiffness_Nm_rad * way_rad / kCoulomb_Nm));
   EXPECT_NEAR(taken_J, 0.5 * kWheel_kg_m2 * kSpeed_rad_s * kSpeed_rad_s, 1e-3 * taken_J);
 }
 
@@ -162,8 +164,8 @@ TEST_P(FeltEffects, ACompliantTrainLetsTheRotorSwingAgainstTheWheel) {
   while (wheel.time_s() < 0.5) {
     wheel.step(kTorque_Nm);
     const double t = wheel.time_s();
-    const double exact_rad = kTorque_Nm / kWheel_kg_m2 *
-                             (0.5 * t * t - (1.0 - std::cos(w_1_s * t)) / (w_1_s * w_1_s));
+    const double exact_rad =
+        kTorque_Nm / kWheel_kg_m2 * (0.5 * t * t - (1.0 - std::cos(w_1_s * t)) / (w_1_s * w_1_s));
     ASSERT_NEAR(wheel.position_rad(), exact_rad, 1e-6) << t;
   }
 }
@@ -215,15 +217,65 @@ TEST(FeltEffectsOfTheLibrary, ActAsTheLawOfTheirJointDoesAtTheirCurrent) {
       simulation::DriveNow drive;
       // Amplitudes have no sign: the motor's torque is that of what is asked of it, friction paid.
       const double motor_rad_s = joint.motor_speed_rad_s(speed_rad_s);
-      const double rotor_Nm = actuator::rotor_torque_Nm(actuator, 298.15, motor_rad_s,
-                                                        wanted_Nm - step.cut_off_Nm[0]);
+      const double rotor_Nm =
+          actuator::rotor_torque_Nm(actuator, 298.15, motor_rad_s, wanted_Nm - step.cut_off_Nm[0]);
       drive.value = way_of(rotor_Nm) * step.current_A[0];
-      const double by_law_Nm = joint.advance({position_rad, speed_rad_s, kPeriod_s}, drive,
-                                             way_of(motor_rad_s), 298.15);
+      const double by_law_Nm =
+          joint.advance({position_rad, speed_rad_s, kPeriod_s}, drive, way_of(motor_rad_s), 298.15);
       EXPECT_NEAR(step.torque_Nm[0], by_law_Nm, 1e-9 * 200.0) << kind->name << " " << number;
       position_rad += kPeriod_s * speed_rad_s;
     }
   }
+}
+
+/// The one thing that is left out of a replay; an empty name: nothing.
+std::string left_out_of(const Robot& robot) {
+  const std::vector<EffectLeftOut> effects = effects_left_out(robot);
+  EXPECT_LE(effects.size(), 1u);
+  return effects.empty() ? "" : effects.front().effect;
+}
+
+TEST(LeftOutOfAReplay, IsWhatTheRobotsJointsDoNotLetAct) {
+  Robot robot = flywheel({effect("backlash", {0.01})});
+  EXPECT_EQ(left_out_of(robot), "");
+  robot.drivetrains[0].actuators[0].motor.rotor_inertia_kg_m2 = 0.0;
+  EXPECT_EQ(left_out_of(robot), "backlash");  // nothing moves in the gap
+  robot = flywheel({effect("reflected_inertia", {0.1})});
+  EXPECT_EQ(left_out_of(robot), "");
+  robot.drivetrains[0].rotors_in_tree = robot.drivetrains[0].joints_state_rotors = true;
+  EXPECT_EQ(left_out_of(robot), "reflected_inertia");
+  robot.drivetrains[0].actuators[0].effects = {effect("reflected_inertia", {0.0})};
+  EXPECT_EQ(left_out_of(robot), "");
+}
+
+TEST(LeftOutOfAReplay, LeavesARunOpenThatEnded) {
+  for (const ReplayVerdict verdict : {ReplayVerdict::kStands, ReplayVerdict::kFell}) {
+    ReplayResult result;
+    result.outcome.verdict = verdict;
+    leave_open({}, result);
+    EXPECT_EQ(result.outcome.verdict, verdict);
+    leave_open({{"knee", "backlash", "its rotor weighs nothing"}}, result);
+    EXPECT_EQ(result.outcome.verdict, ReplayVerdict::kUndecided);
+    ASSERT_EQ(result.findings.size(), 1u);
+    EXPECT_EQ(result.findings[0].rule, "effect-left-out");
+  }
+}
+
+// Oracle: the frequency of a wheel on a spring, sqrt(k/I); of a free rotor's wheel without it.
+TEST(StepsOfAReplay, AreRefusedWhereAnEffectTurnsFaster) {
+  constexpr double kStiffness_Nm_rad = 5000.0;
+  const auto longest_s = [](double inertia) {
+    return 0.25 / std::sqrt(kStiffness_Nm_rad / inertia);
+  };
+  const VectorXd rest = VectorXd::Zero(1);
+  for (const char* name : {"upper_end_stop", "parallel_spring", "torsional_compliance"}) {
+    const Robot robot = flywheel({effect(name, {kStiffness_Nm_rad, 0.0})});
+    const bool is_free = name[0] == 't';
+    const double limit_s = longest_s(is_free ? kDisc_kg_m2 : kWheel_kg_m2);
+    EXPECT_NO_THROW(require_steps_follow_effects(robot, rest, 0.999 * limit_s)) << name;
+    EXPECT_THROW(require_steps_follow_effects(robot, rest, 1.001 * limit_s), io::SpecError) << name;
+  }
+  EXPECT_NO_THROW(require_steps_follow_effects(flywheel({effect("torque_lag", {0.1})}), rest, 1.0));
 }
 
 }  // namespace

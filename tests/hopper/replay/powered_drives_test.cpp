@@ -293,7 +293,8 @@ TEST(PoweredDrives, ShareWhatAWeakBatteryGives) {
   // s (100 + 120) + s^2 0.5 (20^2 + 12^2) = 250
   const double share = (-220.0 + std::sqrt(220.0 * 220.0 + 4.0 * 272.0 * 250.0)) / (2.0 * 272.0);
   EXPECT_NEAR(step.torque_Nm[0], share * 100.0, 1e-5);
-  EXPECT_FALSE(drives.drive(Vector2d(10.0, 10.0), Vector2d::Zero(), speed_rad_s, kStep_s).is_starved);
+  EXPECT_FALSE(
+      drives.drive(Vector2d(10.0, 10.0), Vector2d::Zero(), speed_rad_s, kStep_s).is_starved);
   Actuator limited = round_drive(0.1);
   limited.battery->discharge_limit_A = 5.0;  // 5 A at 49.5 V
   PoweredDrives fused = one_drive(limited);
@@ -331,7 +332,8 @@ TEST(PoweredDrives, WarmAsTwoNodesUnderAConstantCurrent) {
   const actuator::Warmth exact = heat.step(phase_A * phase_A, kDuration_s).after({0.0, 0.0});
   double winding_K = 0.0;
   for (int i = 0; i < static_cast<int>(kDuration_s / kLong_s); ++i) {
-    winding_K = drives.drive(alone(kCurrent_A * kNmPerAmpere), alone(0.0), alone(0.0), kLong_s).winding_K[0];
+    winding_K = drives.drive(alone(kCurrent_A * kNmPerAmpere), alone(0.0), alone(0.0), kLong_s)
+                    .winding_K[0];
   }
   const double growth_1_s =
       kCurrent_A * kCurrent_A * kWinding_ohm * actuator::kCopperCoefficient_1_K / 40.0;
@@ -370,7 +372,8 @@ TEST(PoweredDrives, FurtherFrictionTakesEnergyAndNeverGivesIt) {
       PoweredDrives drives = one_drive(actuator, {DriveLimits::kMor, {}, alone(0.7)});
       double speed_rad_s = 3.0;
       for (int i = 0; i < 3000; ++i) {
-        const double torque_Nm = drives.drive(alone(0.0), alone(0.0), alone(speed_rad_s), step_s).torque_Nm[0];
+        const double torque_Nm =
+            drives.drive(alone(0.0), alone(0.0), alone(speed_rad_s), step_s).torque_Nm[0];
         EXPECT_LE(torque_Nm * speed_rad_s, 0.0);
         // Of the no-load speed a thousandth, or what the friction takes in a step.
         const double width_rad_s = std::max(0.01, 0.7 * step_s / inertia_kg_m2);
@@ -392,7 +395,8 @@ std::vector<DriveStep> trial(PoweredDrives& drives, unsigned number) {
   std::vector<DriveStep> steps;
   for (int i = 0; i < 400; ++i) {
     const Vector2d wanted_Nm(torque(dice), torque(dice));
-    steps.push_back(drives.drive(wanted_Nm, Vector2d::Zero(), Vector2d(speed(dice), speed(dice)), 1e-2));
+    steps.push_back(
+        drives.drive(wanted_Nm, Vector2d::Zero(), Vector2d(speed(dice), speed(dice)), 1e-2));
   }
   return steps;
 }
@@ -488,8 +492,10 @@ TEST(PoweredDrives, RefuseWhatIsNoStep) {
   EXPECT_THROW(drives.drive(alone(kNaN), alone(0.0), alone(0.0), kStep_s), std::invalid_argument);
   EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(kNaN), kStep_s), std::invalid_argument);
   EXPECT_THROW(drives.drive(alone(0.0), alone(kNaN), alone(0.0), kStep_s), std::invalid_argument);
-  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(HUGE_VAL), kStep_s), std::invalid_argument);
-  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), Vector2d(0.0, 0.0), kStep_s), std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(HUGE_VAL), kStep_s),
+               std::invalid_argument);
+  EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), Vector2d(0.0, 0.0), kStep_s),
+               std::invalid_argument);
   EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(0.0), 0.0), std::invalid_argument);
   EXPECT_THROW(drives.drive(alone(0.0), alone(0.0), alone(0.0), kNaN), std::invalid_argument);
   EXPECT_THROW(one_drive(actuator::round_actuator(), {DriveLimits::kMor, {}, alone(-1.0)}),

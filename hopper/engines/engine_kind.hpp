@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hopper/engines/engine.hpp"
+
+namespace torquewright::hopper {
+
+/// An engine that a replay can be asked for. One file each in this folder, one line in
+/// every_engine.hpp.
+struct EngineKind {
+  std::string_view name;
+  std::string_view sentence;  ///< What it is, for a person.
+  /// Whether EngineOptions::contact_time_constant_s means something to it.
+  bool has_soft_ground = false;
+  /// A sentence where the program was built without it, and what to do; null: it is always there.
+  std::optional<std::string> (*absence)() = nullptr;
+  /// The robot must outlive the engine. Null where it is absent.
+  std::unique_ptr<Engine> (*make)(const Robot& robot, const EngineOptions& options) = nullptr;
+};
+
+/// In the order in which help and messages list them.
+const std::vector<const EngineKind*>& every_engine();
+std::vector<std::string> engine_names();
+
+/// std::invalid_argument where none has that name: options allow no other word.
+const EngineKind& engine_named(std::string_view name);
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hopper/tracking/controller.hpp"
+#include "hopper/tracking/reference_clock.hpp"
+
+namespace torquewright::hopper {
+
+/// What all controllers that follow a motion are told.
+struct TrackingOptions {
+  double control_period_s = 5e-4;  ///< Between looks; torques are held.
+  ClockOptions clock;
+  ImpactOptions impact;
+};
+
+/// A controller made ready for a robot and a motion once, for any number of runs and threads.
+class ReadyController {
+ public:
+  virtual ~ReadyController() = default;
+  virtual std::unique_ptr<Controller> make() const = 0;
+};
+
+/// A controller that a replay can be asked for. One file each in this folder, one line in
+/// every_controller.hpp.
+struct ControllerKind {
+  std::string_view name;
+  std::string_view sentence;  ///< What it is, for a person.
+  /// Robot and reference must outlive it. io::SpecError where it cannot follow this motion.
+  std::unique_ptr<const ReadyController> (*prepare)(const Robot& robot, const Reference& reference,
+                                                    const TrackingOptions& options) = nullptr;
+};
+
+/// In the order in which help and messages list them.
+const std::vector<const ControllerKind*>& every_controller();
+std::vector<std::string> controller_names();
+
+/// std::invalid_argument where none has that name: options allow no other word.
+const ControllerKind& controller_named(std::string_view name);
+
+}  // namespace torquewright::hopper
