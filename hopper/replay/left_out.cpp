@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hopper/replay/free_rotors.hpp"
 #include "robot/model/whole_body.hpp"
 #include "simulation/joint/elastic_train.hpp"
@@ -23,12 +25,23 @@ constexpr char kInJoints[] =
 constexpr char kWeighsNothing[] =
     "its rotor weighs nothing, so that nothing moves in the gap or on the spring: "
     "/motor/rotor_inertia_kg_m2 states it";
+constexpr char kNoSpring[] =
+    "it acts by the twist of a spring between motor and output, and none that gives way is stated "
+    "beside it (torsional compliance)";
+
+bool is_spring(const Effect& effect) {
+  return effect.kind->in_train == actuator::TrainPart::kSpring &&
+         simulation::makes_train_elastic(effect);
+}
 
 /// Why an effect does not act; empty: it does.
 std::string reason_against(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator,
                            const Effect& effect) {
   if (drivetrain.joints_state_rotors && changes_inertia(effect)) return kInJoints;
-  const bool is_part_of_train = simulation::makes_train_elastic(effect);
+  const bool is_hysteresis = effect.kind->in_train == actuator::TrainPart::kHysteresis;
+  const std::vector<Effect>& beside = drivetrain.actuators[actuator].effects;
+  if (is_hysteresis && std::none_of(beside.begin(), beside.end(), is_spring)) return kNoSpring;
+  const bool is_part_of_train = is_hysteresis || simulation::makes_train_elastic(effect);
   if (!is_part_of_train || is_rotor_free(robot, drivetrain, actuator)) return "";
   return rotors_stay_in_tree(drivetrain) ? kInJoints : kWeighsNothing;
 }

@@ -115,7 +115,8 @@ std::vector<double> torque_of_histories_Nm(const actuator::Actuator& actuator,
   std::vector<double> sum_Nm(at.size(), 0.0);
   if (at.empty() || !(step_s > 0.0)) return sum_Nm;
   for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->state_rate == nullptr || is_neutral(effect)) continue;
+    const bool is_in_train = effect.kind->in_train != actuator::TrainPart::kNone;
+    if (effect.kind->state_rate == nullptr || is_in_train || is_neutral(effect)) continue;
     std::vector<double> torque_Nm = history_Nm(effect, at, motor_Nm, step_s);
     const bool is_friction = is_friction_of(effect);
     if (is_friction && cutoff_Hz > 0.0) LowPass(cutoff_Hz, kParts / step_s).apply(torque_Nm);

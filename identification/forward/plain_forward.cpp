@@ -14,6 +14,7 @@
 #include "actuator/region/winding.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/sample_step.hpp"
+#include "identification/forward/twist_under_load.hpp"
 #include "identification/signals/signal.hpp"
 
 namespace torquewright::identification {
@@ -82,16 +83,6 @@ void add_effects_that_act(actuator::Acts acts, const Bench& bench, const actuato
       bench, ranges, [acts](const EffectKind& kind) { return kind.acts == acts; }, equation);
 }
 
-/// How far the motor leads the output, both at the output, under the torque that is carried.
-double twist_rad(const actuator::Actuator& actuator, const Instant& at) {
-  double twist = 0.0;
-  for (const actuator::Effect& effect : actuator.effects) {
-    if (effect.kind->twist_rad == nullptr) continue;
-    twist += effect.kind->twist_rad(effect, at.load_torque_Nm);
-  }
-  return twist;
-}
-
 double encoder_error_rad(const LogErrors& log, double angle_rad) {
   double sum = 0.0;
   for (std::size_t k = 0; k < log.encoder_sine_rad.size(); ++k) {
@@ -122,10 +113,11 @@ ForwardEquation twist_forward(const Bench& bench, const actuator::Ranges& ranges
     };
     // To first order: a channel that is late lags by its delay times the speed.
     const double late_s = delay_s(Quantity::kMotorPosition) - delay_s(output);
+    const std::vector<double> twist_rad = twist_under_load_rad(supposed.actuator, signals.at);
     std::vector<double> left(signals.size());
     for (std::size_t i = 0; i < left.size(); ++i) {
-      left[i] = signals.twist_rad[i] - supposed.log.encoder_zero_rad -
-                twist_rad(supposed.actuator, signals.at[i]) + late_s * signals.at[i].speed_rad_s +
+      left[i] = signals.twist_rad[i] - supposed.log.encoder_zero_rad - twist_rad[i] +
+                late_s * signals.at[i].speed_rad_s +
                 encoder_error_rad(supposed.log, signals.at[i].output_angle_rad);
     }
     return left;

@@ -261,6 +261,12 @@ std::string reason_of(const Unsteadiness& by) {
       by.coordinate, 100.0 * by.share);
 }
 
+/// What does nothing by itself is no less excited for it.
+bool acts_beside_another(const std::string& effect) {
+  const actuator::EffectKind* kind = actuator::find_effect(effect);
+  return kind != nullptr && kind->in_train == actuator::TrainPart::kHysteresis;
+}
+
 void describe_refused(const Judgement& judged, const Found& found, const SearchRules& rules,
                       EquationResult& result) {
   std::set<std::string> seen;
@@ -275,6 +281,7 @@ void describe_refused(const Judgement& judged, const Found& found, const SearchR
     }
   }
   for (const EffectCandidate* each : found.silent) {
+    if (acts_beside_another(each->effect)) continue;
     if (std::find(result.not_excited.begin(), result.not_excited.end(), each->effect) ==
         result.not_excited.end()) {
       result.not_excited.push_back(each->effect);

@@ -78,9 +78,18 @@ bool Search::asks(const EffectCandidate& candidate) const {
   return !rules_.asks || rules_.asks(candidate.effect);
 }
 
-const ModelFit& Search::fitted(const EffectSet& members, const Eigen::VectorXd& start) {
-  Key key = members;
+Search::Key Search::key_of(const EffectSet& members) const {
+  Key key;
+  for (const EffectCandidate* member : members) {
+    const auto place = std::find(candidates_.begin(), candidates_.end(), member);
+    key.push_back(static_cast<std::size_t>(place - candidates_.begin()));
+  }
   std::sort(key.begin(), key.end());
+  return key;
+}
+
+const ModelFit& Search::fitted(const EffectSet& members, const Eigen::VectorXd& start) {
+  Key key = key_of(members);
   const auto known = fits_.find(key);
   if (known != fits_.end()) return known->second;
   if (rules_.before_each_fit) rules_.before_each_fit();

@@ -67,7 +67,10 @@ class Search {
   const SearchRules& rules() const { return rules_; }
 
  private:
-  using Key = std::vector<const EffectCandidate*>;
+  /// Where its members stand among the candidates, in ascending order. Never their addresses: what
+  /// is told of models goes in the order of their keys.
+  using Key = std::vector<std::size_t>;
+  Key key_of(const EffectSet& members) const;
   const ModelFit& fitted(const EffectSet& members, const Eigen::VectorXd& start);
   const ModelFit& without(const ModelFit& model, std::size_t member);
   const ModelFit& with(const ModelFit& model, const Prospect& prospect);

@@ -25,6 +25,20 @@ bool is_soft_spring(const actuator::Effect& effect) {
   return effect.kind->in_train == actuator::TrainPart::kSpring && std::isfinite(effect.values[0]);
 }
 
+bool is_hysteresis(const actuator::Effect& effect) {
+  return effect.kind->in_train == actuator::TrainPart::kHysteresis;
+}
+
+/// How many states stand before the effect's in a joint's state.
+std::size_t states_before(const actuator::Actuator& actuator, const actuator::Effect* effect) {
+  std::size_t count = 0;
+  for (const actuator::Effect& each : actuator.effects) {
+    if (&each == effect) break;
+    if (each.kind->state_rate != nullptr) ++count;
+  }
+  return count;
+}
+
 /// The first effect that is one; null: none.
 const actuator::Effect* first_that(bool (*is_one)(const actuator::Effect&),
                                    const actuator::Actuator& actuator) {
@@ -54,12 +68,32 @@ ElasticTrain::ElasticTrain(const actuator::Actuator& actuator, double inertia_kg
       is_elastic_(states_elastic_train(actuator) && inertia_kg_m2 > 0.0),
       gap_(first_that(is_open_gap, actuator)),
       spring_(first_that(is_soft_spring, actuator)),
+      hysteresis_(spring_ == nullptr ? nullptr : first_that(is_hysteresis, actuator)),
+      state_of_hysteresis_(states_before(actuator, hysteresis_)),
       contact_Nm_rad_(inertia_kg_m2 * kContact_rad_s * kContact_rad_s),
       contact_Nm_s_rad_(2.0 * kContactDamping * kContact_rad_s * inertia_kg_m2) {}
 
+double ElasticTrain::spring_Nm_rad() const {
+  return spring_ != nullptr ? spring_->values[0] : contact_Nm_rad_;
+}
+
 double ElasticTrain::stiffness_Nm_rad() const {
   if (!is_elastic_) return 0.0;
-  return spring_ != nullptr ? spring_->values[0] : contact_Nm_rad_;
+  const double beside_Nm_rad =
+      hysteresis_ != nullptr ? hysteresis_->kind->stiffness_Nm_rad(*hysteresis_) : 0.0;
+  return spring_Nm_rad() + beside_Nm_rad;
+}
+
+double ElasticTrain::hysteresis_Nm(const JointState& state, const actuator::Instant& at) const {
+  if (hysteresis_ == nullptr || state.of_effect.empty()) return 0.0;
+  actuator::Instant with_state = at;
+  with_state.state = state.of_effect[state_of_hysteresis_];
+  return hysteresis_->kind->law(*hysteresis_, with_state);
+}
+
+bool ElasticTrain::is_tight(const JointState& state) const {
+  if (!is_elastic_ || gap_ == nullptr) return is_elastic_;
+  return gap_->kind->law(*gap_, instant_of(actuator_, state, 0.0)) != 0.0;
 }
 
 double ElasticTrain::damping_Nm_s_rad() const {
@@ -79,7 +113,7 @@ double ElasticTrain::twist_rad_under(double torque_Nm) const {
   if (!is_elastic_ || torque_Nm == 0.0) return 0.0;
   const double gap_rad = gap_ != nullptr ? gap_->values[0] : 0.0;
   // A spring without stiffness carries nothing at any twist.
-  const double elastic_rad = stiffness_Nm_rad() > 0.0 ? torque_Nm / stiffness_Nm_rad() : 0.0;
+  const double elastic_rad = spring_Nm_rad() > 0.0 ? torque_Nm / spring_Nm_rad() : 0.0;
   return elastic_rad + std::copysign(0.5 * gap_rad, torque_Nm);
 }
 
@@ -92,6 +126,10 @@ ElasticTrain::Twist ElasticTrain::twist(const JointState& state) const {
     twist.damping_Nm = spring_->values[1] * at.twist_rate_rad_s;
     twist.torque_Nm = spring_->kind->law(*spring_, at);
     twist.stored_J = 0.5 * (twist.torque_Nm - twist.damping_Nm) * at.twist_rad;
+    // What it stores for a while counts as lost until it is given back.
+    const double hysteresis_Nm = this->hysteresis_Nm(state, at);
+    twist.damping_Nm += hysteresis_Nm;
+    twist.torque_Nm += hysteresis_Nm;
   } else {
     twist.damping_Nm = contact_Nm_s_rad_ * at.twist_rate_rad_s;
     twist.torque_Nm = contact_Nm_rad_ * at.twist_rad + twist.damping_Nm;

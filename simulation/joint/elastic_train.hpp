@@ -28,7 +28,8 @@ class ElasticTrain {
   };
   Twist twist(const JointState& state) const;
 
-  /// Torque on the load by its angle and by its speed, where the train is tight; 0 of a rigid one.
+  /// Torque on the load by its angle and by its speed, at most, where the train is tight; 0 of a
+  /// rigid one.
   double stiffness_Nm_rad() const;
   double damping_Nm_s_rad() const;
 
@@ -36,16 +37,24 @@ class ElasticTrain {
   /// exerts that torque on the load: the inverse of twist(). 0 without torque and of a rigid train.
   double twist_rad_under(double torque_Nm) const;
 
+  /// Whether the train carries torque: it is elastic, and no gap is open.
+  bool is_tight(const JointState& state) const;
+
   /// The longest step that follows the twist as it swings between motor and load. An inertia of 0
   /// stands for a load that no torque moves otherwise. Only of an elastic train.
   double longest_step_s(double felt_inertia_kg_m2) const;
 
  private:
+  double spring_Nm_rad() const;
+  double hysteresis_Nm(const JointState& state, const actuator::Instant& at) const;
+
   const actuator::Actuator& actuator_;
   double inertia_kg_m2_;
   bool is_elastic_;
   const actuator::Effect* gap_;                           ///< Null: none.
   const actuator::Effect* spring_;                        ///< Null: none.
+  const actuator::Effect* hysteresis_;                    ///< Beside the spring. Null: none.
+  std::size_t state_of_hysteresis_ = 0;                   ///< Its place in JointState::of_effect.
   double contact_Nm_rad_ = 0.0, contact_Nm_s_rad_ = 0.0;  ///< Of a gap without a stated spring.
 };
 

@@ -99,7 +99,7 @@ double JointModel::state_torque_Nm(const JointState& state, Instant at, double d
     if (effect.kind->follows_torque) {
       // A time constant of zero follows at once.
       if (effect.values[0] > 0.0) *motor_Nm += torque_Nm;
-    } else {
+    } else if (effect.kind->in_train == actuator::TrainPart::kNone) {
       friction_Nm += drag_factor * torque_Nm;
     }
   }
@@ -142,6 +142,7 @@ void JointModel::change_states(JointState& state, const DriveNow& drive, Change 
   Instant at = instant_of(actuator_, state, sign_of(state.motor_speed_rad_s));
   at.current_A = circuit_.current_A(state, drive);
   at.input = commanded_Nm(at, drive);
+  if (!train_.is_tight(state)) at.twist_rate_rad_s = 0.0;
   std::size_t next = 0;
   for (const Effect& effect : actuator_.effects) {
     if (effect.kind->state_rate == nullptr) continue;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include "tests/cli/spoilt_log.hpp"
 #include "tests/cli/workplace.hpp"
@@ -125,6 +127,38 @@ TEST(IdentifyEffects, NamesAParallelSpring) {
 TEST(IdentifyEffects, NamesAnEndStop) {
   const json truth = {{"stiffness_Nm_rad", 5.0}, {"angle_rad", 0.5}};
   expect_alone(added(json::array({with_effect("upper_end_stop", truth)})), "upper_end_stop", truth);
+}
+
+// Both positions are logged: their difference shows the spring and the loop beside it.
+// alone.
+TEST(IdentifyEffects, NamesTheHysteresisOfAStrainWaveGearBesideItsSpring) {
+  const json spring = {{"stiffness_Nm_rad", 1000.0}, {"damping_Nm_s_rad", 0.0}};
+  const json loop = {{"amplitude_Nm", 4.0}, {"turn_rad", 0.004}};
+  const json effects = added(json::array(
+      {with_effect("torsional_compliance", spring), with_effect("strain_wave_hysteresis", loop)}));
+  ASSERT_EQ(effects.size(), 2u) << effects;
+  EXPECT_EQ(effects[0]["effect"], "torsional_compliance");
+  EXPECT_EQ(effects[1]["effect"], "strain_wave_hysteresis");
+  const auto expect_found = [](const json& found, const std::string& key, double truth) {
+    EXPECT_NEAR(found["parameters"][key].get<double>(), truth,
+                kErrors * found["standard_error"][key].get<double>())
+        << found;
+  };
+  expect_found(effects[0], "stiffness_Nm_rad", 1000.0);
+  expect_found(effects[1], "amplitude_Nm", 4.0);
+  expect_found(effects[1], "turn_rad", 0.004);
+}
+
+// Dry friction that gives way before it slips is no hysteresis of the train: no twist shows it.
+TEST(IdentifyEffects, CallsPreslidingFrictionNoHysteresisOfTheTrain) {
+  const json effects = added(json::array(
+      {with_effect("torsional_compliance",
+                   {{"stiffness_Nm_rad", 1000.0}, {"damping_Nm_s_rad", 0.0}}),
+       with_effect("presliding_friction", {{"coulomb_Nm", 1.0}, {"stiffness_Nm_rad", 100.0}})}));
+  std::set<std::string> names;
+  for (const json& each : effects) names.insert(each["effect"].get<std::string>());
+  EXPECT_TRUE(names.contains("presliding_friction")) << effects;
+  EXPECT_FALSE(names.contains("strain_wave_hysteresis")) << effects;
 }
 
 // Relaxed at the end of the travel, a weak spring explains a fifth of the noise nearly as well as a

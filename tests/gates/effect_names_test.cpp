@@ -14,8 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Everything above the library of effects.
-const std::vector<fs::path> kFolders = {"actuator", "dynamics",       "robot", "simulation",
-                                        "hopper",   "identification", "src"};
+const std::vector<fs::path> kFoldersThatAsk = {"actuator", "dynamics",       "simulation", "robot",
+                                               "hopper",   "identification", "src"};
 constexpr std::string_view kLibrary = "actuator/effects/";
 
 const std::vector<Excuse> kMayNameEffects = {
@@ -38,7 +38,7 @@ bool names_an_effect(const std::string& text) {
 
 TEST(NamesOfEffects, StandInTheLibraryAndInTranslatorsOnly) {
   Names naming;
-  for (const fs::path& folder : kFolders) {
+  for (const fs::path& folder : kFoldersThatAsk) {
     ASSERT_TRUE(fs::is_directory(root() / folder)) << folder;
     for (const char* extension : {".cpp", ".hpp"}) {
       for (const fs::path& file : files_in(folder, extension)) {

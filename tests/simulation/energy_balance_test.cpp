@@ -3,7 +3,10 @@
 // order, with every mechanism at once.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "tests/simulation/simple_drive.hpp"
 
@@ -70,6 +73,54 @@ INSTANTIATE_TEST_SUITE_P(Plants, EnergyBalance,
                                          Case{Load::kPendulum, 0.0, 300.0, 1e-3},
                                          Case{Load::kPendulum, 0.01, 0.0, 5e-3},
                                          Case{Load::kDynamometer, 0.01, 400.0, 5e-3}));
+
+/// Three periods of the motor's torque, up to 1 Nm, against an output that is held. It grows during
+/// the first, so softly that the rotor does not swing.
+SimulatedRun wound_up(double rate_rad_s, double longest_step_s) {
+  actuator::Actuator actuator = simple_actuator();
+  actuator.effects = {effect("torsional_compliance", {200.0, 0.0}),
+                      effect("strain_wave_hysteresis", {0.4, 0.002})};
+  const double period_s = 2.0 * std::numbers::pi / rate_rad_s;
+  Excitation excited = excitation(3.0 * period_s, period_s / 2000.0, [=](double t) {
+    const double share = t < period_s ? 0.5 - 0.5 * std::cos(0.5 * rate_rad_s * t) : 1.0;
+    return share * std::sin(rate_rad_s * t);
+  });
+  excited.joints[0].speed_rad_s.assign(excited.time_s.size(), 0.0);
+  return run(Load::kDynamometer, actuator, excited, {}, longest_step_s);
+}
+
+/// Torque over twist, once around the third period; and the twist's greatest size.
+std::pair<double, double> loop_of(const JointTrace& trace) {
+  const auto twist_rad = [&](std::size_t i) {
+    return trace.motor_position_rad[i] / 10.0 - trace.position_rad[i];
+  };
+  double area_J = 0.0, most_rad = 0.0;
+  for (std::size_t i = trace.torque_Nm.size() * 2 / 3; i + 1 < trace.torque_Nm.size(); ++i) {
+    area_J +=
+        0.5 * (trace.torque_Nm[i] + trace.torque_Nm[i + 1]) * (twist_rad(i + 1) - twist_rad(i));
+    most_rad = std::max(most_rad, std::abs(twist_rad(i)));
+  }
+  return {area_J, most_rad};
+}
+
+// Oracle: the loop's area in closed form, docs/derivations/strain_wave_hysteresis.md eq. (4), for
+// the twist that was reached, at either of two speeds. What begins off the loop falls by exp(-2
+// X/s) in each half period, below 1e-3 of it in the third period.
+TEST(StrainWaveGear, LosesItsLoopAtEverySpeed) {
+  for (const double rate_rad_s : {1.0, 2.0}) {
+    const auto [area_J, most_rad] = loop_of(wound_up(rate_rad_s, 1e-4).joints[0]);
+    const double m = std::tanh(most_rad / 0.002);
+    EXPECT_NEAR(area_J, 4.0 * 0.4 * (most_rad - 0.002 * (m - m * m * m / 15.0)), 1e-3 * area_J);
+    EXPECT_GT(area_J, 1e-3);
+  }
+}
+
+// What it stores counts as lost until it is given back.
+TEST(StrainWaveGear, ClosesTheBalanceOfEnergy) {
+  const SimulatedRun done = wound_up(2.0, 1e-4);
+  EXPECT_GT(done.work.damper_J, 1e-3);
+  EXPECT_LT(std::abs(imbalance_J(done)), 1e-3 * done.work.damper_J) << imbalance_J(done);
+}
 
 // Two links, friction and gears in both joints: coupled stick and slip.
 TEST(EnergyBalanceOfAnArm, Closes) {

@@ -248,6 +248,13 @@ TEST(LeftOutOfAReplay, IsWhatTheRobotsJointsDoNotLetAct) {
   EXPECT_EQ(left_out_of(robot), "");
 }
 
+TEST(LeftOutOfAReplay, IsTheHysteresisOfATrainWithoutASpring) {
+  const actuator::Effect loop = effect("strain_wave_hysteresis", {2.0, 0.002});
+  EXPECT_EQ(left_out_of(flywheel({loop})), "strain_wave_hysteresis");
+  EXPECT_EQ(left_out_of(flywheel({loop, effect("backlash", {0.01})})), "strain_wave_hysteresis");
+  EXPECT_EQ(left_out_of(flywheel({loop, effect("torsional_compliance", {900.0, 0.0})})), "");
+}
+
 TEST(LeftOutOfAReplay, LeavesARunOpenThatEnded) {
   for (const ReplayVerdict verdict : {ReplayVerdict::kStands, ReplayVerdict::kFell}) {
     ReplayResult result;
