@@ -17,7 +17,7 @@ struct ColumnOf {
 };
 using Column = ColumnOf<double>;
 
-/// Of a body's joint; eq. (9).
+/// The motion of a body for a unit of its joint's velocity; eq. (9).
 template <typename T>
 inline ColumnOf<T> joint_column(const TreeStateOf<T>& state, std::size_t body) {
   const BodyMotionOf<T>& motion = state.motion(body);
@@ -27,7 +27,7 @@ inline ColumnOf<T> joint_column(const TreeStateOf<T>& state, std::size_t body) {
   return {motion.axis, motion.origin_m.cross(motion.axis)};
 }
 
-/// Of the base's velocity number k, k < base_velocity_size().
+/// The motion of the base for a unit of its velocity number k, k < base_velocity_size().
 template <typename T>
 inline ColumnOf<T> base_column(const TreeStateOf<T>& state, Eigen::Index k) {
   const Vector3<T> zero = Vector3<T>::Zero();

@@ -16,7 +16,7 @@ struct MomentumOf {
 template <typename T>
 void gather_composites(TreeStateOf<T>& state);
 
-/// Of a composite that moves as the column says; eq. (11).
+/// The momentum of a composite body that moves as the column says; eq. (11).
 template <typename T>
 inline MomentumOf<T> momentum_of(const typename TreeStateOf<T>::Composite& composite,
                                  const ColumnOf<T>& column) {

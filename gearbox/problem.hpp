@@ -99,7 +99,8 @@ struct Design {
   Rational module_mm;
   /// Profile shift of each gear in its modules, in the same order; empty: none is shifted.
   std::vector<double> profile_shift = {};
-  /// Of planet 2 and the output ring, where it is another than that of the sun's layer.
+  /// Module of planet 2 and the output ring, in mm, where it is another than that of the sun's
+  /// layer.
   std::optional<Rational> layer_2_module_mm = {};
 
   /// The search and its proofs know only designs that are not.

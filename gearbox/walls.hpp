@@ -7,7 +7,8 @@
 
 namespace torquewright::gearbox {
 
-/// Of a ring, from its root circle outwards: stated, or one tooth height (docs/decisions/0004).
+/// Thickness of a ring's wall from its root circle outwards, in mm: as the problem states it, or
+/// one tooth height (docs/decisions/0004).
 Rational ring_wall_mm(const Problem& problem, const Rational& module_mm);
 
 /// Outer diameter of a ring: root circle and two walls.

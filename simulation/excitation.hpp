@@ -42,7 +42,8 @@ struct JointStart {
 struct SimulationOptions {
   double longest_step_s = 2.5e-4;  ///< Stiff parts (presliding, compliance, contact) get less.
   bool inductance = false;         ///< Of a voltage-driven winding; else it is quasi-static.
-  /// Of rotor and gears at the output, where another document states it; absent: the actuator's.
+  /// Inertia of rotor and gears at the output, where another document states it; absent: the
+  /// actuator's.
   std::optional<double> motor_inertia_kg_m2 = {};
 };
 

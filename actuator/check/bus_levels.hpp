@@ -11,7 +11,7 @@ namespace torquewright::actuator {
 /// One actuator's regions at the bus voltages that it meets while others load the same battery.
 class BusLevels {
  public:
-  /// Of the open-circuit voltage; regions are made once a level.
+  /// Distance between two levels over the open-circuit voltage; each level's region is made once.
   static constexpr double kStep = 1e-3;
 
   /// Requires no objections to the conditions, whose own voltage is the open circuit's.

@@ -37,7 +37,7 @@ class DriveCheck {
   DriveCheck(const DriveCheck&) = delete;
   DriveCheck& operator=(const DriveCheck&) = delete;
 
-  /// From the next sample on the bus is held at this voltage, whatever the drive takes.
+  /// Holds the bus at this voltage from the next sample on, whatever the drive takes.
   void set_bus_voltage_V(double voltage_V);
 
   /// `position_rad`: of the actuator's output; unknown where nothing tells it.

@@ -18,7 +18,8 @@ class RotorBeforeMesh {
  public:
   explicit RotorBeforeMesh(const Actuator& actuator);
 
-  /// Of a joint torque that includes all inertia of rotor and gears, as simulators have it. At rest
+  /// What passes motor and mesh for a joint torque that includes all inertia of rotor and gears, as
+  /// simulators have it. At rest
   /// the mesh still drives the way of the speed `before_rad_s`; where that is 0 too the joint
   /// begins to move, the way it is accelerated.
   GearedTorque of(double speed_rad_s, double torque_Nm, double acceleration_rad_s2,

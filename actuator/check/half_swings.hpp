@@ -15,7 +15,7 @@ struct Travel {
   double tolerance_rad = 0.0;  ///< How far off that may be: the velocity turns between rows.
 };
 
-/// From one turning point to the next; rest before and after is left out.
+/// The motion from one turning point to the next, without the rest before and after it.
 struct HalfSwing {
   Travel from, until;
 

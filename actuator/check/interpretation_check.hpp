@@ -29,7 +29,8 @@ struct CheckBasis {
 /// Gathers one interpretation of an actuator's samples, in flat memory.
 class InterpretationCheck {
  public:
-  /// Without speed margins, which no verdict needs, it is faster.
+  /// `wants_speed_margin`: whether speed margins are computed, which takes longer; no verdict needs
+  /// them.
   explicit InterpretationCheck(const CheckBasis& basis, bool wants_speed_margin = true);
 
   /// Holds the samples that follow against this basis, of the same actuator on another bus.

@@ -13,8 +13,8 @@ struct TorqueRange {
   double least_Nm = 0.0;
   double greatest_Nm = 0.0;
 
-  /// By how much a torque lies outside; negative: so far inside. Where the range is empty all of
-  /// the torque is too much.
+  /// Distance of a torque from the nearer bound, in Nm: positive outside, negative inside. Where
+  /// the range is empty all of the torque is too much.
   double excess_Nm(double torque_Nm) const;
 };
 
@@ -24,10 +24,11 @@ class RegionLookup {
  public:
   RegionLookup(const Actuator& actuator, const OperatingConditions& conditions);
 
-  /// By the table; beyond its rows and beside empty ranges by the region itself.
+  /// Bounds at a speed from the table, which may be off by its accuracy; beyond its rows and beside
+  /// empty ranges from the region itself.
   TorqueRange near(double speed_rad_s) const;
 
-  /// As near(), but by the region itself where the torque lies so near a bound that
+  /// The same as near(), but from the region itself where the torque lies so near a bound that
   /// the table may be wrong about it.
   TorqueRange at(double speed_rad_s, double torque_Nm) const;
 

@@ -88,7 +88,7 @@ class TravelAgreement {
   std::vector<Rung> rungs_;
   std::vector<Row> waiting_;  ///< The newest, which waits for the one behind it, and its elder.
   std::optional<Row> passed_;
-  Travel now_;  ///< There.
+  Travel now_;  ///< Up to the last sample.
   std::size_t rows_ = 0;
   double first_s_ = 0.0, last_s_ = 0.0;
   std::size_t bends_ = 0;

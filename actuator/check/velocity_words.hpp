@@ -19,8 +19,8 @@ bool is_plain_factor(double factor);
 /// semicolon on; empty: like nothing known.
 std::string cause_of_factor(double factor);
 
-/// That the velocity of a joint is not the rate of its position, from where to where, why perhaps,
-/// and what can be done. Times are in the file's own clock.
+/// A sentence that the velocity of a joint is not the rate of its position: from when to when, what
+/// may be the reason, and what can be done. Times are in the file's own clock.
 std::string contradiction_sentence(const std::string& joint,
                                    const TravelContradiction& contradiction, double clock_origin_s,
                                    const VelocityAgreement& agreement);

@@ -30,7 +30,7 @@ struct ErrorReport {
   double greatest_speed_rad_s = 0.0;
   std::array<QuadrantError, 4> quadrants;
   std::array<QuadrantError, 2> at_rest;  ///< Both directions' union against the law at 0.
-  /// Of the area of torque and speed that the law allows, the part that is not in the region.
+  /// The share of the area of torque and speed allowed by the law that the region does not allow.
   double share_outside = 0.0;
   std::vector<std::string> sentences;
 };
@@ -41,7 +41,7 @@ std::string_view mode_of(const QuadrantError& error);
 ErrorReport error_report(const Subject& subject, const Exporter& exporter,
                          std::span<const double> shape);
 
-/// As a table, a line each.
+/// The report as a table of text, a line each.
 std::vector<std::string> error_lines(const ErrorReport& report);
 
 }  // namespace torquewright::actuator

@@ -7,7 +7,7 @@
 
 namespace torquewright::actuator {
 
-/// Of the two nodes.
+/// Temperatures of the winding and of the motor's case.
 struct NodeTemperatures {
   double winding_K = kDefaultTemperature_K;
   double case_K = kDefaultTemperature_K;

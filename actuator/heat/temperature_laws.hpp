@@ -17,13 +17,14 @@ inline Instant at_winding_temperature(const Actuator& actuator, double temperatu
   return at;
 }
 
-/// Of the winding's resistance: what a stated effect says, else copper's. Relative, per kelvin.
+/// Relative change of the winding's resistance per kelvin: what a stated effect says, else
+/// copper's.
 double resistance_coefficient_1_K(const Actuator& actuator);
 
 /// Resistance over that at the reference temperature. Not positive where the linear law ends.
 double resistance_factor(const Actuator& actuator, const Instant& at);
 
-/// Of one phase, in ohm.
+/// Resistance of one phase at that winding temperature, in ohm.
 double phase_resistance_ohm(const Actuator& actuator, double temperature_K);
 
 /// Factor of every effect on the magnets' flux: on torque constant and back-EMF alike.

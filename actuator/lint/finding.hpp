@@ -35,7 +35,8 @@ struct Finding {
   RoundedInterval expected;          ///< Its pointers: what that follows from.
   std::vector<std::string> assumed;  ///< Those of the pointers that the document assumes.
   std::vector<Explanation> explanations;
-  /// Of a contradiction: the fewest readings that together explain the whole sheet; empty: none do.
+  /// The fewest other readings that together resolve the contradiction; empty: none do, or it is
+  /// none.
   std::vector<std::string> explained_by;
   std::vector<Numerals> culprits;  ///< Any of these sets alone would spoil the sheet.
 };

@@ -31,7 +31,7 @@ struct Interpretation {
   int ratio_power_of_inertia = 2;
 };
 
-/// As the document states it.
+/// The reading of its numbers that the document itself states.
 Interpretation as_stated(const Actuator& document);
 
 /// Other interpretations of one kind; each leaves out the document's own.

@@ -44,7 +44,8 @@ RoundedInterval efficiency(double value, const char* pointer);
 RoundedInterval torque_constant(const Actuator& document);
 RoundedInterval phase_torque_constant(
     const Actuator& document);  ///< Per ampere of phase amplitude.
-/// As printed, at the motor; empty where it follows from the torque constant.
+/// The back-EMF constant as the sheet prints it, at the motor; empty where the document states none
+/// and it follows from the torque constant.
 std::optional<RoundedInterval> stated_back_emf(const Actuator& document);
 RoundedInterval phase_back_emf(
     const Interpretation& interpretation);  ///< V s/rad; from Kt where it is not stated.

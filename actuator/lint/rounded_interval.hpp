@@ -24,7 +24,8 @@ struct RoundedInterval {
 /// may be wider than what was printed, never narrower. 0 is exact: it says that there is none.
 double half_unit(double value);
 
-/// As printed: within half a unit of its last decimal. Requires value >= 0.
+/// The interval of values that would be printed as this one: half a unit of its last decimal on
+/// either side. Requires value >= 0.
 RoundedInterval rounded(double value, std::string pointer);
 
 /// Counted, or a condition under which something else is stated.

@@ -12,7 +12,7 @@
 namespace torquewright::actuator {
 
 constexpr double kDefaultTemperature_K = 298.15;
-/// Of copper's resistance around room temperature.
+/// Relative change of copper's resistance per kelvin, around room temperature.
 constexpr double kCopperCoefficient_1_K = 0.0039;
 
 /// The motor as its document states it: amperes, ohms and volts in the stated conventions.
@@ -130,8 +130,8 @@ struct Actuator {
   std::optional<double> mass_kg;  ///< Of all of it.
   std::optional<Datasheet> datasheet;
   std::vector<std::string> assumed;  ///< JSON pointers of assumed values.
-  /// Of numbers that say more than their value. The values above are carried to the motor and to
-  /// the torque constant's ampere already (carry_to_motor).
+  /// What the document says of numbers beside their value. The values above are carried to the
+  /// motor and to the torque constant's ampere already (carry_to_motor).
   std::vector<Statement> statements;
 };
 

@@ -39,7 +39,7 @@ double phase_volts_per_winding_volt(CurrentConvention convention);
 /// V s/rad per Nm/A: 1, 2/3, sqrt(2)/3.
 double back_emf_per_torque_constant(CurrentConvention convention);
 
-/// As in documents: "dc", "peak_phase", "rms_phase".
+/// The word for it in documents: "dc", "peak_phase", "rms_phase".
 std::string_view name_of(CurrentConvention convention);
 std::string_view name_of(ResistanceConvention convention);
 std::string_view name_of(Modulation modulation);

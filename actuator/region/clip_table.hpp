@@ -16,8 +16,8 @@ struct ClipPoints {
   std::vector<double> greatest_Nm;
 };
 
-/// Of the rows where the region is not empty: beside a gap the nearest bounds that exist are held
-/// or joined.
+/// The points of a table's rows where the region is not empty: beside a gap the nearest bounds that
+/// exist are held or joined.
 ClipPoints clip_points(const MorTable& table);
 
 /// Both bounds drawn in by that much, no further than to the middle between them: lines between the

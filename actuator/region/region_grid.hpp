@@ -27,7 +27,8 @@ struct RegionGrid {
                                        ///< voltage * temperatures + temperature.
   GridBound least;
   GridBound greatest;
-  /// Of the greatest speed: past it a region may end in a point where its bounds stand upright.
+  /// Share of the greatest speed up to which the grid reaches: past it a region may end in a point
+  /// where its bounds stand upright.
   static constexpr double kBeforeEnd = 0.98;
   double error_before_end_Nm = 0.0;  ///< Greatest found between its conditions, up to there.
   double error_Nm = 0.0;             ///< And over all speeds.
@@ -40,8 +41,8 @@ struct RegionGrid {
 std::optional<RegionGrid> region_grid(const Actuator& actuator,
                                       const OperatingConditions& conditions, Side side);
 
-/// Of conditions beyond the grid, those at its edge; of speeds beyond the ends, the ends'. At rest
-/// the union of both directions.
+/// Bounds of the torque between the grid's conditions, straight in each. Conditions beyond the grid
+/// and speeds beyond its ends count as those at the edge. At rest: the union of both directions.
 Interval limits(const RegionGrid& grid, double speed_rad_s, double voltage_V, double temperature_K);
 
 }  // namespace torquewright::actuator

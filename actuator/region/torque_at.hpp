@@ -18,10 +18,10 @@ double drag_Nm(const Actuator& actuator, const Instant& at);
 /// Cogging and the like, before the mesh.
 double periodic_motor_torque_Nm(const Actuator& actuator, const Instant& at);
 
-/// Of rotor and gears, and what effects add, at the output, in kg m^2.
+/// Inertia of rotor and gears at the output, with what effects add, in kg m^2.
 double reflected_inertia_kg_m2(const Actuator& actuator);
 
-/// Of that what turns before the mesh: without the gears' own.
+/// The part of reflected_inertia_kg_m2() that turns before the mesh: without the gears' own.
 double before_gears_kg_m2(const Actuator& actuator);
 
 /// Torque before the mesh: motor, drag, cogging, and what accelerates the rotor.
@@ -34,8 +34,9 @@ double output_torque_Nm(const Actuator& actuator, const Instant& at);
 /// comes through the mesh.
 double ripple_Nm(const Actuator& actuator, const Instant& at);
 
-/// Of the motor, in the winding's convention, before the flux's factors: as the document states it,
-/// else what goes with the torque constant, an error of which it then shares (one flux makes both).
+/// The motor's back-EMF constant in the winding's convention, before the flux's factors: as the
+/// document states it, else what goes with the torque constant, an error of which it then shares
+/// (one flux makes both).
 double back_emf_constant_V_s_rad(const Actuator& actuator);
 
 /// Factor of every effect on all drag.

@@ -31,8 +31,9 @@ struct DiscRange {
   DiscEnd greatest;
 };
 
-/// From the least to the greatest q current that the limits of voltage, current and demagnetisation
-/// allow. Empty optional: the closed forms do not tell (a corner at the demagnetisation limit).
+/// The range from the least to the greatest q current that the limits of voltage, current and
+/// demagnetisation allow. Empty optional: the closed forms do not tell (a corner at the
+/// demagnetisation limit).
 std::optional<DiscRange> disc_range(const VoltageDisc& disc, const PhaseModel& model);
 
 /// The d current nearest to zero and not below `floor_A` that the voltage allows together with

@@ -13,7 +13,7 @@ struct Winding {
 };
 Winding winding_of(const Actuator& actuator);
 
-/// Of that winding at the instant's temperature.
+/// Resistance of that winding at the instant's temperature, in ohm.
 double resistance_ohm(const Actuator& actuator, const Winding& winding, const Instant& at);
 
 }  // namespace torquewright::actuator

@@ -8,8 +8,8 @@
 
 namespace torquewright::actuator {
 
-/// Of any angle, speed, torque or force of a motion, in SI units: beyond, squares and sums
-/// overflow.
+/// The greatest angle, speed, torque or force of a motion that is read, in SI units: squares and
+/// sums of greater ones overflow.
 inline constexpr double kGreatestValue = 1e9;
 
 /// What a column of a trajectory holds.

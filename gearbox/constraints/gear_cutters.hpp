@@ -20,8 +20,8 @@ struct GearCutter {
   bool is_addendum_assumed = false;
 };
 
-/// Of each gear in the topology's order: what is stated, else ISO 53 profile A and a shaper of as
-/// many teeth as the planet has, rounded only as much as leaves the mate's tip its involute.
+/// The cutter of each gear, in the topology's order: as stated, else ISO 53 profile A and a shaper
+/// of as many teeth as the planet has, rounded only as much as leaves the mate's tip its involute.
 std::vector<GearCutter> gear_cutters(const CutTrain& train);
 
 /// "hob with tip radius 0.38 (assumed)" and so on, in modules.

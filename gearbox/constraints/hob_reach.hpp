@@ -12,8 +12,9 @@ namespace torquewright::gearbox {
 /// one, else one of 0.38, and to a rack's addendum at least.
 double undercut_depth(const Cutters& cutters);
 
-/// Of the hobs of sun and planet, that leave each involute down to where the mate's tip touches it,
-/// in modules. Negative: none does. Nothing where a tip reaches inside a base circle.
+/// The largest tip radii of the hobs of sun and planet that leave each involute down to where the
+/// mate's tip touches it, in modules. Negative: none does. Nothing where a tip reaches inside a
+/// base circle.
 std::optional<std::array<double, 2>> largest_hob_tip_radii(const CutTrain& train,
                                                            const CutMesh& mesh);
 

@@ -37,7 +37,7 @@ ConstraintReport trochoid_interference(const CutMesh& mesh);
 ContactPath<double> contact_path_of(const CutMesh& mesh);
 ConstraintReport contact_ratio_limit(const Problem& problem, const CutMesh& mesh);
 
-/// From the tip of one gear to the root of its mate, the narrower of both, above 0.
+/// That the narrower of the clearances from the tip of one gear to the root of its mate is above 0.
 ConstraintReport bottom_clearance(const CutTrain& train, const CutMesh& mesh);
 
 /// The stated shaper can be fed into the ring radially without cutting away its tips. Requires

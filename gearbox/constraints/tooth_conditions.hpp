@@ -37,7 +37,8 @@ Condition neighbour_clearance(const Problem& problem, const std::string& layer,
 Expression neighbour_clearance_mm(std::int64_t planet_count, const Rational& module_mm,
                                   const Expression& tooth_sum, const Expression& planet);
 
-/// Of the stated hob, else of one that is straight down to a rack's addendum.
+/// That a gear is not undercut by the stated hob, else by one that is straight down to a rack's
+/// addendum.
 Condition undercut(const Problem& problem, const std::string& gear, const Expression& teeth);
 Condition ring_tip(const std::string& ring, const Rational& module_mm, const Expression& teeth);
 
@@ -55,10 +56,11 @@ std::vector<Condition> root_form(const Problem& problem, const std::string& mesh
 /// The same of two external gears.
 std::vector<Condition> root_form_of_gears(const Problem& problem, const std::string& mesh,
                                           const Expression& gear_1, const Expression& gear_2);
-/// Of two external gears.
+/// That the contact ratio of two external gears is enough.
 Condition contact_ratio(const Problem& problem, const std::string& mesh, const Expression& gear_1,
                         const Expression& gear_2);
-/// There is no contact in a ring whose tip circle lies inside its base circle.
+/// That the contact ratio of a planet in a ring is enough; a ring whose tip circle lies inside its
+/// base circle has no contact.
 Condition contact_ratio_in_ring(const Problem& problem, const std::string& mesh,
                                 const Expression& planet, const Expression& ring);
 

@@ -15,7 +15,8 @@ Body sun_body(const Alternative& alternative, std::int64_t teeth);
 Body planet_disc(const Alternative& alternative, std::int64_t teeth, int layer);
 Body ring_body(const Alternative& alternative, std::int64_t teeth, int layer);
 
-/// Of every design in the range, tight: each body's mass grows with its teeth.
+/// An interval that holds the mass of every design in the range. It is tight, for each body's mass
+/// grows with its teeth.
 Interval total_mass_kg(const Alternative& alternative, const TeethRange& range);
 
 /// At the output; of every design in the range whose ratio lies in `ratio`.

@@ -11,8 +11,8 @@ struct ContactPath {
   Interval first, mate;
 };
 
-/// Of every design in the range. Mesh 0: sun and planet 1; 1: planet 1 and its ring; 2: planet 2
-/// and its ring.
+/// An enclosure of the path of contact of every design in the range. Mesh 0: sun and planet 1; 1:
+/// planet 1 and its ring; 2: planet 2 and its ring.
 ContactPath contact_path(const TeethRange& range, int mesh);
 
 /// Its length.

@@ -20,7 +20,7 @@ class Interval {
   Interval(long value);                                        // NOLINT: numbers are intervals
   Interval(int value) : Interval(static_cast<long>(value)) {}  // NOLINT
   Interval(const Rational& value);                             // NOLINT
-  /// From `low` to `high`; low <= high.
+  /// The interval from `low` to `high`; requires low <= high.
   Interval(const Rational& low, const Rational& high);
   Interval(const Interval& other);
   Interval(Interval&& other) noexcept;

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 /// The value at `key`; nullptr if `json` is no object or has no such key.
 const Json* member(const Json& json, std::string_view key);
 
-/// As `member`, but JSON's null counts as absent too.
+/// The same as `member`, but JSON's null counts as absent too.
 const Json* present(const Json& json, std::string_view key);
 
 /// The elements of an array; an empty array if it is none.

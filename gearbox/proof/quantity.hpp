@@ -41,11 +41,11 @@ struct Value {
   std::optional<Rational> exact;
 };
 
-/// Of a design: a point with positive teeth.
+/// The quantity's value for one design, a point with positive teeth.
 Value value_at(const Quantity& quantity, const Alternative& alternative, const Point& point);
 
-/// Of every design of the box, which holds some, with a ratio among those allowed (which matters to
-/// efficiencies and inertia only).
+/// An interval that holds the quantity of every design of the box with a ratio among those allowed
+/// (which matters to efficiencies and inertia only). The box holds some.
 Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, const Box& box,
                       const Interval& allowed_ratio);
 

@@ -5,7 +5,7 @@
 
 namespace torquewright::gearbox::proof {
 
-/// Of the reference profile: 20 degrees.
+/// Pressure angle of the reference profile: 20 degrees, in rad.
 const Interval& pressure_angle();
 
 /// tan x - x

@@ -12,7 +12,8 @@ struct OptimalWhen {
   double clearance_above_rad = 0.0;  ///< alpha_min > this ...
   double clearance_up_to_rad = 0.0;  ///< ... and <= this.
   bool from_zero = false;            ///< The range starts at alpha_min = 0, that included.
-  /// By free gear; 0: no minimum needed. Empty: no minima make it the optimum in this range.
+  /// Least numbers of teeth by free gear; 0: no minimum needed. Empty: no minima make it the
+  /// optimum in this range.
   std::vector<std::vector<std::int64_t>> least_minima;
 };
 

@@ -14,7 +14,7 @@ namespace torquewright::gearbox {
 
 /// How much work a standing may take.
 struct StandingOptions {
-  /// Of each of its three searches.
+  /// Limit of boxes for each of its three searches.
   std::int64_t max_boxes = std::numeric_limits<std::int64_t>::max();
   std::function<bool()> should_stop = [] { return false; };
   /// What is being sought, boxes looked at, and designs found that count.

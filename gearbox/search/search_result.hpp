@@ -51,7 +51,8 @@ struct LooserBound {
 
 enum class DesignSearchStatus { kOptimal, kInfeasible, kLimit };
 
-/// Of the searches whose trees the claims hold, so that the checker can count them again.
+/// How many boxes the searches looked at whose trees the claims hold, so that the checker can count
+/// them again.
 struct SearchCounts {
   std::int64_t nodes = 0;
   std::int64_t relaxations = 0;  ///< Ipopt solves.

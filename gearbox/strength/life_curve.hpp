@@ -34,13 +34,14 @@ struct LifeCurve {
   double at_MPa(double cycles) const;
 };
 
-/// Of the root, against the local stress. `concentration` is Y_S with the load at the outer point
-/// of single contact; `endurance_share` is below 1 for a tooth that is bent both ways.
-/// docs/derivations/strength.md eq. (11), (12). Requires yield_MPa of a through-hardened material.
+/// Cycles that a tooth's root bears over the local stress. `concentration` is Y_S with the load at
+/// the outer point of single contact; `endurance_share` is below 1 for a tooth that is bent both
+/// ways. docs/derivations/strength.md eq. (11), (12). Requires yield_MPa of a through-hardened
+/// material.
 LifeCurve root_life(const GearMaterial& material, double concentration, double endurance_share);
 
-/// Of the flank, against the Hertzian pressure, no pits permitted. docs/derivations/strength.md eq.
-/// (13).
+/// Cycles that a tooth's flank bears over the Hertzian pressure, no pits permitted.
+/// docs/derivations/strength.md eq. (13).
 LifeCurve flank_life(const GearMaterial& material);
 
 }  // namespace torquewright::gearbox

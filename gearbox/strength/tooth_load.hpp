@@ -37,9 +37,9 @@ struct StrengthCase {
   double cycles = 1.0;  ///< Loads that the most loaded tooth takes.
   double demanded_root_safety = 1.0;
   double demanded_flank_safety = 1.0;
-  /// Of gears that are of another steel than `material`, by name.
+  /// Steel by gear, of those that are of another than `material`.
   std::map<std::string, GearMaterial, std::less<>> own_material = {};
-  /// Behind the roots, by name [mm]; absent: too thick to matter.
+  /// Thickness of the rim behind the roots by gear, in mm; absent: too thick to matter.
   std::map<std::string, double, std::less<>> rim_mm = {};
 
   const GearMaterial& material_of(std::string_view gear) const;

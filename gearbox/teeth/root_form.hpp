@@ -36,7 +36,7 @@ T depth_reached_by_gear(const T& teeth) {
   return reference_sine<T>() * path_in_modules<T>(external_path_end(teeth));
 }
 
-/// Beyond the pitch point, how far along the path of contact a shaper with this many teeth,
+/// How far beyond the pitch point, along the path of contact, a shaper with this many teeth,
 /// addendum and tip radius leaves a ring's involute. With as many teeth as the planet, what is left
 /// beyond the path that the planet reaches falls with the teeth.
 template <class T>

@@ -18,14 +18,15 @@ struct ToothForm {
   double tip_radius = 0.0;
   double root_radius = 0.0;
   double fillet_radius = 0.0;  ///< Tip radius of hob or shaper; else a ring's circular fillet.
-  /// Of the shaper that cut a ring's root; 0: not known, the root is drawn with a circular fillet.
+  /// Teeth of the shaper that cut a ring's root; 0: not known, the root is drawn with a circular
+  /// fillet.
   std::int64_t shaper_teeth = 0;
 };
 
 /// Tip radius of the hob of ISO 53 profile A, in modules: assumed where no cutter is stated.
 inline constexpr double kHobTipRadius = 0.38;
 
-/// Of hob and shaper in modules where no other is stated: ISO 53 profiles A, B and C.
+/// Addendum of hob and shaper in modules, where no other is stated: ISO 53 profiles A, B and C.
 inline constexpr double kStandardAddendum = 1.25;
 
 /// Root fillet of a ring, in modules: assumed where no shaper is stated. It stays clear of a

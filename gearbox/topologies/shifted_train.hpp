@@ -40,7 +40,7 @@ void describe_shifted_bodies(const Problem& problem, const CutTrain& cut, Design
 /// identical_planets is not among them: shift does not change it.
 std::vector<ConstraintReport> shifted_conditions(const Problem& problem, const CutTrain& cut);
 
-/// Of all rings.
+/// Whether every mesh of a ring has the centre distance of the sun's, a constraint each.
 std::vector<ConstraintReport> shifted_coaxiality(const CutTrain& cut);
 
 }  // namespace torquewright::gearbox

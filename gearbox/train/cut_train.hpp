@@ -26,7 +26,7 @@ struct CutGear {
   double count() const { return static_cast<double>(teeth); }
   double root_diameter() const;
   double base_diameter() const;
-  /// Of the reference profile's middle line: a gear's size with its shift, z + 2 x.
+  /// Diameter of the reference profile's middle line in modules: z + 2 x.
   double middle_diameter() const { return count() + 2.0 * shift; }
 };
 

@@ -13,10 +13,12 @@ namespace torquewright::gearbox {
 
 /// What cuts the roots; lengths in modules.
 struct Cutters {
-  /// Of sun and planets. Absent: ISO 53 profile A (0.38) is assumed, and a planet's hob is rounded
-  /// less where its ring reaches deeper (docs/derivations/tooth_outline.md eq. (8)).
+  /// Tip radius of the hob of sun and planets, in modules. Absent: ISO 53 profile A (0.38) is
+  /// assumed, and a planet's hob is rounded less where its ring reaches deeper
+  /// (docs/derivations/tooth_outline.md eq. (8)).
   std::optional<double> hob_tip_radius = {};
-  /// Of rings. Absent: 0.3 is assumed, less where a planet's tip reaches deeper.
+  /// Tip radius of the shaper of rings, in modules. Absent: 0.3 is assumed, less where a planet's
+  /// tip reaches deeper.
   std::optional<double> shaper_tip_radius = {};
   std::optional<std::int64_t> shaper_teeth = {};  ///< Absent: as many as the planet has.
   /// How deep they cut the roots below the reference profile's middle line; absent: 1.25.
@@ -27,7 +29,7 @@ struct Cutters {
   double shaper_depth() const { return shaper_addendum.value_or(1.25); }
 };
 
-/// As far as the problem states them.
+/// The cutters that the problem states, the others absent.
 Cutters stated_cutters(const Problem& problem);
 
 /// A train as it was made.
@@ -39,10 +41,10 @@ struct GearTrain {
   double module_mm = 0.0;
   std::vector<double> face_width_mm;  ///< By layer: one, or two of a 3K train.
   Cutters cutters = {};
-  /// Of planet 2 and the output ring, where it is another than the sun's.
+  /// Module of planet 2 and the output ring, in mm, where it is another than the sun's.
   std::optional<double> layer_2_module_mm = {};
 
-  /// Of the layer of the sun, 0, or of the output ring, 1.
+  /// Module of a layer, in mm: 0 that of the sun, 1 that of the output ring.
   double module_of_layer_mm(std::size_t layer) const {
     return layer == 0 ? module_mm : layer_2_module_mm.value_or(module_mm);
   }

@@ -20,7 +20,7 @@ struct BaseResidual {
   ResidualPeak moment;   ///< About the centre of mass.
   ResidualPeak passive;  ///< Torque of joints that no actuator moves; forces of slides by size_m.
   double window_s = 0.0;
-  /// Of the same on the base over a longer window, for a tenth of it, a fifth of the moment: what
+  /// The same on the base over a longer window, against a tenth of it, a fifth of the moment: what
   /// topples keeps asking for little. No limit where the file gives the forces, which may be off by
   /// as much for as long.
   ResidualPeak lasting_force, lasting_moment;

@@ -9,7 +9,7 @@
 
 namespace torquewright::hopper {
 
-/// Of what limits are shares: gravity; of a robot without it, the Earth's.
+/// The gravity of which limits are shares: the robot's, or where it has none the Earth's.
 inline double gravity_of_limits_m_s2(const dynamics::Tree& tree) {
   return tree.gravity_m_s2 > 0.0 ? tree.gravity_m_s2 : 9.81;
 }

@@ -13,21 +13,21 @@ struct DriveTorques {
   actuator::InertiaConvention inertia = actuator::InertiaConvention::kIncluded;
   bool from_file = false;
   bool adds_rotors = false;  ///< To the file's, which are without theirs.
-  /// That the file's are no nearer to those of the dynamics than none at all, and nobody asked for
-  /// them: a dead column, or one of another sign.
+  /// Whether the file's torques are no nearer to those of the dynamics than none at all, and nobody
+  /// asked for them: a dead column, or one of another sign.
   bool is_doubtful = false;
   std::vector<Finding> findings;
 };
 
-/// Of the dynamics, rotors included: by drive and sample. Without dynamics those of the rotors
-/// alone.
+/// Torques of the dynamics, rotors included, by drive and sample, in Nm. Without dynamics those of
+/// the rotors alone.
 Eigen::MatrixXd torques_by_dynamics(const Demand& demand);
 /// The same without the rotors'.
 Eigen::MatrixXd load_torques_by_dynamics(const Demand& demand);
 
-/// Of the file or of the dynamics, as asked. Where both are there they are compared, and the
-/// comparison tells whether the file's hold those of the rotors. Throws io::SpecError where the
-/// file's are asked for and absent.
+/// The drives' torques of the file or of the dynamics, as asked. Where both are there they are
+/// compared, and the comparison tells whether the file's hold those of the rotors. Throws
+/// io::SpecError where the file's are asked for and absent.
 DriveTorques drive_torques(const CheckedMotion& checked);
 
 /// Everything of actuator::check() for every drive at its samples, on its battery's voltage. Where

@@ -16,7 +16,7 @@ struct Flight {
   double touch_down_rad_s = 0.0;
   double rise_m = 0.0;                       ///< Of the centre of mass over the first sample.
   double angular_momentum_limit_Nm_s = 0.0;  ///< Of the drift.
-  /// Of the parabola that fits the centre of mass's path: its acceleration, world's axes,
+  /// Acceleration of the parabola that fits the centre of mass's path, world's axes,
   Eigen::Vector3d fall_m_s2 = Eigen::Vector3d::Zero();
   double fall_error_m_s2 = 0.0;  ///< how far that is from gravity's, in size,
   double fall_limit_m_s2 = 0.0;  ///< and by how much it may be.

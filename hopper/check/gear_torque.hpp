@@ -19,7 +19,8 @@ struct GearTorque {
                               ///< far the torques themselves may be off.
 };
 
-/// Of the torques that count. Requires velocities and accelerations, as demand_of() leaves them.
+/// What passes the gears under the torques that count. Requires velocities and accelerations, as
+/// demand_of() leaves them.
 GearTorque gear_torque(const CheckedMotion& checked, const DriveTorques& torques);
 
 }  // namespace torquewright::hopper

@@ -10,13 +10,15 @@ namespace torquewright::hopper {
 /// them. Rows are signals.
 class RunningIntegral {
  public:
-  /// As many columns as times, which do not descend. Requires at least one.
+  /// Integrates signals that have as many columns as there are times, which do not descend.
+  /// Requires at least one.
   RunningIntegral(const std::vector<double>& times_s, const Eigen::MatrixXd& signals);
 
   /// Requires the impulses in the order of their samples, all before the first question.
   void add_impulse(Eigen::Index sample, const Eigen::VectorXd& impulse);
 
-  /// From a sample's time, with its impulse, over the duration (or to the last sample).
+  /// The integral from a sample's time, with its impulse, over the duration (or to the last
+  /// sample).
   Eigen::VectorXd over(Eigen::Index from_sample, double duration_s) const;
 
  private:

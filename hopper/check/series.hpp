@@ -22,7 +22,7 @@ enum class SeriesDetail { kMotion, kDrives };
 Series series_of(const Robot& robot, const Motion& motion, const CheckOptions& options,
                  const HopperReport& report, SeriesDetail detail);
 
-/// As CSV; an empty cell where a value is NaN or infinite.
+/// The series as CSV; an empty cell where a value is NaN or infinite.
 std::string series_csv(const Series& series);
 
 /// The column of that header; null where there is none.

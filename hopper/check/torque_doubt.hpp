@@ -25,7 +25,7 @@ std::optional<Demand> demand_twice_as_far(const CheckedMotion& checked);
 /// The same doubts, given that demand.
 Eigen::MatrixXd torque_doubts(const CheckedMotion& checked, const std::optional<Demand>& twice);
 
-/// Of one drive's peak torque.
+/// Between what one drive's peak torque lies.
 struct PeakDoubt {
   std::string drive;
   double peak_Nm = 0.0;
@@ -35,11 +35,12 @@ struct PeakDoubt {
   bool by_sharing = false;  ///< Most of it is that contact forces are not unique.
 };
 
-/// By drive; of torques and doubts by drive and sample.
+/// Peaks by drive, of torques and doubts by drive and sample.
 std::vector<PeakDoubt> peak_doubts(const CheckedMotion& checked, const Eigen::MatrixXd& torque_Nm,
                                    const Eigen::MatrixXd& doubt_Nm);
 
-/// Of drives whose peak is not known to a share that matters, or whose verdict it leaves open.
+/// Findings on drives whose peak is not known to a share that matters, or whose verdict it leaves
+/// open.
 std::vector<Finding> doubt_findings(const CheckedMotion& checked,
                                     const std::vector<PeakDoubt>& peaks,
                                     const std::vector<actuator::DriveReport>& drives);

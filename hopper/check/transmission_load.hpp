@@ -33,7 +33,7 @@ struct TransmissionLoad {
 /// The names, ratios and limits of a robot's drives, nothing on them yet.
 std::vector<TransmissionLoad> unloaded_transmissions(const Robot& robot);
 
-/// Of its windows beside its limit.
+/// The verdict on a load: its worst window beside its limit.
 actuator::Verdict verdict_of(const TransmissionLoad& load);
 
 /// One a drive.

@@ -22,7 +22,7 @@ struct ContactRule {
   double ground_height_m = 0.0;
   std::optional<double> height_m;
   std::optional<double> speed_m_s;
-  /// Of soft ground: MuJoCo's default solref, critically damped.
+  /// Time constant of soft ground: MuJoCo's default solref, critically damped.
   double time_constant_s = 0.02;
 
   /// Those stated, and of the others the usual ones.
@@ -62,7 +62,7 @@ struct ContactSchedule {
 /// is not zero, a contact column), else by the rule's thresholds.
 ContactSchedule schedule_contacts(const Robot& robot, const ContactRule& rule, Motion& motion);
 
-/// Of points whose heights and speeds are known.
+/// Which points touch, by their heights and speeds.
 Touching touching_by(const ContactThresholds& thresholds, const ContactSchedule& schedule);
 
 /// Sets the guide where the motion's forces are one. A force that jumps anywhere between two

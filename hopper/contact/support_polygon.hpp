@@ -10,7 +10,8 @@ namespace torquewright::hopper {
 /// Fewer than three where they lie on a line. Andrew's monotone chain (1979).
 std::vector<Eigen::Vector2d> support_polygon(std::vector<Eigen::Vector2d> points);
 
-/// From a point to the nearest line of a hull's edges; negative outside. Requires three corners.
+/// Distance from a point to the nearest line of a hull's edges, in m; negative outside. Requires
+/// three corners.
 double distance_inside(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& point);
 
 }  // namespace torquewright::hopper

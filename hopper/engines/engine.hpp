@@ -22,10 +22,10 @@ enum class EngineOutcome {
 
 struct EngineOptions {
   double ground_height_m = 0.0;
-  /// Of the ground, and of the ends of joints' ranges, where the engine knows soft contact alone:
-  /// no less than two of its steps is taken. An engine of rigid contact has no use for it. At 1 ms
-  /// and steps of 0.5 ms impulses of impacts are within 1 % of rigid ones; softer ground gives up
-  /// to a tenth more.
+  /// How soft the ground and the ends of joints' ranges are where the engine knows soft contact
+  /// alone: no less than two of its steps is taken. An engine of rigid contact has no use for it.
+  /// At 1 ms and steps of 0.5 ms impulses of impacts are within 1 % of rigid ones; softer ground
+  /// gives up to a tenth more.
   double contact_time_constant_s = 0.001;
 };
 
@@ -37,11 +37,11 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// As options and documents name it: "own", "mujoco".
+  /// Its name in options and documents: "own", "mujoco".
   virtual std::string_view name() const = 0;
 
-  /// From here, at rest or not; forgets what was. std::invalid_argument on wrong sizes or numbers
-  /// that are not finite.
+  /// Begins anew at that position and velocity and forgets what was. std::invalid_argument on wrong
+  /// sizes or numbers that are not finite.
   virtual void start(const dynamics::VectorIn& position, const dynamics::VectorIn& velocity) = 0;
 
   /// Moves on by step_s while `force` (n x 1) acts. Unless it is kStepped, nothing has moved.
@@ -50,8 +50,8 @@ class Engine {
   virtual const Eigen::VectorXd& position() const = 0;
   virtual const Eigen::VectorXd& velocity() const = 0;
 
-  /// Of the last step, by contact point of the robot (3 each, world's axes, on the robot); zero
-  /// where it was open.
+  /// Impulses of the last step by contact point of the robot (3 each, world's axes, on the robot);
+  /// zero where it was open.
   virtual const Eigen::VectorXd& impulses_N_s() const = 0;
   /// J^T of them (n x 1).
   virtual const Eigen::VectorXd& generalised_impulse() const = 0;

@@ -58,7 +58,7 @@ struct Motion {
   Eigen::Index samples() const { return static_cast<Eigen::Index>(times_s.size()); }
   double time_s(Eigen::Index sample) const { return times_s[static_cast<std::size_t>(sample)]; }
   bool is_break(Eigen::Index sample) const;
-  /// From that sample to the next one; 0 for the last.
+  /// Time from that sample to the next one, in s; 0 for the last.
   double step_s(Eigen::Index sample) const;
   double duration_s() const { return times_s.back() - times_s.front(); }
 };

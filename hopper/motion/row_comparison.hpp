@@ -19,8 +19,8 @@ struct RowEvidence {
   double log_odds = 0.0;    ///< Natural, of the row before over its own.
   double times_less = 1.0;  ///< The row before leaves so many times less than its own, rms.
 
-  /// By odds beyond 1000 to 1: a wrong reading costs alike both ways, and one in a thousand is put
-  /// up with.
+  /// Whether the columns belong to their own row, by odds beyond 1000 to 1: a wrong reading costs
+  /// alike both ways, and one in a thousand is put up with.
   bool is_own() const;
   bool is_before() const;
   /// Nothing says so, though it makes a difference.

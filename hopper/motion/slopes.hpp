@@ -34,7 +34,7 @@ struct FittedAcceleration {
 FittedAcceleration fitted_acceleration(const dynamics::Tree& tree, const Motion& motion,
                                        Eigen::Index sample, Eigen::Index reach);
 
-/// From one position to another as a displacement along the velocities: exact for a step at
+/// The displacement along the velocities from one position to another: exact for a step at
 /// constant velocity (dynamics::step_position()).
 Eigen::VectorXd displacement(const dynamics::Tree& tree, const Eigen::VectorXd& from,
                              const Eigen::VectorXd& to);

@@ -8,8 +8,8 @@ namespace torquewright::hopper {
 /// Rotors behind an elastic train (backlash, compliance) turn apart from their outputs: a replay's
 /// drives move them, and what an engine moves is the robot without them.
 
-/// Of rotor and gears at the actuator's output, in kg m^2: what its joint states, where that holds
-/// the rotor of one joint, else as rotor_at_output_kg_m2().
+/// Inertia of rotor and gears at the actuator's output, in kg m^2: what its joint states, where
+/// that holds the rotor of one joint, else as rotor_at_output_kg_m2().
 double rotor_turned_kg_m2(const Robot& robot, const Drivetrain& drivetrain, std::size_t actuator);
 
 /// Whether the actuator's rotor turns apart: its effects let it, it weighs something, and its

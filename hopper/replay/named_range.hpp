@@ -6,7 +6,7 @@
 
 namespace torquewright::hopper {
 
-/// From which a number is drawn, every value as likely as any other. Never upside down.
+/// A range from which a number is drawn, every value as likely as any other; never upside down.
 struct Range {
   double least = 0.0;
   double greatest = 0.0;

@@ -10,7 +10,7 @@
 
 namespace torquewright::hopper {
 
-/// Of all drivetrains in their order: what "by drive" goes by.
+/// Names of the drives of all drivetrains, in the order that "by drive" means.
 std::vector<std::string> drive_names(const Robot& robot);
 
 /// What of a robot a range may name, in the robot's order.

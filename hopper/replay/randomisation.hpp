@@ -21,7 +21,7 @@ enum class NoiseDistribution {
   kNormal,   ///< The number is the standard deviation.
 };
 
-/// Of what a controller sees; drawn anew at every look. 0: none.
+/// Noise of what a controller sees, drawn anew at every look; 0: none.
 struct SensorNoiseLevels {
   NoiseDistribution distribution = NoiseDistribution::kUniform;
   double gravity_direction = 0.0;  ///< On each part of the unit vector in the base's axes.

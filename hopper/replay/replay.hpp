@@ -47,8 +47,8 @@ struct SweptStep {
   ReplayResult result;
 };
 
-/// Of one run, whose record keeps what the drives did in each: so many take ten to twenty seconds
-/// and at most 1 GB. 100 s at the usual step of 0.1 ms.
+/// The most steps of one run, whose record keeps what the drives did in each: so many take ten to
+/// twenty seconds and at most 1 GB. 100 s at the usual step of 0.1 ms.
 inline constexpr double kMostReplaySteps = 1e6;
 
 /// Throws io::SpecError, with what shortens it, where a run would have more steps than that.
@@ -69,7 +69,7 @@ class Replay {
   const Reference& reference() const;
   const ReplayOptions& options() const;
 
-  /// As the documents say. May be called by several threads at once.
+  /// The run as the documents say. May be called by several threads at once.
   ReplayedRun run(const Watching& watching) const;
   /// One randomised trial, by its seed and number alone. `randomisation` has passed require_fits().
   ReplayedRun run_trial(const Randomisation& randomisation, std::uint64_t seed, std::size_t number,

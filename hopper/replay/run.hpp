@@ -30,7 +30,7 @@ struct RunParts {
   Controller& controller;
   PoweredDrives& drives;
   RunStart start;
-  /// Of what the controller's feedback asks of each drive, that share arrives; empty: all.
+  /// The share of what the controller's feedback asks of each drive that arrives; empty: all of it.
   Eigen::VectorXd gain_factor = {};
   /// Turns what is into what sensors say, at each look, by its number; may be empty.
   std::function<void(std::uint64_t look, Observation& seen)> sense = {};
@@ -38,8 +38,8 @@ struct RunParts {
   std::function<void(double share)> on_progress = {};  ///< May be empty.
 };
 
-/// From its start, at the reference's begin, until its end and stand_s more, or until the robot
-/// falls or nothing can go on. Every number of the record is finite.
+/// Runs from its start, at the reference's begin, until its end and stand_s more, or until the
+/// robot falls or nothing can go on. Every number of the record is finite.
 Record run_replay(const RunParts& parts, const RunOptions& options);
 
 }  // namespace torquewright::hopper

@@ -15,9 +15,9 @@ struct StepSignal {
   Eigen::VectorXd impulses;            ///< and what comes at its end: magnitudes, mostly zero.
 };
 
-/// As greatest_window(): of all windows of that length the one of the greatest ( |integral of the
-/// values| + impulses ) / length, the first of those alike; in one pass. A shorter signal is one
-/// window.
+/// The window of the greatest ( |integral of the values| + impulses ) / length of all of that
+/// length, as greatest_window() finds it, the first of those alike; in one pass. A shorter signal
+/// is one window.
 WindowLoad greatest_step_window(const StepSignal& signal, double window_s);
 
 }  // namespace torquewright::hopper

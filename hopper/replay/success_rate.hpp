@@ -26,7 +26,7 @@ struct TrialCounts {
   std::size_t all() const { return done() + unfinished; }
 };
 
-/// Of those that are done.
+/// The interval of the share of trials that succeed, by those that are done.
 ShareInterval success_interval(const TrialCounts& counts);
 
 enum class RateVerdict {

@@ -29,8 +29,8 @@ struct StandingRule {
 struct TouchDown {
   double time_s = 0.0;
   double planned_s = 0.0;  ///< In the motion.
-  /// Of the base's rotation that the motion has at its own touch-down, how much is missing;
-  /// negative: too much.
+  /// How much is missing of the base's rotation that the motion has at its own touch-down;
+  /// negative: it turned too far.
   double rotation_short_rad = 0.0;
 };
 

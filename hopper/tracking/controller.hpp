@@ -25,15 +25,15 @@ struct Observation {
 class Controller {
  public:
   virtual ~Controller() = default;
-  /// As options name it.
+  /// Its name in options.
   virtual std::string_view name() const = 0;
   /// Forgets what was.
   virtual void start() = 0;
   /// Torques wanted at the drives' outputs (drives x 1), in Nm, whatever their regions allow. All
   /// finite where the observation is.
   virtual void control(const Observation& seen, Eigen::VectorXd& torque_Nm) = 0;
-  /// Of the torques last wanted, what does not depend on what was seen (drives x 1): the rest is
-  /// feedback. Zero where there is no such part.
+  /// The part of the torques last wanted that does not depend on what was seen (drives x 1): the
+  /// rest is feedback. Zero where there is no such part.
   virtual const Eigen::VectorXd& fed_forward_Nm() const = 0;
 };
 

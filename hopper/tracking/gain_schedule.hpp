@@ -13,7 +13,7 @@ struct GainStretch {
   std::vector<Eigen::MatrixXd> gains;  ///< (drives x 2 n), Nm per error; each from its time on.
 };
 
-/// By mode of the reference, and on after its end.
+/// Gains by mode of the reference and time, and on after its end.
 class GainSchedule {
  public:
   GainSchedule(std::vector<GainStretch> by_mode, Eigen::MatrixXd after_end, double ends_s);

@@ -9,7 +9,7 @@
 
 namespace torquewright::hopper {
 
-/// From what the recursion for the gains begins, at the motion's end.
+/// The cost with which the recursion for the gains begins, at the motion's end.
 enum class LqrEnd {
   kSteadyState,  ///< Of standing as the motion's last sample does, for ever.
   kWeights,      ///< Of what errors cost in a tenth of a second: for motions that end moving.

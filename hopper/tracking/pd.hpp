@@ -6,12 +6,13 @@
 
 namespace torquewright::hopper {
 
-/// Of the loop about every drive. docs/derivations/tracking.md, "Drives of their own".
+/// Gains of the loop about every drive. docs/derivations/tracking.md, "Drives of their own".
 struct PdOptions {
   /// A drive gives its peak torque for this error of its output: its stiffness is the one by the
   /// other. Smaller: the feet tip before the body leans; greater: gravity bends the posture.
   double full_torque_error_rad = 0.5;
-  /// Of critical damping with the inertia that the drive moves in the air, the least it ever has.
+  /// Share of critical damping with the inertia that the drive moves in the air, the least it ever
+  /// has.
   double damping_ratio = 1.0;
   Eigen::VectorXd stiffness_Nm_rad;  ///< By drive, at its output, instead; empty: as above.
   Eigen::VectorXd damping_Nm_s_rad;  ///< The same.

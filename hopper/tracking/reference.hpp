@@ -40,8 +40,8 @@ class Reference {
   /// one's.
   void at(double time_s, ReferenceInstant& out) const;
 
-  /// Of the drives' torques (drives x 1), which are straight between samples; at the time itself
-  /// where both are one.
+  /// The mean of the drives' torques (drives x 1), which are straight between samples; at the time
+  /// itself where both are one.
   Eigen::VectorXd mean_drive_Nm(double from_s, double until_s) const;
 
   double begins_s() const { return times_s_.front(); }
@@ -49,7 +49,7 @@ class Reference {
   const std::vector<ContactMode>& modes() const { return modes_; }
   /// The mode at a time; the later one at a border.
   std::size_t mode_at(double time_s) const;
-  /// Of the impacts that the motion plans the nearest to a time, as the mode that it begins.
+  /// The planned impact nearest to a time, as the mode that it begins; none where none is planned.
   std::optional<std::size_t> nearest_impact(double time_s) const;
 
  private:

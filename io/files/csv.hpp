@@ -44,7 +44,7 @@ class CsvReader {
   /// The last line, if it was dropped; 0: it was not.
   std::size_t cut_line() const { return cut_line_; }
 
-  /// Of the present row; from 1.
+  /// Line of the present row in the file, from 1.
   std::size_t line() const { return line_; }
   const std::string& file() const { return lines_.file(); }
   std::string sha256() { return lines_.sha256(); }  ///< Of the file; at its end, once.

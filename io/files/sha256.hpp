@@ -16,7 +16,7 @@ class Sha256 {
   Sha256();
   ~Sha256();
   void add(std::string_view bytes);
-  /// Of all bytes added so far. To be asked for once.
+  /// The digest of all bytes added so far, as hexadecimal digits. To be asked for once.
   std::string digest();
 
  private:

@@ -33,7 +33,7 @@ class StagedFile {
   void stage();
   /// Gives it the file's name, mode and owner.
   void publish();
-  /// As before publish(), where the file system knows a way back.
+  /// Puts back what stood there before publish(), where the file system knows a way back.
   void withdraw();
 
  private:

@@ -33,8 +33,8 @@ struct Unit {
   double zero_in_SI = 0.0;  ///< Of temperatures alone is it another.
 };
 
-/// By its name: "deg", "deg/s" or "deg_s", "rpm", "mNm", "ms", "degC", ... Empty if there is none
-/// such.
+/// The unit of that name: "deg", "deg/s" or "deg_s", "rpm", "mNm", "ms", "degC", ... Empty if there
+/// is none such.
 std::optional<Unit> find_unit(std::string_view name);
 
 /// The names of a dimension's units, its SI unit first.

@@ -38,7 +38,8 @@ class Judge {
   /// Encloses the cost of every point of the box that satisfies all conditions. -infinity below
   /// where nothing is known.
   Interval cost_over(const Box& box) const;
-  /// Of one point, enclosed in doubles and in 256 bits. -infinity below where it does not exist.
+  /// The cost of one point, enclosed in doubles and in 256 bits. -infinity below where it does not
+  /// exist.
   Interval cost_around(std::span<const std::int64_t> point) const;
   PreciseInterval cost_at(std::span<const std::int64_t> point) const;
   bool has_exact_cost() const { return problem_.goal.exact; }

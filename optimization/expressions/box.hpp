@@ -15,7 +15,7 @@ struct Range {
 
   std::int64_t size() const { return upper < lower ? 0 : upper - lower + 1; }
   bool contains(std::int64_t value) const { return lower <= value && value <= upper; }
-  /// As an interval of reals. Bounds are far below 2^53, so this is exact.
+  /// The range as an interval of reals. Bounds are far below 2^53, so this is exact.
   Interval interval() const { return {static_cast<double>(lower), static_cast<double>(upper)}; }
   friend bool operator==(const Range&, const Range&) = default;
 };

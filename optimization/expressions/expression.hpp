@@ -58,7 +58,7 @@ Expression atan(const Expression& a);
 Expression abs(const Expression& a);
 Expression min(const Expression& a, const Expression& b);
 Expression max(const Expression& a, const Expression& b);
-/// Of constants only.
+/// The sine of an expression that holds constants only.
 Expression sin(const Expression& a);
 Expression cos(const Expression& a);
 Expression tan(const Expression& a);

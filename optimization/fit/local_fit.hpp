@@ -58,7 +58,7 @@ struct LocalFit {
   std::vector<StartOutcome> starts;  ///< In their order.
   std::size_t agreeing = 0;          ///< Starts that found the best value.
   double value_spread = 0.0;         ///< Worst less best value over the starts that did not fail.
-  /// By variable: largest less smallest value over the agreeing starts. Wide: a valley, the
+  /// Largest less smallest value of each variable over the agreeing starts. Wide: a valley, the
   /// objective does not determine the variable.
   std::vector<double> point_spread;
 };

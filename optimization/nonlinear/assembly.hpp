@@ -37,9 +37,9 @@ class Assembly {
 
   /// Largest scale of the costs; 1 without costs.
   double objective_scale() const { return objective_scale_; }
-  /// By entry of jacobian(): block by block, column by column.
+  /// Places of the entries of jacobian(): block by block, column by column.
   const std::vector<Place>& jacobian_places() const { return jacobian_places_; }
-  /// By entry of hessian(): lower triangle, by row and column.
+  /// Places of the entries of hessian(): lower triangle, by row and column.
   const std::vector<Place>& hessian_places() const { return hessian_places_; }
 
   /// Evaluated once as long as the point stays the same. Unknowns beyond their bounds, such as by
@@ -48,7 +48,8 @@ class Assembly {
   /// Each writes every element, and is false where one is not finite.
   bool gradient(std::span<const double> scaled, std::span<double> slopes);
   bool jacobian(std::span<const double> scaled, std::span<double> entries);
-  /// Of objective_factor times the objective plus multipliers^T rows, all of them scaled.
+  /// Second derivatives of objective_factor times the objective plus multipliers^T rows, all
+  /// scaled.
   bool hessian(std::span<const double> scaled, double objective_factor,
                std::span<const double> multipliers, std::span<double> entries);
 

@@ -16,9 +16,10 @@ struct NonlinearSolution {
   std::vector<double> values;
   double objective = 0.0;          ///< Infinite where no point was finite.
   double largest_violation = 0.0;  ///< Of rows over their scales, at `values`; bounds hold.
-  /// By row of the program, of the unscaled rows; where solved, else empty. The objective's slopes
-  /// plus J^T multipliers vanish but for bounds: above 0 an upper bound holds a row back, below 0 a
-  /// lower one; raising that bound by a little changes the objective by -multiplier times it.
+  /// Multipliers of the unscaled rows, in the program's order; where solved, else empty. The
+  /// objective's slopes plus J^T multipliers vanish but for bounds: above 0 an upper bound holds a
+  /// row back, below 0 a lower one; raising that bound by a little changes the objective by
+  /// -multiplier times it.
   std::vector<double> multipliers;
   int iterations = 0;
   double seconds = 0.0;

@@ -15,11 +15,12 @@ namespace torquewright::hopper {
 /// The mechanism of a linkage, or why there is none, in a sentence.
 using FoundMechanism = std::variant<std::shared_ptr<const Mechanism>, std::string>;
 
-/// Of one loop with one held hinge: all hinges parallel, rods between balls too.
+/// The four-bar that one loop with one held hinge is, if it is one: all hinges parallel, rods
+/// between balls too.
 FoundMechanism four_bar_of(const std::vector<DraftBody>& draft, const RodLoop& loop,
                            const LoopFollower& file_posture);
 
-/// Of two loops that hold the same two hinges, from the same ground.
+/// The parallel ankle that two loops are which hold the same two hinges from the same ground.
 FoundMechanism parallel_ankle_of(const std::vector<DraftBody>& draft,
                                  const std::vector<RodLoop>& loops,
                                  const LoopFollower& file_posture);

@@ -14,12 +14,12 @@ namespace torquewright::hopper {
 /// one of its motions, and gravity is the inertia against a base that accelerates.
 class LoopFollower {
  public:
-  /// As the file puts the bodies; loops are as open as they are there.
+  /// Begins where the file puts the bodies; loops are as open as they are there.
   LoopFollower(const std::vector<DraftBody>& draft, std::vector<RodLoop> loops);
 
   /// Where a point of another body is in the frame of this one.
   Eigen::Vector3d seen_from(const dynamics::BodyPoint& point, std::size_t body) const;
-  /// Of a joint, in the world's axes.
+  /// Axis of the joint that carries a body, in the world's axes.
   const Eigen::Vector3d& axis(std::size_t body) const { return state_.motion(body).axis; }
   double position(std::size_t body) const { return q_[row_of_position(body)]; }
 

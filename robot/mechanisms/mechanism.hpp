@@ -46,7 +46,7 @@ class Mechanism {
  public:
   virtual ~Mechanism() = default;
 
-  /// As documents name it.
+  /// Its name in documents.
   virtual std::string_view type() const = 0;
   /// Joints, and as many actuators.
   virtual Eigen::Index size() const = 0;

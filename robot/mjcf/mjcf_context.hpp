@@ -27,7 +27,7 @@ struct Placed {
   std::string childclass;  ///< Around it.
 };
 
-/// Of the element itself by its own pos and orientation, in the body that holds it.
+/// Where the element itself stands by its own pos and orientation, in the body that holds it.
 Placed pose_of(const Placed& placed, const Element& completed, const MjcfContext& context);
 
 /// What a body (or the world) holds, frames taken apart, in order. Both are checked by the

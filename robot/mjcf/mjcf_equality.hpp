@@ -12,8 +12,8 @@ struct Equalities {
   std::vector<std::string> freed;  ///< In sentences: what is left out.
 };
 
-/// Of the tree below this body. Faults for each that is neither a <connect> nor, where couplings of
-/// joints and tendons may be left out, one of these.
+/// The equalities on the tree below this body. Faults for each that is neither a <connect> nor,
+/// where couplings of joints and tendons may be left out, one of these.
 Equalities read_equalities(const Element& mujoco, const Element& top, const MjcfDefaults& defaults,
                            bool frees_couplings, Faults& faults);
 

@@ -45,7 +45,8 @@ class LinearDynamics {
   [[nodiscard]] bool at(const DynamicsInstant& instant, DynamicsSlopes& out);
 
  private:
-  /// By the variables `first` .. of displacements and velocities, as many as one number holds.
+  /// Slopes along the variables from `first` on, of displacements and velocities, as many as one
+  /// number holds.
   bool pass(const DynamicsInstant& instant, int first, DynamicsSlopes& out);
   void contact_rows(int first, DynamicsSlopes& out);
   dynamics::VectorX<dynamics::Jet> contact_force(const DynamicsInstant& instant);

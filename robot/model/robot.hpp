@@ -37,17 +37,19 @@ struct Drivetrain {
   std::vector<actuator::Actuator> actuators;
   std::vector<std::string> actuator_names;  ///< The joint's where one actuator moves one joint.
   std::vector<std::string> actuator_files;  ///< As the document names them.
-  /// By actuator as read: its own document states no battery, the robot's feeds it if there is one.
+  /// Whether each actuator's document states no battery, so that the robot's feeds it if there is
+  /// one.
   std::vector<bool> on_robots_battery;
   /// Whether the joints' reflected inertia in the tree holds that of these rotors already.
   bool rotors_in_tree = true;
   /// Whether a joint's document says what rotors weigh there: it knows nothing then of what an
   /// actuator's effects add.
   bool joints_state_rotors = false;
-  /// Of rotor and gears at each actuator's output, where the mechanism itself states it; else
-  /// empty.
+  /// Inertia of rotor and gears at each actuator's output, in kg m^2, where the mechanism itself
+  /// states it; else empty.
   std::vector<double> stated_rotors_kg_m2;
-  /// Of each crank about its axis, behind the gears; empty: cranks weigh nothing.
+  /// Inertia of each crank about its axis, behind the gears, in kg m^2; empty: cranks weigh
+  /// nothing.
   std::vector<double> cranks_kg_m2;
   std::optional<dynamics::BodyPoint> mount;  ///< Where its actuators' mass sits, if stated.
   std::optional<TransmissionLimit> transmission_limit;  ///< Of each of its actuators.

@@ -20,7 +20,8 @@ struct DriveInstant {
   /// that part of the carrier's acceleration (Joint::rotor_spin_kg_m2). Part of both torques.
   double carried_Nm = 0.0;
 
-  /// Of the rotor in space, by what it reflects at the output: what turns it is that times this.
+  /// Acceleration of the rotor in space, referred to the output: its inertia there times this is
+  /// the torque that turns it.
   double rotor_acceleration_rad_s2(double rotor_kg_m2) const {
     return acceleration_rad_s2 + (rotor_kg_m2 > 0.0 ? carried_Nm / rotor_kg_m2 : 0.0);
   }
@@ -30,8 +31,9 @@ struct DriveInstant {
 /// at a constant ratio.
 bool rotors_stay_in_tree(const Drivetrain& drivetrain);
 
-/// Of the rotor that turns with the drivetrain's one joint at a constant ratio, at the actuator's
-/// output in kg m^2, as that joint states it. Requires rotors_in_tree, and that they do not stay.
+/// Inertia of the rotor that turns with the drivetrain's one joint at a constant ratio, at the
+/// actuator's output in kg m^2, as that joint has it. Requires rotors_in_tree, and that they do not
+/// stay.
 double rotor_in_tree_kg_m2(const Robot& robot, const Drivetrain& drivetrain);
 
 /// A robot's bodies with its rotors apart: they turn as the drivetrains say, so that their inertia
@@ -45,8 +47,9 @@ class WholeBodyOf {
  public:
   explicit WholeBodyOf(const Robot& robot);
 
-  /// As dynamics::TreeState::set(), and throws as that. False where a mechanism does not reach the
-  /// posture: unreached() names it, and only what needs no drivetrain may be asked for.
+  /// Sets position and velocity as dynamics::TreeState::set() does, and throws as that. False where
+  /// a mechanism does not reach the posture: unreached() names it, and only what needs no
+  /// drivetrain may be asked for.
   [[nodiscard]] bool set(const dynamics::VectorInOf<T>& position,
                          const dynamics::VectorInOf<T>& velocity);
   /// Index of a drivetrain.
@@ -59,8 +62,8 @@ class WholeBodyOf {
   std::size_t drive_count() const { return rotors_kg_m2_.size(); }
   /// N^2 J, the gears' and the crank's; 0 where what the joints state of it stays in the tree.
   double rotor_inertia_kg_m2(std::size_t drive) const { return rotors_kg_m2_[drive]; }
-  /// Of that what turns before the first mesh: without the gears' own and the crank's. Where what
-  /// the joints state stays in the tree, the actuator's N^2 J.
+  /// The part of rotor_inertia_kg_m2() that turns before the first mesh: without the gears' own and
+  /// the crank's. Where what the joints state stays in the tree, the actuator's N^2 J.
   double before_gears_kg_m2(std::size_t drive) const { return before_gears_kg_m2_[drive]; }
 
   /// (n x n), rotors included; eq. (2).

@@ -18,7 +18,7 @@ inline constexpr double kNoRange = 1e4;
 std::string text_of(double value);
 std::string text_of(const Eigen::Vector3d& vector);
 
-/// As a comment at the file's head.
+/// Writes the notes as a comment at the file's head.
 void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& notes);
 
 /// Parts of a robot that a file may leave out.

@@ -16,7 +16,7 @@ class MovingBodies {
   /// False where a mechanism does not reach the posture; then nothing else may be asked.
   [[nodiscard]] virtual bool set(const dynamics::VectorIn& position,
                                  const dynamics::VectorIn& velocity) = 0;
-  /// Of what was set.
+  /// The state that was set last.
   virtual dynamics::TreeState& state() = 0;
   /// (n x n)
   virtual void mass_matrix(dynamics::MatrixOut out) = 0;

@@ -11,8 +11,8 @@ namespace torquewright::simulation {
 struct GroundPoint {
   dynamics::BodyPoint point;
   double friction_coefficient = 0.0;
-  /// Of the normal velocity (Newton's, as Moreau's stepping has it). Where it would add energy, as
-  /// it can with friction, less of it is taken.
+  /// Share of the normal velocity that comes back (Newton's, as Moreau's stepping has it). Where it
+  /// would add energy, as it can with friction, less of it is taken.
   double restitution = 0.0;
   double radius_m = 0.0;  ///< Of a ball about the point, whose lowest place touches; 0: the point.
 };

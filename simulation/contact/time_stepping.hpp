@@ -33,7 +33,7 @@ class TimeStepping {
   /// `bodies` must outlive it.
   TimeStepping(MovingBodies& bodies, Obstacles obstacles);
 
-  /// From position and velocity to those a step later, while `force` (n x 1) acts. Unless it is
+  /// Moves position and velocity on by a step, while `force` (n x 1) acts. Unless it is
   /// kStepped, both stay as they are. std::invalid_argument on wrong sizes.
   [[nodiscard]] Outcome step(Eigen::VectorXd& position, Eigen::VectorXd& velocity,
                              const dynamics::VectorIn& force, double step_s);
@@ -41,9 +41,9 @@ class TimeStepping {
   /// The next step begins from no impulse, as the first did.
   void forget();
 
-  /// Of the last step (3 per point: x, y, z of the world): zero where a point was open.
+  /// Impulses of the last step (3 per point: x, y, z of the world): zero where a point was open.
   const Eigen::VectorXd& impulses_N_s() const { return impulses_N_s_; }
-  /// Of the last step (1 per stop, along its inward side): N s or N m s.
+  /// Impulses of joints' stops in the last step (1 per stop, along its inward side): N s or N m s.
   const Eigen::VectorXd& stop_impulses() const { return stop_impulses_; }
   /// The velocity's change by points and stops, times the mass matrix: J^T impulses (n x 1).
   const Eigen::VectorXd& generalised_impulse() const { return generalised_; }
@@ -53,7 +53,7 @@ class TimeStepping {
   const Eigen::VectorXd& jump() const { return jump_; }
 
  private:
-  /// Of a Runge-Kutta step.
+  /// One stage of a Runge-Kutta step.
   struct Stage {
     Eigen::VectorXd step;  ///< That leads to it from the beginning.
     Eigen::VectorXd velocity;

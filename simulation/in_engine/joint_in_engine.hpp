@@ -49,7 +49,7 @@ class JointInEngine {
   double advance(const OutputStep& output, const DriveNow& drive, double direction,
                  double winding_K);
 
-  /// As the last step left it.
+  /// The joint as the last step left it.
   const JointState& state() const;
 
  private:

@@ -72,7 +72,7 @@ class JointModel {
  private:
   template <typename Change>
   void change_states(JointState& state, const DriveNow& drive, Change change) const;
-  /// Of the motor without lag.
+  /// Torque of the motor before its lag, in Nm at the output.
   double commanded_Nm(const actuator::Instant& at, const DriveNow& drive) const;
   double state_torque_Nm(const JointState& state, actuator::Instant at, double drag_factor,
                          double* motor_Nm) const;

@@ -14,11 +14,11 @@ namespace torquewright::simulation {
 double share_to_stop(const PlantState& from, const PlantState& to,
                      const std::vector<double>& directions);
 
-/// Speeds that reversed, or belong to a motor that is held, to zero.
+/// Sets the speeds of motors to zero that reversed within a step, or that friction holds.
 void stop_reversed(PlantState& state, const std::vector<double>& directions,
                    const std::vector<JointModel>& models);
 
-/// Motors that lost nearly all their speed have stopped.
+/// Sets the speeds of motors to zero that lost nearly all of it between two instants.
 void stop_slowed(const PlantState& from, PlantState& to, const std::vector<JointModel>& models);
 
 }  // namespace torquewright::simulation

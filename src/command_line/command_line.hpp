@@ -40,7 +40,7 @@ class Option {
   Option integer_between(std::int64_t least, std::int64_t greatest);
   Option positive();
   Option one_of(const std::vector<std::string>& words);
-  /// Of those words the ones that help and completion name; the work refuses the others.
+  /// States the words that help and completion name; the work refuses others.
   Option offers(const std::vector<std::string>& words);
   Option existing_file();
   /// A file to be written. An unset variable of a script leaves "": nothing would be written, and

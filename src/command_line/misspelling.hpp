@@ -24,7 +24,7 @@ struct Reached {
   std::size_t rest;  ///< Index of the first word that is not part of its name.
 };
 
-/// As far as the words lead, options left aside.
+/// The command that the words lead to, as far as they do, options left aside.
 Reached reached_by(const DeclaredCommand& program, std::span<const std::string> words);
 
 /// What is wrong with a word in the place of a command.

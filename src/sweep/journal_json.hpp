@@ -18,7 +18,7 @@ class Journal {
   /// None is kept where the request names no file. Throws io::SpecError, as io::JournalFile.
   explicit Journal(const Request& request);
 
-  /// By point: what it holds already. Of points that were lost, nothing.
+  /// The answer that the journal holds already for each point; none for points that were lost.
   std::vector<std::optional<Answer>> known() const;
   /// Is kept when this returns.
   void add(const PointAnswer& answer);
@@ -28,8 +28,8 @@ class Journal {
   std::unique_ptr<io::JournalFile> file_;
 };
 
-/// As it would be read from a journal, so that a sweep that went on says the same as one that did
-/// not; what is no JSON is lost.
+/// The answer as it would be read from a journal, so that a sweep that went on says the same as one
+/// that did not; what is no JSON is lost.
 Answer as_kept(Answer answer);
 
 /// For before the work: throws io::SpecError where no journal could be kept in that file.

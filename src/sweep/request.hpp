@@ -13,8 +13,8 @@ namespace torquewright::sweep {
 /// Points that are done one by one, each by its number alone.
 struct Request {
   std::vector<std::string> points;  ///< Their names, each once.
-  /// Of all that the answers depend on beside the point: options, inputs, program. Workers state
-  /// theirs, and a journal's lines are taken where it is the same.
+  /// A fingerprint of all that the answers depend on beside the point: options, inputs, program.
+  /// Workers state theirs, and a journal's lines are taken where it is the same.
   std::string fingerprint;
   std::string journal_file;  ///< Empty: none is kept, and nothing outlives this run.
   std::size_t jobs = 0;      ///< Processes; 0: as many as the processor runs at once.

@@ -53,7 +53,7 @@ struct Swept {
   std::vector<SweptPoint> points;  ///< The last axis running first.
 
   bool is_whole() const;
-  /// Of the rows that there are.
+  /// How many rows have that verdict.
   std::size_t count(RowVerdict verdict) const;
 };
 

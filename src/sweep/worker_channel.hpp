@@ -33,7 +33,8 @@ inline constexpr int kWorkerWrites = 101;
 
 bool is_worker();
 
-/// To be called first of all: a worker ends with who started it, even if that one is killed.
+/// Lets a worker end with the process that started it, even if that one is killed. To be called
+/// first of all.
 void end_with_starter();
 
 /// The worker's side: answers points until there are no more.

@@ -30,7 +30,7 @@ class WorkerProcess {
   std::optional<PointAnswer> listen();
   bool has_ended() const { return has_ended_; }
   bool has_begun() const { return has_begun_; }
-  /// Of one that has ended, if it was not by a signal.
+  /// Exit code of a process that has ended, if it was not by a signal.
   std::optional<int> exit_code() const;
   /// "its process was ended by signal 9 (Killed)".
   std::string how_it_ended() const;

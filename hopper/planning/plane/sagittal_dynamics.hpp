@@ -23,7 +23,7 @@ class SagittalDynamicsOf {
  public:
   explicit SagittalDynamicsOf(const SagittalRobot& robot);
 
-  /// To a position and a velocity (moving x 1 each).
+  /// Puts a frame's robot to a position and a velocity (moving x 1 each).
   void set(PlanFrame frame, const dynamics::VectorX<T>& position,
            const dynamics::VectorX<T>& velocity);
   /// The same instant in the other frame (moving x 1 each).
@@ -50,7 +50,7 @@ class SagittalDynamicsOf {
   dynamics::VectorX<T> unplaced(const dynamics::VectorX<T>& moving) const;
   /// The same, the base's place such that the frame's origin accelerates as it shall.
   dynamics::VectorX<T> accelerated(const dynamics::VectorX<T>& acceleration);
-  /// Of a frame's origin, the base's own place and velocity left at 0.
+  /// Where a frame's origin is, in m, the base's own place and velocity left at 0.
   Eigen::Matrix<T, 2, 1> origin_m(PlanFrame frame) const;
   Eigen::Matrix<T, 2, 1> origin_m_s(PlanFrame frame) const;
   T turned(const dynamics::VectorX<T>& moving) const;
@@ -77,8 +77,8 @@ struct DriveMotionOf {
   dynamics::VectorX<T> joint_Nm;             ///< By joint that moves, of the drives' torques.
 };
 
-/// By what the joints that move do; torques (drives x 1). Not finite where a mechanism does not
-/// reach.
+/// The motion of every drive's output under that of the joints that move, with the drives' torques
+/// (drives x 1). Not finite where a mechanism does not reach.
 template <typename T>
 DriveMotionOf<T> drive_motion(const SagittalRobot& robot, const dynamics::VectorX<T>& joint_rad,
                               const dynamics::VectorX<T>& joint_rad_s,

@@ -23,9 +23,9 @@ struct Stance {
   bool adds_to(const Stance& other) const;
 };
 
-/// By their names: "flat", "heel", "toe", "flight"; "flat" of a foot of one point is that point.
-/// io::SpecError, naming the stance and those that there are, where one is unknown, two alike
-/// follow each other, or the first or the last is no full stance.
+/// Stances by their names: "flat", "heel", "toe", "flight"; "flat" of a foot of one point is that
+/// point. io::SpecError, naming the stance and those that there are, where one is unknown, two
+/// alike follow each other, or the first or the last is no full stance.
 std::vector<Stance> stances_of(const SagittalRobot& robot, const std::vector<std::string>& names);
 
 }  // namespace torquewright::hopper

@@ -6,8 +6,8 @@
 
 namespace torquewright::hopper {
 
-/// From the middle of the sole to where the mass stands at the begin and at the end, of the foot's
-/// length, at most.
+/// How far from the middle of the sole the mass may stand at the begin and at the end, as a share
+/// of the foot's length.
 inline constexpr double kStandsWithin = 0.1;
 
 /// The joint, of those that move, that is turned until a posture stands: next to the foot, which

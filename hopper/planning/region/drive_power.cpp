@@ -10,8 +10,8 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr int kDragKnots = 48;     // on one side of rest
-constexpr int kTorqueKnots = 128;  // knots
+constexpr int kDragKnots = 48;  // on one side of rest
+constexpr int kTorqueKnots = 128;
 constexpr int kPowerSpeedKnots = 240;
 constexpr double kRoundedCorner = 1e-3;  // of the cap
 constexpr double kJustMoving = 1e-9;     // of the last speed: moving already

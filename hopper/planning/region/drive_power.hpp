@@ -29,7 +29,7 @@ class DrivePower {
   }
 
  private:
-  /// Of the motor at the output, before the gear's losses.
+  /// Torque of the motor at the output, before the gear's losses.
   template <typename T>
   T motor_Nm(const T& torque_Nm, const T& speed_rad_s) const {
     T out = middle_ * torque_Nm;

@@ -55,7 +55,7 @@ class DriveRegion {
 
   /// At any speed and voltage.
   double greatest_torque_Nm() const { return greatest_torque_Nm_; }
-  /// Without load at the open circuit's voltage.
+  /// Speed without load at the open circuit's voltage.
   double greatest_speed_rad_s() const { return greatest_speed_rad_s_; }
 
   /// How far the rows' bounds are inside the true ones at most, margins apart; 0: not at all.

@@ -74,7 +74,7 @@ class SmoothCurve {
  public:
   SmoothCurve(std::vector<double> knots, const Eigen::VectorXd& values);
 
-  /// Of x alone.
+  /// The surface's value and slopes along x alone.
   Taylor at(double x) const;
 
   /// Lowers it where it is above any of these points (x, value).

@@ -16,7 +16,7 @@ namespace {
 
 using actuator::Limiter;
 
-constexpr int kVoltageKnots = 9;      // knots
+constexpr int kVoltageKnots = 9;
 constexpr int kSpeedKnots = 72;       // knots of a piece
 constexpr int kScannedSpeeds = 240;   // speeds at which limiters are told apart
 constexpr int kPlacesPerKnot = 4;     // places a knot at which a piece is held down

@@ -58,7 +58,7 @@ struct PlanRound {
   double derivative_seconds = 0.0;
 };
 
-/// Of one objective, unweighted.
+/// What one objective comes to in a plan, unweighted.
 struct ObjectivePart {
   std::string name;
   double weight = 0.0;

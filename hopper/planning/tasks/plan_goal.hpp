@@ -23,7 +23,7 @@ struct PlanGoal {
   double turn_rad = 0.0;           ///< Of the foot, forwards.
   std::optional<double> stride_m;  ///< Of the foot; empty: as it comes.
   std::optional<double> rise_m;    ///< Of the centre of mass in flight, at least.
-  /// By joint that moves: between what it stands at the begin and at the end.
+  /// The range in which each joint that moves stands at the begin and at the end, in rad.
   std::vector<optimization::Bounds> standing_rad;
   /// Whether the base is level at the begin, and turned by `turn_rad` at the end: of a foot of one
   /// point, whose own pitch is free.

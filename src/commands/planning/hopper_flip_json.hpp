@@ -12,7 +12,7 @@ namespace torquewright::cli {
 std::string hopper_flip_json(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
                              const hopper::PlanResult& result);
 
-/// Of all that a sweep's points depend on beside the robot's values.
+/// A fingerprint of all that a sweep's points depend on beside the robot's values.
 std::string hopper_flip_fingerprint(const HopperFlipRequest& request,
                                     const HopperFlipInputs& inputs);
 /// The sweep as a document of kind sweep_result.

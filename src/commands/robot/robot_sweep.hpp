@@ -32,7 +32,7 @@ RobotSweep read_robot_sweep(const SweepOptions& options, const hopper::Robot& ro
 /// The robot of a point.
 hopper::Robot robot_at(const RobotSweep& swept, const hopper::Robot& robot, std::size_t point);
 
-/// Of all that a point's answer depends on beside the robot's values.
+/// What a point's answer depends on beside the robot's values.
 struct SweepIdentity {
   std::string command;      ///< "hopper check"
   std::string fingerprint;  ///< SHA-256 of options and inputs.

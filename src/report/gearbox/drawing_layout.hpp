@@ -56,7 +56,7 @@ struct DrawingLayout {
 /// Throws std::invalid_argument as gearbox_drawing() does.
 DrawingLayout lay_out(const DrawnGearbox& drawing);
 
-/// Behind a ring's root [mm]: stated, or one tooth height.
+/// Wall behind a ring's root, in mm: as stated, or one tooth height.
 double ring_wall_mm(const DrawingLayout& layout, const DrawnGear& ring);
 
 /// Outer diameter of a ring's blank [mm].

@@ -21,7 +21,7 @@ struct DrawnGearbox {
   double hollow_shaft_diameter_mm = 0.0;  ///< Not drawn unless positive.
   std::optional<double> ring_wall_mm;     ///< Behind the ring's root; default 2.25 module.
   gearbox::Cutters cutters = {};          ///< As far as they are stated.
-  /// Of each gear in its modules; empty: none is shifted.
+  /// Profile shift of each gear in its modules; empty: none is shifted.
   std::vector<double> profile_shift = {};
   std::optional<double> layer_2_module_mm = {};  ///< Where it is another than the sun's layer's.
   std::vector<std::string> cannot_exist = {};    ///< Names of conditions that no gearbox can miss.

@@ -11,7 +11,7 @@ namespace torquewright::report {
 
 /// The verdict and its sentence.
 std::string verdict_words(const hopper::PlanOptions& options, const hopper::PlanResult& result);
-/// That a plan that was not found proves nothing; empty where it needs no saying.
+/// A sentence that a plan which was not found proves nothing; empty where it needs no saying.
 std::string proof_words(const hopper::PlanResult& result);
 /// The task, what drives are held to, and what was to be done best.
 std::string task_words(const hopper::PlanOptions& options, const hopper::PlanResult& result);

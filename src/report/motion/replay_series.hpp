@@ -26,8 +26,8 @@ ShownRun shown_run(const ReplayPage& page);
 /// The rule of a violation whose drive could not give what was wanted.
 extern const char* const kCutOff;
 
-/// Of forces, what all but a fiftieth stay below: a touch-down's, of one interval, would leave no
-/// room for the others. 0 of none.
+/// The force that all but a fiftieth stay below, in N: a touch-down's, of one interval, would leave
+/// no room for the others. 0 of none.
 double usual_greatest_N(std::vector<double> forces_N);
 
 /// The names of a robot's drives in their order.

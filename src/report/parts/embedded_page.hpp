@@ -6,7 +6,7 @@ namespace torquewright::report {
 /// The texts of hopper_page.js and hopper_page.css, compiled in by the build.
 extern const char* const kHopperScript;
 extern const char* const kHopperStyle;
-/// That of replay_page.css.
+/// The text of replay_page.css.
 extern const char* const kReplayStyle;
 
 }  // namespace torquewright::report

@@ -9,7 +9,7 @@ namespace torquewright::report {
 
 enum class PlotFormat { kSvg, kPng };
 
-/// By the file's ending, .svg or .png. Throws io::SpecError for any other.
+/// The format of a picture by its file's ending, .svg or .png. Throws io::SpecError for any other.
 PlotFormat plot_format(const std::filesystem::path& file);
 
 /// A text as gnuplot's own: in quotes that nothing in it can leave.

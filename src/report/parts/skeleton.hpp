@@ -20,7 +20,8 @@ struct Skeleton {
   std::vector<std::size_t> contacts;  ///< The points of the robot's contacts, in their order.
 };
 
-/// From each joint to those it carries; a last body to its contact points, or its centre of mass.
+/// Lines from each joint to those it carries; of a last body to its contact points, or to its
+/// centre of mass.
 Skeleton skeleton_of(const hopper::Robot& robot);
 
 /// A robot at one instant, from the side: x to the right, z up.
@@ -30,7 +31,7 @@ struct Pose {
   Eigen::Vector2d center_of_mass_m = Eigen::Vector2d::Zero();
 };
 
-/// Of a robot with a base that is somewhere; `positions` has one column a time.
+/// Poses of a robot whose base is known; `positions` has one column a time.
 std::vector<Pose> poses_of(const hopper::Robot& robot, const Skeleton& skeleton,
                            const std::vector<double>& times_s, const Eigen::MatrixXd& positions);
 

@@ -35,7 +35,8 @@ struct CursorSource {
   std::vector<ForceColumns> forces = {};  ///< By contact point; empty: none is known.
 };
 
-/// As JSON that may stand inside an HTML element: names hold no character that could end it.
+/// The source as JSON that may stand inside an HTML element: names hold no character that could end
+/// it.
 std::string cursor_json(const CursorSource& source);
 
 }  // namespace torquewright::report

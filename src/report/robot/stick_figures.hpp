@@ -41,7 +41,7 @@ MovingFigure moving_figure(const MovedPoses& moved);
 /// Requires that the motion says how the base moves.
 MovingFigure moving_figure(const HopperPage& page, const std::vector<Eigen::Index>& samples);
 
-/// That figure as an SVG element, as it stands at one of its poses; the script moves it on.
+/// The figure as an SVG element, as it stands at one of its poses; the script moves it on.
 /// `title` is what a screen reader says in its place.
 std::string figure_svg(const std::string& title, const MovingFigure& figure, std::size_t pose,
                        const std::vector<ShownViolation>& violations);
