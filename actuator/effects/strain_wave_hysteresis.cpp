@@ -2,8 +2,9 @@
 // The flexspline of a strain-wave gear rubs in its teeth and its bearing while it winds up: torque
 // over twist is a loop, the same at every speed. A differential equation in the twist for it:
 // Dhaouadi, Ghorbel and Gandhi, "A new dynamic model of hysteresis in harmonic drives", IEEE
-// Transactions on Industrial Electronics 50(6), 2003. Its torque here, docs/derivations/strain_wave_hysteresis.md
-// eq. (1) and (2), leaves each turning point as steeply as it began, which Dahl's friction does not.
+// Transactions on Industrial Electronics 50(6), 2003. The torque here leaves each turning point as
+// steeply as it began, which Dahl's friction does not: equations (1) to (4) of
+// docs/derivations/strain_wave_hysteresis.md.
 #include <cmath>
 #include <limits>
 
@@ -50,7 +51,8 @@ constexpr Excitation kWindUp = {
 /// A twentieth of the greatest torque, by the twist of a stiff gear and of a soft one.
 std::vector<std::vector<double>> starts(const Ranges& ranges) {
   std::vector<std::vector<double>> all;
-  for (const double turn_rad : {1e-4, 1e-3, 1e-2}) all.push_back({0.05 * ranges.torque_Nm, turn_rad});
+  for (const double turn_rad : {1e-4, 1e-3, 1e-2})
+    all.push_back({0.05 * ranges.torque_Nm, turn_rad});
   return all;
 }
 
