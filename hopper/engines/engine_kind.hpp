@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "hopper/engines/engine.hpp"
 
@@ -21,12 +19,5 @@ struct EngineKind {
   /// The robot must outlive the engine. Null where it is absent.
   std::unique_ptr<Engine> (*make)(const Robot& robot, const EngineOptions& options) = nullptr;
 };
-
-/// In the order in which help and messages list them.
-const std::vector<const EngineKind*>& every_engine();
-std::vector<std::string> engine_names();
-
-/// std::invalid_argument where none has that name: options allow no other word.
-const EngineKind& engine_named(std::string_view name);
 
 }  // namespace torquewright::hopper

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "hopper/tracking/controller.hpp"
 #include "hopper/tracking/reference_clock.hpp"
@@ -34,12 +32,5 @@ struct ControllerKind {
   std::unique_ptr<const ReadyController> (*prepare)(const Robot& robot, const Reference& reference,
                                                     const TrackingOptions& options) = nullptr;
 };
-
-/// In the order in which help and messages list them.
-const std::vector<const ControllerKind*>& every_controller();
-std::vector<std::string> controller_names();
-
-/// std::invalid_argument where none has that name: options allow no other word.
-const ControllerKind& controller_named(std::string_view name);
 
 }  // namespace torquewright::hopper

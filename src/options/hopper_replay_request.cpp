@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/hopper_replay_request.hpp"
 
-#include "hopper/engines/engine_kind.hpp"
-#include "hopper/tracking/controller_kind.hpp"
+#include "hopper/engines/library.hpp"
+#include "hopper/tracking/library.hpp"
 #include "src/options/named_sentences.hpp"
 
 namespace torquewright::cli {

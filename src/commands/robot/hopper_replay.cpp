@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "hopper/check/series.hpp"
+#include "hopper/engines/library.hpp"
 #include "hopper/replay/randomisation_spec.hpp"
 #include "hopper/replay/run_series.hpp"
+#include "hopper/tracking/library.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "src/commands/robot/hopper_check_inputs.hpp"

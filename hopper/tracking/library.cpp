@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/tracking/controller_kind.hpp"
+#include "hopper/tracking/library.hpp"
 
 #include <stdexcept>
-
-#include "hopper/tracking/every_controller.hpp"
 
 namespace torquewright::hopper {
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/engines/engine_kind.hpp"
+#include "hopper/engines/library.hpp"
 
 #include <stdexcept>
-
-#include "hopper/engines/every_engine.hpp"
 
 namespace torquewright::hopper {
 
