@@ -349,10 +349,11 @@ CheckOptions without_traces(CheckOptions options) {
 
 struct CandidateTrials::Ready {
   Ready(const Robot& of, const Motion& motion, const CheckOptions& with, const HopperReport& report,
-        const Shelf& shelf)
+        const CandidateSet& candidates)
       : robot(of), options(without_traces(with)) {
-    for (std::size_t i = 0; i < shelf.by_drivetrain.size(); ++i) {
-      for (const Candidate& candidate : shelf.by_drivetrain[i]) trials.emplace_back(i, &candidate);
+    for (std::size_t i = 0; i < candidates.by_drivetrain.size(); ++i) {
+      for (const Candidate& candidate : candidates.by_drivetrain[i])
+        trials.emplace_back(i, &candidate);
     }
     judge_in = judging({robot, options, motion, report.contacts, report.demand});
   }
@@ -365,8 +366,8 @@ struct CandidateTrials::Ready {
 
 CandidateTrials::CandidateTrials(const Robot& robot, const Motion& motion,
                                  const CheckOptions& options, const HopperReport& report,
-                                 const Shelf& shelf)
-    : ready_(std::make_unique<const Ready>(robot, motion, options, report, shelf)) {}
+                                 const CandidateSet& candidates)
+    : ready_(std::make_unique<const Ready>(robot, motion, options, report, candidates)) {}
 
 CandidateTrials::~CandidateTrials() = default;
 
@@ -396,9 +397,9 @@ std::vector<CandidateResult> ranked(std::vector<CandidateResult> results) {
 
 std::vector<CandidateResult> try_candidates(const Robot& robot, const Motion& motion,
                                             const CheckOptions& options, const HopperReport& report,
-                                            const Shelf& shelf, std::size_t threads,
+                                            const CandidateSet& candidates, std::size_t threads,
                                             const std::function<void(double)>& on_progress) {
-  const CandidateTrials trials(robot, motion, options, report, shelf);
+  const CandidateTrials trials(robot, motion, options, report, candidates);
   std::vector<CandidateResult> results(trials.size());
   in_parallel(trials.size(), threads, [&](std::size_t number, std::size_t thread) {
     results[number] = trials.result_of(number);

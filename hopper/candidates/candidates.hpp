@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/candidates/shelf.hpp"
+#include "hopper/candidates/candidate_set.hpp"
 #include "hopper/check/hopper_check.hpp"
 
 namespace torquewright::hopper {
@@ -48,7 +48,7 @@ struct CandidateResult {
 class CandidateTrials {
  public:
   CandidateTrials(const Robot& robot, const Motion& motion, const CheckOptions& options,
-                  const HopperReport& report, const Shelf& shelf);
+                  const HopperReport& report, const CandidateSet& candidates);
   ~CandidateTrials();
 
   std::size_t size() const;
@@ -70,7 +70,7 @@ std::vector<CandidateResult> ranked(std::vector<CandidateResult> results);
 /// All of them, ranked. `threads` at least 1.
 std::vector<CandidateResult> try_candidates(
     const Robot& robot, const Motion& motion, const CheckOptions& options,
-    const HopperReport& report, const Shelf& shelf, std::size_t threads,
+    const HopperReport& report, const CandidateSet& candidates, std::size_t threads,
     const std::function<void(double share)>& on_progress = {});
 
 }  // namespace torquewright::hopper

@@ -235,15 +235,15 @@ TEST_F(HopperCheck, FailsBeyondARangeAndSaysWhere) {
 }
 
 TEST_F(HopperCheck, TriesCandidatesAndSaysInOneLineWhyOneFails) {
-  std::filesystem::create_directory(place_.path("shelf"));
+  std::filesystem::create_directory(place_.path("candidates"));
   json weak = json::parse(text_of(in_repository("specs/actuator/d151_knee.json")));
   weak["drive"]["peak_current_A"] = 0.1;
   weak["drive"]["continuous_current_A"] = 0.05;
   weak.erase("datasheet");
-  place_.write("shelf/weak.json", weak.dump());
-  place_.write("shelf/strong.json", text_of(in_repository("specs/actuator/d151_knee.json")));
-  place_.write("shelf/notes.json", "{}");
-  const Outcome outcome = check(crane(), swing(0.5), {"--candidates", "shelf", "--json"});
+  place_.write("candidates/weak.json", weak.dump());
+  place_.write("candidates/strong.json", text_of(in_repository("specs/actuator/d151_knee.json")));
+  place_.write("candidates/notes.json", "{}");
+  const Outcome outcome = check(crane(), swing(0.5), {"--candidates", "candidates", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(outcome.out);
   EXPECT_NO_THROW(io::check_document(report, "check_report", "report", ""));
@@ -253,17 +253,17 @@ TEST_F(HopperCheck, TriesCandidatesAndSaysInOneLineWhyOneFails) {
   const std::string why = report["candidates"][1]["why"];
   EXPECT_NE(why.find("elbow at t = 0 s"), std::string::npos) << why;
   EXPECT_EQ(why.find('\n'), std::string::npos);
-  EXPECT_NE(check(crane(), swing(0.5), {"--candidates", "shelf"}).out.find("not tried: notes"),
+  EXPECT_NE(check(crane(), swing(0.5), {"--candidates", "candidates"}).out.find("not tried: notes"),
             std::string::npos);
 }
 
 // Oracle: the reflected inertia of a ratio N is N^2 times the rotor's 0.000922 kg m2.
 TEST_F(HopperCheck, SweepsRatiosWithTheirRotorsInTheDemand) {
-  std::filesystem::create_directory(place_.path("shelf"));
-  place_.write("shelf/knee.json", text_of(in_repository("specs/actuator/d151_knee.json")));
+  std::filesystem::create_directory(place_.path("candidates"));
+  place_.write("candidates/knee.json", text_of(in_repository("specs/actuator/d151_knee.json")));
   const Outcome outcome =
       check(crane(), swing(0.5),
-            {"--candidates", "shelf", "--ratios", "8:30:2", "--threads", "2", "--json"});
+            {"--candidates", "candidates", "--ratios", "8:30:2", "--threads", "2", "--json"});
   const json report = json::parse(outcome.out);
   ASSERT_EQ(report["candidates"].size(), 12u);
   for (const json& candidate : report["candidates"]) {
@@ -274,9 +274,9 @@ TEST_F(HopperCheck, SweepsRatiosWithTheirRotorsInTheDemand) {
 }
 
 TEST_F(HopperCheck, TheSameInputGivesTheSameBytesOnAnyThreads) {
-  std::filesystem::create_directory(place_.path("shelf"));
-  place_.write("shelf/knee.json", text_of(in_repository("specs/actuator/d151_knee.json")));
-  const std::vector<std::string> one{"--candidates", "shelf", "--ratios", "8:30", "--json"};
+  std::filesystem::create_directory(place_.path("candidates"));
+  place_.write("candidates/knee.json", text_of(in_repository("specs/actuator/d151_knee.json")));
+  const std::vector<std::string> one{"--candidates", "candidates", "--ratios", "8:30", "--json"};
   std::vector<std::string> two = one;
   two.insert(two.end(), {"--threads", "3"});
   EXPECT_EQ(check(crane(), swing(0.5), one).out, check(crane(), swing(0.5), two).out);
@@ -303,12 +303,12 @@ TEST_F(HopperCheck, CarriesTheMassOfACandidate) {
   json light = json::parse(text_of(in_repository("specs/actuator/d151_knee.json")));
   light["mass_kg"] = 1.5;
   place_.write("knee.json", light.dump());
-  std::filesystem::create_directory(place_.path("shelf"));
+  std::filesystem::create_directory(place_.path("candidates"));
   light["mass_kg"] = 3.5;
-  place_.write("shelf/heavy.json", light.dump());
+  place_.write("candidates/heavy.json", light.dump());
   json robot = crane();
   robot["mechanisms"][0]["mounted_on"] = {{"body", "arm"}, {"position_m", {0.8, 0, 0}}};
-  const Outcome outcome = check(robot, swing(0.0), {"--candidates", "shelf", "--json"});
+  const Outcome outcome = check(robot, swing(0.0), {"--candidates", "candidates", "--json"});
   const json report = json::parse(outcome.out);
   ASSERT_EQ(report["candidates"].size(), 1u);
   EXPECT_NEAR(report["candidates"][0]["peak_torque_Nm"].get<double>(), 9.81 * (0.5 + 2 * 0.8),

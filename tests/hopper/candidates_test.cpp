@@ -157,22 +157,22 @@ class OneJoint {
   double n_;
 };
 
-Shelf shelf() {
-  Shelf shelf;
-  shelf.by_drivetrain.resize(1);
+CandidateSet candidates() {
+  CandidateSet candidates;
+  candidates.by_drivetrain.resize(1);
   for (const Shop& shop : kShops) {
     for (const double ratio : kRatios) {
-      shelf.by_drivetrain[0].push_back(
+      candidates.by_drivetrain[0].push_back(
           {std::string(shop.name) + std::to_string(static_cast<int>(ratio)), bought(shop, ratio)});
     }
   }
-  return shelf;
+  return candidates;
 }
 
 std::vector<CandidateResult> tried(const Robot& robot, Motion motion, const CheckOptions& options,
-                                   const Shelf& shelf, std::size_t threads) {
+                                   const CandidateSet& candidates, std::size_t threads) {
   const HopperReport report = check_motion(robot, motion, options);
-  return try_candidates(robot, motion, options, report, shelf, threads);
+  return try_candidates(robot, motion, options, report, candidates, threads);
 }
 
 /// What the file says of the old motor's torque.
@@ -225,7 +225,7 @@ void expect_oracles_ranking(const std::vector<CandidateResult>& results, bool is
 TEST(Candidates, HaveTheDemandOfTheirOwnRotorWhateverTheFileHolds) {
   for (const FileTorque file :
        {FileTorque::kNone, FileTorque::kWithRotor, FileTorque::kWithoutRotor}) {
-    const auto results = tried(pendulum(false), swing_with(file), {}, shelf(), 1);
+    const auto results = tried(pendulum(false), swing_with(file), {}, candidates(), 1);
     expect_oracles_ranking(results, false);
     EXPECT_EQ(results[0].torques, CandidateTorques::kDynamics);
   }
@@ -238,18 +238,18 @@ TEST(Candidates, ExchangeTheRotorInTheFilesTorques) {
   for (const FileTorque file : {FileTorque::kWithRotor, FileTorque::kWithoutRotor}) {
     for (const bool is_mounted : {false, true}) {
       Robot robot = pendulum(is_mounted);
-      const auto results = tried(robot, swing_with(file), options, shelf(), 2);
+      const auto results = tried(robot, swing_with(file), options, candidates(), 2);
       expect_oracles_ranking(results, is_mounted);
       EXPECT_EQ(results[0].torques, CandidateTorques::kExchangedFile);
     }
   }
-  EXPECT_THROW(tried(pendulum(false), swing_with(FileTorque::kNone), options, shelf(), 1),
+  EXPECT_THROW(tried(pendulum(false), swing_with(FileTorque::kNone), options, candidates(), 1),
                io::SpecError);
 }
 
 TEST(Candidates, CarryTheirMassWhereItIsMounted) {
-  expect_oracles_ranking(tried(pendulum(true), swing_with(FileTorque::kWithRotor), {}, shelf(), 1),
-                         true);
+  expect_oracles_ranking(
+      tried(pendulum(true), swing_with(FileTorque::kWithRotor), {}, candidates(), 1), true);
 }
 
 // What the joint states of the old rotor leaves with it.
@@ -257,7 +257,7 @@ TEST(Candidates, TakeTheOldRotorOutOfTheJoint) {
   Robot robot = pendulum(false);
   robot.drivetrains[0].rotors_in_tree = true;
   robot.tree.bodies[1].joint.reflected_inertia = kOldRotor_kg_m2 * kOldRatio * kOldRatio;
-  expect_oracles_ranking(tried(robot, swing(), {}, shelf(), 1), false);
+  expect_oracles_ranking(tried(robot, swing(), {}, candidates(), 1), false);
 }
 
 // A base that floats, nobody says where: only torques are known. Held at 10 rad/s2 with 9 Nm; the
@@ -281,7 +281,7 @@ TEST(Candidates, AreUndecidedWhereWhatTheFileHoldsDecides) {
   }
   const auto verdict_at = [&](double bears_Nm) {
     Shop shop{"plain", 0.2, 0.01, 100, bears_Nm / 0.2 / 40, 1e-4, 1, 1, 0, 0, 1.0};
-    Shelf one;
+    CandidateSet one;
     one.by_drivetrain = {{{"plain40", bought(shop, 40)}}};
     return tried(robot, motion, {}, one, 1).at(0).verdict;
   };
@@ -291,13 +291,14 @@ TEST(Candidates, AreUndecidedWhereWhatTheFileHoldsDecides) {
   EXPECT_EQ(verdict_at(10.7), Verdict::kPass);
 }
 
-// Oracle: the check itself. On its own shelf the robot's actuator has the figures of its drive.
+// Oracle: the check itself. On its own candidates the robot's actuator has the figures of its
+// drive.
 TEST(Candidates, HaveTheChecksFiguresWhereTheyAreTheRobotsOwn) {
   Robot robot = pendulum(false);
   Motion motion = swing();
   const HopperReport report = check_motion(robot, motion, {});
   const actuator::CheckedInterpretation& drive = report.check.drives.at(0).interpretation;
-  Shelf own;
+  CandidateSet own;
   own.by_drivetrain = {{{"own", robot.drivetrains[0].actuators[0]}}};
   const CandidateResult result = try_candidates(robot, motion, {}, report, own, 1).at(0);
   EXPECT_EQ(result.peak_torque_Nm, drive.peak_torque_Nm);
@@ -344,7 +345,7 @@ TEST(Candidates, AreUndecidedWhereTheDoubtOfDerivedAccelerationsDecides) {
   const auto verdict_at = [&](double share) {
     const double bears_Nm = inertia * greatest_rad_s2 * share;
     Shop shop{"plain", 0.2, 0.001, 400, bears_Nm / 0.2 / kRatio, kRotor, 1, 1, 0, 0, 1.0};
-    Shelf one;
+    CandidateSet one;
     one.by_drivetrain = {{{"plain", bought(shop, kRatio)}}};
     return tried(robot, motion, {}, one, 1).at(0).verdict;
   };

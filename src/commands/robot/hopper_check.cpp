@@ -45,15 +45,15 @@ std::vector<hopper::CandidateResult> try_by_threads(const HopperCheckRequest& re
                                                     const HopperCheckFound& found) {
   report::ProgressLine progress;
   return hopper::try_candidates(
-      inputs.robot.robot, found.motion, inputs.check, found.report, inputs.shelf, request.threads,
-      [&progress](double share) {
+      inputs.robot.robot, found.motion, inputs.check, found.report, inputs.candidates,
+      request.threads, [&progress](double share) {
         progress.show(fmt::format("trying candidates: {:.0f} %", 100.0 * share));
       });
 }
 
 /// False in a worker, which ends without a word.
-bool try_shelf(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
-               HopperCheckFound& found) {
+bool try_candidates(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
+                    HopperCheckFound& found) {
   if (request.candidates_folder.empty()) return true;
   if (!asks_for_processes(request.sweep.points)) {
     found.candidates = try_by_threads(request, inputs, found);
@@ -87,7 +87,7 @@ ExitCode run_hopper_check(const HopperCheckRequest& request) {
   found.motion = std::move(motion);
   found.report = check_whole_body(inputs, found.motion);
   add_column_findings(request, inputs, found.report.check);
-  if (!try_shelf(request, inputs, found)) return ExitCode::kPasses;
+  if (!try_candidates(request, inputs, found)) return ExitCode::kPasses;
   write_outputs(request, inputs, found);
   return is_interrupted() ? ExitCode::kUndecided : verdict_code(found.report.check.verdict);
 }

@@ -27,7 +27,7 @@ std::optional<std::vector<hopper::CandidateResult>> try_by_processes(
     const HopperCheckRequest& request, const HopperCheckInputs& inputs,
     const HopperCheckFound& found) {
   const hopper::CandidateTrials trials(inputs.robot.robot, found.motion, inputs.check, found.report,
-                                       inputs.shelf);
+                                       inputs.candidates);
   sweep::Request points;
   for (std::size_t i = 0; i < trials.size(); ++i) points.points.push_back(trials.name_of(i));
   points.fingerprint = hopper_check_fingerprint(request, inputs, found.motion);

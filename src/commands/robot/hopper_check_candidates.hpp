@@ -9,7 +9,7 @@
 
 namespace torquewright::cli {
 
-/// Tries the shelf's candidates by processes, or ranks of mpirun: the same results as by threads.
+/// Tries the candidates by processes, or ranks of mpirun: the same results as by threads.
 /// None in a worker. Those whose process ended, or that Ctrl-C came before, are undecided.
 std::optional<std::vector<hopper::CandidateResult>> try_by_processes(
     const HopperCheckRequest& request, const HopperCheckInputs& inputs,

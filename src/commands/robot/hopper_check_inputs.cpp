@@ -50,14 +50,15 @@ void require_all_torques(const hopper::Robot& robot, const hopper::Motion& motio
                   io::listed(there), io::listed(missing)));
 }
 
-hopper::Shelf shelf_of(const HopperCheckRequest& request, const hopper::ReadRobot& robot) {
+hopper::CandidateSet candidate_set_of(const HopperCheckRequest& request,
+                                      const hopper::ReadRobot& robot) {
   if (request.candidates_folder.empty()) {
     if (!request.ratios.empty()) io::refuse("--ratios", "is for --candidates");
     return {};
   }
   std::optional<hopper::RatioSweep> sweep;
   if (!request.ratios.empty()) sweep = hopper::read_ratio_sweep(request.ratios);
-  return hopper::read_shelf(request.candidates_folder, robot, sweep);
+  return hopper::read_candidate_set(request.candidates_folder, robot, sweep);
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ HopperCheckRead read_inputs(const HopperCheckRequest& request) {
   inputs.check = check_options(request, inputs.robot);
   read.motion = motion_in(source, inputs.robot.robot);
   require_all_torques(inputs.robot.robot, read.motion, inputs.check.torques);
-  inputs.shelf = shelf_of(request, inputs.robot);
+  inputs.candidates = candidate_set_of(request, inputs.robot);
   return read;
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hopper/candidates/shelf.hpp"
+#include "hopper/candidates/candidate_set.hpp"
 #include "hopper/check/checked_motion.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "robot/model/robot_spec.hpp"
@@ -16,7 +16,7 @@ struct HopperCheckInputs {
   hopper::ReadRobot robot;
   std::vector<io::Document> columns;  ///< Of kind trajectory_columns.
   hopper::CheckOptions check;
-  hopper::Shelf shelf;  ///< Of candidates; empty where no folder of them was given.
+  hopper::CandidateSet candidates;  ///< Empty where no folder of them was given.
 };
 
 /// The motion stands apart: the check adds the rates that it lacks where it stands, since a copy of

@@ -43,7 +43,7 @@ std::vector<io::Document> read_documents(const HopperCheckInputs& inputs,
   std::vector<io::Document> read = inputs.robot.documents;
   read.push_back({request.trajectory_file, "", {}, motion_sha256});
   read.insert(read.end(), inputs.columns.begin(), inputs.columns.end());
-  read.insert(read.end(), inputs.shelf.documents.begin(), inputs.shelf.documents.end());
+  read.insert(read.end(), inputs.candidates.documents.begin(), inputs.candidates.documents.end());
   return read;
 }
 

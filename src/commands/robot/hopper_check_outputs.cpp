@@ -30,7 +30,7 @@ std::string hopper_check_text(const HopperCheckInputs& inputs, const HopperCheck
   std::string text = report::hopper_text(inputs.robot.robot, found.motion, found.report);
   if (found.candidates.empty()) return text;
   text += report::candidates_text(inputs.robot.robot, found.candidates);
-  for (const std::string& sentence : inputs.shelf.left_out) {
+  for (const std::string& sentence : inputs.candidates.left_out) {
     text += fmt::format("not tried: {}\n", sentence);
   }
   return text;

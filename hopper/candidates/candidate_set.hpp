@@ -29,7 +29,7 @@ RatioSweep read_ratio_sweep(const std::string& text);
 
 /// The documents of a folder that can drive a drivetrain: every actuator, and every gearbox or
 /// gearbox_result on the drivetrain's own motor.
-struct Shelf {
+struct CandidateSet {
   std::vector<std::vector<Candidate>> by_drivetrain;
   std::vector<io::Document> documents;
   std::vector<std::string> left_out;  ///< Sentences: documents that are none of these, or broken.
@@ -37,7 +37,7 @@ struct Shelf {
 
 /// Reads a folder (not those inside it), in the order of the names. Throws io::SpecError where it
 /// is none, or holds nothing that can drive anything.
-Shelf read_shelf(const std::filesystem::path& folder, const ReadRobot& robot,
-                 const std::optional<RatioSweep>& sweep);
+CandidateSet read_candidate_set(const std::filesystem::path& folder, const ReadRobot& robot,
+                                const std::optional<RatioSweep>& sweep);
 
 }  // namespace torquewright::hopper

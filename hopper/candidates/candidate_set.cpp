@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/candidates/shelf.hpp"
+#include "hopper/candidates/candidate_set.hpp"
 
 #include <fmt/format.h>
 
@@ -127,34 +127,34 @@ RatioSweep read_ratio_sweep(const std::string& text) {
   return sweep;
 }
 
-Shelf read_shelf(const fs::path& folder, const ReadRobot& robot,
-                 const std::optional<RatioSweep>& sweep) {
+CandidateSet read_candidate_set(const fs::path& folder, const ReadRobot& robot,
+                                const std::optional<RatioSweep>& sweep) {
   if (robot.robot.drivetrains.empty()) {
     io::refuse("--candidates", "the robot states no mechanisms whose actuators could be replaced");
   }
-  Shelf shelf;
-  shelf.by_drivetrain.resize(robot.robot.drivetrains.size());
+  CandidateSet candidates;
+  candidates.by_drivetrain.resize(robot.robot.drivetrains.size());
   for (const fs::path& file : documents_in(folder)) {
     const std::string name = io::stem_in_text(file);
     try {
       io::Document document = io::read_document(file, {"actuator", "gearbox", "gearbox_result"});
-      shelf.documents.push_back(document);
+      candidates.documents.push_back(document);
       const bool gears = is_gearbox(document);
       std::optional<actuator::ReadActuator> whole;
       if (!gears) whole = actuator::read_actuator(std::move(document));
-      for (std::size_t i = 0; i < shelf.by_drivetrain.size(); ++i) {
+      for (std::size_t i = 0; i < candidates.by_drivetrain.size(); ++i) {
         const actuator::ReadActuator read =
             gears ? behind(robot, robot.robot.drivetrains[i], file) : *whole;
-        add({name, read.actuator}, sweep, shelf.by_drivetrain[i]);
+        add({name, read.actuator}, sweep, candidates.by_drivetrain[i]);
       }
     } catch (const io::SpecError& error) {
-      shelf.left_out.push_back(fmt::format("{}: {}", name, error.faults().front().message));
+      candidates.left_out.push_back(fmt::format("{}: {}", name, error.faults().front().message));
     }
   }
-  const bool is_bare = std::all_of(shelf.by_drivetrain.begin(), shelf.by_drivetrain.end(),
+  const bool is_bare = std::all_of(candidates.by_drivetrain.begin(), candidates.by_drivetrain.end(),
                                    [](const auto& candidates) { return candidates.empty(); });
   if (is_bare) io::refuse(folder.string(), "holds no actuator and no gearbox");
-  return shelf;
+  return candidates;
 }
 
 }  // namespace torquewright::hopper
