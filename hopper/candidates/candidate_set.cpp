@@ -152,7 +152,7 @@ CandidateSet read_candidate_set(const fs::path& folder, const ReadRobot& robot,
     }
   }
   const bool is_bare = std::all_of(candidates.by_drivetrain.begin(), candidates.by_drivetrain.end(),
-                                   [](const auto& candidates) { return candidates.empty(); });
+                                   [](const auto& some) { return some.empty(); });
   if (is_bare) io::refuse(folder.string(), "holds no actuator and no gearbox");
   return candidates;
 }
