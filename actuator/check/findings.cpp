@@ -112,7 +112,9 @@ std::string heat_words(const HeldHeat& heat, std::size_t runs) {
 void add_held_heat(const DriveReport& drive, std::vector<Finding>& findings) {
   if (!drive.held_heat) return;
   const HeldHeat& heat = *drive.held_heat;
-  const bool is_open = drive.verdict == Verdict::kUndecided;
+  // What is left out leaves it open at every temperature, and is said for itself.
+  const bool is_open = drive.verdict == Verdict::kUndecided &&
+                       !some_outweigh(drive.effects_left_out, drive.interpretation);
   if (!heat.shown_K && !is_open) return;
   std::string sentence =
       fmt::format("{}: {}", drive.name, heat_words(heat, drive.interpretation.winding->runs));

@@ -174,14 +174,14 @@ double copper_loss_J(const actuator::Actuator& actuator,
 std::string reason(const actuator::DriveReport& report, bool by_dynamics) {
   const actuator::CheckedInterpretation& interpretation = report.interpretation;
   const bool is_open = report.verdict == Verdict::kUndecided;
-  if (is_open && report.held_heat) {
-    return fmt::format("{}: undecided, its winding is between {:.4g} and {:.4g} K", report.name,
-                       report.held_heat->coldest_K, report.held_heat->warmest_K);
-  }
   for (const actuator::LeftOutEffect& effect : report.effects_left_out) {
     if (!is_open || !actuator::outweighs(effect, interpretation)) continue;
     return fmt::format("{}: undecided, {} is left out and may outweigh its margin", report.name,
                        effect.effect);
+  }
+  if (is_open && report.held_heat) {
+    return fmt::format("{}: undecided, its winding is between {:.4g} and {:.4g} K", report.name,
+                       report.held_heat->coldest_K, report.held_heat->warmest_K);
   }
   if (by_dynamics && is_open) {
     return fmt::format("{}: undecided, its limits lie within what the torques leave open",

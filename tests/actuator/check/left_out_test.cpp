@@ -84,6 +84,22 @@ TEST(LeftOut, ALagIsAsLargeAsWhatIsMissingOfARamp) {
   }
 }
 
+// A motor that warms is judged at both ends of its heat; what is left out leaves both open, and the
+// heat is not what decides.
+TEST(LeftOut, IsNotTakenForADoubtOfTheHeat) {
+  Actuator actuator = with(effect("parallel_spring", {100.0, 0.0}));
+  actuator.thermal = Thermal{0.5, 1.0, 100.0, 500.0, 400.0};
+  Checked checked(actuator);
+  checked.request().inertia = InertiaConvention::kIncluded;
+  checked.request().runs = 5;
+  const CheckReport report = checked.report(motion(10, slides_on, at_2, needs_20));
+  EXPECT_EQ(report.verdict, Verdict::kUndecided);
+  ASSERT_TRUE(report.drives[0].held_heat);
+  for (const Finding& finding : report.findings) {
+    EXPECT_EQ(finding.sentence.find("fails at one of these temperatures"), std::string::npos);
+  }
+}
+
 // A failure by what may last turns on no torque margin.
 TEST(LeftOut, AFailureByHeatStays) {
   Actuator actuator = with(effect("parallel_spring", {100.0, 0.0}));
