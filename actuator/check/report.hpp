@@ -59,6 +59,7 @@ struct CheckedInterpretation {
   std::optional<double> voltage_margin_V;    ///< At the bus; empty: the supply gives out.
   double peak_torque_Nm = 0.0;
   double rms_torque_Nm = 0.0;
+  bool has_winding = true;      ///< False: currents, volts and energies are not known.
   double peak_current_A = 0.0;  ///< Of the torque that is asked for, clipped or not.
   double rms_current_A = 0.0;
   double energy_drawn_J = 0.0;

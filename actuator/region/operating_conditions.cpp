@@ -8,6 +8,7 @@
 
 #include "actuator/effects/acting.hpp"
 #include "actuator/heat/temperature_laws.hpp"
+#include "actuator/region/envelope_region.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 
@@ -132,11 +133,35 @@ void set_current_limit(const Actuator& actuator, Rating rating, PhaseModel& mode
   model.demagnetisation_current_A = actuator.motor.demagnetisation_current_A * per_ampere;
 }
 
+/// What a curve alone does not say.
+std::vector<std::string> envelope_objections(const Envelope& envelope,
+                                             const OperatingConditions& conditions) {
+  std::vector<std::string> sentences;
+  if (conditions.rating == Rating::kContinuous && !envelope.continuous) {
+    sentences.push_back(
+        "the continuous rating needs /envelope/continuous_torque_Nm or "
+        "/envelope/continuous_points; the document has neither");
+  }
+  if (conditions.bus_voltage_V && !envelope.voltage_V) {
+    sentences.push_back(
+        "another bus voltage needs /envelope/voltage_V, at which the curve holds, or a winding "
+        "(/motor and /drive)");
+  }
+  if (conditions.state_of_charge) {
+    sentences.push_back("a state of charge needs a winding and a battery (/motor, /battery)");
+  }
+  if (conditions.winding_temperature_K) {
+    sentences.push_back("a winding's temperature needs a winding (/motor and /drive)");
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::vector<std::string> objections(const Actuator& actuator,
                                     const OperatingConditions& conditions) {
   std::vector<std::string> sentences;
+  if (actuator.envelope) return envelope_objections(*actuator.envelope, conditions);
   const bool has_rating = actuator.drive.continuous_current_A || actuator.thermal;
   if (conditions.rating == Rating::kContinuous && !has_rating) {
     sentences.push_back(
@@ -203,6 +228,7 @@ std::optional<double> steady_current_A(const Actuator& actuator) {
 }
 
 PhaseModel phase_model_at(const Actuator& actuator, const OperatingConditions& conditions) {
+  if (actuator.envelope) return envelope_model(actuator, conditions);
   PhaseModel model;
   set_constants(actuator, winding_temperature_K(actuator, conditions), model);
   set_current_limit(actuator, conditions.rating, model);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "hopper/replay/powered_drive_options.hpp"
 #include "robot/model/robot.hpp"
@@ -19,7 +20,8 @@ struct DriveStep {
   Eigen::VectorXd current_A;   ///< Amplitude, in the document's convention.
   Eigen::VectorXd winding_K;   ///< At the step's end; of a drive without thermal data the start's.
   Eigen::VectorXd bus_V;       ///< Of the battery that feeds it, under the power of all its drives.
-  double power_W = 0.0;        ///< Of all batteries together; negative: returned.
+  std::optional<double> least_bus_V;  ///< Of those with a winding; empty: there are none.
+  double power_W = 0.0;               ///< Of all batteries together; negative: returned.
   /// A battery could not give the power, or not take it back. In the region (kMor) the motors'
   /// torques on it were cut by a common factor, so that it can.
   bool is_starved = false;

@@ -42,9 +42,9 @@ struct Record {
   std::string reason;  ///< Why, unless it is done.
   double step_s = 0.0;
   double control_period_s = 0.0;
-  std::size_t starved_steps = 0;  ///< In which a battery could not give the power.
-  double greatest_power_W = 0.0;  ///< Of all batteries together, of all steps.
-  double least_bus_V = 0.0;       ///< Of any drive, of all steps; 0 without one.
+  std::size_t starved_steps = 0;      ///< In which a battery could not give the power.
+  double greatest_power_W = 0.0;      ///< Of all batteries together, of all steps.
+  std::optional<double> least_bus_V;  ///< Of the drives with a winding, of all steps.
   double least_bus_s = 0.0;
 };
 

@@ -38,7 +38,7 @@ struct ReplayResult {
   std::vector<TransmissionLoad> transmission_loads;
   std::vector<ContactLoad> contact_loads;
   std::optional<TouchDownLoad> touch_down_load;
-  double least_bus_V = 0.0;  ///< Of any drive; 0 without rows.
+  std::optional<double> least_bus_V;  ///< Of the drives with a winding.
   double least_bus_s = 0.0;
   double greatest_power_W = 0.0;
   std::vector<Finding> findings;

@@ -52,6 +52,8 @@ class WorkingDrive {
   double acting_Nm(double output_position_rad, double step_s);
   double winding_K() const { return nodes_.winding_K; }
   bool has_heat() const { return heat_.has_value(); }
+  /// False of a drive that is known by its curve alone.
+  bool has_winding() const { return !fixed_->actuator.envelope; }
   bool is_in_box() const { return box_.has_value(); }
 
  private:

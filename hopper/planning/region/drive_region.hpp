@@ -79,6 +79,8 @@ class DriveRegion {
 
   void be_box(const actuator::JointRange& rest, const DriveRegionOptions& options);
   void be_region(const HeldBus& bus, const DriveRegionOptions& options);
+  /// Of a drive that is known by its curve.
+  void be_envelope(const HeldBus& bus, const DriveRegionOptions& options);
 
   std::vector<StraightRow> straight_;
   std::shared_ptr<const PlannedRegion> fitted_;  ///< Null: the straight rows are all there is.
