@@ -311,6 +311,14 @@ ReadActuator read_actuator(const std::filesystem::path& file) {
   return read_actuator(io::read_document(file, "actuator"));
 }
 
+ReadActuator read_wound_actuator(const std::filesystem::path& file) {
+  ReadActuator read = read_actuator(file);
+  if (!read.actuator.envelope) return read;
+  throw io::SpecError({{read.documents.front().file, "/envelope",
+                        "only the curve is known; what is asked for reckons with currents, which "
+                        "need a winding: state /motor and /drive"}});
+}
+
 ReadActuator read_actuator(io::Document document, std::span<const io::Document> read_before) {
   return ActuatorReader(std::move(document), read_before).read();
 }

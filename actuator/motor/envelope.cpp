@@ -67,6 +67,30 @@ EnvelopeCurve with_speeds_scaled(EnvelopeCurve curve, double factor) {
   return curve;
 }
 
+namespace {
+
+/// What brakes is of the other sign of speed.
+EnvelopeCurve fully_braking(const EnvelopeCurve& curve) {
+  const double most_Nm = greatest_torque_Nm(curve);
+  EnvelopeCurve result;
+  result.greatest = {{curve.greatest.front().speed_rad_s, most_Nm}, {0.0, most_Nm}};
+  for (const EnvelopePoint& point : curve.greatest) {
+    if (point.speed_rad_s >= 0.0) result.greatest.push_back(point);
+  }
+  result.least = reversed(result.greatest);
+  return result;
+}
+
+}  // namespace
+
+Envelope with_full_braking(Envelope envelope) {
+  if (envelope.braking != Braking::kAsDriving) return envelope;
+  envelope.braking = Braking::kFull;
+  envelope.peak = fully_braking(envelope.peak);
+  if (envelope.continuous) envelope.continuous = fully_braking(*envelope.continuous);
+  return envelope;
+}
+
 double greatest_torque_Nm(const EnvelopeCurve& curve) {
   double greatest = 0.0;
   for (const EnvelopePoint& point : curve.greatest) {

@@ -21,6 +21,13 @@ struct EnvelopeCurve {
   friend bool operator==(const EnvelopeCurve&, const EnvelopeCurve&) = default;
 };
 
+/// What a drive has against the motion.
+enum class Braking {
+  kStated,
+  kAsDriving,  ///< Not stated: as much as with the motion.
+  kFull,       ///< Not stated: its greatest torque at every speed, as simulators take it.
+};
+
 /// A drive known by its curve alone, in the place of motor and drive electronics: no current, no
 /// heat and no losses of its own follow from it.
 struct Envelope {
@@ -31,6 +38,7 @@ struct Envelope {
   double ratio = 1.0;
   /// Whether the curve is what leaves the joint, after gears and friction, or what goes into them.
   bool includes_losses = true;
+  Braking braking = Braking::kStated;
   std::optional<double> voltage_V;  ///< At which it holds; absent: no other can be asked for.
   friend bool operator==(const Envelope&, const Envelope&) = default;
 };
@@ -52,6 +60,10 @@ EnvelopeCurve reversed(const EnvelopeCurve& curve);
 
 /// The same with every speed that many times as fast; requires a positive factor.
 EnvelopeCurve with_speeds_scaled(EnvelopeCurve curve, double factor);
+
+/// Where braking is not stated: the same with the greatest torque against the motion at every
+/// speed.
+Envelope with_full_braking(Envelope envelope);
 
 /// The greatest torque of a curve in size.
 double greatest_torque_Nm(const EnvelopeCurve& curve);

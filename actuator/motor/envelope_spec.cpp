@@ -185,7 +185,9 @@ class EnvelopeReader {
     Quadrants quadrants;
     quadrants.driving = driving_curve(*peak_Nm, corner_Nm, no_load, fastest, corner);
     quadrants.braking = quadrants.driving;
+    envelope.braking = Braking::kAsDriving;
     if (const std::optional<double> braking_Nm = find("braking_torque_Nm")) {
+      envelope.braking = Braking::kStated;
       quadrants.braking = braking_curve(*braking_Nm, quadrants.driving.back().speed_rad_s, corner);
     }
     envelope.peak = curve_of(quadrants);
@@ -252,6 +254,11 @@ class EnvelopeReader {
     const std::optional<Rows> peak = rows_of("points");
     if (peak) {
       if (const auto curve = curve_of_rows(*peak)) envelope.peak = *curve;
+      const auto brakes = [](const EnvelopePoint& point) {
+        return point.torque_Nm < 0.0 || point.speed_rad_s < 0.0;
+      };
+      const bool is_stated = std::any_of(peak->points.begin(), peak->points.end(), brakes);
+      envelope.braking = is_stated ? Braking::kStated : Braking::kAsDriving;
     }
     if (!keys_.contains("continuous_points")) return;
     const std::optional<Rows> continuous = rows_of("continuous_points");
