@@ -7,8 +7,8 @@
 
 namespace torquewright::identification {
 
-/// True where a gap can be felt: one side's motion is known, and the other side has a stated
-/// inertia to move in the gap. (With both positions the twist itself shows it.)
+/// Whether a gap can be felt: one side's motion is known, and the other side has a stated inertia
+/// to move in the gap. (With both positions the twist itself shows it.)
 bool shows_backlash(const Bench& bench);
 
 /// What a gap between motor and output adds to the torque residual of a stretch, in Nm at the
