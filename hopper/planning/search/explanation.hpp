@@ -9,7 +9,7 @@
 
 namespace torquewright::hopper {
 
-/// Where there is no plan, and what the search lacked was not time.
+/// Whether changes are worth trying: there is no plan, and the search did not lack time.
 bool can_be_explained(PlanStatus status);
 
 /// What, changed alone, makes a plan: more voltage, more current, less or more of each moved
