@@ -23,7 +23,7 @@ struct Comparison {
   Weight weight = Weight::kContradiction;
 };
 
-using Numerals = std::vector<std::string>;  ///< By their pointers.
+using Numerals = std::vector<std::string>;  ///< Printed numbers, named by their pointers.
 
 struct Finding {
   Severity severity = Severity::kNote;

@@ -28,7 +28,7 @@ struct SensorNoiseLevels {
   double base_rate_rad_s = 0.0;    ///< About each axis of the base.
   double base_position_m = 0.0;
   double base_velocity_m_s = 0.0;
-  double joint_position_rad = 0.0;  ///< Of revolute joints; so the next.
+  double joint_position_rad = 0.0;  ///< Position of revolute joints, as the next.
   double joint_velocity_rad_s = 0.0;
 };
 

@@ -40,8 +40,8 @@ class ReferenceClock {
   double behind_s_ = 0.0;  ///< How far the motion is behind time; negative: ahead.
 };
 
-/// What is to be done there: while an impact is waited for, the motion before it goes on at
-/// constant acceleration.
+/// Returns the state and torques at that place: while an impact is waited for, the motion before it
+/// goes on at constant acceleration.
 void instant_at(const Reference& reference, const dynamics::Tree& tree, const ClockReading& reading,
                 ReferenceInstant& out);
 

@@ -40,9 +40,8 @@ class Rows {
   Eigen::VectorXd values(const OfStretch& of_stretch) const { return values(of_stretch, signals_); }
 
   const std::vector<Signals>& signals() const { return signals_; }
-  const std::vector<std::vector<std::size_t>>& samples() const {
-    return samples_;
-  }  ///< By stretch.
+  /// Indices of the rows' samples, by stretch.
+  const std::vector<std::vector<std::size_t>>& samples() const { return samples_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t folds() const { return folds_; }
   bool cuts_runs() const { return cuts_runs_; }

@@ -200,9 +200,9 @@ struct PlanSupply {
   double resistance_ohm = 0.0;
 };
 
-/// What drives can do. Variables: joints (k), their rates (k), their accelerations (k), drives (d),
-/// bus voltages (one a supply that has a resistance). Rows: regions, drive by drive; gear torques
-/// (d), in Nm at the output; joint torques (k); the voltages' rows, in V.
+/// Law of what drives can do. Variables: joints (k), their rates (k), their accelerations (k),
+/// drives (d), bus voltages (one for each supply that has a resistance). Rows: regions, drive by
+/// drive; gear torques (d), in Nm at the output; joint torques (k); the voltages' rows, in V.
 struct DriveLaw {
   const SagittalRobot* robot = nullptr;
   std::shared_ptr<const std::vector<DriveRegion>> regions;
