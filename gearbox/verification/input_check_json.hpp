@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "gearbox/proof/faults.hpp"
+#include "gearbox/proof/reading/faults.hpp"
 
 namespace torquewright::gearbox {
 

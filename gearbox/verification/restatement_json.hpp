@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "gearbox/problem.hpp"
-#include "gearbox/proof/verdict.hpp"
+#include "gearbox/proof/reading/verdict.hpp"
 
 namespace torquewright::gearbox {
 

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "gearbox/proof/faults.hpp"
-#include "gearbox/proof/verdict.hpp"
+#include "gearbox/proof/reading/faults.hpp"
+#include "gearbox/proof/reading/verdict.hpp"
 
 namespace torquewright::gearbox {
 

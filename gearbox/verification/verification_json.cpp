@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gearbox/proof/certificate.hpp"
+#include "gearbox/proof/result/certificate.hpp"
 #include "gearbox/verification/claim_sentence_json.hpp"
 #include "gearbox/verification/difference_json.hpp"
 #include "gearbox/verification/input_check_json.hpp"

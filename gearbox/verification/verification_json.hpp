@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gearbox/problem.hpp"
-#include "gearbox/proof/verdict.hpp"
+#include "gearbox/proof/reading/verdict.hpp"
 
 namespace torquewright::gearbox {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gearbox/problem_spec.hpp"
-#include "gearbox/proof/certificate.hpp"
+#include "gearbox/proof/result/certificate.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/search/search.hpp"
 #include "io/documents/document.hpp"

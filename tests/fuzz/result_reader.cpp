@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gearbox/problem_spec.hpp"
-#include "gearbox/proof/certificate.hpp"
+#include "gearbox/proof/result/certificate.hpp"
 #include "gearbox/search/search.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "io/documents/document.hpp"

@@ -56,7 +56,7 @@ TEST(Objection, IsNotRaisedDownward) {
            {"simulation/a.cpp", "dynamics/b.hpp"},
            {"hopper/a.cpp", "simulation/run/b.hpp"},
            {"identification/a.cpp", "simulation/run/b.hpp"},
-           {"src/report/a.cpp", "gearbox/proof/b.hpp"},
+           {"src/report/a.cpp", "gearbox/proof/result/b.hpp"},
            {"python/a.cpp", "src/b.hpp"}}) {
     EXPECT_EQ(objection(file, included), "") << file << " " << included;
   }
@@ -93,15 +93,16 @@ TEST(Objection, IsNotRaisedFromRoomToRoomDownward) {
 }
 
 TEST(Objection, KeepsTheCheckerOfProofsApart) {
-  EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/proof/b.hpp"), "");
-  EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem.hpp"), "");
-  EXPECT_EQ(objection("gearbox/proof/a.cpp", "gearbox/problem_spec.hpp"), "");
-  EXPECT_EQ(objection("gearbox/proof/a.cpp", "io/text/rational.hpp"), "");
-  EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/train/efficiency.hpp"), "");
-  EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/verification/verification.hpp"), "");
-  EXPECT_NE(objection("gearbox/proof/a.cpp", "optimization/expressions/interval.hpp"), "");
-  EXPECT_NE(objection("gearbox/proof/a.cpp", "../efficiency.hpp"), "");
-  EXPECT_NE(objection("gearbox/proof/a.cpp", "gearbox/proof/../efficiency.hpp"), "");
+  EXPECT_EQ(objection("gearbox/proof/tree/a.cpp", "gearbox/proof/gears/b.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/gears/a.cpp", "gearbox/proof/tree/b.hpp"), "");
+  EXPECT_EQ(objection("gearbox/proof/tree/a.cpp", "gearbox/problem.hpp"), "");
+  EXPECT_EQ(objection("gearbox/proof/tree/a.cpp", "gearbox/problem_spec.hpp"), "");
+  EXPECT_EQ(objection("gearbox/proof/tree/a.cpp", "io/text/rational.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/tree/a.cpp", "gearbox/train/efficiency.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/tree/a.cpp", "gearbox/verification/verification.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/tree/a.cpp", "optimization/expressions/interval.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/tree/a.cpp", "../efficiency.hpp"), "");
+  EXPECT_NE(objection("gearbox/proof/tree/a.cpp", "gearbox/proof/../train/efficiency.hpp"), "");
 }
 
 TEST(Objection, KeepsSolversInOptimization) {

@@ -30,9 +30,6 @@ constexpr Exception kExceptions[] = {
     {"actuator/exporters", 29, 4, kLikeParts},
     {"actuator/lint", 28, 8, kLikeParts},
     {"actuator/region", 21, 7, kToBeSplit},
-    {"gearbox/proof", 37, 14,
-     "the checker shares nothing with the search, so that it has arithmetic, gears and tree of its "
-     "own"},
     {"hopper/check", 34, 9, "its rules are parts of one kind; the rest is to be split"},
     {"hopper/replay", 29, 9, kToBeSplit},
     {"identification/log", 28, 9, kToBeSplit},

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "gearbox/proof/concave_forms.hpp"
-#include "gearbox/proof/efficiency.hpp"
-#include "gearbox/proof/refutation.hpp"
-#include "gearbox/proof/relaxation.hpp"
+#include "gearbox/proof/gears/efficiency.hpp"
+#include "gearbox/proof/relaxation/concave_forms.hpp"
+#include "gearbox/proof/relaxation/relaxation.hpp"
+#include "gearbox/proof/tree/refutation.hpp"
 #include "tests/gearbox/proof/naive_result.hpp"
 
 namespace torquewright::gearbox::proof_test {

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "gearbox/proof/certificate.hpp"
-#include "gearbox/proof/refutation.hpp"
+#include "gearbox/proof/result/certificate.hpp"
+#include "gearbox/proof/tree/refutation.hpp"
 #include "tests/gearbox/proof/naive_result.hpp"
 
 namespace torquewright::gearbox::proof_test {

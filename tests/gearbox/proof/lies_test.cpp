@@ -2,7 +2,7 @@
 // Whole claims that are false, each with the best proof that can be made for it.
 #include <gtest/gtest.h>
 
-#include "gearbox/proof/certificate.hpp"
+#include "gearbox/proof/result/certificate.hpp"
 #include "tests/gearbox/proof/naive_result.hpp"
 
 namespace torquewright::gearbox::proof_test {

@@ -8,7 +8,7 @@
 
 #include <regex>
 
-#include "gearbox/proof/certificate.hpp"
+#include "gearbox/proof/result/certificate.hpp"
 #include "tests/gearbox/proof/another_proof.hpp"
 #include "tests/gearbox/proof/naive_result.hpp"
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "gearbox/proof/certificate.hpp"
+#include "gearbox/proof/result/certificate.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "tests/oracles/gearbox_objectives.hpp"

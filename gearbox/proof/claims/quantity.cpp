@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/proof/claims/quantity.hpp"
+
+#include <algorithm>
+
+#include "gearbox/proof/gears/bodies.hpp"
+#include "gearbox/proof/gears/contact_ratio.hpp"
+#include "gearbox/proof/gears/efficiency.hpp"
+
+namespace torquewright::gearbox::proof {
+namespace {
+
+/// Equation (1) with Z_P3 read as Z_P2; `Number` is Rational at points and Interval on boxes.
+template <typename Number>
+Number paper_cost(const Number& sun, const Number& fixed_ring_gap, const Number& first,
+                  const Number& second, const Number& output_ring) {
+  return Number(1) / (sun * sun) + fixed_ring_gap * fixed_ring_gap + first * first +
+         second * second + output_ring * output_ring;
+}
+
+Rational bore_teeth(const Alternative& alternative) {
+  return alternative.problem->rotor_inner_diameter_mm / alternative.module_mm;
+}
+
+Rational hollow_shaft_mm(const Alternative& alternative, std::int64_t sun) {
+  return alternative.module_mm * (whole(sun) - 2 * alternative.problem->cutters.hob_depth()) -
+         2 * alternative.hollow_shaft_wall_mm;
+}
+
+Rational ring_pitch_mm(const Alternative& alternative, const Teeth& teeth) {
+  return alternative.module_mm * whole(ring(teeth, 1));
+}
+
+Rational ring_blank_mm(const Alternative& alternative, const Teeth& teeth) {
+  return alternative.module_mm *
+             (whole(ring(teeth, 1)) + 2 * alternative.problem->cutters.shaper_depth()) +
+         2 * alternative.ring_wall_mm;
+}
+
+std::int64_t teeth_of(const Quantity& quantity, const Teeth& teeth) {
+  return quantity.gear == 0 ? teeth.sun : planet(teeth, quantity.gear);
+}
+
+std::optional<Rational> exact_value(const Quantity& quantity, const Alternative& alternative,
+                                    const Teeth& teeth) {
+  switch (quantity.measure) {
+    case Measure::kPaperCost:
+      return paper_cost<Rational>(whole(teeth.sun), whole(ring(teeth, 1)) - bore_teeth(alternative),
+                                  whole(teeth.planet_1), whole(teeth.planet_2),
+                                  whole(ring(teeth, 2)));
+    case Measure::kHollowShaft:
+      return hollow_shaft_mm(alternative, teeth.sun);
+    case Measure::kTeeth:
+      return whole(teeth_of(quantity, teeth));
+    case Measure::kRingPitchDiameter:
+      return ring_pitch_mm(alternative, teeth);
+    case Measure::kRatioError:
+      return abs(Rational(ratio_of(alternative, teeth) / alternative.problem->target_ratio - 1));
+    case Measure::kRingBlankDiameter:
+      return ring_blank_mm(alternative, teeth);
+    default:
+      return std::nullopt;
+  }
+}
+
+Interval span(std::int64_t least, std::int64_t most) { return Interval(whole(least), whole(most)); }
+
+Interval paper_cost_on(const Alternative& alternative, const TeethRange& range) {
+  const auto& [least, most] = range;
+  const Interval gap = span(ring(least, 1), ring(most, 1)) - Interval(bore_teeth(alternative));
+  return 1 / square(span(least.sun, most.sun)) + square(gap) +
+         square(span(least.planet_1, most.planet_1)) + square(span(least.planet_2, most.planet_2)) +
+         square(span(ring(least, 2), ring(most, 2)));
+}
+
+/// pi/n - asin(P1/(S + P1)): grows with S, falls with P1.
+Interval carrier_clearance_on(const Alternative& alternative, const TeethRange& range) {
+  const auto share = [](std::int64_t sun, std::int64_t first) {
+    return number(first) / number(sun + first);
+  };
+  const auto& [least, most] = range;
+  return pi() / number(alternative.planet_count) -
+         asin(hull(share(most.sun, least.planet_1), share(least.sun, most.planet_1)));
+}
+
+Interval neighbour_clearance_on(const Alternative& alternative, const Box& box) {
+  // Multiplied out so that each variable stands once: sin(pi/n) <= 1, so P1 pulls both layers down.
+  const Interval common = span(box.lower[0], box.upper[0]) * alternative.sine -
+                          span(box.lower[1], box.upper[1]) * (1 - alternative.sine) - 2;
+  const Interval least =
+      alternative.planetary ? common : min(common, common + span(box.lower[2], box.upper[2]));
+  return least * Interval(alternative.module_mm);
+}
+
+Interval contact_ratio_on(const Alternative& alternative, const TeethRange& range) {
+  const Interval least = min(contact_ratio(range, 0), contact_ratio(range, 1));
+  return alternative.planetary ? least : min(least, contact_ratio(range, 2));
+}
+
+/// i = 2 (P1/d) (1 + (P1 + P2)/S): both factors fall with S and d and grow with P1; P1 > d.
+Interval ratio_on(const Alternative& alternative, const Box& box) {
+  const TeethRange range = teeth_in(box);
+  const auto& [least, most] = range;
+  if (alternative.planetary) {
+    return 2 * (1 + hull(number(least.planet_1) / number(most.sun),
+                         number(most.planet_1) / number(least.sun)));
+  }
+  const Interval low = max(number(least.planet_1) / number(box.upper[2]), 1) *
+                       (1 + number(least.planet_1 + least.planet_2) / number(most.sun));
+  const Interval high = number(most.planet_1) / number(box.lower[2]) *
+                        (1 + number(most.planet_1 + most.planet_2) / number(least.sun));
+  return 2 * hull(low, high);
+}
+
+}  // namespace
+
+bool Quantity::greater_is_better() const {
+  switch (measure) {
+    case Measure::kHollowShaft:
+    case Measure::kForwardEfficiency:
+    case Measure::kBackwardEfficiency:
+    case Measure::kTeeth:
+    case Measure::kCarrierClearance:
+    case Measure::kContactRatio:
+    case Measure::kNeighbourClearance:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Quantity objective_quantity(Objective objective) {
+  switch (objective) {
+    case Objective::kPaperCost:
+      return {Measure::kPaperCost};
+    case Objective::kMass:
+      return {Measure::kMass};
+    case Objective::kHollowShaft:
+      return {Measure::kHollowShaft};
+    case Objective::kForwardEfficiency:
+      return {Measure::kForwardEfficiency};
+    case Objective::kBackwardEfficiency:
+      return {Measure::kBackwardEfficiency};
+    case Objective::kReflectedInertia:
+      return {Measure::kReflectedInertia};
+  }
+  return {Measure::kPaperCost};
+}
+
+Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, const Box& box,
+                      const Interval& allowed_ratio) {
+  const TeethRange range = teeth_in(box);
+  const Interval ratio = intersection(allowed_ratio, ratio_on(alternative, box));
+  switch (quantity.measure) {
+    case Measure::kPaperCost:
+      return paper_cost_on(alternative, range);
+    case Measure::kMass:
+      return total_mass_kg(alternative, range);
+    case Measure::kForwardEfficiency:
+      return forward_efficiency(alternative, box, ratio);
+    case Measure::kBackwardEfficiency:
+      return backward_efficiency(alternative, box, ratio);
+    case Measure::kReflectedInertia:
+      return reflected_inertia_kg_m2(alternative, range, ratio);
+    case Measure::kCarrierClearance:
+      return carrier_clearance_on(alternative, range);
+    case Measure::kContactRatio:
+      return contact_ratio_on(alternative, range);
+    case Measure::kNeighbourClearance:
+      return neighbour_clearance_on(alternative, box);
+    case Measure::kRatioError:
+      return abs(ratio_on(alternative, box) / Interval(alternative.problem->target_ratio) - 1);
+    case Measure::kHollowShaft:
+    case Measure::kTeeth:
+    case Measure::kRingPitchDiameter:
+    case Measure::kRingBlankDiameter:
+      break;
+  }
+  // Grow with every gear they depend on.
+  return Interval(*exact_value(quantity, alternative, range.least),
+                  *exact_value(quantity, alternative, range.most));
+}
+
+Value value_at(const Quantity& quantity, const Alternative& alternative, const Point& point) {
+  if (const auto exact = exact_value(quantity, alternative, teeth_at(point))) {
+    return {Interval(*exact), *exact};
+  }
+  const Interval ratio(ratio_of(alternative, teeth_at(point)));
+  return {enclosure_on(quantity, alternative, Box{point, point}, ratio), std::nullopt};
+}
+
+Interval equality_margin(const Value& value) {
+  if (value.exact) return 0;
+  return abs(value.enclosure) * Interval(Rational(1, 1'000'000'000'000));
+}
+
+int compare(const Quantity& quantity, const Value& value, const Value& reference) {
+  int order = 0;
+  if (value.exact && reference.exact) {
+    order = cmp(*value.exact, *reference.exact);
+  } else {
+    const Interval difference = value.enclosure - reference.enclosure;
+    const Interval margin = equality_margin(reference);
+    order = sign(difference - margin) > 0 ? 1 : sign(difference + margin) < 0 ? -1 : 0;
+  }
+  order = order > 0 ? 1 : order < 0 ? -1 : 0;
+  return quantity.greater_is_better() ? order : -order;
+}
+
+}  // namespace torquewright::gearbox::proof
