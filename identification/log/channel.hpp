@@ -35,7 +35,4 @@ class Tally {
 /// "run "a"", or "3 runs (a, b, c)", with no more than a few named.
 std::string describe_runs(const std::vector<std::string>& runs);
 
-/// The value below which this share (0...1) of the values lies; in linear time. Requires some.
-double quantile(std::vector<double> values, double share);
-
 }  // namespace torquewright::identification

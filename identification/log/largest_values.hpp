@@ -16,8 +16,8 @@ class LargestValues {
   void add(double value);
   std::size_t count() const { return count_; }
 
-  /// What channel.hpp's quantile() gives of all values. Requires some, and a share no less than the
-  /// least.
+  /// What optimization::nearest_quantile() gives of all values. Requires some, and a share no less
+  /// than the least.
   double quantile(double share) const;
 
  private:
