@@ -35,8 +35,4 @@ class Tally {
 /// Names runs in sentences: "run "a"", or "3 runs (a, b, c)", with no more than a few named.
 std::string describe_runs(const std::vector<std::string>& runs);
 
-/// Returns the value below which that share (0...1) of the values lies, in linear time. Requires at
-/// least one value.
-double quantile(std::vector<double> values, double share);
-
 }  // namespace torquewright::identification
