@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the line of a motor without losses, in closed form.
-#include "actuator/region/shortlist.hpp"
+#include "actuator/catalogue/shortlist.hpp"
 
 #include <gtest/gtest.h>
 

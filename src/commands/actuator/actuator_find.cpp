@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "actuator/catalogue/drive_set.hpp"
-#include "actuator/region/shortlist.hpp"
+#include "actuator/catalogue/shortlist.hpp"
 #include "io/faults/refusal.hpp"
 #include "src/commands/actuator/actuator_commands.hpp"
 #include "src/commands/shared/result_json.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "actuator/catalogue/drive_set.hpp"
-#include "actuator/region/shortlist.hpp"
+#include "actuator/catalogue/shortlist.hpp"
 
 namespace torquewright::report {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/region/shortlist.hpp"
+#include "actuator/catalogue/shortlist.hpp"
 
 #include <fmt/format.h>
 
