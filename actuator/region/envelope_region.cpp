@@ -68,16 +68,11 @@ void carry(std::vector<EnvelopePoint>& points, double ratio) {
   for (EnvelopePoint& point : points) point = {point.speed_rad_s * ratio, point.torque_Nm / ratio};
 }
 
-MotorBound bound_at(const PhaseModel& model, double torque_Nm, double speed_rad_s) {
-  return motor_point(model, torque_Nm, speed_rad_s, Limiter::kEnvelope);
-}
-
 }  // namespace
 
-EnvelopeCurve rotor_envelope(const Actuator& actuator, Rating rating, double bus_V,
+EnvelopeCurve rotor_envelope(const Actuator& actuator, EnvelopeCurve curve, double bus_V,
                              double temperature_K) {
   const Envelope& envelope = *actuator.envelope;
-  EnvelopeCurve curve = rating == Rating::kContinuous ? *envelope.continuous : envelope.peak;
   if (envelope.voltage_V) curve = with_speeds_scaled(curve, bus_V / *envelope.voltage_V);
   Actuator own = actuator;
   own.transmission.ratio = envelope.ratio;
@@ -88,35 +83,6 @@ EnvelopeCurve rotor_envelope(const Actuator& actuator, Rating rating, double bus
   carry(curve.greatest, std::abs(envelope.ratio));
   carry(curve.least, std::abs(envelope.ratio));
   return envelope.ratio < 0.0 ? reversed(curve) : curve;
-}
-
-MotorRange envelope_range(const PhaseModel& model, double speed_rad_s) {
-  MotorRange range;
-  const std::optional<EnvelopeBounds> bounds = bounds_at(*model.envelope, speed_rad_s);
-  if (!bounds) {
-    range.is_empty = true;
-    range.why_empty = Limiter::kEnvelope;
-    return range;
-  }
-  range.least = bound_at(model, bounds->least_Nm, speed_rad_s);
-  range.greatest = bound_at(model, bounds->greatest_Nm, speed_rad_s);
-  return range;
-}
-
-PhaseModel envelope_model(const Actuator& actuator, const OperatingConditions& conditions) {
-  PhaseModel model;
-  const double bus_V = open_circuit_voltage_V(actuator, conditions);
-  model.envelope = std::make_shared<const EnvelopeCurve>(rotor_envelope(
-      actuator, conditions.rating, bus_V, winding_temperature_K(actuator, conditions)));
-  model.torque_constant_Nm_A = 1.0;
-  model.current_limit_A = greatest_torque_Nm(*model.envelope);
-  model.current_limiter = Limiter::kEnvelope;
-  model.demagnetisation_current_A = kUnlimited;
-  model.supply.open_circuit_V = bus_V;
-  model.supply.greatest_power_W = kUnlimited;
-  model.supply.least_power_W = -kUnlimited;
-  model.phase_volts_per_bus_volt = 1.0;
-  return model;
 }
 
 }  // namespace torquewright::actuator

@@ -8,7 +8,6 @@
 
 #include "actuator/region/bracketed_search.hpp"
 #include "actuator/region/current_choice.hpp"
-#include "actuator/region/envelope_region.hpp"
 #include "actuator/region/range_by_search.hpp"
 #include "actuator/region/voltage_disc.hpp"
 #include "actuator/region/voltage_end.hpp"
@@ -248,6 +247,24 @@ MotorRange mirrored(const MotorRange& range) {
   }
   return result;
 }
+
+namespace {
+
+/// Of a drive that is known by its curve; empty beyond it.
+MotorRange envelope_range(const PhaseModel& model, double speed_rad_s) {
+  MotorRange range;
+  const std::optional<EnvelopeBounds> bounds = bounds_at(*model.envelope, speed_rad_s);
+  if (!bounds) {
+    range.is_empty = true;
+    range.why_empty = Limiter::kEnvelope;
+    return range;
+  }
+  range.least = motor_point(model, bounds->least_Nm, speed_rad_s, Limiter::kEnvelope);
+  range.greatest = motor_point(model, bounds->greatest_Nm, speed_rad_s, Limiter::kEnvelope);
+  return range;
+}
+
+}  // namespace
 
 MotorRange motor_range(const PhaseModel& model, double speed_rad_s) {
   if (model.envelope) return envelope_range(model, speed_rad_s);

@@ -227,6 +227,31 @@ std::optional<double> steady_current_A(const Actuator& actuator) {
          phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
 }
 
+namespace {
+
+/// Of a drive of which only the curve is known: its currents are torques, and neither heat nor
+/// losses follow from it.
+PhaseModel envelope_model(const Actuator& actuator, const OperatingConditions& conditions) {
+  PhaseModel model;
+  const double bus_V = open_circuit_voltage_V(actuator, conditions);
+  const Envelope& envelope = *actuator.envelope;
+  const bool lasts = conditions.rating == Rating::kContinuous;
+  model.envelope = std::make_shared<const EnvelopeCurve>(
+      rotor_envelope(actuator, lasts ? *envelope.continuous : envelope.peak, bus_V,
+                     winding_temperature_K(actuator, conditions)));
+  model.torque_constant_Nm_A = 1.0;
+  model.current_limit_A = greatest_torque_Nm(*model.envelope);
+  model.current_limiter = Limiter::kEnvelope;
+  model.demagnetisation_current_A = kUnlimited;
+  model.supply.open_circuit_V = bus_V;
+  model.supply.greatest_power_W = kUnlimited;
+  model.supply.least_power_W = -kUnlimited;
+  model.phase_volts_per_bus_volt = 1.0;
+  return model;
+}
+
+}  // namespace
+
 PhaseModel phase_model_at(const Actuator& actuator, const OperatingConditions& conditions) {
   if (actuator.envelope) return envelope_model(actuator, conditions);
   PhaseModel model;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -29,9 +28,9 @@ struct LimitDrives {
 /// both limits.
 LimitDrives limit_drives(const Robot& robot);
 
-/// Puts the drives into a robot's document as direct mechanisms, their files in that folder as the
-/// document sees it.
-void add_limit_drives(const LimitDrives& made, const std::string& folder,
-                      nlohmann::ordered_json& robot);
+/// A robot's document, as text, with the drives as direct mechanisms; their files are in that
+/// folder as the document sees it.
+std::string with_limit_drives(const LimitDrives& made, const std::string& folder,
+                              const std::string& robot);
 
 }  // namespace torquewright::hopper

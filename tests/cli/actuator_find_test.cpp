@@ -14,24 +14,23 @@ using nlohmann::json;
 /// A folder of three drives, and two documents that are none.
 struct Shelf : Workplace {
   Shelf() {
-    write("drives/strong.json",
+    write("strong.json",
           R"({"kind": "actuator", "version": 1, "mass_kg": 3,
               "envelope": {"peak_torque_Nm": 100, "no_load_speed_rad_s": 20}})");
-    write("drives/light.json",
+    write("light.json",
           R"({"kind": "actuator", "version": 1, "mass_kg": 1,
               "envelope": {"peak_torque_Nm": 60, "no_load_speed_rad_s": 20}})");
-    write("drives/silent.json",
+    write("silent.json",
           R"({"kind": "actuator", "version": 1,
               "envelope": {"peak_torque_Nm": 80, "no_load_speed_rad_s": 20}})");
-    write("drives/broken.json", R"({"kind": "actuator", "version": 1})");
+    write("broken.json", R"({"kind": "actuator", "version": 1})");
   }
 };
 
 // At 10 rad/s: 50, 30 and 40 Nm.
 TEST(ActuatorFind, RanksByMarginAndSaysWhyOthersFail) {
   const Shelf place;
-  const Outcome found =
-      place.run({"actuator", "find", "--need", "35@10", "--in", "drives", "--json"});
+  const Outcome found = place.run({"actuator", "find", "--need", "35@10", "--in", ".", "--json"});
   EXPECT_EQ(found.exit_code, 0) << found.err;
   const json list = json::parse(found.out);
   ASSERT_EQ(list["drives"].size(), 3u);
@@ -48,7 +47,7 @@ TEST(ActuatorFind, RanksByMarginAndSaysWhyOthersFail) {
 TEST(ActuatorFind, IsUndecidedWhereADocumentIsSilent) {
   const Shelf place;
   const Outcome found =
-      place.run({"actuator", "find", "--need", "35@10", "--mass-below", "2", "--in", "drives"});
+      place.run({"actuator", "find", "--need", "35@10", "--mass-below", "2", "--in", "."});
   EXPECT_EQ(found.exit_code, 3);
   EXPECT_NE(found.out.find("0 of 3 drives fit, 1 would if what they do not state does"),
             std::string::npos)
@@ -57,7 +56,7 @@ TEST(ActuatorFind, IsUndecidedWhereADocumentIsSilent) {
 
 TEST(ActuatorFind, FailsWhereNoneFits) {
   const Shelf place;
-  EXPECT_EQ(place.run({"actuator", "find", "--need", "60@10", "--in", "drives"}).exit_code, 1);
+  EXPECT_EQ(place.run({"actuator", "find", "--need", "60@10", "--in", "."}).exit_code, 1);
 }
 
 TEST(ActuatorFind, RefusesWhatIsNoQuestion) {

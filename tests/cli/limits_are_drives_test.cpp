@@ -38,14 +38,13 @@ json report_of(const Workplace& place, const std::string& limit) {
   place.write("arm.urdf", arm(limit));
   place.write("hold.csv", held_still());
   const Outcome imported =
-      place.run({"robot", "import", "arm.urdf", "--actuators", "drives", "-o", "arm.json"});
+      place.run({"robot", "import", "arm.urdf", "--actuators", ".", "-o", "arm.json"});
   EXPECT_EQ(imported.exit_code, 0) << imported.err;
   return json::parse(place.run({"hopper", "check", "arm.json", "hold.csv", "--json"}).out);
 }
 
 TEST(LimitsAreDrives, AnArmIsHeldWithinThem) {
   Workplace place;
-  place.write("drives/here.txt", "");
   const json report = report_of(place, "effort=\"10\" velocity=\"5\"");
   EXPECT_EQ(report["verdict"], "pass");
   EXPECT_NEAR(report["joints"][0]["margin_Nm"].get<double>(), 10.0 - 7.848, 1e-6);
@@ -54,7 +53,6 @@ TEST(LimitsAreDrives, AnArmIsHeldWithinThem) {
 
 TEST(LimitsAreDrives, AnArmIsNotHeldBeyondThem) {
   Workplace place;
-  place.write("drives/here.txt", "");
   const json report = report_of(place, "effort=\"7.5\" velocity=\"5\"");
   EXPECT_EQ(report["verdict"], "fail");
   EXPECT_NEAR(report["joints"][0]["margin_Nm"].get<double>(), 7.5 - 7.848, 1e-6);
@@ -64,9 +62,8 @@ TEST(LimitsAreDrives, AnArmIsNotHeldBeyondThem) {
 TEST(LimitsAreDrives, ARobotWithoutThemIsRefusedByName) {
   Workplace place;
   place.write("arm.urdf", arm("effort=\"10\" velocity=\"0\""));
-  place.write("drives/here.txt", "");
   const Outcome imported =
-      place.run({"robot", "import", "arm.urdf", "--actuators", "drives", "-o", "arm.json"});
+      place.run({"robot", "import", "arm.urdf", "--actuators", ".", "-o", "arm.json"});
   EXPECT_EQ(imported.exit_code, 2);
   EXPECT_NE(imported.err.find("--actuators: no joint of the robot states limits of both"),
             std::string::npos)
@@ -75,7 +72,6 @@ TEST(LimitsAreDrives, ARobotWithoutThemIsRefusedByName) {
 
 TEST(LimitsAreDrives, SimulatorsGetThem) {
   Workplace place;
-  place.write("drives/here.txt", "");
   report_of(place, "effort=\"10\" velocity=\"5\"");
   const Outcome isaac =
       place.run({"robot", "export", "arm.json", "--format", "isaac-lab", "--actuators"});

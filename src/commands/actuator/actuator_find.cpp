@@ -104,7 +104,7 @@ void add_find_command(command_line::Command& actuator) {
   command.add_option("-o,--output", options->output_file, "Write the list as JSON to this file")
       .names_a_file();
   command.add_flag("--json", options->json, "Print the same as JSON");
-  command.example("torquewright actuator find --need 100@10,60@20 --mass-below 2");
+  command.example("torquewright actuator find --need 60@10 --continuous 20 --mass-below 2");
   command.works([options] { return run_find(*options); });
 }
 

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -126,11 +125,9 @@ std::vector<io::FileContent> add_drives(const ImportOptions& options, hopper::Im
                "which a drive could be made");
   }
   const std::filesystem::path folder = std::filesystem::absolute(options.drive_folder);
-  nlohmann::ordered_json robot = nlohmann::ordered_json::parse(document);
   const std::filesystem::path seen =
       std::filesystem::proximate(folder, place_of(options).parent_path());
-  hopper::add_limit_drives(made, seen == "." ? "" : seen.generic_string(), robot);
-  document = io::json_text(robot);
+  document = hopper::with_limit_drives(made, seen == "." ? "" : seen.generic_string(), document);
   imported.notes.insert(imported.notes.end(), made.notes.begin(), made.notes.end());
   imported.notes.push_back(fmt::format(
       "{} joints are driven by {} drives of their limits in {}: what the file says of torque and "

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/draft/limit_drives.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/documents/json_layout.hpp"
+#include "io/faults/json_text.hpp"
+#include "robot/draft/limit_drives.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -82,13 +82,17 @@ LimitDrives limit_drives(const Robot& robot) {
   return made;
 }
 
-void add_limit_drives(const LimitDrives& made, const std::string& folder, ordered_json& robot) {
+std::string with_limit_drives(const LimitDrives& made, const std::string& folder,
+                              const std::string& robot) {
+  ordered_json document = ordered_json::parse(robot);
   for (const LimitDrives::Assignment& one : made.assignments) {
     const std::string& file = made.drives[one.drive].file;
-    robot["mechanisms"].push_back({{"type", "direct"},
-                                   {"joints", {one.joint}},
-                                   {"actuators", {folder.empty() ? file : folder + "/" + file}}});
+    document["mechanisms"].push_back(
+        {{"type", "direct"},
+         {"joints", {one.joint}},
+         {"actuators", {folder.empty() ? file : folder + "/" + file}}});
   }
+  return io::json_text(document);
 }
 
 }  // namespace torquewright::hopper
