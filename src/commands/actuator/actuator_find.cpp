@@ -13,6 +13,7 @@
 #include "src/options/needs.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/actuator/shortlist.hpp"
+#include "src/report/actuator/shortlist_json.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {

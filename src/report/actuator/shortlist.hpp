@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -19,10 +18,5 @@ struct RankedDrive {
 /// `actuator find` as a table: those that fit by their margin, then the others with the reason.
 std::string shortlist_text(const std::vector<RankedDrive>& drives,
                            const std::vector<std::string>& left_out);
-
-/// The same as a document of kind drive_shortlist.
-nlohmann::ordered_json shortlist_json(const actuator::Wanted& wanted,
-                                      const std::vector<RankedDrive>& drives,
-                                      const std::vector<std::string>& left_out);
 
 }  // namespace torquewright::report

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "src/report/actuator/shortlist_json.hpp"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "src/report/actuator/shortlist.hpp"
 
 namespace torquewright::report {
 namespace {
