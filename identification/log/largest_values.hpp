@@ -15,8 +15,8 @@ class LargestValues {
   void add(double value);
   std::size_t count() const { return count_; }
 
-  /// Returns what optimization::nearest_quantile() gives for all values. Requires at least one value,
-  /// and a share no less than `least_share`.
+  /// Returns what optimization::nearest_quantile() gives for all values. Requires at least one
+  /// value, and a share no less than `least_share`.
   double quantile(double share) const;
 
  private:

@@ -18,7 +18,9 @@ constexpr double kNextTo = 1e-100;  // rad/s: rest, as it is left either way
 /// What drives, and brakes no more than drives: at speeds of the curve's corners.
 std::vector<actuator::EnvelopePoint> inner_points(const HeldBus& bus, double bus_V) {
   const double ratio = std::abs(bus.actuator().transmission.ratio);
-  const actuator::EnvelopeCurve& rotor = *bus.model_at(bus_V).envelope;
+  // The model is that of the open circuit's voltage.
+  const actuator::EnvelopeCurve rotor =
+      with_speeds_scaled(*bus.model().envelope, bus_V / bus.open_circuit_V());
   const double end_rad_s = last_speed_rad_s(rotor) / ratio;
   std::vector<double> speeds_rad_s{-end_rad_s, kNextTo, end_rad_s};
   for (const auto* bound : {&rotor.greatest, &rotor.least}) {

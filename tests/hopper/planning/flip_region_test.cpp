@@ -495,7 +495,7 @@ TEST(CurveDrive, RefusesACurveThatBendsInward) {
     const DriveRegion region(drive, {}, {});
     FAIL() << "accepted";
   } catch (const io::SpecError& error) {
-    EXPECT_NE(std::string(error.what()).find("less fast with the speed beyond 5 rad/s"),
+    EXPECT_NE(std::string(error.what()).find("less fast with the speed beyond -5 rad/s"),
               std::string::npos)
         << error.what();
   }
