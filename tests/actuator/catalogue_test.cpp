@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "actuator/catalogue/drive_set.hpp"
@@ -88,6 +89,22 @@ std::size_t sources_of(const json& root, const std::string& pointer) {
       count += is_within(pointer, value.get<std::string>()) ? 1 : 0;
   }
   return count;
+}
+
+TEST(Catalogue, SourcesHaveTheFormOfSources) {
+  for (const fs::path& file : files()) {
+    std::ifstream stream(file);
+    const json root = json::parse(stream);
+    for (const json& source : root["sources"]) {
+      if (source.contains("page")) {
+        EXPECT_TRUE(std::regex_search(source["page"].get<std::string>(), std::regex("^https?://")));
+        continue;
+      }
+      const std::string repository = source["repository"], commit = source["commit"];
+      EXPECT_TRUE(std::regex_match(repository, std::regex("[^/ ]+/[^/ ]+"))) << file << repository;
+      EXPECT_TRUE(std::regex_match(commit, std::regex("[0-9a-f]{7,40}"))) << file << commit;
+    }
+  }
 }
 
 TEST(Catalogue, WhatStandsTwiceHasTwoSources) {
