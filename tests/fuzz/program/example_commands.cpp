@@ -37,6 +37,8 @@ actuator mor specs/actuator/d151_knee.json --format drake --rating continuous
 actuator mor specs/actuator/cassie_knee.json --side motor --winding-temperature 350 --accuracy 0.01
 actuator mor specs/actuator/d151_knee.json -o table.csv --plot region.svg --plot-voltage 60,48 --plot-temperature 350
 actuator mor specs/log/bench_refined.json -o table.json
+actuator find --need 60@10,100@5 --continuous 20 --mass-below 2 --json
+actuator find --need 60@10 --ratio 4:40 --in specs/actuator -o drives.json
 actuator lint specs/actuator/d151_knee.json specs/actuator/d110a_ankle.json
 actuator lint specs/actuator/ak80_9.json --json
 actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d151_knee.json -o report.json --plot motion.svg
@@ -81,12 +83,15 @@ identify import odrive tests/fuzz/corpus/imports/axes_odrive.csv --joint axis0 -
 robot import specs/robot/rabbit.urdf -o rabbit.json
 robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
 robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/actuator/d151_knee.json --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links --link-error 0.1
+robot import specs/robot/rabbit.urdf -o rabbit.json --actuators .
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
 robot export specs/robot/cassie.json --format urdf
 robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
 robot export specs/robot/cassie.json --format isaac-lab --actuators -o cassie.py
 robot export specs/robot/mini_cheetah.json --format newton --actuators
 init actuator -o new.json
+init actuator --envelope -o curve.json
+init actuator --from cubemars_ak80_9
 init robot --explain
 schema gearbox_problem
 man hopper flip -o flip.1
