@@ -63,7 +63,7 @@ struct StatedCutters {
 /// Which teeth? A document of kind `gearbox_problem`. Every number is the decimal that was written.
 struct Problem {
   std::string name;
-  std::string topology;      ///< "3k" or "planetary".
+  std::string topology;      ///< One of train_parts.cpp.
   Rational target_ratio;     ///< Input speed over output speed, signed.
   Rational ratio_tolerance;  ///< Relative; 0 is exact.
   Rational rotor_inner_diameter_mm;

@@ -5,6 +5,7 @@
 #include "gearbox/constraints/root_form.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
+#include "gearbox/topologies/planetary_model.hpp"
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/train/backlash.hpp"
@@ -184,6 +185,35 @@ std::vector<Remark> remarks(const Stage& stage, const DesignReport& report) {
   return list;
 }
 
+double reduction(Numbers teeth) {
+  return planetary_reduction(PlanetaryTeeth<double>{teeth[0], teeth[1], teeth[2]});
+}
+
+std::vector<double> forces_N(Numbers teeth, std::int64_t planet_count, double centre_m) {
+  const double ratio = reduction(teeth);
+  const double sun_m = centre_m * teeth[0] / (teeth[0] + teeth[1]);
+  const double force_N = planetary_loads(ratio, ratio, planet_count, sun_m).tooth_force_N;
+  return {force_N, force_N};
+}
+
+TrainEfficiency efficiency(Numbers teeth, Numbers mesh) {
+  return planetary_efficiency(teeth[2] / teeth[0], {mesh[0], mesh[1]});
+}
+
+AssemblyPhase assemble(ToothCounts teeth, std::int64_t planet_count) {
+  return assemble_planetary(teeth[0], teeth[1], teeth[2], planet_count);
+}
+
+std::vector<std::int64_t> largest_of_same_ratio(ToothCounts teeth, std::int64_t most) {
+  const std::int64_t own_sun = teeth[0], own_ring = teeth[2];
+  for (std::int64_t sun = most * own_sun / own_ring; sun > 0; --sun) {
+    if (sun * own_ring % own_sun != 0) continue;
+    const std::int64_t ring = sun * own_ring / own_sun;
+    if ((ring - sun) % 2 == 0) return {sun, (ring - sun) / 2, ring};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::int64_t> complete(std::span<const std::int64_t> free_teeth) {
@@ -213,6 +243,24 @@ DesignReport evaluate(const Problem& problem, const Design& design) {
   report.constraints = constraints_of(stage, report.ratio, design);
   report.remarks = remarks(stage, report);
   return report;
+}
+
+Topology topology() {
+  Topology record{train_parts("planetary")};
+  record.complete = complete;
+  record.model = model;
+  record.free_teeth = free_teeth;
+  record.point_of = point_of;
+  record.evaluate = evaluate;
+  record.reduction = reduction;
+  record.forces_N = forces_N;
+  record.efficiency = efficiency;
+  record.assemble = assemble;
+  record.largest_of_same_ratio = largest_of_same_ratio;
+  // Drawn as the first layer of a 3K train.
+  record.drawn = {{"sun", "S", "sun"}, {"planet_1", "P", "planet"}, {"fixed_ring", "R", "ring"}};
+  record.views = {"Sun, planets, ring"};
+  return record;
 }
 
 }  // namespace torquewright::gearbox::planetary
