@@ -5,8 +5,8 @@
 
 namespace torquewright::actuator {
 
-/// How much a finding weighs, in lint and check alike; docs/lint.md and docs/checks.md say which
-/// rule has which.
+/// Severity of a finding, in lint and check alike; docs/lint.md and docs/checks.md say which rule
+/// has which.
 enum class Severity {
   kNote,       ///< Nothing is wrong, but worth knowing.
   kWarning,    ///< Something does not fit as it stands, and may under another reading.

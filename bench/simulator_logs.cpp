@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hops of public robots, simulated by MuJoCo and cut into logs: what `hopper check` makes of each,
 // beside MuJoCo's own state and forces at its fine step. Prints the tables of
-// docs/simulator_logs.md.
+// bench/simulator_logs.md, which docs/simulator_logs.md sums up.
 #include <fmt/format.h>
 
 #include <array>

@@ -8,8 +8,8 @@
 
 namespace torquewright::dynamics {
 
-/// What one unit of one velocity does to all that it moves: a turn, and a speed of the point at the
-/// base's origin as if it belonged to them. World's axes.
+/// Motion of a body per unit of one velocity: its angular velocity, and the velocity of the point
+/// at the base's origin as if it belonged to the body. World's axes.
 template <typename T>
 struct ColumnOf {
   Vector3<T> angular;
@@ -17,7 +17,7 @@ struct ColumnOf {
 };
 using Column = ColumnOf<double>;
 
-/// The motion of a body for a unit of its joint's velocity; eq. (9).
+/// Returns the motion of a body per unit of its joint's velocity; eq. (9).
 template <typename T>
 inline ColumnOf<T> joint_column(const TreeStateOf<T>& state, std::size_t body) {
   const BodyMotionOf<T>& motion = state.motion(body);
@@ -27,7 +27,7 @@ inline ColumnOf<T> joint_column(const TreeStateOf<T>& state, std::size_t body) {
   return {motion.axis, motion.origin_m.cross(motion.axis)};
 }
 
-/// The motion of the base for a unit of its velocity number k, k < base_velocity_size().
+/// Returns the motion of the base per unit of its velocity number k, k < base_velocity_size().
 template <typename T>
 inline ColumnOf<T> base_column(const TreeStateOf<T>& state, Eigen::Index k) {
   const Vector3<T> zero = Vector3<T>::Zero();

@@ -5,18 +5,18 @@
 
 namespace torquewright::dynamics {
 
-/// Momentum about the base's origin.
+/// Linear and angular momentum about the base's origin.
 template <typename T>
 struct MomentumOf {
   Vector3<T> angular_Nm_s;
   Vector3<T> linear_N_s;
 };
 
-/// Fills state.composites(), each body with all that hangs on it; eq. (10).
+/// Fills state.composites(): each body joined with all bodies that hang on it; eq. (10).
 template <typename T>
 void gather_composites(TreeStateOf<T>& state);
 
-/// The momentum of a composite body that moves as the column says; eq. (11).
+/// Returns the momentum of a composite body that moves as the column says; eq. (11).
 template <typename T>
 inline MomentumOf<T> momentum_of(const typename TreeStateOf<T>::Composite& composite,
                                  const ColumnOf<T>& column) {

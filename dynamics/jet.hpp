@@ -8,8 +8,8 @@
 
 namespace torquewright::dynamics {
 
-/// Variables that one number can depend on: position, velocity and acceleration of nine velocities
-/// (a spatial base and three joints). Of more, derivatives are taken in several passes.
+/// Most variables that one number can depend on: position, velocity and acceleration of nine
+/// velocities (a spatial base and three joints). Derivatives by more variables take several passes.
 inline constexpr int kMostVariables = 27;
 
 /// A number with its derivatives by the variables of a computation: of first order (a gradient), or
@@ -23,9 +23,9 @@ class ForwardNumber {
 
  public:
   ForwardNumber() = default;
-  /// A constant. Implicit: formulas mix numbers.
+  /// Makes a constant. Implicit, because formulas mix numbers.
   ForwardNumber(double value) : value_(value) {}
-  /// Requires 0 <= index < kMostVariables.
+  /// Makes a variable. Requires 0 <= index < kMostVariables.
   static ForwardNumber variable(double value, int index) {
     assert(index >= 0 && index < kMostVariables);
     ForwardNumber out(value);
@@ -47,7 +47,7 @@ class ForwardNumber {
     return std::max(i, j) < count_ ? curvatures_[place(std::max(i, j), std::min(i, j))] : 0;
   }
 
-  /// f of it, where f has this value and these derivatives.
+  /// Returns f of this number by the chain rule, where f has this value and these derivatives.
   ForwardNumber chained(double f, double f1, [[maybe_unused]] double f2) const {
     ForwardNumber out(f);
     out.count_ = count_;
@@ -63,7 +63,7 @@ class ForwardNumber {
     }
     return out;
   }
-  /// The same number with another value, such as one rounded once.
+  /// Replaces the value and keeps the derivatives, such as of a number that was rounded.
   ForwardNumber& set_value(double value) {
     value_ = value;
     return *this;
@@ -136,7 +136,7 @@ class ForwardNumber {
   friend bool operator==(const ForwardNumber& x, double y) { return x.value_ == y; }
 
  private:
-  /// Row by row, the lower half.
+  /// Index of a second derivative: row by row, the lower half.
   static constexpr int place(int i, int j) { return i * (i + 1) / 2 + j; }
   static constexpr int kCurvatures = kOrder == 2 ? kMostVariables * (kMostVariables + 1) / 2 : 1;
 
@@ -164,7 +164,7 @@ class ForwardNumber {
     }
     return out;
   }
-  /// Requires y.count_ <= count_.
+  /// Returns the product. Requires y.count_ <= count_.
   ForwardNumber times(const ForwardNumber& y) const {
     if (y.count_ == 0) return scaled(y.value_);
     ForwardNumber out(value_ * y.value_);

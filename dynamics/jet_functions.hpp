@@ -43,13 +43,13 @@ ForwardNumber<kOrder> tanh(const ForwardNumber<kOrder>& x) {
   return x.chained(f, f1, -2 * f * f1);
 }
 
-/// Slope 1 at zero.
+/// Magnitude; its slope at zero is 1.
 template <int kOrder>
 ForwardNumber<kOrder> abs(const ForwardNumber<kOrder>& x) {
   return x < 0 ? -x : x;
 }
 
-/// x less the multiple of y next to it; what is left away moves with nothing.
+/// x less the nearest multiple of y; the multiple has no derivative.
 template <int kOrder>
 ForwardNumber<kOrder> remainder(ForwardNumber<kOrder> x, double y) {
   return x.set_value(std::remainder(x.value(), y));
@@ -61,7 +61,8 @@ ForwardNumber<kOrder> hypot(const ForwardNumber<kOrder>& x, const ForwardNumber<
   return sqrt(x * x + y * y).set_value(f);
 }
 
-/// Angle of the direction (x, y): its value, and the angle from there, whose tangent is zero.
+/// Angle of the direction (x, y), computed as its value plus the angle from there, whose tangent is
+/// zero.
 template <int kOrder>
 ForwardNumber<kOrder> atan2(const ForwardNumber<kOrder>& y, const ForwardNumber<kOrder>& x) {
   const double length = std::hypot(x.value(), y.value());

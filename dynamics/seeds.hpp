@@ -8,7 +8,7 @@
 
 namespace torquewright::dynamics {
 
-/// A vector whose elements are the variables first, first + 1, ...; requires room for them
+/// Returns a vector whose elements are the variables first, first + 1, ...; requires room for them
 /// (kMostVariables).
 template <typename T>
 VectorX<T> seeded(const VectorIn& values, int first) {
@@ -19,10 +19,10 @@ VectorX<T> seeded(const VectorIn& values, int first) {
   return out;
 }
 
-/// The position (position_size x 1) to which a small displacement (n x 1) leads, as step_position()
-/// counts them: a spatial base turns about its own axes. The same to second order, which is all
-/// that derivatives at zero see; docs/derivations/jets.md eq. (4). Requires a quaternion that is
-/// not zero.
+/// Returns the position (position_size x 1) to which a small displacement (n x 1) leads, as
+/// step_position() counts it: a spatial base turns about its own axes. Equal to second order, which
+/// is all that derivatives at zero see; docs/derivations/jets.md eq. (4). Requires a quaternion
+/// that is not zero.
 template <typename T>
 VectorX<T> displaced(const Tree& tree, const VectorIn& position, const VectorInOf<T>& by) {
   if (tree.base != BaseKind::kSpatial) return position + by;
@@ -40,7 +40,7 @@ VectorX<T> displaced(const Tree& tree, const VectorIn& position, const VectorInO
   return out;
 }
 
-/// The same position; the variables first .. first + n - 1 are displacements from it.
+/// Returns the same position with the variables first .. first + n - 1 as displacements from it.
 template <typename T>
 VectorX<T> seeded_position(const Tree& tree, const VectorIn& position, int first) {
   return displaced<T>(tree, position,

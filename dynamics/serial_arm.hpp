@@ -12,20 +12,22 @@ namespace torquewright::dynamics {
 /// One rigid link of a planar arm. Distances run along the link, from its own joint.
 struct SerialLink {
   double mass_kg = 0;
-  double length_m = 0;          ///< To the next joint; of the last link, to its tip.
-  double center_of_mass_m = 0;  ///< May lie beyond the length, or behind the joint (negative).
-  double inertia_kg_m2 = 0;     ///< About the centre of mass.
+  double length_m = 0;  ///< Length to the next joint; of the last link, to its tip.
+  /// Centre of mass; it may lie beyond the length, or behind the joint (negative).
+  double center_of_mass_m = 0;
+  double inertia_kg_m2 = 0;  ///< Inertia about the centre of mass.
 };
 
-/// The numbers in which a link's dynamics are linear.
+/// The parameters in which a link's dynamics are linear.
 struct SerialLinkParameters {
   double mass_kg = 0;
   double first_moment_kg_m = 0;    ///< Mass times centre of mass.
-  double joint_inertia_kg_m2 = 0;  ///< About the link's own joint.
+  double joint_inertia_kg_m2 = 0;  ///< Inertia about the link's own joint.
 };
 SerialLinkParameters parameters_of(const SerialLink& link);
 
-/// Parameters of one link, which are also the regressor's columns per link, in the struct's order.
+/// Number of parameters of one link, which are also the regressor's columns per link, in the
+/// struct's order.
 inline constexpr Eigen::Index kParametersPerLink = 3;
 
 /// Chain of revolute joints in a vertical plane, base fixed; a pendulum is one of a single link.
@@ -48,23 +50,23 @@ class SerialArm {
 
   Eigen::Index joint_count() const { return joints_; }
   std::span<const SerialLink> links() const { return links_; }
-  /// What the regressor's columns are multiplied with: (3 joints x 1).
+  /// The parameters that the regressor is multiplied with: (3 joints x 1).
   const Eigen::VectorXd& parameters() const { return parameters_; }
 
-  /// (joints x 3 joints), eqs. (5)-(8); columns 3 i to 3 i + 2 belong to link i. Does not use the
-  /// links' masses, centres and inertias, only lengths and gravity.
+  /// Writes the regressor Y (joints x 3 joints), eqs. (5)-(8); columns 3 i to 3 i + 2 belong to
+  /// link i. Uses the links' lengths and gravity, not their masses, centres and inertias.
   void regressor(const Vector& position_rad, const Vector& velocity_rad_s,
                  const Vector& acceleration_rad_s2, MatrixOut out);
-  /// Y parameters; eqs. (5)-(8).
+  /// Computes the torques Y parameters; eqs. (5)-(8).
   void inverse_dynamics(const Vector& position_rad, const Vector& velocity_rad_s,
                         const Vector& acceleration_rad_s2, VectorOut torque_Nm);
-  /// (joints x joints), kg m2; eq. (4).
+  /// Writes the mass matrix (joints x joints), kg m2; eq. (4).
   void mass_matrix(const Vector& position_rad, MatrixOut out);
-  /// Coriolis, centrifugal and gravity torques: those that hold still accelerations of zero.
+  /// Computes Coriolis, centrifugal and gravity torques, which hold accelerations at zero.
   void bias(const Vector& position_rad, const Vector& velocity_rad_s, VectorOut torque_Nm);
 
   double kinetic_energy_J(const Vector& position_rad, const Vector& velocity_rad_s);
-  /// Zero with all mass at the height of the first joint.
+  /// Potential energy; zero with all mass at the height of the first joint.
   double potential_energy_J(const Vector& position_rad);
 
  private:

@@ -10,17 +10,18 @@
 
 namespace torquewright::dynamics {
 
-/// Mass and how it is spread, in the axes of the body it belongs to.
+/// Mass, centre of mass and inertia, in the axes of the body that they belong to.
 struct RigidInertia {
   double mass_kg = 0;
   Eigen::Vector3d center_of_mass_m = Eigen::Vector3d::Zero();
   Eigen::Matrix3d inertia_kg_m2 =
-      Eigen::Matrix3d::Zero();  ///< About the centre of mass; symmetric.
+      Eigen::Matrix3d::Zero();  ///< Inertia about the centre of mass; symmetric.
 };
 
 enum class JointKind { kRevolute, kPrismatic };
 
-/// In rad and Nm for revolute joints, in m and N for prismatic ones. Magnitudes, but positions.
+/// Limits of a joint, in rad and Nm for revolute joints, in m and N for prismatic ones. Magnitudes,
+/// but for positions.
 struct JointLimits {
   double position_min = -std::numeric_limits<double>::infinity();
   double position_max = std::numeric_limits<double>::infinity();
@@ -28,14 +29,14 @@ struct JointLimits {
   double effort_max = std::numeric_limits<double>::infinity();
 };
 
-/// How the body is carried by its parent. The body's frame B sits at the joint; at position zero it
+/// How a body is carried by its parent. The body's frame B sits at the joint; at position zero it
 /// stands in the parent's frame P as R_PB and p_PB_m say.
 struct Joint {
   std::string name = {};
   JointKind kind = JointKind::kRevolute;
   Eigen::Matrix3d R_PB = Eigen::Matrix3d::Identity();
   Eigen::Vector3d p_PB_m = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();  ///< Unit vector in B.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();  ///< Unit vector of the axis in B.
   JointLimits limits;
   /// Inertia of the rotor as it reflects at the joint, N^2 J (kg m2; kg for prismatic joints).
   double reflected_inertia = 0;
@@ -48,13 +49,14 @@ struct Joint {
 
 struct Body {
   std::string name;
-  std::size_t parent = 0;  ///< Index in the tree; that of the base itself has no meaning.
-  Joint joint;             ///< Of the base: only its R_PB and p_PB_m, and only if it is fixed.
+  std::size_t parent = 0;  ///< Index of the parent in the tree; meaningless for the base.
+  /// The joint that carries the body; of the base only R_PB and p_PB_m, and only if it is fixed.
+  Joint joint;
   RigidInertia inertia;
 };
 
 enum class BaseKind {
-  kFixed,   ///< Where joint.R_PB, joint.p_PB_m of body 0 put it in the world.
+  kFixed,   ///< Stands where joint.R_PB, joint.p_PB_m of body 0 put it in the world.
   kPlanar,  ///< Moves in the plane of x and z: position x, z, pitch about +y; velocity their rates.
   kSpatial,  ///< Position x, y, z, then the quaternion w, x, y, z of R_WB; velocity of the origin
              ///< in the world's axes, then angular velocity in the base's own.
@@ -64,18 +66,19 @@ enum class BaseKind {
 struct Tree {
   BaseKind base = BaseKind::kFixed;
   std::vector<Body> bodies;
-  double gravity_m_s2 = kGravity_m_s2;  ///< Along -z of the world.
+  double gravity_m_s2 = kGravity_m_s2;  ///< Gravity, along -z of the world.
 
-  /// Base first, then one per joint in the order of the bodies.
+  /// Number of elements of a position: the base's first, then one per joint in the order of the
+  /// bodies.
   Eigen::Index position_size() const;
   Eigen::Index velocity_size() const;
   Eigen::Index base_velocity_size() const;
 };
 
-/// std::invalid_argument, naming the body, where the tree is not one: no base, a parent that does
-/// not come before its child, an axis that is not a unit vector, a rotation that is none, a
-/// negative mass, numbers that are not finite. Whether inertias are those of real bodies is for
-/// whoever reads them: massless bodies between two joints are needed and allowed.
+/// Throws std::invalid_argument, naming the body, where the tree is not valid: no base, a parent
+/// that does not come before its child, an axis that is not a unit vector, an invalid rotation, a
+/// negative mass, numbers that are not finite. Whether inertias are those of real bodies is for the
+/// reader of documents to check: massless bodies between two joints are needed and allowed.
 void require_tree(const Tree& tree);
 
 }  // namespace torquewright::dynamics

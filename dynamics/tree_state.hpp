@@ -14,7 +14,7 @@ namespace torquewright::dynamics {
 using VectorIn = Eigen::Ref<const Eigen::VectorXd>;
 using VectorOut = Eigen::Ref<Eigen::VectorXd>;
 using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
-/// (3 x n): a row per direction of space, a column per velocity.
+/// A (3 x n) matrix: a row per direction of space, a column per velocity.
 using Jacobian = Eigen::Ref<Eigen::Matrix<double, 3, Eigen::Dynamic>>;
 
 // The same on any scalar: double, or numbers that carry derivatives (jet.hpp), for which all of
@@ -38,32 +38,32 @@ using JacobianOf = std::type_identity_t<Eigen::Ref<Eigen::Matrix<T, 3, Eigen::Dy
 template <typename T>
 using Vector3In = std::type_identity_t<Vector3<T>>;
 
-/// Where a body is and how it moves. All in the world's axes; places are relative to the base's
-/// origin, so that a robot far from the world's origin loses no digits.
-/// docs/derivations/rigid_body.md eqs. (1)-(3).
+/// Pose and motion of a body, in the world's axes; positions are relative to the base's origin, so
+/// that a robot far from the world's origin loses no digits (docs/derivations/rigid_body.md eqs.
+/// (1)-(3)).
 template <typename T>
 struct BodyMotionOf {
   Matrix3<T> R_WB;
-  Vector3<T> origin_m;       ///< Of the body's frame, which is at its joint.
+  Vector3<T> origin_m;       ///< Origin of the body's frame, which is at its joint.
   Vector3<T> from_parent_m;  ///< From the parent's origin to this one.
-  Vector3<T> axis;           ///< Of the joint.
+  Vector3<T> axis;           ///< Axis of the joint.
   Vector3<T> center_of_mass_m;
   Vector3<T> angular_velocity_rad_s;
-  Vector3<T> velocity_m_s;  ///< Of the body's origin.
+  Vector3<T> velocity_m_s;  ///< Velocity of the body's origin.
 };
 using BodyMotion = BodyMotionOf<double>;
 
-/// A tree at one position and velocity, and room to work in. All questions to the dynamics are
-/// functions of it (inverse_dynamics.hpp, mass_matrix.hpp, momentum.hpp, ...); none allocates, and
-/// one state serves one thread.
+/// A tree at one position and velocity, with memory to work in. All computations of the dynamics
+/// are functions of it (inverse_dynamics.hpp, mass_matrix.hpp, momentum.hpp, ...); none allocates,
+/// and one state serves one thread.
 template <typename T>
 class TreeStateOf {
  public:
-  /// At position zero (upright base), at rest. std::invalid_argument: require_tree().
+  /// Starts at position zero (upright base), at rest. std::invalid_argument: require_tree().
   explicit TreeStateOf(Tree tree);
 
-  /// A quaternion is normalised. std::invalid_argument where sizes are wrong, a number is not
-  /// finite, or the quaternion is zero.
+  /// Sets position and velocity. A quaternion is normalised. std::invalid_argument where sizes are
+  /// wrong, a number is not finite, or the quaternion is zero.
   void set(const VectorInOf<T>& position, const VectorInOf<T>& velocity);
 
   const Tree& tree() const { return tree_; }
@@ -76,17 +76,17 @@ class TreeStateOf {
   }
   const T& joint_velocity(std::size_t body) const { return velocity_[joint_row(body)]; }
 
-  /// Room of inverse_dynamics(): a body's acceleration, and what its joint must carry.
+  /// Memory of inverse_dynamics(): a body's acceleration, and the load of its joint.
   struct Newton {
     Vector3<T> angular_rad_s2;
-    Vector3<T> linear_m_s2;  ///< Of the body's origin.
-    Vector3<T> moment_Nm;    ///< About the body's origin.
+    Vector3<T> linear_m_s2;  ///< Acceleration of the body's origin.
+    Vector3<T> moment_Nm;    ///< Moment about the body's origin.
     Vector3<T> force_N;
   };
-  /// Room of mass_matrix() and of momenta: a body with all that hangs on it, as one rigid body.
+  /// Memory of mass_matrix() and of momenta: a body with all that hangs on it, as one rigid body.
   struct Composite {
     double mass_kg;
-    Vector3<T> first_moment_kg_m;  ///< About the base's origin, as the inertia.
+    Vector3<T> first_moment_kg_m;  ///< First moment about the base's origin, as the inertia.
     Matrix3<T> inertia_kg_m2;
   };
   std::vector<Newton>& newton() { return newton_; }
@@ -112,10 +112,10 @@ class TreeStateOf {
 };
 using TreeState = TreeStateOf<double>;
 
-/// Position zero, with the quaternion of no rotation: (position_size x 1).
+/// Returns position zero, with the quaternion of no rotation: (position_size x 1).
 Eigen::VectorXd zero_position(const Tree& tree);
 
-/// std::invalid_argument where the vector does not have one element per velocity.
+/// Throws std::invalid_argument where the vector does not have one element per velocity.
 template <typename T>
 void require_velocity_size(const TreeStateOf<T>& state, Eigen::Index size);
 

@@ -6,8 +6,8 @@
 
 namespace torquewright::hopper {
 
-/// Calls work(number, thread) for 0 ... count - 1, begun in that order, from several threads at
-/// once; thread 0 is the caller's own. What work throws ends the rest and is thrown on: of several
+/// Calls work(number, thread) for 0 ... count - 1, started in that order, from several threads at
+/// once; thread 0 is the caller's own. An exception ends the rest and is thrown on: of several
 /// failures that of the lowest number, which is the same for any number of threads. Requires at
 /// least one thread; where the system gives fewer, those that there are do all of it.
 void in_parallel(std::size_t count, std::size_t threads,

@@ -6,24 +6,27 @@
 
 namespace torquewright::simulation {
 
-/// What a run prescribes to the motor.
+/// The quantity of the drive that a run prescribes.
 enum class DriveKind {
-  kCurrent,   ///< In A, in the actuator's convention.
-  kTorque,    ///< In Nm at the output: current = torque / (N Kt).
-  kVoltage,   ///< Of the winding, in V.
-  kDuty,      ///< Winding voltage = duty times bus voltage.
-  kPosition,  ///< Duty = clip(gain (value - position), -1, 1): a servo's own controller.
+  kCurrent,  ///< Current in A, in the actuator's convention.
+  kTorque,   ///< Torque in Nm at the output: current = torque / (N Kt).
+  kVoltage,  ///< Voltage of the winding, in V.
+  kDuty,     ///< Duty: winding voltage = duty times bus voltage.
+  /// Position of a servo with its own controller: duty = clip(gain (value - position), -1, 1).
+  kPosition,
 };
 
-/// What drives one joint: values at the times of the excitation, straight lines between them.
+/// The drive of one joint: values at the times of the excitation, linear between them.
 struct JointDrive {
   DriveKind kind = DriveKind::kCurrent;
   std::vector<double> value;
-  double position_gain_1_rad = 0.0;  ///< Of kPosition.
-  std::vector<double> bus_V;         ///< As measured; empty: the document's, with what sags.
-  std::vector<double> winding_K;     ///< As measured; empty: by the thermal data, else constant.
-  std::vector<double> enabled;       ///< Below 0.5: the winding is open. Empty: always on.
-  std::vector<double> speed_rad_s;   ///< Of the output where the plant imposes it; else unused.
+  double position_gain_1_rad = 0.0;  ///< Gain of kPosition.
+  std::vector<double> bus_V;         ///< Measured bus voltage; empty: the document's, with its sag.
+  /// Measured winding temperature; empty: by the thermal data, else constant.
+  std::vector<double> winding_K;
+  std::vector<double> enabled;  ///< Below 0.5: the winding is open. Empty: always on.
+  /// Speed of the output where the plant imposes it; else unused.
+  std::vector<double> speed_rad_s;
 };
 
 struct Excitation {
@@ -31,17 +34,20 @@ struct Excitation {
   std::vector<JointDrive> joints;
 };
 
-/// Where a joint is when the simulation begins.
+/// State of a joint when the simulation begins.
 struct JointStart {
   double position_rad = 0.0;
   double speed_rad_s = 0.0;
-  std::optional<double> winding_K, case_K;  ///< Absent: the reference temperature, the ambient one.
-  double motor_ahead_rad = 0.0;  ///< Of an elastic train: motor angle over ratio less the output's.
+  /// Temperatures; absent: the reference temperature, the ambient one.
+  std::optional<double> winding_K, case_K;
+  double motor_ahead_rad = 0.0;  ///< Elastic train: motor angle over ratio less the output's.
 };
 
 struct SimulationOptions {
-  double longest_step_s = 2.5e-4;  ///< Stiff parts (presliding, compliance, contact) get less.
-  bool inductance = false;         ///< Of a voltage-driven winding; else it is quasi-static.
+  /// Longest step; stiff parts (presliding, compliance, contact) get shorter ones.
+  double longest_step_s = 2.5e-4;
+  /// Whether the inductance of a voltage-driven winding counts; else it is quasi-static.
+  bool inductance = false;
   /// Inertia of rotor and gears at the output, where another document states it; absent: the
   /// actuator's.
   std::optional<double> motor_inertia_kg_m2 = {};

@@ -5,28 +5,28 @@
 
 namespace torquewright::simulation {
 
-/// What the actuators move, n joints of it: torque = M(q) a + h(q, v), the torque being that of the
-/// actuators on the plant. q, v, h are (n x 1) in rad, rad/s and N m, M is (n x n) in kg m^2,
-/// symmetric and positive definite; joints that slide count m, m/s, N and kg under the same names.
-/// Callers bring vectors and matrices of these sizes, implementations fill every element of them
-/// and may keep what they need to compute: one object serves one thread.
+/// The load of n actuators: torque = M(q) a + h(q, v), where the torque is that of the actuators on
+/// the plant. q, v, h are (n x 1) in rad, rad/s and N m, M is (n x n) in kg m^2, symmetric and
+/// positive definite; joints that slide count m, m/s, N and kg under the same names. Callers bring
+/// vectors and matrices of these sizes, implementations fill every element and may keep what they
+/// need to compute: one object serves one thread.
 class Plant {
  public:
   virtual ~Plant() = default;
 
   virtual Eigen::Index joint_count() const = 0;
 
-  /// The motion comes from outside (an excitation's speeds), and the torque follows from it: then
-  /// nobody asks for M, h and the energy. Only plants of one joint.
+  /// Whether the motion comes from outside (an excitation's speeds), so that the torque follows
+  /// from it; then M, h and the energy are not asked for. Only for plants of one joint.
   virtual bool is_imposed() const { return false; }
 
   virtual void mass_matrix(const Eigen::VectorXd& position_rad, Eigen::MatrixXd& mass_kg_m2) = 0;
 
-  /// h: gravity, Coriolis and centrifugal torques.
+  /// Writes h: gravity, Coriolis and centrifugal torques.
   virtual void bias(const Eigen::VectorXd& position_rad, const Eigen::VectorXd& speed_rad_s,
                     Eigen::VectorXd& torque_Nm) = 0;
 
-  /// In motion and height, from an arbitrary zero.
+  /// Kinetic and potential energy, from an arbitrary zero.
   virtual double energy_J(const Eigen::VectorXd& position_rad,
                           const Eigen::VectorXd& speed_rad_s) = 0;
 

@@ -39,6 +39,7 @@ void add_gearbox_commands(Command& program) {
 void add_actuator_commands(Command& program) {
   Command actuator = add_group(program, "actuator", "What can the actuator do?",
                                "actuator mor specs/actuator/d110a_ankle.json --need 100@15");
+  add_find_command(actuator);
   add_lint_command(actuator);
   add_mor_command(actuator);
   add_check_command(actuator);

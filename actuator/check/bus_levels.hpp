@@ -8,7 +8,8 @@
 
 namespace torquewright::actuator {
 
-/// One actuator's regions at the bus voltages that it meets while others load the same battery.
+/// The regions of one actuator at the bus voltages that it meets while others load the same
+/// battery.
 class BusLevels {
  public:
   /// Distance between two levels over the open-circuit voltage; each level's region is made once.
@@ -17,8 +18,8 @@ class BusLevels {
   /// Requires no objections to the conditions, whose own voltage is the open circuit's.
   BusLevels(const Actuator& actuator, const OperatingConditions& conditions);
 
-  /// At the level at or next below that voltage, the bus held there: so the region is, by at most
-  /// a step, too small rather than too large.
+  /// Returns the region at the level at or next below that voltage, with the bus held there: by at
+  /// most a step too small, never too large.
   const CheckBasis& at(double bus_voltage_V);
 
  private:

@@ -17,19 +17,21 @@ struct CheckRequest {
   std::filesystem::path trajectory;
   std::vector<ColumnMapping> columns;
   Window window;
-  std::vector<CheckedDrive> drives;      ///< One a joint, or a row of a Jacobian.
+  std::vector<CheckedDrive> drives;      ///< Drives, one for each joint or row of a Jacobian.
   std::vector<ParallelDrive> parallels;  ///< Each takes two of the drives, by their names.
   InertiaConvention inertia = InertiaConvention::kUnstated;
-  std::size_t runs = 1;  ///< Of the motion, for the winding's temperature.
-  double pause_s = 0.0;  ///< After each run.
+  std::size_t runs = 1;  ///< Number of runs of the motion, for the winding's temperature.
+  double pause_s = 0.0;  ///< Pause after each run.
   bool keep_traces = false;
-  std::function<void(double share)> on_progress;  ///< May be empty.
+  /// Called with the share that is done. May be empty.
+  std::function<void(double share)> on_progress;
 };
 
-/// Reads the trajectory once, row by row, in flat memory. Requires distinct names of drives, at
-/// least one, and that there are no objections to their conditions. Throws io::SpecError for all
-/// that TrajectoryReader throws for, a Jacobian whose actuators are no drives, whose table does not
-/// reach as far as the angles go, or which is singular there, and a window without rows.
+/// Checks drives against a trajectory, which is read once, row by row, in constant memory. Requires
+/// distinct names of drives, at least one, and that there are no objections to their conditions.
+/// Throws io::SpecError for all that TrajectoryReader throws for, a Jacobian whose actuators are no
+/// drives, whose table does not reach as far as the angles go, or which is singular there, and a
+/// window without rows.
 CheckReport check(const CheckRequest& request);
 
 }  // namespace torquewright::actuator

@@ -44,10 +44,15 @@ ordered_json winding_json(const WindingReport& winding) {
           {"resolution_s", winding.resolution_s}};
 }
 
+/// Null of a drive that is known by its curve alone.
+ordered_json known(const CheckedInterpretation& interpretation, double value) {
+  return interpretation.has_winding ? ordered_json(value) : ordered_json();
+}
+
 /// With a limit of null there is no verdict on it.
 ordered_json continuous_json(const CheckedInterpretation& interpretation) {
   const ContinuousUse& current = interpretation.continuous_current;
-  ordered_json entry{{"rms_current_A", current.rms},
+  ordered_json entry{{"rms_current_A", known(interpretation, current.rms)},
                      {"limit_A", number(current.limit)},
                      {"margin_A", number(current.margin())}};
   const ContinuousUse& torque = interpretation.continuous_torque;
@@ -71,11 +76,11 @@ void add_interpretation(const CheckedInterpretation& interpretation, std::size_t
   entry["voltage_margin_V"] = number(interpretation.voltage_margin_V);
   entry["peak_torque_Nm"] = interpretation.peak_torque_Nm;
   entry["rms_torque_Nm"] = interpretation.rms_torque_Nm;
-  entry["peak_current_A"] = interpretation.peak_current_A;
-  entry["rms_current_A"] = interpretation.rms_current_A;
+  entry["peak_current_A"] = known(interpretation, interpretation.peak_current_A);
+  entry["rms_current_A"] = known(interpretation, interpretation.rms_current_A);
   entry["continuous"] = continuous_json(interpretation);
-  entry["energy_drawn_J"] = interpretation.energy_drawn_J;
-  entry["energy_returned_J"] = interpretation.energy_returned_J;
+  entry["energy_drawn_J"] = known(interpretation, interpretation.energy_drawn_J);
+  entry["energy_returned_J"] = known(interpretation, interpretation.energy_returned_J);
   entry["winding"] =
       interpretation.winding ? winding_json(*interpretation.winding) : ordered_json();
 }

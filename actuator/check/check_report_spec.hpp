@@ -7,11 +7,11 @@
 
 namespace torquewright::actuator {
 
-/// A document of kind `check_report` without its provenance ("tool", "inputs", "options"). What is
-/// not finite or not known is null.
+/// Writes a document of kind `check_report` without its provenance ("tool", "inputs", "options").
+/// What is not finite or not known is null.
 nlohmann::ordered_json check_report_json(const CheckReport& report);
 
-/// One of its findings.
+/// Writes one finding of the report.
 nlohmann::ordered_json finding_json(const Finding& finding);
 
 }  // namespace torquewright::actuator

@@ -12,14 +12,14 @@
 
 namespace torquewright::actuator {
 
-/// An actuator that is held against its part of a trajectory.
+/// An actuator with its part of a trajectory.
 struct CheckedDrive {
-  std::string name;  ///< Of its joint in the trajectory, or of its row in a Jacobian.
+  std::string name;  ///< Name of its joint in the trajectory, or of its row in a Jacobian.
   const Actuator* actuator = nullptr;
   OperatingConditions conditions;
 };
 
-/// How its samples are to be read.
+/// How a drive's samples are read.
 struct DriveOptions {
   bool has_torque = true;
   InertiaConvention inertia = InertiaConvention::kUnstated;
@@ -27,20 +27,21 @@ struct DriveOptions {
   double pause_s = 0.0;
   bool keep_trace = false;
   bool only_verdict = false;  ///< Leaves out the speed margin.
-  Part part = Part::kCheck;   ///< kRegion: inertia of effects is in none of the accelerations.
+  Part part = Part::kCheck;   ///< kRegion: the inertia of effects is in none of the accelerations.
 };
 
-/// Checks the samples of one actuator, in flat memory.
+/// Checks the samples of one actuator, in constant memory.
 class DriveCheck {
  public:
   DriveCheck(const CheckedDrive& drive, const DriveOptions& options);
   DriveCheck(const DriveCheck&) = delete;
   DriveCheck& operator=(const DriveCheck&) = delete;
 
-  /// Holds the bus at this voltage from the next sample on, whatever the drive takes.
+  /// Holds the bus at this voltage from the next sample on, whatever power the drive takes.
   void set_bus_voltage_V(double voltage_V);
 
-  /// `position_rad`: of the actuator's output; unknown where nothing tells it.
+  /// Adds a sample. `position_rad` is the angle of the actuator's output; empty where it is
+  /// unknown.
   void add(double time_s, std::optional<double> position_rad, double speed_rad_s, double torque_Nm,
            double acceleration_rad_s2);
 

@@ -11,16 +11,16 @@
 
 namespace torquewright::actuator {
 
-/// Where a row of drives holds what of a drive: from kDrivePlaces times the drive's index.
+/// Places in a row of drives, counted from kDrivePlaces times the drive's index.
 enum DrivePlace : std::size_t {
-  kDrivePositionAt,  ///< Of a single joint; where there is none its drive has none.
+  kDrivePositionAt,  ///< Position of a single joint; drives through a Jacobian have none.
   kDriveSpeedAt,
   kDriveTorqueAt,
   kDriveAccelerationAt,
   kDrivePlaces
 };
 
-/// How joints of a trajectory become drives: one by one, or two by two through a Jacobian.
+/// Converts rows of joints to rows of drives: one by one, or two by two through a Jacobian.
 class DriveRows {
  public:
   /// Throws io::SpecError where a Jacobian's actuators are not among the drives, or are already
@@ -28,17 +28,17 @@ class DriveRows {
   DriveRows(const std::vector<CheckedDrive>& drives, std::vector<ParallelDrive> parallels,
             std::string file);
 
-  /// The joints that the trajectory has to hold, in the order of its rows.
+  /// Returns the joints that the trajectory has to hold, in the order of its rows.
   const std::vector<std::string>& joints() const { return joints_; }
 
-  /// The indices of the joints that a drive depends on.
+  /// Returns the indices of the joints that a drive depends on.
   std::vector<std::size_t> joints_of(std::size_t drive) const;
 
   /// Throws io::SpecError where a Jacobian over angles lacks the positions of its joints.
   void require_positions(const TrajectoryReader& reader) const;
 
-  /// A row of drives, accelerations left at 0. Throws io::SpecError where a Jacobian's table ends
-  /// or is singular.
+  /// Converts a row; accelerations are left at 0. Throws io::SpecError where a Jacobian's table
+  /// ends or is singular.
   void convert(const Row& joints, Row& drives) const;
 
  private:

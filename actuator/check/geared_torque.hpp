@@ -5,10 +5,11 @@
 
 namespace torquewright::actuator {
 
-/// What a sample asks, both in Nm at the output.
+/// Torques that a sample asks for, in Nm at the output.
 struct GearedTorque {
-  double motor_Nm = 0.0;  ///< Of the motor: the torque on the load that it could hold instead.
-  double teeth_Nm = 0.0;  ///< Of the gears, behind their mesh.
+  /// Torque of the motor: the torque on the load that it could hold instead.
+  double motor_Nm = 0.0;
+  double teeth_Nm = 0.0;  ///< Torque of the gears, behind their mesh.
 };
 
 /// Splits a torque at the joint by where the rotor stands: its inertia between the motor and the
@@ -18,15 +19,14 @@ class RotorBeforeMesh {
  public:
   explicit RotorBeforeMesh(const Actuator& actuator);
 
-  /// What passes motor and mesh for a joint torque that includes all inertia of rotor and gears, as
-  /// simulators have it. At rest
-  /// the mesh still drives the way of the speed `before_rad_s`; where that is 0 too the joint
-  /// begins to move, the way it is accelerated.
+  /// Returns what passes motor and mesh for a joint torque that includes all inertia of rotor and
+  /// gears, as simulators have it. At rest the mesh still drives in the direction of the speed
+  /// `before_rad_s`; where that is 0 too, in the direction of the acceleration.
   GearedTorque of(double speed_rad_s, double torque_Nm, double acceleration_rad_s2,
                   double before_rad_s) const;
 
-  /// The actuator whose region holds `motor_Nm`: its teeth bear whatever comes. Of a gear that
-  /// locks itself it is the actuator as it is.
+  /// Returns the actuator whose region holds `motor_Nm`, with teeth that bear any load. A gear that
+  /// locks itself is returned as it is.
   Actuator behind_any_teeth(Actuator actuator) const;
 
  private:
@@ -35,7 +35,8 @@ class RotorBeforeMesh {
   }
 
   double rotor_kg_m2_;
-  double driving_, driven_;  ///< Torque behind over torque before the mesh.
+  /// Torque behind over torque before the mesh, driving and driven back.
+  double driving_, driven_;
 };
 
 }  // namespace torquewright::actuator

@@ -6,13 +6,13 @@
 
 namespace torquewright::actuator {
 
-/// How far a motion has come at a row: changes since the first, gaps left out.
+/// Changes of a motion since its first row, gaps left out.
 struct Travel {
   std::size_t row = 0;
   double time_s = 0.0;
   double position_rad = 0.0;
-  double velocity_rad = 0.0;   ///< The velocity's integral, by trapezia.
-  double tolerance_rad = 0.0;  ///< How far off that may be: the velocity turns between rows.
+  double velocity_rad = 0.0;   ///< Integral of the velocity, by trapezia.
+  double tolerance_rad = 0.0;  ///< Error bound of that integral: the velocity turns between rows.
 };
 
 /// The motion from one turning point to the next, without the rest before and after it.
@@ -26,20 +26,20 @@ struct HalfSwing {
   double tolerance_rad() const { return until.tolerance_rad - from.tolerance_rad; }
 };
 
-/// Cuts a motion where what it follows, the position or the velocity's integral, turns by more than
-/// a height. What moves by less rests.
+/// Cuts a motion into half swings, where what it follows, the position or the velocity's integral,
+/// turns by more than a height. Smaller motion counts as rest.
 class HalfSwings {
  public:
   HalfSwings(double height_rad, double Travel::*followed)
       : height_rad_(height_rad), followed_(followed) {}
 
-  /// The half swing that ends with this row's turn, if one does.
+  /// Adds a row and returns the half swing that ends with its turn, if one does.
   std::optional<HalfSwing> add(const Travel& now);
 
-  /// What either end of a half swing may lack: what is nearer to a turning point rests there.
+  /// What either end of a half swing may lack: motion nearer to a turning point counts as rest.
   double unseen_rad() const;
 
-  /// The one under way, and none is any more.
+  /// Returns the half swing under way and ends it.
   std::optional<HalfSwing> rest();
 
  private:
@@ -53,13 +53,13 @@ class HalfSwings {
 
   double height_rad_;
   double Travel::*followed_;
-  double direction_ = 0.0;  ///< 1, -1; 0: nothing has moved.
+  double direction_ = 0.0;  ///< 1 or -1; 0: nothing has moved.
   bool has_begun_ = false;
   Travel start_;     ///< The turning point behind.
   Travel leaves_;    ///< The last row near it.
-  Travel farthest_;  ///< The turning point ahead, as far as is known.
-  Travel stays_;     ///< The last row near that.
-  Travel arrives_;   ///< The first row near it.
+  Travel farthest_;  ///< The turning point ahead, as far as it is known.
+  Travel stays_;     ///< The last row near the turning point ahead.
+  Travel arrives_;   ///< The first row near the turning point ahead.
 };
 
 }  // namespace torquewright::actuator

@@ -176,7 +176,8 @@ CheckedInterpretation InterpretationCheck::finish(std::size_t runs, double pause
   }
   interpretation.speed_margin_rad_s =
       finite(least_speed_margin_rad_s(waiting_, speed_margin_rad_s_));
-  interpretation.voltage_margin_V = finite(voltage_margin_V_);
+  interpretation.has_winding = !basis_->actuator->envelope;
+  if (interpretation.has_winding) interpretation.voltage_margin_V = finite(voltage_margin_V_);
   interpretation.rms_torque_Nm = rms(torque_square_, duration_s, interpretation.peak_torque_Nm);
   interpretation.rms_current_A = rms(current_square_, duration_s, interpretation.peak_current_A);
   interpretation.energy_drawn_J = drawn_.sum();
@@ -189,6 +190,14 @@ CheckedInterpretation InterpretationCheck::finish(std::size_t runs, double pause
 void InterpretationCheck::add_continuous(double pause_s, CheckedInterpretation& result) const {
   const Actuator& actuator = *basis_->actuator;
   const double duration_s = last_s_ - first_s_;
+  if (actuator.envelope) {
+    if (!actuator.envelope->continuous) return;
+    const double lasting_Nm = greatest_torque_Nm(*actuator.envelope->continuous) *
+                              std::abs(actuator.transmission.ratio / actuator.envelope->ratio);
+    result.continuous_torque =
+        continuous_use(torque_square_, duration_s, result.peak_torque_Nm, pause_s, lasting_Nm);
+    return;
+  }
   result.continuous_current = continuous_use(current_square_, duration_s, result.peak_current_A,
                                              pause_s, actuator.drive.continuous_current_A);
   if (!actuator.datasheet) return;

@@ -14,36 +14,35 @@
 
 namespace torquewright::actuator {
 
-/// What all samples of one actuator are held against.
+/// What all samples of one actuator are judged by.
 struct CheckBasis {
   CheckBasis(const Actuator& actuator, const OperatingConditions& conditions);
 
   const Actuator* actuator;
   double temperature_K;
   RotorBeforeMesh rotor;
-  RegionLookup lookup;  ///< Of the motor: what the teeth bear is no part of it.
-  double rest_rad_s;    ///< What is slower is at rest.
+  RegionLookup lookup;  ///< Region of the motor; the limit of the teeth is not part of it.
+  double rest_rad_s;    ///< Slower speeds count as rest.
   std::optional<HeatModel> heat;
 };
 
-/// Gathers one interpretation of an actuator's samples, in flat memory.
+/// Gathers the results of one interpretation of an actuator's samples, in constant memory.
 class InterpretationCheck {
  public:
-  /// `wants_speed_margin`: whether speed margins are computed, which takes longer; no verdict needs
-  /// them.
+  /// `wants_speed_margin`: compute speed margins, which takes longer and no verdict needs.
   explicit InterpretationCheck(const CheckBasis& basis, bool wants_speed_margin = true);
 
-  /// Holds the samples that follow against this basis, of the same actuator on another bus.
+  /// Uses this basis for the samples that follow: the same actuator on another bus voltage.
   void use(const CheckBasis& basis) { basis_ = &basis; }
 
-  /// Times ascend; the torque is at the joint, with all inertia of rotor and gears. True if the
-  /// sample lies outside the region or loads the teeth too much.
+  /// Adds a sample; times ascend, and the torque is at the joint, with all inertia of rotor and
+  /// gears. True if the sample lies outside the region or loads the teeth too much.
   bool add(double time_s, double speed_rad_s, double torque_Nm, double acceleration_rad_s2);
 
   CheckedInterpretation finish(std::size_t runs, double pause_s) const;
 
  private:
-  /// What may have the least speed margin.
+  /// A sample that may have the least speed margin.
   struct Slow {
     const CheckBasis* basis;
     double speed_rad_s;
@@ -59,12 +58,14 @@ class InterpretationCheck {
 
   const CheckBasis* basis_;
   const CheckBasis* basis_of_worst_;
-  const CheckBasis* basis_of_first_ = nullptr;  ///< Null: none lies outside.
+  /// Basis of the first sample outside; null: none lies outside.
+  const CheckBasis* basis_of_first_ = nullptr;
   bool wants_speed_margin_;
   CheckedInterpretation interpretation_;
   std::size_t samples_ = 0;
   double worst_excess_Nm_ = -kUnlimited;
-  double speed_margin_rad_s_ = kUnlimited;  ///< Of all but those that wait.
+  /// Least speed margin of all samples but those that wait.
+  double speed_margin_rad_s_ = kUnlimited;
   std::vector<Slow> waiting_;
   double voltage_margin_V_ = kUnlimited;
   double peak_motor_torque_Nm_ = 0.0;

@@ -7,29 +7,29 @@
 
 namespace torquewright::actuator {
 
-/// The ends of a region at one speed.
+/// Least and greatest torque of a region at one speed.
 struct TorqueRange {
   bool is_empty = false;
   double least_Nm = 0.0;
   double greatest_Nm = 0.0;
 
   /// Distance of a torque from the nearer bound, in Nm: positive outside, negative inside. Where
-  /// the range is empty all of the torque is too much.
+  /// the range is empty all of the torque is outside.
   double excess_Nm(double torque_Nm) const;
 };
 
-/// A region at the joint, asked at very many speeds: a table answers, and the region itself where
-/// the table might be wrong. What it says of a torque being inside or outside is exact.
+/// Answers questions about a region at the joint, at very many speeds: from a table, and from the
+/// region itself where the table might be wrong. Whether a torque is inside or outside is exact.
 class RegionLookup {
  public:
   RegionLookup(const Actuator& actuator, const OperatingConditions& conditions);
 
-  /// Bounds at a speed from the table, which may be off by its accuracy; beyond its rows and beside
-  /// empty ranges from the region itself.
+  /// Returns the bounds at a speed from the table, which may be off by its accuracy; beyond its
+  /// rows and beside empty ranges from the region itself.
   TorqueRange near(double speed_rad_s) const;
 
-  /// The same as near(), but from the region itself where the torque lies so near a bound that
-  /// the table may be wrong about it.
+  /// Returns the same as near(), but from the region itself where the torque lies so near a bound
+  /// that the table may be wrong about it.
   TorqueRange at(double speed_rad_s, double torque_Nm) const;
 
   JointRange exact(double speed_rad_s) const { return region_.at(speed_rad_s); }
@@ -40,13 +40,14 @@ class RegionLookup {
     return range.is_empty || range.excess_Nm(torque_Nm) > round_off_Nm_;
   }
 
-  /// How much faster, the way it moves, a joint could go with that torque (negative: how much
-  /// slower it would have to go), by the table; minus infinity where no speed of that direction has
-  /// the torque. Where it is no less than `at_most_rad_s`, that: found out with less effort.
+  /// Returns how much faster, in its direction, a joint could go with that torque (negative: how
+  /// much slower it would have to go), by the table; minus infinity where no speed of that
+  /// direction has the torque. A margin of `at_most_rad_s` or more is returned as `at_most_rad_s`,
+  /// with less effort.
   double speed_margin_rad_s(double speed_rad_s, double torque_Nm,
                             double at_most_rad_s = kUnlimited) const;
 
-  /// True if that margin is less than `margin_rad_s`; much cheaper than the margin itself.
+  /// Whether the speed margin is less than `margin_rad_s`; much cheaper than the margin itself.
   bool has_less_speed_margin(double speed_rad_s, double torque_Nm, double margin_rad_s) const;
 
   const Region& region() const { return region_; }
@@ -56,7 +57,7 @@ class RegionLookup {
 
   Region region_;
   MorTable table_;
-  std::vector<double> speeds_rad_s_;  ///< Of the table's rows.
+  std::vector<double> speeds_rad_s_;  ///< Speeds of the table's rows.
   double doubt_Nm_;
   double round_off_Nm_;
 };

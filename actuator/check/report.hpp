@@ -15,13 +15,13 @@ namespace torquewright::actuator {
 enum class Verdict { kPass, kFail, kUndecided };
 std::string_view name_of(Verdict verdict);
 
-/// One thing the check noticed; docs/checks.md lists the rules.
+/// A finding of a check; docs/checks.md lists the rules.
 struct Finding {
   Severity severity = Severity::kNote;
   std::string rule;
-  std::string joint;             ///< Empty: not of one joint.
-  std::optional<double> time_s;  ///< Where it is worst.
-  std::optional<double> value;   ///< In the same unit as the limit.
+  std::string joint;             ///< Name of the joint; empty: it concerns no single joint.
+  std::optional<double> time_s;  ///< Time at which it is worst.
+  std::optional<double> value;   ///< Value in the unit of the limit.
   std::optional<double> limit;
   std::string unit;
   std::string sentence;
@@ -34,62 +34,70 @@ struct WorstSample {
   double speed_rad_s = 0.0;
   double torque_Nm = 0.0;
   std::optional<double> limit_Nm;  ///< The bound; empty where the region is empty.
-  double excess_Nm = 0.0;          ///< What would be cut off; 0 inside.
+  double excess_Nm = 0.0;          ///< Torque beyond the bound; 0 inside.
   Limiter limiter = Limiter::kCurrent;
 };
 
-/// A root mean square over the motion and the pause after it, against what the document says may
-/// last.
+/// A root mean square over the motion and the pause after it, with the continuous limit that the
+/// document states.
 struct ContinuousUse {
   double rms = 0.0;
-  std::optional<double> limit;           ///< In the unit of rms; empty: none is stated.
-  std::optional<double> pause_s;         ///< After each run that would meet the limit.
-  std::optional<double> margin() const;  ///< Negative: missing. Empty: none is stated.
-  bool is_passed() const;                ///< Beyond rounding. What is not stated is not passed.
+  std::optional<double> limit;    ///< Limit in the unit of rms; empty: none is stated.
+  std::optional<double> pause_s;  ///< Pause after each run that would meet the limit.
+  /// Limit less rms; negative: exceeded. Empty: none is stated.
+  std::optional<double> margin() const;
+  /// Whether the limit is exceeded beyond rounding; false where none is stated.
+  bool is_passed() const;
 };
 
-/// What follows from torque and speed against the region: one interpretation of the data.
+/// Result of one interpretation of the data: torque and speed against the region.
 struct CheckedInterpretation {
   std::size_t clipped_samples = 0;
-  double clipped_time_s = 0.0;  ///< By the trapezoidal rule, like all integrals over time.
+  /// Clipped time, by the trapezoidal rule like all integrals over time.
+  double clipped_time_s = 0.0;
   WorstSample worst;
-  std::optional<WorstSample> first;          ///< That lies outside.
-  double margin_Nm = 0.0;                    ///< To the nearer bound, the least; negative: missing.
-  std::optional<double> speed_margin_rad_s;  ///< Empty: some torque is there at no speed.
-  std::optional<double> voltage_margin_V;    ///< At the bus; empty: the supply gives out.
+  std::optional<WorstSample> first;  ///< The first sample that lies outside.
+  double margin_Nm = 0.0;            ///< Least distance to the nearer bound; negative: missing.
+  /// Least speed margin; empty: some torque exists at no speed.
+  std::optional<double> speed_margin_rad_s;
+  /// Least voltage margin at the bus; empty: the supply gives out.
+  std::optional<double> voltage_margin_V;
   double peak_torque_Nm = 0.0;
   double rms_torque_Nm = 0.0;
-  double peak_current_A = 0.0;  ///< Of the torque that is asked for, clipped or not.
+  bool has_winding = true;      ///< False: currents, volts and energies are not known.
+  double peak_current_A = 0.0;  ///< Greatest current of the torque asked for, clipped or not.
   double rms_current_A = 0.0;
   double energy_drawn_J = 0.0;
   double energy_returned_J = 0.0;
-  std::size_t unreachable_samples = 0;  ///< Whose torque no current yields: counted at the bound.
+  /// Number of samples whose torque no current yields; counted at the bound.
+  std::size_t unreachable_samples = 0;
   std::optional<WindingReport> winding;
-  ContinuousUse continuous_current;  ///< A, in the document's convention.
-  ContinuousUse continuous_torque;   ///< Nm, on the side that the datasheet is of.
-  bool is_rated_at_joint = true;     ///< Of the torque: which side that is.
+  ContinuousUse continuous_current;  ///< Current in A, in the document's convention.
+  ContinuousUse continuous_torque;   ///< Torque in Nm, on the side of the datasheet.
+  bool is_rated_at_joint = true;     ///< Side of continuous_torque: the joint; else the motor.
 };
 
 /// Whether torque in the file is the motor's, which accelerates its own rotor too, or the load's.
 enum class InertiaConvention { kUnstated, kIncluded, kExcluded };
 
-/// Between which temperatures the winding is in the last run, and at which the report is.
+/// Range of the winding's temperature in the last run, and the one at which the report is made.
 struct HeldHeat {
   double coldest_K = 0.0;
-  double warmest_K = 0.0;         ///< Of a single run the same: what it begins with.
-  std::optional<double> shown_K;  ///< Empty: as asked for, which is no better.
-  std::string objection;          ///< Why an end could not be judged; empty: both were.
+  double warmest_K = 0.0;  ///< Warmest temperature; of a single run the one it begins with.
+  /// Temperature of the report; empty: as asked for, which is the worst.
+  std::optional<double> shown_K;
+  std::string objection;  ///< Why an end could not be judged; empty: both were.
 };
 
-/// An effect of the document that the check does not reckon with.
+/// An effect of the document that the check leaves out.
 struct LeftOutEffect {
   std::string effect;
-  /// Torque at the output by which the motion is misjudged at most (LeftOutSizes); empty: it turns
-  /// on the output's angle, which nothing tells.
+  /// Greatest torque at the output by which the motion is misjudged (LeftOutSizes); empty: it
+  /// depends on the output's angle, which is unknown.
   std::optional<double> misjudged_Nm;
 };
 
-/// One actuator's part of the report.
+/// Report of one actuator.
 struct DriveReport {
   std::string name;
   std::string actuator;
@@ -99,27 +107,30 @@ struct DriveReport {
   double until_s = 0.0;
   double peak_speed_rad_s = 0.0;
   double no_load_speed_rad_s = 0.0;
-  double armature_kg_m2 = 0.0;  ///< Rotor and gears, at the joint.
+  double armature_kg_m2 = 0.0;  ///< Inertia of rotor and gears, at the joint.
   bool has_torque = true;
   bool is_speed_differentiated = false;
-  std::optional<double> limiting_speed_rad_s;  ///< Without torque: a speed that no torque holds.
+  /// Without torque in the file: a speed that no torque can hold.
+  std::optional<double> limiting_speed_rad_s;
   std::optional<double> limiting_time_s;
-  std::size_t impossible_speeds = 0;  ///< Samples at speeds where the region is empty.
+  std::size_t impossible_speeds = 0;  ///< Number of samples at speeds where the region is empty.
   InertiaConvention inertia = InertiaConvention::kUnstated;
-  CheckedInterpretation interpretation;  ///< As the file has it, or as the user says it is.
+  /// Interpretation as the file has it, or as the user says.
+  CheckedInterpretation interpretation;
   std::optional<CheckedInterpretation>
-      with_inertia;                   ///< Where that is open: with the rotor's torque added.
-  double velocity_over_slope = 1.0;   ///< Logged velocity over d(position)/dt, least squares.
-  double velocity_correlation = 0.0;  ///< Of the two, squared; 0: not compared.
-  std::size_t unwrapped = 0;          ///< Times that its position was made to run on,
-  double unwrapped_from_s = 0.0;      ///< and when first.
-  std::optional<HeldHeat> held_heat;  ///< Where it was judged elsewhere than as asked for.
+      with_inertia;  ///< Where that is open: the interpretation with the rotor's torque added.
+  double velocity_over_slope = 1.0;   ///< Logged velocity over d(position)/dt, by least squares.
+  double velocity_correlation = 0.0;  ///< Squared correlation of both; 0: not compared.
+  std::size_t unwrapped = 0;      ///< Number of whole turns that were removed from its position.
+  double unwrapped_from_s = 0.0;  ///< Time of the first of them.
+  /// Present where it was judged at other conditions than those asked for.
+  std::optional<HeldHeat> held_heat;
   std::vector<std::string> left_out;
   std::vector<LeftOutEffect> effects_left_out;
   std::vector<std::string> assumed;
 };
 
-/// A point of the motion in the plane of the region.
+/// A point of the motion in the plane of speed and torque.
 struct TracePoint {
   double time_s;
   double speed_rad_s;
@@ -127,23 +138,24 @@ struct TracePoint {
   bool is_outside;
 };
 
-/// The longest time between two samples, and how long the others take on average.
+/// The longest time between two samples, and the mean of the others.
 struct LongestStep {
   double duration_s = 0.0;
   double from_s = 0.0;
-  double usual_s = 0.0;  ///< 0: there is no other.
+  double usual_s = 0.0;  ///< Mean of the other steps; 0: there is no other.
 };
 
 struct CheckReport {
   Verdict verdict = Verdict::kPass;
   std::vector<DriveReport> drives;
   std::vector<Finding> findings;
-  std::vector<std::vector<TracePoint>> traces;  ///< One a drive, if asked for; thinned out.
-  std::string sha256;                           ///< Of the trajectory.
+  /// Points for pictures, one list for each drive, if asked for; thinned.
+  std::vector<std::vector<TracePoint>> traces;
+  std::string sha256;  ///< Hash of the trajectory.
 };
 
-/// An interpretation fails where a sample is clipped, the winding passes its limit in the runs
-/// asked for, or current or torque pass over them what is stated as continuous.
+/// Whether an interpretation fails: a sample is clipped, the winding passes its limit in the runs
+/// asked for, or current or torque exceed their continuous limits.
 bool fails(const CheckedInterpretation& interpretation);
 
 }  // namespace torquewright::actuator

@@ -8,8 +8,8 @@
 
 namespace torquewright::actuator {
 
-/// A note for each battery that the actuators of several joints state alike: every joint was
-/// checked as if it had that battery alone.
+/// Returns a note for each battery that the actuators of several joints state alike: every joint
+/// was checked as if it had that battery alone.
 std::vector<Finding> shared_battery_findings(const std::vector<CheckedDrive>& drives);
 
 }  // namespace torquewright::actuator

@@ -7,14 +7,14 @@
 
 namespace torquewright::actuator {
 
-/// A motion of any length as at most kMostPoints points for a picture: every n-th sample, n doubled
-/// whenever there are too many. Samples outside the region are thinned apart, so that few of them
-/// among many others stay to be seen.
+/// Thins a motion of any length to at most kMostPoints points for a picture: every n-th sample, n
+/// doubled whenever there are too many. Samples outside the region are thinned apart, so that few
+/// of them among many others stay visible.
 class Trace {
  public:
   void add(const TracePoint& point);
 
-  /// Inside and outside together, ascending in time.
+  /// Returns all points, ascending in time.
   std::vector<TracePoint> points() const;
   static constexpr std::size_t kMostPoints = 8000;
 

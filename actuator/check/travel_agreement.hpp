@@ -9,8 +9,8 @@
 
 namespace torquewright::actuator {
 
-/// In the half swing that agrees least, the position changes by the one and the velocity's integral
-/// by the other.
+/// The half swing in which position and velocity agree least: the change of the position, and that
+/// of the velocity's integral.
 struct TravelContradiction {
   double from_s = 0.0;
   double until_s = 0.0;
@@ -18,18 +18,18 @@ struct TravelContradiction {
   double velocity_integral_rad = 0.0;
 };
 
-/// Half swings one after another: how far they went, and by how much the two disagree.
+/// Successive half swings: how far they went, and by how much position and velocity disagree.
 struct Stretch {
   std::size_t rows = 0;
   double duration_s = 0.0;
   double travel_rad = 0.0;        ///< Sum of the greater of both changes.
-  double left_over_rad = 0.0;     ///< Sum of what is beyond the tolerance.
+  double left_over_rad = 0.0;     ///< Sum of what exceeds the tolerance.
   double left_over_rad2_s = 0.0;  ///< Sum of its squares over the durations.
   HalfSwing worst;
   double worst_rad = 0.0;
 
   void add(const HalfSwing& swing);
-  double excess_rad() const;  ///< Left over beyond what is forgiven of the travel.
+  double excess_rad() const;  ///< What exceeds the forgiven share of the travel.
   double speed_rad_s() const;
 };
 
@@ -40,8 +40,8 @@ class Disagreement {
       : followed_(followed), swings_(height_rad, followed) {}
 
   void add(const Travel& now);
-  void interrupt();  ///< What comes is not known to go on from here.
-  /// The stretch, if it is as much of a motion as the greatest half swing.
+  void interrupt();  ///< Ends the present half swing: what follows may not continue it.
+  /// Returns the stretch, if it moves as far as the greatest half swing.
   std::optional<Stretch> found() const;
 
  private:
@@ -53,18 +53,18 @@ class Disagreement {
   double greatest_rad_ = 0.0;
 };
 
-/// Whether a logged velocity is that of the logged position at all, half swing by half swing: what
-/// the position changes by, against the velocity's integral over it. Which height makes a turn
-/// follows from the position's own noise and steps. docs/derivations/check.md eq. (11).
+/// Decides whether a logged velocity belongs to the logged position at all, half swing by half
+/// swing: the change of the position against the velocity's integral. The height that makes a turn
+/// follows from the position's own noise and steps (docs/derivations/check.md eq. (11)).
 class TravelAgreement {
  public:
   TravelAgreement();
 
-  /// A later row; angles that run on.
+  /// Adds a later row, with angles that run on.
   void add(double time_s, double position_rad, double velocity_rad_s);
 
-  /// Empty: they agree, or what is left over is too slow to matter to a drive of that no-load
-  /// speed [rad/s], or cannot be told from play, rounding and noise.
+  /// Returns the contradiction. Empty: they agree, or what is left over is too slow to matter to a
+  /// drive of that no-load speed [rad/s], or cannot be told from play, rounding and noise.
   std::optional<TravelContradiction> contradiction(double no_load_speed_rad_s) const;
 
  private:
@@ -73,7 +73,7 @@ class TravelAgreement {
     double position_rad = 0.0;
     double velocity_rad_s = 0.0;
   };
-  /// All that is followed at one height.
+  /// Everything that is followed at one height.
   struct Rung {
     double height_rad;
     Disagreement of_positions, of_velocities;
@@ -86,16 +86,18 @@ class TravelAgreement {
   double least_height_rad() const;
 
   std::vector<Rung> rungs_;
-  std::vector<Row> waiting_;  ///< The newest, which waits for the one behind it, and its elder.
+  /// The newest row, which waits for the next one, and the row before it.
+  std::vector<Row> waiting_;
   std::optional<Row> passed_;
-  Travel now_;  ///< Up to the last sample.
+  Travel now_;  ///< Travel up to the last sample.
   std::size_t rows_ = 0;
   double first_s_ = 0.0, last_s_ = 0.0;
   std::size_t bends_ = 0;
-  double bends_rad2_ = 0.0;  ///< Sum of neighbours' products.
+  double bends_rad2_ = 0.0;  ///< Sum of products of neighbouring bends.
   double last_bend_rad_ = 0.0;
   double least_step_rad_;
-  bool has_stayed_ = false;  ///< From one row to the next, as rounded positions do.
+  /// The position has stayed from one row to the next, as rounded positions do.
+  bool has_stayed_ = false;
 };
 
 }  // namespace torquewright::actuator

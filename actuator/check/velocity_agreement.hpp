@@ -7,7 +7,7 @@
 
 namespace torquewright::actuator {
 
-/// A logged velocity against the slope of the logged position, over all samples.
+/// Compares a logged velocity with the slope of the logged position, over all samples.
 class VelocityAgreement {
  public:
   void add(double velocity_rad_s, double slope_rad_s) {
@@ -19,17 +19,17 @@ class VelocityAgreement {
     slope_square_ += slope_rad_s * slope_rad_s;
   }
 
-  /// Least squares: velocity = factor slope. 1 where nothing moves.
+  /// Factor of velocity over slope, by least squares; 1 where nothing moves.
   double factor() const { return slope_square_ > 0.0 ? product_ / slope_square_ : 1.0; }
 
-  /// 1: the one is the other times the factor; 0: they have nothing in common, or there are too few
-  /// samples to tell.
+  /// Squared correlation. 1: the one is the other times the factor; 0: they have nothing in common,
+  /// or there are too few samples to tell.
   double correlation() const {
     const double squares = velocity_square_ * slope_square_;
     return samples_ < kFewest || !(squares > 0.0) ? 0.0 : product_ * product_ / squares;
   }
 
-  /// The same of both about their means, which an offset does not change.
+  /// Factor of both about their means, which an offset does not change.
   double factor_about_means() const {
     const double spread = spread_of(slope_sum_, slope_sum_, slope_square_);
     return spread > 0.0 ? spread_of(velocity_sum_, slope_sum_, product_) / spread : 1.0;
@@ -41,7 +41,7 @@ class VelocityAgreement {
     return samples_ < kFewest || !(squares > 0.0) ? 0.0 : both * both / squares;
   }
 
-  /// Velocity less slope on average, and how far it scatters about that.
+  /// Mean of velocity less slope, and its standard deviation.
   double offset_rad_s() const {
     return samples_ == 0 ? 0.0 : (velocity_sum_ - slope_sum_) / static_cast<double>(samples_);
   }

@@ -9,24 +9,27 @@
 
 namespace torquewright::actuator {
 
-/// How warm the winding gets over repeated runs, the first from the ambient.
+/// Temperatures of the winding over repeated runs, the first from the ambient.
 struct WindingReport {
   double limit_K = 0.0;
-  double first_peak_K = 0.0;  ///< In the first run.
-  double peak_K = 0.0;        ///< In the last run asked for,
-  double coldest_K = 0.0;     ///< and the coldest there.
-  double end_K = 0.0;         ///< When it ends.
+  double first_peak_K = 0.0;  ///< Greatest temperature in the first run.
+  double peak_K = 0.0;        ///< Greatest temperature in the last run asked for.
+  double coldest_K = 0.0;     ///< Least temperature in the last run.
+  double end_K = 0.0;         ///< Temperature at the end of the last run.
   std::size_t runs = 1;
-  std::optional<double> steady_peak_K;        ///< After very many; empty: it never settles.
-  std::optional<std::size_t> runs_to_steady;  ///< Until the peak is within kSteady_K of it.
+  /// Greatest temperature after very many runs; empty: it never settles.
+  std::optional<double> steady_peak_K;
+  /// Number of runs until the peak is within kSteady_K of it.
+  std::optional<std::size_t> runs_to_steady;
   std::optional<std::size_t>
-      runs_to_limit;          ///< The first run in which the limit is passed, if any.
-  double resolution_s = 0.0;  ///< Times between which the peak was not looked for; 0: every sample.
+      runs_to_limit;  ///< The first run in which the limit is passed, if any.
+  /// Time between two samples at which the peak was looked for; 0: at every sample.
+  double resolution_s = 0.0;
 };
 constexpr double kSteady_K = 1.0;
 constexpr std::size_t kMostRuns = 1000000000;
 
-/// The heat of one run in flat memory: its steps, of which neighbours are joined when there are
+/// The heat of one run in constant memory: its steps, of which neighbours are joined when there are
 /// more than kMostBlocks.
 class WindingHeat {
  public:
@@ -34,7 +37,7 @@ class WindingHeat {
 
   void add(double square_A2, double duration_s);
 
-  /// `runs` of them, `pause_s` without current in between.
+  /// Returns the temperatures of `runs` runs with `pause_s` without current between them.
   WindingReport report(std::size_t runs, double pause_s) const;
   static constexpr std::size_t kMostBlocks = 8192;
 

@@ -7,7 +7,7 @@
 
 namespace torquewright::actuator {
 
-/// Sum of the laws of those effects that act there; 0 without any.
+/// Returns the sum of the laws of the effects that act there; 0 without any.
 inline double sum_of_laws(const std::vector<Effect>& effects, Acts acts, const Instant& at) {
   double sum = 0.0;
   for (const Effect& effect : effects) {
@@ -16,7 +16,7 @@ inline double sum_of_laws(const std::vector<Effect>& effects, Acts acts, const I
   return sum;
 }
 
-/// Product of them; 1 without any.
+/// Returns the product of the laws of the effects that act there; 1 without any.
 inline double product_of_laws(const std::vector<Effect>& effects, Acts acts, const Instant& at) {
   double product = 1.0;
   for (const Effect& effect : effects) {

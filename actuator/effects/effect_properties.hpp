@@ -14,8 +14,9 @@ struct Needs {
   bool duty = false;                 ///< A drive that is known by its duty cycle.
 };
 
-/// What an effect looks like in a balance of torques: two that look alike there are one column,
-/// whatever is played, on a bench that measures nothing else (docs/derivations/identification.md).
+/// The error of a rig or a log that an effect looks like in a balance of torques. Two that look
+/// alike there cannot be told apart, whatever is played, on a bench that measures nothing else
+/// (docs/derivations/identification.md).
 enum class StandsFor {
   kItself,       ///< Nothing of a rig or of a log looks like it.
   kOffset,       ///< A constant torque: the offset of a torque or a current channel.
@@ -24,7 +25,7 @@ enum class StandsFor {
   kSensorLag,    ///< A motor's torque that comes late: a torque sensor that responds late.
 };
 
-/// What a friction does where the output stands still.
+/// The torque that a friction holds while the output rests.
 enum class AtRest {
   kNothing,    ///< It holds no torque of its own.
   kLevel,      ///< It holds up to the torque that it has in motion, the same in both directions.
@@ -32,7 +33,7 @@ enum class AtRest {
   kOwnLaw,     ///< What it holds depends on the direction, or on where the motion began.
 };
 
-/// Which part of an elastic train, between motor and output, an effect is.
+/// The part of an elastic train, between motor and output, that an effect is.
 enum class TrainPart {
   kNone,        ///< It acts on one side of the train.
   kGap,         ///< Within it the train carries nothing.
@@ -40,7 +41,8 @@ enum class TrainPart {
   kHysteresis,  ///< It carries torque beside a spring, by the history of the twist.
 };
 
-/// How often an effect is found: what an experiment is planned for where nothing is asked for.
+/// How often an effect occurs: whether an experiment is planned for it where no effect is asked
+/// for.
 enum class Presence {
   kSome,   ///< Only where it is asked for by name.
   kMost,   ///< In most actuators.
@@ -49,24 +51,25 @@ enum class Presence {
 
 /// A motion that shows an effect apart from others.
 struct Excitation {
-  int rank = 0;  ///< Of several effects the lowest rank is played first: it is the most peculiar.
-  std::string_view sentence;  ///< What to play, or to measure besides.
+  /// Rank: of several effects the one with the lowest rank is played first, as the most peculiar.
+  int rank = 0;
+  std::string_view sentence;  ///< A sentence on what to play, or to measure besides.
 };
 
 /// A torque constant that falls by (1 + (I / current_A)^exponent)^(-1 / exponent).
 struct Saturation {
-  double current_A = 0.0;  ///< In the actuator's convention; infinite: it does not fall.
+  double current_A = 0.0;  ///< Current in the actuator's convention; infinite: no saturation.
   double exponent = 0.0;
 };
 
-/// One direction in an effect's parameters along which an experiment is planned. Values stand in
-/// the order of the parameters; of one that is `at_least` another, what it has beyond it.
+/// A direction in an effect's parameters along which an experiment is planned. Values are in the
+/// order of the parameters; of one that is `at_least` another, the excess over it.
 struct Probe {
-  std::string parameter;     ///< Its name in the plan.
-  std::string at;            ///< At which typical values, in words; may be empty.
-  std::vector<double> low;   ///< Empty: an actuator without the effect.
+  std::string parameter;     ///< Name of the parameter in the plan.
+  std::string at;            ///< Typical values at which it stands, in words; may be empty.
+  std::vector<double> low;   ///< Values on the one side; empty: an actuator without the effect.
   std::vector<double> high;  ///< The values on the other side.
-  double change = 1.0;       ///< Of the parameter, between the two.
+  double change = 1.0;       ///< Difference of the parameter between the two.
 };
 
 }  // namespace torquewright::actuator

@@ -15,7 +15,7 @@ namespace torquewright::actuator {
 std::optional<Effect> read_effect(const nlohmann::json& entry, const std::string& file,
                                   const std::string& path, std::vector<io::Fault>& faults);
 
-/// The same effect as a document states it.
+/// Writes the effect as a document states it.
 nlohmann::ordered_json effect_json(const Effect& effect);
 
 }  // namespace torquewright::actuator

@@ -23,7 +23,7 @@ inline constexpr Excitation kSeveralLoads = {
     60, "three loads of both signs, the largest near the peak current"};
 inline constexpr Excitation kSlowTurn = {
     70, "a slow turn of the whole range, and an encoder on the motor"};
-/// Where nothing more peculiar is known.
+/// Excitation where no more specific one is known.
 inline constexpr Excitation kMixedMotion = {
     80, "a mix of slow and fast motion in both directions under several loads"};
 

@@ -8,7 +8,7 @@
 
 namespace torquewright::actuator {
 
-/// Sum of A sin(order angle + phase).
+/// Returns the sum of A sin(order angle + phase).
 double harmonic_sum(std::span<const Harmonic> harmonics, double angle_rad);
 
 /// The sum's largest and smallest value over all angles. Where the orders are not all integers the

@@ -5,12 +5,12 @@
 
 namespace torquewright::actuator::effects {
 
-/// 1 + a (T - T_ref).
+/// Linear factor of temperature: 1 + a (T - T_ref).
 inline double temperature_factor(double coefficient_1_K, const Instant& at) {
   return 1.0 + coefficient_1_K * (at.winding_temperature_K - at.reference_temperature_K);
 }
 
-/// The law of a factor whose one parameter is that coefficient.
+/// The law of an effect whose one parameter is that coefficient.
 inline double temperature_factor(const Effect& effect, const Instant& at) {
   return temperature_factor(effect.values[0], at);
 }

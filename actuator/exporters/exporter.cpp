@@ -15,6 +15,12 @@ double Subject::armature_kg_m2() const {
   return ratio() * ratio() * rotor_kg_m2 + actuator.transmission.inertia_kg_m2;
 }
 
+Actuator as_laws_brake(const Actuator& actuator) {
+  Actuator braking = actuator;
+  if (actuator.envelope) braking.envelope = with_full_braking(*actuator.envelope);
+  return braking;
+}
+
 double Subject::bus_voltage_V() const { return open_circuit_voltage_V(actuator, conditions); }
 
 }  // namespace torquewright::actuator

@@ -37,6 +37,10 @@ struct Subject {
   double bus_voltage_V() const;
 };
 
+/// The actuator as its law is fitted: laws of few numbers brake fully at any speed, and so does a
+/// curve here that says nothing of braking.
+Actuator as_laws_brake(const Actuator& actuator);
+
 /// What a simulator allows at a speed. Least above greatest: its law contradicts itself there.
 /// Infinite: it sets no limit.
 struct TorqueLimits {

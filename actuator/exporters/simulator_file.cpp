@@ -35,6 +35,16 @@ std::string fit_line(const Exporter& exporter, const Subject& subject) {
              : "Fit: best (least squares of both bounds).";
 }
 
+/// " Bus voltage: 67.2 V. Winding temperature: 298.15 K."; of a curve what it states.
+std::string electrical_words(const Subject& subject) {
+  const std::optional<Envelope>& envelope = subject.actuator.envelope;
+  if (envelope && !envelope->voltage_V) return "";
+  std::string text = fmt::format(" Bus voltage: {:.6g} V.", subject.bus_voltage_V());
+  if (envelope) return text;
+  return text + fmt::format(" Winding temperature: {:.6g} K.",
+                            winding_temperature_K(subject.actuator, subject.conditions));
+}
+
 std::vector<std::string> note_of(const Subject& subject, const Exporter& exporter,
                                  std::span<const double> shape, const ErrorReport& errors,
                                  const std::vector<std::string>& origin) {
@@ -43,12 +53,16 @@ std::vector<std::string> note_of(const Subject& subject, const Exporter& exporte
   note.push_back(fmt::format("{} for {}.", subject.actuator.name, exporter.simulator));
   note.push_back(fmt::format("Fields as in {}", exporter.source));
   note.push_back(fit_line(exporter, subject));
-  note.push_back(
-      fmt::format("Side: {}. Rating: {}. Bus voltage: {:.6g} V. Winding temperature: {:.6g} K.",
-                  name_of(header.side), name_of(header.conditions.rating), subject.bus_voltage_V(),
-                  winding_temperature_K(subject.actuator, subject.conditions)));
+  note.push_back(fmt::format("Side: {}. Rating: {}.{}", name_of(header.side),
+                             name_of(header.conditions.rating), electrical_words(subject)));
   note.push_back(fmt::format("Friction included: {}. Do not also apply friction or an efficiency.",
                              friction_sentence(header)));
+  const std::optional<Envelope>& envelope = subject.actuator.envelope;
+  if (envelope && envelope->braking == Braking::kFull) {
+    note.emplace_back(
+        "Braking: the document states none; here the greatest torque brakes at every speed, as "
+        "simulators have it. A check takes no more than drives.");
+  }
   note.push_back(armature_line(subject));
   note.emplace_back(exporter.advice);
   for (const std::string& entry : left_out(subject.actuator, Part::kRegion)) {

@@ -9,7 +9,7 @@ namespace torquewright::actuator {
 /// How the motor's constants follow the winding's temperature: linear laws about the temperature at
 /// which the document states them. Every region, check, identification and simulation asks here.
 
-/// An instant at which nothing but the winding's temperature differs from the document's own.
+/// Returns an instant at which only the winding's temperature differs from the document's own.
 inline Instant at_winding_temperature(const Actuator& actuator, double temperature_K) {
   Instant at;
   at.winding_temperature_K = temperature_K;
@@ -17,8 +17,7 @@ inline Instant at_winding_temperature(const Actuator& actuator, double temperatu
   return at;
 }
 
-/// Relative change of the winding's resistance per kelvin: what a stated effect says, else
-/// copper's.
+/// Relative change of the winding's resistance per kelvin: that of a stated effect, else copper's.
 double resistance_coefficient_1_K(const Actuator& actuator);
 
 /// Resistance over that at the reference temperature. Not positive where the linear law ends.
@@ -27,7 +26,8 @@ double resistance_factor(const Actuator& actuator, const Instant& at);
 /// Resistance of one phase at that winding temperature, in ohm.
 double phase_resistance_ohm(const Actuator& actuator, double temperature_K);
 
-/// Factor of every effect on the magnets' flux: on torque constant and back-EMF alike.
+/// Product of the factors of all effects on the magnets' flux, for torque constant and back-EMF
+/// alike.
 inline double flux_factor(const Actuator& actuator, const Instant& at) {
   return product_of_laws(actuator.effects, Acts::kFluxFactor, at);
 }

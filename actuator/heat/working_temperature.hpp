@@ -3,7 +3,8 @@
 
 namespace torquewright::actuator {
 
-/// Windings and cases that work are neither colder nor hotter.
+/// Range of temperatures that windings and cases have at work; others are refused. A choice of
+/// ours.
 constexpr double kColdestWinding_K = 200.0;
 constexpr double kHottestWinding_K = 600.0;
 

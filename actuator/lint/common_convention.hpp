@@ -16,37 +16,38 @@ namespace torquewright::actuator::lint {
 struct RequiredFactor {
   std::string actuator;
   RoundedInterval factor;
-  RoundedInterval speed_rad_s;  ///< As stated.
-  double peak_current_A = 0.0;  ///< The drive's.
-  /// What field weakening makes of a speed at most, if Kt = Ke: 1 where the document has none.
+  RoundedInterval speed_rad_s;  ///< Speed as stated.
+  double peak_current_A = 0.0;  ///< Peak current of the drive.
+  /// Greatest factor of field weakening on a speed, if Kt = Ke; 1 where the document has none.
   double greatest_weakening = 1.0;
 };
 
-/// What one convention and modulation make of c, and of each actuator's speed.
+/// The factor c, and each actuator's speed, under one convention and modulation.
 struct FactorCandidate {
   CurrentConvention convention = CurrentConvention::kDc;
   std::string sentence;
   double factor = 1.0;
-  std::vector<RoundedInterval> speeds_rad_s;  ///< In the order of the actuators.
-  Agreement fit = Agreement::kExcludes;       ///< Admits: no stated speed exceeds what is possible.
+  std::vector<RoundedInterval> speeds_rad_s;  ///< Speeds in the order of the actuators.
+  Agreement fit = Agreement::kExcludes;  ///< kAdmits: no stated speed exceeds what is possible.
 };
 
 struct CommonFactor {
   std::vector<RequiredFactor> required;
   bool is_common_as_printed = false;  ///< All factors equal without rounding.
-  double low = 0.0;                   ///< Of the intervals' overlap; above `high` if there is none.
+  double low = 0.0;  ///< Least of the intervals' overlap; above `high` if there is none.
   double high = 0.0;
   std::vector<FactorCandidate> candidates;
 };
 
-/// Empty with fewer than two documents that state a no-load speed.
+/// Looks for a common factor. Empty with fewer than two documents that state a no-load speed.
 std::optional<CommonFactor> common_factor(std::span<const Actuator> documents);
 
-/// Empty if one candidate fits all.
+/// Returns a finding; empty if one candidate fits all.
 std::optional<Finding> finding_of(const CommonFactor& common);
 
-/// One motor on several gearboxes (pairs with the same constants and drive, but another ratio):
-/// no-load speed times ratio, peak torque over ratio and reflected inertia over its square agree.
+/// Returns findings on one motor with several gearboxes (pairs with the same constants and drive,
+/// but another ratio): no-load speed times ratio, peak torque over ratio and reflected inertia over
+/// its square must agree.
 std::vector<Finding> same_motor(std::span<const Actuator> documents);
 
 }  // namespace torquewright::actuator::lint

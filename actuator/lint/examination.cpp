@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "actuator/lint/few_digits.hpp"
 #include "actuator/lint/idle_limit.hpp"
 #include "actuator/lint/joint_explanation.hpp"
+#include "actuator/lint/several_sources.hpp"
 
 namespace torquewright::actuator::lint {
 namespace {
@@ -197,6 +199,8 @@ void compare(const Check& check, const Actuator& document, Examination& examinat
 Examination examine(const Actuator& document) {
   Examination examination;
   examination.actuator = document.name;
+  examination.findings = several_sources(document);
+  if (document.envelope) return examination;  // no number of a curve follows from another
   for (const Check* check : library()) compare(*check, document, examination);
   const Interpretation own = as_stated(document);
   const std::vector<const Check*> contradicting = contradicted(own);
@@ -226,11 +230,14 @@ Report examine_all(std::span<const Actuator> documents) {
     const std::vector<Finding>& found = report.examinations.back().findings;
     report.findings.insert(report.findings.end(), found.begin(), found.end());
   }
-  report.common_factor = common_factor(documents);
+  std::vector<Actuator> wound;
+  std::copy_if(documents.begin(), documents.end(), std::back_inserter(wound),
+               [](const Actuator& document) { return !document.envelope; });
+  report.common_factor = common_factor(wound);
   if (report.common_factor) {
     if (auto finding = finding_of(*report.common_factor)) report.findings.push_back(*finding);
   }
-  for (Finding& finding : same_motor(documents)) report.findings.push_back(std::move(finding));
+  for (Finding& finding : same_motor(wound)) report.findings.push_back(std::move(finding));
   return report;
 }
 

@@ -10,20 +10,22 @@
 
 namespace torquewright::actuator::lint {
 
-/// Everything that one document states twice.
+/// Comparisons and findings of one document.
 struct Examination {
   std::string actuator;
-  std::vector<Comparison> comparisons;  ///< Of every check whose numbers are all stated.
+  /// Comparisons of every check whose numbers are all stated.
+  std::vector<Comparison> comparisons;
   std::vector<Finding> findings;
 };
 
 Examination examine(const Actuator& document);
 
-/// Several documents, each by itself and together.
+/// Results of several documents, each by itself and together.
 struct Report {
   std::vector<Examination> examinations;
-  std::optional<CommonFactor> common_factor;  ///< With two documents or more that state speeds.
-  std::vector<Finding> findings;              ///< All of them, those of single documents first.
+  /// Present with two or more documents that state speeds.
+  std::optional<CommonFactor> common_factor;
+  std::vector<Finding> findings;  ///< All findings, those of single documents first.
 };
 
 Report examine_all(std::span<const Actuator> documents);

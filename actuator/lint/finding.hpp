@@ -19,38 +19,38 @@ struct Comparison {
   RoundedInterval stated;
   RoundedInterval expected;
   bool agrees = true;
-  bool is_tolerated = true;  ///< Apart by no more than catalogues are.
+  bool is_tolerated = true;  ///< They are apart by no more than catalogues are.
   Weight weight = Weight::kContradiction;
 };
 
-using Numerals = std::vector<std::string>;  ///< By their pointers.
+using Numerals = std::vector<std::string>;  ///< Printed numbers, named by their pointers.
 
 struct Finding {
   Severity severity = Severity::kNote;
   std::string rule;
-  std::string actuator;  ///< Name, or names.
+  std::string actuator;  ///< Name of the actuator, or names.
   std::string unit;
   std::string sentence;
-  RoundedInterval stated;            ///< Its pointers: what is stated.
-  RoundedInterval expected;          ///< Its pointers: what that follows from.
-  std::vector<std::string> assumed;  ///< Those of the pointers that the document assumes.
+  RoundedInterval stated;            ///< What is stated, with its pointers.
+  RoundedInterval expected;          ///< What follows from others, with their pointers.
+  std::vector<std::string> assumed;  ///< Pointers that the document lists as assumed.
   std::vector<Explanation> explanations;
-  /// The fewest other readings that together resolve the contradiction; empty: none do, or it is
-  /// none.
+  /// The fewest other readings that together resolve the contradiction; empty: none do, or there is
+  /// no contradiction.
   std::vector<std::string> explained_by;
-  std::vector<Numerals> culprits;  ///< Any of these sets alone would spoil the sheet.
+  std::vector<Numerals> culprits;  ///< Sets of numbers, each of which alone would spoil the sheet.
 };
 
-/// The bound of what is expected that is nearest to what is stated.
+/// Returns the bound of the expected interval that is nearest to what is stated.
 double limit(const Finding& finding);
 
-/// A number with its interval and unit: 20 (19.5 to 20.5) rad/s.
+/// Writes a number with its interval and unit: 20 (19.5 to 20.5) rad/s.
 std::string with_interval(const RoundedInterval& interval, std::string_view unit);
 
-/// "A", "A or B and C", ...
+/// Joins sets of numerals: "A", "A or B and C", ...
 std::string either(const std::vector<Numerals>& sets);
 
-/// Warning if an explanation fits or admits, violation if none does.
+/// Returns the severity: warning if an explanation fits or admits, violation if none does.
 Severity contradiction(const std::vector<Explanation>& explanations);
 
 }  // namespace torquewright::actuator::lint

@@ -7,8 +7,8 @@
 
 namespace torquewright::actuator::lint {
 
-/// A note where a drive states how much power may flow back to its bus and that none does: then the
-/// limit is ignored.
+/// Returns a note where a drive states how much power may flow back to its bus and also that none
+/// does: then the limit is ignored.
 std::optional<Finding> idle_regeneration_limit(const Actuator& document);
 
 }  // namespace torquewright::actuator::lint

@@ -15,16 +15,17 @@ namespace torquewright::actuator::lint {
 
 using SheetKey = std::optional<double> Datasheet::*;
 
-/// A number as printed, within its rounding or the tolerance that is stated with it.
+/// Returns a number as printed, within its rounding or the tolerance that is stated with it.
 RoundedInterval printed(const Actuator& document, double value, const char* pointer);
 
-/// The same as a condition at which something else is stated: exact but for a stated tolerance.
+/// Returns the number as a condition at which something else is stated: exact but for a stated
+/// tolerance.
 RoundedInterval condition(const Actuator& document, double value, const char* pointer);
 
-/// A number of the data sheet as printed; empty where absent.
+/// Returns a number of the data sheet as printed; empty where absent.
 std::optional<RoundedInterval> sheet_number(const Actuator& document, SheetKey key,
                                             const char* name);
-/// The same as a condition.
+/// Returns a number of the data sheet as a condition; empty where absent.
 std::optional<RoundedInterval> sheet_condition(const Actuator& document, SheetKey key,
                                                const char* name);
 
@@ -32,15 +33,16 @@ std::optional<RoundedInterval> sheet_condition(const Actuator& document, SheetKe
 RoundedInterval ratio(const Actuator& document);
 /// Rotor speed over the speed at the side of a number of the data sheet: 1 on the motor's.
 RoundedInterval sheet_ratio(const Actuator& document, const char* name);
-/// Between the rotor and the side of a number of the data sheet: 1 on the motor's.
+/// Efficiency between the rotor and the side of a number of the data sheet: 1 on the motor's.
 RoundedInterval sheet_efficiency(const Actuator& document, const char* name);
 /// Torque per ampere of the torque constant at the side of a number of the data sheet.
 RoundedInterval sheet_torque_constant(const Actuator& document, const char* name);
-/// What gears of unknown efficiency leave at least, of what they are stated to leave.
+/// The least share of their stated torque that gears of unknown efficiency leave.
 double least_share_of_gears(const Actuator& document);
 RoundedInterval efficiency(double value, const char* pointer);
 
-/// At the motor, Nm/A. From one of the joint: without what the gears may have taken.
+/// Torque constant at the motor, in Nm/A; from one at the joint without what the gears may have
+/// taken.
 RoundedInterval torque_constant(const Actuator& document);
 RoundedInterval phase_torque_constant(
     const Actuator& document);  ///< Per ampere of phase amplitude.
@@ -56,18 +58,18 @@ RoundedInterval phase_voltage(const Actuator& document);
 /// ampere of its own, these are the amperes that it is printed in.
 RoundedInterval torque_constant_amperes(const Interpretation& interpretation,
                                         const RoundedInterval& current_A, const char* pointer);
-/// The other way: a current in those amperes as the pointer's number would be printed.
+/// Converts a current in those amperes to the pointer's own amperes, as it would be printed.
 RoundedInterval printed_amperes(const Interpretation& interpretation,
                                 const RoundedInterval& current_A, const char* pointer);
 
-/// Phase amplitude of a current stated elsewhere than in the torque constant.
+/// Phase amplitude of a current that is stated elsewhere than in the torque constant.
 RoundedInterval phase_current(const Interpretation& interpretation,
                               const RoundedInterval& current_A);
 /// The drive's peak current as a condition, in amperes of the torque constant over
 /// `current_factor`.
 RoundedInterval peak_current(const Interpretation& interpretation);
 
-/// Largest d current against the magnets, in the same.
+/// Largest d current against the magnets, in the same amperes.
 RoundedInterval demagnetisation_current(const Interpretation& interpretation);
 RoundedInterval inductance_d(const Actuator& document);
 RoundedInterval inductance_q(const Actuator& document);

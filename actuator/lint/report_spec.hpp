@@ -7,8 +7,8 @@
 
 namespace torquewright::actuator::lint {
 
-/// A document of kind `lint_report` (specs/schema/lint_report.json) without its provenance ("tool",
-/// "inputs").
+/// Writes a document of kind `lint_report` (specs/schema/lint_report.json) without its provenance
+/// ("tool", "inputs").
 nlohmann::ordered_json report_json(const Report& report);
 
 }  // namespace torquewright::actuator::lint

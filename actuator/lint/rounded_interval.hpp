@@ -19,30 +19,32 @@ struct RoundedInterval {
   std::vector<std::string> pointers;
 };
 
-/// Half a unit of the last decimal of the shortest decimal fraction that reads back as the value:
-/// 0.32 -> 0.005, 10 -> 0.5. A JSON reader drops trailing zeros: 20.0 is 20 here, so the interval
-/// may be wider than what was printed, never narrower. 0 is exact: it says that there is none.
+/// Returns half a unit of the last decimal of the shortest decimal fraction that reads back as the
+/// value: 0.32 -> 0.005, 10 -> 0.5. A JSON reader drops trailing zeros: 20.0 is 20 here, so the
+/// interval may be wider than what was printed, never narrower. 0 is exact: it says that there is
+/// none.
 double half_unit(double value);
 
 /// The interval of values that would be printed as this one: half a unit of its last decimal on
 /// either side. Requires value >= 0.
 RoundedInterval rounded(double value, std::string pointer);
 
-/// Counted, or a condition under which something else is stated.
+/// Returns an exact number: one that is counted, or a condition under which something else is
+/// stated.
 RoundedInterval exact(double value, std::string pointer = "");
 
-/// True if some number lies in both intervals (to round-off).
+/// Whether some number lies in both intervals (to round-off).
 bool overlap(const RoundedInterval& one, const RoundedInterval& other);
 
-/// True if all of `one` lies above all of `other` (by more than round-off).
+/// Whether all of `one` lies above all of `other` (by more than round-off).
 bool lies_above(const RoundedInterval& one, const RoundedInterval& other);
 
-/// The pointers of both, each once.
+/// Returns the pointers of both, each once.
 std::vector<std::string> united(std::vector<std::string> pointers,
                                 const std::vector<std::string>& more);
 
-/// f of the intervals, with its extremes over the corners of their intervals. Requires f to be
-/// monotone in each argument over them, so that no interior point lies outside.
+/// Returns f of the intervals, with its extremes over the corners of their intervals. Requires f to
+/// be monotone in each argument over them, so that no interior point lies outside.
 template <typename Function, typename... Intervals>
 RoundedInterval derive(const Function& f, const Intervals&... intervals) {
   constexpr std::size_t kCount = sizeof...(Intervals);

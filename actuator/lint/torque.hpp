@@ -5,16 +5,17 @@
 
 namespace torquewright::actuator::lint {
 
-/// eta N Kt I at the side of a number of the data sheet, I in amperes of the torque constant over
-/// `current_factor`.
+/// Torque eta N Kt I at the side of a number of the data sheet, I in amperes of the torque constant
+/// over `current_factor`.
 RoundedInterval sheet_torque(const Interpretation& interpretation, const RoundedInterval& current_A,
                              const char* name);
 
-/// A current, or what is left of it without the stated no-load current: makers take off what the
-/// drag needs, or do not.
+/// Returns a current with or without the stated no-load current taken off: some makers subtract
+/// what the drag needs.
 RoundedInterval less_drag(const Interpretation& interpretation, RoundedInterval current_A);
 
-/// The share that losses or saturation would have to take, where less is stated than follows.
+/// Returns the share that losses or saturation would have to take, where less is stated than
+/// follows.
 std::vector<Explanation> losses(const Actuator& document, const RoundedInterval& stated,
                                 const RoundedInterval& expected);
 constexpr double kGreatestLoss_percent = 30.0;  ///< Above it this explains nothing.

@@ -7,6 +7,7 @@
 
 #include "actuator/effects/effect.hpp"
 #include "actuator/motor/convention.hpp"
+#include "actuator/motor/envelope.hpp"
 #include "actuator/unlimited.hpp"
 
 namespace torquewright::actuator {
@@ -116,6 +117,7 @@ struct Statement {
   std::optional<bool> at_joint;             ///< Else as the key, or the data sheet, has it.
   std::optional<CurrentConvention> ampere;  ///< Else the torque constant's.
   std::optional<double> tolerance;          ///< Share of the number, either way.
+  std::vector<double> also;                 ///< What other sources state in its place.
 };
 
 /// A document of kind `actuator`.
@@ -123,6 +125,8 @@ struct Actuator {
   std::string name;
   Motor motor;
   Drive drive;
+  /// In the place of both: then the motor's current is its torque, and it has no winding.
+  std::optional<Envelope> envelope;
   std::optional<Battery> battery;
   std::optional<Thermal> thermal;
   Transmission transmission;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actuator/effects/effect_spec.hpp"
+#include "actuator/motor/envelope_spec.hpp"
 #include "actuator/motor/gearbox_source_spec.hpp"
 #include "actuator/motor/statement_spec.hpp"
 #include "io/documents/schema.hpp"
@@ -46,21 +47,50 @@ class ActuatorReader {
 
   ReadActuator read() {
     actuator_.name = root().value("name", io::stem_in_text(document().file));
-    actuator_.mass_kg = find(root(), "mass_kg");
-    read_motor();
-    read_drive();
+    if (root().contains("mass_kg")) {
+      actuator_.mass_kg = read_stated(root()["mass_kg"], "/mass_kg", actuator_.statements);
+    }
+    require_blocks();
+    if (!faults_.empty()) throw io::SpecError(std::move(faults_));
+    if (has_winding()) {
+      read_motor();
+      read_drive();
+    }
     if (root().contains("battery")) read_battery(root()["battery"]);
     if (root().contains("thermal")) read_thermal(root()["thermal"]);
     if (root().contains("datasheet")) read_datasheet(root()["datasheet"]);
     read_effects();
     actuator_.assumed = root().value("assumed", actuator_.assumed);
     read_gearbox();
-    carry();
+    if (has_winding()) {
+      carry();
+    } else if (faults_.empty()) {
+      read_envelope(document(), actuator_, documents_, faults_);
+    }
     if (!faults_.empty()) throw io::SpecError(std::move(faults_));
     return {std::move(actuator_), std::move(documents_)};
   }
 
  private:
+  bool has_winding() const { return !root().contains("envelope"); }
+
+  void require_blocks() {
+    if (!has_winding()) return;
+    const bool has_neither = !root().contains("motor") && !root().contains("drive");
+    if (has_neither) {
+      report("", "needs \"motor\" and \"drive\", or \"envelope\" where only the curve is known");
+      return;
+    }
+    for (const char* block : {"motor", "drive", "gearbox"}) {
+      if (!root().contains(block)) report(std::string("/") + block, "missing");
+    }
+    if (!root().contains("gearbox") || root()["gearbox"].contains("file")) return;
+    for (const char* efficiency : {"forward_efficiency", "backward_efficiency"}) {
+      if (root()["gearbox"].contains(efficiency)) continue;
+      report(std::string("/gearbox/") + efficiency, "missing");
+    }
+  }
+
   const io::Document& document() const { return documents_.front(); }
   const json& root() const { return document().root; }
 
@@ -251,14 +281,15 @@ class ActuatorReader {
   }
 
   void read_gearbox() {
+    if (!root().contains("gearbox")) return;  // of a curve at the joint
     const json& keys = root()["gearbox"];
     Transmission& transmission = actuator_.transmission;
     if (keys.contains("file")) {
       transmission = transmission_from_file(keys, document(), read_before_, documents_);
     } else {
       transmission.ratio = keys["ratio"];
-      transmission.forward_efficiency = keys["forward_efficiency"];
-      transmission.backward_efficiency = keys["backward_efficiency"];
+      transmission.forward_efficiency = keys.value("forward_efficiency", 1.0);
+      transmission.backward_efficiency = keys.value("backward_efficiency", 1.0);
       transmission.inertia_kg_m2 = keys.value("inertia_kg_m2", 0.0);
     }
     transmission.peak_torque_Nm = keys.value("peak_torque_Nm", kUnlimited);
@@ -278,6 +309,14 @@ class ActuatorReader {
 
 ReadActuator read_actuator(const std::filesystem::path& file) {
   return read_actuator(io::read_document(file, "actuator"));
+}
+
+ReadActuator read_wound_actuator(const std::filesystem::path& file) {
+  ReadActuator read = read_actuator(file);
+  if (!read.actuator.envelope) return read;
+  throw io::SpecError({{read.documents.front().file, "/envelope",
+                        "only the curve is known; what is asked for reckons with currents, which "
+                        "need a winding: state /motor and /drive"}});
 }
 
 ReadActuator read_actuator(io::Document document, std::span<const io::Document> read_before) {

@@ -23,6 +23,9 @@ struct ReadActuator {
 /// charge that does not ascend, conflicting limits.
 ReadActuator read_actuator(const std::filesystem::path& file);
 
+/// The same, for what reckons with currents: refuses a drive that is known by its curve alone.
+ReadActuator read_wound_actuator(const std::filesystem::path& file);
+
 /// The same for one that has been read and checked; what it refers to is looked for beside its
 /// file, first among the documents that were read before.
 ReadActuator read_actuator(io::Document document, std::span<const io::Document> read_before = {});

@@ -32,6 +32,8 @@ std::string_view name_of(Limiter limiter) {
       return "gear";
     case Limiter::kThermal:
       return "thermal";
+    case Limiter::kEnvelope:
+      return "envelope";
     case Limiter::kDemagnetisation:
       break;
   }

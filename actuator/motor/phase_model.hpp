@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 
+#include "actuator/motor/envelope.hpp"
 #include "actuator/motor/supply.hpp"
 
 namespace torquewright::actuator {
@@ -18,6 +20,7 @@ enum class Limiter {
   kGear,
   kThermal,
   kDemagnetisation,
+  kEnvelope,  ///< The curve by which the drive is known.
 };
 std::string_view name_of(Limiter limiter);
 
@@ -47,6 +50,9 @@ struct PhaseModel {
   bool field_weakening = false;
   Supply supply;
   double phase_volts_per_bus_volt = 0.0;
+  /// Of a drive that is known by its curve alone, at the rotor: all that limits it. Null: the above
+  /// does.
+  std::shared_ptr<const EnvelopeCurve> envelope;
 
   /// Torque of reluctance per product of currents, in Nm/A^2: 1.5 p (L_d - L_q).
   double reluctance_Nm_A2() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/motor/statement_spec.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -23,6 +25,14 @@ double read_stated(const nlohmann::json& value, std::string pointer,
   if (value.contains("side")) statement.at_joint = value["side"] == "joint";
   if (value.contains("ampere")) statement.ampere = convention_of_ampere(value["ampere"]);
   if (value.contains("tolerance")) statement.tolerance = value["tolerance"].get<double>();
+  if (value.contains("also")) {
+    statement.also = value["also"].get<std::vector<double>>();
+    double widest = statement.tolerance.value_or(0.0);
+    for (const double other : statement.also) {
+      widest = std::max(widest, std::abs(other / statement.printed - 1.0));
+    }
+    statement.tolerance = widest;
+  }
   statements.push_back(std::move(statement));
   return statements.back().printed;
 }

@@ -103,6 +103,13 @@ JointRange range_at_joint(const Actuator& actuator, const PhaseModel& model, dou
   return range;
 }
 
+/// A curve may jump at rest, where a direction is that of a speed which is next to none.
+double just_moving(const PhaseModel& model, double speed_rad_s, double direction) {
+  constexpr double kNextToNone_rad_s = 1e-100;
+  const bool may_jump = model.envelope && speed_rad_s == 0.0;
+  return may_jump ? std::copysign(kNextToNone_rad_s, direction) : speed_rad_s;
+}
+
 /// At rest the union of both directions.
 template <typename RangeTowards>
 JointRange at_any_speed(const RangeTowards& range_towards, double speed_rad_s) {
@@ -138,7 +145,7 @@ JointRange Region::at(double speed_rad_s, double direction, const MotorRange& mo
 }
 
 JointRange Region::at(double speed_rad_s, double direction) const {
-  return at(speed_rad_s, direction, motor_at(speed_rad_s));
+  return at(speed_rad_s, direction, motor_at(just_moving(model_, speed_rad_s, direction)));
 }
 
 JointRange Region::at(double speed_rad_s) const {
@@ -159,7 +166,8 @@ JointRange range_at(const Actuator& actuator, const OperatingConditions& conditi
   const double temperature_K = winding_temperature_K(actuator, conditions);
   return at_any_speed(
       [&](double direction) {
-        const MotorRange motor = motor_range(model, actuator.transmission.ratio * speed_rad_s);
+        const double moving_rad_s = just_moving(model, speed_rad_s, direction);
+        const MotorRange motor = motor_range(model, actuator.transmission.ratio * moving_rad_s);
         return range_at_joint(actuator, model, temperature_K, speed_rad_s, direction, motor);
       },
       speed_rad_s);

@@ -37,6 +37,11 @@ std::vector<std::string> left_out(const Actuator& actuator, Part part) {
   for (const Effect* effect : effects_left_out(actuator, part)) {
     sentences.push_back(left_out_sentence(*effect));
   }
+  if (actuator.envelope) {
+    sentences.emplace_back(
+        "winding: none stated; current, heat, losses and the bus's sag do not follow from a curve");
+    return sentences;
+  }
   if (!actuator.battery) sentences.emplace_back("battery: none stated; the bus voltage is stiff");
   if (!actuator.thermal) {
     sentences.emplace_back("thermal: none stated; the winding stays at its temperature");

@@ -11,6 +11,8 @@ std::string_view name_of(Rating rating) { return rating == Rating::kPeak ? "peak
 
 std::string friction_sentence(const MorHeader& header) {
   if (header.side == Side::kMotor) return "none: torque at the rotor, before any friction";
+  const std::optional<Envelope>& envelope = header.actuator->envelope;
+  if (envelope && envelope->includes_losses) return "all: the curve is what leaves the joint";
   const Transmission& gear = header.actuator->transmission;
   std::string sentence = fmt::format("gearbox efficiencies {} driving, {} back-driven",
                                      gear.forward_efficiency, gear.backward_efficiency);

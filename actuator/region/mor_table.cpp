@@ -37,6 +37,8 @@ class MotorRanges {
   explicit MotorRanges(const Region& region) : region_(region) {}
 
   JointRange joint_range(double distance_rad_s, double direction) {
+    // A curve need not be the same both ways round.
+    if (region_.model().envelope) return region_.at(direction * distance_rad_s, direction);
     const auto [place, is_new] = known_.try_emplace(distance_rad_s);
     if (is_new) place->second = region_.motor_at(distance_rad_s);
     return region_.at(direction * distance_rad_s, direction,

@@ -36,25 +36,33 @@ ordered_json number_or_null(bool is_there, double value) {
   return is_there ? ordered_json(rounded(value)) : ordered_json();
 }
 
-ordered_json row_json(const MorRow& row) {
+ordered_json row_json(const MorRow& row, bool has_winding) {
   const JointRange& range = row.range;
   const bool is_there = !range.is_empty;
+  const bool has_current = is_there && has_winding;
   const Limiter least = is_there ? range.least.limiter : range.why_empty;
   const Limiter greatest = is_there ? range.greatest.limiter : range.why_empty;
-  ordered_json entry{{"speed_rad_s", rounded(row.speed_rad_s)},
-                     {"torque_min_Nm", number_or_null(is_there, range.least.torque_Nm)},
-                     {"torque_max_Nm", number_or_null(is_there, range.greatest.torque_Nm)},
-                     {"current_min_A", number_or_null(is_there, range.least.current_A)},
-                     {"current_max_A", number_or_null(is_there, range.greatest.current_A)},
-                     {"bus_power_at_min_W", number_or_null(is_there, range.least.bus_power_W)},
-                     {"bus_power_at_max_W", number_or_null(is_there, range.greatest.bus_power_W)},
-                     {"limiter_min", name_of(least)},
-                     {"limiter_max", name_of(greatest)}};
+  ordered_json entry{
+      {"speed_rad_s", rounded(row.speed_rad_s)},
+      {"torque_min_Nm", number_or_null(is_there, range.least.torque_Nm)},
+      {"torque_max_Nm", number_or_null(is_there, range.greatest.torque_Nm)},
+      {"current_min_A", number_or_null(has_current, range.least.current_A)},
+      {"current_max_A", number_or_null(has_current, range.greatest.current_A)},
+      {"bus_power_at_min_W", number_or_null(has_current, range.least.bus_power_W)},
+      {"bus_power_at_max_W", number_or_null(has_current, range.greatest.bus_power_W)},
+      {"limiter_min", name_of(least)},
+      {"limiter_max", name_of(greatest)}};
   if (range.plugging) {
     entry["plugging"] = {{"torque_min_Nm", rounded(range.plugging->least_Nm)},
                          {"torque_max_Nm", rounded(range.plugging->greatest_Nm)}};
   }
   return entry;
+}
+
+/// Null where it is not known.
+template <typename Value>
+ordered_json either(bool is_known, const Value& value) {
+  return is_known ? ordered_json(value) : ordered_json();
 }
 
 std::string cell(const ordered_json& value) {
@@ -66,22 +74,27 @@ std::string cell(const ordered_json& value) {
 
 ordered_json mor_table_json(const MorHeader& header, const MorTable& table) {
   const Actuator& actuator = *header.actuator;
+  const bool has_winding = !actuator.envelope;
+  const bool has_voltage = has_winding || actuator.envelope->voltage_V;
   ordered_json rows = ordered_json::array();
-  for (const MorRow& row : table.rows) rows.push_back(row_json(row));
-  return {{"kind", "mor_table"},
-          {"version", 1},
-          {"name", actuator.name},
-          {"side", name_of(header.side)},
-          {"rating", name_of(header.conditions.rating)},
-          {"bus_voltage_V", open_circuit_voltage_V(actuator, header.conditions)},
-          {"winding_temperature_K", winding_temperature_K(actuator, header.conditions)},
-          {"current_convention", name_of(actuator.motor.torque_constant_convention)},
-          {"friction_included", friction_sentence(header)},
-          {"effects", effects_and_sources(actuator)},
-          {"interpolation_error_Nm", table.interpolation_error_Nm},
-          {"left_out", left_out(actuator, Part::kRegion)},
-          {"assumed", actuator.assumed},
-          {"rows", rows}};
+  for (const MorRow& row : table.rows) rows.push_back(row_json(row, has_winding));
+  return {
+      {"kind", "mor_table"},
+      {"version", 1},
+      {"name", actuator.name},
+      {"side", name_of(header.side)},
+      {"rating", name_of(header.conditions.rating)},
+      {"bus_voltage_V", either(has_voltage, open_circuit_voltage_V(actuator, header.conditions))},
+      {"winding_temperature_K",
+       either(has_winding, winding_temperature_K(actuator, header.conditions))},
+      {"current_convention",
+       either(has_winding, name_of(actuator.motor.torque_constant_convention))},
+      {"friction_included", friction_sentence(header)},
+      {"effects", effects_and_sources(actuator)},
+      {"interpolation_error_Nm", table.interpolation_error_Nm},
+      {"left_out", left_out(actuator, Part::kRegion)},
+      {"assumed", actuator.assumed},
+      {"rows", rows}};
 }
 
 std::string mor_table_csv(const MorHeader& header, const MorTable& table) {

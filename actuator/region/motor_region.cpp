@@ -248,7 +248,26 @@ MotorRange mirrored(const MotorRange& range) {
   return result;
 }
 
+namespace {
+
+/// Of a drive that is known by its curve; empty beyond it.
+MotorRange envelope_range(const PhaseModel& model, double speed_rad_s) {
+  MotorRange range;
+  const std::optional<EnvelopeBounds> bounds = bounds_at(*model.envelope, speed_rad_s);
+  if (!bounds) {
+    range.is_empty = true;
+    range.why_empty = Limiter::kEnvelope;
+    return range;
+  }
+  range.least = motor_point(model, bounds->least_Nm, speed_rad_s, Limiter::kEnvelope);
+  range.greatest = motor_point(model, bounds->greatest_Nm, speed_rad_s, Limiter::kEnvelope);
+  return range;
+}
+
+}  // namespace
+
 MotorRange motor_range(const PhaseModel& model, double speed_rad_s) {
+  if (model.envelope) return envelope_range(model, speed_rad_s);
   return range_by(Method::kSolve, model, speed_rad_s);
 }
 
@@ -263,11 +282,13 @@ MotorBound motor_point(const PhaseModel& model, double torque_Nm, double speed_r
 }
 
 double no_load_speed_rad_s(const PhaseModel& model) {
+  if (model.envelope) return last_speed_rad_s(*model.envelope);
   const double voltage_V = model.phase_volts_per_bus_volt * model.supply.open_circuit_V;
   return model.back_emf_V_s_rad > 0.0 ? voltage_V / model.back_emf_V_s_rad : kUnlimited;
 }
 
 double greatest_speed_rad_s(const PhaseModel& model, double limit_rad_s) {
+  if (model.envelope) return std::min(last_speed_rad_s(*model.envelope), limit_rad_s);
   const auto holds = [&](double speed_rad_s) {
     return motor_range(model, speed_rad_s).is_empty ? -1.0 : 1.0;
   };

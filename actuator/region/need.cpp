@@ -173,6 +173,15 @@ NeedAnswer answer_need(const Actuator& actuator, const OperatingConditions& cond
                    : is_upper            ? result.range.greatest.limiter
                                          : result.range.least.limiter;
   if (result.is_reached) return result;
+  if (actuator.envelope) {
+    if (actuator.envelope->voltage_V) {
+      result.least_bus_voltage_V = least_voltage_V(actuator, conditions, need, should_stop);
+    }
+    result.least_gear_Nm = least_gear_Nm(actuator, conditions, need, should_stop);
+    result.nearest_ratio = nearest_ratio(actuator, conditions, need, should_stop);
+    result.is_ended = should_stop();
+    return result;
+  }
   result.least_bus_voltage_V = least_voltage_V(actuator, conditions, need, should_stop);
   result.least_current_A = least_current_A(actuator, conditions, need, should_stop);
   result.least_gear_Nm = least_gear_Nm(actuator, conditions, need, should_stop);

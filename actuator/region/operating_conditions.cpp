@@ -8,6 +8,7 @@
 
 #include "actuator/effects/acting.hpp"
 #include "actuator/heat/temperature_laws.hpp"
+#include "actuator/region/envelope_region.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 
@@ -132,11 +133,35 @@ void set_current_limit(const Actuator& actuator, Rating rating, PhaseModel& mode
   model.demagnetisation_current_A = actuator.motor.demagnetisation_current_A * per_ampere;
 }
 
+/// What a curve alone does not say.
+std::vector<std::string> envelope_objections(const Envelope& envelope,
+                                             const OperatingConditions& conditions) {
+  std::vector<std::string> sentences;
+  if (conditions.rating == Rating::kContinuous && !envelope.continuous) {
+    sentences.push_back(
+        "the continuous rating needs /envelope/continuous_torque_Nm or "
+        "/envelope/continuous_points; the document has neither");
+  }
+  if (conditions.bus_voltage_V && !envelope.voltage_V) {
+    sentences.push_back(
+        "another bus voltage needs /envelope/voltage_V, at which the curve holds, or a winding "
+        "(/motor and /drive)");
+  }
+  if (conditions.state_of_charge) {
+    sentences.push_back("a state of charge needs a winding and a battery (/motor, /battery)");
+  }
+  if (conditions.winding_temperature_K) {
+    sentences.push_back("a winding's temperature needs a winding (/motor and /drive)");
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::vector<std::string> objections(const Actuator& actuator,
                                     const OperatingConditions& conditions) {
   std::vector<std::string> sentences;
+  if (actuator.envelope) return envelope_objections(*actuator.envelope, conditions);
   const bool has_rating = actuator.drive.continuous_current_A || actuator.thermal;
   if (conditions.rating == Rating::kContinuous && !has_rating) {
     sentences.push_back(
@@ -202,7 +227,33 @@ std::optional<double> steady_current_A(const Actuator& actuator) {
          phase_amperes_per_ampere(actuator.motor.torque_constant_convention);
 }
 
+namespace {
+
+/// Of a drive of which only the curve is known: its currents are torques, and neither heat nor
+/// losses follow from it.
+PhaseModel envelope_model(const Actuator& actuator, const OperatingConditions& conditions) {
+  PhaseModel model;
+  const double bus_V = open_circuit_voltage_V(actuator, conditions);
+  const Envelope& envelope = *actuator.envelope;
+  const bool lasts = conditions.rating == Rating::kContinuous;
+  model.envelope = std::make_shared<const EnvelopeCurve>(
+      rotor_envelope(actuator, lasts ? *envelope.continuous : envelope.peak, bus_V,
+                     winding_temperature_K(actuator, conditions)));
+  model.torque_constant_Nm_A = 1.0;
+  model.current_limit_A = greatest_torque_Nm(*model.envelope);
+  model.current_limiter = Limiter::kEnvelope;
+  model.demagnetisation_current_A = kUnlimited;
+  model.supply.open_circuit_V = bus_V;
+  model.supply.greatest_power_W = kUnlimited;
+  model.supply.least_power_W = -kUnlimited;
+  model.phase_volts_per_bus_volt = 1.0;
+  return model;
+}
+
+}  // namespace
+
 PhaseModel phase_model_at(const Actuator& actuator, const OperatingConditions& conditions) {
+  if (actuator.envelope) return envelope_model(actuator, conditions);
   PhaseModel model;
   set_constants(actuator, winding_temperature_K(actuator, conditions), model);
   set_current_limit(actuator, conditions.rating, model);

@@ -556,6 +556,8 @@ class GridBuilder {
 
 std::optional<RegionGrid> region_grid(const Actuator& actuator,
                                       const OperatingConditions& conditions, Side side) {
+  // A curve that states no voltage is the same at any.
+  if (actuator.envelope && !actuator.envelope->voltage_V) return std::nullopt;
   return GridBuilder(actuator, conditions, side).run();
 }
 

@@ -8,9 +8,9 @@
 
 namespace torquewright::actuator {
 
-/// Makes one angle of a log run on that was recorded within one turn. A step is a wrap where it is
-/// within a quarter turn of a whole one and the step before was less than a quarter turn: samples
-/// so far apart that a joint turns more between them are left as they are.
+/// Removes the whole turns of an angle that was recorded within one turn. A step is a wrap where it
+/// is within a quarter turn of a whole one and the step before was less than a quarter turn:
+/// samples so far apart that a joint turns more between them are left as they are.
 class AngleUnwrap {
  public:
   double next(double time_s, double angle_rad) {
@@ -33,7 +33,7 @@ class AngleUnwrap {
   }
 
   std::size_t count() const { return count_; }
-  double first_s() const { return first_s_; }  ///< Of the first wrap.
+  double first_s() const { return first_s_; }  ///< Time of the first wrap.
 
  private:
   std::optional<double> previous_rad_;

@@ -12,45 +12,46 @@ namespace torquewright::actuator {
 /// sums of greater ones overflow.
 inline constexpr double kGreatestValue = 1e9;
 
-/// What a column of a trajectory holds.
+/// The quantity that a column of a trajectory holds.
 enum class Quantity { kTime, kPosition, kVelocity, kTorque };
 std::string_view name_of(Quantity quantity);
 std::optional<Quantity> find_quantity(std::string_view name);
 
-/// Which column is which quantity of which joint (none for the time), and the factor that turns its
+/// The quantity and joint of a column (no joint for the time), and the factor that turns its
 /// numbers into s, rad, rad/s or Nm.
 struct ColumnMapping {
   std::string column;
   std::string joint;
   Quantity quantity = Quantity::kTime;
   double factor = 1.0;
-  bool has_unit = false;  ///< Or factor: somebody said what the column counts in.
-  std::string text{};     ///< As the command line has it; empty: of a document or a header.
+  bool has_unit = false;  ///< Its unit or factor was stated.
+  /// The mapping as the command line has it; empty: it is from a document or a header.
+  std::string text{};
 };
 
 /// A mapping of the command line, taken apart: NAME=JOINT.QUANTITY[:unit][*factor].
 struct MappingText {
   std::string column;
-  std::string joint;  ///< Empty: of none.
+  std::string joint;  ///< Name of the joint; empty: none.
   std::string quantity;
-  std::string unit;  ///< Empty: none stated.
+  std::string unit;  ///< Unit; empty: none is stated.
   double factor = 1.0;
 };
-/// Throws io::SpecError where the text has not that form.
+/// Splits a mapping. Throws io::SpecError where the text has not that form.
 MappingText split_mapping(const std::string& text);
 /// Refuses a mapping: throws io::SpecError that repeats it, says why and how it is written.
 [[noreturn]] void refuse_mapping(const std::string& text, const std::string& why);
 
-/// NAME=JOINT.QUANTITY[:unit][*factor], or NAME=time[:unit][*factor]: tau_k=knee.torque:Nm*0.5.
-/// Throws io::SpecError.
+/// Reads NAME=JOINT.QUANTITY[:unit][*factor], or NAME=time[:unit][*factor]:
+/// tau_k=knee.torque:Nm*0.5. Throws io::SpecError.
 ColumnMapping read_mapping(const std::string& text);
 
-/// A header of the canonical form: time_s (also time or t), <joint>_position_rad,
+/// Returns the mapping of a canonical header: time_s (also time or t), <joint>_position_rad,
 /// <joint>_velocity_rad_s, <joint>_torque_Nm. Empty for any other.
 std::optional<ColumnMapping> canonical_mapping(const std::string& column);
 
-/// The unit that a column's name ends in, if it is another than the canonical headers': deg/s of
-/// knee_velocity_deg_s. Empty: none.
+/// Returns the unit that a column's name ends in, if it is another than the canonical headers':
+/// deg/s of knee_velocity_deg_s. Empty: none.
 std::string_view foreign_unit(const std::string& column);
 
 }  // namespace torquewright::actuator

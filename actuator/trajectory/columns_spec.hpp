@@ -11,11 +11,11 @@ struct Document;
 
 namespace torquewright::actuator {
 
-/// Why a mapping's factor is not 0.
+/// Message that a mapping's factor is 0.
 inline constexpr const char* kNoFactor = "0 would leave nothing of the column";
 
-/// The mappings of a document of kind `trajectory_columns`. Throws io::SpecError for unknown units,
-/// a factor of 0, and a quantity without its joint.
+/// Reads the mappings of a document of kind `trajectory_columns`. Throws io::SpecError for unknown
+/// units, a factor of 0, and a quantity without its joint.
 std::vector<ColumnMapping> read_columns(const io::Document& document);
 
 }  // namespace torquewright::actuator

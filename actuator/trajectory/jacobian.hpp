@@ -8,7 +8,7 @@
 
 namespace torquewright::actuator {
 
-/// Row by row: {a, b, c, d} is [a b; c d].
+/// A 2 x 2 matrix, row by row: {a, b, c, d} is [a b; c d].
 using Matrix2 = std::array<double, 4>;
 
 /// Two actuators that move two joints together, as a parallel ankle does. With J the matrix at the
@@ -19,21 +19,21 @@ struct ParallelDrive {
   std::array<std::string, 2> joints;
   std::array<std::string, 2> actuators;
 
-  /// Angles of the grid, ascending; one matrix and no angles: it is constant.
+  /// Angles of the grid, ascending. One matrix without angles: it is constant.
   std::vector<double> first_rad;
   std::vector<double> second_rad;
-  std::vector<Matrix2> matrices;  ///< The second angle runs faster.
+  std::vector<Matrix2> matrices;  ///< Matrices of the grid; the second angle runs faster.
 
   bool is_constant() const { return first_rad.empty(); }
 };
 
-/// The matrix at the joints' angles, interpolated in both (bilinear). Empty outside of the grid.
+/// Interpolates the matrix at the joints' angles (bilinear). Empty outside of the grid.
 std::optional<Matrix2> jacobian_at(const ParallelDrive& drive, double first_rad, double second_rad);
 
-/// J w.
+/// Returns actuator speeds J w.
 std::array<double, 2> actuator_speeds(const Matrix2& jacobian, const std::array<double, 2>& joints);
 
-/// The tau_a with J^T tau_a = tau_j. Empty where J is singular (to kSingular of its size).
+/// Returns the tau_a with J^T tau_a = tau_j. Empty where J is singular (to kSingular of its size).
 std::optional<std::array<double, 2>> actuator_torques(const Matrix2& jacobian,
                                                       const std::array<double, 2>& joints);
 constexpr double kSingular = 1e-6;

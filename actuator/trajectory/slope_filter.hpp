@@ -8,7 +8,7 @@
 
 namespace torquewright::actuator {
 
-/// The numbers of one instant.
+/// Values of a row at one time.
 struct Row {
   double time_s = 0.0;
   std::vector<double> values;
@@ -30,10 +30,10 @@ class SlopeFilter {
 
   SlopeFilter(std::vector<Pair> pairs, Sink sink);
 
-  /// Requires a later time than the row before, and as many values.
+  /// Adds a row. Requires a later time than the row before, and as many values.
   void push(const Row& row);
 
-  /// After the last row.
+  /// Passes on the last rows; called after the last push().
   void finish();
 
  private:

@@ -15,20 +15,21 @@
 
 namespace torquewright::actuator {
 
-/// Rows outside of it are read but not used.
+/// A window of time; rows outside of it are read but not used.
 struct Window {
   double from_s = -std::numeric_limits<double>::infinity();
   double until_s = std::numeric_limits<double>::infinity();
 };
 
-/// Says that a file, whose rows go from the first to the last time, has none in that window.
+/// Returns a sentence that a file, whose rows go from the first to the last time, has none in that
+/// window.
 std::string no_rows_within(const Window& window, double first_s, double last_s);
 
-/// Where a row holds what of a joint: from kPlaces times the joint's index. What the file does not
-/// hold is 0; the slope of the position is left for a SlopeFilter.
+/// Places in a row, counted from kPlaces times the joint's index. What the file does not hold is 0;
+/// the slope of the position is left for a SlopeFilter.
 enum Place : std::size_t { kPositionAt, kVelocityAt, kTorqueAt, kSlopeAt, kPlaces };
 
-/// The columns of one joint.
+/// Columns of one joint.
 struct JointColumns {
   struct Source {
     std::size_t column;
@@ -39,7 +40,7 @@ struct JointColumns {
   std::optional<Source> torque;
 };
 
-/// A trajectory in a CSV file, row by row.
+/// Reads a trajectory from a CSV file, row by row.
 class TrajectoryReader {
  public:
   /// Finds the columns of the joints: those that `mappings` say, then those with canonical headers.
@@ -50,19 +51,20 @@ class TrajectoryReader {
 
   const JointColumns& columns(std::size_t joint) const { return joints_[joint]; }
 
-  /// How its position was made to run on, if the file keeps it within a turn.
+  /// How a joint's position was unwrapped, if the file keeps it within a turn.
   const AngleUnwrap& unwrap(std::size_t joint) const { return unwraps_[joint]; }
 
   const Clock& clock() const { return clock_; }
 
-  /// The next row inside the window; false at the end. Throws for what CsvReader throws for, where
-  /// time repeats or runs backwards, and at the end of rows of which none lies in the window.
+  /// Reads the next row inside the window; false at the end. Throws for what CsvReader throws for,
+  /// where time repeats or runs backwards, and at the end of rows of which none lies in the window.
   bool next(Row& row);
 
-  bool has_read_rows() const { return previous_s_.has_value(); }  ///< Inside the window or not.
+  /// Whether any row was read, inside the window or not.
+  bool has_read_rows() const { return previous_s_.has_value(); }
   const std::string& file() const { return csv_.file(); }
   double share_read() const { return csv_.share_read(); }
-  std::string sha256() { return csv_.sha256(); }  ///< At the end, once.
+  std::string sha256() { return csv_.sha256(); }  ///< Hash of the file; at its end, once.
 
  private:
   void assign(const std::vector<ColumnMapping>& mappings, const std::vector<std::string>& joints);
@@ -78,7 +80,7 @@ class TrajectoryReader {
   Clock clock_;
   std::optional<double> first_s_;
   std::optional<double> previous_s_;
-  bool has_found_row_ = false;  ///< Inside the window.
+  bool has_found_row_ = false;  ///< A row inside the window was found.
   std::size_t previous_line_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace torquewright::gearbox {
 
 enum class Sense { kAtLeast, kMoreThan, kAtMost };
 
-/// One constraint at one design before it is judged. Value and limit are fractions, so that
+/// A constraint at one design before it is judged. Value and limit are fractions, so that
 /// "satisfied" is decided exactly.
 struct DesignCondition {
   std::string name;
@@ -18,22 +18,23 @@ struct DesignCondition {
   Sense sense = Sense::kAtLeast;
   Rational value = {};
   Rational limit = {};
-  std::string meaning = {};  ///< What the value is: "between neighbouring planets' tips".
+  std::string meaning = {};  ///< Meaning of the value: "between neighbouring planets' tips".
   std::string remedy = {};   ///< What would mend a violation: "needs n <= 3".
 };
 
-/// Value, limit, margin and sentence of a condition.
+/// Judges a condition: value, limit, margin and sentence.
 ConstraintReport judge(const DesignCondition& condition);
 
-/// A condition whose value does not exist: violated, value 0, margin -1, `reason` as its sentence.
+/// Returns the report of a condition whose value does not exist: violated, value 0, margin -1,
+/// `reason` as its sentence.
 ConstraintReport violated_without_value(const DesignCondition& condition,
                                         const std::string& reason);
 
-/// The fraction a floating-point number is. Long doubles keep all their digits: angles are judged
-/// against decimals that may agree with them to sixteen digits.
+/// Returns the fraction that a floating-point number is. Long doubles keep all their digits: angles
+/// are judged against decimals that may agree with them to sixteen digits.
 Rational fraction_of(long double value);
 
-/// "0.2618 rad", "44 teeth": a fraction as the sentences print it.
+/// Writes a fraction as sentences print it: "0.2618 rad", "44 teeth".
 std::string with_unit(const Rational& value, const std::string& unit);
 
 }  // namespace torquewright::gearbox

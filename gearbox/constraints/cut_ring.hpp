@@ -8,11 +8,11 @@
 
 namespace torquewright::gearbox {
 
-/// A ring's mesh as the largest roundings of its cutters ask for it.
+/// Returns a ring's mesh as the largest roundings of its cutters need it.
 PlanetInRing planet_in_ring(const CutTrain& train, const CutMesh& mesh);
 
-/// What shapes the mesh's ring: of the stated teeth, else of as many as the planet has. Nothing
-/// where no such shaper meshes with the ring.
+/// Returns the shaper of the mesh's ring: of the stated teeth, else of as many as the planet has.
+/// Nothing where no such shaper meshes with the ring.
 std::optional<ShaperAtDepth> shaper_of(const CutTrain& train, const CutMesh& mesh);
 
 }  // namespace torquewright::gearbox

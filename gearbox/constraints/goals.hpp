@@ -12,7 +12,8 @@ namespace torquewright::gearbox {
 // What is compared between designs (docs/gearbox_constraints.md, "Objectives"), and the quantities
 // behind bounds that could be loosened (docs/certificate.md, "Claims"), for all topologies.
 
-/// Sizes and material for masses and inertias. The problem must hold face widths and density.
+/// Returns sizes and material for masses and inertias. The problem must hold face widths and
+/// density.
 Blank blank(const Problem& problem, const Rational& module_mm);
 
 optimization::Goal hollow_shaft(const Problem& problem, const Rational& module_mm,

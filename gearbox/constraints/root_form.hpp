@@ -12,11 +12,11 @@ namespace torquewright::gearbox {
 // The involute of a root goes as far as the mate's tip needs it: docs/gearbox_constraints.md,
 // "Cutters". Lengths in modules.
 
-/// `largest` tip radius of a hob that leaves enough, against the stated one, or 0.
+/// Makes the condition that the hob's tip radius, stated or 0, is at most `largest`.
 DesignCondition hob_condition(std::string_view mesh, const Rational& module_mm, double largest,
                               const std::optional<Rational>& stated);
 
-/// The same of a ring's shaper with so many teeth.
+/// Makes the same condition for a ring's shaper with so many teeth.
 DesignCondition shaper_condition(std::string_view mesh, const Rational& module_mm, double largest,
                                  const std::optional<Rational>& stated, double shaper_teeth);
 
@@ -24,7 +24,7 @@ DesignCondition shaper_condition(std::string_view mesh, const Rational& module_m
 /// radially; a tip radius that is not stated counts as none. Requires stated teeth.
 std::int64_t least_fed_ring(const Cutters& cutters);
 
-/// The ring has as many.
+/// Judges whether the ring has at least that many teeth.
 ConstraintReport shaper_feed(const Problem& problem, std::string_view mesh, std::int64_t ring);
 
 // Of a design without profile shift.

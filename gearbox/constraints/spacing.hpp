@@ -14,22 +14,23 @@ namespace torquewright::gearbox {
 /// Planet gears around a sun, in one layer.
 struct PlanetCircle {
   std::int64_t sun = 0;
-  std::int64_t planet = 0;  ///< Of the sun's layer: with the sun it sets the centre distance.
+  /// Teeth of the planet in the sun's layer: with the sun it sets the centre distance.
+  std::int64_t planet = 0;
   std::int64_t planet_count = 0;
   Rational module_mm;
 };
 
-/// pi/n - asin(P/(S + P)) >= alpha_min.
+/// Judges pi/n - asin(P/(S + P)) >= alpha_min.
 ConstraintReport carrier_clearance(const PlanetCircle& circle, const Rational& minimum_rad);
 
-/// n divides S + R.
+/// Judges whether n divides S + R.
 ConstraintReport equal_spacing(std::int64_t sun, std::int64_t held_ring, std::int64_t planet_count);
 
-/// All stepped planets are alike.
+/// Judges whether all stepped planets are alike.
 ConstraintReport identical_planets(const ThreeKTeeth<std::int64_t>& teeth,
                                    std::int64_t planet_count);
 
-/// 2 a sin(pi/n) - m (P + 2) > limit for the planet gears of one layer.
+/// Judges 2 a sin(pi/n) - m (P + 2) > limit for the planet gears of one layer.
 ConstraintReport neighbour_clearance(const PlanetCircle& circle, std::string_view layer,
                                      std::int64_t planet_in_layer, const Rational& minimum_mm);
 

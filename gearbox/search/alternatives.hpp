@@ -22,13 +22,14 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-/// A problem's planet counts and modules, each with its model: what is searched together.
+/// The models of a problem, one for each planet count and module, which are searched together.
 class Alternatives {
  public:
-  /// With all constraints, in the rotor's bore.
+  /// Makes the models with all constraints, in the rotor's bore.
   explicit Alternatives(const Problem& problem);
-  /// With the conditions and predicates that `keeps` accepts (by constraint and key), rings of at
-  /// most ring_limit(module) teeth, and the given key's quantity for a goal (empty: the objective).
+  /// Makes the models with the conditions and predicates that `keeps` accepts (by constraint and
+  /// key), rings of at most ring_limit(module) teeth, and the given key's quantity for a goal
+  /// (empty: the objective).
   Alternatives(
       const Problem& problem,
       const std::function<bool(const std::string& constraint, const std::string& key)>& keeps,
@@ -43,9 +44,9 @@ class Alternatives {
   Design design(const optimization::Solution& solution) const {
     return design(solution.alternative, solution.point);
   }
-  /// Where that design stands; absent where no model's domain holds it.
+  /// Finds a design's point; absent where no model's domain holds it.
   std::optional<Place> place_of(const Design& design) const;
-  /// Names of all constraints, in order, without those that only bound the domain.
+  /// Returns the names of all constraints, in order, without those that only bound the domain.
   std::vector<std::string> constraints() const;
   std::vector<AlternativeProof> proofs(std::vector<optimization::ProofTree> trees) const;
 
@@ -55,13 +56,13 @@ class Alternatives {
   std::vector<optimization::Judge> judges_;
 };
 
-/// Counts in what a search did.
+/// Adds the counts of a search.
 void add_to(SearchCounts& counts, const optimization::SearchResult& search);
 
-/// floor(D/m): the largest ring whose pitch circle fits the rotor's bore.
+/// Returns floor(D/m): the largest ring whose pitch circle fits the rotor's bore.
 std::int64_t ring_limit_of_bore(const Problem& problem, const Rational& module_mm);
 
-/// The largest whole number that is not above.
+/// Returns the largest integer that is not above the value.
 std::int64_t floor_of(const Rational& value);
 
 }  // namespace torquewright::gearbox

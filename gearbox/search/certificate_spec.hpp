@@ -8,10 +8,10 @@
 
 namespace torquewright::gearbox {
 
-/// {"teeth": {...}, "planet_count", "module_mm"}
+/// Writes a design: {"teeth": {...}, "planet_count", "module_mm"}
 nlohmann::ordered_json design_json(const Topology& topology, const Design& design);
 
-/// A result's "certificate", in the form of docs/certificate.md.
+/// Writes a result's "certificate", in the form of docs/certificate.md.
 nlohmann::ordered_json certificate_json(const Topology& topology, const std::vector<Claim>& claims);
 
 }  // namespace torquewright::gearbox

@@ -10,7 +10,8 @@
 
 namespace torquewright::gearbox {
 
-/// What is said of a member of a conflict: the design that there is without it, if one is known.
+/// Returns a sentence about a member of a conflict: the design that exists without it, if one is
+/// known.
 std::string conflict_sentence(const std::string& constraint,
                               const std::optional<Design>& without_it);
 

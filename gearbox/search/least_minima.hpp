@@ -6,18 +6,18 @@
 
 namespace torquewright::gearbox {
 
-/// For a range of alpha_min, the least minima that make a design the optimum: any minima that are
+/// The least minima that make a design the optimum, for a range of alpha_min: any minima that are
 /// at least one of these (and at most the design's own teeth) do.
 struct OptimalWhen {
-  double clearance_above_rad = 0.0;  ///< alpha_min > this ...
-  double clearance_up_to_rad = 0.0;  ///< ... and <= this.
-  bool from_zero = false;            ///< The range starts at alpha_min = 0, that included.
+  double clearance_above_rad = 0.0;  ///< Lower end of the range: alpha_min is greater than this.
+  double clearance_up_to_rad = 0.0;  ///< Upper end of the range, included.
+  bool from_zero = false;            ///< The range starts at alpha_min = 0, which is included.
   /// Least numbers of teeth by free gear; 0: no minimum needed. Empty: no minima make it the
   /// optimum in this range.
   std::vector<std::vector<std::int64_t>> least_minima;
 };
 
-/// What minima and alpha_min are compared with.
+/// Teeth and clearance of a design, which minima and alpha_min are compared with.
 struct TeethAndClearance {
   std::vector<std::int64_t> free_teeth;
   double clearance_rad;
@@ -31,9 +31,9 @@ class BetterDesigns {
 
   void add(TeethAndClearance better);
 
-  /// For which alpha_min and minima the design is the optimum: every better one must have fewer
-  /// teeth than a minimum in one gear, or less clearance than alpha_min. Ranges of alpha_min with
-  /// the same answer are one range, in the order of alpha_min.
+  /// Returns for which alpha_min and minima the design is the optimum: every better one must have
+  /// fewer teeth than a minimum in one gear, or less clearance than alpha_min. Ranges of alpha_min
+  /// with the same answer are one range, in the order of alpha_min.
   std::vector<OptimalWhen> optimal_when() const;
 
  private:

@@ -12,9 +12,9 @@
 
 namespace torquewright::gearbox {
 
-/// How much work a standing may take.
+/// Limits of the work for a standing.
 struct StandingOptions {
-  /// Limit of boxes for each of its three searches.
+  /// Most boxes for each of its three searches.
   std::int64_t max_boxes = std::numeric_limits<std::int64_t>::max();
   std::function<bool()> should_stop = [] { return false; };
   /// What is being sought, boxes looked at, and designs found that count.
@@ -22,14 +22,15 @@ struct StandingOptions {
       [](const char*, std::int64_t, std::int64_t) {};
 };
 
-/// Where a design stands among all others.
+/// Place of a design among all others.
 struct Standing {
   bool is_settled = false;  ///< Rank, ties and optimal_when are final; else the options ended them.
   std::optional<std::int64_t>
       rank;                  ///< 1 + feasible designs that are better; absent: it is not one.
-  std::vector<Design> ties;  ///< Feasible designs that are just as good.
+  std::vector<Design> ties;  ///< Feasible designs that are exactly as good.
   std::vector<OptimalWhen> optimal_when;  ///< Empty where it breaks more than minima and clearance.
-  std::optional<double> best_objective;   ///< Of any feasible design; absent: none, or not settled.
+  /// Best objective of any feasible design; absent: none, or not settled.
+  std::optional<double> best_objective;
   std::optional<std::int64_t> feasible_count;  ///< Absent: not settled.
 };
 

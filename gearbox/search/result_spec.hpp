@@ -9,13 +9,14 @@
 
 namespace torquewright::gearbox {
 
-/// One member of a result's "designs": the contract's keys and everything else that is known.
+/// Writes one member of a result's "designs", with everything that is known of it.
 nlohmann::ordered_json report_json(const Topology& topology, const DesignReport& report);
 
-/// A document of kind `gearbox_result` without its provenance ("problem", "tool", "inputs").
+/// Writes a document of kind `gearbox_result` without its provenance ("problem", "tool", "inputs").
 nlohmann::ordered_json result_json(const Problem& problem, const DesignSearchResult& result);
 
-/// The same of one design that was evaluated, with where it stands instead of a certificate.
+/// Writes the same for one design that was evaluated, with its place among all designs instead of a
+/// certificate.
 nlohmann::ordered_json evaluation_json(const Problem& problem, const DesignReport& report,
                                        const Standing& standing);
 

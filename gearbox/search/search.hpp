@@ -7,7 +7,7 @@
 
 namespace torquewright::gearbox {
 
-/// The best gearboxes of a problem with their proof; or why there is none. Never throws for a
+/// Finds the best gearboxes of a problem with their proof, or why there is none. Never throws for a
 /// problem that read_problem accepts.
 DesignSearchResult optimize(const Problem& problem, const DesignSearchOptions& options);
 

@@ -25,47 +25,48 @@ struct AlternativeProof {
 struct Claim {
   std::string kind;  ///< optimum, infeasible, least_relaxation
   std::vector<std::string> constraints;
-  std::string quantity;  ///< Empty for `infeasible`.
+  std::string quantity;  ///< Name of the quantity that is compared; empty for `infeasible`.
   std::optional<Design> reference;
-  std::string key;                         ///< Of `least_relaxation`.
-  std::optional<std::int64_t> ring_limit;  ///< Absent: set by the rotor's bore.
+  std::string key;                         ///< JSON pointer of the bound in a `least_relaxation`.
+  std::optional<std::int64_t> ring_limit;  ///< Largest ring; absent: set by the rotor's bore.
   std::vector<AlternativeProof> alternatives;
 };
 
 /// One member of an irreducible set of constraints that no design satisfies together.
 struct ConflictMember {
   std::string constraint;
-  std::optional<Design> without_it;  ///< Satisfies all other members.
+  std::optional<Design> without_it;  ///< A design that satisfies all other members.
   std::string sentence;
 };
 
 /// One bound that would have to give way, alone, and how far at least.
 struct LooserBound {
   std::string key;
-  double limit = 0.0;   ///< As it stands.
-  double needed = 0.0;  ///< Would do.
+  double limit = 0.0;   ///< The bound as it stands.
+  double needed = 0.0;  ///< A value that would do.
   std::string unit;
-  Design design;  ///< Feasible with it.
+  Design design;  ///< A design that is feasible with it.
   std::string sentence;
 };
 
 enum class DesignSearchStatus { kOptimal, kInfeasible, kLimit };
 
-/// How many boxes the searches looked at whose trees the claims hold, so that the checker can count
-/// them again.
+/// Number of boxes that the searches looked at whose trees the claims hold, so that the checker can
+/// count them again.
 struct SearchCounts {
   std::int64_t nodes = 0;
-  std::int64_t relaxations = 0;  ///< Ipopt solves.
+  std::int64_t relaxations = 0;  ///< Number of Ipopt solves.
   std::int64_t refuted_by_relaxation = 0;
   std::int64_t points_enumerated = 0;
 };
 
 struct DesignSearchResult {
   DesignSearchStatus status = DesignSearchStatus::kLimit;
-  std::vector<Design> designs;  ///< The best, in order; at most as many as asked for.
-  std::vector<Design> ties;     ///< As good as the last of them, for want of room not among them.
-  std::vector<double> objectives;  ///< Of `designs`, as the user reads it.
-  std::optional<double> bound;     ///< Cannot be beaten; absent where nothing is known.
+  std::vector<Design> designs;  ///< The best designs, in order; at most as many as asked for.
+  /// Designs as good as the last of them that found no room in the list.
+  std::vector<Design> ties;
+  std::vector<double> objectives;  ///< Objectives of `designs`, as the user reads them.
+  std::optional<double> bound;     ///< Bound that no design beats; absent where nothing is known.
   std::vector<ConflictMember> conflict;
   std::vector<LooserBound> would_be_feasible_with;
   SearchCounts search;

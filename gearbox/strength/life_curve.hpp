@@ -5,7 +5,7 @@
 
 namespace torquewright::gearbox {
 
-/// How the teeth were hardened: what decides a material's strength against few loads.
+/// Heat treatment of the teeth, which decides a material's strength against few loads.
 enum class Treatment {
   kCaseHardened,
   kThroughHardened,
@@ -23,7 +23,7 @@ struct GearMaterial {
   std::optional<double> yield_MPa;     ///< Needed for kThroughHardened.
 };
 
-/// What a place of the tooth bears: `static_MPa` up to `static_cycles` loads, `endurance_MPa` from
+/// Strength of a place of the tooth: `static_MPa` up to `static_cycles` loads, `endurance_MPa` from
 /// `endurance_cycles` on, a straight line in logarithms between. DIN 3990-11 (4.04), (5.04).
 struct LifeCurve {
   double static_MPa = 0.0;
@@ -34,13 +34,13 @@ struct LifeCurve {
   double at_MPa(double cycles) const;
 };
 
-/// Cycles that a tooth's root bears over the local stress. `concentration` is Y_S with the load at
-/// the outer point of single contact; `endurance_share` is below 1 for a tooth that is bent both
-/// ways. docs/derivations/strength.md eq. (11), (12). Requires yield_MPa of a through-hardened
+/// Returns the life curve of a tooth's root over the local stress. `concentration` is Y_S with the
+/// load at the outer point of single contact; `endurance_share` is below 1 for a tooth that is bent
+/// both ways. docs/derivations/strength.md eq. (11), (12). Requires yield_MPa of a through-hardened
 /// material.
 LifeCurve root_life(const GearMaterial& material, double concentration, double endurance_share);
 
-/// Cycles that a tooth's flank bears over the Hertzian pressure, no pits permitted.
+/// Returns the life curve of a tooth's flank over the Hertzian pressure, no pits permitted.
 /// docs/derivations/strength.md eq. (13).
 LifeCurve flank_life(const GearMaterial& material);
 

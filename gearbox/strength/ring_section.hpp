@@ -9,7 +9,7 @@
 
 namespace torquewright::gearbox {
 
-/// What is assumed of a ring's root, and on which side.
+/// Sentence on what is assumed of a ring's root, and on which side.
 inline constexpr std::string_view kRingSectionSentence =
     "Assumed: a ring's root is as strong as the worst section of the trochoid that its shaper "
     "leaves, with the beam formula of external teeth; a standard's fixed section would ask for "

@@ -12,13 +12,13 @@ namespace torquewright::gearbox {
 struct Steel {
   std::string_view name;
   GearMaterial material;
-  std::string_view source;  ///< A sentence: who states the numbers, and of what.
+  std::string_view source;  ///< A sentence: who states the numbers, and for which steel.
 };
 
-/// Only steels whose numbers a source that can be opened states.
+/// Returns the steels. Only those whose numbers are stated by a source that can be opened.
 const std::vector<Steel>& steels();
 
-/// Null where none has the name.
+/// Finds a steel; null where none has the name.
 const Steel* find_steel(std::string_view name);
 
 }  // namespace torquewright::gearbox

@@ -18,27 +18,29 @@ struct RootFactors {
   double concentration = 0.0;  ///< Y_S
 };
 
-/// Load at the outer point of single contact; contact_ratio = 1 puts it at the tip (Y_Fa, Y_Sa).
+/// Returns the factors with the load at the outer point of single contact; contact_ratio = 1 puts
+/// it at the tip (Y_Fa, Y_Sa).
 RootFactors din3990_root_factors(double teeth, double shift, double tip_diameter_in_modules,
                                  double contact_ratio, const RackTool& tool);
 
-/// Y_Fa and Y_Sa of a ring, load at its tip: a rack's tooth, whatever the ring's teeth. Its height
-/// from tip to root in modules. docs/derivations/strength.md eq. (6).
+/// Returns Y_Fa and Y_Sa of a ring, load at its tip: a rack's tooth, whatever the ring's teeth,
+/// with its height from tip to root in modules. docs/derivations/strength.md eq. (6).
 RootFactors din3990_ring_root_factors(double tooth_height_in_modules, const RackTool& tool);
 
-/// Y_F = 6 h cos(alpha_F)/(s^2 cos(alpha)) and Y_S of a tooth that is bent like a beam; lengths in
-/// modules: the lever from the force's line on the tooth's middle to the section, the section's
-/// chord, the radius of its fillet, and the force's angle to the chord.
+/// Returns Y_F = 6 h cos(alpha_F)/(s^2 cos(alpha)) and Y_S of a tooth that is bent like a beam;
+/// lengths in modules: the lever from the force's line on the tooth's middle to the section, the
+/// section's chord, the radius of its fillet, and the force's angle to the chord.
 RootFactors cantilever_factors(double lever, double chord, double fillet_radius, double load_rad);
 
-/// Y_eps = 0.25 + 0.75/eps_alpha, which goes with tip factors only. Dimensionless.
+/// Contact ratio factor Y_eps = 0.25 + 0.75/eps_alpha, which goes with tip factors only.
+/// Dimensionless.
 double contact_ratio_factor(double contact_ratio);
 
-/// F_t/(b m) Y_F Y_S.
+/// Nominal root stress F_t/(b m) Y_F Y_S.
 double din3990_root_stress_MPa(double tangential_force_N, double face_width_mm, double module_mm,
                                const RootFactors& factors);
 
-/// Z_E = sqrt(1/(pi sum((1 - nu^2)/E))) [sqrt(N/mm^2)] of two bodies.
+/// Elasticity factor Z_E = sqrt(1/(pi sum((1 - nu^2)/E))) [sqrt(N/mm^2)] of two bodies.
 double elasticity_factor(double young_1_MPa, double poisson_1, double young_2_MPa,
                          double poisson_2);
 

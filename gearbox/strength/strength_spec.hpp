@@ -15,10 +15,10 @@ namespace torquewright::gearbox {
 struct ReadStrength {
   std::string name;
   StrengthCase strength;
-  std::optional<double> ring_space_mm;  ///< `rotor_inner_diameter_mm`.
-  std::optional<double> load_Nm;        ///< At the output, where a result's problem states it.
+  std::optional<double> ring_space_mm;  ///< `rotor_inner_diameter_mm` of the problem.
+  std::optional<double> load_Nm;        ///< Load at the output, where a result's problem states it.
   std::vector<std::string> assumed;
-  std::vector<std::string> statements;  ///< Sentences: what was taken from where.
+  std::vector<std::string> statements;  ///< Sentences on which values were taken from where.
   std::vector<io::Document> documents;
 };
 

@@ -10,7 +10,7 @@ namespace torquewright::gearbox {
 
 /// The same gearbox in other sizes, where its own are not known.
 struct StrengthVariants {
-  std::vector<StrengthCase> cases;    ///< By module, then by face width.
+  std::vector<StrengthCase> cases;    ///< Cases by module, then by face width.
   std::vector<std::string> left_out;  ///< A sentence for each module without teeth.
 };
 

@@ -21,12 +21,13 @@ enum class TorqueSide {
 
 /// How much more a tooth carries than its even share. Dimensionless; names of DIN 3990.
 struct LoadFactors {
-  double application = 1.0;          ///< K_A; 1 where the torque is the peak itself.
-  double dynamic = 1.0;              ///< K_v
-  double load_sharing = 1.0;         ///< K_gamma: the most loaded planet over the mean.
-  double face_load_root = 1.0;       ///< K_Fbeta
-  double face_load_flank = 1.0;      ///< K_Hbeta
-  double alternating_bending = 1.0;  ///< Of the endurance limit of teeth that are bent both ways.
+  double application = 1.0;      ///< K_A; 1 where the torque is the peak itself.
+  double dynamic = 1.0;          ///< K_v
+  double load_sharing = 1.0;     ///< K_gamma: the most loaded planet over the mean.
+  double face_load_root = 1.0;   ///< K_Fbeta
+  double face_load_flank = 1.0;  ///< K_Hbeta
+  /// Factor on the endurance limit of teeth that are bent both ways.
+  double alternating_bending = 1.0;
 };
 
 /// A train with its steel: what a document of kind gear_strength says.
@@ -62,7 +63,7 @@ struct ToothStress {
 struct ToothLoad {
   std::string_view gear;
   std::string_view mesh;
-  double cutter_tip_radius = 0.0;   ///< Of the tool that cut the root, in modules.
+  double cutter_tip_radius = 0.0;   ///< Tip radius of the tool that cut the root, in modules.
   double rim_factor = 1.0;          ///< Y_B
   double tangential_force_N = 0.0;  ///< On the mean planet: the factors stand in the stresses.
   ToothStress root;                 ///< Bending.

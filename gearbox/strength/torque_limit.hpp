@@ -14,20 +14,20 @@ enum class FailureMode {
 
 /// The torque at which the first tooth comes down to the demanded safety.
 struct TorqueLimit {
-  double motor_Nm = 0.0;  ///< At the sun.
-  double joint_Nm = 0.0;  ///< The same at the output, without losses.
+  double motor_Nm = 0.0;  ///< Torque at the sun.
+  double joint_Nm = 0.0;  ///< The same torque at the output, without losses.
   std::string_view gear;
   std::string_view mesh;
   FailureMode mode = FailureMode::kBending;
 };
 
-/// Against a single load, and for the cycles of the case.
+/// Limits against a single load, and for the cycles of the case.
 struct TorqueLimits {
   TorqueLimit once;
   TorqueLimit for_cycles;
 };
 
-/// Closed form: bending goes with the torque, pressure with its square root.
+/// Computes the limits in closed form: bending goes with the torque, pressure with its square root.
 /// docs/derivations/strength.md eq. (14). Requires a train without objections.
 TorqueLimits torque_limits(const StrengthCase& strength);
 

@@ -51,23 +51,25 @@ T ring_path_end(const T& teeth) {
   return (cosecant + more - cut_off) / (circle_constant<T>() * reference_cosine<T>());
 }
 
-/// No pair of external gears without profile shift reaches this contact ratio.
+/// Supremum of the contact ratio of external gears without profile shift.
 inline constexpr double kSupremumOfExternalContactRatio =
     2.0 / (std::numbers::pi * kReferenceSine * kReferenceCosine);
 
-/// Two external gears without profile shift. docs/derivations/efficiency.md eq. (1).
+/// Path of contact of two external gears without profile shift. docs/derivations/efficiency.md eq.
+/// (1).
 template <class T>
 ContactPath<T> external_path(const T& teeth_1, const T& teeth_2) {
   return {external_path_end(teeth_2), external_path_end(teeth_1)};
 }
 
-/// A planet in a ring without profile shift. docs/derivations/efficiency.md eq. (2).
+/// Path of contact of a planet in a ring without profile shift. docs/derivations/efficiency.md eq.
+/// (2).
 template <class T>
 ContactPath<T> internal_path(const T& planet, const T& ring) {
   return {ring_path_end(ring), external_path_end(planet)};
 }
 
-/// Lambda, the mean of |path coordinate| over the pairs that share the load, for contact ratios in
+/// Lambda: the mean of |path coordinate| over the pairs that share the load, for contact ratios in
 /// [1, 3) and any sign of either end. docs/derivations/efficiency.md eq. (8). Dimensionless.
 template <class T>
 T sliding_loss_factor(const ContactPath<T>& path) {

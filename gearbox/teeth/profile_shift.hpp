@@ -19,25 +19,28 @@ struct ShiftedPair {
   double shift_2 = 0.0;
 };
 
-/// The angle whose involute tan(angle) - angle is `involute`; nothing for a negative involute.
+/// Returns the angle whose involute tan(angle) - angle is `involute`; nothing for a negative
+/// involute.
 std::optional<double> inverse_involute_rad(double involute);
 
-/// Pressure angle at which the pair meshes without backlash; nothing where none exists.
+/// Returns the pressure angle at which the pair meshes without backlash; nothing where none exists.
 std::optional<double> working_angle_rad(const ShiftedPair& pair);
 
-/// Sum of the teeth (external) or their difference (internal).
+/// Returns the sum of the teeth (external) or their difference (internal).
 double teeth_between_centres(const ShiftedPair& pair);
 
-/// Centre distance at a working angle, in modules.
+/// Returns the centre distance at a working angle, in modules.
 double centre_distance(const ShiftedPair& pair, double working_angle_rad);
 
-/// Working angle at a centre distance in modules; nothing where the base circles do not allow it.
+/// Returns the working angle at a centre distance in modules; nothing where the base circles do not
+/// allow it.
 std::optional<double> working_angle_at_rad(double teeth_between_centres, double centre_distance);
 
-/// y = a - (z1 +- z2)/2: how far the centres are from their reference distance, in modules.
+/// Returns y = a - (z1 +- z2)/2: how far the centres are from their reference distance, in modules.
 double centre_increment(const ShiftedPair& pair, double centre_distance);
 
-/// The shifts that close a centre distance in modules: x1 + x2 (external), x2 - x1 (internal).
+/// Returns the sum of shifts that closes a centre distance in modules: x1 + x2 (external), x2 - x1
+/// (internal).
 std::optional<double> closing_shift(const ShiftedPair& pair, double centre_distance);
 
 /// Tip diameter of an external gear of a pair that keeps the full tip clearance to its mate.

@@ -11,34 +11,34 @@ namespace torquewright::gearbox {
 // Where the involute ends at the root, and how far down the mate's tip needs it, without profile
 // shift; lengths in modules. docs/derivations/tooth_outline.md eqs. (8)...(13). T as in mesh.hpp.
 
-/// Path of contact in modules, given in base pitches.
+/// Converts a path of contact in base pitches to modules.
 template <class T>
 T path_in_modules(const T& base_pitches) {
   return circle_constant<T>() * reference_cosine<T>() * base_pitches;
 }
 
-/// How deep below its middle line a hob with this addendum and tip radius is straight.
+/// Depth below its middle line to which a hob with this addendum and tip radius is straight.
 template <class T>
 T straight_depth_of_hob(const T& addendum, const T& tip_radius) {
   return addendum - (1.0 - reference_sine<T>()) * tip_radius;
 }
 
-/// How deep it has to be straight, so that the involute goes down to where the tip of a ring of so
-/// many teeth touches it. Falls with the teeth, to 1.
+/// Depth to which the hob has to be straight, so that the involute goes down to where the tip of a
+/// ring of so many teeth touches it. Falls with the teeth, to 1.
 template <class T>
 T depth_reached_by_ring(const T& ring) {
   return reference_sine<T>() * path_in_modules<T>(ring_path_end(ring));
 }
 
-/// The same of an external mate. Grows with the teeth, to 1.
+/// The same depth for an external mate. Grows with the teeth, to 1.
 template <class T>
 T depth_reached_by_gear(const T& teeth) {
   return reference_sine<T>() * path_in_modules<T>(external_path_end(teeth));
 }
 
-/// How far beyond the pitch point, along the path of contact, a shaper with this many teeth,
-/// addendum and tip radius leaves a ring's involute. With as many teeth as the planet, what is left
-/// beyond the path that the planet reaches falls with the teeth.
+/// Distance beyond the pitch point, along the path of contact, to which a shaper with this many
+/// teeth, addendum and tip radius leaves a ring's involute. With as many teeth as the planet, what
+/// is left beyond the path that the planet reaches falls with the teeth.
 template <class T>
 T path_left_by_shaper(const T& shaper, const T& addendum, const T& tip_radius) {
   using std::sqrt;
@@ -47,13 +47,13 @@ T path_left_by_shaper(const T& shaper, const T& addendum, const T& tip_radius) {
   return sqrt(square(centre) - square(base)) + tip_radius - reference_sine<T>() * shaper / 2.0;
 }
 
-/// How far a planet's tip needs it. Grows with the planet's teeth.
+/// Distance to which a planet's tip needs it. Grows with the planet's teeth.
 template <class T>
 T path_reached_by_planet(const T& planet) {
   return path_in_modules<T>(external_path_end(planet));
 }
 
-/// Teeth below which a hob that is straight so deep undercuts.
+/// Number of teeth below which a hob that is straight to that depth undercuts.
 template <class T>
 T undercut_limit_teeth(const T& straight_depth) {
   return 2.0 * straight_depth / square(reference_sine<T>());

@@ -22,19 +22,20 @@ struct ShaperAtDepth {
   double center_distance = 0.0;
   double tip_radius = 0.0;
   double base_radius = 0.0;
-  double tangent_distance = 0.0;  ///< Between the base tangent points of ring and shaper.
+  double tangent_distance = 0.0;  ///< Distance between the base tangent points of ring and shaper.
 };
 
-/// Nothing where a shaper of so many teeth does not mesh with the ring or is pointed at its tips.
+/// Returns the shaper; nothing where one of so many teeth does not mesh with the ring or is pointed
+/// at its tips.
 std::optional<ShaperAtDepth> shaper_at_depth(const ShapedRing& ring);
 
-/// docs/derivations/tooth_outline.md eq. (12): the largest rounding of a shaper's tips that leaves
-/// the ring's involute out to where the planet's tip touches it. Negative: none does. Nothing where
-/// planet and ring do not mesh.
+/// Returns the largest rounding of a shaper's tips that leaves the ring's involute out to where the
+/// planet's tip touches it (docs/derivations/tooth_outline.md eq. (12)). Negative: none does.
+/// Nothing where planet and ring do not mesh.
 std::optional<double> largest_shaper_tip_radius(const ShaperAtDepth& shaper,
                                                 const PlanetInRing& mesh, double planet_tip_radius);
 
-/// Eq. (13): the rounding that takes all of the land of a shaper's tip.
+/// Returns the rounding that takes all of the land of a shaper's tip, eq. (13).
 double full_shaper_rounding(const ShaperAtDepth& shaper);
 
 }  // namespace torquewright::gearbox

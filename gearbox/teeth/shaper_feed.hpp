@@ -12,14 +12,14 @@ namespace torquewright::gearbox {
 /// A shaper without profile shift of its own.
 struct FedShaper {
   double teeth = 0.0;
-  double tip_radius = 0.0;  ///< Of its tip circle.
-  double rounding = 0.0;    ///< Of its tips; 0 is on the safe side.
+  double tip_radius = 0.0;  ///< Radius of its tip circle.
+  double rounding = 0.0;    ///< Rounding of its tips; 0 is on the safe side.
 };
 
 struct FedRing {
   double teeth = 0.0;
   double profile_shift = 0.0;
-  double tip_radius = 0.0;  ///< Of its tip circle.
+  double tip_radius = 0.0;  ///< Radius of its tip circle.
 };
 
 /// Eq. (21): how much farther the ring's tips could reach before the shaper's tips touch them on

@@ -16,23 +16,24 @@ struct CutPair {
   double tip_diameter_2 = 0.0;
 };
 
-/// Pressure angle at a diameter of a gear; nothing inside its base circle.
+/// Returns the pressure angle at a diameter of a gear; nothing inside its base circle.
 std::optional<double> pressure_angle_rad(double teeth, double diameter);
 
-/// Ends of the path of contact; nothing where a tip lies inside its base circle.
+/// Returns the ends of the path of contact; nothing where a tip lies inside its base circle.
 std::optional<ContactPath<double>> contact_path(const CutPair& cut);
 
 // Interference of a planet in a ring; each margin must be >= 0, nothing means that a circle needed
 // for it does not exist. SDP/SI D785 section 5.
 
-/// z1/z2 - 1 + tan(alpha_a2)/tan(alpha_w). Dimensionless.
+/// Margin z1/z2 - 1 + tan(alpha_a2)/tan(alpha_w) of involute interference. Dimensionless.
 std::optional<double> involute_interference_margin(const CutPair& cut);
 
-/// theta_1 z1/z2 + inv(alpha_w) - inv(alpha_a2) - theta_2 [rad].
+/// Margin theta_1 z1/z2 + inv(alpha_w) - inv(alpha_a2) - theta_2 of trochoid interference, in rad.
 std::optional<double> trochoid_interference_margin(const CutPair& cut);
 
-/// theta_1 + inv(alpha_a1) - inv(alpha_w) - z2/z1 (theta_2 + inv(alpha_a2) - inv(alpha_w)) [rad].
-/// Only where the planet is pushed in radially; the trains here are assembled along the axis.
+/// Margin theta_1 + inv(alpha_a1) - inv(alpha_w) - z2/z1 (theta_2 + inv(alpha_a2) - inv(alpha_w))
+/// of trimming, in rad. It matters only where the planet is pushed in radially; the trains here are
+/// assembled along the axis.
 std::optional<double> trimming_margin(const CutPair& cut);
 
 }  // namespace torquewright::gearbox

@@ -51,7 +51,7 @@ struct PlanetInRing {
   double ring_teeth = 0.0;
   double ring_tip_radius = 0.0;
   double center_distance = 0.0;
-  double hob_addendum = kStandardAddendum;  ///< Of the hob that cuts the planet.
+  double hob_addendum = kStandardAddendum;  ///< Addendum of the hob that cuts the planet.
 };
 
 /// Eq. (8): the largest tip radius of the planet's hob that leaves its involute down to where the

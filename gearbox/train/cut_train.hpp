@@ -43,7 +43,7 @@ struct CutMesh {
 
 /// All gears and meshes of a train, docs/derivations/kinematics.md "Profile shift".
 struct CutTrain {
-  GearTrain train;              ///< What it was cut from.
+  GearTrain train;              ///< The train that it was cut from.
   std::vector<CutGear> gears;   ///< In the topology's order.
   std::vector<CutMesh> meshes;  ///< The sun's first, then those of the rings.
   double centre_mm = 0.0;

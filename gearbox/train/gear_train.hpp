@@ -11,7 +11,7 @@
 
 namespace torquewright::gearbox {
 
-/// What cuts the roots; lengths in modules.
+/// Cutters of the roots; lengths in modules.
 struct Cutters {
   /// Tip radius of the hob of sun and planets, in modules. Absent: ISO 53 profile A (0.38) is
   /// assumed, and a planet's hob is rounded less where its ring reaches deeper
@@ -39,7 +39,7 @@ struct GearTrain {
   std::vector<double> shifts;       ///< Profile shifts in modules, likewise.
   std::int64_t planet_count = 0;
   double module_mm = 0.0;
-  std::vector<double> face_width_mm;  ///< By layer: one, or two of a 3K train.
+  std::vector<double> face_width_mm;  ///< Face widths by layer: one, or two for a 3K train.
   Cutters cutters = {};
   /// Module of planet 2 and the output ring, in mm, where it is another than the sun's.
   std::optional<double> layer_2_module_mm = {};

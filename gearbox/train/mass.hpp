@@ -9,7 +9,8 @@
 
 namespace torquewright::gearbox {
 
-/// What turns teeth into kilograms: one material, face widths by layer, one wall for all rims.
+/// Material and widths that turn teeth into kilograms: one material, face widths by layer, one wall
+/// for all rims.
 struct Blank {
   double module_m = 0.0;
   double density_kg_m3 = 0.0;
@@ -17,8 +18,8 @@ struct Blank {
   double face_width_2_m = 0.0;  ///< Layer of the output ring; 0 in a single stage.
   double wall_m = 0.0;          ///< Behind the root.
 
-  double hob_depth = 1.25;     ///< Of the sun's root below its pitch circle, in modules.
-  double shaper_depth = 1.25;  ///< Of the rings' likewise.
+  double hob_depth = 1.25;     ///< Depth of the sun's root below its pitch circle, in modules.
+  double shaper_depth = 1.25;  ///< Depth of the rings' roots, likewise.
 
   /// Diameter of a rim's far side beyond its pitch circle: root circle plus two walls.
   double ring_rim_m() const { return 2.0 * shaper_depth * module_m + 2.0 * wall_m; }

@@ -8,7 +8,7 @@
 
 namespace torquewright::gearbox {
 
-/// What an accepted result proves, in words. Requires a result that was accepted.
+/// Returns in words what an accepted result proves. Requires a result that was accepted.
 std::string claim_sentence(const Problem& problem, const nlohmann::json& result);
 
 }  // namespace torquewright::gearbox

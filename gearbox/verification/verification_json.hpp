@@ -11,7 +11,7 @@
 
 namespace torquewright::gearbox {
 
-/// What `gearbox verify` finds out about a result.
+/// Outcome of `gearbox verify` for a result.
 struct Verification {
   bool is_accepted = false;   ///< Proved, and all that is said beside the proof is so.
   bool is_undecided = false;  ///< Status "limit": a bound is proved, the optimum is not.

@@ -9,13 +9,13 @@
 
 namespace torquewright::hopper::calibration {
 
-/// Free values and how near they come to the figures.
+/// Values of the free variables, and how close they come to the published figures.
 struct Candidate {
   std::vector<double> values;
-  double worst_error = 0.0;  ///< Largest magnitude over the targets, relative.
+  double worst_error = 0.0;  ///< Largest relative error over the targets.
 };
 
-/// Least squares over the free values, from several starts; some may be held at a value.
+/// Fits the free values by least squares from several starts; some may be held at a value.
 /// Deterministic. If the figures can be met within their tolerance, the candidate does (as far as a
 /// local method finds it). Empty where no values give inertias that bodies have.
 struct Held {
@@ -27,21 +27,22 @@ std::optional<Candidate> nearest_candidate(const Question& question, std::option
 
 bool meets(const Figures& figures, const std::optional<Candidate>& candidate);
 
-/// Where a free value stands and how near the others can bring the figures to it.
+/// One value of a free variable, and how close the others can then bring the figures.
 struct ProfilePoint {
   double value = 0.0;
   std::optional<Candidate> best;
 };
 
-/// Along one free value, the others fitted anew at each point: the valley.
+/// The valley along one free value, the others fitted anew at each point.
 struct Profile {
-  std::vector<ProfilePoint> points;  ///< A grid over its bounds.
+  std::vector<ProfilePoint> points;  ///< Points of a grid over its bounds.
   struct Range {
     double low = 0.0;
     double high = 0.0;
   };
-  std::vector<Range> ranges;   ///< Where the figures can be met; ends found by halving.
-  bool is_determined = false;  ///< One range, narrower than a twentieth of the bounds.
+  /// Ranges in which the figures can be met; their ends are found by halving.
+  std::vector<Range> ranges;
+  bool is_determined = false;  ///< There is one range, narrower than a twentieth of the bounds.
 };
 
 Profile profile_of(const Question& question, std::size_t index,
@@ -50,7 +51,8 @@ Profile profile_of(const Question& question, std::size_t index,
 struct Calibration {
   std::optional<Candidate> best;
   bool is_met = false;
-  std::vector<Profile> profiles;  ///< By free value; empty where the figures cannot be met.
+  /// Profiles by free value; empty where the figures cannot be met.
+  std::vector<Profile> profiles;
 
   bool is_determined() const;
 };

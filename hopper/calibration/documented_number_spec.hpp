@@ -10,16 +10,17 @@ struct Document;
 
 namespace torquewright::hopper::calibration {
 
-/// A number of a robot's document, and whose it is.
+/// A number of a robot's document, and the body or joint that it belongs to.
 struct DocumentedNumber {
   std::vector<std::string>
-      parts;          ///< Of its pointer: "/bodies/0/mass_kg" gives bodies, 0, mass_kg.
-  std::string owner;  ///< Name of the body or joint that it stands in; empty: in neither.
+      parts;          ///< Parts of its pointer: "/bodies/0/mass_kg" gives bodies, 0, mass_kg.
+  std::string owner;  ///< Name of the body or joint that it belongs to; empty: to neither.
   double value = 0.0;
 };
 
-/// Where the JSON pointer leads. Throws io::SpecError, for the `option` that stated it, where the
-/// text is no pointer or no number stands there. Requires a document of kind `robot`.
+/// Finds the number that a JSON pointer leads to. Throws io::SpecError, for the `option` that
+/// stated it, where the text is no pointer or no number stands there. Requires a document of kind
+/// `robot`.
 DocumentedNumber documented_number(const std::string& pointer, const io::Document& document,
                                    const char* option);
 

@@ -16,29 +16,29 @@ namespace torquewright::hopper::calibration {
 struct Knob {
   enum class Kind { kMass, kCenterOfMass, kInertia, kRoundInertia, kJointPosition, kPosture };
   Kind kind = Kind::kMass;
-  std::size_t body = 0;     ///< In the tree; of a joint the body that it carries.
-  std::size_t posture = 0;  ///< In robot.postures.
-  Eigen::Index row = 0;     ///< Of a vector or an inertia.
+  std::size_t body = 0;     ///< Index in the tree; for a joint that of the body it carries.
+  std::size_t posture = 0;  ///< Index in robot.postures.
+  Eigen::Index row = 0;     ///< Row of a vector or an inertia.
   Eigen::Index column = 0;
 };
 
-/// Sets it. Both of two mirrored elements of an inertia.
+/// Sets the number; of an inertia both mirrored elements.
 void turn(const Knob& knob, double value, dynamics::Tree& tree, std::vector<Posture>& postures);
 
-/// What it is, of what, in which unit: "thigh: moment of inertia yy, kg m^2".
+/// Describes the number with its owner and unit: "thigh: moment of inertia yy, kg m^2".
 std::string words_of(const Knob& knob, const Robot& robot);
 
 /// A value that a calibration may choose within bounds; several pointers take the same value.
 struct FreeValue {
   std::vector<std::string> pointers;
   std::vector<Knob> knobs;
-  std::string words;  ///< Of the first knob.
+  std::string words;  ///< Description of the first knob.
   double documented = 0.0;
   double lowest = 0.0;
   double highest = 0.0;
   bool has_stated_bounds = false;
 
-  std::string name() const;  ///< The pointers with commas.
+  std::string name() const;  ///< Returns the pointers, joined by commas.
 };
 
 /// Reads POINTER[,POINTER...][=LOW:HIGH]. Bounds that are not stated are plausible ones: half to

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kIntervals = 24;
 constexpr int kHalvings = 12;
-constexpr double kNarrow = 0.05;  // of the bounds
+constexpr double kNarrow = 0.05;  // of the bounds: determined (docs/calibration.md, "The valley")
 
 /// One free value's profile; each fit starts where its neighbour ended.
 class Valley {

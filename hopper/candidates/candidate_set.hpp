@@ -10,13 +10,13 @@
 
 namespace torquewright::hopper {
 
-/// What may take the place of a drivetrain's actuators.
+/// A transmission that may take the place of a drivetrain's actuators.
 struct Candidate {
-  std::string name;  ///< Its file's, with the ratio where that was changed.
+  std::string name;  ///< Name of its file, with the ratio where that was changed.
   actuator::Actuator actuator;
 };
 
-/// Ratios to try on every candidate, from least to greatest.
+/// Gear ratios to try on every candidate, from least to greatest.
 struct RatioSweep {
   double from = 1.0;
   double to = 1.0;
@@ -24,7 +24,7 @@ struct RatioSweep {
   std::vector<double> ratios() const;
 };
 
-/// FROM:TO or FROM:TO:STEP. Throws io::SpecError.
+/// Reads FROM:TO or FROM:TO:STEP. Throws io::SpecError.
 RatioSweep read_ratio_sweep(const std::string& text);
 
 /// The documents of a folder that can drive a drivetrain: every actuator, and every gearbox or
@@ -32,7 +32,8 @@ RatioSweep read_ratio_sweep(const std::string& text);
 struct CandidateSet {
   std::vector<std::vector<Candidate>> by_drivetrain;
   std::vector<io::Document> documents;
-  std::vector<std::string> left_out;  ///< Sentences: documents that are none of these, or broken.
+  /// Sentences about documents that are no candidates, or broken.
+  std::vector<std::string> left_out;
 };
 
 /// Reads a folder (not those inside it), in the order of the names. Throws io::SpecError where it

@@ -80,7 +80,7 @@ Robot with(const Robot& robot, std::size_t drivetrain, const Candidate& candidat
   for (actuator::Actuator& actuator : drive.actuators) {
     const std::optional<actuator::Battery> battery = actuator.battery;
     actuator = candidate.actuator;
-    if (battery && !actuator.battery) actuator.battery = battery;
+    if (battery && !actuator.battery && !actuator.envelope) actuator.battery = battery;
   }
   drive.stated_rotors_kg_m2.clear();
   drive.joints_state_rotors = false;

@@ -11,30 +11,32 @@
 
 namespace torquewright::hopper {
 
-/// Where a candidate's torques come from.
+/// Source of a candidate's torques.
 enum class CandidateTorques {
-  kDynamics,       ///< Of the robot with the candidate in it.
+  kDynamics,       ///< Dynamics of the robot with the candidate in it.
   kExchangedFile,  ///< The file's, less what the dynamics with the old rotor (and mass) ask for,
                    ///< more what those with the candidate's do.
 };
 
-/// How one candidate does in one drivetrain, all others as the robot has them.
+/// Result of one candidate in one drivetrain, all others as the robot has them.
 struct CandidateResult {
   std::size_t drivetrain = 0;
   std::string name;
   double ratio = 1.0;
   actuator::Verdict verdict = actuator::Verdict::kPass;
-  /// Least distance of a torque to its bound over the greatest torque at rest; negative: missing.
+  /// Least distance of a torque to its bound over the greatest torque at rest; negative: so much is
+  /// missing.
   double margin_share = 0.0;
   std::optional<double> speed_margin_rad_s;
-  std::optional<double> mass_kg;  ///< Of the actuators of the drivetrain.
-  double energy_J = 0.0;          ///< Drawn less returned.
-  double copper_loss_J = 0.0;     ///< The heat that the windings take in one run.
-  double peak_torque_Nm = 0.0;    ///< At the joint, its rotor's part included.
+  std::optional<double> mass_kg;  ///< Mass of the drivetrain's actuators.
+  double energy_J = 0.0;          ///< Energy drawn less energy returned.
+  double copper_loss_J = 0.0;     ///< Heat of the windings in one run.
+  double peak_torque_Nm = 0.0;    ///< Greatest torque at the joint, its rotor's part included.
   double rotor_inertia_kg_m2 = 0.0;
   CandidateTorques torques = CandidateTorques::kDynamics;
-  bool is_on_front = false;  ///< Of margin, mass, energy and heat, among those that pass.
-  std::string why;           ///< Where it does not pass: the first violation, in one line.
+  /// It is on the front of margin, mass, energy and heat, among those that pass.
+  bool is_on_front = false;
+  std::string why;  ///< Where it does not pass: the first violation, on one line.
 };
 
 /// Every candidate in every drivetrain, to be tried one by one. Its demand is that of the dynamics
@@ -52,11 +54,11 @@ class CandidateTrials {
   ~CandidateTrials();
 
   std::size_t size() const;
-  /// Of its drivetrain and itself: the same for no other.
+  /// Names the trial by its drivetrain and its candidate; no two share a name.
   std::string name_of(std::size_t number) const;
-  /// May be called by several threads at once.
+  /// Tries one candidate. May be called by several threads at once.
   CandidateResult result_of(std::size_t number) const;
-  /// Stands for one that was not tried, and why.
+  /// Returns a result for a candidate that was not tried, with the reason.
   CandidateResult untried(std::size_t number, std::string why) const;
 
  private:
@@ -64,10 +66,11 @@ class CandidateTrials {
   std::unique_ptr<const Ready> ready_;
 };
 
-/// Those that pass come first in each drivetrain, by margin; the others after them, by margin too.
+/// Sorts results: those that pass come first in each drivetrain, by margin; the others after them,
+/// by margin too.
 std::vector<CandidateResult> ranked(std::vector<CandidateResult> results);
 
-/// All of them, ranked. `threads` at least 1.
+/// Tries all candidates and ranks them. `threads` is at least 1.
 std::vector<CandidateResult> try_candidates(
     const Robot& robot, const Motion& motion, const CheckOptions& options,
     const HopperReport& report, const CandidateSet& candidates, std::size_t threads,

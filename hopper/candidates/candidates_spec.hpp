@@ -13,7 +13,7 @@ namespace torquewright::hopper {
 nlohmann::ordered_json candidates_json(const Robot& robot,
                                        const std::vector<CandidateResult>& results);
 
-/// A candidate's result on one line, as processes hand it on, and what such a line holds.
+/// Writes a candidate's result on one line, which processes hand on.
 std::string candidate_text(const CandidateResult& result);
 CandidateResult candidate_of(const std::string& text);
 

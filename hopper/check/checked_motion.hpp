@@ -9,36 +9,39 @@ namespace torquewright::hopper {
 
 using actuator::Finding;
 
-/// Which torques the actuators are held against.
+/// Source of the torques that the actuators are held against.
 enum class TorqueSource {
-  kBest,  ///< The file's where it has all, else those of the dynamics.
+  kBest,  ///< Torques of the file where it has all, else those of the dynamics.
   kFile,
   kDynamics,
 };
 
-/// Columns that may belong to the row before (hopper/check/late_columns.hpp).
+/// How columns are read that may belong to the row before (hopper/check/late_columns.hpp).
 enum class LateRows {
   kFind,
-  kKeep,   ///< All are as they stand.
-  kShift,  ///< All but positions and velocities belong to the row before.
+  kKeep,   ///< All columns belong to their own rows.
+  kShift,  ///< All columns but positions and velocities belong to the row before.
 };
 
 struct CheckOptions {
   ContactRule contact;
-  double residual_share = 0.1;      ///< Of the weight (and weight times size): more is no motion.
-  double residual_window_s = 0.01;  ///< Over which the residual is averaged.
+  /// Limit of the residual as a share of the weight (and of weight times size); beyond it the
+  /// motion is refused.
+  double residual_share = 0.1;
+  double residual_window_s = 0.01;  ///< Window over which the residual is averaged.
   double shortest_flight_s = 0.01;  ///< A shorter loss of contact is chatter.
-  double load_window_s = 0.01;      ///< Over which a transmission's load is.
+  double load_window_s = 0.01;      ///< Window over which a transmission's load is averaged.
   TorqueSource torques = TorqueSource::kBest;
   LateRows late_columns = LateRows::kFind;
   actuator::OperatingConditions conditions;
   std::size_t runs = 1;
   double pause_s = 0.0;
   bool keep_traces = false;
-  std::function<void(double share)> on_progress = {};  ///< May be empty.
+  /// Called with the share that is done. May be empty.
+  std::function<void(double share)> on_progress = {};
 };
 
-/// A motion and what it asks for: what every rule looks at.
+/// A motion with everything that rules need: its demand, contacts and options.
 struct CheckedMotion {
   const Robot& robot;
   const CheckOptions& options;

@@ -8,9 +8,9 @@
 
 namespace torquewright::hopper {
 
-/// Notes of columns that read_motion() does not read, and of those that it reads in another unit
-/// than their own names end in. Of a file that comes through a pipe, which is read once, only the
-/// latter. Requires a file that read_motion() has read.
+/// Returns notes on columns that read_motion() does not read, and on those that it reads in another
+/// unit than their own names end in. For a file that comes through a pipe, which is read once, only
+/// the latter. Requires a file that read_motion() has read.
 std::vector<actuator::Finding> column_findings(const Robot& robot, const MotionFile& source);
 
 }  // namespace torquewright::hopper

@@ -7,12 +7,12 @@
 
 namespace torquewright::hopper {
 
-/// How many of the free rows are what, in this order.
+/// Numbers of the kinds of free rows, in this order.
 struct RowKinds {
-  Eigen::Index forces = 0;             ///< On the base.
-  Eigen::Index moments = 0;            ///< On the base, about the centre of mass.
-  Eigen::Index passives = 0;           ///< On joints without an actuator,
-  std::vector<Eigen::Index> slides{};  ///< of which these rows, of all, hold forces (N).
+  Eigen::Index forces = 0;             ///< Rows of forces on the base.
+  Eigen::Index moments = 0;            ///< Rows of moments on the base, about the centre of mass.
+  Eigen::Index passives = 0;           ///< Rows of joints without an actuator.
+  std::vector<Eigen::Index> slides{};  ///< Indices of those rows that hold forces of slides (N).
 };
 
 /// The rows of the equations of motion that no actuator appears in: those of a floating base, and
@@ -25,15 +25,15 @@ class FreeRows {
   Eigen::Index size() const { return base_ + static_cast<Eigen::Index>(passive_.size()); }
   Eigen::Index base_size() const { return base_; }
 
-  /// Moves on to the posture of the state, with its centre of mass [world, from the world's
-  /// origin].
+  /// Sets the posture, with its centre of mass [world, from the world's origin].
   void set(const dynamics::TreeState& state, const Eigen::Vector3d& center_of_mass_m);
 
-  /// Picks and turns the rows of columns (n x k) that have one row per velocity: (size() x k).
+  /// Selects and rotates the free rows of columns (n x k) that have one row per velocity: (size() x
+  /// k).
   void take(const Eigen::Ref<const Eigen::MatrixXd>& from, Eigen::Ref<Eigen::MatrixXd> to) const;
 
-  /// (size() x 1), N and Nm. What makes the rows of like size: the weight, and the weight times the
-  /// robot's size.
+  /// (size() x 1), N and Nm: scales that make the rows comparable, the weight and the weight times
+  /// the robot's size.
   Eigen::VectorXd scales(double weight_N, double size_m) const;
 
   RowKinds kinds() const;
@@ -43,7 +43,7 @@ class FreeRows {
   Eigen::Index base_;
   std::vector<Eigen::Index> passive_;  ///< Rows of velocity.
   std::vector<Eigen::Index> slides_;
-  Eigen::MatrixXd turn_;  ///< Square, of the base's rows.
+  Eigen::MatrixXd turn_;  ///< Square matrix that turns the base's rows.
 };
 
 }  // namespace torquewright::hopper

@@ -9,18 +9,19 @@ namespace torquewright::hopper {
 /// the friction on the motor's side take. docs/derivations/whole_body_check.md eqs. (14)-(19).
 /// All (drives x samples).
 struct GearTorque {
-  Eigen::MatrixXd joint_Nm;      ///< Behind the mesh, at the actuator's output.
-  Eigen::MatrixXd motor_Nm;      ///< Before it, at the rotor.
-  Eigen::MatrixXd impulse_Nm_s;  ///< Of the rotor's jump in speed, at the output; else 0.
-  /// At the output, since the sample before: what the velocities' change asks for and the samples
-  /// do not make,
+  Eigen::MatrixXd joint_Nm;      ///< Torque behind the mesh, at the actuator's output.
+  Eigen::MatrixXd motor_Nm;      ///< Torque before the mesh, at the rotor.
+  Eigen::MatrixXd impulse_Nm_s;  ///< Impulse of the rotor's jump in speed, at the output; else 0.
+  /// Impulse at the output, since the sample before, that the velocities' change asks for and the
+  /// samples do not give.
   Eigen::MatrixXd doubt_Nm_s;
-  Eigen::MatrixXd bend_Nm_s;  ///< and how far a jump or bend between samples may lead off, and how
-                              ///< far the torques themselves may be off.
+  /// How far the impulse since the sample before may be off by a jump or bend between samples and
+  /// by the doubt of the torques.
+  Eigen::MatrixXd bend_Nm_s;
 };
 
-/// What passes the gears under the torques that count. Requires velocities and accelerations, as
-/// demand_of() leaves them.
+/// Computes what passes the gears under the torques that count. Requires velocities and
+/// accelerations, as demand_of() leaves them.
 GearTorque gear_torque(const CheckedMotion& checked, const DriveTorques& torques);
 
 }  // namespace torquewright::hopper

@@ -9,12 +9,12 @@
 
 namespace torquewright::hopper {
 
-/// Whether a robot's actuators can do a motion.
+/// Result of a check: whether a robot's actuators can do a motion.
 struct HopperReport {
-  actuator::CheckReport check;  ///< Verdict, drives, findings: as of actuator::check().
+  actuator::CheckReport check;  ///< Verdict, drives and findings, as from actuator::check().
   BaseResidual base_residual;
-  Eigen::MatrixXd torques_Nm;         ///< By drive and sample: those that count, rotors included.
-  bool has_doubtful_torques = false;  ///< DriveTorques::is_doubtful.
+  Eigen::MatrixXd torques_Nm;         ///< Torques that count, by drive and sample, rotors included.
+  bool has_doubtful_torques = false;  ///< See DriveTorques::is_doubtful.
   GearTorque gears;
   std::vector<TransmissionLoad> transmission_loads;
   std::vector<ContactLoad> contact_loads;  ///< Empty without dynamics.
@@ -25,7 +25,7 @@ struct HopperReport {
   Demand demand;
 };
 
-/// Holds a motion against its robot. The motion's missing rates are derived on the way. Throws
+/// Checks a motion against its robot. The motion's missing rates are derived on the way. Throws
 /// io::SpecError where it is no motion of this robot: a base residual beyond its limit, a posture
 /// that a mechanism does not reach.
 HopperReport check_motion(const Robot& robot, Motion& motion, const CheckOptions& options);

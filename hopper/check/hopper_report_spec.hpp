@@ -7,11 +7,11 @@
 
 namespace torquewright::hopper {
 
-/// A document of kind `check_report` with the keys of a whole body, without its provenance. What is
-/// not finite or not known is null.
+/// Writes a document of kind `check_report` with the keys of a whole body, without its provenance.
+/// What is not finite or not known is null.
 nlohmann::ordered_json hopper_report_json(const HopperReport& report);
 
-/// Entries of its lists `transmission_load` and `contact_load`.
+/// Writes the lists `transmission_load` and `contact_load` of the report.
 nlohmann::ordered_json transmission_load_json(const std::vector<TransmissionLoad>& loads);
 nlohmann::ordered_json contact_load_json(const std::vector<ContactLoad>& loads);
 

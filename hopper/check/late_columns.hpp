@@ -10,52 +10,52 @@
 
 namespace torquewright::hopper {
 
-/// Columns of a motion that may belong to the row before: simulators store positions and velocities
+/// Columns of a motion that belong to the row before: simulators store positions and velocities
 /// after a step beside what they computed at its beginning.
 struct LateColumns {
   bool accelerations = false;
-  bool forces = false;  ///< Of the ground.
-  bool flags = false;   ///< Of contact.
+  bool forces = false;  ///< Contact forces.
+  bool flags = false;   ///< Contact flags.
   bool torques = false;
 
   bool any() const { return accelerations || forces || flags || torques; }
 };
 
-/// The motion with these columns moved to the row before; the last row, which lacks them then, is
-/// left out.
+/// Returns the motion with these columns moved to the row before; the last row, which then lacks
+/// them, is left out.
 Motion moved_to_row_before(Motion motion, const LateColumns& columns);
 
-/// Reads a file's columns, each in the row that its own physics says: accelerations that of the
-/// velocities, forces and flags that of the base, torques that of the drives.
-/// docs/derivations/whole_body_check.md, "Rows".
+/// Reads a file's columns, each in the row that its own physics says: accelerations in that of the
+/// velocities, forces and flags in that of the base, torques in that of the drives
+/// (docs/derivations/whole_body_check.md, "Rows").
 class RowReading {
  public:
-  /// Moves what is late of the motion, but for torques, which go with the accelerations. Requires
+  /// Moves the motion's late columns, but for torques, which go with the accelerations. Requires
   /// rates that are not derived yet. Throws io::SpecError where all is to be moved and rows state
   /// an impact.
   RowReading(const Robot& robot, const CheckOptions& options, Motion& motion);
 
-  /// Judges the torques by the demand of the motion. True: it was moved, or moved back, and its
-  /// demand is another.
+  /// Decides on the torques by the demand of the motion. True: they were moved, or moved back, and
+  /// the motion has another demand.
   bool settle_torques(const Demand& demand, Motion& motion);
 
-  /// The motion read the other way in all that nothing decides; none: all is decided.
+  /// Returns the motion with the other reading of all that nothing decides; none: all is decided.
   std::optional<Motion> other() const;
 
-  /// Reads what nothing decides the other way: as it is, it was refused.
+  /// Takes the other reading of what nothing decides, because the first was refused.
   void take_other();
 
   const LateColumns& late() const { return late_; }
   const LateColumns& open() const { return open_; }
 
-  /// What was moved and why; empty: nothing.
+  /// Returns what was moved and why; empty: nothing.
   std::vector<Finding> findings() const;
 
  private:
   void judge(const Robot& robot, const CheckOptions& options, Motion& motion);
   void settle(bool LateColumns::*column, const RowEvidence& evidence, bool by_model);
 
-  Motion file_;  ///< As it was read.
+  Motion file_;  ///< The motion as it was read.
   LateColumns late_;
   LateColumns open_;
   LateColumns given_;
@@ -63,7 +63,7 @@ class RowReading {
   std::vector<std::string> reasons_;
 };
 
-/// "accelerations and contact forces".
+/// Names the columns: "accelerations and contact forces".
 std::string words_of(const LateColumns& columns);
 
 }  // namespace torquewright::hopper

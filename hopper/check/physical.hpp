@@ -6,9 +6,9 @@
 
 namespace torquewright::hopper {
 
-/// Throws io::SpecError with time, size and likely cause where momentum comes from nothing: a
-/// flight that turns or falls as nothing does, a mean residual beyond its limit. Such a motion
-/// cannot be judged.
+/// Throws io::SpecError with time, size and likely cause where the motion is impossible: a flight
+/// in which momentum changes or the fall is not gravity's, a mean residual beyond its limit. Such a
+/// motion cannot be judged.
 void require_physical(const CheckedMotion& checked, const BaseResidual& residual,
                       const std::vector<Flight>& flights);
 

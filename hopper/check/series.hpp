@@ -5,8 +5,8 @@
 
 namespace torquewright::hopper {
 
-/// Something over the time of a motion: the header of its column, unit included, and one value a
-/// sample, NaN where there is none.
+/// A column of a series: its header, unit included, and one value for each sample, NaN where there
+/// is none.
 struct SeriesColumn {
   std::string header;
   Eigen::VectorXd values;
@@ -22,10 +22,10 @@ enum class SeriesDetail { kMotion, kDrives };
 Series series_of(const Robot& robot, const Motion& motion, const CheckOptions& options,
                  const HopperReport& report, SeriesDetail detail);
 
-/// The series as CSV; an empty cell where a value is NaN or infinite.
+/// Writes the series as CSV; an empty cell where a value is NaN or infinite.
 std::string series_csv(const Series& series);
 
-/// The column of that header; null where there is none.
+/// Finds the column of that header; null where there is none.
 const Eigen::VectorXd* find_column(const Series& series, const std::string& header);
 
 }  // namespace torquewright::hopper

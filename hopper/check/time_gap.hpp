@@ -8,8 +8,8 @@ namespace torquewright::hopper {
 
 actuator::LongestStep longest_step(const Motion& motion);
 
-/// Throws io::SpecError with place and length where rates are differentiated across a step in which
-/// nobody has seen the motion (actuator::hides_motion).
+/// Throws io::SpecError with place and length where rates are differentiated across a step so long
+/// that the motion in it is unknown (actuator::hides_motion).
 void require_seen_rates(const Motion& motion);
 
 }  // namespace torquewright::hopper

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kNotable = 0.03;  // of the peak
+constexpr double kNotable = 0.03;  // of the peak: a warning (docs/checks.md, `torque-doubt`)
 constexpr double kDeviations = 4.0;
 constexpr double kMatters = 0.1;  // of the greatest peak: smaller ones do not need to be known
 

@@ -18,29 +18,29 @@ namespace torquewright::hopper {
 /// docs/derivations/whole_body_check.md, "Doubt".
 Eigen::MatrixXd torque_doubts(const CheckedMotion& checked);
 
-/// The demand with accelerations that look twice as far; empty where they are given, or the motion
-/// is too short for it.
+/// Returns the demand with accelerations that look twice as far; empty where accelerations are
+/// given, or the motion is too short.
 std::optional<Demand> demand_twice_as_far(const CheckedMotion& checked);
 
-/// The same doubts, given that demand.
+/// Computes the same doubts from that demand.
 Eigen::MatrixXd torque_doubts(const CheckedMotion& checked, const std::optional<Demand>& twice);
 
-/// Between what one drive's peak torque lies.
+/// Bounds of one drive's peak torque.
 struct PeakDoubt {
   std::string drive;
   double peak_Nm = 0.0;
   double time_s = 0.0;
-  double least_Nm = 0.0;    ///< The peak is no less than this,
-  double most_Nm = 0.0;     ///< and no more.
-  bool by_sharing = false;  ///< Most of it is that contact forces are not unique.
+  double least_Nm = 0.0;    ///< The peak is no less than this.
+  double most_Nm = 0.0;     ///< The peak is no more than this.
+  bool by_sharing = false;  ///< Most of the doubt is that contact forces are not unique.
 };
 
-/// Peaks by drive, of torques and doubts by drive and sample.
+/// Returns the peaks by drive, from torques and doubts by drive and sample.
 std::vector<PeakDoubt> peak_doubts(const CheckedMotion& checked, const Eigen::MatrixXd& torque_Nm,
                                    const Eigen::MatrixXd& doubt_Nm);
 
-/// Findings on drives whose peak is not known to a share that matters, or whose verdict it leaves
-/// open.
+/// Returns findings on drives whose peak is not known well enough, or whose verdict the doubt
+/// leaves open.
 std::vector<Finding> doubt_findings(const CheckedMotion& checked,
                                     const std::vector<PeakDoubt>& peaks,
                                     const std::vector<actuator::DriveReport>& drives);

@@ -15,7 +15,7 @@ using actuator::Severity;
 using actuator::Verdict;
 using Eigen::Index;
 
-constexpr double kNotableDoubt = 0.05;  // of the load
+constexpr double kNotableDoubt = 0.05;  // of the load: smaller ones are not said; ours
 
 WindowLoad window_of(const CheckedMotion& checked, const GearTorque& gears,
                      const Eigen::MatrixXd& torque_Nm, Index drive, double ratio) {

@@ -10,19 +10,20 @@ namespace torquewright::hopper {
 
 using ConeVector = Eigen::Vector3d;
 
-/// n^2 - |t|^2: positive inside, where n > 0 too (and in the cone opposite, where n < 0).
+/// Determinant n^2 - |t|^2: positive inside, where n > 0 too (and in the opposite cone, where n <
+/// 0).
 double cone_determinant(const ConeVector& x);
 
-/// (x o y) = (n_x t_y + n_y t_x, x . y).
+/// Product of the cone: x o y = (n_x t_y + n_y t_x, x . y).
 ConeVector cone_product(const ConeVector& x, const ConeVector& y);
 
-/// The y with x o y = b. Requires x inside.
+/// Returns the y with x o y = b. Requires x inside.
 ConeVector cone_quotient(const ConeVector& b, const ConeVector& x);
 
-/// The symmetric W of Nesterov and Todd with W z = W^-1 x. Requires both inside.
+/// Returns the symmetric W of Nesterov and Todd with W z = W^-1 x. Requires both inside.
 Eigen::Matrix3d nesterov_todd(const ConeVector& x, const ConeVector& z);
 
-/// The greatest share, at most 1, of a step from the inside that does not leave the cone.
+/// Returns the greatest share, at most 1, of a step from the inside that does not leave the cone.
 double share_to_boundary(const ConeVector& x, const ConeVector& step);
 
 }  // namespace torquewright::hopper

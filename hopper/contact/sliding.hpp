@@ -5,13 +5,15 @@
 
 namespace torquewright::hopper {
 
-/// Which points slide over the ground, and which way.
+/// Which points slide over the ground, and in which direction.
 struct Sliding {
-  Eigen::MatrixXd velocity_m_s;  ///< (2 points x samples): of the touching points, world's x and y.
-  /// (2 points x samples): unit vector of the mean velocity about the sample; 0: does not slide.
+  /// (2 points x samples): velocity of the touching points, world's x and y.
+  Eigen::MatrixXd velocity_m_s;
+  /// (2 points x samples): unit vector of the mean velocity about the sample; 0: it does not slide.
   Eigen::MatrixXd direction;
 
-  Eigen::MatrixXd braked_m_s2;  ///< (points x samples): how fast it loses that speed; 0: gains.
+  /// (points x samples): how fast the point loses that speed; 0 where it gains.
+  Eigen::MatrixXd braked_m_s2;
 
   bool slides(Eigen::Index point, Eigen::Index sample) const {
     return !direction.block<2, 1>(2 * point, sample).isZero(0.0);
@@ -31,14 +33,14 @@ Sliding find_sliding(const Robot& robot, const ContactRule& rule, const ContactS
 constexpr double kSoftestImpedance = 0.9;
 constexpr double kStiffestImpedance = 0.95;
 
-/// How much acceleration soft ground reckons that a newton gives a point of a body: the mean over
-/// the directions of the inverse inertia at the body's centre of mass (MuJoCo's body_invweight0).
-/// In 1/kg; empty where a mechanism does not reach the posture.
+/// Returns the acceleration per newton of a point on a body as soft ground computes it: the mean
+/// over the directions of the inverse inertia at the body's centre of mass (MuJoCo's
+/// body_invweight0). In 1/kg; empty where a mechanism does not reach the posture.
 std::optional<double> mean_inverse_mass_1_kg(const Robot& robot, const Motion& motion,
                                              std::size_t body, Eigen::Index sample);
 
-/// How fast a point may slip on soft ground whose friction holds it, eq. (31): by its friction and
-/// by how fast it is being stopped.
+/// Returns how fast a point may slip on soft ground whose friction holds it, eq. (31): by its
+/// friction and by how fast it is being stopped.
 double creep_m_s(double time_constant_s, double friction_N, double inverse_mass_1_kg,
                  double braked_m_s2);
 

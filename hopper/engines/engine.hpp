@@ -37,10 +37,10 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Its name in options and documents: "own", "mujoco".
+  /// Name in options and documents: "own", "mujoco".
   virtual std::string_view name() const = 0;
 
-  /// Begins anew at that position and velocity and forgets what was. std::invalid_argument on wrong
+  /// Starts anew at that position and velocity and forgets the past. std::invalid_argument on wrong
   /// sizes or numbers that are not finite.
   virtual void start(const dynamics::VectorIn& position, const dynamics::VectorIn& velocity) = 0;
 
@@ -53,18 +53,18 @@ class Engine {
   /// Impulses of the last step by contact point of the robot (3 each, world's axes, on the robot);
   /// zero where it was open.
   virtual const Eigen::VectorXd& impulses_N_s() const = 0;
-  /// J^T of them (n x 1).
+  /// J^T of these impulses (n x 1).
   virtual const Eigen::VectorXd& generalised_impulse() const = 0;
 };
 
-/// Rigid contact by simulation/contact. The robot must outlive the engine.
+/// Makes an engine with rigid contact by simulation/contact. The robot must outlive it.
 std::unique_ptr<Engine> own_engine(const Robot& robot, const EngineOptions& options);
 
-/// MuJoCo, built from what `robot export` writes. Null where the program was built without it:
-/// mujoco_absence() says what to do then. The robot must outlive the engine.
+/// Makes an engine with MuJoCo, built from what `robot export` writes. Null where the program was
+/// built without it: mujoco_absence() says what to do then. The robot must outlive the engine.
 std::unique_ptr<Engine> mujoco_engine(const Robot& robot, const EngineOptions& options);
 
-/// A sentence; none where MuJoCo is there.
+/// Returns a sentence on why MuJoCo is absent; none where it is there.
 std::optional<std::string> mujoco_absence();
 
 }  // namespace torquewright::hopper

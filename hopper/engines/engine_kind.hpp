@@ -7,16 +7,17 @@
 
 namespace torquewright::hopper {
 
-/// An engine that a replay can be asked for. One file each in this folder, one line in
+/// An engine that a replay can be asked for. Each is one file in this folder and one line in
 /// every_engine.hpp.
 struct EngineKind {
   std::string_view name;
-  std::string_view sentence;  ///< What it is, for a person.
-  /// Whether EngineOptions::contact_time_constant_s means something to it.
+  std::string_view sentence;  ///< Description for a user.
+  /// Whether EngineOptions::contact_time_constant_s has an effect.
   bool has_soft_ground = false;
-  /// A sentence where the program was built without it, and what to do; null: it is always there.
+  /// Returns a sentence where the program was built without it, with what to do; null: it is always
+  /// there.
   std::optional<std::string> (*absence)() = nullptr;
-  /// The robot must outlive the engine. Null where it is absent.
+  /// Makes the engine. The robot must outlive it. Null where it is absent.
   std::unique_ptr<Engine> (*make)(const Robot& robot, const EngineOptions& options) = nullptr;
 };
 

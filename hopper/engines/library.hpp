@@ -9,11 +9,12 @@
 
 namespace torquewright::hopper {
 
-/// In the order in which help and messages list them.
+/// Returns all engines, in the order in which help and messages list them.
 const std::vector<const EngineKind*>& every_engine();
 std::vector<std::string> engine_names();
 
-/// std::invalid_argument where none has that name: options allow no other word.
+/// Returns the engine of that name. std::invalid_argument where there is none: options allow no
+/// other word.
 const EngineKind& engine_named(std::string_view name);
 
 }  // namespace torquewright::hopper

@@ -21,10 +21,10 @@ class MujocoModel {
 
   mjModel& model() { return *model_; }
   mjData& data() { return *data_; }
-  /// MuJoCo's of each of our elements of positions, and of velocities.
+  /// Index in MuJoCo of each element of our positions, and of our velocities.
   const std::vector<int>& places() const { return places_; }
   const std::vector<int>& dofs() const { return dofs_; }
-  /// The contact point that a geom stands for; -1: none.
+  /// Index of the contact point that a geom stands for; -1: none.
   int contact_of(int geom) const { return contact_of_geom_[static_cast<std::size_t>(geom)]; }
 
   /// An entry of the mass matrix, in our rows, and where MuJoCo keeps it.
@@ -33,7 +33,7 @@ class MujocoModel {
     int address;
     double kept = 0.0;  ///< Reflected inertia that the tree has and MuJoCo lacks.
   };
-  /// Of all joints of drivetrains, each pair once.
+  /// Entries of all joints of drivetrains, each pair once.
   const std::vector<MassEntry>& rotor_entries() const { return rotor_entries_; }
 
  private:

@@ -11,8 +11,8 @@ struct Document;
 
 namespace torquewright::hopper {
 
-/// The mappings of a document of kind `trajectory_columns`, as stated: whether owners, quantities
-/// and units exist is for who knows the robot.
+/// Returns the mappings of a document of kind `trajectory_columns`, as stated. Whether owners,
+/// quantities and units exist is checked with the robot.
 std::vector<actuator::MappingText> read_mappings(const io::Document& document);
 
 }  // namespace torquewright::hopper

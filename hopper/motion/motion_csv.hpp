@@ -7,10 +7,10 @@
 
 namespace torquewright::hopper {
 
-/// A motion as the CSV that read_motion() reads without mappings, with the same numbers to the last
-/// bit: positions, the rates and torques that it was given (what is derived is derived again),
-/// contact forces and flags where it has them. Two rows of one time are an impact. Times count from
-/// the motion's origin. Throws std::invalid_argument for a number that is not finite.
+/// Writes a motion as the CSV that read_motion() reads without mappings, with the same numbers to
+/// the last bit: positions, the rates and torques that it was given (derived ones are derived
+/// again), contact forces and flags where it has them. Two rows of one time are an impact. Times
+/// count from the motion's origin. Throws std::invalid_argument for a number that is not finite.
 std::string motion_csv(const Robot& robot, const Motion& motion);
 
 }  // namespace torquewright::hopper

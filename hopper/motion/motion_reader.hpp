@@ -14,9 +14,10 @@ namespace torquewright::hopper {
 struct MotionFile {
   std::filesystem::path file;
   std::vector<std::string> mappings;    ///< NAME=OWNER.QUANTITY[:unit][*factor]
-  std::vector<io::Document> documents;  ///< Of kind trajectory_columns.
+  std::vector<io::Document> documents;  ///< Documents of kind trajectory_columns.
   actuator::Window window;
-  std::function<void(double share)> on_progress = {};  ///< May be empty.
+  /// Called with the share that is done. May be empty.
+  std::function<void(double share)> on_progress = {};
 };
 
 /// Reads a whole-body motion of a robot from a CSV with canonical headers (channels_of()) or mapped

@@ -12,6 +12,7 @@
 #include "hopper/motion/slopes.hpp"
 #include "io/text/time_text.hpp"
 #include "io/text/wording.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -66,9 +67,7 @@ VectorXd noise_of(const dynamics::Tree& tree, const Motion& motion, bool of_velo
   for (Index row = 0; row < noise.size(); ++row) {
     std::vector<double>& sizes = seconds[static_cast<std::size_t>(row)];
     if (sizes.empty()) continue;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    noise[row] = *middle / (kMedianOfNormal * std::sqrt(6.0));
+    noise[row] = optimization::median(std::move(sizes)) / (kMedianOfNormal * std::sqrt(6.0));
   }
   return noise;
 }

@@ -9,18 +9,20 @@
 
 namespace torquewright::hopper {
 
-/// A coordinate whose given rate is not the rate of what it is said to be the rate of.
+/// A coordinate whose given rate is not the derivative of the quantity it belongs to.
 struct RateMismatch {
   std::string coordinate;
-  bool is_acceleration = false;  ///< Of a velocity; else a velocity of a position.
-  double from_s = 0.0;           ///< The first and the last stretch that disagree.
+  /// It is an acceleration against its velocity; else a velocity against its position.
+  bool is_acceleration = false;
+  double from_s = 0.0;  ///< Time of the first stretch that disagrees.
   double until_s = 0.0;
-  double share = 0.0;      ///< Of the stretches in which it moves: those that disagree.
-  double given_rms = 0.0;  ///< Over all stretches,
-  double slope_rms = 0.0;  ///< as the change of the other table makes it,
+  /// Share of disagreeing stretches among those in which the coordinate moves.
+  double share = 0.0;
+  double given_rms = 0.0;  ///< Rms of the given rate over all stretches.
+  double slope_rms = 0.0;  ///< Rms of the rate that the change of the other table makes.
   double difference_rms = 0.0;
-  double factor = 1.0;       ///< Given over slope, least squares.
-  double correlation = 0.0;  ///< Of the two, squared.
+  double factor = 1.0;       ///< Given rate over that rate, by least squares.
+  double correlation = 0.0;  ///< Squared correlation of both rates.
   std::string likely_cause;
 };
 
@@ -32,7 +34,7 @@ struct RateMismatch {
 /// breaks physics".
 std::vector<RateMismatch> rate_mismatches(const Robot& robot, const Motion& motion);
 
-/// Throws io::SpecError with interval, size and likely cause where there is one.
+/// Throws io::SpecError with interval, size and likely cause where there is a mismatch.
 void require_rates_agree(const Robot& robot, const Motion& motion);
 
 }  // namespace torquewright::hopper

@@ -17,16 +17,16 @@ namespace torquewright::hopper {
 /// docs/derivations/whole_body_check.md eq. (1).
 void derive_rates(const dynamics::Tree& tree, Motion& motion, Eigen::Index reach = 1);
 
-/// A table of rows over time, such as forces, averaged over samples as derived accelerations are:
-/// what derive_rates() makes of its integral, or of the integral's.
+/// Returns a table of rows over time, such as forces, averaged over samples as derived
+/// accelerations are: what derive_rates() makes of its integral, or of the integral's integral.
 Eigen::MatrixXd spread_as_accelerations(const Motion& motion, const Eigen::MatrixXd& table);
 
-/// What is to be differentiated to find accelerations.
+/// Whether velocities are given, so that accelerations are their slopes.
 bool has_given_velocity(const Motion& motion);
 
-/// The acceleration of a sample as derive_rates() has it, where it may look at all samples, and how
-/// many times the noise of what is differentiated it holds. Requires `reach` samples on either
-/// side.
+/// The acceleration of a sample as derive_rates() has it, where it may look at all samples, and the
+/// factor by which it amplifies the noise of what is differentiated. Requires `reach` samples on
+/// either side.
 struct FittedAcceleration {
   Eigen::VectorXd acceleration;
   double gain = 0.0;
@@ -34,7 +34,7 @@ struct FittedAcceleration {
 FittedAcceleration fitted_acceleration(const dynamics::Tree& tree, const Motion& motion,
                                        Eigen::Index sample, Eigen::Index reach);
 
-/// The displacement along the velocities from one position to another: exact for a step at
+/// Returns the displacement along the velocities from one position to another: exact for a step at
 /// constant velocity (dynamics::step_position()).
 Eigen::VectorXd displacement(const dynamics::Tree& tree, const Eigen::VectorXd& from,
                              const Eigen::VectorXd& to);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hopper/motion/slopes.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -54,13 +55,6 @@ VectorXd seven_counts(const Motion& motion, Index first) {
   return counts.normalized();
 }
 
-double quantile(std::vector<double>& values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /// Standard deviation by row; `difference(a, b)` leads from sample a to sample b.
 template <typename Difference>
 VectorXd noise_by(const Motion& motion, Index rows, const NormalShare& share,
@@ -80,7 +74,8 @@ VectorXd noise_by(const Motion& motion, Index rows, const NormalShare& share,
   VectorXd noise = VectorXd::Zero(rows);
   for (Index row = 0; row < rows; ++row) {
     auto& of_row = sizes[static_cast<std::size_t>(row)];
-    if (!of_row.empty()) noise[row] = quantile(of_row, share.share) / share.deviations;
+    if (of_row.empty()) continue;
+    noise[row] = optimization::lower_quantile(std::move(of_row), share.share) / share.deviations;
   }
   return noise;
 }
@@ -136,7 +131,8 @@ bool explains(const SmoothingTrial& trial, const VectorXd& noise, std::size_t na
       changes.push_back(change / (noise[row] * gain));
     }
   }
-  return !changes.empty() && quantile(changes, 0.9) <= kNinetyOfNormal * kBiasBeside;
+  return !changes.empty() &&
+         optimization::lower_quantile(std::move(changes), 0.9) <= kNinetyOfNormal * kBiasBeside;
 }
 
 /// Index of the reach.

@@ -5,24 +5,25 @@
 
 namespace torquewright::hopper {
 
-/// How far derived accelerations look to either side, and what noise they then hold.
+/// How far derived accelerations look to either side, and the noise that they then hold.
 struct Smoothing {
-  Eigen::Index reach = 1;              ///< In samples.
-  Eigen::VectorXd acceleration_noise;  ///< Standard deviation, by coordinate; empty: unknown.
+  Eigen::Index reach = 1;  ///< Samples to either side.
+  /// Standard deviation of derived accelerations, by coordinate; empty: unknown.
+  Eigen::VectorXd acceleration_noise;
 };
 
-/// A reach of one sample, unless the noise is more than a thousandth of the accelerations. Then
-/// twice as far, again and again, as long as what that changes stays within what noise explains:
-/// the widest window that cannot be told from any narrower one (Lepski's rule).
-/// docs/derivations/whole_body_check.md, "Noise".
+/// Chooses the reach: one sample, unless the noise is more than a thousandth of the accelerations.
+/// Then it doubles as long as the change stays within what noise explains: the widest window that
+/// cannot be told from any narrower one (Lepski's rule; docs/derivations/whole_body_check.md,
+/// "Noise").
 Smoothing smoothing_of(const dynamics::Tree& tree, const Motion& motion);
 
-/// Standard deviation of what is differentiated, by coordinate: the velocities where they are
-/// given, else the positions. (n x 1); 0 where a log is too short to tell.
+/// Standard deviation of the noise of what is differentiated, by coordinate: the velocities where
+/// they are given, else the positions. (n x 1); 0 where a log is too short to tell.
 Eigen::VectorXd noise_of_differentiated(const dynamics::Tree& tree, const Motion& motion);
 
-/// The same of any table of rows over the motion's time where it is the noisiest: what nineteen of
-/// twenty samples stay within, over 1.96.
+/// The same for any table of rows over the motion's time, where it is the noisiest: what nineteen
+/// of twenty samples stay within, over 1.96.
 Eigen::VectorXd sample_noise(const Motion& motion, const Eigen::MatrixXd& table);
 
 }  // namespace torquewright::hopper

@@ -9,14 +9,14 @@
 
 namespace torquewright::hopper {
 
-/// Which body that is no foot has come to the ground, as the end of a sentence: "the thigh's centre
-/// of mass is on the ground". A foot is a body with a contact point. Of the others the origin
-/// (which is at its joint), the centre of mass, and the collision spheres count: more of a body's
-/// shape no document holds.
+/// Returns which body that is no foot has come to the ground, as the end of a sentence: "the
+/// thigh's centre of mass is on the ground". A foot is a body with a contact point. Of the others
+/// the origin (which is at its joint), the centre of mass, and the collision spheres count:
+/// documents hold no more of a body's shape.
 std::optional<std::string> fallen(const Robot& robot, const dynamics::TreeState& state,
                                   double ground_height_m);
 
-/// The contact point that lies deepest below the ground by more than that, with its depth in m.
+/// The contact point that lies deepest below the ground, beyond a limit, with its depth in m.
 struct BuriedPoint {
   std::size_t contact = 0;
   double depth_m = 0.0;

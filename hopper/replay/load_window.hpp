@@ -9,7 +9,7 @@
 
 namespace torquewright::hopper {
 
-/// What a simulated run did at its drives, step by step. Everything at the drives' outputs.
+/// Motion and torque of the drives in a simulated run, step by step, at the drives' outputs.
 struct DriveSteps {
   std::vector<double> times_s;         ///< At which each step begins, and at which the last ends.
   Eigen::MatrixXd torque_Nm;           ///< (drives x steps): what acted on rotor and load.
@@ -25,17 +25,18 @@ struct DriveSteps {
   std::vector<bool> has_impact;
 };
 
-/// What passes each drive's gears at most: the mean over the worst window of that length, wherever
-/// it begins, and a run shorter than it is one window. One a drive, judged by its limit. A step's
-/// impulse through the mesh is known whole, so that nothing is left to doubt.
+/// Computes the greatest load of each drive's gears: the mean over the worst window of that length,
+/// wherever it begins; a run shorter than it is one window. One for each drive, judged by its
+/// limit. A step's impulse through the mesh is known whole, so that nothing is left to doubt.
 /// docs/derivations/whole_body_check.md eqs. (12), (16), (17). Requires ascending times, finite
 /// numbers and matching sizes: std::invalid_argument.
 std::vector<TransmissionLoad> transmission_loads(const Robot& robot, const DriveSteps& steps,
                                                  double window_s);
 
-/// What the contacts ask of each drive at most, as a mean over such a window; eq. (20). A run does
-/// not tell a step's impact from what the ground gives besides: `impulse_Nm_s` is the greatest of
-/// one step, and `steady_joint_Nm` the worst window without the steps in which contact began.
+/// Computes what the contacts ask of each drive at most, as a mean over such a window; eq. (20). A
+/// run does not tell a step's impact from what the ground gives besides: `impulse_Nm_s` is the
+/// greatest of one step, and `steady_joint_Nm` the worst window without the steps in which contact
+/// began.
 std::vector<ContactLoad> contact_loads(const Robot& robot, const DriveSteps& steps,
                                        double window_s);
 

@@ -6,17 +6,17 @@
 
 namespace torquewright::hopper {
 
-/// A range from which a number is drawn, every value as likely as any other; never upside down.
+/// A range from which a number is drawn uniformly; least <= greatest.
 struct Range {
   double least = 0.0;
   double greatest = 0.0;
 };
 
-/// A range for things with names, each of which draws a number of its own.
+/// A range for things with names, each of which draws its own number.
 struct NamedRange {
   Range range;
-  std::vector<std::string> names;  ///< Empty: all there are.
-  std::string path;                ///< JSON pointer to it in the document, for objections.
+  std::vector<std::string> names;  ///< Names; empty: all things.
+  std::string path;                ///< JSON pointer to it in the document, for messages.
 };
 
 }  // namespace torquewright::hopper

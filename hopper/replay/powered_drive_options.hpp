@@ -7,7 +7,7 @@
 
 namespace torquewright::hopper {
 
-/// What a drive's torque is held to.
+/// Bounds that a drive's torque is held to.
 enum class DriveLimits {
   kMor,  ///< Its motor operating region at the voltage and temperature of the instant.
   /// The greatest torque at rest of its region at the start, at any speed, and no driving torque
@@ -18,7 +18,7 @@ enum class DriveLimits {
 
 struct PoweredDriveOptions {
   DriveLimits limits = DriveLimits::kMor;
-  actuator::OperatingConditions conditions;  ///< At the start.
+  actuator::OperatingConditions conditions;  ///< Conditions at the start.
   /// Coulomb friction beyond what the documents know, at each drive's output (drives x 1, not
   /// negative), which nobody compensates. Empty: none.
   Eigen::VectorXd further_friction_Nm;

@@ -136,6 +136,7 @@ class PoweredDrives::Work {
     }
     step_.is_starved = false;
     step_.power_W = 0.0;
+    step_.least_bus_V.reset();
     for (Index i = 0; i < size(); ++i) at(i).want(wanted_Nm[i], speed_rad_s[i]);
     for (Bus& bus : buses_) {
       settle(bus);
@@ -225,7 +226,11 @@ class PoweredDrives::Work {
   void finish(const Bus& bus, const VectorXd& position_rad, double step_s) {
     const double asked_W = power_W(bus);
     const double voltage_V = loaded_voltage_V(bus.feeds.supply, asked_W);
-    step_.power_W += asked_W;
+    const bool has_winding = drives_[bus.feeds.drives.front()].has_winding();
+    if (has_winding) {
+      step_.power_W += asked_W;
+      step_.least_bus_V = std::min(step_.least_bus_V.value_or(voltage_V), voltage_V);
+    }
     for (const std::size_t drive : bus.feeds.drives) {
       const auto i = static_cast<Index>(drive);
       step_.torque_Nm[i] = drives_[drive].acting_Nm(position_rad[i], step_s);

@@ -3,23 +3,28 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "hopper/replay/powered_drive_options.hpp"
 #include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
 
-/// What the drives did in a step. By drive (drives x 1).
+/// Results of the drives in a step, by drive (drives x 1).
 struct DriveStep {
-  /// What acts at the output, with all that the effects of its document do there: on rotor and
-  /// load, of an elastic train (free_rotors.hpp) on the load alone.
+  /// Torque that acts at the output, with all effects of the drive's document: on rotor and load,
+  /// or with an elastic train (free_rotors.hpp) on the load alone.
   Eigen::VectorXd torque_Nm;
   Eigen::VectorXd cut_off_Nm;  ///< Of what was wanted; signed, zero where nothing was. Further
                                ///< friction is not in it.
   Eigen::VectorXd current_A;   ///< Amplitude, in the document's convention.
-  Eigen::VectorXd winding_K;   ///< At the step's end; of a drive without thermal data the start's.
-  Eigen::VectorXd bus_V;       ///< Of the battery that feeds it, under the power of all its drives.
-  double power_W = 0.0;        ///< Of all batteries together; negative: returned.
+  /// Temperature at the step's end; of a drive without thermal data the start's.
+  Eigen::VectorXd winding_K;
+  /// Voltage of the battery that feeds it, under the power of all its drives.
+  Eigen::VectorXd bus_V;
+  /// Least voltage of the drives that have a winding; empty: there are none.
+  std::optional<double> least_bus_V;
+  double power_W = 0.0;  ///< Power of all batteries together; negative: returned.
   /// A battery could not give the power, or not take it back. In the region (kMor) the motors'
   /// torques on it were cut by a common factor, so that it can.
   bool is_starved = false;
@@ -44,8 +49,8 @@ class PoweredDrives {
   PoweredDrives& operator=(PoweredDrives&&) noexcept;
   ~PoweredDrives();
 
-  /// The same drives under other options, at their start; shares the regions of one rating. For
-  /// trials that differ in friction, charge or limits.
+  /// Returns the same drives under other options, at their start; they share the regions of one
+  /// rating. For trials that differ in friction, charge or limits.
   PoweredDrives under(const PoweredDriveOptions& options) const;
 
   /// Cold, with the batteries at rest: the winding as the conditions say, else at the ambient of

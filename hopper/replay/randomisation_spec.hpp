@@ -14,7 +14,7 @@ struct ReadRandomisation {
 /// Reads a document of kind `randomisation`. Throws io::SpecError with all its faults: what the
 /// schema refuses, and ranges upside down. Names are judged by require_fits.
 ReadRandomisation read_randomisation(const std::filesystem::path& file);
-/// The same of a document that is read already.
+/// Reads a document that is parsed already.
 ReadRandomisation randomisation_of(io::Document document);
 
 }  // namespace torquewright::hopper

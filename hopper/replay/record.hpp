@@ -14,18 +14,18 @@ struct RecordRow {
   double time_s = 0.0;
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;
-  Eigen::VectorXd wanted_Nm;   ///< By drive, at its output; so the next two.
+  Eigen::VectorXd wanted_Nm;   ///< Torque wanted, by drive, at its output, as the next two.
   Eigen::VectorXd torque_Nm;   ///< That acted at the end of the interval; in the first row, next.
   Eigen::VectorXd cut_off_Nm;  ///< The greatest of the interval, signed.
   Eigen::VectorXd speed_rad_s;
   Eigen::VectorXd bus_V;
   Eigen::VectorXd winding_K;
-  Eigen::VectorXd impulses_N_s;  ///< (3 points x 1), the sum over the interval.
+  Eigen::VectorXd impulses_N_s;  ///< (3 points x 1), sum over the interval.
   TouchingPoints touches;        ///< Points that the ground pressed on in the interval.
-  double slip_m_s = 0.0;         ///< Of the fastest of those.
+  double slip_m_s = 0.0;         ///< Speed of the fastest of those.
 };
 
-/// How a run ended.
+/// Why a run ended.
 enum class RunEnd {
   kDone,     ///< Its time was over.
   kFell,     ///< A body that is no foot came to the ground.
@@ -33,7 +33,7 @@ enum class RunEnd {
   kAsked,    ///< Someone asked it to stop.
 };
 
-/// All of one run.
+/// Everything recorded in one run.
 struct Record {
   std::vector<RecordRow> rows;
   DriveSteps steps;
@@ -42,9 +42,10 @@ struct Record {
   std::string reason;  ///< Why, unless it is done.
   double step_s = 0.0;
   double control_period_s = 0.0;
-  std::size_t starved_steps = 0;  ///< In which a battery could not give the power.
-  double greatest_power_W = 0.0;  ///< Of all batteries together, of all steps.
-  double least_bus_V = 0.0;       ///< Of any drive, of all steps; 0 without one.
+  std::size_t starved_steps = 0;  ///< Number of steps in which a battery could not give the power.
+  double greatest_power_W = 0.0;  ///< Greatest power of all batteries together, over all steps.
+  /// Least voltage of the drives that have a winding, over all steps; empty: there are none.
+  std::optional<double> least_bus_V;
   double least_bus_s = 0.0;
 };
 

@@ -56,8 +56,13 @@ RegionLevels::RegionLevels(const actuator::Actuator& actuator, actuator::Rating 
     return actuator::objections(actuator_, {rating, {}, {}, winding_K}).empty();
   };
   first_K_ = own_K;
-  while (first_K_ > own_K - kColder_K && holds(first_K_ - kStep_K)) first_K_ -= kStep_K;
-  for (double level_K = first_K_; level_K <= own_K + kHotter_K && holds(level_K);
+  // A curve knows no temperature: one level.
+  if (actuator.envelope) models_.push_back(phase_model_at(actuator_, {rating, {}, {}, {}}));
+  while (!actuator.envelope && first_K_ > own_K - kColder_K && holds(first_K_ - kStep_K)) {
+    first_K_ -= kStep_K;
+  }
+  for (double level_K = first_K_;
+       !actuator.envelope && level_K <= own_K + kHotter_K && holds(level_K);
        level_K = temperature_K(static_cast<int>(models_.size()))) {
     models_.push_back(phase_model_at(actuator_, {rating, {}, {}, level_K}));
   }
@@ -70,9 +75,9 @@ bool RegionLevels::are_of(const actuator::Actuator& actuator, actuator::Rating r
   const actuator::Actuator other = on_held_bus(actuator);
   return rating == rating_ &&
          step_V_ == open_circuit_voltage_V(actuator, {}) / kLevelsPerOpenCircuit &&
-         other.motor == actuator_.motor && other.drive == actuator_.drive &&
-         other.transmission == actuator_.transmission && other.effects == actuator_.effects &&
-         other.thermal == actuator_.thermal;
+         other.motor == actuator_.motor && other.envelope == actuator_.envelope &&
+         other.drive == actuator_.drive && other.transmission == actuator_.transmission &&
+         other.effects == actuator_.effects && other.thermal == actuator_.thermal;
 }
 
 double RegionLevels::temperature_K(int temperature) const {

@@ -37,7 +37,8 @@ class RegionLevels {
   /// Whether they are that actuator's too: so that drives of one kind need no levels each.
   bool are_of(const actuator::Actuator& actuator, actuator::Rating rating) const;
 
-  /// At the joint, the bus held at that voltage. Without voltage there is no torque.
+  /// Returns the limits at the joint with the bus held at that voltage. Without voltage there is no
+  /// torque.
   actuator::Interval limits(double bus_V, double winding_K, double speed_rad_s) const;
 
   /// The electrical side, the bus held at that voltage: constants are linear in the temperature.
@@ -56,8 +57,9 @@ class RegionLevels {
   actuator::Rating rating_;
   double step_V_;
   double first_K_ = 0.0;
-  std::vector<actuator::PhaseModel> models_;  ///< By temperature.
-  mutable std::vector<Table> tables_;         ///< By voltage, then by temperature; null: not yet.
+  std::vector<actuator::PhaseModel> models_;  ///< Models by temperature.
+  /// Tables by voltage, then by temperature; null: not made yet.
+  mutable std::vector<Table> tables_;
   mutable std::mutex growing_;
   mutable std::vector<std::unique_ptr<const actuator::ClipTable>> made_;
 };

@@ -29,10 +29,11 @@ struct ReplayOptions {
   actuator::OperatingConditions conditions;
 };
 
-/// What someone who waits for a run may want.
+/// Functions that a caller who waits for a run may give.
 struct Watching {
-  std::function<bool()> should_stop = {};              ///< May be empty.
-  std::function<void(double share)> on_progress = {};  ///< May be empty.
+  std::function<bool()> should_stop = {};  ///< Called to ask whether to stop. May be empty.
+  /// Called with the share that is done. May be empty.
+  std::function<void(double share)> on_progress = {};
 };
 
 /// A run and what it came to.
@@ -41,7 +42,7 @@ struct ReplayedRun {
   ReplayResult result;
 };
 
-/// The same with another step of the engine.
+/// A run with another step of the engine.
 struct SweptStep {
   double step_s = 0.0;
   ReplayResult result;
@@ -71,10 +72,12 @@ class Replay {
 
   /// The run as the documents say. May be called by several threads at once.
   ReplayedRun run(const Watching& watching) const;
-  /// One randomised trial, by its seed and number alone. `randomisation` has passed require_fits().
+  /// Runs one randomised trial, which depends on seed and number alone. `randomisation` has passed
+  /// require_fits().
   ReplayedRun run_trial(const Randomisation& randomisation, std::uint64_t seed, std::size_t number,
                         const Watching& watching) const;
-  /// With other steps of the engine: twice, half, a quarter, so far as the control period allows.
+  /// Runs with other steps of the engine: twice, half, a quarter, as far as the control period
+  /// allows.
   std::vector<SweptStep> sweep(const Watching& watching) const;
 
  private:

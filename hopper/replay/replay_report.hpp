@@ -12,24 +12,24 @@ namespace torquewright::hopper {
 std::string_view name_of(DriveLimits limits);
 std::string_view name_of(ImpactHandling handling);
 
-/// What randomised trials came to.
+/// Results of randomised trials.
 struct ReplayTrials {
   std::uint64_t seed = 0;
-  double required_share = 1.0;                        ///< Of them that must stand.
+  double required_share = 1.0;                        ///< Share of the trials that must stand.
   std::size_t first = 0;                              ///< Number of the first of the outcomes.
-  std::vector<std::optional<TrialOutcome>> outcomes;  ///< None: not begun.
+  std::vector<std::optional<TrialOutcome>> outcomes;  ///< Outcomes; none: the trial was not begun.
 
   TrialCounts counts() const { return counted(outcomes); }
 };
 
-/// What is kept of a trial's run.
+/// Returns what is kept of a trial's run.
 TrialOutcome trial_outcome(const ReplayResult& result);
 
-/// All that a replay answers.
+/// The whole answer of a replay.
 struct ReplayReport {
   ReplayOptions options;
-  ReplayResult result;           ///< Of the run as documented.
-  std::vector<SweptStep> sweep;  ///< Empty where none was asked for.
+  ReplayResult result;           ///< Result of the run as documented.
+  std::vector<SweptStep> sweep;  ///< Runs with other steps; empty where none were asked for.
   std::optional<ReplayTrials> trials;
 };
 

@@ -206,10 +206,9 @@ class Run {
 
   void note_batteries(const DriveStep& made, bool is_first) {
     record_.greatest_power_W = std::max(record_.greatest_power_W, made.power_W);
-    if (made.bus_V.size() == 0) return;
-    const double least_V = made.bus_V.minCoeff();
-    if (!is_first && least_V >= record_.least_bus_V) return;
-    record_.least_bus_V = least_V;
+    if (!made.least_bus_V) return;
+    if (!is_first && made.least_bus_V >= record_.least_bus_V) return;
+    record_.least_bus_V = made.least_bus_V;
     record_.least_bus_s = time_s();
   }
 

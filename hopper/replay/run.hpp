@@ -12,19 +12,19 @@
 
 namespace torquewright::hopper {
 
-/// How time goes on in a run; whole numbers of the engine's steps, so that no time drifts.
+/// Times of a run in whole numbers of the engine's steps, so that no time drifts.
 struct RunOptions {
   double step_s = 1e-4;
   int steps_per_control = 5;
-  int latency_steps = 0;  ///< From a look at the robot to the torque that answers it.
-  double stand_s = 1.0;   ///< That the robot is watched after the motion's end.
+  int latency_steps = 0;  ///< Delay from a look at the robot to the torque that answers it.
+  double stand_s = 1.0;   ///< Time for which the robot is watched after the motion's end.
   double ground_height_m = 0.0;
 };
 
 /// Who takes part in a run. All of one robot, which may differ from the one that the controller
 /// believes to have.
 struct RunParts {
-  const Robot& robot;  ///< As the engine moves it: without_free_rotors().
+  const Robot& robot;  ///< The robot as the engine moves it: without_free_rotors().
   const Reference& reference;
   Engine& engine;
   Controller& controller;
@@ -34,8 +34,9 @@ struct RunParts {
   Eigen::VectorXd gain_factor = {};
   /// Turns what is into what sensors say, at each look, by its number; may be empty.
   std::function<void(std::uint64_t look, Observation& seen)> sense = {};
-  std::function<bool()> should_stop = {};              ///< May be empty.
-  std::function<void(double share)> on_progress = {};  ///< May be empty.
+  std::function<bool()> should_stop = {};  ///< Called to ask whether to stop. May be empty.
+  /// Called with the share that is done. May be empty.
+  std::function<void(double share)> on_progress = {};
 };
 
 /// Runs from its start, at the reference's begin, until its end and stand_s more, or until the

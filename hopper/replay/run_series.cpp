@@ -82,12 +82,14 @@ void add_joints(const dynamics::Tree& tree, Columns& columns) {
 void add_drives(const Robot& robot, const Record& record, Columns& columns) {
   Index drive = 0;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
-    for (const std::string& name : drivetrain.actuator_names) {
+    for (std::size_t i = 0; i < drivetrain.actuator_names.size(); ++i) {
+      const std::string& name = drivetrain.actuator_names[i];
       columns.add_entry(name + "_drive_speed_rad_s", &RecordRow::speed_rad_s, drive);
       columns.add_entry(name + "_drive_wanted_torque_Nm", &RecordRow::wanted_Nm, drive);
       columns.add_entry(name + "_drive_torque_Nm", &RecordRow::torque_Nm, drive);
       columns.add_entry(name + "_drive_cut_off_torque_Nm", &RecordRow::cut_off_Nm, drive);
-      if (record.rows.back().bus_V.size() > drive) {
+      const bool has_winding = !drivetrain.actuators[i].envelope;
+      if (has_winding && record.rows.back().bus_V.size() > drive) {
         columns.add(name + "_bus_voltage_V", [drive](const RecordRow& row) {
           return row.bus_V.size() > drive ? row.bus_V[drive] : kNotYet;
         });

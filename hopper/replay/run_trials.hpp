@@ -12,14 +12,14 @@ namespace torquewright::hopper {
 
 enum class TrialEnd { kStands, kFell, kUnfinished };
 
-/// What is kept of a trial.
+/// Kept results of a trial.
 struct TrialOutcome {
   TrialEnd end = TrialEnd::kUnfinished;
-  std::string reason;  ///< Of a fall, or of not being finished.
+  std::string reason;  ///< Reason for a fall, or for not being finished.
   double end_time_s = 0.0;
   std::optional<double> touch_down_time_s;
   std::optional<double> rotation_short_rad;
-  std::vector<double> peak_transmission_Nm;  ///< By drive.
+  std::vector<double> peak_transmission_Nm;  ///< Peak loads of transmissions, by drive.
 };
 
 struct TrialRun {

@@ -11,12 +11,12 @@ struct ShareInterval {
   double greatest = 1.0;
 };
 
-/// In which the chance of success lies with 95 %, by Wilson's score (docs/randomisation.md, eq.
-/// (1)). All from 0 to 1 where nothing was tried. Requires succeeded <= tried.
+/// Returns the interval in which the chance of success lies with 95 %, by Wilson's score
+/// (docs/randomisation.md, eq. (1)); 0 to 1 where nothing was tried. Requires succeeded <= tried.
 ShareInterval wilson_interval(std::size_t succeeded, std::size_t tried);
 
-/// How trials ended. One that was not finished (stopped, a limit reached, never begun) is neither
-/// success nor failure.
+/// Counts of how trials ended. One that was not finished (stopped, a limit reached, never begun) is
+/// neither success nor failure.
 struct TrialCounts {
   std::size_t succeeded = 0;
   std::size_t failed = 0;

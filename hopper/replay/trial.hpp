@@ -11,24 +11,25 @@
 
 namespace torquewright::hopper {
 
-/// What one trial drew. Bodies, joints and drives in the robot's order; drives as in drive_names,
-/// joints by the bodies after the base.
+/// Numbers that one trial drew. Bodies, joints and drives are in the robot's order; drives as in
+/// drive_names, joints by the bodies after the base.
 struct Trial {
   std::uint64_t seed = 0;
   std::size_t number = 0;
-  Eigen::VectorXd mass_factor;                 ///< (bodies x 1)
-  Eigen::VectorXd inertia_factor;              ///< (bodies x 1)
-  Eigen::Matrix3Xd center_of_mass_shift_m;     ///< (3 x bodies), in each body's axes.
-  Eigen::VectorXd controller_gain_factor;      ///< (drives x 1), on what a drive's feedback asks.
+  Eigen::VectorXd mass_factor;              ///< (bodies x 1)
+  Eigen::VectorXd inertia_factor;           ///< (bodies x 1)
+  Eigen::Matrix3Xd center_of_mass_shift_m;  ///< (3 x bodies), in each body's axes.
+  /// (drives x 1), factors on the torque that feedback asks for.
+  Eigen::VectorXd controller_gain_factor;
   Eigen::VectorXd further_friction_Nm;         ///< (drives x 1)
-  std::optional<double> friction_coefficient;  ///< None: the contacts' own.
+  std::optional<double> friction_coefficient;  ///< Friction of the ground; none: the contacts' own.
   std::optional<double> restitution;
   double ground_height_m = 0.0;  ///< Added to where the replay has it; so the next.
   double latency_s = 0.0;
   std::optional<double> state_of_charge;
   double bus_voltage_factor = 1.0;
   std::optional<double> winding_temperature_K;
-  Eigen::VectorXd initial_joint_position_rad;    ///< (joints x 1), 0 for those that slide.
+  Eigen::VectorXd initial_joint_position_rad;    ///< (joints x 1), 0 for joints that slide.
   Eigen::VectorXd initial_joint_velocity_rad_s;  ///< (joints x 1)
 };
 

@@ -6,7 +6,7 @@
 
 namespace torquewright::hopper {
 
-/// Where a run begins.
+/// State in which a run begins.
 struct RunStart {
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;

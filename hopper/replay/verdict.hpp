@@ -17,7 +17,7 @@ enum class ReplayVerdict {
 };
 std::string_view name_of(ReplayVerdict verdict);
 
-/// What counts as standing, at the end of the time that a robot is watched.
+/// Limits by which a robot counts as standing, at the end of the time that it is watched.
 struct StandingRule {
   double at_rest_s = 0.5;        ///< So long at least its feet have been at rest,
   double foot_speed_m_s = 0.02;  ///< slower than this where the ground presses on them,
@@ -28,18 +28,19 @@ struct StandingRule {
 /// When the ground is met after the longest flight.
 struct TouchDown {
   double time_s = 0.0;
-  double planned_s = 0.0;  ///< In the motion.
-  /// How much is missing of the base's rotation that the motion has at its own touch-down;
-  /// negative: it turned too far.
+  double planned_s = 0.0;  ///< Time in the motion.
+  /// Rotation of the base that is missing against the motion's at its own touch-down; negative: it
+  /// turned too far.
   double rotation_short_rad = 0.0;
 };
 
 struct ReplayOutcome {
   ReplayVerdict verdict = ReplayVerdict::kUnfinished;
-  std::string reason;  ///< Of a fall or of what is unfinished; empty where it stands.
+  std::string reason;  ///< Reason for a fall or for an unfinished run; empty where it stands.
   double end_s = 0.0;
-  double foot_at_rest_s = 0.0;          ///< Until the end.
-  std::optional<TouchDown> touch_down;  ///< None where motion or run have no flight.
+  double foot_at_rest_s = 0.0;  ///< Until the end.
+  /// The touch-down; none where motion or run have no flight.
+  std::optional<TouchDown> touch_down;
 };
 
 /// `robot` is that of the run.

@@ -12,18 +12,18 @@
 
 namespace torquewright::hopper {
 
-/// What of a drive does not change while it works.
+/// Properties of a drive that do not change while it works.
 struct FixedDrive {
   actuator::Actuator actuator;
   std::string file;           ///< Its document, for what is said of it.
-  double turned_kg_m2 = 0.0;  ///< Of rotor and gears, at the output.
+  double turned_kg_m2 = 0.0;  ///< Inertia of rotor and gears, at the output.
   /// Whether the engine turns them with the output; else an elastic train has them to itself.
   bool turns_with_output = true;
   std::shared_ptr<const RegionLevels> levels;
 };
 
-/// One drive at one step: a torque is wanted of it, a voltage holds it to a bound, it takes a
-/// current and a power, and it warms. docs/derivations/replay_drives.md eqs. (1), (4)-(6).
+/// One drive during one step: a torque is wanted of it, a voltage holds it to a bound, it takes a
+/// current and a power, and it warms (docs/derivations/replay_drives.md eqs. (1), (4)-(6)).
 class WorkingDrive {
  public:
   /// Requires that there are no objections to the conditions. `fixed` must outlive it, and all
@@ -32,9 +32,9 @@ class WorkingDrive {
 
   void start();
 
-  /// Begins a step, in which the output turns at that speed.
+  /// Begins a step with the wanted torque, in which the output turns at that speed.
   void want(double wanted_Nm, double output_speed_rad_s);
-  /// What it does with the bus at that voltage. Without voltage it is off.
+  /// Computes what the drive does with the bus at that voltage. Without voltage it is off.
   void hold(double bus_V);
   /// The motor makes that share of the torque that hold() left it, at the same speed.
   void make_only(double share, double bus_V);
@@ -46,12 +46,14 @@ class WorkingDrive {
   double power_W() const { return power_W_; }
   double current_A() const { return current_A_; }
   double cut_off_Nm() const { return wanted_Nm_ - made_Nm_; }
-  /// What acts at the output, with all that its effects do there, by simulation/joint, and further
-  /// friction: that is smoothed about rest so widely that no step of this length turns the motion
-  /// round. Once a step, before end(). `output_position_rad`: where the step begins.
+  /// Returns the torque that acts at the output, with all effects by simulation/joint, and further
+  /// friction, which is smoothed about rest so widely that no step of this length reverses the
+  /// motion. Once in a step, before end(). `output_position_rad` is where the step begins.
   double acting_Nm(double output_position_rad, double step_s);
   double winding_K() const { return nodes_.winding_K; }
   bool has_heat() const { return heat_.has_value(); }
+  /// False of a drive that is known by its curve alone.
+  bool has_winding() const { return !fixed_->actuator.envelope; }
   bool is_in_box() const { return box_.has_value(); }
 
  private:
@@ -65,7 +67,7 @@ class WorkingDrive {
   std::optional<actuator::ClipTable> box_;
   std::optional<actuator::HeatModel> heat_;
   std::optional<simulation::JointInEngine>
-      joint_;  ///< Where an effect acts that no drive evens out.
+      joint_;  ///< Present where an effect acts that no drive compensates.
   actuator::NodeTemperatures start_;
   actuator::NodeTemperatures nodes_;
   double friction_Nm_;
@@ -73,15 +75,16 @@ class WorkingDrive {
   // Of the step.
   actuator::PhaseModel model_;
   double wanted_Nm_ = 0.0;
-  double speed_rad_s_ = 0.0;  ///< Of the motor, at the output.
+  double speed_rad_s_ = 0.0;  ///< Speed of the motor, at the output.
   double output_speed_rad_s_ = 0.0;
-  double held_Nm_ = 0.0;  ///< By the voltage,
+  double held_Nm_ = 0.0;  ///< Torque after the bound by the voltage.
   double made_Nm_ = 0.0;  ///< and by what the battery gives.
   double power_W_ = 0.0;
   double current_A_ = 0.0;
   double phase_current_A_ = 0.0;
-  double needed_phase_V_ = 0.0;  ///< By the current, where the field may be weakened.
-  bool is_loaded_ = false;       ///< Current and power are those of made_Nm_.
+  /// Voltage that the current needs, where the field may be weakened.
+  double needed_phase_V_ = 0.0;
+  bool is_loaded_ = false;  ///< Current and power are those of made_Nm_.
 };
 
 }  // namespace torquewright::hopper

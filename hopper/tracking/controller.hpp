@@ -10,7 +10,7 @@
 
 namespace torquewright::hopper {
 
-/// What a controller sees of the robot: of the moment that latency allows.
+/// What a controller sees of the robot, at the moment that latency allows.
 struct Observation {
   double time_s = 0.0;     ///< On the reference's clock, when it was so.
   double latency_s = 0.0;  ///< So much later what is asked for begins to act,
@@ -20,8 +20,8 @@ struct Observation {
   TouchingPoints touches;  ///< Points that the ground pressed on since the last look.
 };
 
-/// What moves a robot's drives: a tracking law, later a learned policy. It may remember; one object
-/// serves one robot at a time.
+/// A controller of a robot's drives: a tracking law, later a learned policy. It may remember; one
+/// object serves one robot at a time.
 class Controller {
  public:
   virtual ~Controller() = default;

@@ -9,9 +9,9 @@
 
 namespace torquewright::hopper {
 
-/// What all controllers that follow a motion are told.
+/// Options of all controllers that follow a motion.
 struct TrackingOptions {
-  double control_period_s = 5e-4;  ///< Between looks; torques are held.
+  double control_period_s = 5e-4;  ///< Time between looks; torques are held over it.
   ClockOptions clock;
   ImpactOptions impact;
 };
@@ -27,7 +27,7 @@ class ReadyController {
 /// every_controller.hpp.
 struct ControllerKind {
   std::string_view name;
-  std::string_view sentence;  ///< What it is, for a person.
+  std::string_view sentence;  ///< Description for a user.
   /// Robot and reference must outlive it. io::SpecError where it cannot follow this motion.
   std::unique_ptr<const ReadyController> (*prepare)(const Robot& robot, const Reference& reference,
                                                     const TrackingOptions& options) = nullptr;

@@ -7,8 +7,8 @@
 
 namespace torquewright::hopper {
 
-/// What each drive's motor gives at its output at the peak current, gears' loss and limit counted,
-/// saturation not: a scale (drives x 1), in the order of the drivetrains.
+/// Returns the torque of each drive at its output at the peak current, with the gears' loss and
+/// limit and without saturation: a scale (drives x 1), in the order of the drivetrains.
 Eigen::VectorXd peak_torques_Nm(const Robot& robot);
 
 }  // namespace torquewright::hopper

@@ -12,9 +12,9 @@ namespace torquewright::hopper {
 /// to it, up to where the robot stands and which way it faces: those change nothing that a drive
 /// could mend. docs/derivations/tracking.md eqs. (8)-(11).
 struct ErrorSpace {
-  Eigen::MatrixXd from_free;  ///< (2 n x m): errors of the m that are free.
-  /// (m x 2 n), a left inverse of it: of any error what remains once the ground has taken its part
-  /// as an impulse would, and once place and heading are taken out.
+  Eigen::MatrixXd from_free;  ///< (2 n x m): errors from the m that are free.
+  /// (m x 2 n), a left inverse of from_free: what remains of any error once the ground has taken
+  /// its part as an impulse would, and once place and heading are taken out.
   Eigen::MatrixXd to_free;
 };
 
@@ -22,7 +22,7 @@ struct ErrorSpace {
 /// about the vertical through the base's origin; of a planar base along x; of a fixed one none.
 Eigen::MatrixXd unfelt_directions(const dynamics::TreeState& state);
 
-/// None where a mechanism does not reach the posture.
+/// Computes the space of free errors. None where a mechanism does not reach the posture.
 std::optional<ErrorSpace> error_space(WholeBody& body, const Eigen::VectorXd& position,
                                       const Eigen::VectorXd& velocity,
                                       const TouchingPoints& touches);

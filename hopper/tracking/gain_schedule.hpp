@@ -10,7 +10,8 @@ namespace torquewright::hopper {
 struct GainStretch {
   double from_s = 0.0;
   double step_s = 0.0;
-  std::vector<Eigen::MatrixXd> gains;  ///< (drives x 2 n), Nm per error; each from its time on.
+  /// (drives x 2 n), Nm per error; each holds from its time on.
+  std::vector<Eigen::MatrixXd> gains;
 };
 
 /// Gains by mode of the reference and time, and on after its end.
@@ -18,7 +19,8 @@ class GainSchedule {
  public:
   GainSchedule(std::vector<GainStretch> by_mode, Eigen::MatrixXd after_end, double ends_s);
 
-  /// At a time in a mode of the reference; the nearest one's where the time is outside it.
+  /// Returns the gains at a time in a mode of the reference; the nearest ones where the time is
+  /// outside it.
   const Eigen::MatrixXd& at(std::size_t mode, double time_s) const;
   const std::vector<GainStretch>& by_mode() const { return by_mode_; }
 

@@ -10,7 +10,7 @@
 /// docs/derivations/impact_invariance.md.
 namespace torquewright::hopper {
 
-/// How impulses on the rows of the next mode's contacts change velocities. M: mass matrix with
+/// How impulses on the contacts' rows of the next mode change velocities. M: mass matrix with
 /// reflected inertias (velocities x velocities). Rows may depend on each other, as those of two
 /// points of one foot do.
 struct ImpactMap {
@@ -34,8 +34,8 @@ struct ImpactMap {
 ImpactMap impact_map(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& jacobian,
                      const Eigen::MatrixXd& outputs);
 
-/// The same, with rows `held` (held x velocities) of a mechanism whose impulses act in the impact
-/// too; `velocity` is the robot's. `jacobian` has the contacts' rows only.
+/// Returns the same with rows `held` (held x velocities) of a mechanism whose impulses act in the
+/// impact too; `velocity` is the robot's. `jacobian` has the contacts' rows only.
 ImpactMap impact_map(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& jacobian,
                      const Eigen::MatrixXd& outputs, const Eigen::MatrixXd& held,
                      const Eigen::VectorXd& velocity);
@@ -44,9 +44,10 @@ ImpactMap impact_map(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& jacobia
 /// 1/(1 + exp(window / (2 blend))). Dimensionless. Requires blend_s above 0.
 double impact_blend(const ImpactOptions& options, double time_from_impact_s);
 
-/// What impulses can change of an error of the outputs' rates (outputs x 1), in its units: the
-/// point of the map's range nearest to it. With rows held, only by impulses that bring these rates
-/// to zero. With ImpactMetric::kEuclidean metres a second count as radians a second do.
+/// Returns the part of an error of the outputs' rates (outputs x 1) that impulses can change, in
+/// its units: the point of the map's range nearest to it. With held rows, only by impulses that
+/// bring these rates to zero. With ImpactMetric::kEuclidean metres a second count as radians a
+/// second do.
 Eigen::VectorXd impact_part(const ImpactMap& map, ImpactMetric metric,
                             const Eigen::VectorXd& error);
 

@@ -9,11 +9,12 @@
 
 namespace torquewright::hopper {
 
-/// In the order in which help and messages list them.
+/// Returns all controllers, in the order in which help and messages list them.
 const std::vector<const ControllerKind*>& every_controller();
 std::vector<std::string> controller_names();
 
-/// std::invalid_argument where none has that name: options allow no other word.
+/// Returns the controller of that name. std::invalid_argument where there is none: options allow no
+/// other word.
 const ControllerKind& controller_named(std::string_view name);
 
 }  // namespace torquewright::hopper

@@ -9,27 +9,28 @@
 
 namespace torquewright::hopper {
 
-/// The cost with which the recursion for the gains begins, at the motion's end.
+/// Cost with which the recursion for the gains begins, at the motion's end.
 enum class LqrEnd {
-  kSteadyState,  ///< Of standing as the motion's last sample does, for ever.
-  kWeights,      ///< Of what errors cost in a tenth of a second: for motions that end moving.
+  kSteadyState,  ///< Cost of standing for ever as in the motion's last sample.
+  kWeights,      ///< Cost of errors in a tenth of a second: for motions that end moving.
 };
 
 /// Errors and torques that cost the same (Bryson's rule: each weight is one by the square), and the
 /// period. docs/derivations/tracking.md, "Weights".
 struct LqrOptions {
-  double control_period_s = 5e-4;  ///< Between looks; torques are held.
-  double place_m = 0.05;           ///< Of the base.
-  double tilt_rad = 0.1;           ///< Of the base, about level axes.
-  double joint_rad = 0.2;          ///< Of every joint; m where it is prismatic.
-  double speed_m_s = 0.5;          ///< Of the base.
-  double turn_rate_rad_s = 1.0;    ///< Of the base.
-  double joint_rate_rad_s = 2.0;   ///< Of every joint.
-  double torque_share = 0.05;      ///< Of each drive's peak torque, but no more than
-  /// this share of the torque with which the foot of the last stance begins to tip
-  /// (tipping_torque.hpp), where it can.
+  double control_period_s = 5e-4;  ///< Time between looks; torques are held over it.
+  double place_m = 0.05;           ///< Error of the base's position.
+  double tilt_rad = 0.1;           ///< Error of the base's angle about level axes.
+  double joint_rad = 0.2;          ///< Error of every joint; in m where it is prismatic.
+  double speed_m_s = 0.5;          ///< Error of the base's velocity.
+  double turn_rate_rad_s = 1.0;    ///< Error of the base's angular velocity.
+  double joint_rate_rad_s = 2.0;   ///< Error of every joint's rate.
+  double torque_share = 0.05;      ///< Torque as a share of each drive's peak torque.
+  /// Upper bound of that torque, as a share of the torque with which the foot of the last stance
+  /// begins to tip (tipping_torque.hpp), where it can.
   double tipping_share = 0.5;
-  Eigen::VectorXd torque_Nm;  ///< By drive, at its output, instead; empty: as above.
+  /// Torques by drive, at its output, in place of the two shares; empty: the shares hold.
+  Eigen::VectorXd torque_Nm;
   LqrEnd end = LqrEnd::kSteadyState;
 };
 
@@ -39,18 +40,18 @@ class GainSchedule;
 enum class GainOutcome {
   kFound,
   kUnreached,      ///< A mechanism does not reach a posture of the motion.
-  kNoSteadyState,  ///< Nothing holds the motion's end: doubling did not converge.
+  kNoSteadyState,  ///< The motion's end cannot be held: doubling did not converge.
   kBlownUp,        ///< Costs grew beyond all numbers: errors that no torque reaches.
 };
 
 struct LqrResult {
   GainOutcome outcome = GainOutcome::kFound;
-  std::shared_ptr<const GainSchedule> gains;  ///< Null unless kFound.
-  double time_s = 0.0;                        ///< Where in the motion it ended otherwise,
-  ReferenceInstant instant;                   ///< and the state there.
+  std::shared_ptr<const GainSchedule> gains;  ///< The gains; null unless kFound.
+  double time_s = 0.0;                        ///< Time in the motion at which it ended otherwise.
+  ReferenceInstant instant;                   ///< State there.
 };
 
-/// Says what happened, with the time; empty for kFound.
+/// Describes the outcome, with the time; empty for kFound.
 std::string sentence_of(const LqrResult& result);
 
 /// Time-varying linear quadratic regulator along a reference, through its contact modes and

@@ -11,7 +11,7 @@ namespace torquewright::hopper {
 
 using TouchingPoints = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
-/// What is to be done at an instant.
+/// State and torques of a motion at an instant.
 struct ReferenceInstant {
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;
@@ -27,8 +27,8 @@ struct ContactMode {
   bool begins_with_impact = false;
 };
 
-/// A motion as what a controller follows: at any time, and on after its end, where it stands still
-/// as its last sample does. Copies what it needs.
+/// A motion that a controller follows: at any time, and after its end, where it stands still as in
+/// its last sample. Copies what it needs.
 class Reference {
  public:
   /// `drive_Nm`: (drives x samples). Requires a motion with all rates and a base, of ascending
@@ -36,20 +36,21 @@ class Reference {
   Reference(const Robot& robot, const Motion& motion, const ContactSchedule& contacts,
             const Eigen::MatrixXd& drive_Nm);
 
-  /// Positions cubic between samples, the rest straight. Where two samples share a time, the later
-  /// one's.
+  /// Interpolates: positions cubic between samples, the rest linear. Where two samples share a
+  /// time, the later one's.
   void at(double time_s, ReferenceInstant& out) const;
 
-  /// The mean of the drives' torques (drives x 1), which are straight between samples; at the time
-  /// itself where both are one.
+  /// Returns the mean of the drives' torques (drives x 1), which are linear between samples; at the
+  /// time itself where both times are one.
   Eigen::VectorXd mean_drive_Nm(double from_s, double until_s) const;
 
   double begins_s() const { return times_s_.front(); }
   double ends_s() const { return times_s_.back(); }
   const std::vector<ContactMode>& modes() const { return modes_; }
-  /// The mode at a time; the later one at a border.
+  /// Index of the mode at a time; of the later one at a border.
   std::size_t mode_at(double time_s) const;
-  /// The planned impact nearest to a time, as the mode that it begins; none where none is planned.
+  /// Returns the planned impact nearest to a time, as the mode that it begins; none where none is
+  /// planned.
   std::optional<std::size_t> nearest_impact(double time_s) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace torquewright::hopper {
 
-/// x+ = A x + B u at the cost x^T Q x + u^T R u a step; R positive definite, Q not negative.
+/// One step x+ = A x + B u at the cost x^T Q x + u^T R u; R positive definite, Q not negative.
 struct LinearStep {
   Eigen::MatrixXd A;  ///< (m+ x m): the state may change its size in a step.
   Eigen::MatrixXd B;  ///< (m+ x k)
@@ -15,17 +15,17 @@ struct LinearStep {
 };
 
 struct RiccatiStep {
-  Eigen::MatrixXd cost;  ///< (m x m): x^T P x is what all that follows costs at best,
-  Eigen::MatrixXd gain;  ///< (k x m): with u = -K x.
+  Eigen::MatrixXd cost;  ///< (m x m): x^T P x is the least cost of all that follows.
+  Eigen::MatrixXd gain;  ///< (k x m): the best input is u = -K x.
 };
 
-/// One step backwards from the cost after it (m+ x m+); docs/derivations/tracking.md eq. (13).
-/// Numbers that overflow stay so.
+/// Takes one step backwards from the cost after it (m+ x m+); docs/derivations/tracking.md eq.
+/// (13). Numbers that overflow stay so.
 RiccatiStep riccati_step(const LinearStep& step, const Eigen::MatrixXd& cost_after);
 
-/// What all steps without end cost, A square; by doubling (Anderson 1978; eq. (15)): k doublings
-/// are 2^k steps. None where 60 of them do not settle it: no u holds the state, or nothing in Q
-/// asks for it.
+/// Returns the cost of all steps without end, A square; by doubling (Anderson 1978; eq. (15)): k
+/// doublings are 2^k steps. None where 60 of them do not settle it: no u holds the state, or
+/// nothing in Q asks for it.
 std::optional<RiccatiStep> steady_riccati(const LinearStep& step);
 
 }  // namespace torquewright::hopper

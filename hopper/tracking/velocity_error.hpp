@@ -7,11 +7,11 @@
 
 namespace torquewright::hopper {
 
-/// The points whose impulses a planned impact, the one that begins a mode, has.
+/// Returns the points that a planned impact, the one that begins a mode, gives impulses.
 TouchingPoints landing_points(const Robot& robot, const Reference& reference, std::size_t mode,
                               bool whole_foot);
 
-/// Takes out of the velocities' error (n x 1, wanted less actual) what the options say of the
+/// Removes from the velocities' error (n x 1, wanted less actual) what the options say of the
 /// nearest planned impact. The body is set to the observed state, or the aligned one.
 void handle_velocity_error(const ImpactOptions& options, const Reference& reference,
                            const ClockReading& reading, WholeBody& body, Eigen::VectorXd& error);

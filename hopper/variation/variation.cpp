@@ -195,6 +195,21 @@ std::string values_of(const Robot& robot, const Variable& variable) {
   return text;
 }
 
+/// A curve has no current and no winding, and another voltage only where it says at which it holds.
+void require_stated(const Robot& robot, const Variable& variable, const std::string& place) {
+  const std::vector<std::string> names = every_drive_name(robot);
+  for (const std::size_t drive : variable.drives) {
+    const std::optional<actuator::Envelope>& envelope = drive_at(robot, drive).envelope;
+    const bool is_free =
+        variable.quantity == Quantity::kRatio ||
+        (variable.quantity == Quantity::kVoltage && envelope && envelope->voltage_V);
+    if (!envelope || is_free) continue;
+    io::refuse(place, fmt::format("\"{}\" is nothing that {} states: it is known by its curve "
+                                  "(/envelope), not by a winding (/motor)",
+                                  variable.name, names[drive]));
+  }
+}
+
 }  // namespace
 
 Variable variable_named(const Robot& robot, const std::string& name, const std::string& place) {
@@ -217,6 +232,7 @@ Variable variable_named(const Robot& robot, const std::string& name, const std::
   }
   found->name = name;
   found->is_factor = is_factor;
+  if (found->quantity != Quantity::kMass) require_stated(robot, *found, place);
   const std::optional<double> common = common_value(robot, *found);
   if (is_factor) {
     found->present = 1.0;

@@ -8,8 +8,8 @@
 
 namespace torquewright::identification {
 
-/// Steps 2 to 5 for every equation that a joint's channels allow.
-/// docs/derivations/identification.md.
+/// Analyses every equation that a joint's channels allow: residual structure, search and verdict
+/// (docs/derivations/identification.md sections 5 to 13).
 std::vector<EquationResult> analyse(const Rig& rig, const Log& log, std::size_t joint,
                                     const std::vector<const actuator::Actuator*>& actuators,
                                     const AnalysisOptions& options = {});

@@ -13,16 +13,17 @@
 
 namespace torquewright::identification {
 
-/// The nominal actuator of one joint (joint empty unless the rig is a serial arm).
+/// The nominal actuator of one joint. `joint` is empty unless the rig is a serial arm.
 struct JointActuator {
   std::string joint;
   actuator::ReadActuator nominal;
 };
 
 struct IdentifyOptions {
-  bool select = true;        ///< False: steps 1 to 4 only.
-  AnalysisOptions analysis;  ///< Its `select` and `progress` are set from these.
-  bool empirical = false;    ///< Offer a table over the coordinate along which most is left.
+  bool select = true;  ///< False: stop after the residual structure, without a search for effects.
+  AnalysisOptions analysis;  ///< `select` and `progress` in it are overwritten from here.
+  /// Offer a table over the coordinate along which most of the residual is left.
+  bool empirical = false;
   std::function<void(const std::string& what, double share_done)> progress;
 };
 
@@ -31,23 +32,24 @@ struct EmpiricalTable {
   std::string coordinate;
   bool times_direction = false;
   std::vector<double> at, level;
-  double share = 0.0;  ///< Of what is left that it explains where it was not fitted.
+  /// Share of what is left that the table explains on data it was not fitted to.
+  double share = 0.0;
 };
 
 /// The outcome for one log on one rig.
 struct Identification {
   Verdict verdict = Verdict::kCannotTell;
-  std::vector<EquationResult> equations;  ///< Of every joint.
-  std::size_t leading = 0;                ///< The equation that top-level figures are of.
+  std::vector<EquationResult> equations;  ///< The equations of every joint.
+  std::size_t leading = 0;  ///< Index of the equation whose figures the report shows first.
   std::vector<DataFinding> findings;
   std::vector<std::string> train_runs, holdout_runs;
   std::vector<Log::File> files;
-  std::vector<EmpiricalTable> tables;  ///< With `empirical`.
-  std::vector<std::string> not_asked;  ///< Effects that options left out.
+  std::vector<EmpiricalTable> tables;  ///< Filled with `empirical` only.
+  std::vector<std::string> not_asked;  ///< Effects that the options excluded.
 };
 
-/// Reads the logs, and goes through steps 1 to 5 for every joint. Throws io::SpecError where what
-/// is read cannot be used.
+/// Reads the logs and analyses every joint of the rig. Throws io::SpecError where what is read
+/// cannot be used.
 Identification identify(const std::vector<std::filesystem::path>& logs, const Rig& rig,
                         const std::vector<JointActuator>& actuators,
                         const IdentifyOptions& options = {});
@@ -56,9 +58,9 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
 /// the log may stand for, or an uncertain value beside what was explained.
 bool has_anything_certain(const Identification& found);
 
-/// Step 6: the joint's actuator document with the effects that were added to it (family actuator
-/// only), each with value, standard error and provenance, and its uncertain values corrected. What
-/// belongs to rig and log stays out, and so does what is not certain.
+/// Writes the joint's actuator document with the effects that were added to it (family actuator
+/// only), each with value, standard error and provenance, and with its uncertain values corrected.
+/// What belongs to rig and log stays out, and so does what is not certain.
 nlohmann::ordered_json refined_actuator(const Identification& found, const JointActuator& actuator);
 
 }  // namespace torquewright::identification

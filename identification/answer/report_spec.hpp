@@ -12,10 +12,10 @@ namespace torquewright::identification {
 /// provenance ("options", "tool", "inputs"). What was not measured is null.
 nlohmann::ordered_json identification_report_json(const Identification& found);
 
-/// How the noise floor is found: a sentence.
+/// Returns a sentence that says how the noise floor is found.
 std::string noise_floor_method();
 
-/// What is left along a coordinate: a sentence.
+/// Returns a sentence about what is left along a coordinate.
 std::string sentence_of(const ResidualStructure& structure);
 
 /// The coordinates along which something is left beyond chance, each once, the strongest first.
@@ -25,7 +25,8 @@ std::vector<ResidualStructure> significant_of(const std::vector<ResidualStructur
 /// what others found, and added nothing.
 bool only_confirms(const EquationResult& equation);
 
-/// What was rejected and did not come in in another form (another delay, another harmonic).
+/// Returns the rejected effects that did not come in in another form (another delay, another
+/// harmonic).
 std::vector<Rejection> rejections_of(const EquationResult& equation);
 
 }  // namespace torquewright::identification

@@ -9,9 +9,9 @@
 
 namespace torquewright::identification {
 
-/// Whether refined actuators, as their own documents say them, leave what was promised of them: the
-/// logs are read and their errors taken once more. Empty if they do, else a sentence with equation,
-/// promise and what came out. `refined`: of every joint.
+/// Checks that refined actuators, as their own documents state them, leave the errors that were
+/// promised: the logs are read and their errors computed once more. Empty if they do, else a
+/// sentence with equation, promise and result. `refined` holds the documents of all joints.
 std::string broken_promise(const std::vector<std::filesystem::path>& logs, const Rig& rig,
                            const std::vector<JointActuator>& refined, const Identification& found);
 

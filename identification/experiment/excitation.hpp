@@ -10,14 +10,15 @@
 
 namespace torquewright::identification {
 
-/// How an excitation is cut up.
+/// How an excitation is divided into runs.
 struct ExcitationFrame {
-  double duration_s = 40.0;  ///< Of all runs together.
+  double duration_s = 40.0;  ///< Duration of all runs together.
   double step_s = 0.005;
-  std::vector<std::string> runs;  ///< Names; one of an empty name where the rig has no runs.
+  /// Names of the runs; a single empty name where the rig has no runs.
+  std::vector<std::string> runs;
 };
 
-/// Numbers between 0 and 1 that say what a mixed excitation looks like.
+/// Number of parameters (each between 0 and 1) that describe a mixed excitation.
 std::size_t mix_parameters(const ExcitationFrame& frame);
 
 /// A mix for every run. On a dynamometer: speed by a triangle, slow first and fast then, with a
@@ -27,12 +28,12 @@ std::vector<ExcitationRun> mixed_excitation(const ExcitationLimits& limits,
                                             const ExcitationFrame& frame,
                                             std::span<const double> mix, double scale);
 
-/// What is played most often: one sine whose frequency grows from 0.1 to 5 Hz in every run, of the
-/// current, and on a dynamometer of the speed as well.
+/// The usual excitation, for comparison: in every run one sine whose frequency grows from 0.1 to 5
+/// Hz, of the current, and on a dynamometer of the speed as well.
 std::vector<ExcitationRun> chirp_excitation(const ExcitationLimits& limits,
                                             const ExcitationFrame& frame, double scale);
 
-/// As `identify simulate` reads it.
+/// Returns the excitation as the CSV that `identify simulate` reads.
 std::string excitation_csv(const std::vector<ExcitationRun>& runs);
 
 }  // namespace torquewright::identification

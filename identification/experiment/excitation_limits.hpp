@@ -9,9 +9,10 @@
 
 namespace torquewright::identification {
 
-/// What a rig allows besides the actuator's region.
+/// Limits of the rig, besides the actuator's region.
 struct RigLimits {
-  std::optional<double> position_rad;  ///< The output stays within this of where it starts.
+  /// The output stays within this distance of where it starts.
+  std::optional<double> position_rad;
   std::optional<double> speed_rad_s;
 };
 
@@ -24,16 +25,17 @@ class ExcitationLimits {
   /// Largest speed that is planned for: a margin below where the region ends, or the rig's.
   double speed_rad_s() const { return speed_rad_s_; }
 
-  /// Largest magnitude of current that is planned for at a speed, in its sign's direction.
+  /// Largest magnitude of current that is planned for at that speed, in the direction of `sign`.
   double current_A(double speed_rad_s, double sign) const;
 
-  /// What the load takes at one amplitude of speed and one frequency, as current: inertia, gravity.
+  /// Current that the load takes (inertia and gravity) in a sine of that speed amplitude and
+  /// frequency.
   double current_for_A(double speed_rad_s, double frequency_Hz) const;
 
-  /// Speed that a position range leaves at a frequency.
+  /// Largest amplitude of speed that the position range allows at a frequency.
   double speed_at(double frequency_Hz) const;
 
-  /// Whether every `stride`-th sample of a simulated run lies inside.
+  /// Whether every `stride`-th sample of a simulated run lies inside the limits.
   bool hold(const simulation::JointTrace& trace, std::size_t stride = 1) const;
 
   const RigLimits& rig() const { return limits_; }

@@ -13,30 +13,37 @@
 namespace torquewright::identification {
 
 struct PlanOptions {
-  std::vector<std::string> separate;  ///< Names of the contract; empty: what a rig mostly shows.
+  /// Names of the effects to separate; empty: those that such a rig usually shows.
+  std::vector<std::string> separate;
   double duration_s = 40.0;
   RigLimits limits;
-  std::map<Quantity, double> noise;  ///< Standard deviations; else typical ones (plan_trial.hpp).
-  /// Drawn; the best of them is then refined as often. Fewer of long ones: see tries_of().
+  /// Standard deviations of the sensors' noise; where absent, typical ones (plan_trial.hpp).
+  std::map<Quantity, double> noise;
+  /// Number of random excitations; the best one is then refined as often. Long ones are tried less
+  /// often: see tries_of().
   std::size_t candidates = 24;
-  std::uint64_t seed = 1;  ///< Of the random search.
+  std::uint64_t seed = 1;  ///< Seed of the random search.
 };
 
-/// Sigma of a parameter to be expected, and how well it stands apart, under one excitation.
+/// The standard error to be expected of a parameter under one excitation, and how well it stands
+/// apart from the others.
 struct Expected {
   double standard_error = 0.0;
   double share = 0.0;
-  std::string nearest;            ///< Effect; its own where another parameter of it is nearest.
-  std::string nearest_parameter;  ///< Of it.
+  /// The effect it is most easily confused with; its own where another parameter of it is.
+  std::string nearest;
+  std::string nearest_parameter;  ///< The parameter of `nearest`.
 };
 
 struct PlannedParameter {
   PlannedColumn column;
-  /// Such that the effect costs 5 % of the actuator's greatest torque at most, along the chirp.
+  /// A typical value: one at which the effect costs at most 5 % of the actuator's greatest torque
+  /// along the chirp.
   double typical = 0.0;
   Expected plan, chirp;
-  bool is_separable = false;  ///< By the plan: kSeparableShare, and a typical value at 3 sigma.
-  std::string remedy;         ///< What separates it from its nearest, in words.
+  /// Under the plan: share above kSeparableShare and typical value above 3 sigma.
+  bool is_separable = false;
+  std::string remedy;  ///< A sentence: what would separate it from its nearest.
 };
 
 struct Plan {
@@ -54,7 +61,9 @@ struct Plan {
   std::vector<Unseen> unseen;  ///< What no excitation shows, or tells apart, on this rig.
   bool is_separable() const;
 };
-constexpr double kSeparableShare = 0.02;  ///< Correlation with all others below 0.99.
+/// Least share of a separable parameter: its correlation with all others is below 0.99. A choice of
+/// ours.
+constexpr double kSeparableShare = 0.02;
 
 /// How many excitations are drawn: as many as asked for, but no more than take kMostTried_s of
 /// simulated time all together (at least two), for each is simulated several times.

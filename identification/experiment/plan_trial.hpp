@@ -13,12 +13,13 @@
 
 namespace torquewright::identification {
 
-/// Of a rig's sensors, where nothing is stated: torque and force 0.2 % of the actuator's greatest,
-/// current and voltage 0.5 % of their peak, angles a step of 14 bits over sqrt 12.
+/// Returns typical noise of a rig's sensors, where nothing is stated (choices of ours): torque and
+/// force 0.2 % of the actuator's greatest, current and voltage 0.5 % of their peak, angles a step
+/// of 14 bits over sqrt 12.
 std::map<Quantity, double> typical_noise(const Rig& rig, const actuator::Actuator& actuator,
                                          const ExcitationLimits& limits);
 
-/// A log of the nominal actuator without noise, as if it had been read.
+/// Simulates the nominal actuator without noise and returns its log, as if it had been read.
 Log noiseless_log(const Rig& rig, const actuator::Actuator& actuator,
                   const std::vector<ExcitationRun>& runs,
                   const std::vector<simulation::SimulatedRun>& simulated);
@@ -27,7 +28,7 @@ Log noiseless_log(const Rig& rig, const actuator::Actuator& actuator,
 /// not for what one excitation reaches: all are asked for the same parameters.
 class PlanTrial {
  public:
-  /// `first`: any excitation of the rig, for its channels.
+  /// `first` is any excitation of the rig; it tells which channels there are.
   PlanTrial(const Rig& rig, const actuator::Actuator& actuator, const ExcitationLimits& limits,
             const std::map<Quantity, double>& noise, const std::vector<ExcitationRun>& first);
 
@@ -35,16 +36,17 @@ class PlanTrial {
   const Bench& bench() const { return bench_; }
   std::vector<PlannedColumn> columns(const std::string& effect) const;
 
-  /// The simulated runs if every `stride`-th sample is inside the limits.
+  /// Returns the simulated runs if every `stride`-th sample is inside the limits, else nothing.
   std::optional<std::vector<simulation::SimulatedRun>> inside(
       const std::vector<ExcitationRun>& runs, std::size_t stride) const;
 
   struct Information {
     Eigen::MatrixXd matrix;   ///< Fisher information of the columns' coefficients.
-    Eigen::VectorXd largest;  ///< Of each column's magnitude, in the equation's torque.
+    Eigen::VectorXd largest;  ///< Largest magnitude of each column, in the equation's torque.
   };
-  /// Noise counts by its density at low frequency: columns are slow beside the sampling rate, and
-  /// so every raw sample informs. Noise of an angle counts by its mean density in the band.
+  /// Computes the Fisher information of an excitation. Noise counts by its density at low
+  /// frequency: columns are slow beside the sampling rate, so every raw sample informs. Noise of an
+  /// angle counts by its mean density in the band.
   Information information(const std::vector<ExcitationRun>& runs,
                           const std::vector<simulation::SimulatedRun>& simulated,
                           const std::vector<PlannedColumn>& columns) const;

@@ -8,15 +8,15 @@
 
 namespace torquewright::identification {
 
-/// Effects that are the same column whatever the excitation on such a rig, the preferred name
-/// first; only the effect itself if there are none.
+/// Returns the effects that are the same column whatever the excitation on such a rig, the
+/// preferred name first; only the effect itself if there are none.
 std::vector<std::string> exact_identities(const Bench& bench, const std::string& effect);
 
-/// What would tell them apart, a sentence.
+/// Returns a sentence that says what would tell these effects apart.
 std::string separated_by(const Bench& bench, const std::vector<std::string>& effects);
 
-/// What follows for the region from each reading, a sentence; for exact groups. `named`: the one
-/// that was taken.
+/// Returns a sentence that says what follows for the region from each reading of an exact group.
+/// `named` is the effect that was taken.
 std::string consequence(const std::string& named, const std::vector<std::string>& effects);
 
 }  // namespace torquewright::identification

@@ -8,22 +8,23 @@
 
 namespace torquewright::identification {
 
-/// A residual in its band, with the instants it belongs to.
+/// A residual in its band, with the samples it belongs to.
 struct ResidualTrace {
   const Signals* signals = nullptr;
-  std::vector<std::size_t> index;  ///< Sample of each value.
+  std::vector<std::size_t> index;  ///< Index of the sample of each value.
   std::vector<double> value;
   std::size_t fold = 0;
 };
 
 /// How much of a residual a smooth table over one coordinate explains where it was not fitted.
 struct ResidualStructure {
-  std::string coordinate;  ///< "output_position_rad", ...; what it is multiplied with behind.
+  /// Name of the coordinate ("output_position_rad", ...), then what it is multiplied with.
+  std::string coordinate;
   bool times_direction = false;
-  double share = 0.0;          ///< R^2 held out; may be negative.
-  double chance = 1.0;         ///< How often circular shifts within runs do as well.
-  std::vector<double> centre;  ///< Of the bins.
-  std::vector<double> level;   ///< Mean residual in them (of all folds).
+  double share = 0.0;          ///< R^2 on data that was not fitted; may be negative.
+  double chance = 1.0;         ///< Probability that circular shifts within runs do as well.
+  std::vector<double> centre;  ///< Centres of the bins.
+  std::vector<double> level;   ///< Mean residual in each bin, over all folds.
 };
 
 struct ResidualStructureOptions {
@@ -35,11 +36,12 @@ struct ResidualStructureOptions {
       6.0;  ///< Coordinates that share noise with the residual are smoothed so far.
 };
 
-/// Every coordinate, the strongest first. docs/derivations/identification.md section 5.
+/// Returns the residual's structure over every coordinate, the strongest first
+/// (docs/derivations/identification.md section 5).
 std::vector<ResidualStructure> residual_structures(const std::vector<ResidualTrace>& traces,
                                                    const ResidualStructureOptions& options = {});
 
-/// Beyond chance, and large enough to speak of.
+/// Whether a structure is beyond chance and large enough to speak of.
 bool is_significant(const ResidualStructure& structure,
                     const ResidualStructureOptions& options = {});
 

@@ -8,11 +8,11 @@
 
 namespace torquewright::identification {
 
-/// Parameters of an effect of an actuator that the log says nothing of: no larger than their own
-/// standard error, where 0 is what they are without the effect.
+/// Returns the parameters of an actuator's effect that the log does not determine: no larger than
+/// their own standard error, where 0 means that the effect is absent.
 std::vector<std::string> undetermined_parameters(const NamedEffect& named);
 
-/// The effect with 0 in their place, as a refined document is to have it.
+/// Returns the effect with 0 for its undetermined parameters, as a refined document states it.
 NamedEffect with_what_is_determined(NamedEffect named);
 
 }  // namespace torquewright::identification

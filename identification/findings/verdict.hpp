@@ -5,7 +5,8 @@
 
 namespace torquewright::identification {
 
-/// What the names, groups and what is left amount to. `is_searched`: names were looked for.
+/// Returns the verdict that follows from names, groups and what is left. `is_searched`: effects
+/// were searched for.
 Verdict verdict_of(const EquationResult& result, bool is_searched);
 
 }  // namespace torquewright::identification

@@ -8,11 +8,11 @@
 
 namespace torquewright::identification {
 
-/// An actuator with effects that were found (those of family actuator), in the place of those that
-/// they replace. The document's counterpart: refined_actuator in identify.hpp.
+/// Returns the actuator with the effects that were found (those of family actuator), in place of
+/// those that they replace. refined_actuator() in identify.hpp writes the same as a document.
 actuator::Actuator with_effects(actuator::Actuator actuator, const std::vector<NamedEffect>& found);
 
-/// Whether a list of names, separated by commas, holds one.
+/// Whether a list of names separated by commas contains this one.
 bool is_listed(const std::string& names, std::string_view name);
 
 }  // namespace torquewright::identification

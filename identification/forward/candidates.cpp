@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actuator/effects/library.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -32,11 +33,8 @@ bool ends_with(std::string_view text, std::string_view end) { return text.ends_w
 class Largest {
  public:
   void take(double value) { values_.push_back(std::abs(value)); }
-  double nearly_all() {
-    if (values_.empty()) return 1e-6;
-    const auto place = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values_.size() - 1));
-    std::nth_element(values_.begin(), values_.begin() + place, values_.end());
-    return std::max(1e-6, values_[static_cast<std::size_t>(place)]);
+  double nearly_all() const {
+    return values_.empty() ? 1e-6 : std::max(1e-6, optimization::lower_quantile(values_, 0.99));
   }
   double greatest() const {
     return values_.empty() ? 1e-6

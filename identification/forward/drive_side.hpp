@@ -8,21 +8,21 @@
 
 namespace torquewright::identification {
 
-/// What the drive's channel makes of the motor under a hypothesis, sample by sample.
+/// Computes the motor's torque from the drive's channel under a hypothesis, sample by sample.
 class DriveSide {
  public:
-  /// `drive`: the channel in A or V at the samples `at`, moved forward by `late_s`. Keeps a
+  /// `drive` is the channel in A or V at the samples `at`, moved forward by `late_s`. Keeps a
   /// reference to the hypothesis.
   DriveSide(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
             const std::vector<double>& drive, const std::vector<actuator::Instant>& at,
             double late_s);
 
-  /// The motor's torque at the output; sets the instant's current.
+  /// Motor torque at the output, in Nm; sets the current of `at`.
   double motor_Nm(std::size_t i, actuator::Instant& at) const;
 
-  /// Where the drive's channel is what was measured, what is missing counts by what the stated
-  /// actuator makes of a unit of it: else a fit could make everything small by a motor that yields
-  /// little. By a difference; at least a twentieth of the stated one.
+  /// Slope of torque over the drive's channel as stated, over that of the hypothesis, by a
+  /// difference; at least 1/20. Where the drive's channel is what was measured, residuals are
+  /// multiplied by it, so that no fit makes them small by a motor that yields little.
   double stated_over_own_slope(std::size_t i, actuator::Instant at) const;
 
  private:

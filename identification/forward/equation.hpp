@@ -11,28 +11,32 @@
 
 namespace torquewright::identification {
 
-/// One equation that a log's channels allow: what is measured less what a hypothesis says of it.
+/// One equation that a log's channels allow: the measured quantity less what a hypothesis predicts.
 struct ForwardEquation {
-  std::string quantity;  ///< Whose error it is.
+  std::string quantity;  ///< Quantity whose error the residual is.
   std::string unit;
   double unit_per_residual = 1.0;
-  bool is_torque_balance = false;  ///< Of the drive's side and the load's.
-  /// As the winding's voltage has it for certain, where the log holds it.
+  bool is_torque_balance = false;  ///< It is the balance of the drive's and the load's torque.
+  /// Factor on the torque constant that the winding's voltage shows for certain, where it is
+  /// logged.
   std::optional<double> constant_factor_by_voltage;
-  bool target_is_drive = false;  ///< The drive's channel is what is measured, and no coordinate.
+  /// The drive's channel is what is measured, so it is no coordinate.
+  bool target_is_drive = false;
   double used =
       0.0;  ///< Rms of what is predicted, in the residual's unit; 0: nothing to compare with.
   Hypothesis stated;
-  std::vector<FitParameter> always;  ///< Fitted in every model: uncertain values, zero points.
-  std::vector<double> always_start;  ///< Coordinates.
+  std::vector<FitParameter> always;  ///< Fitted in every model: uncertain values and zero points.
+  std::vector<double> always_start;  ///< Coordinates at which fits of `always` start.
   std::function<void(std::span<const double>, Hypothesis&)> apply_always;
-  std::vector<std::string> pointers;  ///< What the first of `always` are.
+  /// Pointers into the documents of the first entries of `always`.
+  std::vector<std::string> pointers;
   std::vector<EffectCandidate> candidates;
   std::function<std::vector<double>(const Hypothesis&, const Signals&)> residual;
-  std::function<std::vector<double>(const Signals&)> measured;  ///< In `unit`.
-  /// Whether no law of nature speaks against it; empty: none is asked.
+  /// Returns the measured quantity, in `unit`.
+  std::function<std::vector<double>(const Signals&)> measured;
+  /// Returns whether a hypothesis breaks no law of nature; empty: not asked.
   std::function<bool(const Hypothesis&)> is_possible;
-  /// Waves of the motor's or the output's angle that what a model leaves suggests.
+  /// Returns waves of the motor's or the output's angle that a model's residual suggests.
   std::function<std::vector<EffectCandidate>(
       const std::function<std::vector<double>(const Signals&)>&)>
       waves;

@@ -7,10 +7,9 @@
 
 namespace torquewright::identification {
 
-/// How far the motor leads the output, in rad at the output, at each sample of a stretch, under the
-/// torque on the load (Instant::load_torque_Nm). Springs and gaps of the actuator's train follow it
-/// at once; hysteresis beside a spring takes its part by the twist's own history, and has taken
-/// none before the first sample.
+/// Returns how far the motor leads the output, in rad at the output, at each sample of a stretch,
+/// under the load's torque (Instant::load_torque_Nm). Springs and gaps of the actuator follow it at
+/// once; hysteresis beside a spring follows the twist's own history, and begins at zero.
 std::vector<double> twist_under_load_rad(const actuator::Actuator& actuator,
                                          const std::vector<actuator::Instant>& at);
 

@@ -8,17 +8,18 @@
 
 namespace torquewright::identification {
 
-/// WaveOrders of waves, by the angle that they turn with.
+/// Orders of waves (periods per turn), by the angle that they turn with.
 struct WaveOrders {
-  std::vector<double> motor;     ///< Cogging.
-  std::vector<double> output;    ///< Ripple that adds.
-  std::vector<double> load;      ///< Ripple in proportion to the load.
-  std::vector<double> friction;  ///< Of the Coulomb level.
+  std::vector<double> motor;     ///< Orders of cogging, over the motor's angle.
+  std::vector<double> output;    ///< Orders of ripple that adds, over the output's angle.
+  std::vector<double> load;      ///< Orders of ripple in proportion to the load.
+  std::vector<double> friction;  ///< Orders of waves of the Coulomb friction.
 };
 
-/// WaveOrders that are worth a candidate: peaks of the spectrum over angle of what a smooth model
-/// leaves of `left` in the runs that may be fitted. Whether they earn a place is for the search. An
-/// order needs as much angle as one of its periods. docs/derivations/identification.md section 12.
+/// Returns the orders that are worth a candidate: peaks of the spectrum over angle of what a smooth
+/// model leaves of `left` in the runs that may be fitted. An order needs one of its periods within
+/// the range of the angle. The search decides whether it earns a place
+/// (docs/derivations/identification.md section 6).
 WaveOrders promising_waves(const Bench& bench, const OfStretch& left,
                            const std::vector<Signals>& signals,
                            const std::vector<std::size_t>& fold_of_run,

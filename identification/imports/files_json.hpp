@@ -7,8 +7,8 @@
 
 namespace torquewright::identification {
 
-/// What `identify` reads: the log as CSV, and its document of kind rig, in which a load that the
-/// log does not say is missing.
+/// Writes what `identify` reads: the log as CSV, and its document of kind rig, in which a load that
+/// the log does not say is missing.
 std::string imported_csv(const ImportedLog& log);
 std::string imported_rig(const ImportedLog& log, const std::string& name);
 

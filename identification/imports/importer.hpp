@@ -15,40 +15,41 @@ namespace torquewright::identification {
 
 struct ImportRequest {
   std::vector<std::filesystem::path> files;
-  std::string joint;  ///< Which one, where a file holds several; as the file calls it.
-  std::string units;  ///< Of positions, where no file says it and the user does.
+  std::string joint;  ///< Name of the joint, as the file calls it, where a file holds several.
+  std::string units;  ///< Unit of positions, where no file says it and the user does.
 };
 
-/// Logs of another program: their numbers as they were written, and what their columns are.
+/// A log of another program: its numbers as they were written, and what its columns are.
 struct ImportedLog {
-  std::vector<std::string> header;  ///< But for the run.
+  std::vector<std::string> header;  ///< Names of the columns, without the run's.
   struct Run {
     std::string name;
-    std::vector<std::vector<std::string>> rows;  ///< Cells in the header's order.
+    std::vector<std::vector<std::string>> rows;  ///< Cells of each row, in the header's order.
   };
   std::vector<Run> runs;
   std::vector<ColumnUse> columns;
   std::vector<std::string> ignore;
-  std::optional<Load> load;  ///< Where neither stands, the user has to state it.
+  std::optional<Load> load;  ///< The load; where it is absent the user has to state it.
   std::map<std::string, Load> loads;
-  std::vector<std::string> assumed;  ///< Pointers into the rig.
-  std::vector<std::string> notes;    ///< Sentences.
+  std::vector<std::string> assumed;  ///< Pointers to values of the rig that are assumed.
+  std::vector<std::string> notes;    ///< Sentences for the user about what was read.
 };
 
-/// A format. One file each in this folder, one line in every_importer.hpp. Throws io::SpecError for
-/// what it does not understand, by name.
+/// A format of logs. Each is one file in this folder and one line in every_importer.hpp. It throws
+/// io::SpecError for what it does not understand, by name.
 struct Importer {
-  std::string_view name;    ///< As on the command line.
-  std::string_view what;    ///< For the help.
+  std::string_view name;    ///< Name on the command line.
+  std::string_view what;    ///< Description for the help.
   std::string_view source;  ///< Where the format is documented.
   ImportedLog (*read)(const ImportRequest& request);
-  bool asks_joint = false;  ///< Its files may hold several.
-  bool asks_units = false;  ///< Its files do not say what positions are in.
+  bool asks_joint = false;  ///< Its files may hold several joints.
+  bool asks_units = false;  ///< Its files do not state the unit of positions.
 };
 
 std::span<const Importer* const> importer_library();
 
-/// Throws io::SpecError with the nearest for a name that no importer has.
+/// Returns the importer of that name. Throws io::SpecError with the nearest name where there is
+/// none.
 const Importer& importer_of(std::string_view name);
 
 }  // namespace torquewright::identification

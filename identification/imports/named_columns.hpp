@@ -11,7 +11,7 @@
 
 namespace torquewright::identification::imports {
 
-/// What a column of a known name is: quantity = scale cell + offset.
+/// What a column of a known name means: quantity = scale cell + offset.
 struct Meaning {
   Quantity quantity = Quantity::kTime;
   double scale = 1.0;
@@ -21,16 +21,16 @@ struct Meaning {
 inline constexpr double kTurn_rad = 6.283185307179586;
 inline constexpr double kCelsius_K = 273.15;
 
-/// CSV files whose names tell what they hold; a run each, by the file's name. Columns without a
-/// meaning are ignored, and said. Throws io::SpecError where there is no time or nothing else,
-/// where two columns mean the same, where a later file has other columns, and where a cell of a
-/// column with a meaning is no finite number.
+/// Reads CSV files whose column names tell what they hold; each file is a run of the file's name.
+/// Columns without a meaning are ignored with a note. Throws io::SpecError where there is no time
+/// or nothing else, where two columns mean the same, where a later file has other columns, and
+/// where a cell of a column with a meaning is no finite number.
 ImportedLog read_named_columns(
     const ImportRequest& request,
     const std::function<std::optional<Meaning>(const std::string& column)>& meaning_of);
 
-/// The meaning of the longest of these endings ("pos_estimate") that stands at the end of the name,
-/// behind nothing or a dot, slash or underscore.
+/// The meaning of a column whose name ends so ("pos_estimate"), behind nothing or a dot, slash or
+/// underscore. The longest ending counts.
 struct Ending {
   std::string_view name;
   Meaning meaning;

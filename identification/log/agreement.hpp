@@ -8,14 +8,15 @@
 
 namespace torquewright::identification {
 
-/// How two channels go together over the whole log.
+/// How two channels agree over the whole log.
 struct Agreement {
-  std::size_t samples = 0;   ///< Compared.
-  double correlation = 0.0;  ///< -1...1, of deviations from the run's mean.
-  double ratio = 0.0;        ///< Rms of the first over that of the second, of the same.
+  std::size_t samples = 0;   ///< Number of compared samples.
+  double correlation = 0.0;  ///< Correlation, -1...1, of deviations from the run's mean.
+  /// Rms of the first channel over that of the second, as deviations from the run's mean.
+  double ratio = 0.0;
 };
 
-/// Of what the functions below return for each run; both values of a run are of one length.
+/// Sums up the agreement of two channels over runs. Both values of a run have one length.
 class AgreementSums {
  public:
   void add(const std::vector<double>& first, const std::vector<double>& second);
@@ -28,8 +29,8 @@ class AgreementSums {
   std::size_t samples_ = 0;
 };
 
-/// d(position)/dt over a window around each sample, and the mean of another channel over the same
-/// window: both smoothed alike. Where no sample was masked. Requires time.
+/// Returns d(position)/dt over a window around each sample, and the mean of another channel over
+/// the same window, so that both are smoothed alike. Masked samples are left out. Requires time.
 struct Slopes {
   std::vector<double> slope;
   std::vector<double> mean;
@@ -37,7 +38,7 @@ struct Slopes {
 Slopes slopes(const Run& run, const std::vector<double>& position,
               const std::vector<double>& other);
 
-/// The means of two channels over the same windows.
+/// Returns the means of two channels over the same windows.
 struct Means {
   std::vector<double> first;
   std::vector<double> second;

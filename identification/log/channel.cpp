@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "io/text/wording.hpp"
 
 namespace torquewright::identification {
@@ -33,13 +31,6 @@ std::string describe_runs(const std::vector<std::string>& runs) {
   const bool is_long = named.size() > kMostRunsListed;
   if (is_long) named.resize(kMostRunsListed);
   return fmt::format("{} runs ({}{})", runs.size(), io::listed(named), is_long ? ", ..." : "");
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto last = static_cast<double>(values.size() - 1);
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * last + 0.5);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 }  // namespace torquewright::identification

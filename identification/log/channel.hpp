@@ -11,20 +11,20 @@
 
 namespace torquewright::identification {
 
-/// A channel of a log: which joint's, and which quantity.
+/// A channel of a log: the joint's index and the quantity.
 using ChannelKey = std::pair<std::size_t, Quantity>;
 
-/// As sentences call it: "motor_current_A", "motor_current_A of the elbow".
+/// Names a channel in sentences: "motor_current_A", "motor_current_A of the elbow".
 std::string describe(const ChannelKey& key, const Rig& rig);
 
-/// How often something was met in each channel, and in which runs.
+/// Counts how often something was found in each channel, and in which runs.
 class Tally {
  public:
   void add(const ChannelKey& key, const std::string& run, std::size_t count);
 
   struct Entry {
     std::size_t count = 0;
-    std::vector<std::string> runs;  ///< In order, each once.
+    std::vector<std::string> runs;  ///< Names of the runs in order, each once.
   };
   const std::map<ChannelKey, Entry>& entries() const { return entries_; }
 
@@ -32,10 +32,7 @@ class Tally {
   std::map<ChannelKey, Entry> entries_;
 };
 
-/// "run "a"", or "3 runs (a, b, c)", with no more than a few named.
+/// Names runs in sentences: "run "a"", or "3 runs (a, b, c)", with no more than a few named.
 std::string describe_runs(const std::vector<std::string>& runs);
-
-/// The value below which this share (0...1) of the values lies; in linear time. Requires some.
-double quantile(std::vector<double> values, double share);
 
 }  // namespace torquewright::identification

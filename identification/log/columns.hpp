@@ -10,13 +10,14 @@
 
 namespace torquewright::identification {
 
-/// Where a file keeps a quantity: quantity = scale cell + offset.
+/// The column of a file that holds a quantity: quantity = scale cell + offset.
 struct Source {
   std::size_t column = 0;
   Quantity quantity = Quantity::kTime;
   double scale = 1.0;
   double offset = 0.0;
-  std::optional<std::size_t> joint;  ///< Index into Rig::joints; empty: all of them.
+  /// Index into Rig::joints; empty: the column holds for all joints.
+  std::optional<std::size_t> joint;
 };
 
 /// The columns of one file as the rig uses them.
@@ -26,8 +27,8 @@ struct Columns {
   std::vector<Source> channels;
 };
 
-/// Throws io::SpecError with every column that the rig names and the file lacks, and every one that
-/// the file has and the rig neither names nor ignores.
+/// Finds the rig's columns in a file. Throws io::SpecError with every column that the rig names and
+/// the file lacks, and every one that the file has and the rig neither names nor ignores.
 Columns find_columns(const io::CsvReader& csv, const Rig& rig);
 
 }  // namespace torquewright::identification

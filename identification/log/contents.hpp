@@ -5,9 +5,9 @@
 
 namespace torquewright::identification {
 
-/// Findings on what the log is too poor to tell: constant channels, joints that never move
-/// (kError), runs too short to be of use, too little to fit or to hold out (kError), much of it
-/// masked. Requires the hold-out to be chosen.
+/// Adds findings on what the log is too poor to tell: constant channels, joints that never move
+/// (kError), runs too short to be of use, too little to fit or to hold out (kError), many masked
+/// samples. Requires that the hold-out is chosen.
 void check_contents(Log& log, const Rig& rig);
 
 }  // namespace torquewright::identification

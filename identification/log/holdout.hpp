@@ -5,10 +5,10 @@
 
 namespace torquewright::identification {
 
-/// Says which runs no fit may see: those that the rig names, else the last third of the runs (one
-/// at least), else the last third of the only run, which is cut there. The latter two are findings.
-/// Throws io::SpecError for a name that no run has (with the nearest), where nothing is left, and
-/// where a run has no load.
+/// Chooses which runs no fit may see: those that the rig names, else the last third of the runs (at
+/// least one), else the last third of the only run, which is cut there. The latter two are
+/// findings. Throws io::SpecError for a name that no run has (with the nearest), where no run is
+/// left to fit, and where a run has no load.
 void choose_holdout(Log& log, const Rig& rig);
 
 }  // namespace torquewright::identification

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/log/channel.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification {
 namespace {
+
+using optimization::nearest_quantile;
 
 /// Fewer samples do not tell what is usual.
 constexpr std::size_t kFewestForIsolated = 30;
@@ -41,7 +43,7 @@ std::vector<double> deviations(const std::vector<double>& values, const Circle& 
 
 /// The range without the outermost hundredth on both sides.
 double usual_range(const std::vector<double>& values) {
-  return quantile(values, 0.99) - quantile(values, 0.01);
+  return nearest_quantile(values, 0.99) - nearest_quantile(values, 0.01);
 }
 
 /// The median of the changes from sample to sample that are not zero; 0 if all are.
@@ -51,7 +53,7 @@ double usual_change(const std::vector<double>& values, const Circle& circle) {
     const double change = std::abs(circle.difference(values[i - 1], values[i]));
     if (change > 0.0) changes.push_back(change);
   }
-  return changes.empty() ? 0.0 : quantile(std::move(changes), 0.5);
+  return changes.empty() ? 0.0 : optimization::median(std::move(changes));
 }
 
 /// How far samples [begin, begin + length) lie outside of what stands before and after them, on one
@@ -74,9 +76,9 @@ double excursion(const std::vector<double>& values, const Circle& circle, std::s
 double local_scale(const std::vector<double>& deviation, std::size_t at) {
   const std::size_t begin = at > kAround ? at - kAround : 0;
   const std::size_t end = std::min(deviation.size(), at + kAround);
-  return quantile({deviation.begin() + static_cast<std::ptrdiff_t>(begin),
-                   deviation.begin() + static_cast<std::ptrdiff_t>(end)},
-                  0.9);
+  return nearest_quantile({deviation.begin() + static_cast<std::ptrdiff_t>(begin),
+                           deviation.begin() + static_cast<std::ptrdiff_t>(end)},
+                          0.9);
 }
 
 }  // namespace
@@ -90,7 +92,7 @@ IsolatedSamples find_isolated(const std::vector<double>& values, const Circle& c
   if (values.size() < kFewestForIsolated) return found;
   const std::vector<double> deviation = deviations(values, circle);
   const double least =
-      std::max({kTimesUsual * quantile(deviation, 0.9), kShareOfRange * usual_range(values),
+      std::max({kTimesUsual * nearest_quantile(deviation, 0.9), kShareOfRange * usual_range(values),
                 kTimesChange * usual_change(values, circle)});
   std::size_t count = 0;
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {

@@ -6,10 +6,11 @@
 
 namespace torquewright::identification {
 
-/// More than this share of a channel's samples are not isolated.
+/// Largest share of a channel's samples that may be isolated faults (docs/logs.md); more are part
+/// of the signal.
 constexpr double kMostIsolated = 0.01;
 
-/// A value on a circle of this circumference; 0: on a line.
+/// A circle of this circumference on which values lie; 0: they lie on a line.
 struct Circle {
   double circumference = 0.0;
   double difference(double from, double to) const;
@@ -20,15 +21,15 @@ struct Circle {
 struct IsolatedSamples {
   struct Place {
     std::size_t begin;
-    std::size_t length;  ///< 1 or 2.
+    std::size_t length;  ///< Number of samples, 1 or 2.
   };
   std::vector<Place> places;
-  /// They are too many to be isolated: part of the signal, or noise.
+  /// There are too many to be isolated: they are part of the signal, or noise.
   bool is_crowd = false;
 };
 IsolatedSamples find_isolated(const std::vector<double>& values, const Circle& circle);
 
-/// Puts straight lines in their places.
+/// Replaces isolated samples by straight lines.
 void replace_isolated(const IsolatedSamples& isolated, const Circle& circle,
                       std::vector<double>& values);
 

@@ -12,19 +12,20 @@
 
 namespace torquewright::identification {
 
-/// Something to be said of the data.
+/// Severity of a finding about the data.
 enum class Weight { kNote, kWarning, kError };
 struct DataFinding {
   Weight weight = Weight::kNote;
   std::string sentence;
 };
 
-/// Standard size of the last digit of a channel's numbers, in its unit, by Quantity; 0: not known.
+/// Standard size of the last written digit of a channel's numbers, in its unit, by Quantity; 0: not
+/// known.
 using PrintedSteps = std::array<double, kQuantityCount>;
 
 struct Log {
-  Runs runs;  ///< Of a long log (kLongestWholeLog) the pieces of its stretches.
-  std::vector<std::string> train_runs;  ///< Names.
+  Runs runs;  ///< The runs; a long log (kLongestWholeLog) has its stretches in pieces.
+  std::vector<std::string> train_runs;  ///< Names of the runs that may be fitted.
   std::vector<std::string> holdout_runs;
   std::vector<DataFinding> findings;
   struct File {
@@ -32,7 +33,8 @@ struct Log {
     std::string sha256;
   };
   std::vector<File> files;
-  std::vector<PrintedSteps> printed = {};  ///< By joint; empty for a log that was not read.
+  /// Last digits by joint; empty for a log that was not read from files.
+  std::vector<PrintedSteps> printed = {};
 };
 
 /// Reads the logs of one rig. Unambiguous faults are repaired with a finding (wrapped angles,
@@ -42,10 +44,10 @@ struct Log {
 Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
              std::size_t most_rows_in_memory = kLongestWholeLog);
 
-/// What only the nominal actuators (one per joint, in the order of Rig::joints) can tell: a current
-/// in mA, angles in degrees on both of position and velocity, signs of motor and torque. Adds
-/// findings, or throws io::SpecError with what to write into the rig. A constant that the rig calls
-/// uncertain makes what rests on it a warning.
+/// Checks what only the nominal actuators (one per joint, in the order of Rig::joints) can tell: a
+/// current in mA, angles in degrees on both of position and velocity, signs of motor and torque.
+/// Adds findings, or throws io::SpecError with what to write into the rig. Where a check rests on a
+/// constant that the rig calls uncertain it only warns.
 void check_against(Log& log, const Rig& rig, const std::vector<actuator::Actuator>& actuators);
 
 }  // namespace torquewright::identification

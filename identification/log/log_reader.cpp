@@ -12,6 +12,7 @@
 #include "identification/log/remedy.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/text/one_line.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -26,9 +27,7 @@ constexpr double kLongStep_s = 0.5;
 double median_step_s(const std::vector<double>& time_s) {
   std::vector<double> steps_s;
   for (std::size_t i = 1; i < time_s.size(); ++i) steps_s.push_back(time_s[i] - time_s[i - 1]);
-  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
-  std::nth_element(steps_s.begin(), middle, steps_s.end());
-  return *middle;
+  return optimization::median(std::move(steps_s));
 }
 
 }  // namespace

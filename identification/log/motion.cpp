@@ -12,6 +12,7 @@
 #include "identification/log/channel.hpp"
 #include "identification/log/remedy.hpp"
 #include "io/faults/spec_error.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -101,7 +102,9 @@ class MotionCheck {
       const double step = std::abs(values[i] - values[i - 1]);
       jumps = step > 300.0 && step < 363.0;
     }
-    return jumps && quantile(values, 0.998) - quantile(values, 0.002) <= 363.0;
+    return jumps && optimization::nearest_quantile(values, 0.998) -
+                            optimization::nearest_quantile(values, 0.002) <=
+                        363.0;
   }
 
   void compare(const ChannelKey& position, const ChannelKey& velocity) {

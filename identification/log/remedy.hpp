@@ -8,15 +8,15 @@
 
 namespace torquewright::identification {
 
-/// Where the rig names the channel: /columns/...; /columns where it does not.
+/// Pointer to where the rig names the channel: /columns/...; /columns where it does not.
 std::string path_of(const ChannelKey& key, const Rig& rig);
 
-/// What to write into the rig so that the column's numbers are taken `factor` times as large:
-/// write {"quantity": "...", "scale": 0.0174533} for the column "q".
+/// Returns what to write into the rig so that the column's numbers are taken `factor` times as
+/// large: write {"quantity": "...", "scale": 0.0174533} for the column "q".
 std::string remedy(const ChannelKey& key, const Rig& rig, double factor);
 
-/// The same for a column in that unit: write {"quantity": "...", "unit": "rpm"} for the column "w";
-/// by a scale where the rig states one already.
+/// Returns what to write into the rig for a column in that unit: write {"quantity": "...", "unit":
+/// "rpm"} for the column "w"; a scale where the rig states one already.
 std::string remedy_by_unit(const ChannelKey& key, const Rig& rig, const io::Unit& unit);
 
 }  // namespace torquewright::identification

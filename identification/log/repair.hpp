@@ -8,12 +8,12 @@
 
 namespace torquewright::identification {
 
-/// What was repaired or masked, by channel.
+/// Counts by channel of what was repaired or masked.
 struct Repairs {
-  Tally wraps;      ///< Jumps joined.
-  Tally isolated;   ///< Samples replaced and masked.
-  Tally saturated;  ///< Samples masked.
-  Tally crowds;     ///< Samples that leave and return, left as they are.
+  Tally wraps;      ///< Jumps of wrapped angles that were joined.
+  Tally isolated;   ///< Isolated samples that were replaced and masked.
+  Tally saturated;  ///< Saturated samples that were masked.
+  Tally crowds;     ///< Samples that leave and return too often to be faults; left as they are.
 };
 
 /// Repairs the unambiguous faults of every run: joins wrapped angles, replaces and masks isolated

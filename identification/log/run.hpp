@@ -10,8 +10,8 @@
 
 namespace torquewright::identification {
 
-/// The channels of one joint in one run, by Quantity; an empty one was not logged. What the log
-/// states for all joints stands in each.
+/// The channels of one joint in one run, by Quantity; one that was not logged is empty. What the
+/// log states for all joints is repeated in each.
 struct Channels {
   std::array<std::vector<double>, kQuantityCount> of;
 
@@ -24,13 +24,15 @@ struct Channels {
   bool has(Quantity quantity) const { return !(*this)[quantity].empty(); }
 };
 
-/// A stretch of samples without a gap, or a piece of one. All vectors are of one length.
+/// A stretch of samples without a gap, or a piece of one. All vectors have one length.
 struct Run {
   std::string name;
-  std::vector<double> time_s;        ///< Ascending strictly; empty in a map without time.
-  std::vector<Channels> joints;      ///< In the order of Rig::joints.
-  std::vector<std::uint8_t> masked;  ///< 1: repaired or saturated; no residual counts there.
-  bool continues = false;  ///< The run before it without a gap: both are pieces of one stretch.
+  std::vector<double> time_s;    ///< Times, strictly ascending; empty in a map without time.
+  std::vector<Channels> joints;  ///< Channels in the order of Rig::joints.
+  /// 1: repaired or saturated; the sample's residual does not count.
+  std::vector<std::uint8_t> masked;
+  /// It follows the run before it without a gap: both are pieces of one stretch.
+  bool continues = false;
 };
 
 }  // namespace torquewright::identification

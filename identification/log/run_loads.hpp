@@ -9,11 +9,11 @@
 
 namespace torquewright::identification {
 
-/// What the parts of an only run are called, behind its name: docs/logs.md.
+/// Endings of the names of an only run's two parts (docs/logs.md).
 constexpr std::string_view kFirstPart = " (first two thirds)", kLastPart = " (last third)";
 
-/// Throws io::SpecError for each of these runs that no load is stated for, and each load of a run
-/// that is none of them (with the nearest).
+/// Throws io::SpecError for each run without a stated load, and for each load of a run that does
+/// not exist (with the nearest name).
 void check_run_loads(const std::vector<std::string>& runs, const Rig& rig);
 
 }  // namespace torquewright::identification

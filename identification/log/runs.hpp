@@ -14,22 +14,22 @@
 
 namespace torquewright::identification {
 
-/// A log of more rows does not stay in memory; its stretches are cut in pieces.
-/// docs/decisions/0010-long-logs-in-pieces.md.
+/// A log of more rows than these does not stay in memory; its stretches are cut in pieces
+/// (docs/decisions/0010-long-logs-in-pieces.md).
 constexpr std::size_t kLongestWholeLog = 300000;
 
-/// What is known of a run without reading it.
+/// What is known of a run without reading its samples.
 struct RunHead {
   std::string name;
   std::size_t samples = 0;
-  bool is_map = false;  ///< Without time.
+  bool is_map = false;  ///< The run is a map without time.
   double begin_s = 0.0, end_s = 0.0;
   bool continues = false;
 };
 
-/// The runs of a log in their order: in memory as long as they hold no more than so many rows
-/// together, else in a temporary file, of which one run at a time is read. Copies share the file,
-/// and what is changed in one is not in the other.
+/// The runs of a log in their order. They stay in memory up to `kLongestWholeLog` rows together,
+/// else in a temporary file from which one run at a time is read. Copies share the file, and what
+/// is changed in one is not changed in the other.
 class Runs {
  public:
   explicit Runs(std::size_t most_rows_in_memory = kLongestWholeLog)
@@ -46,24 +46,24 @@ class Runs {
 
   const RunHead& head(std::size_t index) const { return heads_[index]; }
   void rename(std::size_t index, const std::string& name);
-  /// The run, if there is one, no longer continues the one before it.
+  /// Cuts the run off the one before it, if it continues that.
   void cut_before(std::size_t index);
   /// Whether any run has the channel.
   bool has(std::size_t joint, Quantity quantity) const;
 
-  /// Valid until another is asked for.
+  /// Reads a run. Valid until another one is asked for.
   const Run& operator[](std::size_t index) const;
   const Run& front() const { return (*this)[0]; }
-  /// Samples from `begin` to before `end` of one run.
+  /// Returns the samples from `begin` to before `end` of one run.
   Run part(std::size_t index, std::size_t begin, std::size_t end) const;
 
-  /// The only way to change one.
+  /// Changes a run: the only way to do so.
   void change(std::size_t index, const std::function<void(Run&)>& edit);
 
-  /// Pieces of one stretch become one run again. Requires runs in memory.
+  /// Joins the pieces of each stretch to one run. Requires runs in memory.
   void join_pieces();
 
-  /// One run after the other; each is valid until the next.
+  /// Goes over the runs; each is valid until the next.
   class Iterator {
    public:
     using iterator_category = std::input_iterator_tag;
@@ -85,10 +85,10 @@ class Runs {
   Iterator end() const { return {*this, size()}; }
 
  private:
-  /// Where the numbers of a run stand: time, the channels of each joint, the mask.
+  /// Where the numbers of a run stand in the file: time, channels of each joint, mask.
   struct Place {
     std::size_t first = 0;
-    std::vector<std::array<bool, kQuantityCount>> has;  ///< By joint.
+    std::vector<std::array<bool, kQuantityCount>> has;  ///< Logged quantities by joint.
   };
   Place written(const Run& run, std::optional<std::size_t> over);
   void spill();

@@ -8,8 +8,9 @@
 
 namespace torquewright::identification {
 
-/// Runs that stand for a log where not all rows can be held: all that are in memory; else as many
-/// as hold the rows that may be, evenly spread over the log by rows. Indices, ascending.
+/// Chooses runs that stand for the log where not all rows can be held: all of a log in memory, else
+/// as many as hold the allowed rows, evenly spread over the log by rows. Returns indices,
+/// ascending.
 std::vector<std::size_t> spread_runs(const Runs& runs);
 
 }  // namespace torquewright::identification

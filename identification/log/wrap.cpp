@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/log/channel.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -42,7 +42,8 @@ bool is_wrapped(const std::vector<double>& values, double turn) {
     jumps = std::abs(values[i] - values[i - 1]) > 0.5 * turn;
   }
   if (!jumps) return false;
-  const double range = quantile(values, 1.0 - kOutermost) - quantile(values, kOutermost);
+  const double range = optimization::nearest_quantile(values, 1.0 - kOutermost) -
+                       optimization::nearest_quantile(values, kOutermost);
   return range > kLeastRange * turn && range < (1.0 + kSlack) * turn;
 }
 

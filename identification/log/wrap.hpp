@@ -9,17 +9,17 @@
 
 namespace torquewright::identification {
 
-/// True if the values look like an angle that starts anew after each turn: they fill one turn, stay
+/// Whether values look like an angle that starts anew after each turn: they fill one turn, stay
 /// within it, and jump by more than half of it. docs/logs.md has the rule with its numbers.
 bool is_wrapped(const std::vector<double>& values, double turn);
 
 /// Joins the turns and returns the samples at which they began anew. Requires is_wrapped().
 std::vector<std::size_t> unwrap(std::vector<double>& values, double turn);
 
-/// The first step of more than a quarter of a turn, which could be one way round or the other.
+/// Finds the first step of more than a quarter of a turn, whose direction cannot be told.
 std::optional<std::size_t> find_ambiguous_step(const std::vector<double>& values, double turn);
 
-/// The same as is_wrapped() of values that come in parts.
+/// Decides the same as is_wrapped() for values that come in parts.
 class WrapEvidence {
  public:
   WrapEvidence(std::size_t most_values, double turn);

@@ -16,19 +16,19 @@ struct ReplayWindow {
   std::size_t stretch = 0;  ///< Index into the signals.
   std::size_t first = 0, last = 0;
   bool is_held_out = false;
-  bool rests = false;  ///< The output stands still in a part of it.
+  bool rests = false;  ///< The output rests in a part of it.
 };
 
-/// Pieces of one second without a masked sample, of those stretches at most `most`, evenly spread
-/// over the log. `held_out`: by Log::runs.
+/// Returns pieces of one second without a masked sample, at most `most`, evenly spread over the
+/// log. `held_out` (by Log::runs) chooses the runs.
 std::vector<ReplayWindow> replay_windows(const std::vector<Signals>& signals,
                                          const std::vector<bool>& held_out, std::size_t most);
 
-/// A joint driven again by what its log says of its motor. Not for a dynamometer (whose motion is
-/// imposed) or an arm. Keeps references to all it is made of.
+/// Simulates a joint again from what its log says of its motor. Not for a dynamometer (whose motion
+/// is imposed) or an arm. Keeps references to its arguments.
 class Replay {
  public:
-  /// `offset_A` is taken off the logged current.
+  /// `offset_A` is subtracted from the logged current.
   Replay(const Bench& bench, const std::vector<Signals>& signals, double offset_A);
 
   static bool can_replay(const Bench& bench);
@@ -39,7 +39,7 @@ class Replay {
 
  private:
   const Bench& bench_;
-  std::vector<std::unique_ptr<simulation::Plant>> plants_;  ///< By stretch.
+  std::vector<std::unique_ptr<simulation::Plant>> plants_;  ///< Plants by stretch.
   const std::vector<Signals>& signals_;
   double offset_A_;
 };

@@ -7,15 +7,16 @@
 
 namespace torquewright::identification {
 
-/// Where the starts of a local search ended.
+/// Summary of where the starts of a local search ended.
 struct Starts {
   std::size_t count = 0;
-  std::size_t agreeing = 0;  ///< At the best value.
-  /// Of those: largest less smallest value of each parameter, by its name (with its unit).
+  std::size_t agreeing = 0;  ///< Number of starts that ended at the best value.
+  /// Largest less smallest value of each parameter among the agreeing starts, by its name (with its
+  /// unit).
   std::vector<std::pair<std::string, double>> spread;
 };
 
-/// " Sought from 3 starts, of which 3 agree (exponent within 0.02)."
+/// Returns a sentence: " Sought from 3 starts, of which 3 agree (exponent within 0.02)."
 std::string sentence_of(const Starts& starts);
 
 }  // namespace torquewright::identification

@@ -5,7 +5,8 @@
 
 namespace torquewright::identification {
 
-/// Of the load about the axis (kg on a linear axis); 0 where one number does not say it.
+/// Inertia of the load about its axis (mass in kg on a linear axis); 0 where one number does not
+/// say it.
 double load_inertia_kg_m2(const Load& load);
 
 }  // namespace torquewright::identification

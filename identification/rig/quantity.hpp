@@ -8,7 +8,7 @@
 
 namespace torquewright::identification {
 
-/// What a column of a log may hold. Signs and sides: docs/notation.md.
+/// The quantity that a column of a log may hold. Signs and sides: docs/notation.md.
 enum class Quantity {
   kTime,
   kRun,
@@ -16,12 +16,12 @@ enum class Quantity {
   kOutputVelocity,
   kMotorPosition,
   kMotorVelocity,
-  kMotorCurrent,  ///< In the actuator's convention.
+  kMotorCurrent,  ///< In the actuator's convention of currents.
   kDuty,
   kWindingVoltage,
   kBusVoltage,
-  kOutputTorque,    ///< By an external sensor.
-  kReportedTorque,  ///< The driver's own estimate, output side.
+  kOutputTorque,    ///< Measured by an external sensor.
+  kReportedTorque,  ///< The driver's own estimate, on the output's side.
   kCommandedTorque,
   kCommandedPosition,
   kWindingTemperature,
@@ -33,14 +33,14 @@ enum class Quantity {
 };
 constexpr std::size_t kQuantityCount = 20;
 
-/// As in documents: "time_s", "motor_current_A", ...
+/// Name as in documents: "time_s", "motor_current_A", ...
 std::string_view name_of(Quantity quantity);
 std::optional<Quantity> find_quantity(std::string_view name);
 
-/// The end of its name: "A", "rad/s", "Nm", ...; empty for what has none.
+/// Unit at the end of its name: "A", "rad/s", "Nm", ...; empty where there is none.
 std::string_view unit_of(Quantity quantity);
 
-/// Set, not measured: torque and position that are asked for, duty, `enabled`.
+/// Whether the quantity is set, not measured: commanded torque and position, duty, `enabled`.
 bool is_command(Quantity quantity);
 
 }  // namespace torquewright::identification

@@ -12,13 +12,13 @@ struct Document;
 
 namespace torquewright::identification {
 
-/// The keys of a rig's "columns" in the order of its file; the document itself keeps them in
-/// alphabetical order. Nothing where the file cannot be read again (a document made in memory).
+/// Returns the keys of a rig's "columns" in the order of its file; the document itself keeps them
+/// in alphabetical order. Nothing where the file cannot be read again (a document made in memory).
 std::optional<std::vector<std::string>> columns_as_written(const io::Document& document);
 
-/// Why an entry of "uncertain" leads to nothing that a fit could correct; empty: it leads to a
-/// number that a load (/load/...) or an actuator (/motor/..., /gearbox/...) may state. Whether this
-/// one states it is seen when all are together.
+/// Returns why an entry of "uncertain" leads to nothing that a fit could correct; empty if it leads
+/// to a number that a load (/load/...) or an actuator (/motor/..., /gearbox/...) may state. Whether
+/// this load or actuator states it is checked later, when all documents are read.
 std::string objection_to_pointer(const std::string& pointer, const nlohmann::json& rig);
 
 }  // namespace torquewright::identification

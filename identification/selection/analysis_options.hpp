@@ -10,16 +10,17 @@
 
 namespace torquewright::identification {
 
-/// How one joint is analysed.
+/// Options of the analysis of one joint.
 struct AnalysisOptions {
-  bool select = true;                ///< False: residual, noise floor and structure only.
-  double tolerance = 0.001;          ///< Share of what is predicted below which nothing matters.
-  std::uint64_t seed = 1;            ///< Of the noise replicas.
-  std::vector<std::string> only;     ///< Effects that are asked about; empty: all ...
-  std::vector<std::string> without;  ///< ... but these.
-  /// By joint and quantity; else chosen by what stands out.
+  bool select = true;        ///< False: residual, noise floor and structure only, no search.
+  double tolerance = 0.001;  ///< Share of the predicted quantity below which no change matters.
+  std::uint64_t seed = 1;    ///< Seed of the noise replicas.
+  std::vector<std::string> only;     ///< Names of the effects to search for; empty: all.
+  std::vector<std::string> without;  ///< Names of effects not to search for.
+  /// Cut-off of an equation's band by joint and quantity; where absent, chosen by what stands out
+  /// of the noise.
   std::map<std::pair<std::string, std::string>, double> band_Hz;
-  /// Called with what is being done, and how much of all is done (0 to 1).
+  /// Called with a text about the present step and the share of all work that is done (0 to 1).
   std::function<void(const std::string&, double)> progress;
   /// Called often, while models are fitted; what it throws ends the work. May be empty.
   std::function<void()> before_each_fit;

@@ -8,8 +8,8 @@
 
 namespace torquewright::identification {
 
-/// One equation, from its rows to its result: errors, names, groups and verdict. Where too little
-/// can be fitted, the result says so.
+/// Analyses one equation, from its rows to its result: errors, names, groups and verdict. Where too
+/// little can be fitted, the result says so.
 EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation& stated,
                       const HeldSignals& held, const std::vector<std::size_t>& fold_of_run,
                       const AnalysisOptions& options);

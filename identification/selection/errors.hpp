@@ -6,7 +6,7 @@
 
 namespace torquewright::identification {
 
-/// Root mean squares over rows that were fitted and that were not, in the equation's unit.
+/// Returns root mean squares over the fitted and the held-out rows, in the equation's unit.
 Errors errors_over(const ForwardEquation& equation, const Rows& rows,
                    const Eigen::VectorXd& residual);
 

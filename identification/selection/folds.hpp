@@ -8,8 +8,8 @@
 
 namespace torquewright::identification {
 
-/// By Log::runs: what is left out together. Each group of training runs is a fold; kHeldOut: no fit
-/// sees it.
+/// Returns the fold of each run of the log: runs of one fold are left out together. Each group of
+/// training runs is a fold; kHeldOut: no fit sees the run.
 std::vector<std::size_t> run_folds(const Log& log);
 
 }  // namespace torquewright::identification

@@ -7,24 +7,25 @@
 
 namespace torquewright::identification {
 
-/// An effect whose parameters do not hold in all parts of the log: no law of this actuator.
+/// An effect whose parameters differ between parts of the log, so that it is no law of this
+/// actuator.
 struct Wanderer {
   const EffectCandidate* candidate = nullptr;
   Unsteadiness by;
 };
 
-/// Which of what a search found is certain.
+/// Which of a search's findings are certain.
 struct Judgement {
   bool is_noise_before = false;
   bool has_tentative = false;
   std::vector<Wanderer> wanderers;
 };
 
-/// Whether a model, and the structure that it leaves, leave nothing but noise.
+/// Whether a model leaves nothing but noise, by the size and the structure of its residual.
 bool leaves_noise(const Search& search, const ModelFitter& fitter, const ModelFit& fit,
                   const std::vector<ResidualStructure>& structure);
 
-/// Takes from `found.best` what is not certain, and says so.
+/// Removes from `found.best` what is not certain, and says so in the result.
 Judgement judge(const ModelFitter& fitter, Search& search, Found& found,
                 const std::vector<ResidualStructure>& structure_before);
 

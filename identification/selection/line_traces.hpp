@@ -9,7 +9,8 @@
 
 namespace torquewright::identification {
 
-/// What a hypothesis leaves of an equation in the runs that are held, at the log's own rate.
+/// Returns the residual of an equation under a hypothesis in the runs that are held, at the log's
+/// own rate.
 std::vector<LineTrace> line_traces(const ForwardEquation& equation, const Hypothesis& hypothesis,
                                    const HeldSignals& held);
 

@@ -10,55 +10,58 @@
 
 namespace torquewright::identification {
 
-/// Which effects a model holds, beside what is stated.
+/// The effects that a model holds beside the stated ones.
 using EffectSet = std::vector<const EffectCandidate*>;
 
-/// Sums over a block: products of the residual's slopes, less what the channels' noise adds.
+/// Sums over a block of products of the residual's slopes, less what the channels' noise adds.
 struct BlockSums {
-  Eigen::MatrixXd slopes;   ///< (p x p)
+  Eigen::MatrixXd slopes;   ///< (p x p) Slopes times slopes.
   Eigen::VectorXd descent;  ///< (p x 1) Slopes times residual.
-  double loss = 0.0;        ///< Residual squared.
-  double noise = 0.0;       ///< What noise adds to that; it is taken off there.
+  double loss = 0.0;        ///< Sum of the squared residual.
+  double noise = 0.0;       ///< What noise adds to it; `loss` is without that already.
 };
 
 /// A model fitted to the training rows by bounded least squares on the forward model.
 struct ModelFit {
   EffectSet members;
-  Eigen::VectorXd coordinates;  ///< (p x 1) Of what is always fitted, then of each member.
-  Eigen::VectorXd residual;     ///< (n x 1)
-  Eigen::VectorXd noise;        ///< (n x 1) What noise added once more changes.
-  std::vector<BlockSums> sums;  ///< By block.
-  Eigen::MatrixXd covariance;   ///< (p x p) By the scatter of blocks and of folds.
-  std::vector<bool> is_free;    ///< Not at a bound that holds it.
-  std::vector<double> unseen;   ///< By block: loss where it was not fitted.
-  double loss = 0.0;            ///< Of the training blocks, fitted.
-  double unseen_loss = 0.0;     ///< Of the same, each where it was not fitted.
-  double noise_loss = 0.0;      ///< Of the training blocks.
+  /// (p x 1) Coordinates of what is always fitted, then of each member.
+  Eigen::VectorXd coordinates;
+  Eigen::VectorXd residual;  ///< (n x 1) Residual of the rows.
+  Eigen::VectorXd noise;     ///< (n x 1) Change of the residual by noise that is added once more.
+  std::vector<BlockSums> sums;  ///< Sums by block.
+  /// (p x p) Covariance of the coordinates, by the scatter of blocks and of folds.
+  Eigen::MatrixXd covariance;
+  std::vector<bool> is_free;   ///< False: the coordinate is held at a bound.
+  std::vector<double> unseen;  ///< Loss of each block where it was not fitted.
+  double loss = 0.0;           ///< Loss of the training blocks, fitted.
+  double unseen_loss = 0.0;    ///< Loss of the training blocks, each where it was not fitted.
+  double noise_loss = 0.0;     ///< What noise adds to the loss of the training blocks.
   bool is_valid = false;
 
   bool holds(const std::string& effect) const;
-  /// First coordinate of a member.
+  /// Index of a member's first coordinate.
   Eigen::Index first_of(std::size_t member) const;
-  /// That of all parameters which are always fitted: the rest is members'.
+  /// Number of coordinates that are always fitted; the rest are the members'.
   Eigen::Index always = 0;
 };
 
-/// Fits models of one equation.
+/// Fits models of one equation by bounded least squares.
 class ModelFitter {
  public:
   /// Keeps references to all three. `replica`: the rows' signals with noise added once more.
   ModelFitter(const ForwardEquation& equation, const Rows& rows,
               const std::vector<Signals>& replica);
 
-  /// From coordinates of all parameters: those of `always`, then of the members.
+  /// Fits from a start of all coordinates: those of `always`, then those of the members.
   ModelFit fit(const EffectSet& members, const Eigen::VectorXd& start) const;
 
-  /// The coordinates of what is always fitted, at which fits start.
+  /// Returns the coordinates at which fits of `always` start.
   Eigen::VectorXd always_start() const;
 
   Hypothesis hypothesis(const EffectSet& members, const Eigen::VectorXd& coordinates) const;
   Eigen::VectorXd residual(const EffectSet& members, const Eigen::VectorXd& coordinates) const;
-  /// (n x p) Its slopes at coordinates where it is `residual`. `like`: see Rows.
+  /// (n x p) Returns the slopes of the residual at coordinates where it is `residual`. `like`: see
+  /// Rows.
   Eigen::MatrixXd slopes(const EffectSet& members, const Eigen::VectorXd& coordinates,
                          const Eigen::VectorXd& residual, const std::vector<Signals>& like) const;
 

@@ -9,8 +9,8 @@
 
 namespace torquewright::identification {
 
-/// The model that was taken, and behind it those that the log cannot tell from it, the lowest loss
-/// where they were not fitted first.
+/// Returns the model that was taken, and behind it those that the log cannot tell from it, in the
+/// order of their loss where they were not fitted.
 std::vector<ModelWithinNoise> models_within_noise(const Bench& bench, const ModelFitter& fitter,
                                                   const Found& found);
 

@@ -5,14 +5,15 @@
 
 namespace torquewright::identification {
 
-/// A member of a model with the contract's parameters and their standard errors, by first-order
-/// propagation of the fit's covariance; null where the log does not determine one.
+/// Returns a member of a model with its parameters as documents name them and their standard
+/// errors, by first-order propagation of the fit's covariance; null where the log does not
+/// determine one.
 NamedEffect named_effect(const ModelFit& fit, std::size_t member);
 
-/// Whether both are waves of one effect that a report holds together.
+/// Whether both are waves of one effect, which a report states together.
 bool is_wave_of(const NamedEffect& first, const NamedEffect& wave);
 
-/// Waves of one effect become one effect: the second's harmonics are appended to the first's.
+/// Joins two waves of one effect: the second's harmonics are appended to the first's.
 void append_wave(NamedEffect& first, const NamedEffect& wave);
 
 }  // namespace torquewright::identification

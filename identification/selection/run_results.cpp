@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "optimization/fit/quantile.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -65,10 +67,7 @@ std::vector<RunRows> rows_by_run(const Rows& rows) {
 double usual_step(const std::vector<double>& times) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return steps.empty() ? 0.0 : optimization::median(std::move(steps));
 }
 
 Curve curve_of(const RunRows& run, const Eigen::VectorXd& values) {

@@ -9,13 +9,13 @@
 
 namespace torquewright::identification {
 
-/// Every run of an equation by itself, from what two models leave of it at the rows. Of a run that
-/// is held out in part the fitted and the held-out rows stand apart.
+/// Returns the result of each run of an equation, from the residuals of two models. A run that is
+/// held out in part has two results, of its fitted and of its held-out rows.
 std::vector<RunResult> run_results(const ForwardEquation& equation, const Rows& rows,
                                    const Eigen::VectorXd& before, const Eigen::VectorXd& after);
 
-/// At most twice `shares` points: the least and the greatest of each of so many equal shares, where
-/// they stand, so that nothing that sticks out is lost.
+/// Thins a curve to at most 2 `shares` points: the least and the greatest of each of so many equal
+/// shares, so that no peak is lost.
 Curve thinned(const Curve& curve, std::size_t shares);
 
 }  // namespace torquewright::identification

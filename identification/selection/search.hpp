@@ -14,61 +14,72 @@
 
 namespace torquewright::identification {
 
-/// What decides; each is a cost that docs/identification.md states.
+/// Constants that decide in a search; docs/derivations/identification.md section 12 states the cost
+/// of each.
 struct SearchRules {
-  double chance = 0.05;       ///< That noise alone gains so much by any one of all that is tried.
-  double least_floors = 0.5;  ///< A name changes the prediction by so many noise floors ...
-                              ///< (what cannot change it by as much is not excited)
-  double least_change = 0.0;  ///< ... and by as much, in the residual's unit (tolerance).
-  double least_of_largest =
-      0.02;                  ///< ... and by so much of the largest named effect: laws hold so far.
-  double least_share = 0.1;  ///< What takes less of the squares that are left makes no difference.
-  double unexplained_floors = 3.0;  ///< Beyond it what is left is the model's error, and a name ...
-  double steady_share = 0.2;        ///< ... takes so much of the squares ...
-  double steady_parts = 0.75;       ///< ... and helps in so many of the parts.
-  std::function<bool(const std::string& effect)> asks;  ///< Empty: about all.
-  std::function<void()> before_each_fit;  ///< May throw, to end the search. May be empty.
+  /// Probability that noise alone gains so much by any one of all that is tried.
+  double chance = 0.05;
+  /// Least change of the prediction by a name, in noise floors; what cannot change it by as much
+  /// is not excited.
+  double least_floors = 0.5;
+  /// Least change of the prediction by a name, in the residual's unit (tolerance).
+  double least_change = 0.0;
+  /// Least change of the prediction by a name, as a share of the largest named effect's: laws hold
+  /// no better.
+  double least_of_largest = 0.02;
+  /// What takes less than this share of the squares that are left makes no difference.
+  double least_share = 0.1;
+  /// Beyond so many floors what is left counts as the model's error, and a name needs
+  /// `steady_share` and `steady_parts`.
+  double unexplained_floors = 3.0;
+  double steady_share = 0.2;   ///< Share of the squares that a name then takes, at least.
+  double steady_parts = 0.75;  ///< Share of the parts in which it then helps, at least.
+  /// Returns whether an effect is searched for; empty: all are.
+  std::function<bool(const std::string& effect)> asks;
+  /// Called before each fit. May throw to end the search. May be empty.
+  std::function<void()> before_each_fit;
 };
 
-/// Why an effect did not come in.
+/// Why an effect was not added.
 struct Refusal {
   const EffectCandidate* candidate = nullptr;
-  Comparison gain;  ///< Over the model that was kept.
+  Comparison gain;  ///< Gain over the model that was kept.
 };
 
-/// What a search over sets of effects found.
+/// Result of a search over sets of effects.
 struct Found {
   ModelFit empty, best;
-  std::vector<Comparison> gains;  ///< Of each member of the best, over its own removal.
-  std::vector<ModelFit> rivals;   ///< As good, as far as the log can tell; the best is not among.
+  std::vector<Comparison> gains;  ///< Gain of each member of the best model over its removal.
+  std::vector<ModelFit> rivals;   ///< Models that the log cannot tell from the best, without it.
   std::vector<const EffectCandidate*> silent;
-  bool turned_one_way = false;  ///< No wave of friction was asked: it is one of torque there.
+  /// The log turned one way: no wave of friction was searched for, since it is one of torque there.
+  bool turned_one_way = false;
   std::vector<Refusal> refused;
-  std::shared_ptr<std::deque<EffectCandidate>> waves;  ///< That members may point to.
+  std::shared_ptr<std::deque<EffectCandidate>> waves;  ///< Waves that members point to.
 };
 
-/// Screens all candidates linearly, refines the most promising and pairs of them on the forward
-/// model, and judges only then; members are dropped, replaced by their parts and swapped until
-/// nothing changes. docs/derivations/identification.md section 12.
+/// Searches sets of effects: screens all candidates linearly, fits the most promising ones and
+/// pairs of them on the forward model, and judges only then. Members are dropped, replaced by their
+/// parts and swapped until nothing changes (docs/derivations/identification.md section 12).
 class Search {
  public:
   Search(const ModelFitter& fitter, const SearchRules& rules);
   Found run();
-  /// The stated model alone.
+  /// Returns the stated model alone.
   Found nothing();
-  /// Takes a member of the best out; all of them if the others cannot be fitted without it.
+  /// Removes a member of the best model; all members if the others cannot be fitted without it.
   void leave_out(const EffectCandidate* member, Found& found);
 
-  /// True if `more` earns its place over `less`.
+  /// Whether `more` earns its place over `less`.
   bool earns(const ModelFit& less, const ModelFit& more) const;
   bool is_refuted(const ModelFit& rival, const ModelFit& best) const;
-  /// What noise alone does not reach by any of all that is tried.
+  /// The t that noise alone does not reach by any of all that is tried.
   double chance_t() const;
   const SearchRules& rules() const { return rules_; }
 
  private:
-  /// Where its members stand among the candidates, in ascending order. Never their addresses: what
-  /// is told of models goes in the order of their keys.
+  /// Indices of a model's members among the candidates, ascending. Addresses would make the order
+  /// of reports depend on the run.
   using Key = std::vector<std::size_t>;
   Key key_of(const EffectSet& members) const;
   const ModelFit& fitted(const EffectSet& members, const Eigen::VectorXd& start);

@@ -5,18 +5,18 @@
 
 namespace torquewright::identification {
 
-/// What the torque balance of a bench is measured in. docs/derivations/identification.md eq. (2) to
-/// (4).
+/// The measures of a bench's torque balance: which sign and unit its residual has
+/// (docs/derivations/identification.md eq. (2) to (4)).
 class Balance {
  public:
   explicit Balance(const Bench& bench);
 
-  /// What one Nm before the mesh does to the residual, in Nm at the output.
+  /// Change of the residual by one Nm before the mesh, in Nm at the output.
   double gain(const Signals& signals, std::size_t i) const;
 
   const Bench& bench() const { return bench_; }
 
-  /// Residual in the unit of the measured quantity per Nm, and that quantity.
+  /// Residual in the unit of the measured quantity per Nm of the balance.
   double unit_per_Nm() const;
   Quantity quantity() const;
 

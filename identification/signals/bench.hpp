@@ -12,29 +12,30 @@
 
 namespace torquewright::identification {
 
-/// Which sides of the train have their motion measured.
+/// Which sides of the gearbox have their motion measured.
 enum class Encoders {
   kOutput,
   kMotor,
-  kBoth,  ///< Positions on both: the twist is known.
+  kBoth,  ///< Positions of both sides: the twist is known.
 };
 
-/// One joint of a log with its nominal actuator, and where the two sides of its torque balance come
-/// from. docs/derivations/identification.md section 1. It points to the rig and the actuators,
+/// One joint of a log with its nominal actuator, and the sources of the two sides of its torque
+/// balance (docs/derivations/identification.md section 1). It points to the rig and the actuators,
 /// which have to outlive it.
 struct Bench {
   const Rig* rig = nullptr;
   std::size_t joint = 0;                             ///< Index into Rig::joints.
-  std::vector<const actuator::Actuator*> actuators;  ///< One per joint.
-  std::optional<Drive> drive;                        ///< Absent: nothing says what the motor does.
-  std::optional<LoadSide> load_side;                 ///< Absent: nothing says what the load takes.
+  std::vector<const actuator::Actuator*> actuators;  ///< Actuators, one per joint.
+  std::optional<Drive> drive;  ///< Source of the motor's torque; absent: the log does not tell it.
+  /// Source of the load's torque; absent: the log does not tell it.
+  std::optional<LoadSide> load_side;
   Quantity drive_channel = Quantity::kMotorCurrent;
   Quantity load_channel = Quantity::kOutputTorque;
   Encoders encoders = Encoders::kOutput;
-  bool is_linear = false;  ///< Output in m, m/s and N.
+  bool is_linear = false;  ///< The output is a linear axis, in m, m/s and N.
   bool has_temperature = false;
 
-  /// What moves in a gap without an encoder, where more of it is known than the nominal actuator.
+  /// Actuator that moves in a gap without an encoder, where more is known than the nominal one.
   std::shared_ptr<const actuator::Actuator> in_gap;
 
   const actuator::Actuator& actuator() const { return *actuators[joint]; }

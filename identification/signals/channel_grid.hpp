@@ -17,23 +17,23 @@ class ChannelGrid {
   ChannelGrid(const Run& run, std::size_t joint, const PreparationOptions& options,
               std::mt19937_64& random);
 
-  double step_s() const { return step_s_; }    ///< 0 in a map.
-  double start_s() const { return start_s_; }  ///< 0 in a map.
+  double step_s() const { return step_s_; }    ///< Step of the grid; 0 in a map.
+  double start_s() const { return start_s_; }  ///< First time of the grid; 0 in a map.
   std::size_t count() const { return count_; }
   bool is_map() const { return is_map_; }
   bool has(Quantity quantity) const { return channels_.has(quantity); }
 
-  /// `count` values of a channel that was logged, in its unit.
+  /// Reads a channel that was logged, in its unit, on the grid and through the low-pass.
   std::vector<double> read(Quantity quantity);
 
-  /// The two steps of it: on the grid, and then through the low-pass.
+  /// Reads a logged channel on the grid without the low-pass.
   std::vector<double> read_unfiltered(Quantity quantity);
   std::vector<double> filtered(std::vector<double> values) const;
 
-  /// The channel, or a constant where it was not logged.
+  /// Reads a channel, or returns a constant where it was not logged.
   std::vector<double> read_or(Quantity quantity, double otherwise);
 
-  /// The channel, or nothing where it was not logged.
+  /// Reads a channel; empty where it was not logged.
   std::vector<double> read_if_any(Quantity quantity);
 
  private:

@@ -8,9 +8,9 @@
 namespace torquewright::identification {
 
 /// Standard deviations of white noise on the raw channels of a joint, by Quantity, each in its
-/// channel's unit. That of a measured channel is at least its resolution over sqrt(12): the step of
+/// channel's unit. For a measured channel it is at least the resolution over sqrt(12): the step of
 /// a quantised one, the last digit that the log writes, single precision. A command (and a winding
-/// voltage that holds set values) is what it is, up to that digit. 0: not logged, or fewer than 16
+/// voltage that holds set values) has only that of its last digit. 0: not logged, or fewer than 16
 /// samples.
 using NoiseLevels = std::array<double, kQuantityCount>;
 NoiseLevels noise_levels(const Log& log, std::size_t joint);

@@ -15,13 +15,14 @@ namespace torquewright::identification {
 struct HeldSignals {
   std::vector<Signals> rows;
   std::vector<Signals> replica;
-  /// One of the runs at the log's own rate, through no filter; what is usable, the direction and,
-  /// beside a torque sensor, the acceleration are the filtered signals'. Nothing of a map without
-  /// time.
+  /// Returns a run at the log's own rate, without a filter; what is usable, the direction and,
+  /// beside a torque sensor, the acceleration are taken from the filtered signals. Nothing for a
+  /// map without time.
   std::function<std::optional<Signals>(std::size_t run)> unfiltered;
 };
 
-/// Its `unfiltered` keeps a reference to the log, and what the bench points to.
+/// Prepares the signals that stand for a log. Their `unfiltered` keeps a reference to the log, and
+/// to what the bench points to.
 HeldSignals held_signals(const Log& log, const Bench& bench, const NoiseLevels& levels,
                          std::uint64_t seed);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identification/signals/signal.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -19,10 +20,8 @@ constexpr double kSlowestFilter_Hz = 5.0;  ///< Its settling is cut off at both 
 double rest_speed(const std::vector<double>& velocity, double play) {
   std::vector<double> speeds;
   for (const double w : velocity) speeds.push_back(std::abs(w));
-  const double place = 0.95 * static_cast<double>(speeds.size() - 1);
-  const auto high = speeds.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(speeds.begin(), high, speeds.end());
-  return std::max(play / kStandstill_s, kRestShare * *high);
+  const double high = optimization::lower_quantile(std::move(speeds), 0.95);
+  return std::max(play / kStandstill_s, kRestShare * high);
 }
 
 void mask_rests(const std::vector<double>& velocity, double slow, double step_s,

@@ -9,17 +9,19 @@
 
 namespace torquewright::identification {
 
-constexpr double kPlayDeviations = 3.0;  ///< Of noise, in a position's play.
+/// Standard deviations of a position's noise within which it may move at rest. A choice of ours.
+constexpr double kPlayDeviations = 3.0;
 
-/// How far the output's position may move within its noise, in rad (or m): three deviations of its
+/// How far the output's position may move by its noise alone, in rad (or m): kPlayDeviations of its
 /// best channel.
 double position_play(const Bench& bench, const NoiseLevels& levels);
 
-constexpr double kStandstill_s = 0.015;  ///< Longer rests are masked.
+/// Rests longer than this are masked (docs/derivations/identification.md section 3).
+constexpr double kStandstill_s = 0.015;
 
-/// 1 where the output rests for longer than that (friction is undetermined there), and around it as
-/// far as the filters carry what happens there; and at both ends, where the filters have not
-/// settled. step_s > 0.
+/// Returns 1 for samples where the output rests for longer than kStandstill_s (friction is
+/// undetermined there), around them as far as the filters carry, and at both ends, where the
+/// filters have not settled. Requires step_s > 0.
 std::vector<std::uint8_t> rest_mask(const std::vector<double>& velocity_rad_s, double play_rad,
                                     double step_s, double longer_than_s = kStandstill_s);
 

@@ -11,37 +11,37 @@ namespace torquewright::identification {
 
 constexpr std::size_t kHeldOut = static_cast<std::size_t>(-1);
 
-/// A stretch's values, one for each sample.
+/// A function that returns a stretch's values, one for each sample.
 using OfStretch = std::function<std::vector<double>(const Signals&)>;
 
-/// The samples at which an equation is asked: the usable ones, below a cut-off, thinned, in blocks
-/// of about equal time. Keeps a reference to the signals.
+/// The samples at which an equation is evaluated: the usable ones, below a cut-off, thinned, in
+/// blocks of about equal time. Keeps a reference to the signals.
 class Rows {
  public:
   struct Options {
     double cutoff_Hz = 8.0;
     double block_s = 1.5;
   };
-  /// `fold_of_run`: by Signals::run; kHeldOut: no fit sees it. With fewer than three folds runs are
-  /// cut into contiguous ones.
+  /// `fold_of_run` is by Signals::run; kHeldOut: no fit sees the run. With fewer than three folds
+  /// runs are cut into contiguous ones.
   Rows(const std::vector<Signals>& signals, const std::vector<std::size_t>& fold_of_run,
        const Options& options);
 
   struct Block {
-    Eigen::Index begin = 0, count = 0;  ///< Rows.
+    Eigen::Index begin = 0, count = 0;  ///< Range of rows.
     std::size_t run = 0;
-    std::size_t fold = 0;  ///< kHeldOut: no fit sees it.
+    std::size_t fold = 0;  ///< Fold of the block; kHeldOut: no fit sees it.
     bool is_held_out() const { return fold == kHeldOut; }
   };
 
-  /// (n x 1) The values below the cut-off at the rows. `like`: the signals, or a replica of them.
+  /// (n x 1) Returns the values below the cut-off at the rows. `like` are the signals, or a replica
+  /// of them.
   Eigen::VectorXd values(const OfStretch& of_stretch, const std::vector<Signals>& like) const;
   Eigen::VectorXd values(const OfStretch& of_stretch) const { return values(of_stretch, signals_); }
 
   const std::vector<Signals>& signals() const { return signals_; }
-  const std::vector<std::vector<std::size_t>>& samples() const {
-    return samples_;
-  }  ///< By stretch.
+  /// Indices of the rows' samples, by stretch.
+  const std::vector<std::vector<std::size_t>>& samples() const { return samples_; }
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t folds() const { return folds_; }
   bool cuts_runs() const { return cuts_runs_; }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "optimization/fit/quantile.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -130,9 +132,8 @@ double noise_level(std::span<const double> signal) {
     differences[i] = std::abs(signal[i + 5] - 5.0 * signal[i + 4] + 10.0 * signal[i + 3] -
                               10.0 * signal[i + 2] + 5.0 * signal[i + 1] - signal[i]);
   }
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return kMadToDeviation * *middle / std::sqrt(kFifthDifferenceNorm);
+  return kMadToDeviation * optimization::median(std::move(differences)) /
+         std::sqrt(kFifthDifferenceNorm);
 }
 
 }  // namespace torquewright::identification

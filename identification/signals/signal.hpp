@@ -18,7 +18,7 @@ class LowPass {
 
   void apply(std::vector<double>& signal) const;
 
-  /// Of a wave that is sampled at the rate, both ways together; 0 from half of it on.
+  /// Gain for a wave sampled at the rate, both passes together; 0 from half the rate on.
   double gain(double frequency_Hz) const;
 
   /// Samples after which an end's influence has died away (to about 1 %).
@@ -37,18 +37,18 @@ class LowPass {
 /// second order at the two samples of each end. Requires at least five samples.
 std::vector<double> derivative(std::span<const double> signal, double step_s);
 
-/// The signal at times start + k step, linear between its samples. Requires ascending times.
+/// Interpolates the signal linearly at times start + k step. Requires ascending times.
 std::vector<double> resampled(std::span<const double> time_s, std::span<const double> signal,
                               double start_s, double step_s, std::size_t count);
 
-/// The cubic through four samples, `share` of the way from the second to the third.
+/// Value of the cubic through four samples, `share` of the way from the second to the third.
 double cubic_between(std::span<const double> four, double share);
 
-/// By how much each of the four counts there.
+/// Weights of the four samples in cubic_between().
 std::array<double, 4> cubic_weights(double share);
 
-/// The signal `delay_s` earlier: out(t) = in(t + delay), cubic between samples (straight next to an
-/// end), ends held.
+/// Moves the signal `delay_s` earlier: out(t) = in(t + delay), cubic between samples (linear next
+/// to an end), with the end values held.
 std::vector<double> advanced(std::span<const double> signal, double delay_s, double step_s);
 
 /// Standard deviation of white noise on a smooth signal: 1.4826 times the median magnitude of fifth

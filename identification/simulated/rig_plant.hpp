@@ -10,10 +10,10 @@
 
 namespace torquewright::identification {
 
-/// The links of a serial arm.
+/// Returns the links of a serial arm.
 std::vector<dynamics::SerialLink> serial_links_of(const Load& load);
 
-/// What the actuators of a rig move, by a load that its document states.
+/// Returns the plant that the actuators of a rig move, from the stated load.
 std::unique_ptr<simulation::Plant> plant_of(const Load& load);
 
 }  // namespace torquewright::identification

@@ -13,7 +13,7 @@ namespace torquewright::identification {
 
 /// An excitation as a file states it: named runs.
 struct ExcitationRun {
-  std::string name;  ///< Empty: the file has no runs.
+  std::string name;  ///< Name of the run; empty: the file has no runs.
   simulation::Excitation excitation;
   simulation::JointStart start;
 };
@@ -27,12 +27,13 @@ struct ExcitationRun {
 std::vector<ExcitationRun> read_excitation(const std::filesystem::path& file, const Rig& rig,
                                            const actuator::Actuator& actuator);
 
-/// Throws io::SpecError where the runs of that file would take more steps of a simulation than
-/// anybody waits for.
+/// Throws io::SpecError where the runs of that file would take more simulation steps than the
+/// program is ready to compute.
 void require_few_steps(const std::filesystem::path& file, const std::vector<ExcitationRun>& runs,
                        const simulation::SimulationOptions& options);
 
-/// A quantity along a simulated run of one joint; empty: a simulation does not have it.
+/// Returns a quantity along a simulated run of one joint; empty where a simulation does not have
+/// it.
 std::vector<double> simulated_quantity(Quantity quantity, const actuator::Actuator& truth,
                                        const simulation::Excitation& excitation,
                                        const simulation::JointTrace& trace);
@@ -43,8 +44,9 @@ struct SimulatedLogOptions {
   simulation::SimulationOptions simulation;
 };
 
-/// The text of a log, in the rig's columns, of an actuator taken as true. Throws io::SpecError for
-/// a rig of several joints, a column that a simulation cannot fill, and a motion that diverges.
+/// Returns the text of a log, in the rig's columns, of an actuator taken as true. Throws
+/// io::SpecError for a rig of several joints, a column that a simulation cannot fill, and a motion
+/// that diverges.
 std::string simulated_log(const Rig& rig, const actuator::Actuator& truth,
                           const std::vector<ExcitationRun>& runs,
                           const SimulatedLogOptions& options);

@@ -11,9 +11,10 @@ namespace torquewright::io {
 
 std::string published_schema(std::string_view kind) { return json_text(schema_as_written(kind)); }
 
-std::string document_to_start_from(std::string_view kind) {
+std::string document_to_start_from(std::string_view kind, std::size_t number) {
   const nlohmann::ordered_json schema = schema_as_written(kind);
-  return schema.contains("examples") ? json_layout(schema["examples"].front()) : "";
+  const bool has_one = schema.contains("examples") && number < schema["examples"].size();
+  return has_one ? json_layout(schema["examples"][number]) : "";
 }
 
 KindOfDocument describe_kind(std::string_view kind) {

@@ -13,8 +13,9 @@ namespace torquewright::io {
 /// stand in it. These functions require a known kind.
 std::string published_schema(std::string_view kind);
 
-/// A document of that kind to start from, as text; empty for kinds that only programs write.
-std::string document_to_start_from(std::string_view kind);
+/// A document of that kind to start from, as text; empty for kinds that only programs write, and
+/// where there are no `number` + 1 of them.
+std::string document_to_start_from(std::string_view kind, std::size_t number = 0);
 
 /// What a kind of documents is, and every key that one may have.
 struct KindOfDocument {

@@ -7,13 +7,13 @@
 
 namespace torquewright::optimization {
 
-/// Where a box is cut in two: the first half has at most `value` in `variable`.
+/// A division of a box into two: the first half has at most `value` in `variable`.
 struct Split {
   std::size_t variable;
   std::int64_t value;
 };
 
-/// The middle of the widest range. The box must hold more than one point.
+/// Splits at the middle of the widest range. The box must hold more than one point.
 inline Split choose_split(const Box& box) {
   const auto widest = std::max_element(
       box.begin(), box.end(), [](const Range& a, const Range& b) { return a.size() < b.size(); });

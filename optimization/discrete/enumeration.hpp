@@ -8,7 +8,7 @@
 
 namespace torquewright::optimization {
 
-/// Boxes of so few points are looked at point by point.
+/// Boxes of at most so many points are enumerated. A choice of ours.
 inline constexpr double kSmallBoxPoints = 64.0;
 
 inline bool is_small(const Box& box) { return point_count(box) <= kSmallBoxPoints; }

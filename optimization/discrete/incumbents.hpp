@@ -16,16 +16,16 @@ struct Solution {
   PreciseInterval cost;
 };
 
-/// The best points found so far, best first; those of one cost in the order of alternatives and
-/// values, so that the list does not depend on the order of finding. Holds every point that counts
-/// as good as the last one wanted (Judge::compare): the list may be longer than `wanted`.
+/// The best points found so far, best first; points of one cost in the order of alternatives and
+/// values, so that the list does not depend on the order of finding. It holds every point that
+/// counts as good as the last wanted one (Judge::compare), so it may be longer than `wanted`.
 class Incumbents {
  public:
   Incumbents(const Judge& judge, std::size_t wanted) : judge_(judge), wanted_(wanted) {}
 
   void offer(Solution solution);
   const std::vector<Solution>& solutions() const { return solutions_; }
-  /// A cost above this is of no interest; infinite as long as fewer than `wanted` are known.
+  /// The cost above which a point is not kept; infinite as long as fewer than `wanted` are known.
   double ceiling() const { return ceiling_; }
 
  private:

@@ -15,9 +15,9 @@ namespace torquewright::optimization {
 /// Two values of a goal with roots or angles that differ by less than this count as equal.
 inline constexpr double kTieRelative = 1e-12;
 
-/// A problem made ready for many questions: which boxes and points satisfy which condition, and
-/// what can a point cost at least? A cost is the goal's value, with its sign turned where it is
-/// maximised, so that less is better. All answers are rigorous.
+/// A problem prepared for many questions: which boxes and points satisfy which condition, and what
+/// a point costs at least. A cost is the goal's value, with its sign turned where it is maximised,
+/// so that less is better. All answers are rigorous.
 class Judge {
  public:
   explicit Judge(const Problem& problem);
@@ -28,11 +28,11 @@ class Judge {
   bool on_boxes(std::size_t index) const { return problem_.conditions[index].on_boxes; }
   const std::optional<Affine>& affine(std::size_t index) const { return conditions_[index].affine; }
 
-  /// True when the condition holds nowhere in the box.
+  /// Whether the condition holds nowhere in the box.
   bool refutes(std::size_t index, const Box& box) const;
-  /// Exact: doubtful cases are decided with 256 bits.
+  /// Whether the condition holds at a point. Exact: doubtful cases are decided with 256 bits.
   bool holds(std::size_t index, std::span<const std::int64_t> point) const;
-  /// All conditions and predicates.
+  /// Whether a point satisfies all conditions and predicates.
   bool is_feasible(std::span<const std::int64_t> point) const;
 
   /// Encloses the cost of every point of the box that satisfies all conditions. -infinity below
@@ -44,11 +44,11 @@ class Judge {
   PreciseInterval cost_at(std::span<const std::int64_t> point) const;
   bool has_exact_cost() const { return problem_.goal.exact; }
 
-  /// -1, 0, 1: a is better than, as good as, worse than b.
+  /// Compares costs: -1, 0, 1 where a is better than, as good as, worse than b.
   int compare(const PreciseInterval& a, const PreciseInterval& b) const;
-  /// The least double that every cost as good as this one stays below or at.
+  /// Returns the least double that no cost as good as this one exceeds.
   double ceiling(const PreciseInterval& cost) const;
-  /// The greatest double below which every cost is better.
+  /// Returns the greatest double below which every cost is better than this one.
   double floor(const PreciseInterval& cost) const;
 
  private:

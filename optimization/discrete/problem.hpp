@@ -12,20 +12,20 @@
 
 namespace torquewright::optimization {
 
-/// How a body changes with a variable on the whole domain. Stated by whoever writes the model, with
+/// How a body changes with a variable on the whole domain. Stated by the writer of the model, with
 /// the proof in docs/derivations; linear bodies need no statement.
 enum class Direction { kUnknown, kGrows, kFalls };
 
-/// body >= 0, or > 0 where strict.
+/// An inequality: body >= 0, or body > 0 where strict.
 struct Condition {
-  std::string name;        ///< Of this inequality, as in certificates: "ratio_max".
-  std::string constraint;  ///< Of the constraint that the user knows: "ratio".
+  std::string name;        ///< Name of this inequality, as in certificates: "ratio_max".
+  std::string constraint;  ///< Name of the constraint that the user knows: "ratio".
   std::string key;         ///< JSON pointer of the bound that sets the limit; empty: none.
   Expression body;
   bool strict = false;
-  /// Judged on boxes (propagation, relaxation); else at points only.
+  /// Whether it is judged on boxes (propagation, relaxation); else at points only.
   bool on_boxes = true;
-  std::vector<Direction> directions = {};  ///< By variable; empty: all unknown.
+  std::vector<Direction> directions = {};  ///< Directions by variable; empty: all unknown.
 };
 
 /// A property of whole points that no interval can judge, such as divisibility.
@@ -35,28 +35,29 @@ struct Predicate {
   std::function<bool(std::span<const std::int64_t>)> holds;
 };
 
-/// What is compared between points. One at which the value does not exist is no solution.
+/// The quantity that points are compared by. A point at which the value does not exist is no
+/// solution.
 struct Goal {
   std::string name;
   std::string unit;
   Expression value;
   bool maximise = false;
-  /// Made of fractions only: values are compared exactly. Else two that differ by less than 1e-12
-  /// relatively count as equal.
+  /// Whether it is made of fractions only, so that values are compared exactly. Else two that
+  /// differ by less than 1e-12 relatively count as equal.
   bool exact = false;
-  /// Encloses the value on every point that satisfies all conditions; for bounds, where it is
+  /// Encloses the value on every point that satisfies all conditions; used for bounds, where it is
   /// tighter than the value's own enclosure.
   std::optional<Expression> enclosure = std::nullopt;
 };
 
-/// What could be asked of a bound: how far would it have to move? The goal is optimised with all
+/// A question about a bound: how far would it have to move? The goal is optimised with all
 /// conditions of that key left out.
 struct Loosening {
   std::string key;
   Goal quantity;
 };
 
-/// Whole variables in a box, conditions, predicates, and a goal.
+/// An optimisation problem: integer variables in a box, conditions, predicates, and a goal.
 struct Problem {
   std::vector<std::string> variables;
   Box domain;

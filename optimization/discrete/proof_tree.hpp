@@ -11,7 +11,7 @@ namespace torquewright::optimization {
 /// Index that stands for the comparison with the best points found, among those of conditions.
 inline constexpr std::size_t kQuantity = static_cast<std::size_t>(-1);
 
-/// The part of a box beyond `value` violates a condition: it goes.
+/// A cut: the part of a box beyond `value` violates a condition and is removed.
 struct Cut {
   std::size_t condition;
   std::size_t variable;
@@ -26,25 +26,26 @@ struct Multiplier {
 
 enum class Leaf {
   kOpen,        ///< Not decided: a limit was reached.
-  kSplit,       ///< No leaf: two children.
+  kSplit,       ///< An inner node with two children, no leaf.
   kEmpty,       ///< One condition refutes it.
   kEnumerated,  ///< Every point was looked at.
-  kRelaxation,  ///< A sum of conditions refutes it.
+  kRelaxation,  ///< A weighted sum of conditions refutes it.
 };
 
-/// What was done with one box. docs/certificate.md says how it is checked.
+/// A node of a proof: what was done with one box. docs/certificate.md says how it is checked.
 struct ProofNode {
   std::vector<Cut> cuts;
   Leaf leaf = Leaf::kOpen;
-  std::size_t condition = 0;       ///< kEmpty: by which.
-  std::size_t split_variable = 0;  ///< kSplit: the first child has at most split_value.
+  std::size_t condition = 0;  ///< Index of the condition that refutes the box (kEmpty).
+  /// Variable that is split (kSplit): the first child has at most split_value.
+  std::size_t split_variable = 0;
   std::int64_t split_value = 0;
-  std::size_t children[2] = {0, 0};     ///< kSplit: their places in the tree.
-  std::vector<double> point;            ///< kRelaxation: where the sum is linearised.
-  std::vector<Multiplier> multipliers;  ///< kRelaxation.
+  std::size_t children[2] = {0, 0};     ///< Indices of the children in the tree (kSplit).
+  std::vector<double> point;            ///< Point at which the sum is linearised (kRelaxation).
+  std::vector<Multiplier> multipliers;  ///< Multipliers of the sum (kRelaxation).
 };
 
-/// Node 0 is the root; empty where the domain is.
+/// A proof as a list of nodes; node 0 is the root. Empty where the domain is.
 using ProofTree = std::vector<ProofNode>;
 
 }  // namespace torquewright::optimization

@@ -9,10 +9,10 @@
 
 namespace torquewright::optimization {
 
-/// Shrinks the box to what the conditions, and a cost of at most `ceiling`, leave of it: each is
-/// asked in turn for slabs at the box's sides that it refutes, until nothing moves. Every cut is
-/// appended to `cuts` (in order, so that each holds on the box as it then was).
-/// Returns the condition that refutes the whole box (kQuantity: the cost), if one does.
+/// Shrinks the box to what the conditions, and a cost of at most `ceiling`, leave of it: each in
+/// turn removes slabs at the box's sides that it refutes, until nothing moves. Every cut is
+/// appended to `cuts` (in order, so that each holds on the box as it then was). Returns the
+/// condition that refutes the whole box (kQuantity: the cost), if one does.
 std::optional<std::size_t> propagate(const Judge& judge, double ceiling, Box& box,
                                      std::vector<Cut>& cuts);
 

@@ -10,16 +10,16 @@
 
 namespace torquewright::optimization {
 
-/// constant + sum coefficients[i] x_i, the numbers enclosed.
+/// An affine form: constant + sum coefficients[i] x_i, with enclosed numbers.
 struct Affine {
   Interval constant = 0.0;
-  std::vector<Interval> coefficients;  ///< One for each variable.
+  std::vector<Interval> coefficients;  ///< Coefficients, one for each variable.
 
   Interval over(const Box& box) const;
   Interval at(std::span<const double> point) const;
 };
 
-/// The expression as an affine form of `variable_count` variables, if it is built as one.
+/// Returns the expression as an affine form of `variable_count` variables, if it is built as one.
 std::optional<Affine> affine_form(const Expression& expression, std::size_t variable_count);
 
 Affine scaled(const Affine& form, Interval factor);

@@ -7,7 +7,7 @@
 
 namespace torquewright::optimization {
 
-/// One operation on numbers of any kind that has the functions (Interval, PreciseInterval).
+/// Applies one operation to numbers of any kind that has the functions (Interval, PreciseInterval).
 /// Operations of one argument ignore the second.
 template <class Number>
 Number apply(Operation operation, const Number& a, const Number& b) {

@@ -8,14 +8,14 @@
 
 namespace torquewright::optimization {
 
-/// The whole numbers lower..upper; empty if upper < lower.
+/// The integers lower..upper; empty if upper < lower.
 struct Range {
   std::int64_t lower = 0;
   std::int64_t upper = -1;
 
   std::int64_t size() const { return upper < lower ? 0 : upper - lower + 1; }
   bool contains(std::int64_t value) const { return lower <= value && value <= upper; }
-  /// The range as an interval of reals. Bounds are far below 2^53, so this is exact.
+  /// Returns the range as an interval of reals. Bounds are far below 2^53, so this is exact.
   Interval interval() const { return {static_cast<double>(lower), static_cast<double>(upper)}; }
   friend bool operator==(const Range&, const Range&) = default;
 };
@@ -23,7 +23,7 @@ struct Range {
 /// One range for each variable of a problem, in its order.
 using Box = std::vector<Range>;
 
-/// How many whole points the box holds; a very large number stands for anything larger.
+/// Number of integer points in the box; a very large number stands for anything larger.
 inline double point_count(const Box& box) {
   double count = 1.0;
   for (const Range& range : box) count *= static_cast<double>(range.size());

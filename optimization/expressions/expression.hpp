@@ -20,7 +20,7 @@ class Expression {
   Expression(const io::Rational& constant);  // NOLINT
   static Expression variable(std::size_t index);
   static Expression pi();
-  /// A number of which only bounds are known; for bounding, not for values.
+  /// Makes a number of which only bounds are known; for bounding, not for values.
   static Expression between(const io::Rational& lower, const io::Rational& upper);
 
   const ExpressionNode& node() const { return *node_; }
@@ -37,8 +37,8 @@ class Expression {
 struct ExpressionNode {
   Operation operation = Operation::kConstant;
   std::vector<Expression> arguments;
-  std::size_t variable = 0;  ///< Of kVariable.
-  PreciseInterval value;     ///< Of kConstant.
+  std::size_t variable = 0;  ///< Index of the variable (kVariable).
+  PreciseInterval value;     ///< Value of the constant (kConstant).
 };
 
 Expression constant(const PreciseInterval& value);

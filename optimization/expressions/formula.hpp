@@ -9,7 +9,7 @@
 
 namespace torquewright::optimization {
 
-/// An expression laid out for evaluation: its nodes in an order in which arguments come first.
+/// An expression prepared for evaluation: its nodes in an order in which arguments come first.
 class Formula {
  public:
   explicit Formula(const Expression& expression);
@@ -23,8 +23,8 @@ class Formula {
  private:
   struct Step {
     Operation operation;
-    std::size_t first;   ///< Step of the first argument; the variable, of kVariable.
-    std::size_t second;  ///< Step of the last argument.
+    std::size_t first;   ///< Index of the step of the first argument; of kVariable the variable's.
+    std::size_t second;  ///< Index of the step of the last argument.
     std::size_t constant;
   };
   template <class Number, class Variable, class Constant>

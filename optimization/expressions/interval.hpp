@@ -26,7 +26,7 @@ Interval operator-(Interval a);
 Interval operator+(Interval a, Interval b);
 Interval operator-(Interval a, Interval b);
 Interval operator*(Interval a, Interval b);
-/// The whole line where b contains zero.
+/// Quotient; the whole line where b contains zero.
 Interval operator/(Interval a, Interval b);
 
 Interval square(Interval a);
@@ -41,7 +41,7 @@ Interval abs(Interval a);
 Interval min(Interval a, Interval b);
 Interval max(Interval a, Interval b);
 
-/// The common part; [NaN, NaN] if there is none.
+/// Intersection; [NaN, NaN] if it is empty.
 Interval intersect(Interval a, Interval b);
 
 }  // namespace torquewright::optimization

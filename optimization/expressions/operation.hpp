@@ -3,7 +3,7 @@
 
 namespace torquewright::optimization {
 
-/// What a node of an expression is: a number, a variable, or what is done to one or two arguments.
+/// Kind of a node of an expression: a number, a variable, or an operation on one or two arguments.
 enum class Operation {
   kConstant,
   kVariable,

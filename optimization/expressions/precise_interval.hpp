@@ -23,10 +23,10 @@ class PreciseInterval {
 
   static PreciseInterval pi();
 
-  /// The doubles around it.
+  /// Returns the interval of doubles around it.
   Interval outward() const;
   double nearest() const;
-  bool is_nowhere() const;   ///< A function was evaluated outside its domain.
+  bool is_nowhere() const;   ///< Whether a function was evaluated outside its domain.
   bool is_positive() const;  ///< Every member is above zero.
   bool is_negative() const;
 

@@ -7,16 +7,16 @@
 
 namespace torquewright::optimization {
 
-/// Where the steps of a search led.
+/// End of a search.
 struct SearchEnd {
   NonlinearStatus status = NonlinearStatus::kStalled;
   std::vector<double> scaled;       ///< Its last point over the scales; empty if there is none.
-  std::vector<double> multipliers;  ///< Of the scaled rows and the scaled objective.
+  std::vector<double> multipliers;  ///< Multipliers of the scaled rows and the scaled objective.
   int iterations = 0;
 };
 
-/// Steps of Ipopt from the program's starts. Requires at least one free unknown, and no more
-/// equations than free unknowns. What rows and the options' functions throw comes through.
+/// Runs Ipopt from the program's starts. Requires at least one free unknown, and no more equations
+/// than free unknowns. Exceptions of rows and of the options' functions pass through.
 SearchEnd run_ipopt(Search& search);
 
 }  // namespace torquewright::optimization

@@ -9,15 +9,15 @@
 
 namespace torquewright::optimization {
 
-/// Both ends belong; equal ends make an equation, infinite ones are none.
+/// Bounds of a number. Both ends belong; equal ends make an equation, infinite ones are no bound.
 struct Bounds {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 };
 
-/// Unknowns of one kind: where a search begins, between what they may lie, and how large they
-/// typically are (dimension of the unknown; the solver works on value over scale, so that a scale
-/// ten times off costs iterations and a thousand times costs the solution).
+/// Unknowns of one kind: where a search begins, their bounds, and how large they typically are
+/// (dimension of the unknown; the solver works on value over scale, so that a scale ten times off
+/// costs iterations and a thousand times costs the solution).
 struct VariableSet {
   std::string name;
   std::vector<double> values;
@@ -25,22 +25,22 @@ struct VariableSet {
   std::vector<double> scales;
 };
 
-/// Rows that depend on a few unknowns. Local vectors and matrices go by the order of variables().
-/// A row is continuous with its first and second derivatives wherever variables are in bounds.
+/// Rows that depend on a few unknowns. Local vectors and matrices go by the order of variables(). A
+/// row is continuous with its first and second derivatives wherever variables are in bounds.
 class Rows {
  public:
   using VectorIn = Eigen::Ref<const Eigen::VectorXd>;
   using VectorOut = Eigen::Ref<Eigen::VectorXd>;
   using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
 
-  /// `bounds` and `scales` by row; `variables` by their number in the program, none twice.
+  /// `bounds` and `scales` are by row; `variables` are numbers in the program, none twice.
   Rows(std::string name, std::vector<int> variables, std::vector<Bounds> bounds,
        std::vector<double> scales);
   virtual ~Rows() = default;
   Rows(const Rows&) = delete;
   Rows& operator=(const Rows&) = delete;
 
-  /// What they state, for people: "knee: region".
+  /// Name of what they state, for people: "knee: region".
   const std::string& name() const { return name_; }
   const std::vector<int>& variables() const { return variables_; }
   const std::vector<Bounds>& bounds() const { return bounds_; }
@@ -48,14 +48,16 @@ class Rows {
   Eigen::Index size() const { return static_cast<Eigen::Index>(bounds_.size()); }
   Eigen::Index width() const { return static_cast<Eigen::Index>(variables_.size()); }
 
-  /// (width x 1) to (size x 1).
+  /// Computes the rows (size x 1) from the variables (width x 1).
   virtual void values(const VectorIn& x, VectorOut rows) const = 0;
-  /// (size x width), every element written.
+  /// Writes every element of the Jacobian (size x width).
   virtual void slopes(const VectorIn& x, MatrixOut jacobian) const = 0;
-  /// Second derivatives of multipliers^T rows (width x width), symmetric, every element written.
+  /// Writes every element of the second derivatives of multipliers^T rows (width x width),
+  /// symmetric.
   virtual void curvatures(const VectorIn& x, const VectorIn& multipliers,
                           MatrixOut hessian) const = 0;
-  /// Rows that are affine have no curvatures, and the solver keeps no room for them.
+  /// Whether the rows are affine: then they have no curvatures, and the solver keeps no room for
+  /// them.
   virtual bool is_affine() const { return false; }
 
  private:
@@ -65,26 +67,28 @@ class Rows {
   std::vector<double> scales_;
 };
 
-/// Minimise the sum of the costs, so that variables and rows lie in their bounds. Sparse: what
-/// rows do not share is not coupled. A cost is one row whose bounds count for nothing; the solver
-/// works on the sum of the costs over the largest of their scales.
+/// A nonlinear program: minimise the sum of the costs, so that variables and rows lie in their
+/// bounds. Sparse: what rows do not share is not coupled. A cost is one row whose bounds are
+/// ignored; the solver works on the sum of the costs over the largest of their scales.
 class Program {
  public:
-  /// Number of the first of them. std::invalid_argument, naming the set and the element, where
-  /// sizes differ, a number is not finite, bounds are crossed or a scale is not positive.
+  /// Adds variables and returns the number of the first of them. std::invalid_argument, naming the
+  /// set and the element, where sizes differ, a number is not finite, bounds are crossed or a scale
+  /// is not positive.
   int add(VariableSet variables);
   void add_rows(std::unique_ptr<const Rows> rows);
   void add_cost(std::unique_ptr<const Rows> cost);
 
   int variable_count() const { return static_cast<int>(starts_.size()); }
   int row_count() const { return row_count_; }
-  int equation_count() const;       ///< Rows whose bounds are equal.
-  int free_variable_count() const;  ///< Variables whose bounds are not.
-  /// All by the number of the variable.
+  int equation_count() const;       ///< Number of rows whose bounds are equal.
+  int free_variable_count() const;  ///< Number of variables whose bounds are not equal.
+  /// Starts of all variables, by their number.
   const std::vector<double>& starts() const { return starts_; }
   const std::vector<Bounds>& bounds() const { return bounds_; }
   const std::vector<double>& scales() const { return scales_; }
-  const std::vector<VariableSet>& sets() const { return sets_; }  ///< As added.
+  /// Sets of variables, in the order in which they were added.
+  const std::vector<VariableSet>& sets() const { return sets_; }
   const std::vector<std::unique_ptr<const Rows>>& rows() const { return rows_; }
   const std::vector<std::unique_ptr<const Rows>>& costs() const { return costs_; }
 
@@ -98,7 +102,7 @@ class Program {
   int row_count_ = 0;
 };
 
-/// Values of a row's variables out of all of the program's.
+/// Gathers a row's variables out of all of the program's.
 Eigen::VectorXd gathered(const Rows& rows, const std::vector<double>& all);
 
 }  // namespace torquewright::optimization

@@ -7,13 +7,14 @@ namespace torquewright::optimization {
 
 /// How a search for a local optimum ended.
 enum class NonlinearStatus {
-  kSolved,             ///< First-order conditions hold to the tolerance.
-  kAcceptable,         ///< They hold to a hundred times the tolerance and would not get better.
-  kLocallyInfeasible,  ///< No step makes the violation less. Proves nothing about other places.
+  kSolved,      ///< First-order conditions hold to the tolerance.
+  kAcceptable,  ///< They hold to a hundred times the tolerance and would not get better.
+  /// No step makes the violation less. This proves nothing about other places.
+  kLocallyInfeasible,
   kIterationLimit,
   kTimeLimit,
   kInterrupted,
-  kDiverged,     ///< The unknowns ran away.
+  kDiverged,     ///< The unknowns grew without bound.
   kStalled,      ///< Steps became too small, or restoration failed.
   kBadNumbers,   ///< A row or a derivative is not finite.
   kOverdefined,  ///< More equations than unknowns.

@@ -18,7 +18,8 @@
 namespace torquewright::hopper {
 namespace {
 
-void read_region(const actuator::Actuator& stated, const std::string& file, Drive& drive) {
+void read_region(const actuator::Actuator& document, const std::string& file, Drive& drive) {
+  const actuator::Actuator stated = actuator::as_laws_brake(document);
   const actuator::OperatingConditions conditions;
   const actuator::Region region(stated, conditions);
   if (region.at(0.0).is_empty) {
@@ -31,6 +32,8 @@ void read_region(const actuator::Actuator& stated, const std::string& file, Driv
   drive.no_load_speed_rad_s = line.no_load_speed_rad_s;
   drive.greatest_torque_Nm = line.greatest_torque_Nm;
   drive.bus_V = subject.bus_voltage_V();
+  drive.is_curve = stated.envelope.has_value();
+  if (drive.is_curve) drive.greatest_torque_Nm = table.peak_torque_Nm;
 }
 
 /// Speeds of the drives over those of the joints; empty where the mechanism is singular at home.
@@ -74,11 +77,18 @@ void write_tendon(tinyxml2::XMLPrinter& out, const Robot& robot, const Drive& dr
 
 void write_general(tinyxml2::XMLPrinter& out, const Robot& robot, const Drive& drive) {
   const bool couples = drive.joints.size() > 1;
-  out.OpenElement("general");
+  out.OpenElement(drive.is_curve ? "motor" : "general");
   push(out, "name", drive.name);
   push(out, couples ? "tendon" : "joint",
        couples ? drive.name : joint_name(robot, drive.joints.front()));
   push(out, "gear", text_of(couples ? 1 : drive.ratios.front()));
+  if (drive.is_curve) {
+    const double most_Nm = drive.greatest_torque_Nm;
+    push(out, "forcelimited", "true");
+    push(out, "forcerange", fmt::format("{} {}", -most_Nm, most_Nm));
+    out.CloseElement();
+    return;
+  }
   push(out, "gaintype", "fixed");
   push(out, "gainprm", text_of(drive.stall_torque_Nm / drive.bus_V));
   push(out, "biastype", "affine");
@@ -126,6 +136,12 @@ std::vector<Drive> drives_of(const Robot& robot, std::vector<std::string>& notes
       drive.ratios.assign(row.data(), row.data() + row.size());
       read_region(drivetrain.actuators[k], drivetrain.actuator_files[k], drive);
       note_left_out(drivetrain, k, notes);
+      if (drive.is_curve) {
+        notes.push_back(
+            fmt::format("{}: its control is a torque in Nm, held to its peak; how its "
+                        "curve falls with the speed is not held",
+                        drive.name));
+      }
       drives.push_back(std::move(drive));
     }
   }

@@ -159,7 +159,9 @@ class MechanismReader {
     try {
       io::Document document = io::read_document(file, "actuator");
       // The robot's battery feeds every drive that states none of its own.
-      const bool has_battery = document.root.contains("battery");
+      // What is known by its curve takes no current, so that no battery feeds it.
+      const bool has_battery =
+          document.root.contains("battery") || document.root.contains("envelope");
       if (root_.contains("battery") && !has_battery) document.root["battery"] = root_["battery"];
       drivetrain.on_robots_battery.push_back(!has_battery);
       actuator::ReadActuator read = actuator::read_actuator(std::move(document));

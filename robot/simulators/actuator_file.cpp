@@ -36,8 +36,10 @@ struct Fitted {
   std::vector<std::string> note;
 };
 
-Fitted fitted(const actuator::Actuator& stated, const std::string& file,
+Fitted fitted(const actuator::Actuator& document, const std::string& file,
               const actuator::Exporter& exporter) {
+  const bool has_law = !exporter.parameters.empty();
+  const actuator::Actuator stated = has_law ? actuator::as_laws_brake(document) : document;
   const actuator::OperatingConditions conditions;
   const actuator::Region region(stated, conditions);
   if (region.at(0.0).is_empty) {

@@ -5,12 +5,12 @@
 
 namespace torquewright::simulation {
 
-/// Semismooth Newton steps on the projections that the contacts' laws are (Alart and Curnier, "A
-/// mixed formulation for frictional contact problems prone to Newton like solution methods", 1991;
-/// docs/derivations/time_stepping.md eqs. (9), (10)): from near a solution it arrives in some steps
-/// where sweeps creep, as under a foot whose four corners share its load. Among many distributions
-/// of a load it takes the shortest change. True: no velocity is off by more than tolerance_m_s.
-/// Else impulse_N_s is as it was.
+/// Takes semismooth Newton steps on the projections that the contacts' laws are (Alart and Curnier,
+/// "A mixed formulation for frictional contact problems prone to Newton like solution methods",
+/// 1991; docs/derivations/time_stepping.md eqs. (9), (10)). Near a solution it arrives in some
+/// steps where sweeps creep, as under a foot whose four corners share its load. Among many
+/// distributions of a load it takes the shortest change. True: no velocity is off by more than
+/// tolerance_m_s. Else impulse_N_s is unchanged.
 [[nodiscard]] bool newton_contacts(const ContactProblem& problem, double tolerance_m_s,
                                    Eigen::VectorXd& impulse_N_s);
 

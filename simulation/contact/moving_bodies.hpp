@@ -7,24 +7,25 @@
 
 namespace torquewright::simulation {
 
-/// What a time stepping moves: a tree of bodies, and what turns with it (rotors behind mechanisms).
-/// One object serves one thread. Vectors as in dynamics::TreeState.
+/// The bodies that a time stepping moves: a tree, and what turns with it (rotors behind
+/// mechanisms). One object serves one thread. Vectors as in dynamics::TreeState.
 class MovingBodies {
  public:
   virtual ~MovingBodies() = default;
 
-  /// False where a mechanism does not reach the posture; then nothing else may be asked.
+  /// Sets position and velocity. False where a mechanism does not reach the posture; then no other
+  /// function may be called.
   [[nodiscard]] virtual bool set(const dynamics::VectorIn& position,
                                  const dynamics::VectorIn& velocity) = 0;
   /// The state that was set last.
   virtual dynamics::TreeState& state() = 0;
-  /// (n x n)
+  /// Writes the mass matrix (n x n), rotors included.
   virtual void mass_matrix(dynamics::MatrixOut out) = 0;
-  /// Forces (n x 1) that hold accelerations at zero.
+  /// Writes the forces (n x 1) that hold accelerations at zero.
   virtual void bias(dynamics::VectorOut out) = 0;
 };
 
-/// A tree alone.
+/// A tree without anything that turns with it.
 class BareTree final : public MovingBodies {
  public:
   explicit BareTree(dynamics::Tree tree) : state_(std::move(tree)) {}

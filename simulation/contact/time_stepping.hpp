@@ -11,7 +11,7 @@
 
 namespace torquewright::simulation {
 
-/// What bodies may meet.
+/// What bodies may meet: ground points and ends of joints' ranges.
 struct Obstacles {
   std::vector<GroundPoint> points;
   std::vector<JointStop> stops = {};
@@ -27,27 +27,28 @@ class TimeStepping {
     kStepped,
     kUnreached,  ///< A mechanism does not reach the posture.
     kUnsolved,   ///< The contacts' laws could not be met.
-    kBlownUp,    ///< A number is not finite or above 1e10, or M is not positive definite.
+    /// A number is not finite or above 1e10, or the mass matrix is not positive definite.
+    kBlownUp,
   };
 
   /// `bodies` must outlive it.
   TimeStepping(MovingBodies& bodies, Obstacles obstacles);
 
-  /// Moves position and velocity on by a step, while `force` (n x 1) acts. Unless it is
-  /// kStepped, both stay as they are. std::invalid_argument on wrong sizes.
+  /// Moves position and velocity by one step while `force` (n x 1) acts. Unless the outcome is
+  /// kStepped both stay as they are. std::invalid_argument on wrong sizes.
   [[nodiscard]] Outcome step(Eigen::VectorXd& position, Eigen::VectorXd& velocity,
                              const dynamics::VectorIn& force, double step_s);
 
-  /// The next step begins from no impulse, as the first did.
+  /// Forgets the last impulses, from which the next step would begin.
   void forget();
 
-  /// Impulses of the last step (3 per point: x, y, z of the world): zero where a point was open.
+  /// Impulses of the last step (3 per point: x, y, z of the world), zero for open points.
   const Eigen::VectorXd& impulses_N_s() const { return impulses_N_s_; }
   /// Impulses of joints' stops in the last step (1 per stop, along its inward side): N s or N m s.
   const Eigen::VectorXd& stop_impulses() const { return stop_impulses_; }
-  /// The velocity's change by points and stops, times the mass matrix: J^T impulses (n x 1).
+  /// J^T impulses (n x 1): the mass matrix times the velocity's change by points and stops.
   const Eigen::VectorXd& generalised_impulse() const { return generalised_; }
-  /// The part of it that the first `points` points have (n x 1).
+  /// The part of generalised_impulse() that the first `points` points give (n x 1).
   void generalised_impulse_of(std::size_t points, dynamics::VectorOut out) const;
   /// The velocity's jump by the impulses (n x 1).
   const Eigen::VectorXd& jump() const { return jump_; }
@@ -55,9 +56,9 @@ class TimeStepping {
  private:
   /// One stage of a Runge-Kutta step.
   struct Stage {
-    Eigen::VectorXd step;  ///< That leads to it from the beginning.
+    Eigen::VectorXd step;  ///< Step that leads to the stage from the beginning.
     Eigen::VectorXd velocity;
-    Eigen::VectorXd rate;  ///< Of the step: the velocity, but for a rotation whose axis turns.
+    Eigen::VectorXd rate;  ///< Rate of the step: the velocity, but for a rotation whose axis turns.
     Eigen::VectorXd acceleration;
   };
 
@@ -85,17 +86,18 @@ class TimeStepping {
   bool flew_ = false;  ///< The step before touched nothing.
   Eigen::VectorXd position_, velocity_;
   Eigen::VectorXd middle_;         ///< Position in the middle of the step.
-  Eigen::VectorXd free_velocity_;  ///< After the step, were there nothing to meet.
+  Eigen::VectorXd free_velocity_;  ///< Velocity after the step if there were nothing to meet.
   Eigen::VectorXd bias_;
   Eigen::MatrixXd mass_;
   Eigen::LLT<Eigen::MatrixXd> factors_;
   std::array<Stage, 4> stages_;
   Eigen::VectorXd stage_position_, rate_, acceleration_;
-  std::vector<std::size_t> active_;        ///< Points that touch, then
-  std::vector<std::size_t> active_stops_;  ///< stops: three rows each, of stops the third.
-  Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian_;  ///< Of one point.
-  Eigen::MatrixXd directions_;                         ///< J^T (n x 3 k), of the active ones.
-  Eigen::MatrixXd answers_;                            ///< L^-1 J^T, where M = L L^T.
+  std::vector<std::size_t> active_;  ///< Points that touch; in rows they come first.
+  /// Stops that act, behind the points: three rows each, of which the third is used.
+  std::vector<std::size_t> active_stops_;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian_;  ///< Jacobian of one point.
+  Eigen::MatrixXd directions_;  ///< J^T (n x 3 k) of the active points and stops.
+  Eigen::MatrixXd answers_;     ///< L^-1 J^T, where M = L L^T.
   ContactProblem problem_;
   Eigen::VectorXd active_impulses_;
   Eigen::VectorXd impulses_N_s_, stop_impulses_, generalised_, jump_;

@@ -9,24 +9,24 @@
 
 namespace torquewright::simulation {
 
-/// How an engine moves the output of a joint during one of its steps: evenly, from a position.
+/// How an engine moves the output of a joint during one of its steps: at constant speed, from a
+/// position.
 struct OutputStep {
-  double position_rad = 0.0;  ///< At which the step begins.
+  double position_rad = 0.0;  ///< Position at which the step begins.
   double speed_rad_s = 0.0;
   double step_s = 0.0;
 };
 
 /// One actuator, by the laws of simulation/joint, whose output an engine of rigid bodies moves. It
-/// keeps what has a motion or a rate of its own: the lag's torque, the bristles of friction, and
-/// the rotor where the train between it and the output is elastic. The rotor of a rigid train is
-/// part of the engine's bodies, and the torque is what accelerates rotor and load; an elastic
-/// train's rotor is not, and the torque is the load's alone.
-///
-/// The laws are asked at the output's angle in the middle of the step, and states advance by half
-/// steps around it (docs/derivations/replay_drives.md). Requires that the actuator outlives it.
+/// keeps the states with a rate of their own: the lag's torque, the bristles of friction, and the
+/// rotor where the train between it and the output is elastic. The rotor of a rigid train is part
+/// of the engine's bodies, so the torque accelerates rotor and load; the rotor of an elastic train
+/// is not, and the torque is that on the load. Laws are evaluated at the output's angle in the
+/// middle of the step, and states advance by half steps around it
+/// (docs/derivations/replay_drives.md). Requires that the actuator outlives it.
 class JointInEngine {
  public:
-  /// `options.motor_inertia_kg_m2` moves the rotor of an elastic train;
+  /// `options.motor_inertia_kg_m2` is the rotor's inertia in an elastic train;
   /// `options.longest_step_s` bounds the parts into which a step is divided for it.
   JointInEngine(const actuator::Actuator& actuator, const SimulationOptions& options);
   JointInEngine(const JointInEngine& other);
@@ -35,21 +35,22 @@ class JointInEngine {
   JointInEngine& operator=(JointInEngine&&) noexcept;
   ~JointInEngine();
 
-  /// Whether the motor has a position of its own: backlash or compliance, and a rotor that weighs.
+  /// Whether the motor has a position of its own: backlash or compliance, and a rotor with inertia.
   bool is_elastic() const;
 
-  /// Forgets what was: at the next step the states are where they would settle under its drive.
+  /// Resets the states: at the next step they are where they would settle under its drive.
   void start();
 
-  /// In rad/s at the output: the motor's own where it has one, else the output's.
+  /// Speed in rad/s at the output: the motor's own where it has one, else the output's.
   double motor_speed_rad_s(double output_speed_rad_s) const;
 
-  /// The torque that acts during the step, in Nm at the output, as its mean. `drive.motor_Nm` is
-  /// what the motor is to make, `direction` (-1 or 1) that of a rigid train's motion at rest.
+  /// Advances by a step and returns the mean torque that acts during it, in Nm at the output.
+  /// `drive.motor_Nm` is the torque that the motor is to make, `direction` (-1 or 1) the direction
+  /// of a rigid train's motion at rest.
   double advance(const OutputStep& output, const DriveNow& drive, double direction,
                  double winding_K);
 
-  /// The joint as the last step left it.
+  /// State of the joint after the last step.
   const JointState& state() const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace torquewright::simulation {
 
-/// Whether that effect does: a gap that is open, or a spring that gives way.
+/// Whether the effect makes a train elastic: a gap that is open, or a spring that gives way.
 bool makes_train_elastic(const actuator::Effect& effect);
 
 /// Whether the actuator's effects let the motor turn without its output: a gap, or a finite
@@ -17,31 +17,34 @@ bool states_elastic_train(const actuator::Actuator& actuator);
 /// reference to the actuator.
 class ElasticTrain {
  public:
-  /// `inertia_kg_m2`: of the motor's side, at the output. Without any the train counts as rigid.
+  /// `inertia_kg_m2` is the inertia of the motor's side, at the output. With 0 the train counts as
+  /// rigid.
   ElasticTrain(const actuator::Actuator& actuator, double inertia_kg_m2);
 
   bool is_elastic() const { return is_elastic_; }
 
-  /// Torque of the twisted train on the load, its damping part, and what is stored in the twist.
+  /// Torque of the twisted train on the load, the part of it by damping, and the energy stored in
+  /// the twist.
   struct Twist {
     double torque_Nm = 0.0, damping_Nm = 0.0, stored_J = 0.0;
   };
   Twist twist(const JointState& state) const;
 
-  /// Torque on the load by its angle and by its speed, at most, where the train is tight; 0 of a
-  /// rigid one.
+  /// Greatest stiffness and damping of the tight train: torque on the load by its angle and by its
+  /// speed; 0 for a rigid train.
   double stiffness_Nm_rad() const;
   double damping_Nm_s_rad() const;
 
-  /// The twist (motor ahead of the load, in rad at the output) under which the train, at rest,
-  /// exerts that torque on the load: the inverse of twist(). 0 without torque and of a rigid train.
+  /// Returns the twist (motor ahead of the load, in rad at the output) under which the train, at
+  /// rest, exerts that torque on the load: the inverse of twist(). 0 without torque and for a rigid
+  /// train.
   double twist_rad_under(double torque_Nm) const;
 
   /// Whether the train carries torque: it is elastic, and no gap is open.
   bool is_tight(const JointState& state) const;
 
-  /// The longest step that follows the twist as it swings between motor and load. An inertia of 0
-  /// stands for a load that no torque moves otherwise. Only of an elastic train.
+  /// Longest step that follows the twist as it swings between motor and load. An inertia of 0
+  /// stands for a load that no torque moves. Only for an elastic train.
   double longest_step_s(double felt_inertia_kg_m2) const;
 
  private:
@@ -51,11 +54,12 @@ class ElasticTrain {
   const actuator::Actuator& actuator_;
   double inertia_kg_m2_;
   bool is_elastic_;
-  const actuator::Effect* gap_;                           ///< Null: none.
-  const actuator::Effect* spring_;                        ///< Null: none.
-  const actuator::Effect* hysteresis_;                    ///< Beside the spring. Null: none.
-  std::size_t state_of_hysteresis_ = 0;                   ///< Its place in JointState::of_effect.
-  double contact_Nm_rad_ = 0.0, contact_Nm_s_rad_ = 0.0;  ///< Of a gap without a stated spring.
+  const actuator::Effect* gap_;          ///< Backlash of the actuator; null: none.
+  const actuator::Effect* spring_;       ///< Compliance of the actuator; null: none.
+  const actuator::Effect* hysteresis_;   ///< Hysteresis beside the spring; null: none.
+  std::size_t state_of_hysteresis_ = 0;  ///< Index of its state in JointState::of_effect.
+  /// Stiffness and damping of a gap without a stated spring.
+  double contact_Nm_rad_ = 0.0, contact_Nm_s_rad_ = 0.0;
 };
 
 }  // namespace torquewright::simulation

@@ -11,14 +11,15 @@
 
 namespace torquewright::simulation {
 
-/// What changes in one joint while time goes on. Motor quantities are referred to the output.
+/// State of one joint. Motor quantities are referred to the output.
 struct JointState {
-  double position_rad = 0.0, speed_rad_s = 0.0;              ///< Output.
-  double motor_position_rad = 0.0, motor_speed_rad_s = 0.0;  ///< The same where it is rigid.
-  std::vector<double> of_effect;  ///< Of effects that have one, in the document's order.
-  double current_A = 0.0;         ///< Where the winding's inductance counts.
+  double position_rad = 0.0, speed_rad_s = 0.0;  ///< Motion of the output.
+  /// Motion of the motor; that of the output where the train is rigid.
+  double motor_position_rad = 0.0, motor_speed_rad_s = 0.0;
+  std::vector<double> of_effect;  ///< States of effects that have one, in the document's order.
+  double current_A = 0.0;         ///< Current, where the winding's inductance counts.
   actuator::NodeTemperatures temperature;
-  double held_Nm = 0.0;  ///< On the load while an imposed motion rests.
+  double held_Nm = 0.0;  ///< Torque on the load while an imposed motion rests.
 };
 
 /// What the drive prescribes at an instant.
@@ -27,12 +28,13 @@ struct DriveNow {
   double value = 0.0;
   double position_gain_1_rad = 0.0;
   std::optional<double> bus_V;
-  /// What the motor makes, in Nm at the output, where its drive has found the current for it;
-  /// absent: what `value` leads to by the laws of winding and torque constant.
+  /// Torque of the motor in Nm at the output, where its drive has found the current for it; absent:
+  /// `value` decides, by the laws of winding and torque constant.
   std::optional<double> motor_Nm = {};
 };
 
-/// What the laws of effects are asked with. `direction`: of the motor's motion, also at rest.
+/// Returns the instant at which the laws of effects are evaluated; `direction` is that of the
+/// motor's motion, also at rest.
 inline actuator::Instant instant_of(const actuator::Actuator& actuator, const JointState& state,
                                     double direction) {
   actuator::Instant at = actuator::at_winding_temperature(actuator, state.temperature.winding_K);

@@ -7,8 +7,8 @@
 
 namespace torquewright::simulation {
 
-/// What flows in a joint's winding, at which voltage and on which bus. Quasi-static, unless
-/// inductance is asked for. Keeps a reference to the actuator.
+/// Computes current and voltage of a joint's winding, and the voltage of its bus. Quasi-static,
+/// unless inductance is asked for. Keeps a reference to the actuator.
 class WindingCircuit {
  public:
   WindingCircuit(const actuator::Actuator& actuator, bool inductance);
@@ -17,11 +17,11 @@ class WindingCircuit {
   double bus_V(const JointState& state, const DriveNow& drive, double current_A) const;
   double voltage_V(const JointState& state, const DriveNow& drive, double current_A) const;
 
-  /// Whether the current is a state, which follows the voltage late.
+  /// Whether the current is a state that follows the voltage with a delay.
   bool is_inductive(const DriveNow& drive) const {
     return inductance_H_ > 0.0 && drive.kind >= DriveKind::kVoltage;
   }
-  /// Its rate, linear in the current, and d rate / d current.
+  /// Rate of the current, linear in the current, and its derivative by the current.
   struct Rate {
     double current_A_s = 0.0, slope_1_s = 0.0;
   };

@@ -5,7 +5,7 @@
 
 namespace torquewright::simulation {
 
-/// One joint that a far stronger machine moves as the excitation says.
+/// One joint whose motion a far stronger machine imposes, as the excitation says.
 class Dynamometer : public Plant {
  public:
   Eigen::Index joint_count() const override { return 1; }

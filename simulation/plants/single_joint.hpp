@@ -5,11 +5,12 @@
 
 namespace torquewright::simulation {
 
-/// Inertia on one joint, and a weight on a rod: a flywheel, a pendulum, or a mass on a linear axis.
+/// An inertia on one joint, and a weight on a rod: a flywheel, a pendulum, or a mass on a linear
+/// axis.
 class SingleJoint : public Plant {
  public:
-  /// `inertia_kg_m2`: about the joint's axis; kg on a linear axis. `gravity_Nm`: m g l of a weight
-  /// that hangs down at position 0.
+  /// `inertia_kg_m2` is about the joint's axis (kg on a linear axis), `gravity_Nm` is m g l of a
+  /// weight that hangs down at position 0.
   explicit SingleJoint(double inertia_kg_m2, double gravity_Nm = 0.0)
       : inertia_kg_m2_(inertia_kg_m2), gravity_Nm_(gravity_Nm) {}
 

@@ -7,8 +7,8 @@
 
 namespace torquewright::simulation {
 
-/// A motion through given speeds at given times: the speed is a cubic with continuous slope in each
-/// interval, position its exact integral, so that position, speed and acceleration agree.
+/// A motion through given speeds at given times. The speed is a cubic with continuous slope in each
+/// interval and the position its exact integral, so that position, speed and acceleration agree.
 class ImposedMotion {
  public:
   struct Point {
@@ -18,7 +18,7 @@ class ImposedMotion {
   ImposedMotion(std::span<const double> time_s, std::span<const double> speed_rad_s,
                 double start_rad);
 
-  /// At a time within interval `knot` (from its knot to the next).
+  /// Returns the motion at a time within interval `knot` (from its knot to the next).
   Point at(std::size_t knot, double time_s) const;
 
  private:

@@ -15,8 +15,8 @@
 
 namespace torquewright::simulation {
 
-/// One run of actuators on a plant, from one of its excitation's samples to a later one. Sizes
-/// agree. Keeps references to all it is made of.
+/// Simulates one run of actuators on a plant, from one sample of its excitation to a later one.
+/// Sizes must agree. Keeps references to its arguments.
 class RunSimulation {
  public:
   RunSimulation(Plant& plant, const std::vector<const actuator::Actuator*>& actuators,
@@ -25,7 +25,7 @@ class RunSimulation {
   RunSimulation(const RunSimulation&) = delete;  // its stepper refers to its models
   RunSimulation& operator=(const RunSimulation&) = delete;
 
-  /// Once. Ends early where the motion diverges.
+  /// Runs up to the sample `last`; may be called once. Ends early where the motion diverges.
   SimulatedRun run(std::size_t last);
 
  private:

@@ -13,15 +13,15 @@ namespace torquewright::simulation {
 
 /// Simulates actuators on a plant by the laws of actuator/effects, those with a state included.
 /// Sticking is exact: a joint at rest stays there until the torque leaves what friction can hold,
-/// and motion that reverses stops at an instant of its own. Second order in the step.
-/// docs/derivations/simulation.md. An actuator, a drive and a start for each of the plant's joints;
-/// sizes must agree, times ascend (std::invalid_argument); a joint that is not imposed needs
-/// inertia.
+/// and motion that reverses stops at an instant of its own. Second order in the step
+/// (docs/derivations/simulation.md). Needs an actuator, a drive and a start for each of the plant's
+/// joints; sizes must agree and times ascend (std::invalid_argument); a joint that is not imposed
+/// needs inertia.
 SimulatedRun simulate(Plant& plant, const std::vector<const actuator::Actuator*>& actuators,
                       const Excitation& excitation, const std::vector<JointStart>& start,
                       const SimulationOptions& options = {});
 
-/// Only the samples from `first` up to and including `last` of an excitation.
+/// Simulates only the samples from `first` up to and including `last` of an excitation.
 SimulatedRun simulate_part(Plant& plant, const std::vector<const actuator::Actuator*>& actuators,
                            const Excitation& excitation, const std::vector<JointStart>& start,
                            std::size_t first, std::size_t last, const SimulationOptions& options);

@@ -9,18 +9,20 @@
 
 namespace torquewright::simulation {
 
-/// Joints and plant at an instant: from states and drives to accelerations. `directions`: of each
-/// motor's motion, 0 where friction holds it. docs/derivations/simulation.md section 3. Keeps
+/// Computes accelerations of joints and plant from states and drives. `directions` are those of the
+/// motors' motion, 0 where friction holds one (docs/derivations/simulation.md section 3). Keeps
 /// references to plant and models.
 class EquationsOfMotion {
  public:
   EquationsOfMotion(Plant& plant, const std::vector<JointModel>& models);
 
-  /// `imposed_rad_s2`: accelerations of outputs whose motion is imposed; null: none is.
+  /// Returns the motion; `imposed_rad_s2` are accelerations of outputs whose motion is imposed,
+  /// null if none is.
   PlantMotion motion(const PlantState& state, const std::vector<double>& directions,
                      const std::vector<DriveNow>& drive, const Eigen::VectorXd* imposed_rad_s2);
 
-  /// Torques on the load with the held joints at rest; of an imposed motion only the forces.
+  /// Returns the torques on the load with the held joints at rest; of an imposed motion only the
+  /// forces.
   PlantMotion held(const PlantState& state, const std::vector<double>& directions,
                    const std::vector<DriveNow>& drive);
 

@@ -8,17 +8,17 @@
 
 namespace torquewright::simulation {
 
-/// The motion of all joints of a plant at an instant.
+/// States of all joints of a plant at an instant.
 struct PlantState {
   std::vector<JointState> joints;
 };
 
-/// Accelerations at an instant and what causes them, joint by joint: vectors are (n x 1).
+/// Accelerations of all joints at an instant and their causes; vectors are (n x 1).
 struct PlantMotion {
   std::vector<JointForces> forces;
-  Eigen::VectorXd acceleration_rad_s2;        ///< Of the outputs.
-  Eigen::VectorXd motor_acceleration_rad_s2;  ///< Of the motors, at the output.
-  Eigen::VectorXd torque_Nm;                  ///< On the load.
+  Eigen::VectorXd acceleration_rad_s2;        ///< Acceleration of the outputs.
+  Eigen::VectorXd motor_acceleration_rad_s2;  ///< Acceleration of the motors, at the output.
+  Eigen::VectorXd torque_Nm;                  ///< Torque on the load.
 };
 
 }  // namespace torquewright::simulation

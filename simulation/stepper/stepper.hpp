@@ -9,13 +9,13 @@
 
 namespace torquewright::simulation {
 
-/// Where an imposed motion is in the middle and at the end of a step.
+/// State of an imposed motion in the middle and at the end of a step.
 struct ImposedStep {
   double middle_position_rad = 0.0, middle_speed_rad_s = 0.0, middle_acceleration_rad_s2 = 0.0;
   double end_position_rad = 0.0, end_speed_rad_s = 0.0;
 };
 
-/// Moves the joints of a plant through time. docs/derivations/simulation.md section 3. Keeps
+/// Moves the joints of a plant through time (docs/derivations/simulation.md section 3). Keeps
 /// references to plant and models.
 class Stepper {
  public:
@@ -23,21 +23,21 @@ class Stepper {
 
   EquationsOfMotion& equations() { return equations_; }
 
-  /// One step with everything that has a rate of its own held; stops and starts within it are
-  /// found.
+  /// Advances by one step in which everything with a rate of its own is held; joints may stop and
+  /// start within it.
   void advance(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
                WorkAccount& work);
 
-  /// The same where the output's motion is imposed. Only the motor of an elastic train is
-  /// integrated. Returns the torque on what imposes the motion in the middle of the step.
+  /// Advances by one step of an imposed motion of the output: only the motor of an elastic train is
+  /// integrated. Returns the torque on what imposes the motion, in the middle of the step.
   double advance_imposed(PlantState& state, const std::vector<DriveNow>& drive, double step_s,
                          const ImposedStep& imposed, WorkAccount& work);
 
  private:
-  /// A step of the midpoint rule, its middle and end.
+  /// Middle and end of a step of the midpoint rule.
   struct Part {
     PlantState middle, end;
-    PlantMotion motion;  ///< In the middle.
+    PlantMotion motion;  ///< Motion in the middle.
   };
   void midpoint(const PlantState& from, const std::vector<double>& directions,
                 const std::vector<DriveNow>& drive, double step_s, Part& part);

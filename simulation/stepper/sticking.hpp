@@ -7,8 +7,8 @@
 
 namespace torquewright::simulation {
 
-/// Directions of motion: of a joint at rest that in which it starts; 0: friction holds it.
-/// docs/derivations/simulation.md section 2.
+/// Returns the direction of motion of each joint; at rest it is the direction in which the joint
+/// starts, 0 if friction holds it (docs/derivations/simulation.md section 2).
 std::vector<double> directions_of(EquationsOfMotion& equations, const PlantState& state,
                                   const std::vector<DriveNow>& drive);
 

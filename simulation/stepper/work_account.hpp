@@ -9,17 +9,18 @@ class JointModel;
 struct PlantMotion;
 struct PlantState;
 
-/// Work since the start, of all joints, in J. Put in less lost is stored, to the scheme's order.
+/// Work of all joints since the start, in J. What is put in, less what is lost, is stored, to the
+/// order of the scheme.
 struct WorkAccount {
-  double motor_J = 0.0;     ///< Put in by the motors' torque.
-  double load_J = 0.0;      ///< Put in by what imposes the motion.
-  double periodic_J = 0.0;  ///< Put in by cogging and ripple.
-  double friction_J = 0.0;  ///< Taken by friction (what bristles store included).
-  double mesh_J = 0.0;      ///< Taken by the gears.
-  double damper_J = 0.0;    ///< Taken by what damps a twist.
-  double stored_J = 0.0;    ///< In motion, height and twist: gained.
+  double motor_J = 0.0;     ///< Work put in by the motors' torque.
+  double load_J = 0.0;      ///< Work put in by what imposes the motion.
+  double periodic_J = 0.0;  ///< Work put in by cogging and ripple.
+  double friction_J = 0.0;  ///< Work lost to friction, including what bristles store.
+  double mesh_J = 0.0;      ///< Work lost in the gears.
+  double damper_J = 0.0;    ///< Work lost in the damping of a twist.
+  double stored_J = 0.0;    ///< Energy gained in motion, height and twist.
 
-  /// Adds that of a step whose middle is `middle`, with the motion there.
+  /// Adds the work of a step whose middle is `middle`, with the motion there.
   void add(const PlantState& middle, const PlantMotion& motion,
            const std::vector<JointModel>& models, bool is_imposed, double step_s);
 };

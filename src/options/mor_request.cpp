@@ -3,34 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-
 #include "actuator/exporters/library.hpp"
 #include "io/faults/refusal.hpp"
+#include "src/options/needs.hpp"
 #include "src/options/output_files.hpp"
 
 namespace torquewright::cli {
 namespace {
-
-constexpr double kMostTorque_Nm = 1e9;
-constexpr double kMostSpeed_rad_s = 1e6;
-
-/// Two finite numbers with a mark between them: 100@5, 4:40.
-std::pair<double, double> number_pair(const std::string& option, const std::string& text,
-                                      char mark) {
-  const std::size_t place = text.find(mark);
-  double numbers[2] = {0.0, 0.0};
-  bool is_read = place != std::string::npos;
-  for (int i = 0; i < 2 && is_read; ++i) {
-    const char* begin = text.data() + (i == 0 ? 0 : place + 1);
-    const char* end = text.data() + (i == 0 ? place : text.size());
-    const auto [rest, error] = std::from_chars(begin, end, numbers[i]);
-    is_read = error == std::errc() && rest == end && std::isfinite(numbers[i]);
-  }
-  if (!is_read) io::refuse(option, fmt::format("\"{}\" must be two numbers, A{}B", text, mark));
-  return {numbers[0], numbers[1]};
-}
 
 /// What `actuator mor --format` takes: csv, json and the name of every exporter.
 std::vector<std::string> mor_formats() {
@@ -174,20 +153,11 @@ void require_accuracy(const MorRequest& request) {
 
 std::optional<actuator::Need> need_of(const MorRequest& request) {
   if (request.need.empty()) return std::nullopt;
-  const auto [torque_Nm, speed_rad_s] = number_pair("--need", request.need, '@');
-  if (std::abs(torque_Nm) > kMostTorque_Nm || std::abs(speed_rad_s) > kMostSpeed_rad_s) {
-    io::refuse("--need", fmt::format("\"{}\" must lie within {} Nm and {} rad/s", request.need,
-                                     kMostTorque_Nm, kMostSpeed_rad_s));
-  }
-  return actuator::Need{torque_Nm, speed_rad_s};
+  return read_need("--need", request.need);
 }
 
 std::pair<double, double> ratio_range_of(const MorRequest& request) {
-  const auto [low, high] = number_pair("--ratio", request.ratios, ':');
-  if (!(low >= 0.01 && high >= low && high <= 10000.0)) {
-    io::refuse("--ratio", fmt::format("\"{}\" must ascend, from 0.01 to 10000", request.ratios));
-  }
-  return {low, high};
+  return read_ratio_range("--ratio", request.ratios);
 }
 
 }  // namespace torquewright::cli

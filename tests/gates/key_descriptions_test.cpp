@@ -140,8 +140,10 @@ struct LeftOut {
 
 const std::vector<LeftOut> kLeftOut = {
     {R"(.*: /\$schema)", "names a file that each user has elsewhere"},
-    {R"(actuator: .*/(value|side|ampere|tolerance))",
-     "a number may say so too; the example shows each of them at least once"},
+    {R"(actuator: .*/(value|side|ampere|tolerance|also))",
+     "a number may say so too; the example shows each of them at least once, but for `also`"},
+    {R"(actuator: /(envelope|sources).*)",
+     "in the place of motor and drive: `init actuator --envelope`"},
     {R"(actuator: /effects/\*/(provenance/.*|replaces|standard_error))",
      "written by identify; a word stands for the provenance"},
     {"actuator: /gearbox/(file|friction_coefficient)", "in place of the numbers that stand there"},

@@ -67,6 +67,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"region", {"effects", "motor", "heat"}},
       {"trajectory", {}},
       {"check", {"heat", "region", "trajectory"}},
+      {"catalogue", {"motor", "region"}},
       {"lint", {"motor", "region"}},
       {"exporters", {"region"}}}},
     {"dynamics", {}},

@@ -14,6 +14,8 @@ using io::Rational;
 /// A set of real numbers between two ends of 256 bits, rounded outward by every operation. An
 /// operation outside its domain (a division by an interval that holds zero, a root of a negative
 /// number) gives an unbounded or undefined interval, about which nothing is certain.
+/// The search has its own (optimization/expressions/precise_interval.hpp), which a checker of its
+/// proofs must not trust: docs/decisions/0001-checker-knows-topologies.md.
 class Interval {
  public:
   Interval() : Interval(0L) {}

@@ -11,6 +11,7 @@
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/running_integral.hpp"
 #include "io/text/time_text.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -51,10 +52,7 @@ class TouchingHeights {
         if (carries(i, sample)) heights_m.push_back(heights_m_(i, sample));
       }
     }
-    if (heights_m.empty()) return 0.0;
-    const auto middle = heights_m.begin() + static_cast<std::ptrdiff_t>(heights_m.size() / 2);
-    std::nth_element(heights_m.begin(), middle, heights_m.end());
-    return *middle;
+    return heights_m.empty() ? 0.0 : optimization::median(std::move(heights_m));
   }
 
   HighLoad above(double ground_m) const {

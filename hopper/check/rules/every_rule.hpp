@@ -7,8 +7,8 @@
 
 namespace torquewright::hopper {
 
-/// What a motion may break beside the regions of its actuators. A rule is one file and one line
-/// here; docs/checks.md says what each looks at.
+/// A rule that a motion may break beside the regions of its actuators. Each is one file and one
+/// line here; docs/checks.md says what it looks at.
 using Rule = std::vector<Finding> (*)(const CheckedMotion& checked);
 
 std::vector<Finding> center_of_pressure(const CheckedMotion& checked);

@@ -21,7 +21,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 
-constexpr double kNoForce = 1e-3;  // of the weight
+constexpr double kNoForce = 1e-3;  // of the weight: smaller forces are none; a choice of ours
 
 /// What friction of sliding points does at a sample, as forces are given or solved.
 struct Friction {

@@ -34,8 +34,8 @@ struct ImpulseLaw {
   }
 };
 
-/// What passes the gears at an instant: (16), over the limits. Variables: joints (k), their rates
-/// (k), their accelerations (k), drives (d). Rows: by drive.
+/// Law of the torque that passes the gears at an instant: (16), over the limits. Variables: joints
+/// (k), their rates (k), their accelerations (k), drives (d). Rows: by drive.
 struct GearLaw {
   const PlanModel* model;
   std::vector<double> limits_Nm;

@@ -15,7 +15,7 @@
 
 namespace torquewright::hopper {
 
-/// Room for the dynamics on every scalar; one a thread.
+/// Memory for the dynamics on every scalar; one for each thread.
 class SagittalScratch {
  public:
   explicit SagittalScratch(const SagittalRobot& robot)
@@ -83,7 +83,7 @@ struct DynamicsLaw {
   }
 };
 
-/// What touches does not accelerate. Variables: pitch, joints; their rates; accelerations.
+/// Law: points that touch do not accelerate. Variables: pitch, joints; their rates; accelerations.
 struct ContactAccelerationLaw {
   std::shared_ptr<SagittalScratch> scratch;
   Stance stance;
@@ -103,7 +103,7 @@ struct ContactAccelerationLaw {
   }
 };
 
-/// What touches is at rest. Variables: pitch, joints (m - 2); velocities (m).
+/// Law: points that touch are at rest. Variables: pitch, joints (m - 2); velocities (m).
 struct ContactVelocityLaw {
   std::shared_ptr<SagittalScratch> scratch;
   Stance stance;
@@ -148,8 +148,8 @@ struct PlaceLaw {
   }
 };
 
-/// How far the centre of mass is in front of the rearmost point of the sole. Variables: pitch and
-/// joints about the sole (m - 2). Rows: one.
+/// Law: distance of the centre of mass in front of the rearmost point of the sole. Variables: pitch
+/// and joints about the sole (m - 2). Rows: one.
 struct LeanLaw {
   std::shared_ptr<SagittalScratch> scratch;
 
@@ -177,8 +177,8 @@ struct LinkLaw {
   }
 };
 
-/// Rigid bodies meet the ground. Variables: pitch, joints (m - 2); velocities before (m) and after
-/// (m); impulses (f). Rows: by moving row.
+/// Law of a rigid impact with the ground. Variables: pitch, joints (m - 2); velocities before (m)
+/// and after (m); impulses (f). Rows: by moving row.
 struct ImpactLaw {
   std::shared_ptr<SagittalScratch> scratch;
   Stance stance;
@@ -193,21 +193,21 @@ struct ImpactLaw {
   }
 };
 
-/// Drives that one battery feeds, seen from a plan.
+/// Drives that one battery feeds, as a plan models them.
 struct PlanSupply {
   std::vector<std::size_t> drives;
   double open_V = 0.0;
   double resistance_ohm = 0.0;
 };
 
-/// What drives can do. Variables: joints (k), their rates (k), their accelerations (k), drives (d),
-/// bus voltages (one a supply that has a resistance). Rows: regions, drive by drive; gear torques
-/// (d), in Nm at the output; joint torques (k); the voltages' rows, in V.
+/// Law of what drives can do. Variables: joints (k), their rates (k), their accelerations (k),
+/// drives (d), bus voltages (one for each supply that has a resistance). Rows: regions, drive by
+/// drive; gear torques (d), in Nm at the output; joint torques (k); the voltages' rows, in V.
 struct DriveLaw {
   const SagittalRobot* robot = nullptr;
   std::shared_ptr<const std::vector<DriveRegion>> regions;
   std::shared_ptr<const std::vector<PlanSupply>> supplies;
-  std::vector<double> rotors_kg_m2;  ///< Of each drive, before its gears.
+  std::vector<double> rotors_kg_m2;  ///< Inertia of each drive's rotor, before its gears.
 
   template <typename T>
   void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {

@@ -7,7 +7,7 @@
 
 namespace torquewright::hopper {
 
-/// What drives do at an instant, on any scalar, each (drives x 1).
+/// State of the drives at an instant, on any scalar, each (drives x 1).
 template <typename T>
 struct DriveStateOf {
   dynamics::VectorX<T> torque_Nm;

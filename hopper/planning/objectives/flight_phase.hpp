@@ -8,7 +8,7 @@
 
 namespace torquewright::hopper {
 
-/// The flight that lasts longest in the guess: its instants' variables. io::SpecError, naming the
+/// Returns the variables of the flight that lasts longest in the guess. io::SpecError, naming the
 /// objective that asks, where no phase flies.
 const PhaseVariables& longest_flight(const FlipProgram& program, std::string_view objective);
 

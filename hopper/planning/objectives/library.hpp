@@ -11,10 +11,11 @@ namespace torquewright::hopper {
 
 const std::vector<Objective>& every_objective();
 std::vector<std::string> objective_names();
-/// io::SpecError, with the nearest name and all known ones, where there is none of that name.
+/// Returns the objective of that name. io::SpecError, with the nearest name and all known ones,
+/// where there is none.
 const Objective& objective_named(std::string_view name);
 
-/// Those of the options; effort, where they name none.
+/// Returns the objectives of the options; effort, where they name none.
 std::vector<WeightedObjective> objectives_of(const PlanOptions& options);
 
 }  // namespace torquewright::hopper

@@ -5,13 +5,13 @@
 
 namespace torquewright::hopper {
 
-/// Within an interval of a phase: `interval` from 0, `share` of it from 0 to 1. Accelerations,
-/// torques, forces and voltages are parabolas; velocities and positions their integrals from the
-/// interval's begin. docs/derivations/collocation.md eq. (3).
+/// Interpolates within an interval of a phase: `interval` from 0, `share` of it from 0 to 1.
+/// Accelerations, torques, forces and voltages are parabolas; velocities and positions their
+/// integrals from the interval's beginning (docs/derivations/collocation.md eq. (3)).
 PlannedInstant instant_within(const PlannedPhase& phase, std::size_t interval, double share);
 
-/// Between the instants of a phase: positions cubic by their velocities, velocities cubic by their
-/// accelerations, torques and forces straight. `share` of the phase's duration.
+/// Interpolates between the instants of a phase: positions cubic by their velocities, velocities
+/// cubic by their accelerations, torques and forces linear. `share` of the phase's duration.
 PlannedInstant instant_at(const PlannedPhase& phase, double share);
 
 }  // namespace torquewright::hopper

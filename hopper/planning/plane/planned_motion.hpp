@@ -8,35 +8,39 @@
 
 namespace torquewright::hopper {
 
-/// What the first three rows of a phase's instants are: x, z and a pitch, in the world.
+/// Meaning of the first three rows of a phase's instants: x, z and a pitch, in the world.
 enum class PlanFrame {
-  kSole,  ///< Rearmost point of the sole, and foot: what stands on the ground stands exactly.
-  kMass,  ///< Centre of mass, and base: what flies falls exactly.
+  /// Rearmost point of the sole, and pitch of the foot: what stands on the ground stands exactly.
+  kSole,
+  kMass,  ///< Centre of mass, and pitch of the base: what flies falls exactly.
 };
 
-/// An instant of a motion in the sagittal plane. After the three rows of the phase's frame every
-/// joint of the tree; those that leave the plane stay at 0.
+/// An instant of a motion in the sagittal plane. After the three rows of the phase's frame comes
+/// every joint of the tree; joints that leave the plane stay at 0.
 struct PlannedInstant {
   double time_s = 0.0;
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;
   Eigen::VectorXd acceleration;
-  Eigen::VectorXd drive_Nm;    ///< (drives x 1), at their outputs, what their rotors take included.
+  /// (drives x 1), torques at the drives' outputs, including what their rotors take.
+  Eigen::VectorXd drive_Nm;
   Eigen::Matrix3Xd contact_N;  ///< (3 x contact points of the robot), world's axes, on the robot.
-  double bus_V = 0.0;          ///< Of the shared battery; 0 where drives share none.
+  double bus_V = 0.0;          ///< Voltage of the shared battery; 0 where drives share none.
 };
 
-/// While the same points touch. Instants are the ends and the middles of intervals in turn: 2 n + 1
-/// of n intervals. Within an interval the acceleration is the parabola through its three instants;
-/// velocity and position are its integrals, so that they meet the next instant's (Hermite-Simpson:
-/// docs/derivations/collocation.md). Torques and forces are the parabolas through theirs.
+/// A phase in which the same points touch. Instants are the ends and the middles of intervals in
+/// turn: 2 n + 1 for n intervals. Within an interval the acceleration is the parabola through its
+/// three instants; velocity and position are its integrals, so that they meet the next instant's
+/// (Hermite-Simpson: docs/derivations/collocation.md). Torques and forces are the parabolas through
+/// theirs.
 struct PlannedPhase {
-  std::string stance;         ///< Words: "flat", "heel", "toe", "flight".
-  std::vector<bool> touches;  ///< By contact point of the robot.
+  std::string stance;         ///< Name of the stance: "flat", "heel", "toe", "flight".
+  std::vector<bool> touches;  ///< Whether each contact point of the robot touches.
   std::vector<PlannedInstant> instants;
-  /// What the ground gives where the phase begins with an impact (3 x contact points), else empty.
+  /// Impulses of the ground where the phase begins with an impact (3 x contact points), else empty.
   Eigen::Matrix3Xd impulse_N_s = {};
-  bool is_collocated = false;  ///< Whether all that is said here of instants holds: no sketch.
+  /// Whether the instants obey all that is said here; false for a sketch.
+  bool is_collocated = false;
 
   bool flies() const {
     return std::none_of(touches.begin(), touches.end(), [](bool one) { return one; });

@@ -6,7 +6,7 @@
 
 namespace torquewright::hopper {
 
-/// A point of the sole and what the ground gives it, in N or N s along x and z.
+/// A point of the sole and the force or impulse of the ground on it, in N or N s along x and z.
 template <typename T>
 struct SoleForceOf {
   std::size_t sole_point = 0;
@@ -23,22 +23,23 @@ class SagittalDynamicsOf {
  public:
   explicit SagittalDynamicsOf(const SagittalRobot& robot);
 
-  /// Puts a frame's robot to a position and a velocity (moving x 1 each).
+  /// Sets a frame's robot to a position and a velocity (moving x 1 each).
   void set(PlanFrame frame, const dynamics::VectorX<T>& position,
            const dynamics::VectorX<T>& velocity);
-  /// The same instant in the other frame (moving x 1 each).
+  /// Returns the position of the same instant in the other frame (moving x 1).
   dynamics::VectorX<T> position_in(PlanFrame frame) const;
   dynamics::VectorX<T> velocity_in(PlanFrame frame) const;
 
-  /// M a + h + rotors - A^T drives - J^T forces, by moving row, then by held row: all 0 in motion.
+  /// Returns M a + h + rotors - A^T drives - J^T forces, by moving row, then by held row: 0 in a
+  /// motion.
   dynamics::VectorX<T> residual(const dynamics::VectorX<T>& acceleration,
                                 const dynamics::VectorX<T>& drive_Nm,
                                 const std::vector<SoleForceOf<T>>& forces);
-  /// M change - J^T impulses, by moving row: 0 across an impact. Held rows are the ground's. Only
-  /// where it was set about the sole, whose velocities change.
+  /// Returns M change - J^T impulses, by moving row: 0 across an impact. Held rows belong to the
+  /// ground. Only where the state was set about the sole, whose velocities change.
   dynamics::VectorX<T> impact_residual(const dynamics::VectorX<T>& change,
                                        const std::vector<SoleForceOf<T>>& impulses);
-  /// x and z of a point of the robot, its velocity and, for an acceleration, how it accelerates.
+  /// Returns x and z of a point of the robot.
   Eigen::Matrix<T, 2, 1> place_m(const dynamics::BodyPoint& point) const;
   Eigen::Matrix<T, 2, 1> velocity_m_s(const dynamics::BodyPoint& point) const;
   Eigen::Matrix<T, 2, 1> acceleration_m_s2(const dynamics::BodyPoint& point,
@@ -46,11 +47,12 @@ class SagittalDynamicsOf {
   const SagittalRobot& robot() const { return *robot_; }
 
  private:
-  /// Rows of the tree of rows of the foot and joints, the base's place and what it does left at 0.
+  /// Returns rows of the tree from rows of the foot and joints, with the base's place and motion at
+  /// 0.
   dynamics::VectorX<T> unplaced(const dynamics::VectorX<T>& moving) const;
-  /// The same, the base's place such that the frame's origin accelerates as it shall.
+  /// The same with the base's acceleration such that the frame's origin accelerates as asked.
   dynamics::VectorX<T> accelerated(const dynamics::VectorX<T>& acceleration);
-  /// Where a frame's origin is, in m, the base's own place and velocity left at 0.
+  /// Returns the place of a frame's origin, in m, with the base's own place and velocity at 0.
   Eigen::Matrix<T, 2, 1> origin_m(PlanFrame frame) const;
   Eigen::Matrix<T, 2, 1> origin_m_s(PlanFrame frame) const;
   T turned(const dynamics::VectorX<T>& moving) const;
@@ -62,23 +64,23 @@ class SagittalDynamicsOf {
   WholeBodyOf<T> body_;
   bool is_reached_ = true;
   PlanFrame frame_ = PlanFrame::kSole;
-  dynamics::VectorX<T> position_;  ///< As set.
+  dynamics::VectorX<T> position_;  ///< Position as it was set.
   dynamics::VectorX<T> velocity_;
   Eigen::Matrix<T, 2, 1> base_m_;    ///< Where the base is, and how it moves: set() leaves the
   Eigen::Matrix<T, 2, 1> base_m_s_;  ///< tree's own at 0.
 };
 
-/// How drives move with the joints: A, and the rates that follow. For drives and limits, which
-/// depend on joints alone.
+/// How drives move with the joints: A, and its rates. For drives and limits, which depend on joints
+/// alone.
 template <typename T>
 struct DriveMotionOf {
   dynamics::VectorX<T> speed_rad_s;          ///< (drives x 1)
   dynamics::VectorX<T> acceleration_rad_s2;  ///< (drives x 1)
-  dynamics::VectorX<T> joint_Nm;             ///< By joint that moves, of the drives' torques.
+  dynamics::VectorX<T> joint_Nm;  ///< Torques of the joints that move, made by the drives.
 };
 
-/// The motion of every drive's output under that of the joints that move, with the drives' torques
-/// (drives x 1). Not finite where a mechanism does not reach.
+/// Returns the motion of every drive's output from that of the joints that move, with the drives'
+/// torques (drives x 1). Not finite where a mechanism does not reach.
 template <typename T>
 DriveMotionOf<T> drive_motion(const SagittalRobot& robot, const dynamics::VectorX<T>& joint_rad,
                               const dynamics::VectorX<T>& joint_rad_s,

@@ -5,17 +5,18 @@
 
 namespace torquewright::hopper {
 
-/// The whole robot about its centre of mass and about +y. docs/derivations/rigid_body.md eqs. (13),
-/// (14), (16); rotors count as there.
+/// Momentum of the whole robot about its centre of mass and about +y
+/// (docs/derivations/rigid_body.md eqs. (13), (14), (16)); rotors count as there.
 template <typename T>
 struct SagittalMomentumOf {
-  T angular_Nm_s;   ///< CAM.
-  T inertia_kg_m2;  ///< Of all bodies as if they were one.
+  T angular_Nm_s;   ///< Angular momentum (CAM).
+  T inertia_kg_m2;  ///< Inertia of all bodies as if they were one.
   T average_rad_s() const { return angular_Nm_s / inertia_kg_m2; }  ///< CAV.
 };
 
-/// The base's pitch and the joints that move (m - 2), and their rates: on the place and how it
-/// moves nothing depends. On double and numbers with derivatives of first and second order.
+/// Computes the momentum from the base's pitch and the joints that move (m - 2), and their rates;
+/// the place and its rate do not matter. For double and numbers with derivatives of first and
+/// second order.
 template <typename T>
 SagittalMomentumOf<T> sagittal_momentum(const SagittalRobot& robot,
                                         const dynamics::VectorX<T>& posture_rad,

@@ -24,7 +24,8 @@ using Eigen::Vector3d;
 constexpr double kLength_m = 1e-6;
 constexpr double kMoment = 1e-6;
 constexpr double kShare = 0.02;
-constexpr double kLean = 1e-9;  // of a unit axis
+// How far a joint's unit axis may lean out of +-y (docs/derivations/collocation.md, "The plane").
+constexpr double kLean = 1e-9;
 
 [[noreturn]] void refuse(const Robot& robot, const std::string& why) {
   io::refuse(robot.name, why);

@@ -9,49 +9,49 @@
 
 namespace torquewright::hopper {
 
-/// Contact points that are one where nothing leaves the plane.
+/// Contact points that coincide where nothing leaves the plane.
 struct SolePoint {
   std::string name;                   ///< "heel", "toe".
-  dynamics::BodyPoint point;          ///< In the plane.
+  dynamics::BodyPoint point;          ///< The point, in the plane.
   std::vector<std::size_t> members;   ///< Contact points of the robot.
-  double friction_coefficient = 0.0;  ///< The least of theirs.
+  double friction_coefficient = 0.0;  ///< The least friction coefficient of its members.
 };
 
-/// What of the robot moves where nothing leaves the sagittal plane: the three rows of a frame
-/// (PlanFrame) and the joints whose axes stand across the plane. The other joints stay at 0 and
-/// bear what they must.
+/// The part of the robot that moves where nothing leaves the sagittal plane: the three rows of a
+/// frame (PlanFrame) and the joints whose axes stand across the plane. The other joints stay at 0
+/// and bear what they must.
 struct SagittalRobot {
-  Robot robot;  ///< On a planar base.
+  Robot robot;  ///< The robot on a planar base.
   double mass_kg = 0.0;
-  std::vector<std::size_t> joints;   ///< Bodies of those that move.
-  std::vector<Eigen::Index> moving;  ///< Rows of what moves: the frame's, then those joints.
+  std::vector<std::size_t> joints;   ///< Bodies of the joints that move.
+  std::vector<Eigen::Index> moving;  ///< Rows of what moves: the frame's, then those joints'.
   std::vector<Eigen::Index> held;    ///< Rows of joints that stay at 0.
   std::vector<double> directions;    ///< By joint of `joints`: +1 about +y, -1 about -y, 0
                                      ///< where it does not carry the foot.
   std::size_t foot = 0;              ///< The body with the contact points.
-  std::vector<SolePoint> sole;       ///< From back to front.
+  std::vector<SolePoint> sole;       ///< Points of the sole from back to front.
 
   Eigen::Index moving_count() const { return static_cast<Eigen::Index>(moving.size()); }
   std::size_t drive_count() const;
-  /// All rows of a vector of those that move; the others are 0.
+  /// Returns all rows of a vector from those that move; the others are 0.
   Eigen::VectorXd all_rows(const Eigen::VectorXd& moving_rows) const;
 };
 
-/// Position, velocity and acceleration of the tree on its planar base, or of rows in a frame:
-/// (n x 1) each.
+/// Position, velocity and acceleration of the tree on its planar base, or of rows in a frame: (n x
+/// 1) each.
 struct TreeMotion {
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;
   Eigen::VectorXd acceleration;
 };
-/// Out of rows in a frame (n x 1 each), and back.
+/// Converts rows in a frame (n x 1 each) to the tree's motion, and back.
 TreeMotion tree_motion(const SagittalRobot& robot, PlanFrame frame, const TreeMotion& rows);
 TreeMotion frame_motion(const SagittalRobot& robot, PlanFrame frame, const TreeMotion& tree);
 
-/// The robot in its plane. io::SpecError, naming what and by how much, where it has no plane that
-/// its motion stays in: masses or contacts beside it, mechanisms whose two sides are not mirror
-/// images, joints that lean out of it; where more than one body has contact points or its sole is
-/// not level, or where nothing pulls it down. docs/derivations/collocation.md, "The plane".
+/// Returns the robot in its plane. io::SpecError, naming what and by how much, where no plane holds
+/// its motion: masses or contacts beside it, mechanisms whose two sides are not mirror images,
+/// joints that lean out of it; where more than one body has contact points or its sole is not
+/// level, or where nothing pulls it down (docs/derivations/collocation.md, "The plane").
 SagittalRobot sagittal(const Robot& robot);
 
 }  // namespace torquewright::hopper

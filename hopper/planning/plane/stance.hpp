@@ -8,18 +8,19 @@
 
 namespace torquewright::hopper {
 
-/// Which points of the sole are on the ground. On more than one, the outermost bear the load, and
-/// what pushes along the ground is one force: the sole is rigid and its points are level.
+/// Points of the sole that are on the ground. Of several, the outermost bear the load, and the
+/// force along the ground is one: the sole is rigid and its points are level.
 struct Stance {
   std::string name;
-  std::vector<std::size_t> points;  ///< Of the sole: none, one, or the rearmost and the foremost.
+  /// Indices of points of the sole: none, one, or the rearmost and the foremost.
+  std::vector<std::size_t> points;
 
   bool is_flight() const { return points.empty(); }
   PlanFrame frame() const { return is_flight() ? PlanFrame::kMass : PlanFrame::kSole; }
   bool is_flat() const { return points.size() == 2; }
-  /// One along the ground, if any touches, then one upwards per point.
+  /// Number of forces: one along the ground, if any point touches, then one upwards for each point.
   std::size_t force_count() const { return points.empty() ? 0 : 1 + points.size(); }
-  /// Whether that touches which the other does not.
+  /// Whether a point touches in this stance that does not in the other.
   bool adds_to(const Stance& other) const;
 };
 

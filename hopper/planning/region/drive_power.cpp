@@ -10,10 +10,12 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr int kDragKnots = 48;  // on one side of rest
+// Knots of the splines that follow drag (on one side of rest) and power (over torque and speed).
+// Choices of ours; docs/derivations/planned_regions.md says how well they follow.
+constexpr int kDragKnots = 48;
 constexpr int kTorqueKnots = 128;
 constexpr int kPowerSpeedKnots = 240;
-constexpr double kRoundedCorner = 1e-3;  // of the cap
+constexpr double kRoundedCorner = 1e-3;  // of the cap: over which |torque| is rounded (ours)
 constexpr double kJustMoving = 1e-9;     // of the last speed: moving already
 constexpr double kNoPower = 1e-9;        // of the greatest power
 

@@ -54,7 +54,8 @@ class DrivePower {
   SmoothStep step_;
   std::optional<SmoothCurve> drag_slow_;  ///< Mean of drag and cogging at negative speeds,
   std::optional<SmoothCurve> drag_fast_;  ///< and at others.
-  std::optional<SmoothSurface> rest_;     ///< What is not copper of the least current: W.
+  /// Power that is not copper loss of the least current, in W.
+  std::optional<SmoothSurface> rest_;
 };
 
 }  // namespace torquewright::hopper

@@ -8,6 +8,7 @@
 
 #include "actuator/region/current_choice.hpp"
 #include "actuator/region/motor_region.hpp"
+#include "hopper/planning/region/envelope_rows.hpp"
 #include "hopper/planning/region/linear_region.hpp"
 #include "io/faults/spec_error.hpp"
 
@@ -73,6 +74,7 @@ void DriveRegion::be_box(const actuator::JointRange& rest, const DriveRegionOpti
 }
 
 void DriveRegion::be_region(const HeldBus& bus, const DriveRegionOptions& options) {
+  if (bus.model().envelope) return be_envelope(bus, options);
   const double keep_V = 1.0 - options.voltage_margin;
   if (const std::optional<LinearRegion> linear = linear_region(bus)) {
     greatest_torque_Nm_ = (1.0 - options.current_margin) * linear->current_Nm;
@@ -98,6 +100,20 @@ void DriveRegion::be_region(const HeldBus& bus, const DriveRegionOptions& option
                                     "of {:.4g} V less the margin: drag is too great; no motion can "
                                     "be planned with it",
                                     bus.open_circuit_V())}});
+}
+
+void DriveRegion::be_envelope(const HeldBus& bus, const DriveRegionOptions& options) {
+  const EnvelopeRows found = envelope_rows(bus, 1.0 - options.voltage_margin);
+  const double scale = 1.0 / (1.0 - options.current_margin);
+  greatest_torque_Nm_ = found.greatest_Nm / scale;
+  for (const double sign : {1.0, -1.0}) {
+    for (const EnvelopeRows::Row& row : found.rows) {
+      // sign torque <= at_rest + slope (sign speed)
+      straight_.push_back({sign * scale, -sign * row.slope_Nm_s_rad, 0.0, -row.at_rest_Nm});
+    }
+    const double per_rad_s = greatest_torque_Nm_ / found.end_rad_s;
+    straight_.push_back({0.0, sign * per_rad_s, 0.0, -greatest_torque_Nm_});
+  }
 }
 
 }  // namespace torquewright::hopper

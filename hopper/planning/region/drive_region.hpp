@@ -19,11 +19,11 @@ struct DriveRegionOptions {
   bool shares_battery = false;  ///< With other drives; hopper/planning/region/held_bus.hpp.
 };
 
-/// What a plan may ask of a drive at an instant: rows <= 0 of torque, speed (both at the drive's
-/// output) and bus voltage, and the power that it then takes from the bus. Twice continuously
-/// differentiable and finite everywhere. Rows and |torque| <= greatest_torque_Nm() together stay
-/// inside the region that `hopper check` judges by at that voltage (0.4 to 1.3 of the open
-/// circuit's, margin counted); how well, docs/derivations/planned_regions.md says.
+/// The torque that a plan may ask of a drive at an instant: rows <= 0 of torque, speed (both at the
+/// drive's output) and bus voltage, and the power that it then takes from the bus. Twice
+/// continuously differentiable and finite everywhere. Rows and |torque| <= greatest_torque_Nm()
+/// together stay inside the region that `hopper check` judges by at that voltage (0.4 to 1.3 of the
+/// open circuit's, margin counted); docs/derivations/planned_regions.md says how well.
 class DriveRegion {
  public:
   /// Throws io::SpecError, which names the actuator, where the conditions cannot be met or where
@@ -79,6 +79,8 @@ class DriveRegion {
 
   void be_box(const actuator::JointRange& rest, const DriveRegionOptions& options);
   void be_region(const HeldBus& bus, const DriveRegionOptions& options);
+  /// Of a drive that is known by its curve.
+  void be_envelope(const HeldBus& bus, const DriveRegionOptions& options);
 
   std::vector<StraightRow> straight_;
   std::shared_ptr<const PlannedRegion> fitted_;  ///< Null: the straight rows are all there is.

@@ -15,7 +15,7 @@ class HeldBus {
   HeldBus(const actuator::Actuator& actuator, const actuator::OperatingConditions& conditions,
           bool shares_battery);
 
-  /// The bus without load, in the conditions.
+  /// Voltage of the bus without load, in these conditions.
   double open_circuit_V() const { return model_.supply.open_circuit_V; }
 
   /// The electrical side in the conditions, behind its own supply.
@@ -24,7 +24,7 @@ class HeldBus {
   /// The electrical side while the bus is held.
   actuator::PhaseModel model_at(double bus_V) const;
 
-  /// At the joint.
+  /// Range of torques at the joint.
   actuator::JointRange range(double bus_V, double speed_rad_s) const;
 
   const actuator::Actuator& actuator() const { return actuator_; }

@@ -8,11 +8,10 @@
 
 namespace torquewright::hopper {
 
-/// What a drive loses between motor and load on one side of its region: a torque u on the load
-/// needs, of the motor and at the output, at most the greater of
-///   driven(w) (u - ripple) - help(w)  and  returned (u - ripple) - help(w),
-/// wherever u is near the region's bound. `sign` -1: of the least torque, with u and w negated.
-/// docs/derivations/planned_regions.md eq. (6), (7).
+/// Losses of a drive between motor and load on one side of its region: a torque u on the load
+/// needs, of the motor and at the output, at most the greater of driven(w) (u - ripple) - help(w)
+/// and returned (u - ripple) - help(w), wherever u is near the region's bound. `sign` -1: for the
+/// least torque, with u and w negated. docs/derivations/planned_regions.md eq. (6), (7).
 struct OutputLosses {
   OutputLosses(const HeldBus& bus, double sign, double end_rad_s, double step_rad_s);
 

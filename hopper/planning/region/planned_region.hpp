@@ -61,9 +61,9 @@ class PlannedRegion {
 
  private:
   struct Row {
-    int piece = -1;        ///< Of the ceiling; -1: its cap.
+    int piece = -1;        ///< Index of the ceiling's piece; -1: its cap.
     bool returns = false;  ///< By the losses' `returned`, else by `driven`.
-    double scale = 1.0;    ///< Of the torque, by the current's margin.
+    double scale = 1.0;    ///< Factor on the torque, by the current's margin.
   };
   struct Side {
     double sign = 1.0;
@@ -104,7 +104,7 @@ class PlannedRegion {
   void add_loss(const HeldBus& bus, double bus_V, double speed_rad_s, Loss& loss) const;
 
   double step_rad_s_;
-  double keep_;  ///< Of the voltage, by its margin.
+  double keep_;  ///< Factor on the voltage, by its margin.
   TorqueCeiling ceiling_;
   std::array<Side, 2> sides_;
   std::size_t ends_ = 0;

@@ -9,7 +9,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr std::size_t kPhantomKnots = 3;  // knots beyond either end
+constexpr std::size_t kPhantomKnots = 3;  // beyond either end: what cubic B-splines need
 
 std::vector<double> with_phantoms(const std::vector<double>& knots) {
   std::vector<double> all;

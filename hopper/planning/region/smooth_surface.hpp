@@ -65,7 +65,8 @@ class SplineAxis {
   using Cubic = std::array<double, 4>;  ///< Ascending powers.
 
   std::vector<double> knots_;
-  std::vector<std::array<Cubic, 4>> cells_;  ///< By cell and spline, from the cell's left knot.
+  /// Polynomials by cell and spline, from the cell's left knot.
+  std::vector<std::array<Cubic, 4>> cells_;
   Eigen::PartialPivLU<Eigen::MatrixXd> interpolation_;
 };
 

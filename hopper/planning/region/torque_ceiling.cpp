@@ -16,17 +16,21 @@ namespace {
 
 using actuator::Limiter;
 
-constexpr int kVoltageKnots = 9;
-constexpr int kSpeedKnots = 72;       // knots of a piece
-constexpr int kScannedSpeeds = 240;   // speeds at which limiters are told apart
-constexpr int kPlacesPerKnot = 4;     // places a knot at which a piece is held down
-constexpr int kHalvings = 40;         // of a step of the scan
-constexpr double kCornerOver = 5e-4;  // of a stretch: what its slope is taken over,
-constexpr double kEndOver =
-    5e-3;  // at a corner, and at its other end, where the region may end in a nose
-constexpr std::array kBeyondBegin{-0.1, -0.04, -0.015, -0.005};  // knots, and likewise behind
-constexpr double kLeastJump = 0.01;                              // of the cap
-constexpr double kNextTo = 1e-6;                                 // of the speeds: close by
+// Sizes of the fit, choices of ours: with them the bounds lie inside the true ones by what
+// docs/derivations/planned_regions.md states; more knots cost a plan time.
+constexpr int kVoltageKnots = 9;     // knots over the bus voltage
+constexpr int kSpeedKnots = 72;      // knots over the speeds of a piece
+constexpr int kScannedSpeeds = 240;  // speeds at which limiters are told apart
+constexpr int kPlacesPerKnot = 4;    // places a knot at which a piece is held down
+constexpr int kHalvings = 40;        // halvings of a step of the scan: to rounding
+// Shares of a stretch of speeds over which a slope is taken: at a corner, and at its other end,
+// where the region may end in a nose.
+constexpr double kCornerOver = 5e-4;
+constexpr double kEndOver = 5e-3;
+// Knots beyond the beginning of a stretch, in shares of its length, and likewise behind its end.
+constexpr std::array kBeyondBegin{-0.1, -0.04, -0.015, -0.005};
+constexpr double kLeastJump = 0.01;    // of the cap
+constexpr double kNextTo = 1e-6;       // of the speeds: close by
 constexpr double kShortLength = 0.02;  // of the speeds, which a shorter stretch is taken for
 constexpr double kSteepest = 4.0;      // caps a stretch, straight on
 constexpr double kShortest = 1e-7;     // of the speeds: a stretch

@@ -29,7 +29,7 @@ class CeilingPiece {
 /// losses: never above the true one, the least of several pieces. The least torque is its mirror
 /// image: - ceiling(-speed).
 struct TorqueCeiling {
-  double cap_Nm = 0.0;  ///< By current, at any speed.
+  double cap_Nm = 0.0;  ///< Greatest torque by current, at any speed.
   std::vector<CeilingPiece> pieces;
   double end_rad_s = 0.0;           ///< As far as it is known, either way.
   bool goes_on = false;             ///< Beyond that.

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 // Nearer than this share of its size a limit holds: the solver's barrier keeps some distance.
 constexpr double kNear = 2e-3;
-constexpr double kViolated = 1e-5;  // of scaled rows
+constexpr double kViolated = 1e-5;  // of scaled rows: ten times the solver's tolerance (ours)
 
 /// Gathers by phase and name.
 class Bindings {

@@ -7,10 +7,10 @@
 
 namespace torquewright::hopper {
 
-/// What holds a plan back: limits of joints, drives and contacts (planning margins taken off) at
-/// which it stands or beyond which it is, over the instants at which they hold, the most often
-/// binding first. After them the rows of the program that the values violate, the worst first: of
-/// those violations are shares of the rows' scales, and they have no times.
+/// Returns what holds a plan back: limits of joints, drives and contacts (planning margins taken
+/// off) that the plan reaches or exceeds, with their instants, the most often binding first. After
+/// them come the rows of the program that the values violate, the worst first; their violations are
+/// shares of the rows' scales, and they have no times.
 std::vector<BindingConstraint> binding_constraints(const FlipProgram& program,
                                                    const PlanModel& model,
                                                    const PlanMargins& margins,

@@ -6,7 +6,8 @@
 
 namespace torquewright::hopper {
 
-/// How far a checked motion is from each rule's limit at least; the least share of the limit first.
+/// Returns the least distance of a checked motion from each rule's limit; the least share of the
+/// limit comes first.
 std::vector<LeastMargin> least_margins(const Robot& robot, const Motion& motion,
                                        const HopperReport& report);
 

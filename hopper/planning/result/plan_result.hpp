@@ -12,9 +12,10 @@
 namespace torquewright::hopper {
 
 enum class PlanStatus {
-  /// Found, and `hopper check` passes it; planned in boxes, all but regions and battery do.
+  /// A plan was found, and `hopper check` passes it; where planned in boxes, all rules but regions
+  /// and battery.
   kPlanned,
-  kLocallyInfeasible,  ///< None found from this guess; proves nothing.
+  kLocallyInfeasible,  ///< None was found from this guess; this proves nothing.
   /// The solver found a motion, but `hopper check` does not pass it, or its integration error is
   /// too great. Undecided, as a limit is, and of the same name.
   kCheckFails,
@@ -22,14 +23,15 @@ enum class PlanStatus {
 };
 std::string_view name_of(PlanStatus status);
 
-/// How far a plan is from a rule's limit at least. A value at its limit has margin 0.
+/// The least distance of a plan from a rule's limit. A value at its limit has margin 0.
 struct LeastMargin {
   std::string rule;   ///< "motor-operating-region", "friction-cone", ...
-  std::string place;  ///< Drive, joint, contact point.
+  std::string place;  ///< Name of the drive, joint or contact point.
   double time_s = 0.0;
   double value = 0.0;
   double limit = 0.0;
-  double margin = 0.0;  ///< In `unit`, planning margin not counted: of the rule itself.
+  /// Margin to the rule itself, in `unit`; planning margins are not taken off.
+  double margin = 0.0;
   std::string unit;
 };
 
@@ -37,20 +39,20 @@ struct LeastMargin {
 struct BindingConstraint {
   std::string name;  ///< "knee: region, upper".
   std::string stance;
-  std::size_t instants = 0;  ///< At which it binds,
-  std::size_t of = 0;        ///< of so many.
+  std::size_t instants = 0;  ///< Number of instants at which it binds.
+  std::size_t of = 0;        ///< Number of instants in all.
   double from_s = 0.0;
   double until_s = 0.0;
-  double violation = 0.0;  ///< The greatest, in `unit`, where the plan is infeasible.
+  double violation = 0.0;  ///< The greatest violation, in `unit`, where the plan is infeasible.
   std::string unit;
-  bool has_times = true;  ///< False: rows of the program, without any.
+  bool has_times = true;  ///< False: a row of the program, which has no times.
 };
 
-/// A mesh and what came of it.
+/// One mesh and the outcome on it.
 struct PlanRound {
   int intervals = 0;
   int iterations = 0;
-  std::string solver;  ///< Words of its outcome.
+  std::string solver;  ///< The solver's outcome in words.
   double objective = 0.0;
   double largest_violation = 0.0;
   double integration_error_rad = 0.0;
@@ -58,7 +60,7 @@ struct PlanRound {
   double derivative_seconds = 0.0;
 };
 
-/// What one objective comes to in a plan, unweighted.
+/// Value of one objective in a plan, unweighted.
 struct ObjectivePart {
   std::string name;
   double weight = 0.0;
@@ -70,7 +72,7 @@ struct ObjectivePart {
 /// been none: the smallest of those tried, not of all that there are.
 struct ChangeTried {
   std::string quantity;  ///< "voltage", "current", "mass", or a ratio by its drive: "knee_ratio".
-  double from = 0.0;     ///< As the documents have it, in `unit`.
+  double from = 0.0;     ///< Value of the documents, in `unit`.
   double to = 0.0;       ///< What made a plan; the farthest tried where nothing did.
   std::string unit;
   bool has_plan = false;
@@ -79,22 +81,23 @@ struct ChangeTried {
 
 struct PlanResult {
   PlanStatus status = PlanStatus::kLimit;
-  std::string reason;  ///< A sentence; empty where planned.
-  PlannedMotion plan;  ///< Empty without phases only where nothing was found.
-  Motion motion;       ///< The same, sampled: what was checked and what is written.
+  std::string reason;  ///< A sentence on why there is no plan; empty where there is one.
+  PlannedMotion plan;  ///< Empty only where nothing was found.
+  Motion motion;       ///< The plan, sampled: what was checked and is written.
   std::optional<HopperReport> check;
   double objective = 0.0;
   std::vector<ObjectivePart> objectives;
-  int iterations = 0;                  ///< Of all rounds.
-  double largest_violation = 0.0;      ///< Of scaled rows.
-  double integration_error_rad = 0.0;  ///< Of the worst phase.
-  double angular_momentum_Nm_s = 0.0;  ///< CAM of the longest flight; 0 without one. Signed: +y.
-  double take_off_rad_s = 0.0;         ///< CAV there,
-  double peak_rad_s = 0.0;             ///< and its greatest.
-  std::vector<LeastMargin> least_margins;  ///< One a rule, the least first.
-  std::vector<BindingConstraint> binding;  ///< As of binding_constraints().
+  int iterations = 0;                  ///< Iterations of all rounds.
+  double largest_violation = 0.0;      ///< Largest violation of scaled rows.
+  double integration_error_rad = 0.0;  ///< Integration error of the worst phase.
+  /// CAM of the longest flight, positive about +y; 0 without a flight.
+  double angular_momentum_Nm_s = 0.0;
+  double take_off_rad_s = 0.0;             ///< CAV at its take-off.
+  double peak_rad_s = 0.0;                 ///< Greatest CAV in it.
+  std::vector<LeastMargin> least_margins;  ///< Least margins, one for each rule, the least first.
+  std::vector<BindingConstraint> binding;  ///< See binding_constraints().
   std::vector<PlanRound> rounds;
-  std::vector<ChangeTried> changes;  ///< Where asked to explain.
+  std::vector<ChangeTried> changes;  ///< Changes that were tried, where asked to explain.
 };
 
 }  // namespace torquewright::hopper

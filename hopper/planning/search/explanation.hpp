@@ -9,14 +9,14 @@
 
 namespace torquewright::hopper {
 
-/// Where there is no plan, and what the search lacked was not time.
+/// Whether changes are worth trying: there is no plan, and the search did not lack time.
 bool can_be_explained(PlanStatus status);
 
-/// What, changed alone, makes a plan: more voltage, more current, less or more of each moved
+/// Finds single changes that make a plan: more voltage, more current, less or more of each moved
 /// drive's ratio, less mass; of each the smallest of a short ladder of changes, found by halving
 /// the ladder. Every search begins where `options` say. At most `most_seconds` in all, an equal
-/// share of what is left for each; options.should_stop ends it. What was not answered is marked.
-/// docs/flip.md, "What would have to be otherwise".
+/// share of what is left for each; options.should_stop ends it. Changes that were not answered are
+/// marked. docs/flip.md, "What would have to be otherwise".
 std::vector<ChangeTried> changes_that_help(const Robot& robot, const PlanOptions& options,
                                            double most_seconds);
 

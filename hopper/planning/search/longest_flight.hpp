@@ -7,10 +7,10 @@
 
 namespace torquewright::hopper {
 
-/// Null where nothing flies.
+/// Returns the phase of the longest flight; null where nothing flies.
 const PlannedPhase* longest_flight(const PlannedMotion& motion);
 
-/// How far the centre of mass rises over its height at take-off, in the longest flight that
+/// Returns how far the centre of mass rises over its height at take-off, in the longest flight that
 /// `hopper check` found. None without a check or a flight.
 std::optional<double> rise_of(const PlanResult& result);
 

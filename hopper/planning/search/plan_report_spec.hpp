@@ -7,7 +7,7 @@
 
 namespace torquewright::hopper {
 
-/// Whether a report states how long its rounds took: then two runs differ in bytes.
+/// Whether a report states how long its rounds took, which differs between runs.
 enum class PlanSeconds { kLeftOut, kStated };
 
 /// A document of kind `plan_report` without its provenance ("tool", "inputs", "options"). What is

@@ -27,13 +27,16 @@ namespace {
 using optimization::NonlinearSolution;
 using optimization::NonlinearStatus;
 
-constexpr double kTolerance = 1e-6;    // of scaled rows and optimality
-constexpr double kColdBarrier = 0.1;   // far from any solution
-constexpr double kWarmBarrier = 1e-2;  // near one: smaller ones stalled at limits (trial)
-constexpr double kUnexplainedShare =
-    1.0;  // of what `hopper check` allows, at any instant: it averages
+constexpr double kTolerance = 1e-6;   // of scaled rows and optimality; a choice of ours
+constexpr double kColdBarrier = 0.1;  // Ipopt's own start value, for a search far from any solution
+// Barrier for a search that begins near a solution. A choice of ours, tried on the hopper's flip:
+// with smaller ones searches stalled at limits (docs/derivations/collocation.md, "Error").
+constexpr double kWarmBarrier = 1e-2;
+// Largest residual of a plan at any instant, as a share of what `hopper check` allows as a
+// mean over its window: a plan that keeps to it passes there.
+constexpr double kUnexplainedShare = 1.0;
 constexpr double kUnknownError_rad = std::numeric_limits<double>::infinity();
-constexpr double kRefinedShare = 0.5;  // of the error allowed, that a finer mesh aims at
+constexpr double kRefinedShare = 0.5;  // of the allowed error, which a finer mesh aims at (ours)
 
 /// What of a check speaks against a motion, the gravest first.
 std::string failure_sentence(const HopperReport& report) {

@@ -7,7 +7,7 @@
 
 namespace torquewright::hopper {
 
-/// plan_motion() (plan.hpp) without looking for what would have to be otherwise.
+/// Searches as plan_motion() (plan.hpp) does, without looking for changes that would help.
 PlanResult search_plan(const Robot& robot, const PlanOptions& options);
 
 }  // namespace torquewright::hopper

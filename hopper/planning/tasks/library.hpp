@@ -9,11 +9,12 @@
 
 namespace torquewright::hopper {
 
-/// In the order in which help and messages list them.
+/// Returns all tasks, in the order in which help and messages list them.
 const std::vector<const PlanTask*>& every_task();
 std::vector<std::string> task_names();
 
-/// std::invalid_argument where none has that name: options allow no other word.
+/// Returns the task of that name. std::invalid_argument where there is none: options allow no other
+/// word.
 const PlanTask& task_named(std::string_view name);
 
 }  // namespace torquewright::hopper

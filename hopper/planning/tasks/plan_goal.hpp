@@ -9,7 +9,7 @@
 
 namespace torquewright::hopper {
 
-/// A phase and how it is cut: shares of its duration, from 0 to 1.
+/// A phase and its mesh, in shares of its duration from 0 to 1.
 struct MeshPhase {
   Stance stance;
   std::vector<double> knots;
@@ -18,15 +18,15 @@ struct MeshPhase {
   std::size_t intervals() const { return knots.size() - 1; }
 };
 
-/// What a plan is to do beside obeying physics.
+/// Goal of a plan beside obeying physics.
 struct PlanGoal {
-  double turn_rad = 0.0;           ///< Of the foot, forwards.
-  std::optional<double> stride_m;  ///< Of the foot; empty: as it comes.
-  std::optional<double> rise_m;    ///< Of the centre of mass in flight, at least.
+  double turn_rad = 0.0;           ///< Turn of the foot, forwards.
+  std::optional<double> stride_m;  ///< Stride of the foot; empty: free.
+  std::optional<double> rise_m;    ///< Least rise of the centre of mass in flight.
   /// The range in which each joint that moves stands at the begin and at the end, in rad.
   std::vector<optimization::Bounds> standing_rad;
-  /// Whether the base is level at the begin, and turned by `turn_rad` at the end: of a foot of one
-  /// point, whose own pitch is free.
+  /// Whether the base is level at the beginning, and turned by `turn_rad` at the end: for a foot of
+  /// one point, whose own pitch is free.
   bool has_level_base = false;
 };
 

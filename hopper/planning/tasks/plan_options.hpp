@@ -12,26 +12,27 @@
 
 namespace torquewright::hopper {
 
-/// What a plan keeps away from limits, so that a replay has something left to steer with.
+/// Planning margins, so that a replay has something left to steer with. Choices of ours
+/// (docs/flip.md).
 struct PlanMargins {
-  double voltage = 0.01;            ///< Of the bus voltage that a region is asked at.
-  double current = 0.08;            ///< Of the region's bound where current is what limits.
-  double friction = 0.15;           ///< Of each point's friction coefficient.
-  double center_of_pressure = 0.1;  ///< Of the foot's length, from either end.
-  double gear_load = 0.1;           ///< Of each transmission's limit.
-  double position_rad = 0.02;       ///< From the ends of joints' ranges.
-  double speed = 0.02;              ///< Of joints' speed limits.
+  double voltage = 0.01;   ///< Share of the bus voltage at which a region's voltage bound is taken.
+  double current = 0.08;   ///< Share of the region's bound where current is what limits.
+  double friction = 0.15;  ///< Share of each point's friction coefficient.
+  double center_of_pressure = 0.1;  ///< Share of the foot's length, from either end.
+  double gear_load = 0.1;           ///< Share of each transmission's limit.
+  double position_rad = 0.02;       ///< Distance from the ends of joints' ranges.
+  double speed = 0.02;              ///< Share of joints' speed limits.
 };
 
-/// A cost by name (hopper/planning/objectives/) and how much it counts.
+/// An objective by name (hopper/planning/objectives/) with its weight.
 struct WeightedObjective {
   std::string name;
   double weight = 1.0;
 };
 
-/// How far a plan has come.
+/// Progress of a plan.
 struct PlanProgress {
-  int round = 0;  ///< 0: first mesh.
+  int round = 0;  ///< Number of the mesh; 0 is the first.
   int iteration = 0;
   int intervals = 0;
   double objective = 0.0;
@@ -41,26 +42,28 @@ struct PlanProgress {
 struct PlanOptions {
   const PlanTask* task = &tasks::flip;
   DriveLimits limits = DriveLimits::kMor;
-  double rise_m = 0.1;    ///< Of the centre of mass in the flight of a jump or a hop, at least.
-  double stride_m = 0.1;  ///< Of a hop, forwards.
-  std::vector<std::string> stances;           ///< "flat", "heel", "flight", ...; empty: the task's.
-  std::vector<WeightedObjective> objectives;  ///< Empty: the task's.
+  double rise_m = 0.1;    ///< Least rise of the centre of mass in the flight of a jump or a hop.
+  double stride_m = 0.1;  ///< Stride of a hop, forwards.
+  /// Stances in order: "flat", "heel", "flight", ...; empty: the task's.
+  std::vector<std::string> stances;
+  std::vector<WeightedObjective> objectives;  ///< Objectives with weights; empty: the task's.
   PlanMargins margins;
-  int intervals = 100;           ///< Of the first mesh, all phases together.
-  double most_error_rad = 2e-3;  ///< Of a phase, by an independent integrator.
-  int most_rounds = 6;           ///< Meshes after the first.
+  int intervals = 100;           ///< Intervals of the first mesh, all phases together.
+  double most_error_rad = 2e-3;  ///< Largest error of a phase by an independent integrator.
+  int most_rounds = 6;           ///< Most meshes after the first.
   double most_seconds = 600.0;
-  int most_iterations = 1000;    ///< A mesh.
-  double guess_noise_rad = 0.0;  ///< Perturbs the first guess's joint angles,
-  unsigned guess_seed = 0;       ///< with numbers of this seed.
-  double sample_s = 1e-3;        ///< Of the motion that is written.
+  int most_iterations = 1000;    ///< Most iterations on a mesh.
+  double guess_noise_rad = 0.0;  ///< Perturbation of the first guess's joint angles.
+  unsigned guess_seed = 0;       ///< Seed of that perturbation.
+  double sample_s = 1e-3;        ///< Step of the motion that is written.
   const Motion* warm = nullptr;  ///< A motion of this robot to begin from, or none.
-  std::string warm_file;         ///< Its name in messages.
+  std::string warm_file;         ///< Name of `warm` in messages.
   CheckOptions check;            ///< Conditions, ground, window of the gear load.
-  /// Where none is found: look for the smallest change of one thing that makes one.
+  /// Where no plan is found: look for the smallest change of one thing that makes one.
   bool explain = false;
-  std::function<bool()> should_stop = {};                              ///< May be empty.
-  std::function<void(const PlanProgress& progress)> on_progress = {};  ///< May be empty.
+  std::function<bool()> should_stop = {};  ///< Called to ask whether to stop. May be empty.
+  /// Called after each iteration. May be empty.
+  std::function<void(const PlanProgress& progress)> on_progress = {};
 };
 
 }  // namespace torquewright::hopper

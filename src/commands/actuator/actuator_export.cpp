@@ -20,8 +20,13 @@ std::string exported_file(const actuator::ReadActuator& read,
                                       "region to write",
                                       actuator::name_of(region.at(0.0).why_empty))}});
   }
-  const actuator::MorTable table = actuator::mor_table(region, table_accuracy);
-  const actuator::Subject subject{read.actuator, conditions, region, table, fit};
+  // A table holds what the document says; a law of few numbers what it can.
+  const bool has_law = !exporter.parameters.empty();
+  const actuator::Actuator written =
+      has_law ? actuator::as_laws_brake(read.actuator) : read.actuator;
+  const actuator::Region written_region(written, conditions, region.side());
+  const actuator::MorTable table = actuator::mor_table(written_region, table_accuracy);
+  const actuator::Subject subject{written, conditions, written_region, table, fit};
   const actuator::SimulatorFile file =
       actuator::simulator_file(subject, exporter, origin_of("actuator mor", read.documents));
   if (!as_json) return file.text;

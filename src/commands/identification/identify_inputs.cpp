@@ -94,7 +94,7 @@ IdentifyInputs read_inputs(const IdentifyRequest& request) {
         by_joint(inputs.rig, request.is_old_spelling ? "-o" : "--refined", request.refined);
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
-    inputs.actuators.push_back({inputs.rig.joints[i], actuator::read_actuator(files[i])});
+    inputs.actuators.push_back({inputs.rig.joints[i], actuator::read_wound_actuator(files[i])});
   }
   require_plain_logs(request);
   check_files(request, inputs);

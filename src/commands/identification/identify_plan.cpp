@@ -54,7 +54,7 @@ PlanInputs read(const PlanRequest& request) {
   inputs.rig_document = io::read_document(request.rig, "rig");
   inputs.rig = identification::read_rig(inputs.rig_document);
   inputs.options.noise = read_noise(request.noise, inputs.rig);
-  inputs.nominal = actuator::read_actuator(request.actuator);
+  inputs.nominal = actuator::read_wound_actuator(request.actuator);
   if (request.excitation.empty()) return inputs;
   std::vector<std::filesystem::path> files;
   for (const io::Document& document : documents_of(inputs)) files.emplace_back(document.file);

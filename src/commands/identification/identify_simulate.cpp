@@ -34,7 +34,7 @@ SimulateInputs read(const SimulateOptions& options) {
   inputs.options.seed = options.seed;
   inputs.rig = identification::read_rig(io::read_document(options.rig, "rig"));
   inputs.options.noise = read_noise(options.noise, inputs.rig);
-  inputs.truth = actuator::read_actuator(options.actuator);
+  inputs.truth = actuator::read_wound_actuator(options.actuator);
   inputs.runs =
       identification::read_excitation(options.excitation, inputs.rig, inputs.truth.actuator);
   identification::require_few_steps(options.excitation, inputs.runs, inputs.options.simulation);

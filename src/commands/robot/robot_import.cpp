@@ -16,6 +16,7 @@
 #include "io/files/atomic_file.hpp"
 #include "io/files/given_once.hpp"
 #include "io/text/one_line.hpp"
+#include "robot/draft/limit_drives.hpp"
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "robot/model/robot_json.hpp"
 #include "robot/model/robot_spec.hpp"
@@ -36,6 +37,7 @@ struct ImportOptions {
   hopper::ImportFileOptions reading;
   std::optional<double> link_error;    ///< Empty: the reader's own.
   std::vector<std::string> actuators;  ///< NAME=FILE.
+  std::string drive_folder;            ///< Of the documents that limits are made into.
 };
 
 /// URDF holds neither several robots, nor couplings, nor loops.
@@ -112,9 +114,33 @@ std::string compute(const ImportOptions& options, const hopper::Imported& import
   return text;
 }
 
+/// The drives that limits are made into join the document; their files come with it.
+std::vector<io::FileContent> add_drives(const ImportOptions& options, hopper::Imported& imported,
+                                        std::string& document) {
+  if (options.drive_folder.empty()) return {};
+  const hopper::LimitDrives made = hopper::limit_drives(imported.robot);
+  if (made.assignments.empty()) {
+    io::refuse("--actuators",
+               "no joint of the robot states limits of both torque and speed, of "
+               "which a drive could be made");
+  }
+  const std::filesystem::path folder = std::filesystem::absolute(options.drive_folder);
+  const std::filesystem::path seen =
+      std::filesystem::proximate(folder, place_of(options).parent_path());
+  document = hopper::with_limit_drives(made, seen == "." ? "" : seen.generic_string(), document);
+  imported.notes.insert(imported.notes.end(), made.notes.begin(), made.notes.end());
+  imported.notes.push_back(fmt::format(
+      "{} joints are driven by {} drives of their limits in {}: what the file says of torque and "
+      "speed, no winding, no heat",
+      made.assignments.size(), made.drives.size(), io::name_in_text(options.drive_folder)));
+  std::vector<io::FileContent> files;
+  for (const auto& drive : made.drives) files.push_back({folder / drive.file, drive.document});
+  return files;
+}
+
 void write(const ImportOptions& options, const hopper::Imported& imported,
-           const std::string& document) {
-  deliver_result(document, options.output_file);
+           const std::string& document, std::vector<io::FileContent> drives) {
+  deliver_result(document, options.output_file, std::move(drives));
   std::string notes;
   for (const std::string& note : imported.notes) notes += "note: " + note + "\n";
   if (options.output_file.empty() || is_standard_output(options.output_file)) {
@@ -130,8 +156,9 @@ void write(const ImportOptions& options, const hopper::Imported& imported,
 ExitCode run_import(const ImportOptions& options) {
   hopper::Imported imported = read(options);
   name_actuators(options, imported.robot);
-  const std::string document = compute(options, imported);
-  write(options, imported, document);
+  std::string document = compute(options, imported);
+  std::vector<io::FileContent> drives = add_drives(options, imported, document);
+  write(options, imported, document, std::move(drives));
   return ExitCode::kPasses;
 }
 
@@ -172,6 +199,11 @@ void add_import_command(command_line::Command& robot) {
       .between(0, 1);
   command.add_flag("--massless-links", options->reading.drops_link_mass,
                    "Leave out what cranks and rods of linkages weigh");
+  command
+      .add_option("--actuators", options->drive_folder,
+                  "Write an actuator for each joint's limits of torque and speed to this folder, "
+                  "and let it drive the joint")
+      .otherwise("limits are no drives");
   command.add_option("-o,--output", options->output_file, "Write the document to this file")
       .otherwise("-, standard output")
       .names_a_file();

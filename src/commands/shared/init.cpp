@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "actuator/catalogue/drive_set.hpp"
 #include "io/documents/published_schema.hpp"
 #include "io/documents/schema.hpp"
 #include "io/faults/refusal.hpp"
@@ -26,6 +27,8 @@ namespace {
 struct InitOptions {
   std::string kind;
   std::string output_file;
+  std::string drive;
+  bool is_envelope = false;
   bool explains = false;
 };
 
@@ -75,11 +78,22 @@ std::string next_line(const StartedKind& kind, const std::string& file) {
                      fmt::format(fmt::runtime(kind.next), report::shell_word(file)));
 }
 
+/// Of the kind: the usual one, or the one that an option names.
+std::string document_of(const InitOptions& options) {
+  const bool is_special = options.is_envelope || !options.drive.empty();
+  if (is_special && options.kind != "actuator") {
+    io::refuse(options.is_envelope ? "--envelope" : "--from",
+               fmt::format("is of an actuator, not of a {}", options.kind));
+  }
+  if (!options.drive.empty()) return actuator::catalogue_text(options.drive);
+  return io::document_to_start_from(options.kind, options.is_envelope ? 1 : 0);
+}
+
 ExitCode run_init(const InitOptions& options) {
   const StartedKind& kind = started(options.kind);
   refuse_existing(options.output_file);
   check_written(named({options.output_file}), {});
-  const std::string document = io::document_to_start_from(options.kind);
+  const std::string document = document_of(options);
   const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
   if (is_file) {
     deliver_result(document, options.output_file);
@@ -109,6 +123,14 @@ void add_init_command(command_line::Command& program) {
                   "mean")
       .otherwise("-, standard output")
       .names_a_file();
+  command.add_flag("--envelope", options->is_envelope,
+                   "An actuator that is known by its curve: two numbers, a corner or points");
+  command
+      .add_option("--from", options->drive,
+                  "An actuator of the catalogue, by its name in "
+                  "`actuator find`")
+      .otherwise("none")
+      .excludes("--envelope");
   command.add_flag("--explain", options->explains, "Print what its keys mean, and no document");
   command.example("torquewright init actuator");
   command.works([options] { return run_init(*options); });

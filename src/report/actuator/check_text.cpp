@@ -60,17 +60,21 @@ std::string continuous_words(const ContinuousUse& use, const char* unit) {
 
 /// What is left of everything that a verdict rests on.
 std::string margin_line(const CheckedInterpretation& interpretation) {
-  std::string text = fmt::format(
-      "  margin   peak torque {:.4g} Nm, speed {}, voltage {}, rms current {}",
-      interpretation.margin_Nm, or_none(interpretation.speed_margin_rad_s, "rad/s", "none"),
-      or_none(interpretation.voltage_margin_V, "V", "none: the supply gives out"),
-      continuous_words(interpretation.continuous_current, "A"));
+  std::string text =
+      fmt::format("  margin   peak torque {:.4g} Nm, speed {}", interpretation.margin_Nm,
+                  or_none(interpretation.speed_margin_rad_s, "rad/s", "none"));
+  if (interpretation.has_winding) {
+    text += fmt::format(", voltage {}, rms current {}",
+                        or_none(interpretation.voltage_margin_V, "V", "none: the supply gives out"),
+                        continuous_words(interpretation.continuous_current, "A"));
+  }
   if (interpretation.continuous_torque.limit) {
     text += fmt::format(", rms torque at the {} {}",
                         interpretation.is_rated_at_joint ? "joint" : "motor",
                         continuous_words(interpretation.continuous_torque, "Nm"));
   }
   const std::optional<WindingReport>& winding = interpretation.winding;
+  if (!interpretation.has_winding) return text + "\n";
   if (!winding) return text + ", heat not judged (no thermal is stated)\n";
   const double margin_K = winding->limit_K - winding->peak_K;
   return text + fmt::format(", heat {}\n",
@@ -81,12 +85,17 @@ std::string interpretation_lines(const DriveReport& drive,
                                  const CheckedInterpretation& interpretation) {
   std::string text = clipped_line(drive, interpretation);
   text += margin_line(interpretation);
+  text += fmt::format("  torque   peak {:.4g} Nm, rms {:.4g} Nm\n", interpretation.peak_torque_Nm,
+                      interpretation.rms_torque_Nm);
+  if (!interpretation.has_winding) {
+    return text +
+           "  left out current, voltage, heat and energy: the drive is known by its curve "
+           "(/envelope), not by a winding (/motor)\n";
+  }
   text += fmt::format(
-      "  torque   peak {:.4g} Nm, rms {:.4g} Nm\n"
       "  current  peak {:.4g} A, rms {:.4g} A\n"
       "  energy   {:.4g} J drawn, {:.4g} J returned\n",
-      interpretation.peak_torque_Nm, interpretation.rms_torque_Nm, interpretation.peak_current_A,
-      interpretation.rms_current_A, interpretation.energy_drawn_J,
+      interpretation.peak_current_A, interpretation.rms_current_A, interpretation.energy_drawn_J,
       interpretation.energy_returned_J);
   if (interpretation.winding) text += winding_line(*interpretation.winding);
   return text;

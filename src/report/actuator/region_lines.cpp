@@ -30,6 +30,8 @@ const char* colour_of(Limiter limiter) {
       return "#555555";
     case Limiter::kThermal:
       return "#a00020";
+    case Limiter::kEnvelope:
+      return "#000000";
     case Limiter::kDemagnetisation:
       break;
   }

@@ -2,11 +2,11 @@
 #include "src/report/motion/replay_series.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "hopper/replay/run_series.hpp"
+#include "optimization/fit/quantile.hpp"
 #include "src/report/robot/hopper_charts.hpp"
 
 namespace torquewright::report {
@@ -133,10 +133,7 @@ std::vector<std::string> drive_names_of(const hopper::Robot& robot) {
 double usual_greatest_N(std::vector<double> forces_N) {
   constexpr double kUsual = 0.98;
   if (forces_N.empty()) return 0.0;
-  const auto at = forces_N.begin() +
-                  static_cast<std::ptrdiff_t>(kUsual * static_cast<double>(forces_N.size() - 1));
-  std::nth_element(forces_N.begin(), at, forces_N.end());
-  return *at;
+  return optimization::lower_quantile(std::move(forces_N), kUsual);
 }
 
 ShownRun shown_run(const ReplayPage& page) {

@@ -54,7 +54,8 @@ std::string end_words(const Motion& motion, const ReplayOutcome& outcome) {
 }
 
 std::string battery_words(const ReplayResult& result) {
-  return fmt::format("{:.4g} V at least (t = {:.4f} s), {:.4g} W at most", result.least_bus_V,
+  if (!result.least_bus_V) return "left out: no drive states a winding";
+  return fmt::format("{:.4g} V at least (t = {:.4f} s), {:.4g} W at most", *result.least_bus_V,
                      result.least_bus_s, result.greatest_power_W);
 }
 

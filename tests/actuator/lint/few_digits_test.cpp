@@ -38,7 +38,7 @@ TEST(FewDigits, AreNotSaidOfWhatSaysItsToleranceOrIsAssumed) {
   EXPECT_EQ(few_digits(document).size(), 1u);
   Actuator tolerant = document;
   tolerant.statements.push_back(
-      {"/motor/torque_constant_Nm_A", 1.0, std::nullopt, std::nullopt, 0.05});
+      {"/motor/torque_constant_Nm_A", 1.0, std::nullopt, std::nullopt, 0.05, {}});
   EXPECT_EQ(few_digits(tolerant).size(), 0u);
   for (const char* assumed : {"/motor/torque_constant_Nm_A", "/motor"}) {
     document.assumed = {assumed};

@@ -13,15 +13,15 @@ namespace {
 constexpr double kFewRoundings = 1e-12;
 
 Statement at_joint(const char* pointer, double printed, bool is_joint = true) {
-  return {pointer, printed, is_joint, std::nullopt, std::nullopt};
+  return {pointer, printed, is_joint, std::nullopt, std::nullopt, {}};
 }
 
 Statement in_ampere(const char* pointer, double printed, CurrentConvention ampere) {
-  return {pointer, printed, std::nullopt, ampere, std::nullopt};
+  return {pointer, printed, std::nullopt, ampere, std::nullopt, {}};
 }
 
 Statement within(const char* pointer, double printed, double tolerance) {
-  return {pointer, printed, std::nullopt, std::nullopt, tolerance};
+  return {pointer, printed, std::nullopt, std::nullopt, tolerance, {}};
 }
 
 /// Behind gears of which nothing is known.

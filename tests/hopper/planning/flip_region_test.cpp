@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "actuator/check/bus_levels.hpp"
@@ -452,6 +453,52 @@ TEST(FlipRegion, HoldsUnderTheConditions) {
   EXPECT_NEAR(region.greatest_torque_Nm(), 6.4 * 20.0, 1e-6);
   const double R = 0.28 * (1.0 + 0.0039 * 75.0);
   EXPECT_NEAR(rows_at(region, 10.0, 2.0, 60.0)[0], 10.0 + 6.4 / R * (6.4 * 2.0 - 60.0), 1e-6);
+}
+
+// --- known by its curve
+
+Actuator curve_drive(const char* envelope) {
+  const nlohmann::json root = {
+      {"kind", "actuator"}, {"version", 1}, {"envelope", nlohmann::json::parse(envelope)}};
+  return actuator::read_actuator(io::check_document(root, "actuator", "f", "")).actuator;
+}
+
+// Oracle: the curve that the document states, in closed form; braking counts no more than driving.
+TEST(CurveDrive, AllowsItsCurveAndNothingBeyond) {
+  const Actuator drive = curve_drive(
+      R"({"peak_torque_Nm": 30, "corner_speed_rad_s": 10, "no_load_speed_rad_s": 20,
+          "braking_torque_Nm": 45, "voltage_V": 24})");
+  const DriveRegion region(drive, {}, {});
+  constexpr double kBus_V = 24.0;
+  for (const double speed : {-19.0, -13.0, -5.0, 0.0, 5.0, 12.0, 19.0}) {
+    const double most_Nm = std::abs(speed) < 10.0 ? 30.0 : 3.0 * (20.0 - std::abs(speed));
+    EXPECT_NEAR(end_Nm(region, 0.0, 1.0, speed, kBus_V), most_Nm, 1e-6) << speed;
+    EXPECT_NEAR(end_Nm(region, 0.0, -1.0, speed, kBus_V), -most_Nm, 1e-6) << speed;
+  }
+  EXPECT_FALSE(allows(region, 0.0, 20.1, kBus_V));
+}
+
+TEST(CurveDrive, KeepsItsMargins) {
+  const Actuator drive =
+      curve_drive(R"({"peak_torque_Nm": 30, "no_load_speed_rad_s": 20, "voltage_V": 24})");
+  const DriveRegionOptions margins{DriveLimits::kMor, 0.1, 0.2, false};
+  const DriveRegion region(drive, {}, margins);
+  // (1 - 0.2) 30 (1 - w/18)
+  EXPECT_NEAR(end_Nm(region, 0.0, 1.0, 9.0, 24.0), 12.0, 1e-6);
+}
+
+TEST(CurveDrive, RefusesACurveThatBendsInward) {
+  const Actuator drive = curve_drive(
+      R"({"points": [{"speed_rad_s": 0, "torque_Nm": 30}, {"speed_rad_s": 5, "torque_Nm": 10},
+                     {"speed_rad_s": 20, "torque_Nm": 5}, {"speed_rad_s": 21, "torque_Nm": 0}]})");
+  try {
+    const DriveRegion region(drive, {}, {});
+    FAIL() << "accepted";
+  } catch (const io::SpecError& error) {
+    EXPECT_NE(std::string(error.what()).find("less fast with the speed beyond -5 rad/s"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

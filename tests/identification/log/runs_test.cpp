@@ -8,11 +8,11 @@
 #include <numeric>
 #include <random>
 
-#include "identification/log/channel.hpp"
 #include "identification/log/largest_values.hpp"
 #include "identification/log/piece.hpp"
 #include "identification/log/run_groups.hpp"
 #include "identification/log/spread_runs.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification::runs_test {
 namespace {
@@ -167,7 +167,8 @@ TEST(LargestValues, GiveTheQuantilesOfAllValues) {
     for (const double share : {0.998, 0.999, 1.0}) {
       LargestValues largest(count + 7, 0.998);
       for (const double value : all) largest.add(value);
-      EXPECT_EQ(largest.quantile(share), quantile(all, share)) << count << " " << share;
+      EXPECT_EQ(largest.quantile(share), optimization::nearest_quantile(all, share))
+          << count << " " << share;
     }
   }
 }

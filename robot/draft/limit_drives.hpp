@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/model/robot.hpp"
+
+namespace torquewright::hopper {
+
+/// Actuator documents made of what an imported robot states of its joints.
+struct LimitDrives {
+  struct Drive {
+    std::string file;      ///< Its name, without a folder; alike joints share one.
+    std::string document;  ///< Of kind actuator, as text.
+  };
+  std::vector<Drive> drives;
+  struct Assignment {
+    std::string joint;
+    std::size_t drive = 0;  ///< Which of the above turns it.
+  };
+  std::vector<Assignment> assignments;
+  std::vector<std::string> notes;  ///< Joints that none was made for, and why.
+};
+
+/// A drive for each joint that turns, states a limit of torque and one of speed, and has no drive
+/// yet: that torque at every speed up to that limit, friction and gears apart, as simulators take
+/// both limits.
+LimitDrives limit_drives(const Robot& robot);
+
+/// A robot's document, as text, with the drives as direct mechanisms; their files are in that
+/// folder as the document sees it.
+std::string with_limit_drives(const LimitDrives& made, const std::string& folder,
+                              const std::string& robot);
+
+}  // namespace torquewright::hopper

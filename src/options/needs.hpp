@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "actuator/region/need.hpp"
+
+namespace torquewright::cli {
+
+/// What an option may ask for at most; beyond it nothing is an actuator.
+constexpr double kMostTorque_Nm = 1e9;
+constexpr double kMostSpeed_rad_s = 1e6;
+
+/// TORQUE@SPEED of an option, in Nm and rad/s. Throws io::SpecError for what is no need.
+actuator::Need read_need(const std::string& option, const std::string& text);
+
+/// LOW:HIGH of an option: least and greatest of the gear ratios to be tried. Throws io::SpecError
+/// for what is no range of ratios.
+std::pair<double, double> read_ratio_range(const std::string& option, const std::string& text);
+
+}  // namespace torquewright::cli

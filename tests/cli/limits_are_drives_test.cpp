@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// An imported robot's limits as its drives. Oracle: statics by hand, 1 kg on an arm of 0.8 m holds
+// 9.81 * 0.8 = 7.848 Nm.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using nlohmann::json;
+
+std::string arm(const std::string& limit) {
+  const std::string inertia =
+      "<inertia ixx=\"0.01\" iyy=\"0.01\" izz=\"0.01\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>";
+  return fmt::format(
+      "<robot name=\"arm\"><link name=\"world\"/>"
+      "<link name=\"base\"><inertial><mass value=\"1\"/>{0}</inertial></link>"
+      "<joint name=\"fix\" type=\"fixed\"><parent link=\"world\"/><child link=\"base\"/></joint>"
+      "<link name=\"arm\"><inertial><origin xyz=\"0.8 0 0\"/><mass "
+      "value=\"1\"/>{0}</inertial></link>"
+      "<joint name=\"shoulder\" type=\"revolute\"><parent link=\"base\"/><child link=\"arm\"/>"
+      "<axis xyz=\"0 1 0\"/><limit lower=\"-2\" upper=\"2\" {1}/></joint></robot>\n",
+      inertia, limit);
+}
+
+std::string held_still() {
+  std::string csv = "time_s,shoulder_position_rad,shoulder_velocity_rad_s\n";
+  for (int i = 0; i <= 100; ++i) csv += fmt::format("{:.2f},0,0\n", 0.01 * i);
+  return csv;
+}
+
+/// The check's report of an arm with that limit, held still.
+json report_of(const Workplace& place, const std::string& limit) {
+  place.write("arm.urdf", arm(limit));
+  place.write("hold.csv", held_still());
+  const Outcome imported =
+      place.run({"robot", "import", "arm.urdf", "--actuators", ".", "-o", "arm.json"});
+  EXPECT_EQ(imported.exit_code, 0) << imported.err;
+  return json::parse(place.run({"hopper", "check", "arm.json", "hold.csv", "--json"}).out);
+}
+
+TEST(LimitsAreDrives, AnArmIsHeldWithinThem) {
+  Workplace place;
+  const json report = report_of(place, "effort=\"10\" velocity=\"5\"");
+  EXPECT_EQ(report["verdict"], "pass");
+  EXPECT_NEAR(report["joints"][0]["margin_Nm"].get<double>(), 10.0 - 7.848, 1e-6);
+  EXPECT_TRUE(report["joints"][0]["peak_current_A"].is_null());
+}
+
+TEST(LimitsAreDrives, AnArmIsNotHeldBeyondThem) {
+  Workplace place;
+  const json report = report_of(place, "effort=\"7.5\" velocity=\"5\"");
+  EXPECT_EQ(report["verdict"], "fail");
+  EXPECT_NEAR(report["joints"][0]["margin_Nm"].get<double>(), 7.5 - 7.848, 1e-6);
+  EXPECT_EQ(report["joints"][0]["worst"]["limiter"], "envelope");
+}
+
+TEST(LimitsAreDrives, ARobotWithoutThemIsRefusedByName) {
+  Workplace place;
+  place.write("arm.urdf", arm("effort=\"10\" velocity=\"0\""));
+  const Outcome imported =
+      place.run({"robot", "import", "arm.urdf", "--actuators", ".", "-o", "arm.json"});
+  EXPECT_EQ(imported.exit_code, 2);
+  EXPECT_NE(imported.err.find("--actuators: no joint of the robot states limits of both"),
+            std::string::npos)
+      << imported.err;
+}
+
+TEST(LimitsAreDrives, SimulatorsGetThem) {
+  Workplace place;
+  report_of(place, "effort=\"10\" velocity=\"5\"");
+  const Outcome isaac =
+      place.run({"robot", "export", "arm.json", "--format", "isaac-lab", "--actuators"});
+  EXPECT_EQ(isaac.exit_code, 0) << isaac.err;
+  // Conservative: inside by rounding.
+  const std::string key = "actuator_effort_limit=";
+  const std::size_t place_of_limit = isaac.out.find(key);
+  ASSERT_NE(place_of_limit, std::string::npos) << isaac.out;
+  EXPECT_NEAR(std::stod(isaac.out.substr(place_of_limit + key.size())), 10.0, 1e-6);
+  const Outcome mjcf =
+      place.run({"robot", "export", "arm.json", "--format", "mjcf", "--actuators"});
+  EXPECT_EQ(mjcf.exit_code, 0) << mjcf.err;
+  EXPECT_NE(mjcf.out.find("forcerange=\"-10 10\""), std::string::npos) << mjcf.out;
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
