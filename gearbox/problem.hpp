@@ -66,7 +66,7 @@ struct StatedCutters {
 /// was written.
 struct Problem {
   std::string name;
-  std::string topology;      ///< "3k" or "planetary".
+  std::string topology;      ///< One of train_parts.cpp.
   Rational target_ratio;     ///< Input speed over output speed, signed.
   Rational ratio_tolerance;  ///< Relative; 0 is exact.
   Rational rotor_inner_diameter_mm;

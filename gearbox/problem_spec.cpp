@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "gearbox/train_parts.hpp"
 #include "io/documents/document.hpp"
 #include "io/documents/schema.hpp"
 #include "io/text/one_line.hpp"
@@ -22,15 +23,16 @@ namespace {
 using nlohmann::json;
 using nlohmann::literals::operator""_json_pointer;
 
-/// The gears that have minima, and the layers they stand in.
-struct Parts {
-  std::vector<std::string> gears;
-  std::vector<std::string> layers;
-};
+/// The gears that have minima.
+std::vector<std::string> free_gears(const TrainParts& parts) {
+  return {parts.gears.begin(), parts.gears.begin() + static_cast<std::ptrdiff_t>(parts.free_gears)};
+}
 
-Parts parts_of(std::string_view topology) {
-  if (topology == "planetary") return {{"sun", "planet"}, {"layer_1"}};
-  return {{"sun", "planet_1", "planet_2"}, {"layer_1", "layer_2"}};
+/// Whose train equations (1)...(9) describe.
+std::string_view the_papers_topology() {
+  const auto all = all_train_parts();
+  return std::find_if(all.begin(), all.end(), [](const auto& each) { return each.is_the_papers; })
+      ->name;
 }
 
 /// Half the angle left of a shaper's tip between two roundings, docs/derivations/tooth_outline.md
@@ -130,12 +132,12 @@ class Reader {
   }
 
   void read_parts() {
-    const Parts parts = parts_of(problem_.topology);
-    for (const std::string& gear : check_members("min_teeth", parts.gears)) {
+    const TrainParts& parts = train_parts(problem_.topology);
+    for (const std::string& gear : check_members("min_teeth", free_gears(parts))) {
       problem_.min_teeth[gear] = root()["min_teeth"][gear];
     }
     if (!root().contains("face_width_mm")) return;
-    for (const std::string& layer : check_members("face_width_mm", parts.layers)) {
+    for (const std::string& layer : check_members("face_width_mm", parts.layer_names())) {
       problem_.face_width_mm[layer] = rational(root()["face_width_mm"][layer]);
     }
   }
@@ -172,7 +174,7 @@ class Reader {
   }
 
   void check_combinations() {
-    if (problem_.topology == "planetary") check_planetary();
+    if (!train_parts(problem_.topology).is_the_papers) refuse_the_papers();
     if (root().contains("synthesis")) {
       report("/synthesis",
              "is reserved: modules, profile shifts and face widths are not searched yet; leave it "
@@ -188,19 +190,22 @@ class Reader {
     if (needs_masses) require("/materials/density_kg_m3", objective);
   }
 
-  void check_planetary() {
+  /// Of a train that its equations do not describe.
+  void refuse_the_papers() {
+    const std::string other = fmt::format("the topology \"{}\"", problem_.topology);
     if (problem_.constraints == ConstraintSet::kPaper) {
-      report(
-          "/constraints",
-          "\"paper\" does not go with the topology \"planetary\": equations (2)-(9) describe the "
-          "3k gearbox only; use \"buildable\"");
+      report("/constraints",
+             fmt::format("\"paper\" does not go with {}: equations (2)-(9) describe the {} gearbox "
+                         "only; use \"buildable\"",
+                         other, the_papers_topology()));
     }
     if (problem_.objective == Objective::kPaperCost) {
       report(
           "/objective",
-          "\"paper_cost\" does not go with the topology \"planetary\": equation (1) describes the "
-          "3k gearbox only; use \"hollow_shaft\", \"mass\", \"forward_efficiency\", "
-          "\"backward_efficiency\" or \"reflected_inertia\"");
+          fmt::format("\"paper_cost\" does not go with {}: equation (1) describes the {} gearbox "
+                      "only; use \"hollow_shaft\", \"mass\", \"forward_efficiency\", "
+                      "\"backward_efficiency\" or \"reflected_inertia\"",
+                      other, the_papers_topology()));
     }
   }
 

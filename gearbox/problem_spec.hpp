@@ -10,8 +10,8 @@ struct Document;
 namespace torquewright::gearbox {
 
 /// Reads a checked document of kind `gearbox_problem`. Throws io::SpecError for what a schema
-/// cannot say: `paper` with `planetary`, `paper_cost` with `planetary`, minima of gears the
-/// topology does not have, an objective without the values it needs (friction, face widths,
+/// cannot say: `paper` or `paper_cost` with another train than the paper's, minima of gears
+/// the topology does not have, an objective without the values it needs (friction, face widths,
 /// density).
 Problem read_problem(const io::Document& document);
 

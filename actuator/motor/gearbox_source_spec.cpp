@@ -57,7 +57,7 @@ gearbox::Design design_of(const json& root, const gearbox::Topology& topology,
                   [](double shift) { return shift == 0.0; })) {
     design.profile_shift.clear();
   }
-  if (root.contains("layer_2_module_mm") && topology.name == "3k") {
+  if (root.contains("layer_2_module_mm") && topology.layer_count() == 2) {
     design.layer_2_module_mm = io::exact(root["layer_2_module_mm"].get<double>());
   }
   return design;

@@ -23,6 +23,7 @@
 #include "gearbox/teeth/tooth_form.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/train/cut_train.hpp"
+#include "gearbox/train_parts.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -103,7 +104,7 @@ ConstraintReport trochoid(const CutTrain& cut, const CutMesh& mesh) {
 std::vector<ConstraintReport> existence_conditions(const GearTrain& train) {
   const std::optional<CutTrain> cut = cut_train(train);
   if (!cut) return {};
-  const std::size_t held_ring = train.topology == "3k" ? 3 : 2;
+  const std::size_t held_ring = train_parts(train.topology).held_ring;
   std::vector<ConstraintReport> list{
       equal_spacing(train.teeth[0], train.teeth[held_ring], train.planet_count)};
   const std::span rings = std::span(cut->meshes).subspan(1);

@@ -10,8 +10,8 @@
 
 #include "gearbox/constraints/existence.hpp"
 #include "gearbox/constraints/gear_cutters.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "gearbox/train/cut_train.hpp"
-#include "gearbox/train/loads.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -21,9 +21,8 @@ constexpr double kFewestTeeth = 8.0;
 /// backlash takes, and rounding of published shifts.
 constexpr double kShiftTolerance = 0.1;
 
-ThreeKTeeth<double> three_k_teeth(const GearTrain& train) {
-  const std::vector<double> z(train.teeth.begin(), train.teeth.end());
-  return {z[0], z[1], z[2], z[3], z[4]};
+std::vector<double> real_teeth(const GearTrain& train) {
+  return {train.teeth.begin(), train.teeth.end()};
 }
 
 /// Puts forces on the meshes of a train as it is cut.
@@ -89,32 +88,12 @@ class MeshBuilder {
   LoadedTrain built_;
 };
 
-/// On the mean planet for 1 Nm at the sun, in the order of the train's meshes.
-std::vector<double> forces_N(const GearTrain& train, const CutTrain& cut) {
-  const double ratio = reduction(train);
-  const double centre_m = cut.centre_mm * 1e-3;
-  if (train.topology == "3k") {
-    const ThreeKLoads loads = three_k_loads(ratio, ratio, train.planet_count,
-                                            working_radii(three_k_teeth(train), centre_m));
-    return {std::abs(loads.sun_force_N), std::abs(loads.fixed_ring_force_N),
-            std::abs(loads.output_ring_force_N)};
-  }
-  const double sun = cut.gears[0].count();
-  const double sun_m = centre_m * sun / (sun + cut.gears[1].count());
-  const double force_N = planetary_loads(ratio, ratio, train.planet_count, sun_m).tooth_force_N;
-  return {force_N, force_N};
-}
-
 LoadedTrain refused(std::string why) { return {{}, {std::move(why)}}; }
 
 }  // namespace
 
-std::size_t layer_count(std::string_view topology) { return topology == "3k" ? 2 : 1; }
-
 double reduction(const GearTrain& train) {
-  if (train.topology == "3k") return three_k_reduction(three_k_teeth(train));
-  const std::vector<double> z(train.teeth.begin(), train.teeth.end());
-  return planetary_reduction(PlanetaryTeeth<double>{z[0], z[1], z[2]});
+  return find_topology(train.topology)->reduction(real_teeth(train));
 }
 
 LoadedTrain loaded_train(const GearTrain& train) {
@@ -129,7 +108,9 @@ LoadedTrain loaded_train(const GearTrain& train) {
     return refused(fmt::format("the teeth {} have no ratio: the output ring stands still",
                                fmt::join(train.teeth, ",")));
   }
-  return MeshBuilder(train, *cut).loaded(forces_N(train, *cut));
+  return MeshBuilder(train, *cut)
+      .loaded(find_topology(train.topology)
+                  ->forces_N(real_teeth(train), train.planet_count, cut->centre_mm * 1e-3));
 }
 
 std::vector<std::string> objections(const GearTrain& train) {

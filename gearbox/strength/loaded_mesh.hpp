@@ -15,9 +15,6 @@ namespace torquewright::gearbox {
 /// Sun speed over output speed, signed. Requires a train that moves.
 double reduction(const GearTrain& train);
 
-/// The layers of a topology's gears: 1 or 2.
-std::size_t layer_count(std::string_view topology);
-
 /// Two gears of a train and what one planet's teeth carry between them.
 struct LoadedMesh {
   std::string_view name;

@@ -230,7 +230,7 @@ ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions
     if (design.contains(own)) keys["gearbox"][own] = design[own];
   }
   if (problem.contains("cutter")) keys["cutter"] = problem["cutter"];
-  keys["face_width_mm"] = face_widths(result, options.face_width_mm, layer_count(topology) == 2);
+  keys["face_width_mm"] = face_widths(result, options.face_width_mm, gears.layer_count() == 2);
   keys["material"] = material_json(chosen.front()->material);
   for (std::size_t i = 1; i < chosen.size(); ++i) {
     if (chosen[i] == chosen.front()) continue;

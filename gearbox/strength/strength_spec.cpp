@@ -2,6 +2,7 @@
 #include "gearbox/strength/strength_spec.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,15 @@ using nlohmann::json;
   throw io::SpecError({{document.file, document.path + path, std::move(message)}});
 }
 
+/// Their names: "3k".
+std::string two_layer_trains() {
+  std::vector<std::string_view> names;
+  for (const TrainParts& each : all_train_parts()) {
+    if (each.layer_count() == 2) names.push_back(each.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// Teeth, shifts, planets and module from the keys of a gearbox at `path` of a document.
 GearTrain train_of(const json& keys, const std::string& topology_name, const io::Document& document,
                    const std::string& path) {
@@ -28,9 +38,10 @@ GearTrain train_of(const json& keys, const std::string& topology_name, const io:
   train.module_mm = keys["module_mm"];
   const Topology& topology = *find_topology(topology_name);
   if (keys.contains("layer_2_module_mm")) {
-    if (topology_name != "3k") {
-      refuse_strength(document, path + "/layer_2_module_mm",
-                      fmt::format("is for 3k trains; \"{}\" has one layer", topology_name));
+    if (topology.layer_count() < 2) {
+      refuse_strength(
+          document, path + "/layer_2_module_mm",
+          fmt::format("is for {} trains; \"{}\" has one layer", two_layer_trains(), topology_name));
     }
     train.layer_2_module_mm = keys["layer_2_module_mm"].get<double>();
   }
@@ -73,11 +84,12 @@ GearTrain read_train(ReadStrength& read) {
 void read_face_widths(const io::Document& document, GearTrain& train) {
   const json& widths = document.root["face_width_mm"];
   train.face_width_mm = {widths["layer_1"].get<double>()};
-  const bool has_second = layer_count(train.topology) == 2;
+  const bool has_second = train_parts(train.topology).layer_count() == 2;
   if (widths.contains("layer_2") != has_second) {
     refuse_strength(document, "/face_width_mm/layer_2",
-                    has_second ? "missing; a 3k train has two layers"
-                               : "is for 3k trains; a planetary stage has one layer");
+                    has_second ? fmt::format("missing; a {} train has two layers", train.topology)
+                               : fmt::format("is for {} trains; a {} stage has one layer",
+                                             two_layer_trains(), train.topology));
   }
   if (has_second) train.face_width_mm.push_back(widths["layer_2"]);
 }

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "gearbox/topologies/topology.hpp"
+
 namespace torquewright::gearbox {
 namespace {
 
@@ -28,21 +30,16 @@ std::vector<std::int64_t> stage_with_most_teeth(const GearTrain& stage, double m
                                                 double ring_space_mm) {
   GearTrain tried = stage;
   tried.module_mm = module_mm;
-  tried.shifts.assign(3, 0.0);
+  tried.shifts.assign(stage.teeth.size(), 0.0);
   const double blank_teeth =
       ring_space_mm / module_mm - 2.0 * stage.cutters.shaper_depth() - kWalls;
   const auto most = static_cast<std::int64_t>(std::floor(blank_teeth + 1e-9));
-  const std::int64_t own_sun = stage.teeth[0];
-  const std::int64_t own_ring = stage.teeth[2];
-  for (std::int64_t sun = most * own_sun / own_ring; sun > 0; --sun) {
-    if (sun * own_ring % own_sun != 0) continue;
-    const std::int64_t ring = sun * own_ring / own_sun;
-    const std::int64_t planet = (ring - sun) / 2;
-    if ((ring - sun) % 2 != 0) continue;
-    tried.teeth = {sun, planet, ring};
-    if (objections(tried).empty()) return tried.teeth;
+  const Topology& topology = *find_topology(stage.topology);
+  tried.teeth = topology.largest_of_same_ratio(stage.teeth, most);
+  while (!tried.teeth.empty() && !objections(tried).empty()) {
+    tried.teeth = topology.largest_of_same_ratio(stage.teeth, tried.teeth[topology.held_ring] - 1);
   }
-  return {};
+  return tried.teeth;
 }
 
 StrengthVariants strength_variants(const StrengthCase& strength,
@@ -59,9 +56,9 @@ StrengthVariants strength_variants(const StrengthCase& strength,
   for (const double module_mm : modules_mm) {
     StrengthCase sized = strength;
     sized.train.module_mm = module_mm;
-    if (strength.train.topology == "planetary") {
+    if (find_topology(strength.train.topology)->largest_of_same_ratio != nullptr) {
       sized.train.teeth = stage_with_most_teeth(strength.train, module_mm, ring_space_mm);
-      sized.train.shifts.assign(3, 0.0);
+      sized.train.shifts.assign(strength.train.teeth.size(), 0.0);
       if (sized.train.teeth.empty()) {
         variants.left_out.push_back(
             fmt::format("module {} mm: no teeth of that ratio without undercut fit a ring of {} mm",

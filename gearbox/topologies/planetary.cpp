@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/topologies/planetary.hpp"
 
+#include "gearbox/constraints/buildable.hpp"
 #include "gearbox/constraints/meshing.hpp"
-#include "gearbox/constraints/root_form.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
+#include "gearbox/topologies/planetary_model.hpp"
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/train/backlash.hpp"
@@ -112,30 +113,10 @@ void describe_bodies(const Stage& stage, DesignReport& report) {
                                      stage.planet_count, teeth));
 }
 
-/// What a train without shift is asked for beyond its paper's equations.
-std::vector<ConstraintReport> further_constraints(const Stage& stage) {
-  const Problem& problem = stage.problem;
+std::vector<ConstraintReport> plain_constraints(const Stage& stage, const Design& completed) {
   const PlanetaryTeeth<std::int64_t>& teeth = stage.teeth;
-  const PlanetCircle circle{teeth.sun, teeth.planet, stage.planet_count, stage.module_mm};
-  std::vector<ConstraintReport> list{
-      neighbour_clearance(circle, "layer_1", teeth.planet, problem.min_neighbour_clearance_mm),
-      undercut(problem, "sun", teeth.sun), undercut(problem, "planet", teeth.planet)};
-  list.push_back(ring_wall(problem, stage.module_mm, "ring", teeth.ring));
-  list.push_back(ring_tip(stage.module_mm, "ring", teeth.ring));
-  list.push_back(involute_interference("planet_ring", teeth.planet, teeth.ring));
-  list.push_back(trochoid_interference("planet_ring", teeth.planet, teeth.ring));
-  list.push_back(contact_ratio_limit(problem, "sun_planet", MeshKind::kExternal,
-                                     external_path_of(teeth.sun, teeth.planet)));
-  list.push_back(contact_ratio_limit(problem, "planet_ring", MeshKind::kInternal,
-                                     internal_path_of(teeth.planet, teeth.ring)));
-  list.push_back(
-      root_form_of_gears(problem, stage.module_mm, "sun_planet", teeth.sun, teeth.planet));
-  list.push_back(root_form_of_planet(problem, stage.module_mm, "planet_ring", teeth.ring));
-  list.push_back(
-      root_form_of_ring(problem, stage.module_mm, "planet_ring", teeth.planet, teeth.ring));
-  if (problem.cutters.shaper_teeth) {
-    list.push_back(shaper_feed(problem, "planet_ring", teeth.ring));
-  }
+  std::vector<ConstraintReport> list =
+      buildable_constraints(stage.problem, train_parts(stage.problem.topology), completed, {});
   if (teeth.ring != teeth.sun + 2 * teeth.planet) {
     list.push_back(coaxiality("ring", teeth.planet, teeth.ring, teeth.sun + teeth.planet));
   }
@@ -148,19 +129,19 @@ std::vector<ConstraintReport> shifted_constraints(const Problem& problem, const 
   return list;
 }
 
-std::vector<ConstraintReport> constraints_of(const Stage& stage, const Rational& reduction,
+std::vector<ConstraintReport> constraints_of(const Stage& stage, const DesignReport& described,
                                              const Design& chosen) {
   const Problem& problem = stage.problem;
   const PlanetaryTeeth<std::int64_t>& teeth = stage.teeth;
   const PlanetCircle circle{teeth.sun, teeth.planet, stage.planet_count, stage.module_mm};
-  std::vector<ConstraintReport> list{ratio_window(problem, reduction, true),
+  std::vector<ConstraintReport> list{ratio_window(problem, described.ratio, true),
                                      minimum_teeth(problem, "sun", teeth.sun),
                                      minimum_teeth(problem, "planet", teeth.planet),
                                      carrier_clearance(circle, problem.min_carrier_clearance_rad),
                                      rotor_bore(problem, stage.module_mm, teeth.ring),
                                      equal_spacing(teeth.sun, teeth.ring, stage.planet_count)};
-  for (ConstraintReport& report :
-       stage.cut ? shifted_constraints(problem, *stage.cut) : further_constraints(stage)) {
+  for (ConstraintReport& report : stage.cut ? shifted_constraints(problem, *stage.cut)
+                                            : plain_constraints(stage, described.design)) {
     list.push_back(std::move(report));
   }
   for (ConstraintReport& report : choices(problem, chosen)) list.push_back(std::move(report));
@@ -182,6 +163,35 @@ std::vector<Remark> remarks(const Stage& stage, const DesignReport& report) {
   if (auto remark = hunting_remark("planet_ring", teeth.planet, teeth.ring))
     list.push_back(*remark);
   return list;
+}
+
+double reduction(Numbers teeth) {
+  return planetary_reduction(PlanetaryTeeth<double>{teeth[0], teeth[1], teeth[2]});
+}
+
+std::vector<double> forces_N(Numbers teeth, std::int64_t planet_count, double centre_m) {
+  const double ratio = reduction(teeth);
+  const double sun_m = centre_m * teeth[0] / (teeth[0] + teeth[1]);
+  const double force_N = planetary_loads(ratio, ratio, planet_count, sun_m).tooth_force_N;
+  return {force_N, force_N};
+}
+
+TrainEfficiency efficiency(Numbers teeth, Numbers mesh) {
+  return planetary_efficiency(teeth[2] / teeth[0], {mesh[0], mesh[1]});
+}
+
+AssemblyPhase assemble(ToothCounts teeth, std::int64_t planet_count) {
+  return assemble_planetary(teeth[0], teeth[1], teeth[2], planet_count);
+}
+
+std::vector<std::int64_t> largest_of_same_ratio(ToothCounts teeth, std::int64_t most) {
+  const std::int64_t own_sun = teeth[0], own_ring = teeth[2];
+  for (std::int64_t sun = most * own_sun / own_ring; sun > 0; --sun) {
+    if (sun * own_ring % own_sun != 0) continue;
+    const std::int64_t ring = sun * own_ring / own_sun;
+    if ((ring - sun) % 2 == 0) return {sun, (ring - sun) / 2, ring};
+  }
+  return {};
 }
 
 }  // namespace
@@ -210,9 +220,27 @@ DesignReport evaluate(const Problem& problem, const Design& design) {
   state_rotor(problem, report);
   describe_bodies(stage, report);
   state_objective(problem, 0.0, report);
-  report.constraints = constraints_of(stage, report.ratio, design);
+  report.constraints = constraints_of(stage, report, design);
   report.remarks = remarks(stage, report);
   return report;
+}
+
+Topology topology() {
+  Topology record{train_parts("planetary")};
+  record.complete = complete;
+  record.model = model;
+  record.free_teeth = free_teeth;
+  record.point_of = point_of;
+  record.evaluate = evaluate;
+  record.reduction = reduction;
+  record.forces_N = forces_N;
+  record.efficiency = efficiency;
+  record.assemble = assemble;
+  record.largest_of_same_ratio = largest_of_same_ratio;
+  // Drawn as the first layer of a 3K train.
+  record.drawn = {{"sun", "S", "sun"}, {"planet_1", "P", "planet"}, {"fixed_ring", "R", "ring"}};
+  record.views = {"Sun, planets, ring"};
+  return record;
 }
 
 }  // namespace torquewright::gearbox::planetary

@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "gearbox/constraints/design_report.hpp"
+#include "gearbox/topologies/topology_record.hpp"
 
 namespace torquewright::gearbox::planetary {
+
+Topology topology();
 
 /// {S, P, R} from {S, P}: R = S + 2 P.
 std::vector<std::int64_t> complete(std::span<const std::int64_t> free_teeth);

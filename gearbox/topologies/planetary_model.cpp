@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/topologies/planetary_model.hpp"
 
+#include <array>
 #include <stdexcept>
 
+#include "gearbox/constraints/buildable.hpp"
 #include "gearbox/constraints/goals.hpp"
 #include "gearbox/constraints/tooth_conditions.hpp"
 #include "gearbox/train/efficiency.hpp"
@@ -40,16 +42,10 @@ std::vector<Condition> conditions(const Problem& problem, std::int64_t planet_co
   add({at_least("sun", teeth.sun, problem.min_teeth.at("sun")),
        at_least("planet", teeth.planet, problem.min_teeth.at("planet")),
        carrier_clearance(problem, planet_count, teeth.sun, teeth.planet),
-       rotor_bore(problem, module_mm, teeth.ring),
-       neighbour_clearance(problem, "layer_1", planet_count, module_mm, teeth.sun + teeth.planet,
-                           teeth.planet),
-       undercut(problem, "sun", teeth.sun), undercut(problem, "planet", teeth.planet)});
-  add({ring_wall(problem, "ring", module_mm, teeth.ring), ring_tip("ring", module_mm, teeth.ring)});
-  add(interference("planet_ring", teeth.planet, teeth.ring));
-  add(root_form_of_gears(problem, "sun_planet", teeth.sun, teeth.planet));
-  add(root_form(problem, "planet_ring", teeth.planet, teeth.ring));
-  add({contact_ratio(problem, "sun_planet", teeth.sun, teeth.planet),
-       contact_ratio_in_ring(problem, "planet_ring", teeth.planet, teeth.ring)});
+       rotor_bore(problem, module_mm, teeth.ring)});
+  const std::array all{teeth.sun, teeth.planet, teeth.ring};
+  add(buildable_conditions(problem, train_parts(problem.topology), planet_count, module_mm, all,
+                           {}));
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include "gearbox/constraints/shifted_gears.hpp"
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/train/inertia.hpp"
+#include "gearbox/train_parts.hpp"
 #include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
@@ -34,13 +35,13 @@ struct LayerBlanks {
 };
 
 std::optional<LayerBlanks> layer_blanks(const Problem& problem, const CutTrain& cut) {
-  const bool has_second = cut.gears.size() == 5;
-  std::vector<std::string> layers{"layer_1"};
-  if (has_second) layers.emplace_back("layer_2");
-  const auto first = blank_of(problem, io::exact(cut.gears.front().module_mm), layers);
+  const std::vector<std::string> layers = train_parts(problem.topology).layer_names();
+  const auto blank = [&](std::size_t layer) {
+    return blank_of(problem, io::exact(cut.train.module_of_layer_mm(layer)), layers);
+  };
+  const auto first = blank(0);
   if (!first) return std::nullopt;
-  return LayerBlanks{
-      *first, *blank_of(problem, io::exact(cut.gears[has_second ? 2 : 0].module_mm), layers)};
+  return LayerBlanks{*first, *blank(layers.size() - 1)};
 }
 
 bool is_planet(const CutTrain& cut, const CutGear& gear) {
@@ -168,7 +169,7 @@ std::vector<ConstraintReport> shifted_conditions(const Problem& problem, const C
   for (const CutGear& gear : cut.gears) {
     if (!gear.internal) list.push_back(undercut(cut.train.cutters, gear));
   }
-  if (problem.topology == "3k" && problem.sun_under_second_layer) {
+  if (train_parts(problem.topology).layer_count() > 1 && problem.sun_under_second_layer) {
     list.push_back(sun_under_layer_2(cut));
   }
   for (const CutGear& gear : cut.gears) {

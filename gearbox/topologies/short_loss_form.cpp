@@ -2,6 +2,7 @@
 #include "gearbox/topologies/short_loss_form.hpp"
 
 #include "gearbox/teeth/mesh.hpp"
+#include "gearbox/topologies/topology.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -16,16 +17,10 @@ double short_form(const MeshReport& mesh) {
 }  // namespace
 
 TrainEfficiency short_form_efficiency(std::string_view topology, const DesignReport& report) {
-  const std::vector<MeshReport>& mesh = report.meshes;
-  const auto teeth = [&](std::size_t gear) {
-    return static_cast<double>(report.gears[gear].teeth);
-  };
-  if (topology == "planetary") {
-    return planetary_efficiency(teeth(2) / teeth(0), {short_form(mesh[0]), short_form(mesh[1])});
-  }
-  const ThreeKTeeth<double> train{teeth(0), teeth(1), teeth(2), teeth(3), teeth(4)};
-  return three_k_efficiency(basic_ratio_1(train), basic_ratio_2(train),
-                            {short_form(mesh[0]), short_form(mesh[1]), short_form(mesh[2])});
+  std::vector<double> teeth, efficiencies;
+  for (const GearReport& gear : report.gears) teeth.push_back(static_cast<double>(gear.teeth));
+  for (const MeshReport& mesh : report.meshes) efficiencies.push_back(short_form(mesh));
+  return find_topology(topology)->efficiency(teeth, efficiencies);
 }
 
 }  // namespace torquewright::gearbox

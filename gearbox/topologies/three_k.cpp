@@ -2,14 +2,17 @@
 #include "gearbox/topologies/three_k.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "gearbox/constraints/meshing.hpp"
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/three_k_design.hpp"
+#include "gearbox/topologies/three_k_model.hpp"
 #include "gearbox/train/assembly.hpp"
 #include "gearbox/train/backlash.hpp"
 #include "gearbox/train/inertia.hpp"
+#include "gearbox/train/loads.hpp"
 #include "gearbox/train/power_flow.hpp"
 #include "gearbox/walls.hpp"
 
@@ -158,6 +161,29 @@ std::vector<ConstraintReport> constraints_of(const ThreeKDesign& design, const D
   return list;
 }
 
+ThreeKTeeth<double> named(Numbers teeth) {
+  return {teeth[0], teeth[1], teeth[2], teeth[3], teeth[4]};
+}
+
+double reduction(Numbers teeth) { return three_k_reduction(named(teeth)); }
+
+std::vector<double> forces_N(Numbers teeth, std::int64_t planet_count, double centre_m) {
+  const double ratio = reduction(teeth);
+  const ThreeKLoads loads =
+      three_k_loads(ratio, ratio, planet_count, working_radii(named(teeth), centre_m));
+  return {std::abs(loads.sun_force_N), std::abs(loads.fixed_ring_force_N),
+          std::abs(loads.output_ring_force_N)};
+}
+
+TrainEfficiency efficiency(Numbers teeth, Numbers mesh) {
+  return three_k_efficiency(basic_ratio_1(named(teeth)), basic_ratio_2(named(teeth)),
+                            {mesh[0], mesh[1], mesh[2]});
+}
+
+AssemblyPhase assemble(ToothCounts teeth, std::int64_t planet_count) {
+  return assemble_3k({teeth[0], teeth[1], teeth[2], teeth[3], teeth[4]}, planet_count);
+}
+
 }  // namespace
 
 ThreeKTeeth<double> ThreeKDesign::real_teeth() const {
@@ -204,6 +230,27 @@ DesignReport evaluate(const Problem& problem, const Design& design) {
   report.constraints = constraints_of(train, design);
   report.remarks = remarks(train, report);
   return report;
+}
+
+Topology topology() {
+  Topology record{train_parts("3k")};
+  record.complete = complete;
+  record.model = model;
+  record.free_teeth = free_teeth;
+  record.point_of = point_of;
+  record.evaluate = evaluate;
+  record.reduction = reduction;
+  record.forces_N = forces_N;
+  record.efficiency = efficiency;
+  record.assemble = assemble;
+  record.drawn = {{"sun", "S", "sun"},
+                  {"planet_1", "P1", "planet 1"},
+                  {"planet_2", "P2", "planet 2"},
+                  {"fixed_ring", "F", "fixed ring"},
+                  {"output_ring", "O", "output ring"}};
+  record.views = {"Layer 1: sun, planets 1, fixed ring",
+                  "Layer 2: planets 2, output ring (sun dashed)"};
+  return record;
 }
 
 }  // namespace torquewright::gearbox::three_k

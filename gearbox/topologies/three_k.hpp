@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "gearbox/constraints/design_report.hpp"
+#include "gearbox/topologies/topology_record.hpp"
 
 namespace torquewright::gearbox::three_k {
+
+Topology topology();
 
 /// {S, P1, P2, F, O} from {S, P1, P2}: F = S + 2 P1, O = S + P1 + P2.
 std::vector<std::int64_t> complete(std::span<const std::int64_t> free_teeth);

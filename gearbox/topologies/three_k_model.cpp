@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/topologies/three_k_model.hpp"
 
+#include <array>
 #include <stdexcept>
+#include <utility>
 
+#include "gearbox/constraints/buildable.hpp"
 #include "gearbox/constraints/goals.hpp"
 #include "gearbox/constraints/tooth_conditions.hpp"
 #include "gearbox/train/assembly.hpp"
@@ -76,30 +79,17 @@ void add_buildable_conditions(const Problem& problem, std::int64_t planet_count,
                               const Rational& module_mm, const Variables& x,
                               std::vector<Condition>& conditions) {
   const Teeth teeth = teeth_of(x);
-  const auto add = [&](const std::vector<Condition>& more) {
-    conditions.insert(conditions.end(), more.begin(), more.end());
-  };
-  const Expression tooth_sum = teeth.sun + teeth.planet_1;
-  add({neighbour_clearance(problem, "layer_1", planet_count, module_mm, tooth_sum, teeth.planet_1),
-       neighbour_clearance(problem, "layer_2", planet_count, module_mm, tooth_sum, teeth.planet_2),
-       undercut(problem, "sun", teeth.sun), undercut(problem, "planet_1", teeth.planet_1),
-       undercut(problem, "planet_2", teeth.planet_2)});
+  std::vector<Condition> own;
   if (problem.sun_under_second_layer) {
-    add({{"sun_under_layer_2", "sun_under_layer_2", "",
-          Expression(module_mm) * (x.difference / 2.0 - 2.0), /*strict=*/true}});
+    own.push_back({"sun_under_layer_2", "sun_under_layer_2", "",
+                   Expression(module_mm) * (x.difference / 2.0 - 2.0), /*strict=*/true});
   }
-  add({ring_wall(problem, "fixed_ring", module_mm, teeth.fixed_ring),
-       ring_wall(problem, "output_ring", module_mm, teeth.output_ring),
-       ring_tip("fixed_ring", module_mm, teeth.fixed_ring),
-       ring_tip("output_ring", module_mm, teeth.output_ring)});
-  add(interference("planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
-  add(interference("planet_2_output_ring", teeth.planet_2, teeth.output_ring));
-  add(root_form_of_gears(problem, "sun_planet_1", teeth.sun, teeth.planet_1));
-  add(root_form(problem, "planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring));
-  add(root_form(problem, "planet_2_output_ring", teeth.planet_2, teeth.output_ring));
-  add({contact_ratio(problem, "sun_planet_1", teeth.sun, teeth.planet_1),
-       contact_ratio_in_ring(problem, "planet_1_fixed_ring", teeth.planet_1, teeth.fixed_ring),
-       contact_ratio_in_ring(problem, "planet_2_output_ring", teeth.planet_2, teeth.output_ring)});
+  const std::array all{teeth.sun, teeth.planet_1, teeth.planet_2, teeth.fixed_ring,
+                       teeth.output_ring};
+  for (Condition& condition : buildable_conditions(problem, train_parts(problem.topology),
+                                                   planet_count, module_mm, all, own)) {
+    conditions.push_back(std::move(condition));
+  }
 }
 
 std::vector<Predicate> predicates(const Problem& problem, std::int64_t planet_count) {

@@ -2,6 +2,7 @@
 #include "gearbox/train/cut_train.hpp"
 
 #include "gearbox/teeth/tooth_geometry.hpp"
+#include "gearbox/train_parts.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -11,29 +12,21 @@ constexpr std::size_t kPlanet1 = 1;
 
 /// Gears by name, kind and layer; shifts and tips follow.
 CutTrain named_parts(const GearTrain& train) {
-  CutTrain parts;
-  parts.train = train;
-  if (train.topology == "3k") {
-    parts.gears = {{"sun", false, 0},
-                   {"planet_1", false, 0},
-                   {"planet_2", false, 1},
-                   {"fixed_ring", true, 0},
-                   {"output_ring", true, 1}};
-    parts.meshes = {{"sun_planet_1", 0, 1, {}, {}},
-                    {"planet_1_fixed_ring", 1, 3, {}, {}},
-                    {"planet_2_output_ring", 2, 4, {}, {}}};
-  } else {
-    parts.gears = {{"sun", false, 0}, {"planet", false, 0}, {"ring", true, 0}};
-    parts.meshes = {{"sun_planet", 0, 1, {}, {}}, {"planet_ring", 1, 2, {}, {}}};
+  const TrainParts& parts = train_parts(train.topology);
+  CutTrain cut;
+  cut.train = train;
+  for (const MeshedGears& mesh : parts.meshes) {
+    cut.meshes.push_back({mesh.name, mesh.gear_1, mesh.gear_2, {}, {}});
   }
   for (std::size_t i = 0; i < parts.gears.size(); ++i) {
-    CutGear& gear = parts.gears[i];
+    CutGear gear{parts.gears[i], parts.is_ring(i), parts.gear_layers[i]};
     gear.teeth = train.teeth[i];
     gear.shift = i < train.shifts.size() ? train.shifts[i] : 0.0;
     gear.module_mm = train.module_of_layer_mm(gear.layer);
     gear.root_depth = gear.internal ? train.cutters.shaper_depth() : train.cutters.hob_depth();
+    cut.gears.push_back(gear);
   }
-  return parts;
+  return cut;
 }
 
 ShiftedPair pair_of(const CutTrain& parts, const CutMesh& mesh) {

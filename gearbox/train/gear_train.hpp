@@ -34,7 +34,7 @@ Cutters stated_cutters(const Problem& problem);
 
 /// A train as it was made.
 struct GearTrain {
-  std::string topology;             ///< "3k" or "planetary".
+  std::string topology;             ///< One of train_parts.cpp.
   std::vector<std::int64_t> teeth;  ///< In the topology's order.
   std::vector<double> shifts;       ///< Profile shifts in modules, likewise.
   std::int64_t planet_count = 0;

@@ -12,7 +12,7 @@ constexpr std::int64_t kMostRingTeeth = 4 * kMostTeeth;
 /// Teeth of the free gears; the rings have to follow from them.
 std::optional<Teeth> read_teeth(const Problem& problem, const Json* json, const std::string& place,
                                 Faults& faults) {
-  const auto& gears = gear_names(problem);
+  const auto& gears = train_of(problem).gears();
   if (json == nullptr || !json->is_object() || json->size() != gears.size()) {
     faults.add(place, "does not name exactly the gears of this topology");
     return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<Teeth> read_teeth(const Problem& problem, const Json* json, const 
     }
     counts.push_back(*count);
   }
-  const std::size_t free_gears = free_gear_names(problem).size();
+  const std::size_t free_gears = train_of(problem).free_gears.size();
   const Teeth teeth{counts[0], counts[1], free_gears == 3 ? counts[2] : counts[1]};
   for (std::size_t gear = free_gears; gear < gears.size(); ++gear) {
     if (counts[gear] != ring(teeth, static_cast<int>(gear - free_gears) + 1)) {
@@ -48,7 +48,7 @@ std::optional<Candidate> read_candidate(const Problem& problem, const Json* json
   const auto teeth = read_teeth(problem, member(*json, "teeth"), place + "/teeth", faults);
   if (!teeth) return std::nullopt;
   const std::int64_t difference = teeth->planet_1 - teeth->planet_2;
-  if (!is_planetary(problem) && difference < 1) {
+  if (train_of(problem).is_stepped() && difference < 1) {
     faults.add(place + "/teeth", "is no design of the domain: planet_2 is not less than planet_1");
     return std::nullopt;
   }

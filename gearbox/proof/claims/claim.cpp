@@ -48,7 +48,7 @@ std::int64_t largest_ring_teeth(const Alternative& alternative) {
 Box root_box(const Alternative& alternative) {
   const std::int64_t most = largest_ring_teeth(alternative);
   Box box{{1, 1, 1}, {most, most / 2, most / 2}};
-  if (alternative.planetary) box.lower[2] = box.upper[2] = 0;
+  if (!alternative.train->is_stepped()) box.lower[2] = box.upper[2] = 0;
   return box;
 }
 

@@ -10,7 +10,7 @@ using Constraints = std::vector<Constraint>;
 
 void add_paper(const Problem& problem, Constraints& all) {
   all.push_back({"ratio", ConstraintFamily::kRatio, 0, "/ratio_tolerance"});
-  const std::vector<std::string>& gears = free_gear_names(problem);
+  const std::vector<std::string>& gears = train_of(problem).free_gears;
   for (int gear = 0; gear < static_cast<int>(gears.size()); ++gear) {
     const std::string& name = gears[static_cast<std::size_t>(gear)];
     all.push_back({"min_teeth." + name, ConstraintFamily::kMinTeeth, gear, "/min_teeth/" + name});
@@ -18,44 +18,42 @@ void add_paper(const Problem& problem, Constraints& all) {
   all.push_back(
       {"carrier_clearance", ConstraintFamily::kCarrierClearance, 1, "/min_carrier_clearance_rad"});
   all.push_back({"rotor_bore", ConstraintFamily::kRotorBore, 1, "/rotor_inner_diameter_mm"});
-  if (!is_planetary(problem)) {
+  if (train_of(problem).is_stepped()) {
     all.push_back({"tooth_difference", ConstraintFamily::kToothDifference, 0, ""});
   }
   all.push_back({"equal_spacing", ConstraintFamily::kEqualSpacing, 0, ""});
 }
 
 void add_clearances(const Problem& problem, Constraints& all) {
-  const bool planetary = is_planetary(problem);
-  if (!planetary) all.push_back({"identical_planets", ConstraintFamily::kIdenticalPlanets, 0, ""});
-  for (int layer = 1; layer <= (planetary ? 1 : 2); ++layer) {
+  const Train& train = train_of(problem);
+  if (train.is_stepped()) {
+    all.push_back({"identical_planets", ConstraintFamily::kIdenticalPlanets, 0, ""});
+  }
+  for (int layer = 1; layer <= train.layers(); ++layer) {
     all.push_back({"neighbour_clearance.layer_" + std::to_string(layer),
                    ConstraintFamily::kNeighbourClearance, layer, "/min_neighbour_clearance_mm"});
   }
-  const std::vector<std::string>& gears = free_gear_names(problem);
+  const std::vector<std::string>& gears = train_of(problem).free_gears;
   for (int gear = 0; gear < static_cast<int>(gears.size()); ++gear) {
     all.push_back({"undercut." + gears[static_cast<std::size_t>(gear)], ConstraintFamily::kUndercut,
                    gear, ""});
   }
-  if (!planetary && problem.sun_under_second_layer) {
+  if (train.is_stepped() && problem.sun_under_second_layer) {
     all.push_back({"sun_under_layer_2", ConstraintFamily::kSunUnderLayer2, 0, ""});
   }
 }
 
 void add_for_rings(const Problem& problem, const std::string& prefix, ConstraintFamily family,
                    const std::string& key, Constraints& all) {
-  const std::vector<std::string>& gears = gear_names(problem);
-  for (std::size_t gear = free_gear_names(problem).size(); gear < gears.size(); ++gear) {
-    const int layer = static_cast<int>(gear - free_gear_names(problem).size()) + 1;
-    all.push_back({prefix + gears[gear], family, layer, key});
+  int layer = 0;
+  for (const std::string& ring : train_of(problem).rings) {
+    all.push_back({prefix + ring, family, ++layer, key});
   }
 }
 
 void add_for_meshes(const Problem& problem, const std::string& prefix, ConstraintFamily family,
                     const std::string& key, bool internal_only, Constraints& all) {
-  static const std::vector<std::string> stepped{"sun_planet_1", "planet_1_fixed_ring",
-                                                "planet_2_output_ring"};
-  static const std::vector<std::string> single{"sun_planet", "planet_ring"};
-  const std::vector<std::string>& meshes = is_planetary(problem) ? single : stepped;
+  const std::vector<std::string>& meshes = train_of(problem).meshes;
   for (std::size_t mesh = internal_only ? 1 : 0; mesh < meshes.size(); ++mesh) {
     all.push_back({prefix + meshes[mesh], family, static_cast<int>(mesh), key});
   }

@@ -87,21 +87,25 @@ Interval neighbour_clearance_on(const Alternative& alternative, const Box& box) 
   // Multiplied out so that each variable stands once: sin(pi/n) <= 1, so P1 pulls both layers down.
   const Interval common = span(box.lower[0], box.upper[0]) * alternative.sine -
                           span(box.lower[1], box.upper[1]) * (1 - alternative.sine) - 2;
-  const Interval least =
-      alternative.planetary ? common : min(common, common + span(box.lower[2], box.upper[2]));
+  const Interval least = alternative.train->is_stepped()
+                             ? min(common, common + span(box.lower[2], box.upper[2]))
+                             : common;
   return least * Interval(alternative.module_mm);
 }
 
 Interval contact_ratio_on(const Alternative& alternative, const TeethRange& range) {
-  const Interval least = min(contact_ratio(range, 0), contact_ratio(range, 1));
-  return alternative.planetary ? least : min(least, contact_ratio(range, 2));
+  Interval least = contact_ratio(range, 0);
+  for (int mesh = 1; mesh <= alternative.train->layers(); ++mesh) {
+    least = min(least, contact_ratio(range, mesh));
+  }
+  return least;
 }
 
 /// i = 2 (P1/d) (1 + (P1 + P2)/S): both factors fall with S and d and grow with P1; P1 > d.
 Interval ratio_on(const Alternative& alternative, const Box& box) {
   const TeethRange range = teeth_in(box);
   const auto& [least, most] = range;
-  if (alternative.planetary) {
+  if (!alternative.train->is_stepped()) {
     return 2 * (1 + hull(number(least.planet_1) / number(most.sun),
                          number(most.planet_1) / number(least.sun)));
   }

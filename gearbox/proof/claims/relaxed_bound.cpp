@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view kMinTeeth = "/min_teeth/";
 
 std::optional<RelaxedBound> teeth_bound(const Problem& problem, const std::string& gear) {
-  const auto& gears = free_gear_names(problem);
+  const auto& gears = train_of(problem).free_gears;
   const auto found = std::find(gears.begin(), gears.end(), gear);
   const auto minimum = problem.min_teeth.find(gear);
   if (found == gears.end() || minimum == problem.min_teeth.end()) return std::nullopt;
@@ -75,7 +75,7 @@ std::optional<Problem> with_bound(const Problem& problem, const RelaxedBound& bo
     case Measure::kTeeth: {
       if (value.get_den() != 1 || !value.get_num().fits_slong_p()) return std::nullopt;
       const auto gear = static_cast<std::size_t>(bound.quantity.gear);
-      relaxed.min_teeth[free_gear_names(problem)[gear]] = value.get_num().get_si();
+      relaxed.min_teeth[train_of(problem).free_gears[gear]] = value.get_num().get_si();
       break;
     }
     case Measure::kCarrierClearance:

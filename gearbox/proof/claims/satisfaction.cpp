@@ -22,8 +22,7 @@ std::int64_t teeth_of(const Teeth& teeth, int gear) {
 
 bool has_min_teeth(const Alternative& alternative, const Teeth& teeth, int gear) {
   const auto& minima = alternative.problem->min_teeth;
-  const auto minimum =
-      minima.find(free_gear_names(*alternative.problem)[static_cast<std::size_t>(gear)]);
+  const auto minimum = minima.find(alternative.train->free_gears[static_cast<std::size_t>(gear)]);
   return minimum == minima.end() || teeth_of(teeth, gear) >= minimum->second;
 }
 

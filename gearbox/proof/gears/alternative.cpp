@@ -9,7 +9,7 @@ namespace torquewright::gearbox::proof {
 
 Alternative::Alternative(const Problem& the_problem, std::int64_t count, const Rational& module)
     : problem(&the_problem),
-      planetary(is_planetary(the_problem)),
+      train(&train_of(the_problem)),
       planet_count(count),
       module_mm(module),
       least_ratio(the_problem.target_ratio * (1 - the_problem.ratio_tolerance)),
@@ -25,31 +25,10 @@ Alternative::Alternative(const Problem& the_problem, std::int64_t count, const R
   if (least_ratio > greatest_ratio) std::swap(least_ratio, greatest_ratio);
 }
 
-bool is_planetary(const Problem& problem) { return problem.topology == "planetary"; }
-
 TeethRange teeth_in(const Box& box) {
   const std::int64_t fewest = std::max<std::int64_t>(1, box.lower[1] - box.upper[2]);
   return {{box.lower[0], box.lower[1], fewest},
           {box.upper[0], box.upper[1], box.upper[1] - box.lower[2]}};
-}
-
-const std::vector<std::string>& variable_names(const Problem& problem) {
-  static const std::vector<std::string> stepped{"sun", "planet_1", "difference"};
-  static const std::vector<std::string> single{"sun", "planet"};
-  return is_planetary(problem) ? single : stepped;
-}
-
-const std::vector<std::string>& free_gear_names(const Problem& problem) {
-  static const std::vector<std::string> stepped{"sun", "planet_1", "planet_2"};
-  static const std::vector<std::string> single{"sun", "planet"};
-  return is_planetary(problem) ? single : stepped;
-}
-
-const std::vector<std::string>& gear_names(const Problem& problem) {
-  static const std::vector<std::string> stepped{"sun", "planet_1", "planet_2", "fixed_ring",
-                                                "output_ring"};
-  static const std::vector<std::string> single{"sun", "planet", "ring"};
-  return is_planetary(problem) ? single : stepped;
 }
 
 }  // namespace torquewright::gearbox::proof

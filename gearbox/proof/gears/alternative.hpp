@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
+#include <cstdint>
 
 #include "gearbox/problem.hpp"
 #include "gearbox/proof/gears/box.hpp"
 #include "gearbox/proof/gears/interval.hpp"
+#include "gearbox/proof/gears/train.hpp"
 
 namespace torquewright::gearbox::proof {
 
@@ -19,7 +18,7 @@ struct Alternative {
   Alternative(const Problem& problem, std::int64_t planet_count, const Rational& module_mm);
 
   const Problem* problem;
-  bool planetary;
+  const Train* train;
   std::int64_t planet_count;
   Rational module_mm;
   Rational least_ratio, greatest_ratio;  ///< G(1-t), G(1+t), in ascending order.
@@ -31,18 +30,8 @@ struct Alternative {
   std::int64_t least_fed_ring;    ///< Where a shaper's teeth are stated, else 0.
 };
 
-bool is_planetary(const Problem& problem);
-
-/// sun, planet_1, difference (planetary: sun, planet).
-const std::vector<std::string>& variable_names(const Problem& problem);
-
-/// sun, planet_1, planet_2 (planetary: sun, planet).
-const std::vector<std::string>& free_gear_names(const Problem& problem);
-
-/// The free gears, then the rings.
-const std::vector<std::string>& gear_names(const Problem& problem);
-
-/// Teeth of the free gears. In a planetary train planet_2 is planet_1 once more, and plays no part.
+/// Teeth of the free gears. In a train of one layer planet_2 is planet_1 once more, and plays no
+/// part.
 struct Teeth {
   std::int64_t sun = 0, planet_1 = 0, planet_2 = 0;
 };
@@ -64,7 +53,5 @@ struct TeethRange {
   bool is_empty() const { return least.planet_2 > most.planet_2; }
 };
 TeethRange teeth_in(const Box& box);
-
-inline int layers(const Alternative& alternative) { return alternative.planetary ? 1 : 2; }
 
 }  // namespace torquewright::gearbox::proof

@@ -37,7 +37,7 @@ Rational rim_mm(const Alternative& alternative, const Rational& root_depth) {
 Interval mass_at(const Alternative& alternative, const Teeth& teeth) {
   Interval planets;
   Interval mass = sun_body(alternative, teeth.sun).mass_kg;
-  for (int layer = 1; layer <= layers(alternative); ++layer) {
+  for (int layer = 1; layer <= alternative.train->layers(); ++layer) {
     planets += planet_disc(alternative, planet(teeth, layer), layer).mass_kg;
     mass += ring_body(alternative, ring(teeth, layer), layer).mass_kg;
   }
@@ -51,7 +51,7 @@ Interval planet_inertia(const Alternative& alternative, const Teeth& teeth,
                         std::int64_t planet_1_of_layer_2) {
   Interval result;
   const Rational arm_m = pitch_diameter_mm(alternative, teeth.sun) / 4 / 1000;
-  for (int layer = 1; layer <= layers(alternative); ++layer) {
+  for (int layer = 1; layer <= alternative.train->layers(); ++layer) {
     const Body disc = planet_disc(alternative, planet(teeth, layer), layer);
     const std::int64_t planet_1 = layer == 1 ? teeth.planet_1 : planet_1_of_layer_2;
     const Interval spin =
@@ -94,7 +94,7 @@ Interval reflected_inertia_kg_m2(const Alternative& alternative, const TeethRang
                                    planet_inertia(alternative, most, least.planet_1));
   const Interval input = Interval(alternative.problem->rotor_inertia_kg_m2) + moving;
   const Interval reflected = square(ratio) * input;
-  if (alternative.planetary) return reflected;
+  if (!alternative.train->is_stepped()) return reflected;
   return reflected + hull(ring_body(alternative, ring(least, 2), 2).inertia_kg_m2,
                           ring_body(alternative, ring(most, 2), 2).inertia_kg_m2);
 }

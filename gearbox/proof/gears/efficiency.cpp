@@ -82,7 +82,7 @@ Meshes meshes_in(const Alternative& alternative, const Box& box) {
   const TeethRange range = teeth_in(box);
   Meshes result{{}, {}, 1, true, true};
   Interval* const efficiencies[] = {&result.sun, &result.fixed, &result.output};
-  for (int mesh = 0; mesh < (alternative.planetary ? 2 : 3); ++mesh) {
+  for (int mesh = 0; mesh <= alternative.train->layers(); ++mesh) {
     const Mesh each = mesh_in(alternative, range, mesh);
     *efficiencies[mesh] = each.efficiency;
     result.may_pass = result.may_pass && each.may_pass;
@@ -136,7 +136,7 @@ Interval forward_efficiency(const Alternative& alternative, const Box& box, cons
   const Meshes mesh = meshes_in(alternative, box);
   // (1 + eta_a eta_b I1)/(1 + I1) = 1 - (1 - eta_a eta_b) I1/(1 + I1)
   const Interval first_stage = 1 - (1 - mesh.sun * mesh.fixed) * (1 - carrier_share(box));
-  if (alternative.planetary) return transmitted(mesh, first_stage);
+  if (!alternative.train->is_stepped()) return transmitted(mesh, first_stage);
   // (1 - I2)/(1 - e I2) = 1/(1 + (1 - e)(1/(1 - I2) - 1)), e = eta_b eta_c
   const Interval loss = 1 - mesh.fixed * mesh.output;
   return transmitted(mesh, first_stage / (1 + loss * (carrier_per_output(box, ratio) - 1)));
@@ -149,7 +149,7 @@ Interval backward_efficiency(const Alternative& alternative, const Box& box,
   const Interval product = mesh.sun * mesh.fixed;
   // planetary: (1 + I)/(1 + I/(eta_a eta_b)) = eta_a eta_b / (1 - (1 - eta_a eta_b)/(1 + I))
   const Interval first_stage = 1 - (1 - product) * share;
-  if (alternative.planetary) return transmitted(mesh, product / first_stage);
+  if (!alternative.train->is_stepped()) return transmitted(mesh, product / first_stage);
   // (e - I2)/(1 - I2) = 1 - (1 - e)/(1 - I2)
   const Interval loss = 1 - mesh.fixed * mesh.output;
   const Interval second_stage = 1 - loss * carrier_per_output(box, ratio);

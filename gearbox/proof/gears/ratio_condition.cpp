@@ -9,7 +9,7 @@ mpz_class integer(std::int64_t value) { return mpz_class(static_cast<long>(value
 /// h S d - 2 P1 (S + 2 P1 - d), which has the sign of h - i; planetary h S - 2 S - 2 P.
 Rational excess(const Rational& h, const Alternative& alternative, std::int64_t sun,
                 std::int64_t first, std::int64_t difference) {
-  if (alternative.planetary) return h * integer(sun) - integer(2 * (sun + first));
+  if (!alternative.train->is_stepped()) return h * integer(sun) - integer(2 * (sun + first));
   const mpz_class lever = integer(sun) * integer(difference);
   return h * lever - 2 * integer(first) * integer(sun + 2 * first - difference);
 }
@@ -19,21 +19,21 @@ Rational excess(const Rational& h, const Alternative& alternative, std::int64_t 
 /// h <= 0 it is negative at any end. Planetary: the slope in S is h - 2.
 std::int64_t sun_of_greatest_excess(const Rational& h, const Alternative& alternative,
                                     const Box& box) {
-  return h >= (alternative.planetary ? 2 : 1) ? box.upper[0] : box.lower[0];
+  return h >= (alternative.train->is_stepped() ? 1 : 2) ? box.upper[0] : box.lower[0];
 }
 
 std::int64_t sun_of_least_excess(const Rational& h, const Alternative& alternative,
                                  const Box& box) {
-  return h >= (alternative.planetary ? 2 : 1) ? box.lower[0] : box.upper[0];
+  return h >= (alternative.train->is_stepped() ? 1 : 2) ? box.lower[0] : box.upper[0];
 }
 
 }  // namespace
 
 Rational ratio_of(const Alternative& alternative, const Teeth& teeth) {
-  Rational ratio = alternative.planetary
-                       ? Rational(2 * integer(teeth.sun + teeth.planet_1), integer(teeth.sun))
-                       : Rational(2 * integer(teeth.planet_1) * integer(ring(teeth, 2)),
-                                  integer(teeth.sun) * integer(teeth.planet_1 - teeth.planet_2));
+  Rational ratio = alternative.train->is_stepped()
+                       ? Rational(2 * integer(teeth.planet_1) * integer(ring(teeth, 2)),
+                                  integer(teeth.sun) * integer(teeth.planet_1 - teeth.planet_2))
+                       : Rational(2 * integer(teeth.sun + teeth.planet_1), integer(teeth.sun));
   ratio.canonicalize();
   return ratio;
 }

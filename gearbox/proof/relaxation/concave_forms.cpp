@@ -50,8 +50,7 @@ Linearization ring_form(const Interval& slope, const Interval& constant, int lay
 
 Linearization min_teeth_form(const Alternative& alternative, int gear, const RealPoint& point) {
   const auto& minima = alternative.problem->min_teeth;
-  const auto minimum =
-      minima.find(free_gear_names(*alternative.problem)[static_cast<std::size_t>(gear)]);
+  const auto minimum = minima.find(alternative.train->free_gears[static_cast<std::size_t>(gear)]);
   return teeth_form(1, minimum == minima.end() ? Interval(-1) : Interval(whole(-minimum->second)),
                     gear, point);
 }
@@ -103,7 +102,7 @@ Linearization shaper_feed_form(const Alternative& alternative, int layer, const 
 std::optional<Linearization> ratio_max_form(const Alternative& alternative,
                                             const RealPoint& point) {
   const Rational& ratio = alternative.greatest_ratio;
-  if (alternative.planetary) return planetary_ratio(ratio, point);
+  if (!alternative.train->is_stepped()) return planetary_ratio(ratio, point);
   if (ratio < 1) return std::nullopt;
   Linearization result = perspective(point, ratio);
   result.scale(Interval(Rational(-4 * (ratio - 1) / ratio)));
@@ -114,7 +113,7 @@ std::optional<Linearization> ratio_max_form(const Alternative& alternative,
 std::optional<Linearization> ratio_min_form(const Alternative& alternative, const Box& box,
                                             const RealPoint& point) {
   const Rational& ratio = alternative.least_ratio;
-  if (alternative.planetary) {
+  if (!alternative.train->is_stepped()) {
     Linearization result = planetary_ratio(ratio, point);
     result.scale(-1);
     return result;

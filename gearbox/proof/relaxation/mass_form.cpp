@@ -36,7 +36,7 @@ Linearization mass_form(const Alternative& alternative, const Interval& threshol
   const Line sun = sun_line(alternative, box.lower[0]);
   Linearization result = affine(point, threshold - sun.constant, {-sun.slope, 0, 0});
   const Interval count(static_cast<long>(alternative.planet_count));
-  for (int layer = 1; layer <= layers(alternative); ++layer) {
+  for (int layer = 1; layer <= alternative.train->layers(); ++layer) {
     const auto mass = [&](std::int64_t z) { return ring_body(alternative, z, layer).mass_kg; };
     const Line rings = line_through(mass, 0);
     result += ring_form(-rings.slope, -rings.constant, layer, point);

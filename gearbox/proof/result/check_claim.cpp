@@ -172,7 +172,7 @@ void check_claim(const Problem& problem, const DemandedClaim& demanded, const Js
   if (faults.count() != faults_before) return;
 
   // Never listed, but what makes a point a design: without it the others mean nothing.
-  if (!is_planetary(problem)) {
+  if (train_of(problem).is_stepped()) {
     claim.hypotheses.push_back({"positive_teeth", ConstraintFamily::kPositiveTeeth, 0, ""});
   }
   if (claim.ring_limit) {

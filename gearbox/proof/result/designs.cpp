@@ -13,7 +13,7 @@ namespace {
 
 /// n / gcd(n, Q) with Q = (O P1 - F P2)/gcd(P1, P2); one type in a single stage.
 std::int64_t planet_types(const Problem& problem, const Candidate& candidate) {
-  if (is_planetary(problem)) return 1;
+  if (!train_of(problem).is_stepped()) return 1;
   const Teeth teeth = teeth_at(candidate.point);
   const mpz_class first = static_cast<long>(teeth.planet_1);
   const mpz_class second = static_cast<long>(teeth.planet_2);

@@ -13,8 +13,8 @@ constexpr std::int64_t kMostPointsOfLeaf = 4096;
 
 std::string written(const Point& point, const Problem& problem) {
   std::string text;
-  for (std::size_t i = 0; i < variable_names(problem).size(); ++i) {
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", variable_names(problem)[i], point[i]);
+  for (std::size_t i = 0; i < train_of(problem).variables.size(); ++i) {
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", train_of(problem).variables[i], point[i]);
   }
   return text;
 }
@@ -113,7 +113,7 @@ std::optional<Condition> read_condition(const Node& node, const std::string& key
 
 std::optional<std::size_t> read_variable(const Node& node, const std::string& key,
                                          const Json* name) {
-  const auto& names = variable_names(*node.alternative.problem);
+  const auto& names = node.alternative.train->variables;
   const auto named = text(name);
   const auto found = named ? std::find(names.begin(), names.end(), *named) : names.end();
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());

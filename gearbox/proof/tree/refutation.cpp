@@ -52,7 +52,7 @@ Teeth best_corner(const Constraint& constraint, const Box& box) {
 bool fails_shaper_everywhere(const Constraint& constraint, const Alternative& alternative,
                              const Box& box) {
   const TeethRange range = teeth_in(box);
-  if (!alternative.planetary && range.is_empty()) return true;  // holds no design
+  if (alternative.train->is_stepped() && range.is_empty()) return true;  // holds no design
   return !has_root_form_of_shaper(*alternative.problem, planet(range.least, constraint.place),
                                   ring(range.most, constraint.place));
 }
@@ -78,7 +78,7 @@ bool has_greater_ratio_error(const Claim& claim, const Alternative& alternative,
 
 bool is_worse_everywhere(const Claim& claim, const Alternative& alternative, const Box& box) {
   const Quantity& quantity = *claim.quantity;
-  if (!alternative.planetary && teeth_in(box).is_empty()) return true;  // holds no design
+  if (alternative.train->is_stepped() && teeth_in(box).is_empty()) return true;  // holds no design
   if (quantity.measure == Measure::kRatioError) {
     return has_greater_ratio_error(claim, alternative, box);
   }

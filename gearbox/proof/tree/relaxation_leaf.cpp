@@ -11,7 +11,7 @@ namespace {
 
 /// A point with exactly the problem's variables, inside the box.
 std::optional<RealPoint> read_point(const Node& node, const Json* json) {
-  const auto& names = variable_names(*node.alternative.problem);
+  const auto& names = node.alternative.train->variables;
   if (json == nullptr || !json->is_object() || json->size() != names.size()) {
     node.fault("/point", "is no point with exactly the variables of this problem");
     return std::nullopt;

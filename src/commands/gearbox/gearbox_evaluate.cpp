@@ -69,7 +69,7 @@ std::vector<double> all_shifts(const EvaluateOptions& options, const gearbox::Pr
 void set_shifts(const EvaluateOptions& options, const gearbox::Problem& problem,
                 const gearbox::Topology& topology, gearbox::Design& design) {
   if (options.layer_2_module_mm != 0.0) {
-    if (topology.name != "3k") {
+    if (topology.layer_count() < 2) {
       io::refuse("--layer-2-module", fmt::format("{} has one layer", topology.name));
     }
     const io::Rational module_mm = io::exact(options.layer_2_module_mm);

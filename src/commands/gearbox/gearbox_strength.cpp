@@ -10,6 +10,7 @@
 
 #include "gearbox/strength/result_strength_spec.hpp"
 #include "gearbox/strength/steels.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "io/faults/refusal.hpp"
 #include "src/commands/gearbox/gearbox_commands.hpp"
 #include "src/commands/shared/result_json.hpp"
@@ -65,7 +66,7 @@ void check_options(const StrengthOptions& options, const gearbox::ReadStrength& 
   check_numbers(options.modules_mm, "--modules", 0.05, 25.0);
   check_rows(options);
   const gearbox::GearTrain& train = read.strength.train;
-  const bool is_stage = train.topology == "planetary";
+  const bool is_stage = gearbox::find_topology(train.topology)->largest_of_same_ratio != nullptr;
   if (!options.modules_mm.empty()) {
     const bool is_shifted = std::any_of(train.shifts.begin(), train.shifts.end(),
                                         [](double shift) { return shift != 0.0; });

@@ -6,6 +6,7 @@
 
 #include "gearbox/topologies/short_loss_form.hpp"
 #include "gearbox/topologies/topology.hpp"
+#include "gearbox/train_parts.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -118,12 +119,12 @@ std::string inertia_text(const DesignReport& report) {
 }
 
 std::string torque_text(const Problem& problem, const DesignReport& report) {
-  const char* held = report.gears.size() == 3 ? "ring" : "fixed_ring";
+  const TrainParts& parts = train_parts(problem.topology);
   std::string text =
       line("load", fmt::format("{:.6g} Nm at the output; without losses {:.4g} Nm at the sun, "
                                "{:.4g} Nm at the {}",
                                io::nearest(*problem.load_output_torque_Nm), *report.input_torque_Nm,
-                               *report.fixed_ring_torque_Nm, held));
+                               *report.fixed_ring_torque_Nm, parts.gears[parts.held_ring]));
   if (report.driving_torque_Nm) {
     text +=
         line("", fmt::format("with losses {:.4g} Nm at the sun drive it; when the load drives, {}",

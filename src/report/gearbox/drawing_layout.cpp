@@ -11,6 +11,7 @@
 
 #include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/constraints/shifted_gears.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "gearbox/train/cut_train.hpp"
 #include "src/report/parts/svg.hpp"
 
@@ -29,9 +30,9 @@ void require(bool holds, const char* message) {
 }
 
 void require_drawing(const DrawnGearbox& drawing) {
-  const bool is_3k = drawing.topology == "3k";
-  require(is_3k || drawing.topology == "planetary", "drawing: unknown topology");
-  require(drawing.teeth.size() == (is_3k ? 5u : 3u), "drawing: wrong number of gears");
+  const gearbox::Topology* topology = gearbox::find_topology(drawing.topology);
+  require(topology != nullptr, "drawing: unknown topology");
+  require(drawing.teeth.size() == topology->gears.size(), "drawing: wrong number of gears");
   for (const std::int64_t teeth : drawing.teeth) {
     require(teeth >= 1 && teeth <= kMaxTeeth, "drawing: teeth outside [1, 1000000]");
   }
@@ -52,13 +53,6 @@ void require_drawing(const DrawnGearbox& drawing) {
   require(wall_mm >= 0.0 && wall_mm <= kMaxLength_mm, "drawing: ring wall outside [0, 1e9] mm");
 }
 
-/// What is true of a gear before its teeth are known.
-struct NamedGear {
-  std::string id;
-  std::string symbol;
-  std::string label;
-};
-
 /// Absent where there are too few or too many teeth to draw, or flanks that cross before the tip.
 std::optional<gearbox::ToothForm> form_of(const gearbox::CutGear& gear) {
   if (gear.teeth < gearbox::kMinDrawnTeeth || gear.teeth > kMaxDrawnTeeth) return std::nullopt;
@@ -73,10 +67,10 @@ std::optional<gearbox::ToothForm> form_of(const gearbox::CutGear& gear) {
   }
 }
 
-DrawnGear make_gear(NamedGear name, const gearbox::CutGear& gear) {
-  return {.id = std::move(name.id),
-          .symbol = std::move(name.symbol),
-          .label = std::move(name.label),
+DrawnGear make_gear(const gearbox::DrawnPart& part, const gearbox::CutGear& gear) {
+  return {.id = std::string(part.shape),
+          .symbol = std::string(part.symbol),
+          .label = std::string(part.label),
           .layer = gear.layer == 0 ? "1" : "2",
           .teeth = gear.teeth,
           .internal = gear.internal,
@@ -107,29 +101,18 @@ gearbox::CutTrain cut_for(const DrawnGearbox& drawing) {
   return *cut;
 }
 
-void add_3k(DrawingLayout& layout, const gearbox::CutTrain& cut) {
-  const std::vector<std::int64_t>& teeth = layout.drawing.teeth;
-  const std::vector<gearbox::CutGear>& gears = cut.gears;
-  layout.gears = {make_gear({"sun", "S", "sun"}, gears[0]),
-                  make_gear({"planet_1", "P1", "planet 1"}, gears[1]),
-                  make_gear({"planet_2", "P2", "planet 2"}, gears[2]),
-                  make_gear({"fixed_ring", "F", "fixed ring"}, gears[3]),
-                  make_gear({"output_ring", "O", "output ring"}, gears[4])};
-  layout.layers = {{"Layer 1: sun, planets 1, fixed ring", 1, 3, false},
-                   {"Layer 2: planets 2, output ring (sun dashed)", 2, 4, true}};
-  layout.phase = gearbox::assemble_3k({teeth[0], teeth[1], teeth[2], teeth[3], teeth[4]},
-                                      layout.drawing.planet_count);
-}
-
-void add_planetary(DrawingLayout& layout, const gearbox::CutTrain& cut) {
-  const std::vector<std::int64_t>& teeth = layout.drawing.teeth;
-  const std::vector<gearbox::CutGear>& gears = cut.gears;
-  layout.gears = {make_gear({"sun", "S", "sun"}, gears[0]),
-                  make_gear({"planet_1", "P", "planet"}, gears[1]),
-                  make_gear({"fixed_ring", "R", "ring"}, gears[2])};
-  layout.layers = {{"Sun, planets, ring", 1, 2, false}};
-  layout.phase =
-      gearbox::assemble_planetary(teeth[0], teeth[1], teeth[2], layout.drawing.planet_count);
+/// Gears, a view of each layer, which a ring's mesh makes, and how they stand.
+void add_parts(DrawingLayout& layout, const gearbox::CutTrain& cut) {
+  const gearbox::Topology& topology = *gearbox::find_topology(layout.drawing.topology);
+  for (std::size_t i = 0; i < topology.gears.size(); ++i) {
+    layout.gears.push_back(make_gear(topology.drawn[i], cut.gears[i]));
+  }
+  for (std::size_t layer = 0; layer < topology.views.size(); ++layer) {
+    const gearbox::MeshedGears& mesh = topology.meshes[layer + 1];
+    layout.layers.push_back(
+        {std::string(topology.views[layer]), mesh.gear_1, mesh.gear_2, layer > 0});
+  }
+  layout.phase = topology.assemble(layout.drawing.teeth, layout.drawing.planet_count);
 }
 
 // The largest usual scale at which `diameter_mm` finds room: preferred steps between the decades.
@@ -177,7 +160,7 @@ DrawingLayout lay_out(const DrawnGearbox& drawing) {
   const gearbox::CutTrain cut = cut_for(drawing);
   DrawingLayout layout;
   layout.drawing = drawing;
-  drawing.topology == "3k" ? add_3k(layout, cut) : add_planetary(layout, cut);
+  add_parts(layout, cut);
   cut_roots(cut, layout.gears);
   const double sum = static_cast<double>(drawing.teeth[0] + drawing.teeth[1]);
   layout.center_distance_mm = layout.is_shifted() ? cut.centre_mm : 0.5 * sum * drawing.module_mm;

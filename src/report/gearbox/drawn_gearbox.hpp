@@ -13,7 +13,7 @@ namespace torquewright::report {
 /// What a drawing of a gearbox shows.
 struct DrawnGearbox {
   std::string name;
-  std::string topology;             ///< "3k" or "planetary".
+  std::string topology;             ///< One of gearbox/train_parts.cpp.
   std::vector<std::int64_t> teeth;  ///< In the topology's order: S, P1, P2, F, O or S, P, R.
   std::int64_t planet_count = 0;
   double module_mm = 0.0;

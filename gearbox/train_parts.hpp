@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace torquewright::gearbox {
+
+/// Two gears that mesh, by their places in the train: sun and planet, or a planet and its ring.
+struct MeshedGears {
+  std::string_view name;
+  std::size_t gear_1 = 0;
+  std::size_t gear_2 = 0;
+};
+
+/// What the trains of a topology consist of, for whoever counts, names, cuts or reads their parts.
+/// What is computed of them stands in topologies/, which adds it to this.
+struct TrainParts {
+  std::string_view name;                 ///< As in documents.
+  std::vector<std::string_view> gears;   ///< In the order of Design::teeth.
+  std::size_t free_gears = 0;            ///< The first so many are free; the rings follow.
+  std::vector<std::size_t> gear_layers;  ///< Of each gear: 0 where the sun stands.
+  std::size_t held_ring = 0;             ///< Which gear it is.
+  std::vector<MeshedGears> meshes;       ///< The sun's first, then those of the rings.
+  bool is_the_papers = false;            ///< Equations (1)...(9) of seed 001 describe it.
+
+  bool is_ring(std::size_t gear) const { return gear >= free_gears; }
+  std::size_t layer_count() const;
+  /// layer_1, ...: keys of face widths in documents.
+  std::vector<std::string> layer_names() const;
+};
+
+/// Those of all topologies, in the order of the documentation.
+std::span<const TrainParts> all_train_parts();
+
+/// Those of that name; nullptr if there is none.
+const TrainParts* find_train_parts(std::string_view name);
+
+/// The same where a document's schema, or whoever made the train, has seen to it that there is one.
+const TrainParts& train_parts(std::string_view name);
+
+}  // namespace torquewright::gearbox
