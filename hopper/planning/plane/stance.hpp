@@ -17,6 +17,9 @@ struct Stance {
   bool is_flight() const { return points.empty(); }
   PlanFrame frame() const { return is_flight() ? PlanFrame::kMass : PlanFrame::kSole; }
   bool is_flat() const { return points.size() == 2; }
+  /// What it holds of the foot: x and z by the rearmost point, the pitch by both.
+  bool holds_place() const { return !points.empty() && points.front() == 0; }
+  bool holds_pitch() const { return is_flat(); }
   /// One along the ground, if any touches, then one upwards per point.
   std::size_t force_count() const { return points.empty() ? 0 : 1 + points.size(); }
   /// Whether that touches which the other does not.

@@ -7,13 +7,13 @@
 
 namespace torquewright::hopper {
 
-/// What holds a plan back: limits of joints, drives and contacts (planning margins taken off) at
-/// which it stands or beyond which it is, over the instants at which they hold, the most often
-/// binding first. After them the rows of the program that the values violate, the worst first: of
-/// those violations are shares of the rows' scales, and they have no times.
+/// What holds a plan back: the limits of constraints (planning margins taken off) at which it
+/// stands or beyond which it is, over the instants at which they hold, the most often binding
+/// first. After them the rows of the program that the values violate, the worst first: of those
+/// violations are shares of the rows' scales, and they have no times.
 std::vector<BindingConstraint> binding_constraints(const FlipProgram& program,
-                                                   const PlanModel& model,
-                                                   const PlanMargins& margins,
+                                                   const PlanModel& model, const PlanGoal& goal,
+                                                   const PlanOptions& options,
                                                    const PlannedMotion& plan,
                                                    const std::vector<double>& values);
 
