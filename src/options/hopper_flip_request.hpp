@@ -11,16 +11,15 @@
 
 namespace torquewright::cli {
 
-/// What `hopper flip` is asked, in the words of the command line. An empty name of a file: not
-/// asked for.
+/// What `hopper flip` is asked, in the words of the command line (hopper_flip_options.hpp). An
+/// empty name of a file: not asked for.
 struct HopperFlipRequest {
   std::string task = "flip";
   std::string limits = "mor";
   std::optional<double> rise_m;         ///< Empty: the task's, if it has one.
   std::optional<double> stride_m;       ///< Likewise.
-  std::vector<std::string> contacts;    ///< Empty: the task's.
   std::vector<std::string> objectives;  ///< NAME[=WEIGHT]; empty: the task's.
-  hopper::PlanOptions plan;             ///< The numbers that have an option of their own.
+  hopper::PlanOptions plan;             ///< What has an option of its own.
   std::uint64_t guess_seed = 0;
   /// Robot and conditions; its motion, where one is named, is what is begun from.
   HopperCheckRequest warm;
@@ -34,7 +33,7 @@ struct HopperFlipRequest {
   bool timing = false;
 };
 
-/// Adds everything that `hopper flip` takes.
+/// Adds everything that `hopper flip` takes: its own options and those of other commands too.
 void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& request);
 
 /// The weighted objectives that NAME[=WEIGHT] state. Throws io::SpecError, with the nearest name,

@@ -2,6 +2,7 @@
 // Whatever lies in a folder of like parts is in that part's library, in the docs and in the
 // schemas. Oracle: the files themselves, against what the libraries answer, the tables of docs/ and
 // the enumerations of specs/schema.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "actuator/lint/check.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "hopper/engines/library.hpp"
+#include "hopper/planning/constraints/library.hpp"
 #include "hopper/planning/objectives/library.hpp"
 #include "hopper/planning/tasks/library.hpp"
 #include "hopper/tracking/library.hpp"
@@ -39,11 +41,12 @@ void PrintTo(const Library& library, std::ostream* stream) { *stream << library.
 
 std::string constant_of(std::string type) { return "^const " + std::move(type) + R"( (\w+) = \{)"; }
 
-/// `isaac-lab` is the constant isaac_lab; `3k` is three_k, since no name in C++ begins with a
-/// digit.
+/// `isaac-lab` is the constant isaac_lab, "feet stay" is feet_stay; `3k` is three_k, since no name
+/// in C++ begins with a digit.
 std::string constant_called(std::string name) {
   if (name == "3k") return "three_k";
   std::replace(name.begin(), name.end(), '-', '_');
+  std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
 
@@ -78,6 +81,9 @@ Names topologies() {
 }
 Names objectives() {
   return names_of(hopper::every_objective(), [](const auto& one) { return one.name; });
+}
+Names constraints() {
+  return names_of(hopper::every_constraint(), [](auto* one) { return one->name; });
 }
 Names tasks() {
   return names_of(hopper::every_task(), [](auto* task) { return task->name; });
@@ -132,6 +138,11 @@ std::vector<Library> libraries() {
        "hopper/planning/objectives",
        R"(^const Objective objectives::(\w+)\{)",
        objectives(),
+       {}},
+      {"constraints",
+       "hopper/planning/constraints",
+       R"(^const Constraint constraints::(\w+)\{)",
+       constraints(),
        {}},
       {"tasks", "hopper/planning/tasks", constant_of("PlanTask"), tasks(), {}},
       {"engines",
@@ -210,6 +221,17 @@ TEST(Docs, NameEveryRuleOfTheLint) {
 TEST(Docs, NameEveryRuleOfTheChecks) {
   EXPECT_EQ(named_in_first_column(text_of("docs/checks.md")),
             rules_in({"actuator/check", "hopper/check"}));
+}
+
+/// Name, unit and sentence are the row.
+TEST(Docs, SayEveryConstraintOfThePlanner) {
+  const std::string table = section(text_of("docs/flip.md"), "## What a plan obeys");
+  EXPECT_EQ(named_in_first_column(table), constraints());
+  for (const hopper::Constraint* one : hopper::every_constraint()) {
+    const std::string_view unit = one->unit.empty() ? "-" : one->unit;
+    const std::string row = fmt::format("| `{}` | {} | {} |\n", one->name, unit, one->sentence);
+    EXPECT_NE(table.find(row), std::string::npos) << row;
+  }
 }
 
 TEST(Docs, NameEveryTopology) {

@@ -122,4 +122,9 @@ PlanModel plan_model(const Robot& robot, const PlanOptions& options) {
   return model;
 }
 
+Eigen::Index bus_count(const PlanModel& model) {
+  return std::count_if(model.supplies->begin(), model.supplies->end(),
+                       [](const PlanSupply& one) { return one.resistance_ohm > 0.0; });
+}
+
 }  // namespace torquewright::hopper

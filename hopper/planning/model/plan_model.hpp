@@ -28,4 +28,7 @@ struct PlanModel {
 
 PlanModel plan_model(const Robot& robot, const PlanOptions& options);
 
+/// How many voltages are unknown at an instant: one a supply that has a resistance.
+Eigen::Index bus_count(const PlanModel& model);
+
 }  // namespace torquewright::hopper

@@ -20,9 +20,10 @@ struct DriveStateOf {
 class DrivesAt {
  public:
   explicit DrivesAt(const PlanModel& model)
-      : plane_(&model.plane), regions_(model.regions), supplies_(model.supplies) {
-    for (const PlanSupply& supply : *supplies_) buses_ += supply.resistance_ohm > 0.0 ? 1 : 0;
-  }
+      : plane_(&model.plane),
+        regions_(model.regions),
+        supplies_(model.supplies),
+        buses_(bus_count(model)) {}
 
   const std::vector<DriveRegion>& regions() const { return *regions_; }
   Eigen::Index joints() const { return static_cast<Eigen::Index>(plane_->joints.size()); }
@@ -56,7 +57,7 @@ class DrivesAt {
   const SagittalRobot* plane_;
   std::shared_ptr<const std::vector<DriveRegion>> regions_;
   std::shared_ptr<const std::vector<PlanSupply>> supplies_;
-  Eigen::Index buses_ = 0;
+  Eigen::Index buses_;
 };
 
 }  // namespace torquewright::hopper

@@ -18,6 +18,9 @@ struct Stance {
   bool is_flight() const { return points.empty(); }
   PlanFrame frame() const { return is_flight() ? PlanFrame::kMass : PlanFrame::kSole; }
   bool is_flat() const { return points.size() == 2; }
+  /// What it holds of the foot: x and z by the rearmost point, the pitch by both.
+  bool holds_place() const { return !points.empty() && points.front() == 0; }
+  bool holds_pitch() const { return is_flat(); }
   /// Number of forces: one along the ground, if any point touches, then one upwards for each point.
   std::size_t force_count() const { return points.empty() ? 0 : 1 + points.size(); }
   /// Whether a point touches in this stance that does not in the other.

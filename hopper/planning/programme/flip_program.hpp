@@ -6,13 +6,11 @@
 
 namespace torquewright::hopper {
 
-/// `guess` has as many phases as the mesh.
+/// A plan as a nonlinear program: unknowns on the mesh, the rows of every constraint
+/// (hopper/planning/constraints), the costs of the options' objectives and of smoothness. `guess`
+/// has as many phases as the mesh.
 FlipProgram flip_program(const PlanModel& model, const std::vector<MeshPhase>& mesh,
                          const PlanGoal& goal, const PlanOptions& options,
                          const PlannedMotion& guess);
-
-/// The motion that values of the program's unknowns are.
-PlannedMotion motion_of(const FlipProgram& program, const PlanModel& model,
-                        const std::vector<double>& values);
 
 }  // namespace torquewright::hopper

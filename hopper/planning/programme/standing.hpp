@@ -6,10 +6,6 @@
 
 namespace torquewright::hopper {
 
-/// How far from the middle of the sole the mass may stand at the begin and at the end, as a share
-/// of the foot's length.
-inline constexpr double kStandsWithin = 0.1;
-
 /// The joint, of those that move, that is turned until a posture stands: next to the foot, which
 /// lies flat, or, over a foot of one point, next to the base, which is level.
 std::size_t balancing_joint(const SagittalRobot& plane);

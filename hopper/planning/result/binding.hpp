@@ -7,13 +7,13 @@
 
 namespace torquewright::hopper {
 
-/// Returns what holds a plan back: limits of joints, drives and contacts (planning margins taken
-/// off) that the plan reaches or exceeds, with their instants, the most often binding first. After
-/// them come the rows of the program that the values violate, the worst first; their violations are
-/// shares of the rows' scales, and they have no times.
+/// Returns what holds a plan back: the limits of constraints (planning margins taken off) that the
+/// plan reaches or exceeds, over the instants at which they hold, the most often binding first.
+/// After them come the rows of the program that the values violate, the worst first; their
+/// violations are shares of the rows' scales, and they have no times.
 std::vector<BindingConstraint> binding_constraints(const FlipProgram& program,
-                                                   const PlanModel& model,
-                                                   const PlanMargins& margins,
+                                                   const PlanModel& model, const PlanGoal& goal,
+                                                   const PlanOptions& options,
                                                    const PlannedMotion& plan,
                                                    const std::vector<double>& values);
 

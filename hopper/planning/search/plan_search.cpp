@@ -15,6 +15,7 @@
 #include "hopper/planning/programme/mesh_refinement.hpp"
 #include "hopper/planning/programme/plan_setup.hpp"
 #include "hopper/planning/programme/sampled_motion.hpp"
+#include "hopper/planning/programme/solved_motion.hpp"
 #include "hopper/planning/programme/warm_guess.hpp"
 #include "hopper/planning/result/binding.hpp"
 #include "hopper/planning/result/least_margins.hpp"
@@ -149,7 +150,7 @@ bool Planner::take_round(const PlannedMotion& guess, double barrier) {
   result_.largest_violation = solution.largest_violation;
   result_.plan = motion_of(program, model_, solution.values);
   result_.binding =
-      binding_constraints(program, model_, options_.margins, result_.plan, solution.values);
+      binding_constraints(program, model_, goal_, options_, result_.plan, solution.values);
   result_.objectives = parts_of(program, solution.values);
   errors_ = integration_errors(model_.plane, stances_, result_.plan);
   for (const PhaseError& error : errors_) {

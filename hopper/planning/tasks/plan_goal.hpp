@@ -16,7 +16,18 @@ struct MeshPhase {
   optimization::Bounds duration_s;
 
   std::size_t intervals() const { return knots.size() - 1; }
+  /// Instants: knots and middles in turn.
+  std::size_t points() const { return 2 * intervals() + 1; }
+  /// Where an instant is.
+  double share_at(std::size_t point) const {
+    const std::size_t i = point / 2;
+    return point % 2 == 0 ? knots[i] : 0.5 * (knots[i] + knots[i + 1]);
+  }
 };
+
+/// How far from the middle of the sole the mass may stand at the begin and at the end, as a share
+/// of the foot's length.
+inline constexpr double kStandsWithin = 0.1;
 
 /// Goal of a plan beside obeying physics.
 struct PlanGoal {

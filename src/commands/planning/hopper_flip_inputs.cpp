@@ -63,7 +63,6 @@ HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request) {
   plan.task = &hopper::task_named(request.task);
   set_distances(request, plan);
   plan.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
-  plan.stances = request.contacts;
   plan.objectives = read_objectives(request.objectives);
   plan.guess_seed = static_cast<unsigned>(request.guess_seed);
   inputs.robot = hopper::read_robot(request.warm.robot_file);

@@ -8,6 +8,7 @@
 #include "src/commands/actuator/check_options_json.hpp"
 #include "src/commands/shared/fingerprint_json.hpp"
 #include "src/commands/shared/result_json.hpp"
+#include "src/options/hopper_flip_options.hpp"
 #include "src/sweep/swept_json.hpp"
 
 namespace torquewright::cli {
@@ -15,49 +16,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
-void add_margins(const hopper::PlanMargins& margins, ordered_json& json) {
-  const hopper::PlanMargins usual;
-  const auto add = [&json](const char* key, double value, double unless) {
-    if (value != unless) json[key] = value;
-  };
-  add("voltage_margin", margins.voltage, usual.voltage);
-  add("current_margin", margins.current, usual.current);
-  add("friction_margin", margins.friction, usual.friction);
-  add("center_of_pressure_margin", margins.center_of_pressure, usual.center_of_pressure);
-  add("gear_margin", margins.gear_load, usual.gear_load);
-  add("position_margin_rad", margins.position_rad, usual.position_rad);
-  add("speed_margin", margins.speed, usual.speed);
-}
-
 /// What was asked for beyond the files and what the report states itself, where it is not the
 /// default.
 ordered_json request_json(const HopperFlipRequest& request) {
-  const HopperFlipRequest usual;
-  const hopper::PlanOptions& plan = request.plan;
-  const hopper::ContactRule& contact = request.warm.check.contact;
   ordered_json json =
       check_options_json(request.warm.columns, request.warm.window, request.warm.operating);
-  const auto add = [&json](const char* key, const auto& value, const auto& unless) {
-    if (value != unless) json[key] = value;
-  };
-  if (request.rise_m) json["rise_m"] = *request.rise_m;
-  if (request.stride_m) json["stride_m"] = *request.stride_m;
-  add("contacts", request.contacts, usual.contacts);
-  add("objective", request.objectives, usual.objectives);
-  add_margins(plan.margins, json);
-  add("intervals", plan.intervals, usual.plan.intervals);
-  add("integration_error_rad", plan.most_error_rad, usual.plan.most_error_rad);
-  add("rounds", plan.most_rounds, usual.plan.most_rounds);
-  add("iterations", plan.most_iterations, usual.plan.most_iterations);
-  add("time_limit_s", plan.most_seconds, usual.plan.most_seconds);
-  add("guess_noise_rad", plan.guess_noise_rad, usual.plan.guess_noise_rad);
-  add("seed", request.guess_seed, usual.guess_seed);
-  add("sample_step_s", plan.sample_s, usual.plan.sample_s);
-  add("load_window_s", request.warm.check.load_window_s, usual.warm.check.load_window_s);
-  add("warm", request.warm.trajectory_file, usual.warm.trajectory_file);
-  if (contact.height_m) json["contact_height_m"] = *contact.height_m;
-  if (contact.speed_m_s) json["contact_speed_m_s"] = *contact.speed_m_s;
-  add("explain", plan.explain, usual.plan.explain);
+  for (const HopperFlipOption& option : hopper_flip_options()) {
+    const std::optional<StatedValue> stated = option.stated(request);
+    if (option.key.empty() || !stated) continue;
+    std::visit([&](const auto& value) { json[option.key] = value; }, *stated);
+  }
   return json;
 }
 

@@ -11,19 +11,16 @@
 #include "src/commands/planning/hopper_flip_row.hpp"
 #include "src/commands/robot/robot_sweep.hpp"
 #include "src/interrupt.hpp"
+#include "src/options/hopper_flip_options.hpp"
 
 namespace torquewright::cli {
 namespace {
 
 /// What is of one plan alone.
 void refuse_single_outputs(const HopperFlipRequest& request) {
-  for (const auto& [option, is_asked] : {std::pair{"--write-best", !request.best_file.empty()},
-                                         {"--plot-momentum", !request.momentum_file.empty()},
-                                         {"--figures", !request.figures_file.empty()},
-                                         {"--report", !request.report_file.empty()},
-                                         {"--explain", request.plan.explain},
-                                         {"--timing", request.timing}}) {
-    if (is_asked) io::refuse(option, "is of one robot, --sweep of several");
+  for (const HopperFlipOption& option : hopper_flip_options()) {
+    if (!option.is_of_one_plan || !option.stated(request)) continue;
+    io::refuse(option.names, "is of one robot, --sweep of several");
   }
 }
 

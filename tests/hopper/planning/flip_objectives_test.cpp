@@ -13,6 +13,7 @@
 #include "hopper/planning/programme/guess.hpp"
 #include "hopper/planning/programme/plan_setup.hpp"
 #include "hopper/planning/programme/smoothness.hpp"
+#include "hopper/planning/programme/solved_motion.hpp"
 #include "io/faults/spec_error.hpp"
 #include "optimization/nonlinear/solve.hpp"
 #include "robot/model/robot_spec.hpp"

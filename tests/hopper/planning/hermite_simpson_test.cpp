@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracles: polynomials, of which the rule is exact up to cubics; sin(t), of which the remainders of
 // Simpson's and Hermite's rules are known; differences of values.
-#include "hopper/planning/programme/hermite_simpson.hpp"
+#include "hopper/planning/plane/hermite_simpson.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/planning/programme/hermite_simpson.hpp"
+#include "hopper/planning/plane/hermite_simpson.hpp"
 
 #include <utility>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/planning/programme/landing_load.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
+#include "hopper/planning/constraints/every_constraint.hpp"
+#include "hopper/planning/model/bounds.hpp"
 #include "hopper/planning/model/gear_laws.hpp"
 #include "hopper/planning/plane/affine_rows.hpp"
 #include "hopper/planning/plane/jet_rows.hpp"
@@ -16,7 +15,6 @@ namespace {
 using Eigen::Index;
 using optimization::Bounds;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kMost = 100.0;   // of limits; no plan is near it
 constexpr double kTypical = 0.5;  // of a limit
 
@@ -38,10 +36,10 @@ std::vector<double> mean_weights(const std::vector<double>& lengths_s, double wi
 }
 
 /// Of a phase's intervals, at the guess's duration.
-std::vector<double> lengths_s(const FlipProgram& program, std::size_t phase) {
-  const std::vector<double>& knots = program.mesh[phase].knots;
-  const double duration_s =
-      program.program.starts()[static_cast<std::size_t>(program.phases[phase].duration)];
+std::vector<double> lengths_s(const Site& site, std::size_t phase,
+                              const optimization::Program& program) {
+  const std::vector<double>& knots = site.mesh[phase].knots;
+  const double duration_s = program.starts()[static_cast<std::size_t>(site.phases[phase].duration)];
   std::vector<double> out;
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     out.push_back((knots[i + 1] - knots[i]) * duration_s);
@@ -70,27 +68,27 @@ Eigen::MatrixXd mean_rows(const std::vector<double>& weights) {
   return rows;
 }
 
-int add_shares(const char* name, std::size_t drives, double least, FlipProgram& program) {
-  return program.program.add({name, std::vector<double>(drives, 0.1),
-                              std::vector<Bounds>(drives, {least, kMost}),
-                              std::vector<double>(drives, kTypical)});
+int add_shares(const char* name, std::size_t drives, double least, optimization::Program& program) {
+  return program.add({name, std::vector<double>(drives, 0.1),
+                      std::vector<Bounds>(drives, {least, kMost}),
+                      std::vector<double>(drives, kTypical)});
 }
 
-/// Rows of one impact.
+/// Rows of one impact, at the begin of the site's phase. The windows reach over the instants that
+/// they cover at the guess's durations of the phases; those that lie on both sides of the impact
+/// are between. Drives without a limit get no rows.
 class LandingLoad {
  public:
-  LandingLoad(const PlanModel& model, double window_s, std::size_t phase, FlipProgram& program)
-      : model_(model),
-        window_s_(window_s),
-        phase_(phase),
+  LandingLoad(const Site& site, optimization::Program& program)
+      : site_(site),
+        model_(site.model),
+        window_s_(site.options.check.load_window_s),
         program_(program),
-        limits_Nm_(model.gear_Nm),
-        d_(static_cast<Index>(model.gear_Nm.size())),
-        k_(static_cast<Index>(model.plane.joints.size())) {
+        limits_Nm_(site.model.gear_Nm) {
     // Loads are shares of the limits; a drive without one is measured by its greatest torque.
     for (std::size_t i = 0; i < limits_Nm_.size(); ++i) {
       if (!std::isfinite(limits_Nm_[i])) {
-        limits_Nm_[i] = (*model.regions)[i].greatest_torque_Nm();
+        limits_Nm_[i] = (*model_.regions)[i].greatest_torque_Nm();
       }
     }
   }
@@ -98,24 +96,21 @@ class LandingLoad {
   void add() {
     impulse_ = add_shares("impulse loads", limits_Nm_.size(), 0.0, program_);
     const std::size_t rows = 2 * limits_Nm_.size();
-    program_.program.add_rows(jet_rows(
-        name("rotors at the impact"),
-        in_order({impulse_numbers(program_.phases[phase_], k_), numbers_from(impulse_, d_)}),
-        std::vector<Bounds>(rows, {-kInfinite, 0.0}), std::vector<double>(rows, 1.0),
-        MagnitudeLaw<ImpulseLaw>{{&model_, limits_Nm_, window_s_}, d_, false}));
-    add_window(program_.phases[phase_].points, lengths_s(program_, phase_));
-    std::vector<PointVariables> before = program_.phases[phase_ - 1].points;
-    std::vector<double> lengths_before_s = lengths_s(program_, phase_ - 1);
+    program_.add_rows(jet_rows(
+        site_.named("rotors at the impact"),
+        in_order({impulse_numbers(site_.variables(), site_.joints()),
+                  numbers_from(impulse_, site_.drives())}),
+        std::vector<Bounds>(rows, at_most(0.0)), std::vector<double>(rows, 1.0),
+        MagnitudeLaw<ImpulseLaw>{{&model_, limits_Nm_, window_s_}, site_.drives(), false}));
+    add_window(site_.variables().points, lengths_s(site_, site_.phase, program_));
+    std::vector<PointVariables> before = site_.phases[site_.phase - 1].points;
+    std::vector<double> lengths_before_s = lengths_s(site_, site_.phase - 1, program_);
     std::reverse(before.begin(), before.end());
     std::reverse(lengths_before_s.begin(), lengths_before_s.end());
     add_window(before, lengths_before_s);
   }
 
  private:
-  std::string name(const char* what) const {
-    return program_.mesh[phase_].stance.name + ": " + what;
-  }
-
   /// From the impact on, to either side: points and the lengths between.
   void add_window(const std::vector<PointVariables>& points, const std::vector<double>& lengths) {
     const std::vector<double> weights = mean_weights(lengths, window_s_);
@@ -126,38 +121,47 @@ class LandingLoad {
       std::vector<int> numbers;
       for (const int first : loads) numbers.push_back(first + static_cast<int>(drive));
       numbers.push_back(impulse_ + static_cast<int>(drive));
-      program_.program.add_rows(std::make_unique<const AffineRows>(
-          name("mean gear load at the impact"), std::move(numbers),
-          std::vector<Bounds>(2, {-kInfinite, 1.0}), std::vector<double>(2, 1.0),
-          mean_rows(weights)));
+      program_.add_rows(std::make_unique<const AffineRows>(
+          site_.named("mean gear load at the impact"), std::move(numbers),
+          std::vector<Bounds>(2, at_most(1.0)), std::vector<double>(2, 1.0), mean_rows(weights)));
     }
   }
 
   /// Unknowns that stand for the gears' loads there, by drive.
   int load_at(const PointVariables& point) {
     const int load = add_shares("gear loads", limits_Nm_.size(), -kMost, program_);
-    program_.program.add_rows(
-        jet_rows(name("gears beside the impact"),
-                 in_order({gear_numbers(point, k_, d_), numbers_from(load, d_)}),
-                 std::vector<Bounds>(limits_Nm_.size(), {0.0, 0.0}),
-                 std::vector<double>(limits_Nm_.size(), 1.0), LoadIsLaw{{&model_, limits_Nm_}}));
+    program_.add_rows(jet_rows(site_.named("gears beside the impact"),
+                               in_order({gear_numbers(point, site_.joints(), site_.drives()),
+                                         numbers_from(load, site_.drives())}),
+                               std::vector<Bounds>(limits_Nm_.size(), equal_to(0.0)),
+                               std::vector<double>(limits_Nm_.size(), 1.0),
+                               LoadIsLaw{{&model_, limits_Nm_}}));
     return load;
   }
 
+  const Site& site_;
   const PlanModel& model_;
   double window_s_;
-  std::size_t phase_;
-  FlipProgram& program_;
+  optimization::Program& program_;
   std::vector<double> limits_Nm_;
-  Index d_, k_;
   int impulse_ = 0;
 };
 
+void add(const Site& site, optimization::Program& program) {
+  Site at = site;
+  for (at.phase = 0; at.phase < at.mesh.size(); ++at.phase) {
+    if (at.variables().has_impact) LandingLoad(at, program).add();
+  }
+}
+
 }  // namespace
 
-void add_landing_load(const PlanModel& model, double window_s, std::size_t phase,
-                      FlipProgram& program) {
-  LandingLoad(model, window_s, phase, program).add();
-}
+// Beside an impact `hopper check` adds the size of the mean torque over the window and that of the
+// rotor's impulse spread over it: docs/derivations/whole_body_check.md eq. (12).
+const Constraint constraints::landing_load{
+    "landing load", "",
+    "what passes each drive's gears in the windows after and before an impact is within their "
+    "limit, as shares of it",
+    Where::kMotion, add};
 
 }  // namespace torquewright::hopper

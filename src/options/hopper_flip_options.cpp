@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/options/hopper_flip_options.hpp"
+
+#include <fmt/format.h>
+
+#include <type_traits>
+#include <utility>
+
+#include "hopper/planning/objectives/library.hpp"
+#include "hopper/planning/tasks/library.hpp"
+#include "src/options/named_sentences.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using command_line::Command;
+using command_line::Option;
+using Says = std::function<void(Option option)>;
+
+constexpr std::int64_t kGreatestSeed = 4294967295;
+
+template <typename Value>
+std::optional<StatedValue> unless_usual(const Value& value, const Value& usual) {
+  if (value == usual) return std::nullopt;
+  return StatedValue(value);
+}
+std::optional<StatedValue> unless_usual(const std::optional<double>& value,
+                                        const std::optional<double>& usual) {
+  if (value == usual) return std::nullopt;
+  return StatedValue(*value);
+}
+
+/// `at` yields the value within a request, to be filled or read.
+template <typename At>
+HopperFlipOption option(FlipGroup group, const std::string& names, const std::string& key, At at,
+                        const std::string& help, const Says& says = {}) {
+  HopperFlipOption out{group, names, key, false, {}, {}};
+  out.declare = [=](Command& command, HopperFlipRequest& request) {
+    auto& value = at(request);
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, bool>) {
+      command.add_flag(names, value, help);
+    } else {
+      const Option declared = command.add_option(names, value, help);
+      if (says) says(declared);
+    }
+  };
+  out.stated = [=](const HopperFlipRequest& request) {
+    static const HopperFlipRequest usual;
+    return unless_usual(at(request), at(usual));
+  };
+  return out;
+}
+
+HopperFlipOption of_one_plan(HopperFlipOption one) {
+  one.is_of_one_plan = true;
+  return one;
+}
+
+Says between(double least, double greatest) {
+  return [=](Option number) { number.between(least, greatest); };
+}
+Says integer_between(std::int64_t least, std::int64_t greatest) {
+  return [=](Option number) { number.integer_between(least, greatest); };
+}
+void file(Option named) { named.names_a_file(); }
+
+using Options = std::vector<HopperFlipOption>;
+
+Options task_options() {
+  const FlipGroup group = FlipGroup::kTask;
+  const hopper::PlanOptions usual;
+  return {
+      option(
+          group, "--task", "", [](auto& of) -> auto& { return of.task; },
+          named_sentences(hopper::every_task(), "{}: {}", "; "),
+          [](Option task) { task.one_of(hopper::task_names()); }),
+      option(
+          group, "--rise", "rise_m", [](auto& of) -> auto& { return of.rise_m; },
+          "How far the centre of mass rises in the flight of a jump or a hop, at least, in m",
+          [=](Option rise) {
+            rise.otherwise(fmt::format("{:g}", usual.rise_m)).between(0.0, 2.0);
+          }),
+      option(
+          group, "--stride", "stride_m", [](auto& of) -> auto& { return of.stride_m; },
+          "How far a hop goes, in m; less than 0 is backwards",
+          [=](Option stride) {
+            stride.otherwise(fmt::format("{:g}", usual.stride_m)).between(-2.0, 2.0);
+          }),
+      option(
+          group, "--limits", "", [](auto& of) -> auto& { return of.limits; },
+          "What limits each drive: mor, its region at the voltage of the instant; box, its "
+          "peak torque at any speed up to no load, which a real motor cannot do",
+          [](Option limits) {
+            limits.one_of({"mor", "box"});
+          }),
+      option(
+          group, "--contacts", "contacts", [](auto& of) -> auto& { return of.plan.stances; },
+          "What stands on the ground, in order: flat, heel, toe, flight",
+          [](Option contacts) {
+            contacts.otherwise("the task's, of a flip flat,heel,flight,heel,flat")
+                .separated_by_commas();
+          }),
+      option(
+          group, "--objective", "objective", [](auto& of) -> auto& { return of.objectives; },
+          fmt::format("NAME[=WEIGHT]: what the plan makes small or great (docs/flip.md), of {}; "
+                      "weights from 1e-6 to 1e6, 1 where none is stated",
+                      fmt::join(hopper::objective_names(), ", ")),
+          [](Option objective) { objective.otherwise("the task's").one_value_each(); }),
+  };
+}
+
+/// Planning margins: what a replay has left to steer with.
+Options margin_options() {
+  const FlipGroup group = FlipGroup::kMargins;
+  return {
+      option(
+          group, "--voltage-margin", "voltage_margin",
+          [](auto& of) -> auto& { return of.plan.margins.voltage; },
+          "Share of the bus voltage kept from a region's voltage bound", between(0.0, 0.9)),
+      option(
+          group, "--current-margin", "current_margin",
+          [](auto& of) -> auto& { return of.plan.margins.current; },
+          "Share of a region's current bound that is kept", between(0.0, 0.9)),
+      option(
+          group, "--friction-margin", "friction_margin",
+          [](auto& of) -> auto& { return of.plan.margins.friction; },
+          "Share of the ground's friction coefficient that is kept", between(0.0, 0.95)),
+      option(
+          group, "--center-of-pressure-margin", "center_of_pressure_margin",
+          [](auto& of) -> auto& { return of.plan.margins.center_of_pressure; },
+          "Share of the foot's length kept from either end of it", between(0.0, 0.49)),
+      option(
+          group, "--gear-margin", "gear_margin",
+          [](auto& of) -> auto& { return of.plan.margins.gear_load; },
+          "Share of each transmission's limit that is kept", between(0.0, 0.9)),
+      option(
+          group, "--position-margin", "position_margin_rad",
+          [](auto& of) -> auto& { return of.plan.margins.position_rad; },
+          "How far joints keep from the ends of their ranges, in rad", between(0.0, 1.0)),
+      option(
+          group, "--speed-margin", "speed_margin",
+          [](auto& of) -> auto& { return of.plan.margins.speed; },
+          "Share of the joints' speed limits that is kept", between(0.0, 0.9)),
+  };
+}
+
+Options search_options() {
+  const FlipGroup group = FlipGroup::kSearch;
+  return {
+      option(
+          group, "--intervals", "intervals", [](auto& of) -> auto& { return of.plan.intervals; },
+          "How many intervals the first mesh has, all phases together", integer_between(10, 2000)),
+      option(
+          group, "--integration-error", "integration_error_rad",
+          [](auto& of) -> auto& { return of.plan.most_error_rad; },
+          "How far a phase may end from where an independent integrator ends, in rad; the "
+          "mesh is refined until it is less",
+          between(1e-6, 0.1)),
+      option(
+          group, "--rounds", "rounds", [](auto& of) -> auto& { return of.plan.most_rounds; },
+          "How often the mesh is refined, at most", integer_between(0, 50)),
+      option(
+          group, "--iterations", "iterations",
+          [](auto& of) -> auto& { return of.plan.most_iterations; },
+          "How many iterations the solver takes on one mesh, at most", integer_between(1, 1000000)),
+      option(
+          group, "--time-limit", "time_limit_s",
+          [](auto& of) -> auto& { return of.plan.most_seconds; },
+          "End the search after so many seconds, with the best so far and exit code 3",
+          between(0.01, 1e7)),
+      option(
+          group, "--guess-noise", "guess_noise_rad",
+          [](auto& of) -> auto& { return of.plan.guess_noise_rad; },
+          "Standard deviation of what is added to the first guess's joint angles, in rad",
+          between(0.0, 1.0)),
+      option(
+          group, "--seed", "seed", [](auto& of) -> auto& { return of.guess_seed; },
+          "Seed of that noise",
+          [](Option seed) { seed.integer_between(0, kGreatestSeed).needs("--guess-noise"); }),
+  };
+}
+
+Options file_options() {
+  const FlipGroup group = FlipGroup::kFiles;
+  return {
+      option(
+          group, "-o,--output", "", [](auto& of) -> auto& { return of.motion_file; },
+          "Write the plan to this CSV, a motion that `hopper check` and `hopper replay` "
+          "read; only a plan is written. With --sweep: write its result to this file",
+          file),
+      of_one_plan(option(
+          group, "--write-best", "", [](auto& of) -> auto& { return of.best_file; },
+          "Where no plan is found, write the motion that comes closest to this CSV: it is "
+          "no plan",
+          file)),
+      option(
+          group, "--sample-step", "sample_step_s",
+          [](auto& of) -> auto& { return of.plan.sample_s; },
+          "Time between rows of the motion, in s", between(1e-5, 0.05)),
+      of_one_plan(option(
+          group, "--plot-momentum", "", [](auto& of) -> auto& { return of.momentum_file; },
+          "Draw CAM (centroidal angular momentum), CAV (the mean angular velocity that goes with "
+          "it) and the composite inertia about the lateral axis over time to this SVG or PNG",
+          file)),
+      of_one_plan(option(
+          group, "--figures", "", [](auto& of) -> auto& { return of.figures_file; },
+          "Draw the robot at moments of the motion to this SVG", file)),
+      of_one_plan(option(
+          group, "--report", "", [](auto& of) -> auto& { return of.report_file; },
+          "Write a page with the plan and all that `hopper check` says of it to this HTML", file)),
+      option(
+          group, "--json", "", [](auto& of) -> auto& { return of.json; },
+          "Print the answer as JSON"),
+  };
+}
+
+/// How a motion is read that a search begins from, and how loads are counted.
+Options motion_options() {
+  const std::string contacts = "the motion's contact columns, else searched for";
+  return {
+      option(
+          FlipGroup::kLoads, "--load-window", "load_window_s",
+          [](auto& of) -> auto& { return of.warm.check.load_window_s; },
+          "Time over which a transmission's load is averaged, in s", between(1e-6, 10.0)),
+      option(
+          FlipGroup::kWarm, "--warm", "warm",
+          [](auto& of) -> auto& { return of.warm.trajectory_file; },
+          "Begin from this motion of the robot, a CSV as `hopper check` reads it",
+          [](Option warm) { warm.otherwise("a guess of its own"); }),
+      option(
+          FlipGroup::kContacts, "--contact-height", "contact_height_m",
+          [](auto& of) -> auto& { return of.warm.check.contact.height_m; },
+          "Height up to which points touch the ground in that motion, in m",
+          [=](Option height) { height.otherwise(contacts).between(0.0, 10.0).needs("--warm"); }),
+      option(
+          FlipGroup::kContacts, "--contact-speed", "contact_speed_m_s",
+          [](auto& of) -> auto& { return of.warm.check.contact.speed_m_s; },
+          "Speed upwards or downwards up to which points touch the ground in that motion, in m/s",
+          [=](Option speed) { speed.otherwise(contacts).between(0.0, 100.0).needs("--warm"); }),
+  };
+}
+
+Options last_options() {
+  return {
+      of_one_plan(option(
+          FlipGroup::kExplanation, "--explain", "explain",
+          [](auto& of) -> auto& { return of.plan.explain; },
+          "Where no plan is found, look for the smallest change of one thing (voltage, "
+          "current, mass, a ratio) that makes one")),
+      of_one_plan(option(
+          FlipGroup::kFiles, "--timing", "", [](auto& of) -> auto& { return of.timing; },
+          "State the seconds (runs then differ in bytes)")),
+  };
+}
+
+Options all_options() {
+  Options all;
+  for (const auto& make :
+       {task_options, margin_options, search_options, file_options, motion_options, last_options}) {
+    for (HopperFlipOption& one : make()) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<HopperFlipOption>& hopper_flip_options() {
+  static const Options all = all_options();
+  return all;
+}
+
+}  // namespace torquewright::cli
