@@ -22,12 +22,21 @@ bool is_finite(const Body& body) {
          joint.rotor_spin_kg_m2.allFinite();
 }
 
+bool is_valid(const PassiveForces& passive) {
+  for (const double number :
+       {passive.damping, passive.dry_friction, passive.static_friction, passive.stiffness}) {
+    if (!std::isfinite(number) || number < 0) return false;
+  }
+  return std::isfinite(passive.rest_position);
+}
+
 const char* fault_of(const Body& body, std::size_t index) {
   const Joint& joint = body.joint;
   if (!is_finite(body)) return "has a number that is not finite";
   if (index > 0 && body.parent >= index) return "does not come after its parent";
   if (body.inertia.mass_kg < 0) return "has a negative mass";
   if (joint.reflected_inertia < 0) return "has a negative reflected inertia";
+  if (!is_valid(joint.passive)) return "has passive forces that are negative or not finite";
   const Eigen::Matrix3d& inertia = body.inertia.inertia_kg_m2;
   if (inertia != inertia.transpose()) return "has an inertia that is not symmetric";
   const Eigen::Matrix3d square = joint.R_PB * joint.R_PB.transpose();

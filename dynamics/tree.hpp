@@ -27,6 +27,24 @@ struct JointLimits {
   double position_max = std::numeric_limits<double>::infinity();
   double speed_max = std::numeric_limits<double>::infinity();
   double effort_max = std::numeric_limits<double>::infinity();
+  /// Whether these two are the joint's own (bearings, cables) and not those of what drives it: then
+  /// they stay with another gear ratio.
+  bool owns_speed = false, owns_effort = false;
+};
+
+/// What a joint does by itself, whoever drives it: bearings, seals, cables, springs. In Nm per rad
+/// for revolute joints, in N per m for prismatic ones; none of the numbers but rest_position is
+/// negative.
+struct PassiveForces {
+  double damping = 0;          ///< Force against motion per speed: N m s/rad or N s/m.
+  double dry_friction = 0;     ///< Force against motion at any speed: N m or N.
+  double static_friction = 0;  ///< The most that it holds at rest, no less than dry_friction.
+  double stiffness = 0;        ///< Force of a spring per position away from rest_position.
+  double rest_position = 0;    ///< Position at which the spring gives no force, in rad or m.
+
+  bool is_none() const {
+    return damping == 0 && dry_friction == 0 && static_friction == 0 && stiffness == 0;
+  }
 };
 
 /// How a body is carried by its parent. The body's frame B sits at the joint; at position zero it
@@ -38,6 +56,7 @@ struct Joint {
   Eigen::Vector3d p_PB_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitY();  ///< Unit vector of the axis in B.
   JointLimits limits;
+  PassiveForces passive;
   /// Inertia of the rotor as it reflects at the joint, N^2 J (kg m2; kg for prismatic joints).
   double reflected_inertia = 0;
   /// The rotor's own spin: its inertia times rotor speed over joint speed, N J, along its axis in

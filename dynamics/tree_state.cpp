@@ -76,6 +76,7 @@ void TreeStateOf<T>::set(const VectorInOf<T>& position, const VectorInOf<T>& vel
   velocity_ = velocity;
   place_base(position);
   const Eigen::Index extra = position.size() - velocity.size();
+  joint_positions_.resize(motions_.size());
   for (std::size_t i = 1; i < motions_.size(); ++i) place_body(i, position[joint_row(i) + extra]);
 }
 
@@ -117,6 +118,7 @@ void TreeStateOf<T>::place_body(std::size_t index, const T& position) {
   const BodyMotionOf<T>& parent = motions_[body.parent];
   BodyMotionOf<T>& motion = motions_[index];
   const T& rate = joint_velocity(index);
+  joint_positions_[index] = position;
   const Matrix3<T> R_WJ = parent.R_WB * joint.R_PB;  // before the joint turns it
   motion.axis = R_WJ * joint.axis;
   motion.from_parent_m = parent.R_WB * joint.p_PB_m;

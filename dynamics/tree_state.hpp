@@ -74,6 +74,7 @@ class TreeStateOf {
   Eigen::Index joint_row(std::size_t body) const {
     return base_size_ + static_cast<Eigen::Index>(body) - 1;
   }
+  const T& joint_position(std::size_t body) const { return joint_positions_[body]; }
   const T& joint_velocity(std::size_t body) const { return velocity_[joint_row(body)]; }
 
   /// Memory of inverse_dynamics(): a body's acceleration, and the load of its joint.
@@ -102,6 +103,7 @@ class TreeStateOf {
   Tree tree_;
   Eigen::Index base_size_;
   VectorX<T> velocity_;
+  std::vector<T> joint_positions_;  ///< By body; the base's is not used.
   Vector3<T> base_origin_m_ = Vector3<T>::Zero();
   std::vector<BodyMotionOf<T>> motions_;
   std::vector<Newton> newton_;

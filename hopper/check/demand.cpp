@@ -10,6 +10,7 @@
 
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/momentum.hpp"
+#include "dynamics/passive_forces.hpp"
 #include "dynamics/point.hpp"
 #include "hopper/contact/cone_least_squares.hpp"
 #include "io/faults/refusal.hpp"
@@ -195,7 +196,7 @@ class DemandPass {
     asked_.setZero(rows_.size());
     force_.setZero(size_);
     load_.setZero(size_);
-    for (VectorXd* vector : {&change_, &lacking_, &still_}) vector->setZero(size_);
+    for (VectorXd* vector : {&change_, &lacking_, &still_, &held_}) vector->setZero(size_);
     drive_torque_.setZero(drives);
   }
 
@@ -309,6 +310,7 @@ class DemandPass {
       store_forces(count, sample);
       if (!motion_.has_forces) note_shared_doubt(count, sample);
     }
+    take_off_held(sample);
     rows_.take(load_, asked_);
     demand_.residual.col(sample) = asked_;
     if (sample > 0 && !motion_.is_break(sample)) store_unsampled(sample);
@@ -320,10 +322,19 @@ class DemandPass {
   /// base's acceleration, which none has).
   void ask(Index sample) {
     dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), force_);
+    dynamics::add_dampers_and_springs(body_.state(), force_);
+    dynamics::add_dry_friction(body_.state(), motion_.accelerations.col(sample), force_);
     for (const std::size_t joint : given_passive_) {
       const auto row = static_cast<Index>(joint) - 1;
       force_[body_.state().joint_row(joint)] -= motion_.efforts(row, sample);
     }
+  }
+
+  /// What the joints' own friction holds of the load, of joints that rest.
+  void take_off_held(Index sample) {
+    dynamics::held_by_friction(body_.state(), motion_.accelerations.col(sample), load_, held_);
+    load_ -= held_;
+    force_ -= held_;
   }
 
   void note_centroid(Index sample) {
@@ -500,6 +511,7 @@ class DemandPass {
     rows_.set(body_.state(), all.position_m);
     VectorXd impulse(size_);
     dynamics::bias(body_.state(), impulse);
+    dynamics::add_dampers_and_springs(body_.state(), impulse);
     impulse = (mass * change + impulse * step_s).eval();
     const VectorXd before = motion_.velocities.col(sample - 1);
     const VectorXd after = motion_.velocities.col(sample);
@@ -595,6 +607,7 @@ class DemandPass {
   VectorXd change_;
   VectorXd lacking_;
   VectorXd still_;
+  VectorXd held_;
   VectorXd shared_;
   ConeLeastSquares::Guide guide_;
   Index doubt_stride_ = 1;

@@ -110,6 +110,9 @@ void MujocoModel::set_options(const EngineOptions& options) {
   for (int i = 0; i < model_->ngeom; ++i) {
     stiffen(model_->geom_solref + mjNREF * i, model_->geom_solimp + mjNIMP * i);
   }
+  for (int i = 0; i < model_->nv; ++i) {
+    stiffen(model_->dof_solref + mjNREF * i, model_->dof_solimp + mjNIMP * i);
+  }
   for (int i = 0; i < model_->njnt; ++i) {
     stiffen(model_->jnt_solref + mjNREF * i, model_->jnt_solimp + mjNIMP * i);
   }

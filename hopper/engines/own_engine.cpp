@@ -44,6 +44,7 @@ simulation::Obstacles obstacles_of(const Robot& robot, const EngineOptions& opti
     obstacles.points.push_back({sphere.center, kBodyFriction, 0.0, sphere.radius_m});
   }
   obstacles.stops = simulation::joint_stops(robot.tree);
+  obstacles.frictions = simulation::joint_frictions(robot.tree);
   obstacles.ground_height_m = options.ground_height_m;
   return obstacles;
 }

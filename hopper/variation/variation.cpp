@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "actuator/region/operating_conditions.hpp"
@@ -143,6 +144,22 @@ void require_all_alike(const Drivetrain& drivetrain, const std::vector<double>& 
              fmt::format("the joints behind {} state what all rotors weigh together: name all of "
                          "its drives at once",
                          drivetrain.actuator_names.front()));
+}
+
+/// Limits of joints that are their drives' behind another ratio; of several drives the stricter.
+void follow_with_limits(const Drivetrain& old, const Drivetrain& changed, dynamics::Tree& tree) {
+  double most = 0.0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < old.actuators.size(); ++i) {
+    const double factor =
+        changed.actuators[i].transmission.ratio / old.actuators[i].transmission.ratio;
+    most = std::max(most, factor);
+    least = std::min(least, factor);
+  }
+  for (const std::size_t joint : old.joints) {
+    dynamics::JointLimits& limits = tree.bodies[joint].joint.limits;
+    if (!limits.owns_speed) limits.speed_max /= most;
+    if (!limits.owns_effort) limits.effort_max *= least;
+  }
 }
 
 /// The rotors of a drivetrain behind another ratio, where the robot itself holds them.
@@ -286,6 +303,7 @@ Robot varied(const Robot& robot, const Variable& variable, double value) {
   if (variable.quantity != Quantity::kRatio) return changed;
   for (std::size_t i = 0; i < robot.drivetrains.size(); ++i) {
     follow_ratio(robot, changed, i, variable);
+    follow_with_limits(robot.drivetrains[i], changed.drivetrains[i], changed.tree);
   }
   return changed;
 }

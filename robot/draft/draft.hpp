@@ -26,7 +26,6 @@ struct DraftBody {
   bool states_rotor = false;      ///< Whether the file says what its joint's reflected inertia is.
   double rounding_kg_m2 = 0;      ///< By so much its moments may be off by how they are written.
   double reference = 0;           ///< Of its joint where all bodies stand as the file puts them.
-  double stiffness = 0;           ///< Of a spring in its joint.
   const Element* ball = nullptr;  ///< The ball joint that this hinge is one third of.
   std::vector<DraftBall> balls = {};
 };

@@ -193,8 +193,25 @@ class LinkageReader {
       if (!options_.drops_link_mass) drivetrain.cranks_kg_m2 = linkage.cranks_kg_m2;
       imported_.robot.drivetrains.push_back(std::move(drivetrain));
       note_ranges(linkage);
+      note_drag(linkage);
     }
     draft_ = std::move(left_);
+  }
+
+  /// A mechanism has no friction of its own.
+  void note_drag(const Linkage& linkage) {
+    for (const RodLoop& loop : linkage.loops) {
+      std::vector<std::size_t> links = loop.rod;
+      links.push_back(loop.crank);
+      for (const std::size_t link : links) {
+        const dynamics::Joint& joint = draft_[link].body.joint;
+        if (joint.passive.is_none()) continue;
+        imported_.notes.push_back(fmt::format(
+            "damping and friction of \"{}\", a joint of a crank or a rod, are not held; state them "
+            "in the drive's document",
+            joint.name));
+      }
+    }
   }
 
   /// A document limits joints, and drives by their own documents.

@@ -113,14 +113,18 @@ class LoopReader {
         const bool is_part_of_ball =
             draft_[index].ball != nullptr && draft_[index].body.joint.axis.x() == 0;
         if (is_part_of_ball) continue;
-        names.push_back(joint(index) + (draft_[index].stiffness != 0 ? " (with a spring)" : ""));
+        names.push_back(joint(index) + (draft_[index].body.joint.passive.stiffness != 0
+                                            ? " (with a spring)"
+                                            : ""));
       }
     }
     return fmt::format("{}", fmt::join(names, ", "));
   }
 
   bool has_spring() const {
-    const auto springs = [&](std::size_t index) { return draft_[index].stiffness != 0; };
+    const auto springs = [&](std::size_t index) {
+      return draft_[index].body.joint.passive.stiffness != 0;
+    };
     return std::any_of(chains_[0].begin(), chains_[0].end(), springs) ||
            std::any_of(chains_[1].begin(), chains_[1].end(), springs);
   }
@@ -144,7 +148,7 @@ class LoopReader {
       }
     }
     for (const std::size_t index : links) {
-      if (draft_[index].stiffness != 0) {
+      if (draft_[index].body.joint.passive.stiffness != 0) {
         return fmt::format("a spring in the linkage, at joint \"{}\", is no part of a mechanism",
                            joint(index));
       }

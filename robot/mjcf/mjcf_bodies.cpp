@@ -140,6 +140,7 @@ class BodyWriter {
     if (states_rotor) {
       out_.PushAttribute("armature", text_of(joint.reflected_inertia).c_str());
     }
+    write_passive(joint.passive);
     if (std::isfinite(joint.limits.position_min)) {
       out_.PushAttribute("limited", "true");
       out_.PushAttribute(
@@ -147,6 +148,17 @@ class BodyWriter {
           fmt::format("{} {}", joint.limits.position_min, joint.limits.position_max).c_str());
     }
     out_.CloseElement();
+  }
+
+  /// What MuJoCo's friction holds at rest is as much as while the joint moves.
+  void write_passive(const dynamics::PassiveForces& passive) {
+    const auto write = [&](const char* key, double value) {
+      if (value != 0) out_.PushAttribute(key, text_of(value).c_str());
+    };
+    write("damping", passive.damping);
+    write("frictionloss", passive.dry_friction);
+    write("stiffness", passive.stiffness);
+    write("springref", passive.rest_position);
   }
 
   /// By principal axes: of a full inertia MuJoCo finds them to some nine digits only.

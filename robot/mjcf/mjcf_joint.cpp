@@ -71,6 +71,26 @@ double force_either_way(const Element& element, const char* range, const char* l
   return kNone;
 }
 
+namespace {
+
+/// Of a hinge or a slide.
+dynamics::PassiveForces read_passive(const Element& element, double unit, Faults& faults) {
+  dynamics::PassiveForces passive;
+  passive.damping = faults.number(element, "damping", 0);
+  passive.dry_friction = faults.number(element, "frictionloss", 0);
+  passive.stiffness = faults.number(element, "stiffness", 0);
+  if (passive.stiffness != 0) passive.rest_position = unit * faults.number(element, "springref", 0);
+  for (const char* key : {"damping", "frictionloss", "stiffness"}) {
+    if (faults.number(element, key, 0) < 0) {
+      faults.report(element, fmt::format("{}=\"{}\" is negative and would drive the joint", key,
+                                         attribute(element, key)));
+    }
+  }
+  return passive;
+}
+
+}  // namespace
+
 MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
   const Element element = context.defaults.completed(*placed.element, placed.childclass);
   Faults& faults = context.faults;
@@ -85,13 +105,13 @@ MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
   if (read.joint.reflected_inertia < 0) faults.report(element, "the armature is negative");
   if (read.is_free) return read;
   read.is_ball = type == "ball";
-  read.stiffness = faults.number(element, "stiffness", 0);
   if (!type.empty() && type != "hinge" && type != "slide" && !read.is_ball) {
     faults.report(element, fmt::format("type \"{}\" must be hinge or slide here", type));
   }
   const bool turns = type != "slide";
   read.joint.kind = turns ? JointKind::kRevolute : JointKind::kPrismatic;
   const double unit = turns ? context.compiler.rad_per_angle : 1;
+  read.joint.passive = read_passive(element, read.is_ball ? 1 : unit, faults);
   if (!read.is_ball) read.reference = unit * faults.number(element, "ref", 0);
   read_axis(element, placed, context, read);
   if (!read.is_ball) read_range(element, unit, context, read.joint.limits);

@@ -11,7 +11,6 @@ struct MjcfJoint {
   dynamics::Joint joint;  ///< Its frame in its parent is not set.
   Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
   double reference = 0;  ///< Its position where the body stands as the file puts it.
-  double stiffness = 0;  ///< Of its spring.
   bool states_armature = false;
   bool is_free = false;
   bool is_ball = false;

@@ -252,7 +252,6 @@ class MjcfReader {
     joint.p_PB_m = at.p_m + at.R * shift_m;
     joint.R_PB = at.R;
     draft.reference = stated.reference;
-    draft.stiffness = stated.stiffness;
     draft.states_rotor = stated.states_armature;
     draft.ball = stated.is_ball ? stated.element : nullptr;
     if (turns && back != 0) {

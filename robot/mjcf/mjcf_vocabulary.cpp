@@ -76,10 +76,11 @@ std::span<const Words> mjcf_words() {
       {"freejoint", kAttributes, kRefused, "align", "it moves the body's frame"},
 
       {"joint", kAttributes, kRead,
-       "name class type pos axis ref range limited armature actuatorfrcrange actuatorfrclimited"},
-      {"joint", kAttributes, kForce, "stiffness damping frictionloss springdamper"},
+       "name class type pos axis ref range limited armature actuatorfrcrange actuatorfrclimited "
+       "stiffness springref damping frictionloss"},
+      {"joint", kAttributes, kForce, "springdamper"},
       {"joint", kAttributes, kNeutral,
-       "group springref solreflimit solimplimit solreffriction solimpfriction margin user "
+       "group solreflimit solimplimit solreffriction solimpfriction margin user "
        "actuatorgravcomp"},
 
       {"inertial", kAttributes, kRead,

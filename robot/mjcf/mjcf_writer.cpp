@@ -94,6 +94,7 @@ Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
       parts.closed_loops ? with_closed_loops(robot, exported.notes) : LoopedRobot{robot, {}};
   if (parts.actuators) leave_to_drives(robot, looped.robot.tree);
   const dynamics::Tree tree = tree_with_rotors(looped.robot, exported.notes);
+  add_passive_notes(robot, true, exported.notes);
   add_common_notes(robot, {!parts.collisions, !parts.actuators}, exported.notes);
   add_notes_of_parts(robot, parts, exported.notes);
   if (parts.ground && !looped.pins.empty()) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robot/mechanisms/library_spec.hpp"
+#include "robot/model/passive_keys.hpp"
 #include "robot/model/rotations.hpp"
 
 namespace torquewright::hopper {
@@ -66,6 +67,12 @@ ordered_json joint_json(const Robot& robot, std::size_t index) {
   }
   if (std::isfinite(limits.effort_max)) {
     keys[turns ? "torque_limit_Nm" : "force_limit_N"] = limits.effort_max;
+  }
+  if (limits.owns_speed) keys["own_limits"].push_back("speed");
+  if (limits.owns_effort) keys["own_limits"].push_back("torque");
+  for (const PassiveKey& key : kPassiveKeys) {
+    const double value = joint.passive.*key.value;
+    if (value != 0) keys[turns ? key.of_revolute : key.of_prismatic] = value;
   }
   // A joint that states an inertia takes none from its actuators: zero is not said of one unasked.
   if (robot.states_rotor(index, joint)) {

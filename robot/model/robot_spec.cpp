@@ -10,6 +10,7 @@
 #include "io/text/one_line.hpp"
 #include "robot/find_name.hpp"
 #include "robot/model/mechanism_spec.hpp"
+#include "robot/model/passive_keys.hpp"
 #include "robot/model/plausible_inertia.hpp"
 #include "robot/model/posture_spec.hpp"
 #include "robot/model/rotations.hpp"
@@ -30,6 +31,14 @@ constexpr std::array kRevoluteKeys{"range_rad", "speed_limit_rad_s", "torque_lim
                                    "reflected_inertia_kg_m2"};
 constexpr std::array kPrismaticKeys{"range_m", "speed_limit_m_s", "force_limit_N",
                                     "reflected_mass_kg"};
+
+dynamics::PassiveForces passive_of(const json& joint, bool turns) {
+  dynamics::PassiveForces passive;
+  for (const PassiveKey& key : kPassiveKeys) {
+    passive.*key.value = joint.value(turns ? key.of_revolute : key.of_prismatic, 0.0);
+  }
+  return passive;
+}
 
 Vector3d vector_of(const json& keys, const char* key) {
   if (!keys.contains(key)) return Vector3d::Zero();
@@ -171,16 +180,34 @@ class RobotReader {
     }
     const bool turns = joint["type"] == "revolute";
     for (const char* key : turns ? kPrismaticKeys : kRevoluteKeys) {
-      if (!joint.contains(key)) continue;
-      report(fmt::format("{}/{}", ends.path, key),
-             fmt::format("is for {} joints", turns ? "prismatic" : "revolute"));
+      if (joint.contains(key)) report_other_kind(ends, key, turns);
     }
+    for (const PassiveKey& key : kPassiveKeys) {
+      const char* name = turns ? key.of_prismatic : key.of_revolute;
+      if (joint.contains(name)) report_other_kind(ends, name, turns);
+    }
+    check_friction(ends, joint, turns);
     const char* range = turns ? "range_rad" : "range_m";
     if (joint.contains(range) && !(joint[range][0] < joint[range][1])) {
       report(fmt::format("{}/{}", ends.path, range),
              fmt::format("{} is not below {}: least position first", joint[range][0].dump(),
                          joint[range][1].dump()));
     }
+  }
+
+  void report_other_kind(const Ends& ends, const char* key, bool turns) {
+    report(fmt::format("{}/{}", ends.path, key),
+           fmt::format("is for {} joints", turns ? "prismatic" : "revolute"));
+  }
+
+  void check_friction(const Ends& ends, const json& joint, bool turns) {
+    const dynamics::PassiveForces passive = passive_of(joint, turns);
+    const char* key = turns ? "static_friction_Nm" : "static_friction_N";
+    if (!joint.contains(key) || passive.static_friction >= passive.dry_friction) return;
+    report(fmt::format("{}/{}", ends.path, key),
+           fmt::format("{:g} is less than the joint's dry friction of {:g}, which holds at rest "
+                       "too; state as much or leave it out",
+                       passive.static_friction, passive.dry_friction));
   }
 
   void add_body(const Place& place) {
@@ -228,6 +255,7 @@ class RobotReader {
     joint.rotor_spin_kg_m2 = vector_of(keys, "rotor_spin_kg_m2");
     joint.reflected_inertia =
         keys.value(turns ? "reflected_inertia_kg_m2" : "reflected_mass_kg", 0.0);
+    joint.passive = passive_of(keys, turns);
     dynamics::JointLimits& limits = joint.limits;
     const char* range = turns ? "range_rad" : "range_m";
     // What is no range was reported.
@@ -238,6 +266,9 @@ class RobotReader {
     limits.speed_max =
         keys.value(turns ? "speed_limit_rad_s" : "speed_limit_m_s", limits.speed_max);
     limits.effort_max = keys.value(turns ? "torque_limit_Nm" : "force_limit_N", limits.effort_max);
+    for (const std::string own : keys.value("own_limits", json::array())) {
+      (own == "speed" ? limits.owns_speed : limits.owns_effort) = true;
+    }
     return joint;
   }
 

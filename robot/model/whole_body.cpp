@@ -7,6 +7,7 @@
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/jet.hpp"
 #include "dynamics/mass_matrix.hpp"
+#include "dynamics/passive_forces.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -143,6 +144,7 @@ template <typename T>
 void WholeBodyOf<T>::inverse_dynamics(const VectorInOf<T>& acceleration, VectorOutOf<T> force) {
   dynamics::inverse_dynamics(state_, acceleration, force);
   add_rotors(acceleration, force);
+  dynamics::add_dampers_and_springs(state_, force);
 }
 
 template <typename T>

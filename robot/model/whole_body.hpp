@@ -70,8 +70,8 @@ class WholeBodyOf {
   void mass_matrix(dynamics::MatrixOutOf<T> out);
   /// Adds what rotors weigh (n x n): A^T I A at the joints of each drivetrain.
   void add_rotor_inertia(dynamics::MatrixOutOf<T> out) const;
-  /// Forces for an acceleration, rotors included; per velocity, as dynamics::inverse_dynamics();
-  /// eq. (2).
+  /// Forces for an acceleration, with rotors and the joints' dampers and springs, without their dry
+  /// friction; per velocity, as dynamics::inverse_dynamics(); eq. (2).
   void inverse_dynamics(const dynamics::VectorInOf<T>& acceleration,
                         dynamics::VectorOutOf<T> force);
   /// Adds what rotors take for an acceleration, at the joints: A^T I (A a + A' v).

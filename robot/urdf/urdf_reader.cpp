@@ -66,7 +66,8 @@ class UrdfReader {
   void check_below(const Element& element) {
     vocabulary_.check(element);
     for (const Element& held : element.children) {
-      for (const char* read : {"inertial", "origin", "mass", "inertia", "axis", "limit"}) {
+      for (const char* read :
+           {"inertial", "origin", "mass", "inertia", "axis", "limit", "dynamics"}) {
         if (held.name == read) check_below(held);
       }
     }
@@ -173,7 +174,24 @@ class UrdfReader {
     const auto reflected = reflected_.find(joint.name);
     draft.states_rotor = reflected != reflected_.end();
     if (draft.states_rotor) joint.reflected_inertia = reflected->second;
-    if (const Element* dynamics = child(element, "dynamics")) read_armature(*dynamics, draft);
+    if (const Element* dynamics = child(element, "dynamics")) {
+      read_passive(*dynamics, draft);
+      read_armature(*dynamics, draft);
+    }
+  }
+
+  /// URDF's damping is viscous and its friction is dry: torques at the joint, either way.
+  void read_passive(const Element& dynamics, DraftBody& draft) {
+    draft.body.joint.passive.damping = read_drag(dynamics, "damping");
+    draft.body.joint.passive.dry_friction = read_drag(dynamics, "friction");
+  }
+
+  double read_drag(const Element& dynamics, const char* name) {
+    const double drag = faults_.number(dynamics, name, 0);
+    if (drag >= 0) return drag;
+    faults_.report(dynamics,
+                   fmt::format("{}={} is negative and would drive the joint", name, drag));
+    return 0;
   }
 
   /// RaiSim's: what its mass matrix has more at the joint.

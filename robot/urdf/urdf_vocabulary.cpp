@@ -41,9 +41,8 @@ std::span<const Words> urdf_words() {
       {"inertia", kAttributes, kRead, "ixx ixy ixz iyy iyz izz"},
 
       {"joint", kAttributes, kRead, "name type"},
-      {"joint", kChildren, kRead, "parent child origin axis limit mimic"},
-      {"joint", kChildren, kForce, "dynamics"},
-      {"dynamics", kAttributes, kRead, "rotor_inertia"},
+      {"joint", kChildren, kRead, "parent child origin axis limit mimic dynamics"},
+      {"dynamics", kAttributes, kRead, "damping friction rotor_inertia"},
       {"joint", kChildren, kNeutral, "safety_controller calibration hardwareInterface"},
       {"joint", kChildren, kRefused, "drake:mimic drake:screw_thread_pitch",
        "readers that know it couple or turn the joint by it"},

@@ -60,6 +60,14 @@ void write_limits(tinyxml2::XMLPrinter& out, const dynamics::JointLimits& limits
   out.CloseElement();
 }
 
+void write_drag(tinyxml2::XMLPrinter& out, const dynamics::PassiveForces& passive) {
+  if (passive.damping == 0 && passive.dry_friction == 0) return;
+  out.OpenElement("dynamics");
+  out.PushAttribute("damping", text_of(passive.damping).c_str());
+  out.PushAttribute("friction", text_of(passive.dry_friction).c_str());
+  out.CloseElement();
+}
+
 void write_joint(tinyxml2::XMLPrinter& out, const Body& body, const std::string& parent) {
   const dynamics::Joint& joint = body.joint;
   dynamics::JointLimits limits = joint.limits;
@@ -79,6 +87,7 @@ void write_joint(tinyxml2::XMLPrinter& out, const Body& body, const std::string&
   out.PushAttribute("xyz", text_of(joint.axis).c_str());
   out.CloseElement();
   write_limits(out, limits, has_range || !turns);
+  write_drag(out, joint.passive);
   out.CloseElement();
 }
 
@@ -128,6 +137,7 @@ std::vector<std::string> notes_of(const Robot& robot) {
   notes.emplace_back(
       "reflected inertia stands as drake:rotor_inertia with gear ratio 1; readers "
       "other than Drake ignore it");
+  add_passive_notes(robot, false, notes);
   add_common_notes(robot, {}, notes);
   return notes;
 }

@@ -2,6 +2,7 @@
 #include "robot/xml/xml_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace torquewright::hopper {
 
@@ -20,6 +21,26 @@ void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& note
     comment += "\n";
   }
   out.PushComment(comment.c_str());
+}
+
+void add_passive_notes(const Robot& robot, bool holds_springs, std::vector<std::string>& notes) {
+  std::vector<std::string> springs;
+  std::vector<std::string> held;
+  for (const dynamics::Body& body : robot.tree.bodies) {
+    const dynamics::PassiveForces& passive = body.joint.passive;
+    if (passive.stiffness > 0) springs.push_back(body.joint.name);
+    if (passive.static_friction > passive.dry_friction) held.push_back(body.joint.name);
+  }
+  if (!springs.empty() && !holds_springs) {
+    notes.push_back(fmt::format("the springs of {} are not held: the format has no word for them",
+                                fmt::join(springs, ", ")));
+  }
+  if (!held.empty()) {
+    notes.push_back(
+        fmt::format("at rest {} hold no more than their friction while they move: the "
+                    "format has one number for both",
+                    fmt::join(held, ", ")));
+  }
 }
 
 void add_common_notes(const Robot& robot, const LeftOut& left_out,

@@ -27,6 +27,9 @@ struct LeftOut {
   bool drives = true;
 };
 
+/// Adds what a file does not hold of the joints' passive forces.
+void add_passive_notes(const Robot& robot, bool holds_springs, std::vector<std::string>& notes);
+
 /// What a file does not hold of this robot.
 void add_common_notes(const Robot& robot, const LeftOut& left_out, std::vector<std::string>& notes);
 

@@ -3,6 +3,7 @@
 
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
+#include "dynamics/passive_forces.hpp"
 #include "dynamics/tree_state.hpp"
 
 namespace torquewright::simulation {
@@ -21,7 +22,8 @@ class MovingBodies {
   virtual dynamics::TreeState& state() = 0;
   /// Writes the mass matrix (n x n), rotors included.
   virtual void mass_matrix(dynamics::MatrixOut out) = 0;
-  /// Writes the forces (n x 1) that hold accelerations at zero.
+  /// Writes the forces (n x 1) that hold accelerations at zero, with the joints' dampers and
+  /// springs and without their dry friction.
   virtual void bias(dynamics::VectorOut out) = 0;
 };
 
@@ -36,7 +38,10 @@ class BareTree final : public MovingBodies {
   }
   dynamics::TreeState& state() override { return state_; }
   void mass_matrix(dynamics::MatrixOut out) override { dynamics::mass_matrix(state_, out); }
-  void bias(dynamics::VectorOut out) override { dynamics::bias(state_, out); }
+  void bias(dynamics::VectorOut out) override {
+    dynamics::bias(state_, out);
+    dynamics::add_dampers_and_springs(state_, out);
+  }
 
  private:
   dynamics::TreeState state_;

@@ -25,10 +25,19 @@ struct JointStop {
   double inward = 1.0;   ///< 1: the range lies above the bound; -1: below.
 };
 
+/// Dry friction of a joint.
+struct JointFriction {
+  Eigen::Index row = 0;  ///< Row of the joint in vectors of velocities.
+  double moving = 0.0;   ///< Friction while it moves, in N m or N.
+  double resting = 0.0;  ///< The most that it holds at rest, no less.
+};
+
 /// Returns the lowest place of a ground point in its body's present posture.
 dynamics::BodyPoint lowest_point(const dynamics::TreeState& state, const GroundPoint& point);
 
 /// Returns the ends of all joints' ranges that are limited.
 std::vector<JointStop> joint_stops(const dynamics::Tree& tree);
+/// Returns the dry friction of all joints that have some.
+std::vector<JointFriction> joint_frictions(const dynamics::Tree& tree);
 
 }  // namespace torquewright::simulation

@@ -3,9 +3,11 @@
 #include "simulation/contact/time_stepping.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "dynamics/passive_forces.hpp"
 #include "dynamics/position_step.hpp"
 
 namespace torquewright::simulation {
@@ -22,6 +24,15 @@ bool is_sound(const VectorXd& numbers) {
   return numbers.allFinite() && numbers.cwiseAbs().maxCoeff() < kMost;
 }
 
+VectorXd damping_of(const dynamics::Tree& tree) {
+  VectorXd damping = VectorXd::Zero(tree.velocity_size());
+  for (std::size_t i = 1; i < tree.bodies.size(); ++i) {
+    damping[tree.base_velocity_size() + static_cast<Index>(i) - 1] =
+        tree.bodies[i].joint.passive.damping;
+  }
+  return damping;
+}
+
 }  // namespace
 
 TimeStepping::TimeStepping(MovingBodies& bodies, Obstacles obstacles)
@@ -29,6 +40,9 @@ TimeStepping::TimeStepping(MovingBodies& bodies, Obstacles obstacles)
   const Index size = bodies.state().velocity().size();
   impulses_N_s_.resize(3 * static_cast<Index>(obstacles_.points.size()));
   stop_impulses_.resize(static_cast<Index>(obstacles_.stops.size()));
+  friction_impulses_.resize(static_cast<Index>(obstacles_.frictions.size()));
+  damping_ = damping_of(bodies.state().tree());
+  has_drag_ = !obstacles_.frictions.empty() || !damping_.isZero(0.0);
   generalised_.resize(size);
   jump_.resize(size);
   for (Stage& stage : stages_) stage.rate.resize(size);
@@ -47,6 +61,7 @@ void TimeStepping::forget() {
   active_impulses_.resize(0);
   impulses_N_s_.setZero();
   stop_impulses_.setZero();
+  friction_impulses_.setZero();
   generalised_.setZero();
   jump_.setZero();
 }
@@ -112,8 +127,11 @@ void TimeStepping::find_active() {
   }
 }
 
-TimeStepping::Outcome TimeStepping::accelerations(const VectorIn& force, VectorXd& out) {
+/// With dampers that hold over `implicit_s` of the step as the velocity at its end; eq. (11).
+TimeStepping::Outcome TimeStepping::accelerations(const VectorIn& force, double implicit_s,
+                                                  VectorXd& out) {
   bodies_.mass_matrix(mass_);
+  mass_.diagonal() += implicit_s * damping_;
   bodies_.bias(bias_);
   factors_.compute(mass_);
   if (factors_.info() != Eigen::Success) return Outcome::kBlownUp;
@@ -146,7 +164,7 @@ TimeStepping::Outcome TimeStepping::fly(const VectorIn& force, double step_s, bo
       touches = is_active();
       if (touches) return outcome;
     }
-    outcome = accelerations(force, stages_[i].acceleration);
+    outcome = accelerations(force, 0.0, stages_[i].acceleration);
     if (outcome != Outcome::kStepped) return outcome;
   }
   const auto& [one, two, three, four] = stages_;
@@ -161,11 +179,11 @@ TimeStepping::Outcome TimeStepping::fly(const VectorIn& force, double step_s, bo
 
 // eq. (3)
 TimeStepping::Outcome TimeStepping::touch(const VectorIn& force, double step_s) {
-  const Outcome outcome = accelerations(force, acceleration_);
+  const Outcome outcome = accelerations(force, 0.5 * step_s, acceleration_);
   if (outcome != Outcome::kStepped) return outcome;
   free_velocity_ = velocity_ + step_s * acceleration_;
   if (!free_velocity_.allFinite()) return Outcome::kBlownUp;
-  if (!solve_active()) return Outcome::kUnsolved;
+  if (!solve_active(step_s)) return Outcome::kUnsolved;
   generalised_.noalias() = directions_ * active_impulses_;
   jump_.noalias() = answers_ * active_impulses_;
   factors_.matrixU().solveInPlace(jump_);
@@ -177,6 +195,7 @@ TimeStepping::Outcome TimeStepping::touch(const VectorIn& force, double step_s) 
 void TimeStepping::record_impulses() {
   impulses_N_s_.setZero();
   stop_impulses_.setZero();
+  friction_impulses_.setZero();
   if (!is_active()) {
     generalised_.setZero();
     jump_.setZero();
@@ -191,6 +210,9 @@ void TimeStepping::record_impulses() {
     stop_impulses_[static_cast<Index>(stop)] = active_impulses_[row + 2];
     row += 3;
   }
+  for (Index i = 0; i < friction_impulses_.size(); ++i) {
+    friction_impulses_[i] = active_impulses_[row + 3 * i];
+  }
 }
 
 void TimeStepping::generalised_impulse_of(std::size_t points, dynamics::VectorOut out) const {
@@ -202,8 +224,9 @@ void TimeStepping::generalised_impulse_of(std::size_t points, dynamics::VectorOu
 }
 
 /// The velocities at what is met; of the restitution only that share; eqs. (4), (7).
-void TimeStepping::gather(double restitution_share) {
+void TimeStepping::gather(double restitution_share, double step_s) {
   problem_.free_m_s.noalias() = directions_.transpose() * free_velocity_;
+  answer_by_friction(step_s);
   if (!gives_back_) return;
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const Index normal = 3 * static_cast<Index>(k) + 2;
@@ -213,17 +236,34 @@ void TimeStepping::gather(double restitution_share) {
   }
 }
 
+/// A joint's friction is a point that slides along the joint under a force of its own, which
+/// nothing else feels: its second and third rows answer to themselves alone, the third such that
+/// the impulse there is the friction's limit; eq. (12).
+void TimeStepping::answer_by_friction(double step_s) {
+  for (std::size_t i = 0; i < obstacles_.frictions.size(); ++i) {
+    const JointFriction& friction = obstacles_.frictions[i];
+    const Index row = first_friction_row() + 3 * static_cast<Index>(i);
+    const bool rests = std::abs(velocity_[friction.row]) <= dynamics::kRest;
+    const double response_1_kg = problem_.response_1_kg(row, row);
+    problem_.response_1_kg.diagonal().segment<2>(row + 1).setConstant(response_1_kg);
+    problem_.free_m_s[row + 2] =
+        -response_1_kg * step_s * (rests ? friction.resting : friction.moving);
+  }
+}
+
 /// Impulses times the mean of the velocities before and after; rounding aside.
 double TimeStepping::contact_work_J() const {
-  const VectorXd before_m_s = directions_.transpose() * free_velocity_;
-  const VectorXd change_m_s = problem_.response_1_kg * active_impulses_;
-  const double rounding_J = 1e-14 * active_impulses_.cwiseAbs().dot(before_m_s.cwiseAbs());
-  return active_impulses_.dot(before_m_s + 0.5 * change_m_s) - rounding_J;
+  const Index rows = first_friction_row();
+  const VectorXd before_m_s = directions_.leftCols(rows).transpose() * free_velocity_;
+  const VectorXd change_m_s = problem_.response_1_kg.topRows(rows) * active_impulses_;
+  const auto impulses = active_impulses_.head(rows);
+  const double rounding_J = 1e-14 * impulses.cwiseAbs().dot(before_m_s.cwiseAbs());
+  return impulses.dot(before_m_s + 0.5 * change_m_s) - rounding_J;
 }
 
 /// Jacobians, friction, and the last step's impulses, which are near.
 void TimeStepping::fill_rows() {
-  const auto count = static_cast<Index>(active_.size() + active_stops_.size());
+  const auto count = first_friction_row() / 3 + friction_impulses_.size();
   directions_.setZero(jump_.size(), 3 * count);
   problem_.friction_coefficients.setZero(count);
   active_impulses_.setZero(3 * count);
@@ -240,6 +280,16 @@ void TimeStepping::fill_rows() {
     directions_(obstacles_.stops[index].row, 3 * k + 2) = obstacles_.stops[index].inward;
     active_impulses_[3 * k + 2] = stop_impulses_[static_cast<Index>(index)];
     ++k;
+  }
+  fill_friction_rows();
+}
+
+void TimeStepping::fill_friction_rows() {
+  for (std::size_t i = 0; i < obstacles_.frictions.size(); ++i) {
+    const Index row = first_friction_row() + 3 * static_cast<Index>(i);
+    directions_(obstacles_.frictions[i].row, row) = 1.0;
+    problem_.friction_coefficients[row / 3] = 1.0;
+    active_impulses_[row] = friction_impulses_[static_cast<Index>(i)];
   }
 }
 
@@ -267,12 +317,12 @@ void TimeStepping::respond() {
   }
 }
 
-bool TimeStepping::solve_active() {
+bool TimeStepping::solve_active(double step_s) {
   fill_rows();
   respond();
   constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25, 0.0};
   for (const double share : kShares) {
-    gather(share);
+    gather(share, step_s);
     const bool is_solved = solve_contacts(problem_, active_impulses_);
     if (!gives_back_ || share == 0.0) return is_solved;
     if (is_solved && contact_work_J() <= 0.0) break;  // eq. (8)

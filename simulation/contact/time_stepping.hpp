@@ -11,16 +11,19 @@
 
 namespace torquewright::simulation {
 
-/// What bodies may meet: ground points and ends of joints' ranges.
+/// What bodies may meet: ground points, ends of joints' ranges, and the joints' own dry friction.
 struct Obstacles {
   std::vector<GroundPoint> points;
   std::vector<JointStop> stops = {};
+  std::vector<JointFriction> frictions = {};
   double ground_height_m = 0.0;
 };
 
 /// Rigid bodies over rigid ground, step by step: Moreau's midpoint scheme, in which velocities jump
 /// and forces of contact are impulses of a step; without contact a Runge-Kutta step of fourth order
-/// (docs/derivations/time_stepping.md). No penalty, no stiffness: its one number is the step.
+/// (docs/derivations/time_stepping.md). No penalty, no stiffness: its one number is the step. Dry
+/// friction of joints is an impulse of the step too, and dampers act implicitly; a tree that has
+/// either does not fly by Runge-Kutta steps.
 class TimeStepping {
  public:
   enum class Outcome {
@@ -65,22 +68,30 @@ class TimeStepping {
   Outcome fly(const dynamics::VectorIn& force, double step_s, bool& touches);
   void lead(const Stage& before, double duration_s, Stage& next);
   Outcome touch(const dynamics::VectorIn& force, double step_s);
-  Outcome accelerations(const dynamics::VectorIn& force, Eigen::VectorXd& out);
+  Outcome accelerations(const dynamics::VectorIn& force, double implicit_s, Eigen::VectorXd& out);
   Outcome place(const Eigen::VectorXd& position, const Eigen::VectorXd& velocity);
   void move(const Eigen::VectorXd& position, const Eigen::VectorXd& velocity, double duration_s,
             Eigen::VectorXd& out) const;
   void find_active();
-  bool is_active() const { return !active_.empty() || !active_stops_.empty(); }
+  bool is_active() const { return !active_.empty() || !active_stops_.empty() || has_drag_; }
+  /// Where the rows of the joints' friction begin, behind those of points and stops.
+  Eigen::Index first_friction_row() const {
+    return 3 * static_cast<Eigen::Index>(active_.size() + active_stops_.size());
+  }
+  void fill_friction_rows();
+  void answer_by_friction(double step_s);
   void fill_rows();
   void respond();
-  bool solve_active();
-  void gather(double restitution_share);
+  bool solve_active(double step_s);
+  void gather(double restitution_share, double step_s);
   double contact_work_J() const;
   void record_impulses();
 
   MovingBodies& bodies_;
   Obstacles obstacles_;
   bool gives_back_ = false;  ///< A point has restitution.
+  bool has_drag_ = false;    ///< A joint has damping or dry friction.
+  Eigen::VectorXd damping_;  ///< Damping by row of velocity.
 
   // Of the step under way.
   bool flew_ = false;  ///< The step before touched nothing.
@@ -100,7 +111,7 @@ class TimeStepping {
   Eigen::MatrixXd answers_;     ///< L^-1 J^T, where M = L L^T.
   ContactProblem problem_;
   Eigen::VectorXd active_impulses_;
-  Eigen::VectorXd impulses_N_s_, stop_impulses_, generalised_, jump_;
+  Eigen::VectorXd impulses_N_s_, stop_impulses_, friction_impulses_, generalised_, jump_;
 };
 
 }  // namespace torquewright::simulation

@@ -263,11 +263,32 @@ Options all_options() {
   return all;
 }
 
+void add_group(FlipGroup group, command_line::Command& command, HopperFlipRequest& request) {
+  for (const HopperFlipOption& option : hopper_flip_options()) {
+    if (option.group == group) option.declare(command, request);
+  }
+}
+
 }  // namespace
 
 const std::vector<HopperFlipOption>& hopper_flip_options() {
   static const Options all = all_options();
   return all;
+}
+
+void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& request) {
+  command.add_option("robot", request.warm.robot_file, "Document of kind robot").required();
+  add_group(FlipGroup::kTask, command, request);
+  add_group(FlipGroup::kMargins, command, request);
+  add_operating_options(command, request.warm.operating);
+  add_group(FlipGroup::kSearch, command, request);
+  add_group(FlipGroup::kExplanation, command, request);
+  add_group(FlipGroup::kLoads, command, request);
+  add_group(FlipGroup::kWarm, command, request);
+  add_column_options(command, request.warm, "--warm");
+  add_group(FlipGroup::kContacts, command, request);
+  add_sweep_options(command, request.sweep);
+  add_group(FlipGroup::kFiles, command, request);
 }
 
 }  // namespace torquewright::cli

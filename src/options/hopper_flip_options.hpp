@@ -36,4 +36,7 @@ struct HopperFlipOption {
 /// other commands have too, are not among them.
 const std::vector<HopperFlipOption>& hopper_flip_options();
 
+/// Adds everything that `hopper flip` takes: its own options and those of other commands too.
+void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& request);
+
 }  // namespace torquewright::cli

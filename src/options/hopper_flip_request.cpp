@@ -11,7 +11,6 @@
 #include "io/faults/spec_error.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
-#include "src/options/hopper_flip_options.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -20,12 +19,6 @@ namespace {
 // other is left.
 constexpr double kLeastWeight = 1e-6;
 constexpr double kGreatestWeight = 1e6;
-
-void add_group(FlipGroup group, command_line::Command& command, HopperFlipRequest& request) {
-  for (const HopperFlipOption& option : hopper_flip_options()) {
-    if (option.group == group) option.declare(command, request);
-  }
-}
 
 [[noreturn]] void refuse_objective(const std::string& text, const std::string& why) {
   throw io::SpecError({{"command line", "--objective " + text, why}});
@@ -46,21 +39,6 @@ double read_weight(const std::string& text, const std::string& number) {
 }
 
 }  // namespace
-
-void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& request) {
-  command.add_option("robot", request.warm.robot_file, "Document of kind robot").required();
-  add_group(FlipGroup::kTask, command, request);
-  add_group(FlipGroup::kMargins, command, request);
-  add_operating_options(command, request.warm.operating);
-  add_group(FlipGroup::kSearch, command, request);
-  add_group(FlipGroup::kExplanation, command, request);
-  add_group(FlipGroup::kLoads, command, request);
-  add_group(FlipGroup::kWarm, command, request);
-  add_column_options(command, request.warm, "--warm");
-  add_group(FlipGroup::kContacts, command, request);
-  add_sweep_options(command, request.sweep);
-  add_group(FlipGroup::kFiles, command, request);
-}
 
 std::vector<hopper::WeightedObjective> read_objectives(const std::vector<std::string>& texts) {
   std::vector<hopper::WeightedObjective> objectives;

@@ -33,9 +33,6 @@ struct HopperFlipRequest {
   bool timing = false;
 };
 
-/// Adds everything that `hopper flip` takes: its own options and those of other commands too.
-void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& request);
-
 /// The weighted objectives that NAME[=WEIGHT] state. Throws io::SpecError, with the nearest name,
 /// for one that there is not, that stands twice, or whose weight is no positive number.
 std::vector<hopper::WeightedObjective> read_objectives(const std::vector<std::string>& texts);

@@ -68,6 +68,14 @@ std::vector<Case> cases() {
       {"RefOfASlide",
        arm("", kHinge,
            R"(<joint name="b" type="slide" axis="0 0.6 0.8" ref="0.4"/>)" + std::string(kPart))},
+      {"PassiveForcesOfAHinge",
+       arm("", kHinge,
+           R"(<joint name="b" axis="0 0.6 0.8" ref="40" stiffness="30" springref="15" damping="0.7" frictionloss="1.3"/>)" +
+               std::string(kPart))},
+      {"PassiveForcesOfASlideInRadians",
+       arm("<compiler angle=\"radian\"/>", kHinge,
+           R"(<joint name="b" type="slide" axis="0 1 0" stiffness="300" springref="-0.1" damping="7"/>)" +
+               std::string(kPart))},
       {"SeveralJointsInABody", arm("", kHinge,
                                    R"(<joint name="b" axis="0 0 1" ref="20" pos="0.1 0 0"/>
           <joint name="c" type="slide" axis="1 0 0" ref="-0.3"/><joint name="d" axis="0 0.6 0.8" pos="0 0.2 0"/>)" +
@@ -176,6 +184,7 @@ TEST_P(Mjcf, IsReadAsMujocoReadsIt) {
   EXPECT_LE(far.inertia, kSame);
   EXPECT_LE(far.matrix, kSame);
   EXPECT_LE(far.bias, kSame);
+  EXPECT_LE(far.passive, kSame);
 }
 
 INSTANTIATE_TEST_SUITE_P(Words, Mjcf, testing::ValuesIn(cases()),

@@ -8,6 +8,7 @@
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "dynamics/momentum.hpp"
+#include "dynamics/passive_forces.hpp"
 #include "dynamics/tree_state.hpp"
 #include "tests/dynamics/random_numbers.hpp"
 
@@ -142,6 +143,7 @@ class Twin {
     state.set(our_position(q), our_v);
     compare_matrix(state, worst);
     compare_bias(state, worst);
+    compare_passive(state, worst);
     compare_whole(state, worst);
   }
 
@@ -165,6 +167,26 @@ class Twin {
     const VectorXd theirs = mujoco_.bias()(rows_.dofs);
     const double scale = std::max(theirs.cwiseAbs().maxCoeff(), 1e-12);
     worst.bias = std::max(worst.bias, (ours - theirs).cwiseAbs().maxCoeff() / scale);
+  }
+
+  /// Joint by joint: MuJoCo's own sum holds tendons' forces and the fluid's too.
+  void compare_passive(dynamics::TreeState& state, TwinDifference& worst) {
+    const Index size = robot_.tree.velocity_size();
+    const Index base = robot_.tree.base_velocity_size();
+    VectorXd ours = VectorXd::Zero(size);
+    dynamics::add_dampers_and_springs(state, ours);
+    dynamics::add_dry_friction(state, VectorXd::Zero(size), ours);
+    for (Index row = base; row < size; ++row) {
+      const int dof = rows_.dofs[static_cast<std::size_t>(row)];
+      const int joint = model().dof_jntid[dof];
+      const Index at = model().jnt_qposadr[joint];
+      const double v = mujoco_.data().qvel[dof];
+      const double theirs =
+          model().dof_damping[dof] * v + std::copysign(model().dof_frictionloss[dof], v) +
+          model().jnt_stiffness[joint] * (mujoco_.data().qpos[at] - model().qpos_spring[at]);
+      worst.passive =
+          std::max(worst.passive, std::abs(ours[row] - theirs) / std::max(std::abs(theirs), 1e-9));
+    }
   }
 
   /// Centre of mass and inertia about it, of all bodies as if they were one.

@@ -16,6 +16,7 @@ struct TwinDifference {
   double matrix = 0;    ///< Entries of mass matrices over the roots of their diagonals.
   double bias = 0;      ///< Relative to the largest of its kind.
   double range = 0;     ///< Of joints.
+  double passive = 0;   ///< Dampers', springs' and dry friction's forces, relative as the bias.
   std::string trouble;  ///< Where there is nothing to compare.
 };
 

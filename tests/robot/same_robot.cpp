@@ -5,6 +5,7 @@
 
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
+#include "dynamics/passive_forces.hpp"
 
 namespace torquewright::test {
 
@@ -20,10 +21,20 @@ hopper::Robot random_robot(oracles::Dice& dice, dynamics::BaseKind base) {
     joint.name = "joint_" + std::to_string(i);
     if (dice.chance(50)) continue;
     joint.limits = {-uniform(dice, 0.1, 2), uniform(dice, 0.1, 2), 7.5, 120.25};
+    joint.passive = {0.3, 1.25, 0, 0, 0};
   }
   robot.contacts.push_back({"tip", {1, {0.1, 0, -0.2}}, 0.6, 0.1});
   return robot;
 }
+
+namespace {
+
+void add_passive(const dynamics::TreeState& state, VectorXd& force) {
+  dynamics::add_dampers_and_springs(state, force);
+  dynamics::add_dry_friction(state, VectorXd::Zero(force.size()), force);
+}
+
+}  // namespace
 
 double dynamic_difference(const hopper::Robot& one, const hopper::Robot& other) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -57,6 +68,8 @@ double dynamic_difference(const hopper::Robot& one, const hopper::Robot& other) 
     dynamics::mass_matrix(second, other_mass);
     dynamics::bias(first, force);
     dynamics::bias(second, other_force);
+    add_passive(first, force);
+    add_passive(second, other_force);
     worst = std::max(worst, difference(swap.transpose() * other_mass * swap, mass));
     worst = std::max(worst, difference(VectorXd(swap.transpose() * other_force), force));
   }

@@ -6,6 +6,7 @@
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/jet.hpp"
 #include "dynamics/jet_functions.hpp"
+#include "dynamics/passive_forces.hpp"
 #include "dynamics/point.hpp"
 
 namespace torquewright::hopper {
@@ -15,6 +16,10 @@ using dynamics::VectorX;
 using Eigen::Index;
 
 namespace {
+
+/// Dry friction of joints turns from one way to the other over some of this speed: fast against a
+/// jump's 10 rad/s, slow against the instants of a mesh. A choice of ours.
+constexpr double kFrictionWidth_rad_s = 0.05;
 
 constexpr double kNotReached = std::numeric_limits<double>::quiet_NaN();
 
@@ -159,6 +164,7 @@ VectorX<T> SagittalDynamicsOf<T>::residual(const VectorX<T>& acceleration,
   VectorX<T> rows = VectorX<T>::Zero(robot_->robot.tree.velocity_size());
   if (is_reached_) {
     body_.inverse_dynamics(accelerated(acceleration), rows);
+    dynamics::add_smooth_friction(body_.state(), kFrictionWidth_rad_s, rows);
     body_.add_drive_torques(-drive_Nm, rows);
     subtract(forces, rows);
   }

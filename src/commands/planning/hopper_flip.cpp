@@ -9,6 +9,7 @@
 #include "src/commands/planning/hopper_flip_sweep.hpp"
 #include "src/commands/robot/hopper_commands.hpp"
 #include "src/interrupt.hpp"
+#include "src/options/hopper_flip_options.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/parts/progress_line.hpp"
 

@@ -104,6 +104,35 @@ TEST(GearTorque, IsTheLoadsPartOfTheMotorsTorque) {
   }
 }
 
+// The joint's own damper, spring and friction are the drive's to overcome, and pass its gears.
+TEST(GearTorque, HoldsWhatTheJointItselfTakes) {
+  constexpr double kArm = 0.2, kRate = 30.0;
+  for (const double speed : {8.0, -8.0}) {
+    Robot robot = arm(kArm, 10.0, kRotor_kg_m2);
+    robot.tree.bodies[1].joint.passive = {0.5, 2.0, 3.0, 40.0, 0.25};
+    Motion motion = steadily(speed, kRate);
+    const HopperReport report = check_motion(robot, motion, {});
+    for (Index i = 0; i < motion.samples(); ++i) {
+      const double own_Nm = 0.5 * motion.velocities(0, i) + 40.0 * (motion.positions(0, i) - 0.25) +
+                            std::copysign(2.0, speed);
+      EXPECT_NEAR(report.gears.joint_Nm(0, i), kArm * kRate + own_Nm, 1e-11);
+      EXPECT_NEAR(report.torques_Nm(0, i), (kArm + 100 * kRotor_kg_m2) * kRate + own_Nm, 1e-11);
+    }
+  }
+}
+
+// A spring of 40 x 0.05 = 2 Nm: friction that holds 1.4 of it at rest leaves 0.6 to the drive, and
+// one that holds 3 leaves nothing.
+TEST(GearTorque, IsHeldByFrictionAtRest) {
+  for (const double limit_Nm : {1.4, 3.0}) {
+    Robot robot = arm(0.2, 10.0, kRotor_kg_m2);
+    robot.tree.bodies[1].joint.passive = {0.5, 1.0, limit_Nm, 40.0, 0.05};
+    Motion motion = steadily(0.0, 0.0);
+    const HopperReport report = check_motion(robot, motion, {});
+    EXPECT_NEAR(report.torques_Nm(0, 20), std::min(0.0, limit_Nm - 2.0), 1e-12);
+  }
+}
+
 // A rotor alone: whatever its motor makes, nothing passes gears that turn no load.
 TEST(GearTorque, IsNoneWhereTheRotorTurnsAlone) {
   Robot robot = arm(1e-12, 10.0, kRotor_kg_m2);

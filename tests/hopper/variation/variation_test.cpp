@@ -113,6 +113,25 @@ TEST(VariedRobot, HasAnotherRatioAsIfItsDocumentSaidSo) {
       Documents().edit("actuator/d110a_ankle.json", "\"ratio\": 8", "\"ratio\": 11").robot());
 }
 
+// 10 rad/s and 320 Nm at 20:1 are 12.5 rad/s and 256 Nm of the same motor at 16:1, unless the
+// joint's bearings or cables are what limits.
+TEST(VariedRobot, LimitsItsJointsAsTheDriveBehindAnotherRatioDoes) {
+  Documents documents;
+  const auto knee = [](const Robot& robot) {
+    const Variable ratio = variable_named(robot, "knee_ratio", "");
+    const Robot changed = varied(robot, ratio, 16.0);
+    return changed.tree.bodies[*changed.find_joint("knee")].joint.limits;
+  };
+  const dynamics::JointLimits follow = knee(documents.robot());
+  expect_near(follow.speed_max, 12.5);
+  expect_near(follow.effort_max, 256.0);
+  documents.edit("robot/hopper.json", "\"torque_limit_Nm\": 320",
+                 "\"torque_limit_Nm\": 320, \"own_limits\": [\"speed\"]");
+  const dynamics::JointLimits own = knee(documents.robot());
+  expect_near(own.speed_max, 10.0);
+  expect_near(own.effort_max, 256.0);
+}
+
 // Its joints hold the rotors: N^2 J at each.
 TEST(VariedRobot, HasAnotherRatioWhereJointsHoldTheRotors) {
   const Documents documents;

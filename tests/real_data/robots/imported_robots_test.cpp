@@ -92,7 +92,8 @@ struct Verdict {
 };
 
 double greatest(const test::TwinDifference& far) {
-  return std::max({far.mass, far.place_m, far.inertia, far.matrix, far.bias, far.range});
+  return std::max(
+      {far.mass, far.place_m, far.inertia, far.matrix, far.bias, far.range, far.passive});
 }
 
 Verdict compared(const fs::path& file, const Robot& robot, const ImportFileOptions& options) {
