@@ -67,8 +67,13 @@ double copper_loss_W(const PhaseModel& model, const Current& current) {
   return 1.5 * model.resistance_ohm * (current.d_A * current.d_A + current.q_A * current.q_A);
 }
 
+double induced_Nm(const PhaseModel& model, const Current& current) {
+  return 1.5 * model.back_emf_V_s_rad * current.q_A +
+         model.reluctance_Nm_A2() * current.d_A * current.q_A;
+}
+
 double bus_power_W(const PhaseModel& model, const Current& current, double speed_rad_s) {
-  return torque_Nm(model, current) * speed_rad_s + copper_loss_W(model, current) +
+  return induced_Nm(model, current) * speed_rad_s + copper_loss_W(model, current) +
          1.5 * model.dead_time_V * current.amplitude_A();
 }
 

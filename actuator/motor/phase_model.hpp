@@ -69,7 +69,12 @@ double q_current_A(const PhaseModel& model, double torque_Nm, double d_A);
 /// 1.5 R |i|^2.
 double copper_loss_W(const PhaseModel& model, const Current& current);
 
-/// Power at the bus: shaft plus copper plus what the bridge's dead time takes. Eq. (4).
+/// Power that the induced voltage takes up, per speed: 1.5 K_e i_q + 1.5 p (L_d - L_q) i_d i_q. It
+/// is the torque where the constants belong together and nothing saturates.
+double induced_Nm(const PhaseModel& model, const Current& current);
+
+/// Power at the bus, volts times amperes at the motor's terminals and what the bridge's dead time
+/// takes: copper, and what the induced voltage takes up. Eq. (4).
 double bus_power_W(const PhaseModel& model, const Current& current, double speed_rad_s);
 
 /// Amplitude of the phase voltage that the current needs at that speed. Eq. (2), (3).

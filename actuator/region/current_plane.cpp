@@ -101,7 +101,10 @@ std::optional<CurrentPlane> current_plane_at(const PhaseModel& model, const Curr
   plane.torque_Nm =
       product({.value = filled.A, .q = filled.slope, .qq = filled.bend_1_A}, per_ampere);
   const Bent square = square_of(current);
-  plane.power_W = combined(speed_rad_s, plane.torque_Nm, 1.5 * model.resistance_ohm, square);
+  const Bent induced_Nm =
+      product({.value = current.q_A, .q = 1.0},
+              {.value = 1.5 * model.back_emf_V_s_rad + r * current.d_A, .d = r});
+  plane.power_W = combined(speed_rad_s, induced_Nm, 1.5 * model.resistance_ohm, square);
   Bent amplitude;
   if (model.dead_time_V > 0.0) {
     amplitude = root_of(square);
@@ -126,7 +129,7 @@ double room_V2_at(const PhaseModel& model, const Current& i, double speed_rad_s)
       drop_ohm * i.q_A + w * model.inductance_d_H * i.d_A + model.back_emf_V_s_rad * speed_rad_s;
   double bus_V = model.supply.open_circuit_V;
   if (model.supply.resistance_ohm > 0.0) {
-    const double power_W = torque_Nm(model, i) * speed_rad_s + 1.5 * drop_ohm * square;
+    const double power_W = induced_Nm(model, i) * speed_rad_s + 1.5 * drop_ohm * square;
     const auto sagged_V = bus_voltage_V(model.supply, power_W);
     if (!sagged_V) return -kUnlimited;
     bus_V = *sagged_V;

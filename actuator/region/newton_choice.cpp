@@ -77,18 +77,21 @@ Slope voltage_slope(const PhaseModel& model, const QCurrent& q, double d_A, doub
 
 /// d/di_d of the bus voltage that the power leaves, eq. (5). Where the supply cannot deliver it,
 /// rising: less current is the way back.
-Slope bus_slope(const PhaseModel& model, const QCurrent& q, double d_A, double torque_Nm,
-                double speed_rad_s) {
+Slope bus_slope(const PhaseModel& model, const QCurrent& q, double d_A, double speed_rad_s) {
   const Supply& supply = model.supply;
   if (supply.resistance_ohm == 0.0) return {0.0, 0.0};
   const double R = model.resistance_ohm;
-  const double power_W = torque_Nm * speed_rad_s + 1.5 * R * (d_A * d_A + q.A * q.A);
+  const double power_W = bus_power_W(model, {d_A, q.A}, speed_rad_s);
   const double square =
       supply.open_circuit_V * supply.open_circuit_V - 4.0 * supply.resistance_ohm * power_W;
   if (!(square > 0.0)) return {kInfinity, 1.0};
   const double root = std::sqrt(square);
-  const double first_W = 3.0 * R * (d_A + q.A * q.first);
-  const double second_W = 3.0 * R * (1.0 + q.first * q.first + q.A * q.second);
+  // The induced part is w (1.5 K_e + r i_d) i_q with i_q a function of i_d.
+  const double r = model.reluctance_Nm_A2();
+  const double per_q = 1.5 * model.back_emf_V_s_rad + r * d_A;
+  const double first_W = 3.0 * R * (d_A + q.A * q.first) + speed_rad_s * (per_q * q.first + r * q.A);
+  const double second_W = 3.0 * R * (1.0 + q.first * q.first + q.A * q.second) +
+                          speed_rad_s * (per_q * q.second + 2.0 * r * q.first);
   const double per_W = -supply.resistance_ohm / root;
   return {per_W * first_W, per_W * second_W - 2.0 * per_W * per_W * first_W * first_W / root};
 }
@@ -117,7 +120,7 @@ double greatest_margin_d_A(const PhaseModel& model, double torque_Nm, double spe
   const auto slope = [&](double d_A) -> Slope {
     const QCurrent q = q_of(model, torque_Nm, d_A);
     if (!std::isfinite(q.A)) return {kInfinity, 1.0};
-    const Slope bus = bus_slope(model, q, d_A, torque_Nm, speed_rad_s);
+    const Slope bus = bus_slope(model, q, d_A, speed_rad_s);
     const Slope phase = voltage_slope(model, q, d_A, speed_rad_s);
     return {volts * bus.value - phase.value, volts * bus.change - phase.change};
   };

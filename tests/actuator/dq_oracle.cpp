@@ -20,7 +20,7 @@ Trial try_current(const actuator::PhaseModel& m, double w, double d, double q) {
   const double vq = m.resistance_ohm * q + p * w * (m.inductance_d_H * d + lambda);
   const double torque =
       m.torque_constant_Nm_A * q + 1.5 * p * (m.inductance_d_H - m.inductance_q_H) * d * q;
-  const double power = torque * w + 1.5 * m.resistance_ohm * (d * d + q * q);
+  const double power = 1.5 * (vd * d + vq * q);  // volts times amperes of three phases
   const double voc = m.supply.open_circuit_V;
   const double radicand = voc * voc - 4.0 * m.supply.resistance_ohm * power;
   if (radicand < 0.0) return {false, torque};

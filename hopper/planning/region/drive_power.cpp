@@ -75,8 +75,8 @@ DrivePower::DrivePower(const HeldBus& bus, double cap_Nm, double end_rad_s, doub
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
       const double torque_Nm = torques[static_cast<std::size_t>(i)];
       const actuator::Current current = chosen_current(model, torque_Nm / ratio, motor_rad_s);
-      values(i, j) = copper_loss_W(model, current) +
-                     1.5 * model.dead_time_V * current.amplitude_A() -
+      values(i, j) = bus_power_W(model, current, motor_rad_s) -
+                     torque_Nm * speeds[static_cast<std::size_t>(j)] -
                      copper_W_Nm2_ * torque_Nm * torque_Nm;
     }
   }

@@ -8,8 +8,8 @@
 
 namespace torquewright::hopper {
 
-/// Power that a drive takes from its bus, as actuator::demand_at has it: shaft plus copper plus
-/// what the bridge takes, of the motor torque that the load's torque, mean drag and the gear's
+/// Power that a drive takes from its bus, as actuator::demand_at has it: shaft, copper and what else
+/// there is between volts times amperes and these, of the motor torque that the load's torque, mean drag and the gear's
 /// losses need. docs/derivations/planned_regions.md eq. (8) to (10).
 class DrivePower {
  public:
@@ -54,7 +54,7 @@ class DrivePower {
   SmoothStep step_;
   std::optional<SmoothCurve> drag_slow_;  ///< Mean of drag and cogging at negative speeds,
   std::optional<SmoothCurve> drag_fast_;  ///< and at others.
-  /// Power that is not copper loss of the least current, in W.
+  /// Power that is neither the shaft's nor copper loss of the least current, in W.
   std::optional<SmoothSurface> rest_;
 };
 
