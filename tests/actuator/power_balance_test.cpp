@@ -93,7 +93,7 @@ class Balance {
     const double scale_W = copper_W + bridge_W + std::abs(shaft_W) + 1e-6;
     // Reluctance gives the shaft what it takes; of the q current the back-EMF takes 3/2 K_e.
     const bool is_round = model().inductance_d_H == model().inductance_q_H;
-    if (is_round || !model().field_weakening) {
+    if (is_round) {
       const double q_A = q_current_A(model(), rotor_Nm, 0.0);
       const double between_W =
           (1.5 * model().back_emf_V_s_rad * q_A - rotor_Nm) * ratio() * speed_rad_s;
