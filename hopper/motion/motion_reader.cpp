@@ -38,7 +38,7 @@ struct Source {
 class MotionReader {
  public:
   MotionReader(const Robot& robot, const MotionFile& source)
-      : robot_(robot), source_(source), channels_(channels_of(robot)), csv_(source.file) {
+      : robot_(robot), source_(source), channels_(channels_of(robot)), csv_(opened()) {
     take_stated_columns();
     take_canonical_columns();
     refuse_foreign_units();
@@ -67,6 +67,11 @@ class MotionReader {
 
  private:
   const dynamics::Tree& tree() const { return robot_.tree; }
+
+  io::CsvReader opened() const {
+    if (source_.bare.order.empty()) return io::CsvReader(source_.file);
+    return {source_.file, headers_of(source_.bare, channels_)};
+  }
 
   void take(const ChannelMapping& mapping) {
     const auto column = csv_.find(mapping.column);
@@ -184,7 +189,7 @@ class MotionReader {
   static bool is_of_base(const std::string& header) { return header.starts_with("base_"); }
 
   void require_complete() {
-    if (!source_of(0)) {
+    if (!source_of(0) && source_.bare.rows_per_s == 0.0) {
       io::refuse(csv_.file(), "no column time_s; name the time with --column NAME=time[:unit]");
     }
     const std::vector<std::string> missing = headers(Kind::kPosition, false);
@@ -245,8 +250,9 @@ class MotionReader {
   }
 
   void read_row() {
-    const double stamp_s = number(*source_of(0));
-    require_order(stamp_s);
+    const double stamp_s = source_of(0) ? number(*source_of(0)) : next_stamp_s();
+    if (source_of(0)) require_order(stamp_s);
+    previous_s_ = stamp_s;
     if (!first_s_) first_s_ = stamp_s;
     const double time_s = clock_.since_origin_s(stamp_s);
     motion_.clock = clock_;
@@ -273,6 +279,8 @@ class MotionReader {
     check_row();
   }
 
+  double next_stamp_s() { return static_cast<double>(counted_++) / source_.bare.rows_per_s; }
+
   double number(const Source& source) const {
     const double value = csv_.number(source.column) * source.factor;
     const bool is_time = &source == source_of(0);
@@ -296,7 +304,6 @@ class MotionReader {
                               time_s, *previous_s_, actuator::Clock::kShortestStep_s,
                               csv_.header()[source_of(0)->column]));
     }
-    previous_s_ = time_s;
   }
 
   void check_row() {
@@ -382,6 +389,7 @@ class MotionReader {
   actuator::Clock clock_;
   std::optional<double> first_s_;
   std::optional<double> previous_s_;
+  std::size_t counted_ = 0;  ///< Rows of a file without times.
   bool is_repeated_ = false;
   bool was_repeated_ = false;
 };

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "actuator/trajectory/trajectory_reader.hpp"
+#include "hopper/motion/bare_rows.hpp"
 #include "hopper/motion/channel.hpp"
 #include "hopper/motion/motion.hpp"
 #include "io/documents/document.hpp"
@@ -16,6 +17,7 @@ struct MotionFile {
   std::vector<std::string> mappings;    ///< NAME=OWNER.QUANTITY[:unit][*factor]
   std::vector<io::Document> documents;  ///< Documents of kind trajectory_columns.
   actuator::Window window;
+  BareRows bare = {};  ///< Of a file without a header.
   /// Called with the share that is done. May be empty.
   std::function<void(double share)> on_progress = {};
 };

@@ -86,6 +86,9 @@ CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end)
   check_header();
 }
 
+CsvReader::CsvReader(const std::filesystem::path& file, std::vector<std::string> names)
+    : lines_(file), header_(std::move(names)), cut_end_(CutEnd::kRefused) {}
+
 std::optional<std::size_t> CsvReader::find(std::string_view name) const {
   const auto found = std::find(header_.begin(), header_.end(), name);
   if (found == header_.end()) return std::nullopt;

@@ -24,6 +24,10 @@ class CsvReader {
   /// and separators other than the comma.
   explicit CsvReader(const std::filesystem::path& file, CutEnd cut_end = CutEnd::kRefused);
 
+  /// Reads a table without a header line, whose columns have these names; rows begin at the first
+  /// line.
+  CsvReader(const std::filesystem::path& file, std::vector<std::string> names);
+
   const std::vector<std::string>& header() const { return header_; }
   std::optional<std::size_t> find(std::string_view name) const;
 

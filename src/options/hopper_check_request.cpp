@@ -92,6 +92,19 @@ void add_column_options(command_line::Command& command, HopperCheckRequest& requ
                          "Document of kind trajectory_columns, which says the same")
              .otherwise("the header's names")
              .one_value_each());
+  needed(command
+             .add_option("--order", request.bare.order,
+                         "Columns of a file without a header, from the left: time, base, "
+                         "quaternion_xyzw, quaternion_wxyz, pitch, base_velocity, base_angular, "
+                         "joints, joint_velocities, names of joints, headers, skip")
+             .otherwise("the header's names")
+             .separated_by_commas());
+  needed(
+      command
+          .add_option("--fps", request.bare.rows_per_s, "Rows of a second in a file without times")
+          .otherwise("the file's times")
+          .between(1e-3, 1e6)
+          .needs("--order"));
   for (command_line::Option option : add_window_options(command, request.window)) needed(option);
 }
 

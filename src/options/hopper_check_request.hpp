@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hopper/check/checked_motion.hpp"
+#include "hopper/motion/bare_rows.hpp"
 #include "src/options/operating_options.hpp"
 #include "src/options/sweep_options.hpp"
 #include "src/options/window_options.hpp"
@@ -18,6 +19,7 @@ struct HopperCheckRequest {
   std::string trajectory_file;
   std::vector<std::string> columns;  ///< NAME=OWNER.QUANTITY[:unit][*factor]
   std::vector<std::string> columns_files;
+  hopper::BareRows bare;
   WindowOptions window;
   OperatingOptions operating;
   hopper::CheckOptions check;  ///< The numbers that have an option of their own.

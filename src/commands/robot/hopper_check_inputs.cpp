@@ -71,6 +71,7 @@ hopper::MotionFile motion_file(const HopperCheckRequest& request) {
     source.documents.push_back(io::read_document(file, "trajectory_columns"));
   }
   source.window = window_of(request.window);
+  source.bare = request.bare;
   return source;
 }
 
