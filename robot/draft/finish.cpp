@@ -9,6 +9,7 @@
 
 #include "robot/draft/feet.hpp"
 #include "robot/draft/mended_inertia.hpp"
+#include "robot/draft/no_limits.hpp"
 #include "robot/model/plausible_inertia.hpp"
 
 namespace torquewright::hopper {
@@ -52,6 +53,7 @@ std::string objection_to(const dynamics::RigidInertia& inertia, bool carries_ano
 void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Imported& imported,
             Faults& faults) {
   if (options.mends_inertias) mend(draft, imported.notes);
+  clear_far_limits(draft, imported.notes);
   dynamics::Tree& tree = imported.robot.tree;
   draft = merged(draft).draft;
   for (const DraftBody& next : draft) {

@@ -16,6 +16,7 @@ struct ImportFileOptions {
   /// The greatest share of the kinetic energy by which it may be off where cranks' and rods' mass
   /// is put to their neighbours.
   double greatest_link_error = 0.01;
+  bool welds_locked = false;  ///< URDF's joints whose limits are left out, or both zero.
 };
 
 }  // namespace torquewright::hopper

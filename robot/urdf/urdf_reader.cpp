@@ -16,6 +16,7 @@
 #include "robot/draft/mended_inertia.hpp"
 #include "robot/model/rotations.hpp"
 #include "robot/urdf/gazebo_words.hpp"
+#include "robot/urdf/urdf_limits.hpp"
 #include "robot/urdf/urdf_tree.hpp"
 #include "robot/urdf/urdf_vocabulary.hpp"
 
@@ -47,6 +48,7 @@ class UrdfReader {
     imported_.robot.tree.base =
         tree_.floats ? dynamics::BaseKind::kSpatial : dynamics::BaseKind::kFixed;
     finish(draft_, options_, imported_, faults_);
+    for (std::string& note : limits_.notes()) imported_.notes.push_back(std::move(note));
     if (tree_.floats && !tree_.is_said_to_float) note_base();
     for (std::string& note : gazebo_notes(root_)) imported_.notes.push_back(std::move(note));
     for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
@@ -72,9 +74,11 @@ class UrdfReader {
     }
   }
 
-  /// Gazebo's way to close a loop is a joint of its own language.
+  /// Gazebo's way to close a loop is a joint of its own language. Plugins and sensors only name
+  /// links and joints that are there.
   void refuse_loops(const Element& element) {
     for (const Element& held : element.children) {
+      if (held.name == "plugin" || held.name == "sensor") continue;
       const bool is_joint = held.name == "joint" && child(held, "child") != nullptr;
       if (is_joint || held.name == "link") {
         faults_.report(held,
@@ -164,7 +168,7 @@ class UrdfReader {
       if (along.norm() >= 1e-6) joint.axis = along.normalized();
     }
     if (const Element* limit = faults_.only_child(element, "limit")) {
-      read_limits(*limit, type == "revolute" || type == "prismatic", draft);
+      limits_.read(*limit, type == "revolute" || type == "prismatic", draft);
     }
     if (faults_.only_child(element, "mimic") != nullptr) {
       imported_.notes.push_back(fmt::format(
@@ -203,53 +207,6 @@ class UrdfReader {
                                "or floating",
                                type));
     return type;
-  }
-
-  void read_limits(const Element& element, bool has_range, DraftBody& draft) {
-    dynamics::JointLimits& limits = draft.body.joint.limits;
-    if (has_range) {
-      const double lower = faults_.number(element, "lower", 0);
-      const double upper = faults_.number(element, "upper", 0);
-      if (lower > upper) {
-        faults_.report(element, fmt::format("lower {} is not below upper {}", lower, upper));
-      } else {
-        limits.position_min = lower;
-        limits.position_max = upper;
-      }
-      const bool has_both = find_attribute(element, "lower") != nullptr ||
-                            find_attribute(element, "upper") != nullptr;
-      if (limits.position_min == limits.position_max) weld(has_both, draft);
-    }
-    const double effort = read_bound(element, "effort");
-    const double speed = read_bound(element, "velocity");
-    if (effort > 0) limits.effort_max = effort;
-    if (speed > 0) limits.speed_max = speed;
-  }
-
-  /// Zero stands for "not known" in most files.
-  double read_bound(const Element& element, const char* name) {
-    const double bound = faults_.number(element, name, 0);
-    if (bound < 0) {
-      faults_.report(element, fmt::format("{}={} is below 0; it bounds both directions, and 0 says "
-                                          "that it is not known",
-                                          name, bound));
-    }
-    return bound;
-  }
-
-  /// A range of one position is none that a joint could move in.
-  void weld(bool is_stated, DraftBody& draft) {
-    dynamics::Joint& joint = draft.body.joint;
-    const double position = joint.limits.position_min;
-    draft.is_welded = true;
-    if (joint.kind == JointKind::kPrismatic) {
-      joint.p_PB_m += joint.R_PB * (position * joint.axis);
-    } else {
-      joint.R_PB = joint.R_PB * Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
-    }
-    imported_.notes.push_back(
-        fmt::format("joint \"{}\" is welded at {}: its lower and upper limits are {}", joint.name,
-                    position, is_stated ? "the same" : "left out, and mean zero"));
   }
 
   void read_transmissions() {
@@ -310,6 +267,7 @@ class UrdfReader {
   Vocabulary vocabulary_;
   Imported imported_;
   UrdfTree tree_;
+  UrdfLimits limits_{options_.welds_locked, faults_};
   std::vector<DraftBody> draft_;
   std::map<std::string, double> reflected_;
 };

@@ -28,6 +28,8 @@ class Faults {
     return numbers(element, attribute, count, count);
   }
   double number(const Element& element, const char* attribute, double otherwise);
+  /// A limit may be infinite, and greater than any other number of a robot.
+  std::optional<double> limit(const Element& element, const char* attribute);
   Eigen::Vector3d vector(const Element& element, const char* attribute,
                          const Eigen::Vector3d& otherwise);
   /// The child of that name, null if there is none; a fault if there are several, of which all but

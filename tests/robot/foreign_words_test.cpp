@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "robot/draft/mended_inertia.hpp"
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "robot/model/robot_json.hpp"
 #include "robot/model/robot_spec.hpp"
 #include "robot/urdf/urdf_reader.hpp"
+#include "robot/urdf/urdf_writer.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::hopper {
@@ -325,6 +327,23 @@ TEST(UrdfWords, OfGazeboAreSaidWithWhatTheyWouldChange) {
   EXPECT_EQ(said.find("floats"), std::string::npos) << said;
 }
 
+// Oracle: Gazebo's plugins and sensors name links and joints that are there; a joint of SDFormat
+// beside them is one more.
+TEST(UrdfWords, InsidePluginsAndSensorsOfGazeboAddNothing) {
+  const std::string joint =
+      "<joint name='j' type='revolute'><parent link='world'/><child link='a'/>"
+      "<limit lower='-1' upper='1'/></joint>";
+  const std::string loop = "<joint name='k'><parent>a</parent><child>b</child></joint>";
+  const auto in = [&](const std::string& what) {
+    return refusal([&] { return urdf(kArm + joint + "<gazebo>" + what + "</gazebo>"); });
+  };
+  EXPECT_EQ(in("<plugin><plot><link>a</link></plot>" + loop + "</plugin>"), "was read");
+  EXPECT_EQ(in("<sensor><plugin><link>a</link></plugin>" + loop + "</sensor>"), "was read");
+  EXPECT_NE(in("<link name='b'/>").find("<link name=\"b\">: adds to the robot"), std::string::npos);
+  EXPECT_NE(in("<plugin/>" + loop).find("closes a loop"), std::string::npos);
+  EXPECT_NE(in("<model>" + loop + "</model>").find("closes a loop"), std::string::npos);
+}
+
 TEST(UrdfWords, SayThatARootWhichNoJointCarriesFloats) {
   const std::string said = all_of(urdf("<link name='base'>" + kUnit + "</link>").notes);
   EXPECT_NE(said.find("\"base\" floats"), std::string::npos) << said;
@@ -447,6 +466,100 @@ TEST(UrdfJoints, OfOnePositionAreWelds) {
   const Eigen::Vector3d place_m = read.robot.tree.bodies[2].joint.p_PB_m;
   EXPECT_LE((place_m - Eigen::Vector3d(std::cos(0.5), 0, 1 - std::sin(0.5))).norm(), 1e-15);
   EXPECT_NE(all_of(read.notes).find("\"k\" is welded at 0.5"), std::string::npos);
+}
+
+/// The arm's one joint of that type and limit; none where it is a weld.
+std::optional<dynamics::JointLimits> limits_of(const std::string& type, const std::string& limit,
+                                               const ImportFileOptions& options = {}) {
+  const Robot robot =
+      urdf(kArm + "<joint name='j' type='" + type + "'>" + kEnds + "<limit " + limit + "/></joint>",
+           options)
+          .robot;
+  if (robot.tree.bodies.size() == 1) return std::nullopt;
+  return robot.tree.bodies[1].joint.limits;
+}
+
+// Oracle: MuJoCo's reader of URDF (mujoco_reads_test.cpp asks it), Pinocchio's, Bullet's, Isaac's.
+TEST(UrdfJoints, WithoutARangeMoveFreelyUnlessTheyAreToBeWelds) {
+  ImportFileOptions welds;
+  welds.welds_locked = true;
+  for (const char* type : {"revolute", "prismatic"}) {
+    for (const char* limit : {"effort='10' velocity='2'", "lower='0' upper='0' effort='10'",
+                              "lower='0' velocity='2'", ""}) {
+      const auto free = limits_of(type, limit);
+      ASSERT_TRUE(free) << type << limit;
+      EXPECT_EQ(free->position_min, -INFINITY) << limit;
+      EXPECT_EQ(free->position_max, INFINITY) << limit;
+      EXPECT_FALSE(limits_of(type, limit, welds)) << limit;
+    }
+    EXPECT_FALSE(limits_of(type, "lower='0' upper='0'"));
+    EXPECT_FALSE(limits_of(type, "lower='0.3' upper='0.3' effort='10' velocity='2'"));
+  }
+  EXPECT_EQ(limits_of("revolute", "effort='10'")->effort_max, 10);
+  const std::string said =
+      all_of(urdf(kArm + "<joint name='j' type='revolute'>" + kEnds + "<limit effort='1'/></joint>")
+                 .notes);
+  EXPECT_NE(said.find("joints without a range"), std::string::npos) << said;
+  EXPECT_NE(said.find("--weld-locked holds them at zero): j\n"), std::string::npos) << said;
+}
+
+// Oracle: the schema's bounds, just inside and just outside.
+TEST(UrdfJoints, WhoseLimitsNoDocumentHoldsHaveNone) {
+  const auto ends = [](const std::string& lower, const std::string& upper) {
+    return *limits_of("revolute", "lower='" + lower + "' upper='" + upper + "'");
+  };
+  EXPECT_EQ(ends("-1e6", "1e6").position_max, INFINITY);
+  EXPECT_EQ(ends("-inf", "inf").position_min, -INFINITY);
+  EXPECT_EQ(ends("-3.4028235e+38", "3.4028235e+38").position_max, INFINITY);
+  EXPECT_EQ(ends("-25.13", "25.13").position_max, 25.13);  // four turns
+  EXPECT_EQ(ends("-9999", "9999").position_max, 9999);
+  EXPECT_EQ(ends("-1", "1e9").position_min, -1);
+  EXPECT_EQ(ends("-1", "1e9").position_max, 1e4);
+  const auto bounds = [](const std::string& type, const std::string& more) {
+    return *limits_of(type, "lower='-1' upper='1' " + more);
+  };
+  EXPECT_EQ(bounds("revolute", "effort='1e9' velocity='inf'").effort_max, INFINITY);
+  EXPECT_EQ(bounds("revolute", "effort='1e9' velocity='1e30'").speed_max, INFINITY);
+  EXPECT_EQ(bounds("revolute", "effort='1e6' velocity='1e5'").effort_max, 1e6);
+  EXPECT_EQ(bounds("revolute", "effort='1e6' velocity='1e5'").speed_max, 1e5);
+  EXPECT_EQ(bounds("prismatic", "effort='1e7' velocity='1e4'").effort_max, 1e7);
+  EXPECT_EQ(bounds("prismatic", "effort='1.1e7' velocity='1.1e4'").speed_max, INFINITY);
+  const std::string said =
+      all_of(urdf(kArm + "<joint name='j' type='revolute'>" + kEnds +
+                  "<limit lower='-1e6' upper='1e6' effort='1e10' velocity='3'/></joint>")
+                 .notes);
+  EXPECT_NE(said.find("2 limits greater than any that a document holds are left out: they say that "
+                      "there is none: j\n"),
+            std::string::npos)
+      << said;
+  for (const char* wrong : {"nan", "1 2", "much"}) {
+    const std::string refused = refusal([&] { return ends("0", wrong); });
+    EXPECT_NE(refused.find("must be 1 number, or inf"), std::string::npos) << refused;
+  }
+  EXPECT_NE(refusal([&] { return ends("inf", "inf"); }).find("is not below"), std::string::npos);
+}
+
+// Oracle: readers of the format take a limit of zero for no force; and our own import.
+TEST(UrdfJoints, OfUnknownLimitsAreWrittenAsUnlimited) {
+  const Robot robot = urdf(kArm + "<joint name='j' type='continuous'>" + kEnds + "</joint>").robot;
+  const Exported written = urdf_of(robot);
+  EXPECT_EQ(written.text.find("effort=\"0\""), std::string::npos) << written.text;
+  EXPECT_EQ(written.text.find("velocity=\"0\""), std::string::npos) << written.text;
+  EXPECT_NE(written.text.find("effort=\"1000000000\""), std::string::npos) << written.text;
+  EXPECT_NE(all_of(written.notes).find("effort or velocity of 1 joints is not known"),
+            std::string::npos);
+  const test::ScratchFolder folder;
+  const Imported back = read_urdf(folder.write("back.urdf", written.text));
+  EXPECT_EQ(back.robot.tree.bodies[1].joint.limits.effort_max, INFINITY);
+  EXPECT_EQ(back.robot.tree.bodies[1].joint.limits.speed_max, INFINITY);
+}
+
+// The format demands a range of what slides; ours comes back as none.
+TEST(UrdfJoints, ThatSlideWithoutARangeComeBackWithoutOne) {
+  const Robot robot = urdf(kArm + "<joint name='j' type='prismatic'>" + kEnds + "</joint>").robot;
+  const test::ScratchFolder folder;
+  const Imported back = read_urdf(folder.write("back.urdf", urdf_of(robot).text));
+  EXPECT_EQ(back.robot.tree.bodies[1].joint.limits.position_max, INFINITY);
 }
 
 TEST(UrdfJoints, ThatFloatOnAnEmptyRootFreeTheBase) {

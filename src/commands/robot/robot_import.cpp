@@ -53,11 +53,17 @@ void refuse_options_of_mjcf(const ImportOptions& options) {
   }
 }
 
+/// MJCF says of each range whether it holds.
+void refuse_options_of_urdf(const ImportOptions& options) {
+  if (!options.reading.welds_locked) return;
+  io::refuse("--weld-locked", "is for URDF files: an MJCF file says which of its ranges hold");
+}
+
 hopper::Imported read(const ImportOptions& options) {
   const bool is_urdf = options.format.empty()
                            ? std::filesystem::path(options.file).extension() == ".urdf"
                            : options.format == "urdf";
-  if (is_urdf) refuse_options_of_mjcf(options);
+  is_urdf ? refuse_options_of_mjcf(options) : refuse_options_of_urdf(options);
   hopper::ImportFileOptions reading = options.reading;
   reading.greatest_link_error = options.link_error.value_or(reading.greatest_link_error);
   hopper::Imported imported =
@@ -185,6 +191,9 @@ void add_import_command(command_line::Command& robot) {
   command.add_flag(
       "--mend-inertias", options->reading.mends_inertias,
       "Where rounding made an inertia that no body can have, take the nearest that one can");
+  command.add_flag("--weld-locked", options->reading.welds_locked,
+                   "Weld URDF's joints whose limits are left out or both zero, which move freely "
+                   "in simulators");
   command
       .add_option(
           "--actuator", options->actuators,
