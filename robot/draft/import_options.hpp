@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace torquewright::hopper {
 
@@ -17,6 +18,8 @@ struct ImportFileOptions {
   /// is put to their neighbours.
   double greatest_link_error = 0.01;
   bool welds_locked = false;  ///< URDF's joints whose limits are left out, or both zero.
+  /// Elements and attributes that are left behind though the format's list refuses them, by name.
+  std::vector<std::string> ignored_words = {};
 };
 
 }  // namespace torquewright::hopper

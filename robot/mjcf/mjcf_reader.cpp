@@ -44,7 +44,7 @@ class MjcfReader {
   MjcfReader(const std::filesystem::path& file, const ImportFileOptions& options)
       : options_(options),
         root_(read_with_includes(file, faults_)),
-        vocabulary_(mjcf_words(), Unlisted::kRefused, faults_),
+        vocabulary_(mjcf_words(), Unlisted::kRefused, options.ignored_words, faults_),
         compiler_(read_compiler(root_, faults_)),
         defaults_(root_, faults_) {}
 
@@ -244,6 +244,7 @@ class MjcfReader {
     DraftBody draft;
     draft.body.parent = at.draft;
     draft.body.joint = stated.joint;
+    draft.joint_source = stated.element;
     dynamics::Joint& joint = draft.body.joint;
     if (joint.name.empty()) joint.name = fmt::format("joint_{}", draft_.size());
     const bool turns = joint.kind == JointKind::kRevolute;

@@ -31,7 +31,7 @@ class UrdfReader {
   UrdfReader(const std::filesystem::path& file, const ImportFileOptions& options)
       : options_(options),
         root_(read_root(file, "robot")),
-        vocabulary_(urdf_words(), Unlisted::kIgnored, faults_) {}
+        vocabulary_(urdf_words(), Unlisted::kIgnored, options.ignored_words, faults_) {}
 
   Imported read() {
     imported_.robot.name = attribute(root_, "name");
@@ -153,6 +153,7 @@ class UrdfReader {
 
   void read_joint(const Element& element, DraftBody& draft) {
     dynamics::Joint& joint = draft.body.joint;
+    draft.joint_source = &element;
     joint.name = attribute(element, "name");
     const std::string type = type_of(element);
     draft.is_welded = type == "fixed";

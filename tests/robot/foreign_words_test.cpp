@@ -263,6 +263,7 @@ TEST(MjcfBodies, WithSeveralJointsMakeADocument) {
   EXPECT_EQ(back.tree.bodies[1].inertia.mass_kg, 0);
 }
 
+const std::string kEnds = "<parent link='world'/><child link='a'/>";
 const std::string kArm = "<link name='world'/><link name='a'>" + kUnit + "</link>";
 
 TEST(UrdfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
@@ -291,16 +292,53 @@ TEST(UrdfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
 // define. So do we, once each and counted.
 TEST(UrdfWords, ThatUrdfDoesNotDefineAreSkippedAndSaidOnce) {
   const std::string joint =
-      "<joint name='j' type='revolute' dont_collapse='true'><parent link='world'/><child link='a'/>"
-      "<limit lower='-1' upper='1'/><joint_properties damping='1'/><joint_properties/></joint>";
+      "<joint name='j' type='revolute' wobbles='true'><parent link='world'/><child link='a'/>"
+      "<limit lower='-1' upper='1'/><wobbling by='1'/><wobbling/></joint>";
   const Imported with = urdf(kArm + joint + "<wobble/>");
   const std::string said = all_of(with.notes);
-  EXPECT_NE(said.find("<joint_properties> (2 times), <wobble>, dont_collapse of <joint>"),
-            std::string::npos)
+  EXPECT_NE(said.find("<wobble>, <wobbling> (2 times), wobbles of <joint>"), std::string::npos)
       << said;
   std::string plain = joint;
-  plain.erase(plain.find("<joint_properties"), plain.rfind("</joint>") - plain.find("<joint_prop"));
+  plain.erase(plain.find("<wobbling"), plain.rfind("</joint>") - plain.find("<wobbling"));
   EXPECT_EQ(robot_json(with.robot), robot_json(urdf(kArm + plain).robot));
+}
+
+// Oracle: their own readers' pages: drawing, collapsing of fixed joints, drives of a simulator.
+TEST(UrdfWords, OfOtherReadersThatMoveNothingAreNeutral) {
+  const std::string said =
+      all_of(urdf(kArm + "<joint name='j' type='continuous' dont_collapse='true'>" + kEnds +
+                  "<safety_controller k_velocity='1'/><joint_properties damping='1'/></joint>")
+                 .notes);
+  EXPECT_NE(said.find("changes neither mass nor kinematics: <joint_properties>, "
+                      "<safety_controller>, dont_collapse of <joint>"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("does not define"), std::string::npos) << said;
+}
+
+// Oracle: the same file without the words.
+TEST(Words, ThatAreRefusedAreLeftBehindWhereThatIsAskedFor) {
+  ImportFileOptions leaves;
+  leaves.ignored_words = {"replicate", "wobble", "quat_xyzw", "unheard"};
+  const std::string wobbling =
+      R"(<body name="a" wobble="1"><freejoint/><replicate count="3"><body/></replicate>)" + kPart +
+      "</body>";
+  EXPECT_NE(refusal([&] { return mjcf("", wobbling); }).find("--ignore wobble leaves it behind"),
+            std::string::npos);
+  const Imported read = mjcf("", wobbling, leaves);
+  EXPECT_EQ(robot_json(read.robot),
+            robot_json(mjcf("", R"(<body name="a"><freejoint/>)" + kPart + "</body>").robot));
+  const std::string said = all_of(read.notes);
+  EXPECT_NE(said.find("left behind by --ignore replicate: <replicate>\n"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("left behind by --ignore wobble: wobble of <body>\n"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("--ignore unheard: nothing that is refused is called so"), std::string::npos)
+      << said;
+  const std::string turned = kArm + "<joint name='j' type='continuous'>" + kEnds +
+                             "<origin xyz='0 0 1' quat_xyzw='0 0 0 1'/></joint>";
+  EXPECT_NE(refusal([&] { return urdf(turned); }), "was read");
+  EXPECT_EQ(urdf(turned, leaves).robot.tree.bodies[1].joint.p_PB_m.z(), 1);
 }
 
 // Oracle: what the words mean to Gazebo (SDFormat).
@@ -348,8 +386,6 @@ TEST(UrdfWords, SayThatARootWhichNoJointCarriesFloats) {
   const std::string said = all_of(urdf("<link name='base'>" + kUnit + "</link>").notes);
   EXPECT_NE(said.find("\"base\" floats"), std::string::npos) << said;
 }
-
-const std::string kEnds = "<parent link='world'/><child link='a'/>";
 
 TEST(UrdfWords, ThatStandTwiceAreRefused) {
   const auto joint = [](const std::string& more) {
@@ -584,9 +620,44 @@ TEST(Inertias, ThatRoundingSpoiltAreMendedWhereThatIsAskedFor) {
   const Eigen::Matrix3d& inertia = read.robot.tree.bodies[0].inertia.inertia_kg_m2;
   EXPECT_NEAR(inertia(0, 0), 0.011 + 0.001 / 3, 1e-9);
   EXPECT_NEAR(inertia(2, 2), 0.036 - 0.001 / 3, 1e-9);
+}
+
+// Oracle: the nearest point of the plane "largest = sum of the others", by hand: a third of what is
+// too much, each.
+TEST(Inertias, ThatNoRoundingExplainsAreMendedToo) {
   // Three moments off by half a unit of their last place each explain 0.0015, not 0.002.
   const std::string wrong = plate("ixx='0.011' iyy='0.024' izz='0.037'");
-  EXPECT_NE(refusal([&] { return urdf(wrong, kMends); }).find("no rigid body"), std::string::npos);
+  const std::string change =
+      "principal moments 0.011, 0.024, 0.037 kg m2 become 0.0116667, 0.0246667, 0.0363333";
+  const std::string refused = refusal([&] { return urdf(wrong); });
+  EXPECT_NE(refused.find("no rigid body"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("--mend-inertias takes the nearest flat body: of \"a\" " + change),
+            std::string::npos)
+      << refused;
+  const Imported read = urdf(wrong, kMends);
+  EXPECT_NEAR(read.robot.tree.bodies[0].inertia.inertia_kg_m2(2, 2), 0.037 - 0.002 / 3, 1e-9);
+  const std::string said = all_of(read.notes);
+  EXPECT_NE(said.find("that no rounding explains"), std::string::npos) << said;
+  EXPECT_NE(said.find("a (" + change + ")"), std::string::npos) << said;
+  // A negative moment is no missed inequality.
+  const std::string negative = plate("ixx='-0.011' iyy='0.024' izz='0.037'");
+  for (const ImportFileOptions& options : {ImportFileOptions(), kMends}) {
+    const std::string none = refusal([&] { return urdf(negative, options); });
+    EXPECT_NE(none.find("must be positive"), std::string::npos) << none;
+    EXPECT_EQ(none.find("--mend-inertias"), std::string::npos) << none;
+  }
+}
+
+// Oracle: MuJoCo refuses a floating body without mass.
+TEST(Inertias, AreNeededOfAFloatingBase) {
+  const std::string said = refusal([] {
+    return urdf("<link name='base'/><link name='a'>" + kUnit +
+                "</link><joint name='j' type='continuous'><parent link='base'/><child link='a'/>"
+                "</joint>");
+  });
+  EXPECT_NE(said.find("<link name=\"base\">: body \"base\": has no mass, and floats"),
+            std::string::npos)
+      << said;
 }
 
 TEST(Inertias, RoundAsTheyAreWritten) {

@@ -17,6 +17,7 @@
 #include "io/files/given_once.hpp"
 #include "io/text/one_line.hpp"
 #include "robot/draft/limit_drives.hpp"
+#include "robot/draft/own_lines.hpp"
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "robot/model/robot_json.hpp"
 #include "robot/model/robot_spec.hpp"
@@ -115,8 +116,12 @@ void name_actuators(const ImportOptions& options, hopper::Robot& robot) {
 std::string compute(const ImportOptions& options, const hopper::Imported& imported) {
   std::string text = io::json_text(hopper::robot_json(imported.robot));
   const bool has_files = !imported.robot.drivetrains.empty();
-  (void)hopper::robot_of(io::check_document(
-      as_read(text), "robot", has_files ? place_of(options).string() : options.file, ""));
+  try {
+    (void)hopper::robot_of(io::check_document(
+        as_read(text), "robot", has_files ? place_of(options).string() : options.file, ""));
+  } catch (const io::SpecError& error) {
+    throw hopper::at_own_lines(error, imported);
+  }
   return text;
 }
 
@@ -194,6 +199,11 @@ void add_import_command(command_line::Command& robot) {
   command.add_flag("--weld-locked", options->reading.welds_locked,
                    "Weld URDF's joints whose limits are left out or both zero, which move freely "
                    "in simulators");
+  command
+      .add_option("--ignore", options->reading.ignored_words,
+                  "WORD: leave elements and attributes of this name behind where they are refused")
+      .otherwise("none")
+      .one_value_each();
   command
       .add_option(
           "--actuator", options->actuators,
