@@ -35,6 +35,10 @@ class UrdfReader {
 
   Imported read() {
     imported_.robot.name = attribute(root_, "name");
+    if (is_blank(imported_.robot.name)) {
+      imported_.robot.name = "robot";
+      imported_.notes.emplace_back("the robot has no name in the file: it is called \"robot\"");
+    }
     check_words();
     faults_.refuse();
     tree_ = read_urdf_tree(root_, faults_);

@@ -15,6 +15,7 @@ namespace torquewright::hopper {
 /// The faults found in an XML file, and its numbers.
 class Faults {
  public:
+  /// Once, however often what is wrong is read.
   void report(const Element& element, const std::string& message);
   /// io::SpecError with all faults reported, if there are any.
   void refuse() const;
