@@ -23,6 +23,7 @@ struct DraftBody {
   dynamics::Body body;  ///< Parents come first.
   bool is_welded = false;
   const Element* source = nullptr;  ///< Of the inertia; null where the file states no such body.
+  const Element* joint_source = nullptr;
   bool states_rotor = false;      ///< Whether the file says what its joint's reflected inertia is.
   double rounding_kg_m2 = 0;      ///< By so much its moments may be off by how they are written.
   double reference = 0;           ///< Of its joint where all bodies stand as the file puts them.
@@ -30,10 +31,20 @@ struct DraftBody {
   std::vector<DraftBall> balls = {};
 };
 
+/// An element of a file.
+struct FilePlace {
+  std::string file;
+  int line = 0;  ///< 0 where no element says it.
+  std::string element;
+  std::string name;
+};
+
 /// A robot read from another format, and what was left behind, in sentences.
 struct Imported {
   Robot robot;
   std::vector<std::string> notes;
+  std::vector<FilePlace> body_places;   ///< By body of the robot.
+  std::vector<FilePlace> joint_places;  ///< The same; that of the base says nothing.
 };
 
 /// Where a frame stands in a draft.

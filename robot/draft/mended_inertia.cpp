@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/draft/mended_inertia.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -42,7 +44,7 @@ double rounding_of(const Element* inertia) {
   return coarsest;
 }
 
-std::optional<Eigen::Matrix3d> mended(const Eigen::Matrix3d& inertia_kg_m2, double rounding_kg_m2) {
+std::optional<MendedInertia> mended(const Eigen::Matrix3d& inertia_kg_m2, double rounding_kg_m2) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia_kg_m2);
   Eigen::Vector3d moments = axes.eigenvalues();  // ascending
   const double excess = moments[2] - moments[1] - moments[0];
@@ -52,14 +54,26 @@ std::optional<Eigen::Matrix3d> mended(const Eigen::Matrix3d& inertia_kg_m2, doub
   constexpr double kNothing = 1e-12;  // of a moment: what programs print for zero
   const bool is_diagonal = beside.cwiseAbs().maxCoeff() <= kNothing * moments[2];
   const double explained = 3 * rounding_kg_m2 * (is_diagonal ? 1 : 3);
-  if (!(excess > 0) || excess > explained) return std::nullopt;
+  MendedInertia out;
+  out.is_rounding = excess <= explained;
+  if (!(excess > 0) || (!out.is_rounding && moments[0] < 0)) return std::nullopt;
+  out.before_kg_m2 = moments;
   // A little beyond the flat body, so that roundings of ours do not undo it.
   constexpr double kMargin = 1e-9;
   const double third = (excess + kMargin * moments[2]) / 3;
   moments += Eigen::Vector3d(third, third, -third);
+  out.after_kg_m2 = moments;
   const Eigen::Matrix3d& R = axes.eigenvectors();
   const Eigen::Matrix3d whole = R * moments.asDiagonal() * R.transpose();
-  return 0.5 * (whole + whole.transpose());
+  out.inertia_kg_m2 = 0.5 * (whole + whole.transpose());
+  return out;
+}
+
+std::string change_of(const MendedInertia& mended) {
+  const Eigen::Vector3d& before = mended.before_kg_m2;
+  const Eigen::Vector3d& after = mended.after_kg_m2;
+  return fmt::format("principal moments {:.6g}, {:.6g}, {:.6g} kg m2 become {:.6g}, {:.6g}, {:.6g}",
+                     before[0], before[1], before[2], after[0], after[1], after[2]);
 }
 
 }  // namespace torquewright::hopper

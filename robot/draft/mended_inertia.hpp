@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "robot/xml/element.hpp"
@@ -16,9 +17,19 @@ double rounding_of(std::string_view numbers);
 /// The same of an MJCF <inertial> or a URDF <inertia>; 0 of null.
 double rounding_of(const Element* inertia);
 
+struct MendedInertia {
+  Eigen::Matrix3d inertia_kg_m2;
+  Eigen::Vector3d before_kg_m2;  ///< Principal moments, ascending.
+  Eigen::Vector3d after_kg_m2;
+  bool is_rounding = false;  ///< Whether numbers off by half a unit of their last place explain it.
+};
+
 /// The nearest inertia whose moments a flat body could have, where the largest exceeds the sum of
-/// the others by no more than numbers off by so much could make it. Nothing where none is needed,
-/// or where rounding does not explain it.
-std::optional<Eigen::Matrix3d> mended(const Eigen::Matrix3d& inertia_kg_m2, double rounding_kg_m2);
+/// the others. Nothing where none is needed, or where a moment is negative that rounding does not
+/// explain.
+std::optional<MendedInertia> mended(const Eigen::Matrix3d& inertia_kg_m2, double rounding_kg_m2);
+
+/// "principal moments 1, 2, 4 kg m2 become 1.33, 2.33, 3.67".
+std::string change_of(const MendedInertia& mended);
 
 }  // namespace torquewright::hopper

@@ -46,8 +46,8 @@ void read_words(const Element& element, MjcfCompiler& compiler, Faults& faults) 
                        : when == "false" ? FromShapes::kNever
                                          : FromShapes::kWhereNotStated;
   }
-  if (attribute(element, "coordinate") == "global") {
-    faults.report(element, "coordinate=\"global\" is not read: it must be local");
+  if (find_attribute(element, "coordinate") != nullptr) {
+    compiler.is_global = faults.one_of(element, "coordinate", {"local", "global"}) == "global";
   }
 }
 

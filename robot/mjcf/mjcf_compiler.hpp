@@ -18,6 +18,8 @@ enum class FromShapes { kAlways, kWhereNotStated, kNever };
 struct MjcfCompiler {
   double rad_per_angle = std::numbers::pi / 180;
   std::string euler_axes = "xyz";
+  /// Whether places, directions and orientations inside bodies are the world's, in the file's pose.
+  bool is_global = false;
   bool are_limits_automatic = true;
   FromShapes inertia = FromShapes::kWhereNotStated;
   std::array<double, 2> shape_groups{0, 5};

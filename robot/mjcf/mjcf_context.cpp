@@ -12,11 +12,24 @@ void gather(const Placed& around, const MjcfContext& context, std::vector<Placed
       out.push_back(placed);
       continue;
     }
+    if (context.compiler.is_global) {
+      context.faults.report(held, "stands in a file of global coordinates, which know no frames");
+    }
     Placed inside = pose_of(placed, held, context);
     const std::string own = attribute(held, "childclass");
     if (!own.empty()) inside.childclass = own;
     gather(inside, context, out);
   }
+}
+
+/// The frame that a body's content is placed by, in the body: its own, or the world's.
+Placed reference_of(const Element& body, const MjcfContext& context) {
+  Placed frame{&body};
+  if (!context.compiler.is_global || body.name != "body") return frame;
+  const Placed own = pose_of(frame, body, context);
+  frame.R = own.R.transpose();
+  frame.p_m = -(frame.R * own.p_m);
+  return frame;
 }
 
 }  // namespace
@@ -33,8 +46,8 @@ std::vector<Placed> contents(const Element& body, const std::string& childclass,
                              const MjcfContext& context) {
   std::vector<Placed> out;
   const std::string own = attribute(body, "childclass");
-  Placed around{&body, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
-                own.empty() ? childclass : own};
+  Placed around = reference_of(body, context);
+  around.childclass = own.empty() ? childclass : own;
   gather(around, context, out);
   return out;
 }

@@ -31,7 +31,7 @@ struct Placed {
 Placed pose_of(const Placed& placed, const Element& completed, const MjcfContext& context);
 
 /// What a body (or the world) holds, frames taken apart, in order. Both are checked by the
-/// vocabulary.
+/// vocabulary. In global coordinates the frame of reference is the world's.
 std::vector<Placed> contents(const Element& body, const std::string& childclass,
                              const MjcfContext& context);
 

@@ -167,6 +167,9 @@ RigidInertia compiled_inertia(const Element& body, const std::vector<Placed>& he
     inertia = inertia_of_shapes(held, context);
   } else if (stated != nullptr) {
     inertia = stated_inertia(*stated, context);
+    const auto at = std::find_if(held.begin(), held.end(),
+                                 [&](const Placed& placed) { return placed.element == stated; });
+    if (at != held.end()) inertia = dynamics::moved(inertia, at->R, at->p_m);
   }
   bound(context.compiler, inertia);
   return inertia;

@@ -121,9 +121,10 @@ MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context) {
 }
 
 void refuse_ball(const Element& joint, Faults& faults) {
-  faults.report(joint,
-                "type \"ball\" must be hinge or slide here; three hinges in one body turn "
-                "like a ball");
+  faults.report(
+      joint,
+      "type \"ball\" must be hinge or slide where it has a range or an armature, or beside "
+      "a closed loop; three hinges in one body turn like a ball");
 }
 
 std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball) {

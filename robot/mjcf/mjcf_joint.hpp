@@ -20,7 +20,7 @@ struct MjcfJoint {
 /// Hinges, slides, free joints and balls.
 MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context);
 
-/// A fault: a ball joint is one of a linkage's rods, or not read.
+/// A fault: a ball joint is one of a linkage's rods, or three hinges, or not read.
 void refuse_ball(const Element& joint, Faults& faults);
 /// About x, y and z, in place of a ball joint.
 std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball);

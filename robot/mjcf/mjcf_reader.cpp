@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/rigid_inertia.hpp"
 #include "robot/draft/finish.hpp"
@@ -28,7 +29,8 @@ using dynamics::JointKind;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kMjcfFriction = 1.0;  // where a geom states none
+constexpr double kMjcfFriction = 1.0;   // where a geom states none
+constexpr double kMostTilt_rad = 1e-3;  // of gravity; weight along the ground is a thousandth
 
 bool moves(const Element& element) {
   return std::any_of(element.children.begin(), element.children.end(), [](const Element& held) {
@@ -44,13 +46,13 @@ class MjcfReader {
   MjcfReader(const std::filesystem::path& file, const ImportFileOptions& options)
       : options_(options),
         root_(read_with_includes(file, faults_)),
-        vocabulary_(mjcf_words(), Unlisted::kRefused, faults_),
+        vocabulary_(mjcf_words(), Unlisted::kRefused, options.ignored_words, faults_),
         compiler_(read_compiler(root_, faults_)),
         defaults_(root_, faults_) {}
 
   Imported read() {
     imported_.robot.name = attribute(root_, "model");
-    if (imported_.robot.name.empty()) imported_.robot.name = "robot";
+    if (is_blank(imported_.robot.name)) imported_.robot.name = "robot";
     check_sections();
     read_gravity();
     const std::vector<Placed> bodies = bodies_of_world();
@@ -60,12 +62,18 @@ class MjcfReader {
         read_equalities(root_, *top->element, defaults_, options_.frees_couplings, faults_);
     for (std::string& note : equalities.freed) imported_.notes.push_back(std::move(note));
     has_loops_ = !equalities.connects.empty();
+    if (has_loops_ && compiler_.is_global) {
+      faults_.report(*equalities.connects.front(),
+                     "closes a loop in a file of global coordinates, "
+                     "which is not read: state local ones");
+    }
     read_top(*top);
     faults_.refuse();
     scale_mass(bodies);
     limit_efforts();
     if (has_loops_) open_loops(equalities.connects);
     finish(draft_, options_, imported_, faults_);
+    note_names();
     for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
     return std::move(imported_);
   }
@@ -87,10 +95,14 @@ class MjcfReader {
     double& gravity_m_s2 = imported_.robot.tree.gravity_m_s2;
     for (const Element* option : children(root_, "option")) {
       const Vector3d gravity = faults_.vector(*option, "gravity", {0, 0, -gravity_m_s2});
-      if (gravity.x() != 0 || gravity.y() != 0 || gravity.z() > 0) {
+      const double tilt_rad = std::atan2(gravity.head<2>().norm(), -gravity.z());
+      if (gravity.norm() > 0 && tilt_rad >= kMostTilt_rad) {
         faults_.report(*option, "gravity must point along -z");
+      } else if (gravity.head<2>().norm() > 0) {
+        imported_.notes.push_back(
+            fmt::format("gravity is read along -z: the file's is tilted by {:.2g} rad", tilt_rad));
       }
-      gravity_m_s2 = -gravity.z();
+      gravity_m_s2 = std::max(0.0, -gravity.z());
       for (const Element* flag : children(*option, "flag")) {
         vocabulary_.check(*flag);
         has_gravity_ = has_gravity_ && attribute(*flag, "gravity") != "disable";
@@ -155,6 +167,10 @@ class MjcfReader {
     const Placed pose = pose_of(placed, body, context_);
     const std::vector<Placed> held = contents(body, placed.childclass, context_);
     const std::vector<MjcfJoint> joints = joints_in(held);
+    if (compiler_.is_global && find_attribute(body, "pos") == nullptr && !joints.empty() &&
+        joints.front().is_free) {
+      faults_.report(body, "needs a pos: in global coordinates a body that floats has none else");
+    }
     const MjcfBase base = base_of(pose, joints, options_.drops_base_armature, faults_);
     imported_.robot.tree.base = base.kind;
     imported_.notes.insert(imported_.notes.end(), base.notes.begin(), base.notes.end());
@@ -182,10 +198,44 @@ class MjcfReader {
         joints.push_back(std::move(joint));
         continue;
       }
-      if (!has_loops_) refuse_ball(*joint.element, faults_);
+      if (!has_loops_) split_ball(joint, placed);
       for (MjcfJoint& hinge : hinges_of_ball(joint)) joints.push_back(std::move(hinge));
     }
     return joints;
+  }
+
+  /// Three hinges turn a body as a ball joint does. What a ball joint has of armature and range
+  /// counts about other axes than theirs.
+  void split_ball(const MjcfJoint& ball, const Placed& placed) {
+    const Element stated = defaults_.completed(*placed.element, placed.childclass);
+    const bool has_range =
+        find_attribute(stated, "range") != nullptr && is_limited(stated, "limited", context_);
+    if (has_range || ball.joint.reflected_inertia != 0) {
+      refuse_ball(*ball.element, faults_);
+      return;
+    }
+    split_balls_.push_back(ball.joint.name.empty() ? fmt::format("line {}", ball.element->line)
+                                                   : ball.joint.name);
+  }
+
+  void note_names() {
+    if (!split_balls_.empty()) {
+      imported_.notes.push_back(fmt::format(
+          "ball joints are hinges about x, y and z here, which turn alike but for where the second "
+          "stands at a right angle: {}",
+          listed(split_balls_)));
+    }
+    if (!made_up_.empty()) {
+      imported_.notes.push_back(
+          fmt::format("names that the file leaves out or blank: {}", listed(made_up_)));
+    }
+  }
+
+  /// The name that is stated, or one that is made up.
+  std::string name_or(const std::string& stated, const std::string& other) {
+    if (!is_blank(stated)) return stated;
+    made_up_.push_back(other);
+    return other;
   }
 
   /// What a <connect> closes becomes mechanisms, and cranks and rods are no bodies any more.
@@ -218,8 +268,9 @@ class MjcfReader {
     for (std::size_t i = 0; i < joints.size(); ++i) {
       if (joints[i].is_free) faults_.report(*joints[i].element, "a free joint is for the top body");
       seen = carried(joints[i], seen);
-      draft_.back().body.name = name_of(body);
-      if (i + 1 < joints.size()) draft_.back().body.name += "." + draft_.back().body.joint.name;
+      draft_.back().body.name = i + 1 < joints.size()
+                                    ? attribute(body, "name") + "." + draft_.back().body.joint.name
+                                    : name_of(body);
     }
     if (joints.empty()) {
       seen = welded(seen);
@@ -244,8 +295,9 @@ class MjcfReader {
     DraftBody draft;
     draft.body.parent = at.draft;
     draft.body.joint = stated.joint;
+    draft.joint_source = stated.element;
     dynamics::Joint& joint = draft.body.joint;
-    if (joint.name.empty()) joint.name = fmt::format("joint_{}", draft_.size());
+    joint.name = name_or(joint.name, fmt::format("joint_{}", draft_.size()));
     const bool turns = joint.kind == JointKind::kRevolute;
     const double back = -stated.reference;
     const Vector3d shift_m = turns ? stated.place_m : stated.place_m + back * joint.axis;
@@ -320,8 +372,7 @@ class MjcfReader {
   }
 
   std::string name_of(const Element& body) {
-    const std::string name = attribute(body, "name");
-    return name.empty() ? fmt::format("body_{}", draft_.size() - 1) : name;
+    return name_or(attribute(body, "name"), fmt::format("body_{}", draft_.size() - 1));
   }
 
   ImportFileOptions options_;
@@ -334,6 +385,8 @@ class MjcfReader {
   Imported imported_;
   std::vector<DraftBody> draft_;
   MjcfLandmarks landmarks_;
+  std::vector<std::string> made_up_;
+  std::vector<std::string> split_balls_;
   bool has_gravity_ = true;
   bool has_loops_ = false;
 };

@@ -16,6 +16,7 @@
 #include "robot/draft/mended_inertia.hpp"
 #include "robot/model/rotations.hpp"
 #include "robot/urdf/gazebo_words.hpp"
+#include "robot/urdf/urdf_limits.hpp"
 #include "robot/urdf/urdf_tree.hpp"
 #include "robot/urdf/urdf_vocabulary.hpp"
 
@@ -30,10 +31,14 @@ class UrdfReader {
   UrdfReader(const std::filesystem::path& file, const ImportFileOptions& options)
       : options_(options),
         root_(read_root(file, "robot")),
-        vocabulary_(urdf_words(), Unlisted::kIgnored, faults_) {}
+        vocabulary_(urdf_words(), Unlisted::kIgnored, options.ignored_words, faults_) {}
 
   Imported read() {
     imported_.robot.name = attribute(root_, "name");
+    if (is_blank(imported_.robot.name)) {
+      imported_.robot.name = "robot";
+      imported_.notes.emplace_back("the robot has no name in the file: it is called \"robot\"");
+    }
     check_words();
     faults_.refuse();
     tree_ = read_urdf_tree(root_, faults_);
@@ -47,6 +52,7 @@ class UrdfReader {
     imported_.robot.tree.base =
         tree_.floats ? dynamics::BaseKind::kSpatial : dynamics::BaseKind::kFixed;
     finish(draft_, options_, imported_, faults_);
+    for (std::string& note : limits_.notes()) imported_.notes.push_back(std::move(note));
     if (tree_.floats && !tree_.is_said_to_float) note_base();
     for (std::string& note : gazebo_notes(root_)) imported_.notes.push_back(std::move(note));
     for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
@@ -73,9 +79,11 @@ class UrdfReader {
     }
   }
 
-  /// Gazebo's way to close a loop is a joint of its own language.
+  /// Gazebo's way to close a loop is a joint of its own language. Plugins and sensors only name
+  /// links and joints that are there.
   void refuse_loops(const Element& element) {
     for (const Element& held : element.children) {
+      if (held.name == "plugin" || held.name == "sensor") continue;
       const bool is_joint = held.name == "joint" && child(held, "child") != nullptr;
       if (is_joint || held.name == "link") {
         faults_.report(held,
@@ -150,6 +158,7 @@ class UrdfReader {
 
   void read_joint(const Element& element, DraftBody& draft) {
     dynamics::Joint& joint = draft.body.joint;
+    draft.joint_source = &element;
     joint.name = attribute(element, "name");
     const std::string type = type_of(element);
     draft.is_welded = type == "fixed";
@@ -165,7 +174,7 @@ class UrdfReader {
       if (along.norm() >= 1e-6) joint.axis = along.normalized();
     }
     if (const Element* limit = faults_.only_child(element, "limit")) {
-      read_limits(*limit, type == "revolute" || type == "prismatic", draft);
+      limits_.read(*limit, type == "revolute" || type == "prismatic", draft);
     }
     if (faults_.only_child(element, "mimic") != nullptr) {
       imported_.notes.push_back(fmt::format(
@@ -221,53 +230,6 @@ class UrdfReader {
                                "or floating",
                                type));
     return type;
-  }
-
-  void read_limits(const Element& element, bool has_range, DraftBody& draft) {
-    dynamics::JointLimits& limits = draft.body.joint.limits;
-    if (has_range) {
-      const double lower = faults_.number(element, "lower", 0);
-      const double upper = faults_.number(element, "upper", 0);
-      if (lower > upper) {
-        faults_.report(element, fmt::format("lower {} is not below upper {}", lower, upper));
-      } else {
-        limits.position_min = lower;
-        limits.position_max = upper;
-      }
-      const bool has_both = find_attribute(element, "lower") != nullptr ||
-                            find_attribute(element, "upper") != nullptr;
-      if (limits.position_min == limits.position_max) weld(has_both, draft);
-    }
-    const double effort = read_bound(element, "effort");
-    const double speed = read_bound(element, "velocity");
-    if (effort > 0) limits.effort_max = effort;
-    if (speed > 0) limits.speed_max = speed;
-  }
-
-  /// Zero stands for "not known" in most files.
-  double read_bound(const Element& element, const char* name) {
-    const double bound = faults_.number(element, name, 0);
-    if (bound < 0) {
-      faults_.report(element, fmt::format("{}={} is below 0; it bounds both directions, and 0 says "
-                                          "that it is not known",
-                                          name, bound));
-    }
-    return bound;
-  }
-
-  /// A range of one position is none that a joint could move in.
-  void weld(bool is_stated, DraftBody& draft) {
-    dynamics::Joint& joint = draft.body.joint;
-    const double position = joint.limits.position_min;
-    draft.is_welded = true;
-    if (joint.kind == JointKind::kPrismatic) {
-      joint.p_PB_m += joint.R_PB * (position * joint.axis);
-    } else {
-      joint.R_PB = joint.R_PB * Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
-    }
-    imported_.notes.push_back(
-        fmt::format("joint \"{}\" is welded at {}: its lower and upper limits are {}", joint.name,
-                    position, is_stated ? "the same" : "left out, and mean zero"));
   }
 
   void read_transmissions() {
@@ -328,6 +290,7 @@ class UrdfReader {
   Vocabulary vocabulary_;
   Imported imported_;
   UrdfTree tree_;
+  UrdfLimits limits_{options_.welds_locked, faults_};
   std::vector<DraftBody> draft_;
   std::map<std::string, double> reflected_;
 };

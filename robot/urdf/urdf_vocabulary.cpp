@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names: the URDF XML specification (wiki.ros.org/urdf/XML); Drake's in "Notes on parsing"
-// (drake.mit.edu); Gazebo's, ros2_control's, MuJoCo's and RaiSim's own extensions. What stands here
-// neither way is no word of URDF's: urdfdom, and with it every reader, skips it.
+// (drake.mit.edu); Gazebo's, ros2_control's, MuJoCo's, Bullet's, Isaac's and RaiSim's own
+// extensions. What stands here neither way is no word of URDF's: urdfdom, and with it every reader,
+// skips it.
 #include "robot/urdf/urdf_vocabulary.hpp"
 
 namespace torquewright::hopper {
@@ -27,10 +28,11 @@ std::span<const Words> urdf_words() {
        "mechanism where it closes a loop"},
 
       {"link", kAttributes, kRead, "name"},
-      {"link", kAttributes, kNeutral, "type"},
+      {"link", kAttributes, kNeutral, "type concave"},
       {"link", kChildren, kRead, "inertial"},
       {"link", kChildren, kNeutral,
-       "visual collision self_filter self_collision_checking contact sensor"},
+       "visual collision self_filter self_collision_checking collision_checking contact material "
+       "sensor"},
 
       {"inertial", kAttributes, kNeutral, "name"},
       {"inertial", kChildren, kRead, "origin mass inertia"},
@@ -41,9 +43,11 @@ std::span<const Words> urdf_words() {
       {"inertia", kAttributes, kRead, "ixx ixy ixz iyy iyz izz"},
 
       {"joint", kAttributes, kRead, "name type"},
+      {"joint", kAttributes, kNeutral, "dont_collapse"},
       {"joint", kChildren, kRead, "parent child origin axis limit mimic dynamics"},
       {"dynamics", kAttributes, kRead, "damping friction rotor_inertia"},
-      {"joint", kChildren, kNeutral, "safety_controller calibration hardwareInterface"},
+      {"joint", kChildren, kNeutral,
+       "safety_controller calibration hardwareInterface joint_properties"},
       {"joint", kChildren, kRefused, "drake:mimic drake:screw_thread_pitch",
        "readers that know it couple or turn the joint by it"},
       {"axis", kAttributes, kRead, "xyz"},

@@ -2,6 +2,9 @@
 // Fields: as in urdf_reader.cpp.
 #include "robot/urdf/urdf_writer.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "robot/draft/rotors_in_joints.hpp"
@@ -52,11 +55,9 @@ void write_limits(tinyxml2::XMLPrinter& out, const dynamics::JointLimits& limits
     out.PushAttribute("lower", text_of(limits.position_min).c_str());
     out.PushAttribute("upper", text_of(limits.position_max).c_str());
   }
-  // The format demands both; zero is its "not known".
-  out.PushAttribute("effort",
-                    text_of(std::isfinite(limits.effort_max) ? limits.effort_max : 0).c_str());
-  out.PushAttribute("velocity",
-                    text_of(std::isfinite(limits.speed_max) ? limits.speed_max : 0).c_str());
+  // The format demands both.
+  out.PushAttribute("effort", text_of(std::min(limits.effort_max, kNoLimit)).c_str());
+  out.PushAttribute("velocity", text_of(std::min(limits.speed_max, kNoLimit)).c_str());
   out.CloseElement();
 }
 
@@ -126,6 +127,19 @@ void write_world(tinyxml2::XMLPrinter& out, const Body& base) {
   out.CloseElement();
 }
 
+void note_unknown_limits(const Robot& robot, std::vector<std::string>& notes) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < robot.tree.bodies.size(); ++i) {
+    const dynamics::JointLimits& limits = robot.tree.bodies[i].joint.limits;
+    if (std::isinf(limits.effort_max) || std::isinf(limits.speed_max)) ++count;
+  }
+  if (count == 0) return;
+  notes.push_back(fmt::format(
+      "effort or velocity of {} joints is not known: {} stands for no limit, since readers take 0 "
+      "for no force",
+      count, text_of(kNoLimit)));
+}
+
 std::vector<std::string> notes_of(const Robot& robot) {
   std::vector<std::string> notes;
   const bool is_fixed = robot.tree.base == dynamics::BaseKind::kFixed;
@@ -134,6 +148,7 @@ std::vector<std::string> notes_of(const Robot& robot) {
                            ? "URDF knows no planar base: whoever loads it must hold it in its plane"
                            : "URDF does not say that the base floats: whoever loads it must");
   }
+  note_unknown_limits(robot, notes);
   notes.emplace_back(
       "reflected inertia stands as drake:rotor_inertia with gear ratio 1; readers "
       "other than Drake ignore it");

@@ -112,6 +112,10 @@ std::string attribute(const Element& element, std::string_view name) {
   return found == nullptr ? "" : *found;
 }
 
+bool is_blank(std::string_view name) {
+  return name.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
 std::vector<const Element*> children(const Element& element, std::string_view name) {
   std::vector<const Element*> found;
   for (const Element& next : element.children) {

@@ -25,6 +25,9 @@ const std::string* find_attribute(const Element& element, std::string_view name)
 /// "" where it is absent.
 std::string attribute(const Element& element, std::string_view name);
 
+/// Whether a name has no letter that one sees.
+bool is_blank(std::string_view name);
+
 /// Children of that name, in order.
 std::vector<const Element*> children(const Element& element, std::string_view name);
 /// The first of them; null if there is none.

@@ -43,6 +43,19 @@ std::string listed(std::vector<std::string> places) {
   return fmt::format("{} and {} more", fmt::join(places, ", "), more);
 }
 
+namespace {
+
+/// Each with how often it stands there.
+std::string counted(const std::map<std::string, int>& words) {
+  std::vector<std::string> list;
+  for (const auto& [word, times] : words) {
+    list.push_back(times == 1 ? word : fmt::format("{} ({} times)", word, times));
+  }
+  return listed(std::move(list));
+}
+
+}  // namespace
+
 const Words* Vocabulary::find(std::string_view element, Words::Kind kind,
                               std::string_view name) const {
   const auto found = std::find_if(words_.begin(), words_.end(), [&](const Words& words) {
@@ -55,14 +68,18 @@ const Words* Vocabulary::find(std::string_view element, Words::Kind kind,
 void Vocabulary::check_word(const Element& element, Words::Kind kind, const std::string& name,
                             const Element& place) {
   const Words* words = find(element.name, kind, name);
-  const char* sort = kind == Words::Kind::kChildren ? "element" : "attribute";
-  const std::string word = kind == Words::Kind::kChildren
-                               ? fmt::format("<{}>", name)
-                               : fmt::format("{} of <{}>", name, element.name);
-  if (words == nullptr) {
-    note_unlisted(place, sort, word);
+  const bool is_element = kind == Words::Kind::kChildren;
+  const std::string word =
+      is_element ? fmt::format("<{}>", name) : fmt::format("{} of <{}>", name, element.name);
+  const char* sort = is_element ? "element" : "attribute";
+  if (words == nullptr && unlisted_ == Unlisted::kIgnored) {
+    ++ignored_[word];
+  } else if (words == nullptr) {
+    refuse(
+        place, name, word,
+        fmt::format("the {} {} is not known here; it might change mass or kinematics", sort, word));
   } else if (words->meaning == Meaning::kRefused) {
-    faults_->report(place, fmt::format("the {} {} is not read; {}", sort, word, words->advice));
+    refuse(place, name, word, fmt::format("the {} {} is not read; {}", sort, word, words->advice));
   } else if (words->meaning == Meaning::kNeutral) {
     neutral_.insert(word);
   } else if (words->meaning == Meaning::kForce) {
@@ -71,15 +88,13 @@ void Vocabulary::check_word(const Element& element, Words::Kind kind, const std:
   }
 }
 
-void Vocabulary::note_unlisted(const Element& place, const std::string& sort,
-                               const std::string& word) {
-  if (unlisted_ == Unlisted::kIgnored) {
-    ++ignored_[word];
-    return;
+void Vocabulary::refuse(const Element& place, const std::string& name, const std::string& word,
+                        const std::string& why) {
+  if (left_.count(name) > 0) {
+    ++found_left_[name][word];
+  } else {
+    faults_->report(place, fmt::format("{} (--ignore {} leaves it behind)", why, name));
   }
-  faults_->report(place, fmt::format("the {} {} is not known here; it might change mass or "
-                                     "kinematics",
-                                     sort, word));
 }
 
 void Vocabulary::check_attributes(const Element& element) {
@@ -106,8 +121,21 @@ void Vocabulary::check(const Element& element) {
   }
 }
 
-std::vector<std::string> Vocabulary::notes() const {
+std::vector<std::string> Vocabulary::notes_of_left() const {
   std::vector<std::string> notes;
+  for (const std::string& name : left_) {
+    const auto found = found_left_.find(name);
+    if (found == found_left_.end()) {
+      notes.push_back(fmt::format("--ignore {}: nothing that is refused is called so", name));
+    } else {
+      notes.push_back(fmt::format("left behind by --ignore {}: {}", name, counted(found->second)));
+    }
+  }
+  return notes;
+}
+
+std::vector<std::string> Vocabulary::notes() const {
+  std::vector<std::string> notes = notes_of_left();
   for (const auto& [what, places] : forces_) {
     notes.push_back(
         fmt::format("{} is a force that a robot document does not hold, so that drives "
@@ -115,13 +143,9 @@ std::vector<std::string> Vocabulary::notes() const {
                     what, listed(places)));
   }
   if (!ignored_.empty()) {
-    std::vector<std::string> words;
-    for (const auto& [word, times] : ignored_) {
-      words.push_back(times == 1 ? word : fmt::format("{} ({} times)", word, times));
-    }
     notes.push_back(
         fmt::format("left behind, for the format does not define it and its readers skip it: {}",
-                    listed(std::move(words))));
+                    counted(ignored_)));
   }
   if (!neutral_.empty()) {
     notes.push_back(fmt::format("left behind, for it changes neither mass nor kinematics: {}",

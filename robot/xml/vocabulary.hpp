@@ -43,8 +43,10 @@ std::string listed(std::vector<std::string> places);
 /// Holds elements against a list of words, and keeps what was left behind.
 class Vocabulary {
  public:
-  Vocabulary(std::span<const Words> words, Unlisted unlisted, Faults& faults)
-      : words_(words), unlisted_(unlisted), faults_(&faults) {}
+  /// `left`: names of elements and attributes that are left behind even where they are refused.
+  Vocabulary(std::span<const Words> words, Unlisted unlisted, const std::vector<std::string>& left,
+             Faults& faults)
+      : words_(words), unlisted_(unlisted), left_(left.begin(), left.end()), faults_(&faults) {}
 
   /// Attributes and children of the element, not what is inside these. Attributes that say nothing
   /// ("0", "false") are neutral.
@@ -60,15 +62,19 @@ class Vocabulary {
                   const Element& place);
   const Words* find(std::string_view element, Words::Kind kind, std::string_view name) const;
 
-  void note_unlisted(const Element& place, const std::string& sort, const std::string& word);
+  void refuse(const Element& place, const std::string& name, const std::string& word,
+              const std::string& why);
+  std::vector<std::string> notes_of_left() const;
 
   std::span<const Words> words_;
   Unlisted unlisted_;
+  std::set<std::string> left_;  ///< Asked for.
   Faults* faults_;
   std::set<std::string> neutral_;
-  std::map<std::string, int> ignored_;                      ///< How often, by what.
-  std::map<std::string, std::vector<std::string>> forces_;  ///< Where, by what.
-  std::set<std::pair<std::string, std::string>> places_;    ///< What and where, of these.
+  std::map<std::string, std::map<std::string, int>> found_left_;  ///< How often, by name and word.
+  std::map<std::string, int> ignored_;                            ///< How often, by what.
+  std::map<std::string, std::vector<std::string>> forces_;        ///< Where, by what.
+  std::set<std::pair<std::string, std::string>> places_;          ///< What and where, of these.
 };
 
 }  // namespace torquewright::hopper

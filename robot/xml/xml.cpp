@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace torquewright::hopper {
@@ -16,7 +17,7 @@ constexpr double kGreatest = 1e9;  // no number of a robot comes near
 
 /// Numbers between spaces; nothing if anything else stands there. What is too small for a double is
 /// zero.
-std::optional<std::vector<double>> parsed(std::string_view text) {
+std::optional<std::vector<double>> parsed(std::string_view text, double greatest = kGreatest) {
   std::vector<double> found;
   const char* at = text.data();
   const char* const end = text.data() + text.size();
@@ -26,7 +27,7 @@ std::optional<std::vector<double>> parsed(std::string_view text) {
     if (*at == '+') ++at;
     double value = 0;
     const auto [rest, error] = std::from_chars(at, end, value);
-    if (error != std::errc() || !(std::abs(value) <= kGreatest)) return std::nullopt;
+    if (error != std::errc() || !(std::abs(value) <= greatest)) return std::nullopt;
     found.push_back(value);
     at = rest;
   }
@@ -42,9 +43,13 @@ std::string counted(std::size_t least, std::size_t most) {
 
 void Faults::report(const Element& element, const std::string& message) {
   const std::string name = attribute(element, "name");
-  faults_.push_back({*element.file, "",
-                     fmt::format("line {}, <{}{}>: {}", element.line, element.name,
-                                 name.empty() ? "" : fmt::format(" name=\"{}\"", name), message)});
+  const std::string sentence =
+      fmt::format("line {}, <{}{}>: {}", element.line, element.name,
+                  name.empty() ? "" : fmt::format(" name=\"{}\"", name), message);
+  const bool is_known = std::any_of(faults_.begin(), faults_.end(), [&](const io::Fault& known) {
+    return known.message == sentence && known.file == *element.file;
+  });
+  if (!is_known) faults_.push_back({*element.file, "", sentence});
 }
 
 void Faults::refuse() const {
@@ -65,6 +70,15 @@ std::optional<std::vector<double>> Faults::numbers(const Element& element, const
 double Faults::number(const Element& element, const char* name, double otherwise) {
   const auto found = numbers(element, name, 1);
   return found ? found->front() : otherwise;
+}
+
+std::optional<double> Faults::limit(const Element& element, const char* name) {
+  const std::string* text = find_attribute(element, name);
+  if (text == nullptr) return std::nullopt;
+  const auto found = parsed(*text, std::numeric_limits<double>::infinity());
+  if (found && found->size() == 1) return found->front();
+  report(element, fmt::format("{}=\"{}\" must be 1 number, or inf", name, *text));
+  return std::nullopt;
 }
 
 Eigen::Vector3d Faults::vector(const Element& element, const char* name,

@@ -15,6 +15,7 @@ namespace torquewright::hopper {
 /// The faults found in an XML file, and its numbers.
 class Faults {
  public:
+  /// Once, however often what is wrong is read.
   void report(const Element& element, const std::string& message);
   /// io::SpecError with all faults reported, if there are any.
   void refuse() const;
@@ -28,6 +29,8 @@ class Faults {
     return numbers(element, attribute, count, count);
   }
   double number(const Element& element, const char* attribute, double otherwise);
+  /// A limit may be infinite, and greater than any other number of a robot.
+  std::optional<double> limit(const Element& element, const char* attribute);
   Eigen::Vector3d vector(const Element& element, const char* attribute,
                          const Eigen::Vector3d& otherwise);
   /// The child of that name, null if there is none; a fault if there are several, of which all but

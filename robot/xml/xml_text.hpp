@@ -13,6 +13,10 @@ namespace torquewright::hopper {
 
 /// Where a format demands a range and the robot has none: the widest that a robot document holds.
 inline constexpr double kNoRange = 1e4;
+/// Where a format demands a limit of effort or speed and the robot has none. Readers keep limits as
+/// they stand, some in single precision, and take zero for no force at all: this is beyond every
+/// drive and finite for all of them, and our own import reads it as no limit.
+inline constexpr double kNoLimit = 1e9;
 
 /// The shortest decimals that read back the same.
 std::string text_of(double value);

@@ -133,6 +133,65 @@ TEST(RobotImport, SaysItsNotesWhereverTheDocumentGoes) {
   }
 }
 
+// Oracle: the lines of the text itself.
+TEST(RobotImport, NamesTheFilesOwnLineOfWhatNoDocumentHolds) {
+  const Workplace place;
+  const auto said = [&](const std::string& mass, const std::string& limit) {
+    place.write("arm.urdf",
+                "<robot name=\"arm\"><link name=\"world\"/>\n<link name=\"a\"><inertial>"
+                "<mass value=\"" +
+                    mass +
+                    "\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\"/>"
+                    "</inertial></link>\n\n<joint name=\"j\" type=\"revolute\">"
+                    "<parent link=\"world\"/><child link=\"a\"/><limit lower=\"-1\" "
+                    "upper=\"1\" " +
+                    limit + "/></joint></robot>");
+    const Outcome imported = place.run({"robot", "import", "arm.urdf"});
+    EXPECT_EQ(imported.exit_code, 2) << imported.out;
+    return imported.err;
+  };
+  const std::string joint = said("1", "effort=\"1e-7\"");
+  EXPECT_NE(joint.find("arm.urdf: line 4, <joint name=\"j\">: torque_limit_Nm: "),
+            std::string::npos)
+      << joint;
+  const std::string body = said("1e5", "");
+  EXPECT_NE(body.find("arm.urdf: line 2, <link name=\"a\">: mass_kg: "), std::string::npos) << body;
+}
+
+TEST(RobotImport, WeldsWhatIsLockedWhereThatIsAskedFor) {
+  const Workplace place;
+  std::string locked = kArm;
+  locked.replace(locked.find("<mimic joint=\"k\"/>"), 18, "<limit effort=\"1\" velocity=\"1\"/>");
+  locked.replace(locked.find("continuous"), 10, "revolute");
+  place.write("arm.urdf", locked);
+  const auto joints = [&](const Words& more) {
+    Words words{"robot", "import", "arm.urdf"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome imported = place.run(words);
+    EXPECT_EQ(imported.exit_code, 0) << imported.err;
+    return json::parse(imported.out)["joints"].size();
+  };
+  EXPECT_EQ(joints({}), 1u);
+  EXPECT_EQ(joints({"--weld-locked"}), 0u);
+  const Outcome refused =
+      place.run({"robot", "import", "arm.urdf", "--format", "mjcf", "--weld-locked"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("--weld-locked: is for URDF files"), std::string::npos) << refused.err;
+}
+
+TEST(RobotImport, LeavesWordsBehindWhereThatIsAskedFor) {
+  const Workplace place;
+  place.write("robot.xml",
+              "<mujoco wobble=\"1\"><deformable/><worldbody><body name=\"a\"><freejoint/>"
+              "<geom size=\"1\"/></body></worldbody></mujoco>");
+  EXPECT_EQ(place.run({"robot", "import", "robot.xml", "--ignore", "wobble"}).exit_code, 2);
+  const Outcome read =
+      place.run({"robot", "import", "robot.xml", "--ignore", "wobble", "--ignore", "deformable"});
+  EXPECT_EQ(read.exit_code, 0) << read.err;
+  EXPECT_NE(read.err.find("left behind by --ignore deformable: <deformable>"), std::string::npos)
+      << read.err;
+}
+
 TEST(RobotImport, RefusesOptionsOfMjcfForUrdf) {
   const Workplace place;
   place.write("arm.urdf", kArm);

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "robot/draft/mended_inertia.hpp"
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "robot/model/robot_json.hpp"
 #include "robot/model/robot_spec.hpp"
 #include "robot/urdf/urdf_reader.hpp"
+#include "robot/urdf/urdf_writer.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::hopper {
@@ -261,6 +263,7 @@ TEST(MjcfBodies, WithSeveralJointsMakeADocument) {
   EXPECT_EQ(back.tree.bodies[1].inertia.mass_kg, 0);
 }
 
+const std::string kEnds = "<parent link='world'/><child link='a'/>";
 const std::string kArm = "<link name='world'/><link name='a'>" + kUnit + "</link>";
 
 TEST(UrdfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
@@ -289,16 +292,53 @@ TEST(UrdfWords, ThatWouldChangeMassOrKinematicsAreRefusedByName) {
 // define. So do we, once each and counted.
 TEST(UrdfWords, ThatUrdfDoesNotDefineAreSkippedAndSaidOnce) {
   const std::string joint =
-      "<joint name='j' type='revolute' dont_collapse='true'><parent link='world'/><child link='a'/>"
-      "<limit lower='-1' upper='1'/><joint_properties damping='1'/><joint_properties/></joint>";
+      "<joint name='j' type='revolute' wobbles='true'><parent link='world'/><child link='a'/>"
+      "<limit lower='-1' upper='1'/><wobbling by='1'/><wobbling/></joint>";
   const Imported with = urdf(kArm + joint + "<wobble/>");
   const std::string said = all_of(with.notes);
-  EXPECT_NE(said.find("<joint_properties> (2 times), <wobble>, dont_collapse of <joint>"),
-            std::string::npos)
+  EXPECT_NE(said.find("<wobble>, <wobbling> (2 times), wobbles of <joint>"), std::string::npos)
       << said;
   std::string plain = joint;
-  plain.erase(plain.find("<joint_properties"), plain.rfind("</joint>") - plain.find("<joint_prop"));
+  plain.erase(plain.find("<wobbling"), plain.rfind("</joint>") - plain.find("<wobbling"));
   EXPECT_EQ(robot_json(with.robot), robot_json(urdf(kArm + plain).robot));
+}
+
+// Oracle: their own readers' pages: drawing, collapsing of fixed joints, drives of a simulator.
+TEST(UrdfWords, OfOtherReadersThatMoveNothingAreNeutral) {
+  const std::string said =
+      all_of(urdf(kArm + "<joint name='j' type='continuous' dont_collapse='true'>" + kEnds +
+                  "<safety_controller k_velocity='1'/><joint_properties damping='1'/></joint>")
+                 .notes);
+  EXPECT_NE(said.find("changes neither mass nor kinematics: <joint_properties>, "
+                      "<safety_controller>, dont_collapse of <joint>"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("does not define"), std::string::npos) << said;
+}
+
+// Oracle: the same file without the words.
+TEST(Words, ThatAreRefusedAreLeftBehindWhereThatIsAskedFor) {
+  ImportFileOptions leaves;
+  leaves.ignored_words = {"replicate", "wobble", "quat_xyzw", "unheard"};
+  const std::string wobbling =
+      R"(<body name="a" wobble="1"><freejoint/><replicate count="3"><body/></replicate>)" + kPart +
+      "</body>";
+  EXPECT_NE(refusal([&] { return mjcf("", wobbling); }).find("--ignore wobble leaves it behind"),
+            std::string::npos);
+  const Imported read = mjcf("", wobbling, leaves);
+  EXPECT_EQ(robot_json(read.robot),
+            robot_json(mjcf("", R"(<body name="a"><freejoint/>)" + kPart + "</body>").robot));
+  const std::string said = all_of(read.notes);
+  EXPECT_NE(said.find("left behind by --ignore replicate: <replicate>\n"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("left behind by --ignore wobble: wobble of <body>\n"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("--ignore unheard: nothing that is refused is called so"), std::string::npos)
+      << said;
+  const std::string turned = kArm + "<joint name='j' type='continuous'>" + kEnds +
+                             "<origin xyz='0 0 1' quat_xyzw='0 0 0 1'/></joint>";
+  EXPECT_NE(refusal([&] { return urdf(turned); }), "was read");
+  EXPECT_EQ(urdf(turned, leaves).robot.tree.bodies[1].joint.p_PB_m.z(), 1);
 }
 
 // Oracle: what the words mean to Gazebo (SDFormat).
@@ -325,12 +365,27 @@ TEST(UrdfWords, OfGazeboAreSaidWithWhatTheyWouldChange) {
   EXPECT_EQ(said.find("floats"), std::string::npos) << said;
 }
 
+// Oracle: Gazebo's plugins and sensors name links and joints that are there; a joint of SDFormat
+// beside them is one more.
+TEST(UrdfWords, InsidePluginsAndSensorsOfGazeboAddNothing) {
+  const std::string joint =
+      "<joint name='j' type='revolute'><parent link='world'/><child link='a'/>"
+      "<limit lower='-1' upper='1'/></joint>";
+  const std::string loop = "<joint name='k'><parent>a</parent><child>b</child></joint>";
+  const auto in = [&](const std::string& what) {
+    return refusal([&] { return urdf(kArm + joint + "<gazebo>" + what + "</gazebo>"); });
+  };
+  EXPECT_EQ(in("<plugin><plot><link>a</link></plot>" + loop + "</plugin>"), "was read");
+  EXPECT_EQ(in("<sensor><plugin><link>a</link></plugin>" + loop + "</sensor>"), "was read");
+  EXPECT_NE(in("<link name='b'/>").find("<link name=\"b\">: adds to the robot"), std::string::npos);
+  EXPECT_NE(in("<plugin/>" + loop).find("closes a loop"), std::string::npos);
+  EXPECT_NE(in("<model>" + loop + "</model>").find("closes a loop"), std::string::npos);
+}
+
 TEST(UrdfWords, SayThatARootWhichNoJointCarriesFloats) {
   const std::string said = all_of(urdf("<link name='base'>" + kUnit + "</link>").notes);
   EXPECT_NE(said.find("\"base\" floats"), std::string::npos) << said;
 }
-
-const std::string kEnds = "<parent link='world'/><child link='a'/>";
 
 TEST(UrdfWords, ThatStandTwiceAreRefused) {
   const auto joint = [](const std::string& more) {
@@ -449,6 +504,100 @@ TEST(UrdfJoints, OfOnePositionAreWelds) {
   EXPECT_NE(all_of(read.notes).find("\"k\" is welded at 0.5"), std::string::npos);
 }
 
+/// The arm's one joint of that type and limit; none where it is a weld.
+std::optional<dynamics::JointLimits> limits_of(const std::string& type, const std::string& limit,
+                                               const ImportFileOptions& options = {}) {
+  const Robot robot =
+      urdf(kArm + "<joint name='j' type='" + type + "'>" + kEnds + "<limit " + limit + "/></joint>",
+           options)
+          .robot;
+  if (robot.tree.bodies.size() == 1) return std::nullopt;
+  return robot.tree.bodies[1].joint.limits;
+}
+
+// Oracle: MuJoCo's reader of URDF (mujoco_reads_test.cpp asks it), Pinocchio's, Bullet's, Isaac's.
+TEST(UrdfJoints, WithoutARangeMoveFreelyUnlessTheyAreToBeWelds) {
+  ImportFileOptions welds;
+  welds.welds_locked = true;
+  for (const char* type : {"revolute", "prismatic"}) {
+    for (const char* limit : {"effort='10' velocity='2'", "lower='0' upper='0' effort='10'",
+                              "lower='0' velocity='2'", ""}) {
+      const auto free = limits_of(type, limit);
+      ASSERT_TRUE(free) << type << limit;
+      EXPECT_EQ(free->position_min, -INFINITY) << limit;
+      EXPECT_EQ(free->position_max, INFINITY) << limit;
+      EXPECT_FALSE(limits_of(type, limit, welds)) << limit;
+    }
+    EXPECT_FALSE(limits_of(type, "lower='0' upper='0'"));
+    EXPECT_FALSE(limits_of(type, "lower='0.3' upper='0.3' effort='10' velocity='2'"));
+  }
+  EXPECT_EQ(limits_of("revolute", "effort='10'")->effort_max, 10);
+  const std::string said =
+      all_of(urdf(kArm + "<joint name='j' type='revolute'>" + kEnds + "<limit effort='1'/></joint>")
+                 .notes);
+  EXPECT_NE(said.find("joints without a range"), std::string::npos) << said;
+  EXPECT_NE(said.find("--weld-locked holds them at zero): j\n"), std::string::npos) << said;
+}
+
+// Oracle: the schema's bounds, just inside and just outside.
+TEST(UrdfJoints, WhoseLimitsNoDocumentHoldsHaveNone) {
+  const auto ends = [](const std::string& lower, const std::string& upper) {
+    return *limits_of("revolute", "lower='" + lower + "' upper='" + upper + "'");
+  };
+  EXPECT_EQ(ends("-1e6", "1e6").position_max, INFINITY);
+  EXPECT_EQ(ends("-inf", "inf").position_min, -INFINITY);
+  EXPECT_EQ(ends("-3.4028235e+38", "3.4028235e+38").position_max, INFINITY);
+  EXPECT_EQ(ends("-25.13", "25.13").position_max, 25.13);  // four turns
+  EXPECT_EQ(ends("-9999", "9999").position_max, 9999);
+  EXPECT_EQ(ends("-1", "1e9").position_min, -1);
+  EXPECT_EQ(ends("-1", "1e9").position_max, 1e4);
+  const auto bounds = [](const std::string& type, const std::string& more) {
+    return *limits_of(type, "lower='-1' upper='1' " + more);
+  };
+  EXPECT_EQ(bounds("revolute", "effort='1e9' velocity='inf'").effort_max, INFINITY);
+  EXPECT_EQ(bounds("revolute", "effort='1e9' velocity='1e30'").speed_max, INFINITY);
+  EXPECT_EQ(bounds("revolute", "effort='1e6' velocity='1e5'").effort_max, 1e6);
+  EXPECT_EQ(bounds("revolute", "effort='1e6' velocity='1e5'").speed_max, 1e5);
+  EXPECT_EQ(bounds("prismatic", "effort='1e7' velocity='1e4'").effort_max, 1e7);
+  EXPECT_EQ(bounds("prismatic", "effort='1.1e7' velocity='1.1e4'").speed_max, INFINITY);
+  const std::string said =
+      all_of(urdf(kArm + "<joint name='j' type='revolute'>" + kEnds +
+                  "<limit lower='-1e6' upper='1e6' effort='1e10' velocity='3'/></joint>")
+                 .notes);
+  EXPECT_NE(said.find("2 limits greater than any that a document holds are left out: they say that "
+                      "there is none: j\n"),
+            std::string::npos)
+      << said;
+  for (const char* wrong : {"nan", "1 2", "much"}) {
+    const std::string refused = refusal([&] { return ends("0", wrong); });
+    EXPECT_NE(refused.find("must be 1 number, or inf"), std::string::npos) << refused;
+  }
+  EXPECT_NE(refusal([&] { return ends("inf", "inf"); }).find("is not below"), std::string::npos);
+}
+
+// Oracle: readers of the format take a limit of zero for no force; and our own import.
+TEST(UrdfJoints, OfUnknownLimitsAreWrittenAsUnlimited) {
+  const Robot robot = urdf(kArm + "<joint name='j' type='continuous'>" + kEnds + "</joint>").robot;
+  const Exported written = urdf_of(robot);
+  EXPECT_EQ(written.text.find("effort=\"0\""), std::string::npos) << written.text;
+  EXPECT_EQ(written.text.find("velocity=\"0\""), std::string::npos) << written.text;
+  EXPECT_NE(written.text.find("effort=\"1000000000\""), std::string::npos) << written.text;
+  EXPECT_NE(all_of(written.notes).find("effort or velocity of 1 joints is not known"),
+            std::string::npos);
+  const test::ScratchFolder folder;
+  const Imported back = read_urdf(folder.write("back.urdf", written.text));
+  EXPECT_EQ(back.robot.tree.bodies[1].joint.limits.effort_max, INFINITY);
+  EXPECT_EQ(back.robot.tree.bodies[1].joint.limits.speed_max, INFINITY);
+}
+
+// The format demands a range of what slides; ours comes back as none.
+TEST(UrdfJoints, ThatSlideWithoutARangeComeBackWithoutOne) {
+  const Robot robot = urdf(kArm + "<joint name='j' type='prismatic'>" + kEnds + "</joint>").robot;
+  const test::ScratchFolder folder;
+  const Imported back = read_urdf(folder.write("back.urdf", urdf_of(robot).text));
+  EXPECT_EQ(back.robot.tree.bodies[1].joint.limits.position_max, INFINITY);
+}
+
 TEST(UrdfJoints, ThatFloatOnAnEmptyRootFreeTheBase) {
   const Imported read = urdf(
       kArm + "<joint name='j' type='floating'><parent link='world'/><child link='a'/></joint>");
@@ -471,9 +620,44 @@ TEST(Inertias, ThatRoundingSpoiltAreMendedWhereThatIsAskedFor) {
   const Eigen::Matrix3d& inertia = read.robot.tree.bodies[0].inertia.inertia_kg_m2;
   EXPECT_NEAR(inertia(0, 0), 0.011 + 0.001 / 3, 1e-9);
   EXPECT_NEAR(inertia(2, 2), 0.036 - 0.001 / 3, 1e-9);
+}
+
+// Oracle: the nearest point of the plane "largest = sum of the others", by hand: a third of what is
+// too much, each.
+TEST(Inertias, ThatNoRoundingExplainsAreMendedToo) {
   // Three moments off by half a unit of their last place each explain 0.0015, not 0.002.
   const std::string wrong = plate("ixx='0.011' iyy='0.024' izz='0.037'");
-  EXPECT_NE(refusal([&] { return urdf(wrong, kMends); }).find("no rigid body"), std::string::npos);
+  const std::string change =
+      "principal moments 0.011, 0.024, 0.037 kg m2 become 0.0116667, 0.0246667, 0.0363333";
+  const std::string refused = refusal([&] { return urdf(wrong); });
+  EXPECT_NE(refused.find("no rigid body"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("--mend-inertias takes the nearest flat body: of \"a\" " + change),
+            std::string::npos)
+      << refused;
+  const Imported read = urdf(wrong, kMends);
+  EXPECT_NEAR(read.robot.tree.bodies[0].inertia.inertia_kg_m2(2, 2), 0.037 - 0.002 / 3, 1e-9);
+  const std::string said = all_of(read.notes);
+  EXPECT_NE(said.find("that no rounding explains"), std::string::npos) << said;
+  EXPECT_NE(said.find("a (" + change + ")"), std::string::npos) << said;
+  // A negative moment is no missed inequality.
+  const std::string negative = plate("ixx='-0.011' iyy='0.024' izz='0.037'");
+  for (const ImportFileOptions& options : {ImportFileOptions(), kMends}) {
+    const std::string none = refusal([&] { return urdf(negative, options); });
+    EXPECT_NE(none.find("must be positive"), std::string::npos) << none;
+    EXPECT_EQ(none.find("--mend-inertias"), std::string::npos) << none;
+  }
+}
+
+// Oracle: MuJoCo refuses a floating body without mass.
+TEST(Inertias, AreNeededOfAFloatingBase) {
+  const std::string said = refusal([] {
+    return urdf("<link name='base'/><link name='a'>" + kUnit +
+                "</link><joint name='j' type='continuous'><parent link='base'/><child link='a'/>"
+                "</joint>");
+  });
+  EXPECT_NE(said.find("<link name=\"base\">: body \"base\": has no mass, and floats"),
+            std::string::npos)
+      << said;
 }
 
 TEST(Inertias, RoundAsTheyAreWritten) {

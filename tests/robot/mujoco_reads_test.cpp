@@ -72,6 +72,29 @@ TEST(ExportedMjcf, HasOurMassMatrixInMujoco) {
 const char* const kUnit =
     R"(<inertial><mass value="1"/><inertia ixx="1" iyy="2" izz="2"/></inertial>)";
 
+/// A URDF file of one joint.
+std::string arm_with(const std::string& limit) {
+  return std::string(
+             "<robot name='r'><link name='world'/><link name='a'><inertial><mass value='1'/>"
+             "<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>") +
+         "</link><joint name='j' type='revolute'><parent link='world'/><child link='a'/><limit " +
+         limit + "/></joint></robot>";
+}
+
+// Oracle: MuJoCo's own reading of the same file.
+TEST(ImportedUrdf, HasARangeWhereMujocoHasOne) {
+  for (const char* limit : {"effort='10' velocity='2'", "lower='0' upper='0' effort='10'",
+                            "lower='-1' upper='1' effort='10'", "lower='0' upper='2'"}) {
+    const test::ScratchFolder folder;
+    const Robot robot = read_urdf(folder.write("arm.urdf", arm_with(limit))).robot;
+    ASSERT_EQ(robot.tree.bodies.size(), 2u) << limit;
+    test::MujocoEngine mujoco(arm_with(limit));
+    EXPECT_EQ(std::isfinite(robot.tree.bodies[1].joint.limits.position_min),
+              mujoco.model().jnt_limited[0] != 0)
+        << limit;
+  }
+}
+
 /// Ours beside what MuJoCo makes of what we write.
 test::TwinDifference beside_export(const Robot& robot, const char* top) {
   test::MujocoEngine mujoco(mjcf_of(robot).text);

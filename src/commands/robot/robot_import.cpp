@@ -17,6 +17,7 @@
 #include "io/files/given_once.hpp"
 #include "io/text/one_line.hpp"
 #include "robot/draft/limit_drives.hpp"
+#include "robot/draft/own_lines.hpp"
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "robot/model/robot_json.hpp"
 #include "robot/model/robot_spec.hpp"
@@ -53,11 +54,17 @@ void refuse_options_of_mjcf(const ImportOptions& options) {
   }
 }
 
+/// MJCF says of each range whether it holds.
+void refuse_options_of_urdf(const ImportOptions& options) {
+  if (!options.reading.welds_locked) return;
+  io::refuse("--weld-locked", "is for URDF files: an MJCF file says which of its ranges hold");
+}
+
 hopper::Imported read(const ImportOptions& options) {
   const bool is_urdf = options.format.empty()
                            ? std::filesystem::path(options.file).extension() == ".urdf"
                            : options.format == "urdf";
-  if (is_urdf) refuse_options_of_mjcf(options);
+  is_urdf ? refuse_options_of_mjcf(options) : refuse_options_of_urdf(options);
   hopper::ImportFileOptions reading = options.reading;
   reading.greatest_link_error = options.link_error.value_or(reading.greatest_link_error);
   hopper::Imported imported =
@@ -109,8 +116,12 @@ void name_actuators(const ImportOptions& options, hopper::Robot& robot) {
 std::string compute(const ImportOptions& options, const hopper::Imported& imported) {
   std::string text = io::json_text(hopper::robot_json(imported.robot));
   const bool has_files = !imported.robot.drivetrains.empty();
-  (void)hopper::robot_of(io::check_document(
-      as_read(text), "robot", has_files ? place_of(options).string() : options.file, ""));
+  try {
+    (void)hopper::robot_of(io::check_document(
+        as_read(text), "robot", has_files ? place_of(options).string() : options.file, ""));
+  } catch (const io::SpecError& error) {
+    throw hopper::at_own_lines(error, imported);
+  }
   return text;
 }
 
@@ -185,6 +196,14 @@ void add_import_command(command_line::Command& robot) {
   command.add_flag(
       "--mend-inertias", options->reading.mends_inertias,
       "Where rounding made an inertia that no body can have, take the nearest that one can");
+  command.add_flag("--weld-locked", options->reading.welds_locked,
+                   "Weld URDF's joints whose limits are left out or both zero, which move freely "
+                   "in simulators");
+  command
+      .add_option("--ignore", options->reading.ignored_words,
+                  "WORD: leave elements and attributes of this name behind where they are refused")
+      .otherwise("none")
+      .one_value_each();
   command
       .add_option(
           "--actuator", options->actuators,
