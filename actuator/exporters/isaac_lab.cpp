@@ -75,9 +75,9 @@ const Exporter isaac_lab = {
     .friction =
         {DryFriction::kBreakaway,
          "friction is the effort at rest, dynamic_friction that in motion, viscous_friction "
-         "per speed, all at the joint (isaac-sim/IsaacLab pull request 7412). Newton has one "
-         "dry friction, which is then friction (newton-physics/newton issue 3560). Isaac Sim "
-         "before 5.0 read friction as a coefficient.",
+         "per speed, all at the joint (docs/source/concepts/actuators.rst @ 0120677c, "
+         "Friction; pull request 7412). Newton has one dry friction, friction. OVPhysX, and "
+         "Isaac Sim before 5.0, take both for coefficients, which these are not.",
          ""},
 };
 

@@ -260,7 +260,10 @@ const Exporter python = {
          "torque(command, ...) what reaches the joint. Isaac Lab: "
          "REGION.isaac_lab(joint_names_expr=[...], stiffness=..., damping=...); mjlab: "
          "REGION.mjlab(target_names_expr=(...), stiffness=..., damping=...): both call "
-         "torque(). Explicit friction needs a step shorter than the joint's inertia times "
+         "torque(). Isaac Lab 3 runs explicit actuators of its own classes "
+         "natively by default and refuses others: SimulationCfg(use_newton_actuators=False) "
+         "(concepts/actuators.rst @ 0120677c, pull request 7713). Explicit friction needs a "
+         "step shorter than the joint's inertia times "
          "smoothing_rad_s over the dry torque: make smoothing_rad_s larger where it is not."},
 };
 

@@ -180,6 +180,12 @@ TEST(FrictionFields, SayWhatTheyCannotHold) {
   EXPECT_EQ(text.find("Left out: presliding_friction"), std::string::npos);
 }
 
+// Isaac Lab 3 refuses our class unless told so (docs/source/concepts/actuators.rst @ 0120677c).
+TEST(FrictionFields, NameTheSwitchThatLetsIsaacLabRunTheModule) {
+  const std::string text = Written(loaded_drive(), exporters::python).file.text;
+  EXPECT_NE(text.find("SimulationCfg(use_newton_actuators=False)"), std::string::npos);
+}
+
 TEST(FrictionFields, AreUsedUnlessNoneCanHoldTheDrive) {
   const std::vector<const Exporter*> without{&exporters::raisim1, &exporters::drake,
                                              &exporters::jaxsim, &exporters::c};
