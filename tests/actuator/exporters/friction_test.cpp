@@ -112,6 +112,7 @@ TEST(FrictionFields, HoldTheDrivesFrictionInEachSimulatorsUnits) {
                {"builder.joint_friction[dof] = 0.4\n", "builder.joint_damping[dof] = 0.02\n"}},
         Fields{&exporters::unitree_xy, {" Fs=0.4,", " Fd=0.02,"}},
         Fields{&exporters::urdf, {"<dynamics damping=\"0.02\" friction=\"0.4\"/>"}},
+        Fields{&exporters::sdf, {"<damping>0.02</damping>", "<friction>0.4</friction>"}},
         Fields{&exporters::raisim2, {"output_damping=\"0.02\" output_friction=\"0.4\""}},
         Fields{&exporters::physx,
                {"staticFrictionEffort = 0.4\n", "dynamicFrictionEffort = 0.4\n",
