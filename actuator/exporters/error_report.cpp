@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "actuator/friction/friction_answers.hpp"
 #include "actuator/region/bracketed_search.hpp"
 
 namespace torquewright::actuator {
@@ -22,7 +24,10 @@ enum class State { kInterval, kContradiction, kUnbounded };
 class Comparison {
  public:
   Comparison(const Subject& subject, const Exporter& exporter, std::span<const double> shape)
-      : subject_(subject), exporter_(exporter), shape_(shape) {}
+      : subject_(subject), exporter_(exporter), shape_(shape) {
+    if (!subject.friction) return;
+    answers_.emplace(*subject.whole, subject.conditions, *subject.friction, exporter.friction.dry);
+  }
 
   TorqueLimits limits(double speed_rad_s) const { return exporter_.law(shape_, speed_rad_s); }
 
@@ -38,9 +43,9 @@ class Comparison {
   /// What the simulator gives too much of (sign 1) or too little of (sign -1); negative: nothing.
   /// Zero where they cannot be compared.
   double error_Nm(double speed_rad_s, bool is_upper, double sign) const {
-    const JointRange range = subject_.region.at(speed_rad_s);
+    const JointRange range = region(speed_rad_s);
     if (range.is_empty || state(speed_rad_s) != State::kInterval) return 0.0;
-    const TorqueLimits at = limits(speed_rad_s);
+    const TorqueLimits at = delivered(speed_rad_s);
     const TorqueLimits region{range.least.torque_Nm, range.greatest.torque_Nm};
     if (speed_rad_s == 0.0) {
       return sign *
@@ -51,6 +56,22 @@ class Comparison {
                              : forward_error_Nm(mirrored(at), mirrored(region), is_driving, sign);
   }
 
+  /// The same of a command of half the limit, in the command's direction; `speed_rad_s` is not 0.
+  double error_at_half_Nm(double speed_rad_s, bool is_upper, double sign) const {
+    const TorqueLimits at = limits(speed_rad_s);
+    if (state(speed_rad_s) != State::kInterval || std::isinf(at.greatest_Nm)) return 0.0;
+    const double command_Nm = 0.5 * (is_upper ? at.greatest_Nm : at.least_Nm);
+    const double side = is_upper ? 1.0 : -1.0;
+    if (command_Nm * side <= 0.0 || subject_.region.at(speed_rad_s).is_empty) return 0.0;
+    const double direction = std::copysign(1.0, speed_rad_s);
+    const double simulated_Nm = answers_->simulated_Nm(command_Nm, speed_rad_s, direction);
+    const Span given_Nm = answers_->given_Nm(command_Nm, speed_rad_s, direction);
+    return std::max(sign * side * (simulated_Nm - given_Nm.least),
+                    sign * side * (simulated_Nm - given_Nm.greatest));
+  }
+
+  bool has_joint_friction() const { return answers_.has_value(); }
+
   /// Lengths of what the law allows, and of the part of it outside the region.
   struct Lengths {
     double allowed_Nm = 0.0;
@@ -58,9 +79,9 @@ class Comparison {
   };
   Lengths lengths(double speed_rad_s) const {
     if (state(speed_rad_s) != State::kInterval) return {};
-    const TorqueLimits at = limits(speed_rad_s);
+    const TorqueLimits at = delivered(speed_rad_s);
     const double allowed_Nm = std::max(0.0, at.greatest_Nm - at.least_Nm);
-    const JointRange range = subject_.region.at(speed_rad_s);
+    const JointRange range = region(speed_rad_s);
     if (range.is_empty) return {allowed_Nm, allowed_Nm};
     const double shared_Nm = std::min(at.greatest_Nm, range.greatest.torque_Nm) -
                              std::max(at.least_Nm, range.least.torque_Nm);
@@ -68,6 +89,25 @@ class Comparison {
   }
 
  private:
+  JointRange region(double speed_rad_s) const {
+    return answers_ ? answers_->region(speed_rad_s) : subject_.region.at(speed_rad_s);
+  }
+
+  /// What the law's limits leave to the load; at rest of both ways.
+  TorqueLimits delivered(double speed_rad_s) const {
+    const TorqueLimits law = limits(speed_rad_s);
+    if (!answers_) return law;
+    const auto towards = [&](double direction) {
+      return TorqueLimits{answers_->simulated_Nm(law.least_Nm, speed_rad_s, direction),
+                          answers_->simulated_Nm(law.greatest_Nm, speed_rad_s, direction)};
+    };
+    if (speed_rad_s != 0.0) return towards(std::copysign(1.0, speed_rad_s));
+    const TorqueLimits forward = towards(1.0);
+    const TorqueLimits backward = towards(-1.0);
+    return {std::min(forward.least_Nm, backward.least_Nm),
+            std::max(forward.greatest_Nm, backward.greatest_Nm)};
+  }
+
   static TorqueLimits mirrored(const TorqueLimits& limits) {
     return {-limits.greatest_Nm, -limits.least_Nm};
   }
@@ -87,6 +127,7 @@ class Comparison {
   const Subject& subject_;
   const Exporter& exporter_;
   std::span<const double> shape_;
+  std::optional<FrictionAnswers> answers_;  ///< Where the joint has the friction.
 };
 
 /// Ascending from just off rest, where a bound may jump.
@@ -103,11 +144,8 @@ std::vector<double> speeds_looked_at(const Subject& subject, int direction) {
 }
 
 /// The worst error of one sign, sought between the neighbours of the worst speed looked at.
-WorstError worst(const Comparison& comparison, const std::vector<double>& speeds_rad_s,
-                 bool is_upper, double sign, double rounding_Nm) {
-  const auto error_Nm = [&](double speed_rad_s) {
-    return comparison.error_Nm(speed_rad_s, is_upper, sign);
-  };
+WorstError worst(const std::function<double(double)>& error_Nm,
+                 const std::vector<double>& speeds_rad_s, double rounding_Nm) {
   std::size_t place = 0;
   double greatest_Nm = error_Nm(speeds_rad_s[0]);
   for (std::size_t i = 1; i < speeds_rad_s.size(); ++i) {
@@ -125,6 +163,31 @@ WorstError worst(const Comparison& comparison, const std::vector<double>& speeds
   const double refined_Nm = error_Nm(refined);
   if (refined_Nm > greatest_Nm + rounding_Nm) return {refined_Nm, refined};
   return {greatest_Nm, place == 0 ? 0.0 : speeds_rad_s[place]};
+}
+
+/// An error of both signs over speeds of one sign.
+template <typename Error>
+QuadrantError quadrant(int direction, bool is_upper, const Error& error_Nm,
+                       const std::vector<double>& speeds_rad_s, double rounding_Nm) {
+  const auto of_sign = [&](double sign) {
+    return worst([&](double speed_rad_s) { return error_Nm(speed_rad_s, is_upper, sign); },
+                 speeds_rad_s, rounding_Nm);
+  };
+  return {direction, is_upper, of_sign(1.0), of_sign(-1.0)};
+}
+
+template <typename Error>
+std::array<QuadrantError, 4> quadrants(const Subject& subject, const Error& error_Nm,
+                                       double rounding_Nm) {
+  std::array<QuadrantError, 4> all{};
+  std::size_t place = 0;
+  for (const int direction : {1, -1}) {
+    const std::vector<double> speeds_rad_s = speeds_looked_at(subject, direction);
+    for (const bool is_upper : {true, false}) {
+      all[place++] = quadrant(direction, is_upper, error_Nm, speeds_rad_s, rounding_Nm);
+    }
+  }
+  return all;
 }
 
 WorstError at_rest(const Comparison& comparison, bool is_upper, double sign, double rounding_Nm) {
@@ -184,6 +247,15 @@ std::vector<std::string> sentences_of(const Subject& subject, const Comparison& 
   return sentences;
 }
 
+/// What the joint's friction cannot hold. A composed law holds all but what turns on the angle.
+std::vector<std::string> sentences_of_friction(const Subject& subject, const Exporter& exporter) {
+  if (exporter.friction.dry == DryFriction::kComposed) return {};
+  return friction_not_held(
+      *subject.whole, winding_temperature_K(subject.actuator, subject.conditions),
+      subject.region.greatest_speed_rad_s(), exporter.friction.dry == DryFriction::kBreakaway,
+      subject.table.peak_torque_Nm);
+}
+
 /// Midpoint rule, cut where the law stops being an interval.
 double share_outside(const Subject& subject, const Comparison& comparison) {
   double allowed = 0.0;
@@ -215,24 +287,30 @@ ErrorReport error_report(const Subject& subject, const Exporter& exporter,
   const Comparison comparison(subject, exporter, shape);
   const double rounding_Nm = kRounding * subject.table.peak_torque_Nm;
   ErrorReport report{.greatest_speed_rad_s = subject.region.greatest_speed_rad_s(),
-                     .quadrants = {},
+                     .quadrants = quadrants(
+                         subject,
+                         [&](double speed_rad_s, bool is_upper, double sign) {
+                           return comparison.error_Nm(speed_rad_s, is_upper, sign);
+                         },
+                         rounding_Nm),
                      .at_rest = {},
                      .share_outside = share_outside(subject, comparison),
                      .sentences = sentences_of(subject, comparison)};
-  std::size_t place = 0;
-  for (const int direction : {1, -1}) {
-    const std::vector<double> speeds_rad_s = speeds_looked_at(subject, direction);
-    for (const bool is_upper : {true, false}) {
-      report.quadrants[place++] = {direction, is_upper,
-                                   worst(comparison, speeds_rad_s, is_upper, 1.0, rounding_Nm),
-                                   worst(comparison, speeds_rad_s, is_upper, -1.0, rounding_Nm)};
-    }
-  }
   for (const bool is_upper : {true, false}) {
     report.at_rest[is_upper ? 0 : 1] = {0, is_upper,
                                         at_rest(comparison, is_upper, 1.0, rounding_Nm),
                                         at_rest(comparison, is_upper, -1.0, rounding_Nm)};
   }
+  if (!comparison.has_joint_friction()) return report;
+  for (std::string& sentence : sentences_of_friction(subject, exporter)) {
+    report.sentences.push_back(std::move(sentence));
+  }
+  report.at_half = quadrants(
+      subject,
+      [&](double speed_rad_s, bool is_upper, double sign) {
+        return comparison.error_at_half_Nm(speed_rad_s, is_upper, sign);
+      },
+      rounding_Nm);
   return report;
 }
 
@@ -250,11 +328,16 @@ std::vector<std::string> error_lines(const ErrorReport& report) {
     lines.push_back(
         fmt::format("{:>18} {} {}", where, cell(error.optimistic), cell(error.cautious)));
   };
-  for (const QuadrantError& error : report.quadrants) {
+  const auto add_quadrant = [&](const QuadrantError& error) {
     add(error, fmt::format("speed {} 0, {}", error.direction > 0 ? '>' : '<', mode_of(error)));
-  }
+  };
+  for (const QuadrantError& error : report.quadrants) add_quadrant(error);
   for (const QuadrantError& error : report.at_rest) {
     add(error, fmt::format("at rest, {}", error.is_upper ? "upper" : "lower"));
+  }
+  if (report.at_half) {
+    lines.emplace_back("At a command of half the limit, of which the motor brings as much:");
+    for (const QuadrantError& error : *report.at_half) add_quadrant(error);
   }
   lines.push_back(fmt::format(
       "{:.4g} % of the torque-speed area that the simulator allows lies outside the region",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,13 +24,17 @@ struct QuadrantError {
   WorstError cautious;    ///< The actuator gives torque that the simulator does not.
 };
 
-/// What a simulator does with a shape, against the region, over every speed up to the region's
+/// What a simulator does with a shape, and with the friction of its joint if it has the drive's,
+/// against the region, over every speed up to the region's
 /// greatest. Where its law contradicts itself or sets no limit, a sentence says so, and the speeds
 /// count in no number; so where the region is empty.
 struct ErrorReport {
   double greatest_speed_rad_s = 0.0;
   std::array<QuadrantError, 4> quadrants;
   std::array<QuadrantError, 2> at_rest;  ///< Both directions' union against the law at 0.
+  /// Where the joint has the friction: of a command of half the law's limit, for which the drive's
+  /// motor brings as much. Optimistic: more torque in the command's direction than the drive's.
+  std::optional<std::array<QuadrantError, 4>> at_half = {};
   /// The share of the area of torque and speed allowed by the law that the region does not allow.
   double share_outside = 0.0;
   std::vector<std::string> sentences;

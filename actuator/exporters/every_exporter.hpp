@@ -7,7 +7,8 @@
 #define TORQUEWRIGHT_EVERY_EXPORTER(exporter)                                                   \
   exporter(mujoco) exporter(mujoco_dcmotor) exporter(isaac_lab) exporter(mjlab)                 \
       exporter(unitree_xy) exporter(physx) exporter(newton) exporter(raisim2) exporter(raisim1) \
-          exporter(urdf) exporter(drake) exporter(jaxsim) exporter(python) exporter(c)
+          exporter(urdf) exporter(sdf) exporter(drake) exporter(jaxsim) exporter(python)        \
+              exporter(c)
 
 namespace torquewright::actuator::exporters {
 

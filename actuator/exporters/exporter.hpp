@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "actuator/friction/joint_friction.hpp"
 #include "actuator/region/joint_region.hpp"
 #include "actuator/region/mor_table.hpp"
 
@@ -29,6 +31,10 @@ struct Subject {
   const Region& region;
   const MorTable& table;  ///< Of the region.
   LawFit fit = LawFit::kConservative;
+  /// Friction of the simulator's joint; `actuator` and `region` are then without it. None: it is in
+  /// the region.
+  std::optional<JointFriction> friction = {};
+  const Actuator* whole = nullptr;  ///< Where the joint has the friction: the drive with it.
 
   /// Rotor speed over the speed of the side that is exported; 1 on the motor's side.
   double ratio() const;
@@ -65,6 +71,16 @@ struct DriveEntry {
   std::vector<std::string> joints;  ///< That have it, each alone.
   Shape shape;                      ///< Of the law, at the joint.
   double armature_kg_m2 = 0.0;      ///< Of the joint.
+  /// Of the joint; none: it is in the law.
+  std::optional<JointFriction> friction = {};
+};
+
+/// The friction that a simulator's joint, or its actuator, has of its own.
+struct FrictionFields {
+  DryFriction dry = DryFriction::kNone;
+  std::string_view law;  ///< What its fields mean, and where that is documented; sentences.
+  /// What stands in the place of Exporter::advice where the joint has the friction; empty: that.
+  std::string_view advice;
 };
 
 /// A simulator's way to limit an actuator. One file each in this folder, one line in
@@ -89,6 +105,39 @@ struct Exporter {
   /// A file of all drives of a robot; null where the simulator takes one file for each.
   std::string (*write_all)(std::span<const DriveEntry> entries,
                            const std::vector<std::string>& note) = nullptr;
+  FrictionFields friction = {};
+};
+
+/// Where the friction stands if nobody says: in the joint if the simulator's has one that can hold
+/// it.
+FrictionPlace usual_place(const Exporter& exporter, const Actuator& actuator, Side side);
+
+/// How a drive is to be written.
+struct ExportChoices {
+  OperatingConditions conditions = {};
+  Side side = Side::kJoint;
+  LawFit fit = LawFit::kConservative;
+  FrictionPlace friction = FrictionPlace::kLimits;
+  double table_accuracy = kTableAccuracy;
+};
+
+/// A drive made ready for a simulator's file: everything that its subject refers to. It does not
+/// move.
+class ExportedDrive {
+ public:
+  /// Friction at the joint needs an exporter whose simulator has some, on the joint's side.
+  ExportedDrive(const Actuator& stated, const Exporter& exporter, const ExportChoices& choices);
+  ExportedDrive(const ExportedDrive&) = delete;
+  ExportedDrive& operator=(const ExportedDrive&) = delete;
+
+  const Subject& subject() const { return subject_; }
+
+ private:
+  Actuator whole_;
+  Actuator written_;
+  Region region_;
+  MorTable table_;
+  Subject subject_;
 };
 
 }  // namespace torquewright::actuator

@@ -3,7 +3,9 @@
 // saturation_effort is the stall torque, actuator_velocity_limit the no-load speed; "Explicit
 // groups keep the solver effort limit": joint_effort_limit at least actuator_effort_limit). Law:
 // DCMotor._clip_effort in actuator_pd.py: the speed is clamped to +-w0 (1 + cap / stall) first, so
-// that past it both limits are the cap against the motion. N m, rad/s, kg m^2.
+// that past it both limits are the cap against the motion. N m, rad/s, kg m^2. Friction: pull
+// request 7412 (measured on both backends): friction and dynamic_friction are efforts in N m at the
+// joint, viscous_friction is in N m s/rad.
 #include <fmt/format.h>
 
 #include "actuator/exporters/every_exporter.hpp"
@@ -18,7 +20,8 @@ Shape shape(const Subject& subject) { return fitted(subject, isaac_lab, line_sta
 
 /// `joints`: expressions, behind commas; the user's where no joints are known.
 std::vector<PythonArgument> arguments(const std::string& joints, bool is_yours,
-                                      std::span<const double> shape, double armature_kg_m2) {
+                                      std::span<const double> shape, double armature_kg_m2,
+                                      const JointFriction& friction) {
   const Parallelogram line = parallelogram_of(shape);
   return {{"joint_names_expr", "[" + joints + "]", is_yours},
           python_argument("saturation_effort", line.stall_torque_Nm),
@@ -26,9 +29,9 @@ std::vector<PythonArgument> arguments(const std::string& joints, bool is_yours,
           python_argument("actuator_effort_limit", line.greatest_torque_Nm),
           python_argument("joint_effort_limit", line.greatest_torque_Nm),
           armature_argument(armature_kg_m2),
-          {"friction", "0.0"},
-          {"dynamic_friction", "0.0"},
-          {"viscous_friction", "0.0"},
+          friction_argument("friction", friction.breakaway_Nm),
+          friction_argument("dynamic_friction", friction.coulomb_Nm),
+          friction_argument("viscous_friction", friction.viscous_Nm_s_rad),
           {"stiffness", "0.0", true},
           {"damping", "0.0", true}};
 }
@@ -36,7 +39,8 @@ std::vector<PythonArgument> arguments(const std::string& joints, bool is_yours,
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
   const PythonCall call{identifier(subject.actuator.name),
-                        arguments("\"joint\"", true, shape, subject.armature_kg_m2())};
+                        arguments("\"joint\"", true, shape, subject.armature_kg_m2(),
+                                  subject.friction.value_or(JointFriction{}))};
   return python_configurations(note, "isaaclab.actuators", "DCMotorCfg", {&call, 1});
 }
 
@@ -44,8 +48,9 @@ std::string write_all(std::span<const DriveEntry> entries, const std::vector<std
   std::vector<PythonCall> calls;
   std::string names;
   for (const DriveEntry& entry : entries) {
-    calls.push_back({entry.name, arguments(python_expressions(entry.joints), false, entry.shape,
-                                           entry.armature_kg_m2)});
+    calls.push_back(
+        {entry.name, arguments(python_expressions(entry.joints), false, entry.shape,
+                               entry.armature_kg_m2, entry.friction.value_or(JointFriction{}))});
     names += fmt::format("    \"{0}\": {0},\n", entry.name);
   }
   return python_configurations(note, "isaaclab.actuators", "DCMotorCfg", calls) +
@@ -67,6 +72,13 @@ const Exporter isaac_lab = {
     .law = line_law,
     .write = write,
     .write_all = write_all,
+    .friction =
+        {DryFriction::kBreakaway,
+         "friction is the effort at rest, dynamic_friction that in motion, viscous_friction "
+         "per speed, all at the joint (docs/source/concepts/actuators.rst @ 0120677c, "
+         "Friction; pull request 7412). Newton has one dry friction, friction. OVPhysX, and "
+         "Isaac Sim before 5.0, take both for coefficients, which these are not.",
+         ""},
 };
 
 }  // namespace torquewright::actuator::exporters

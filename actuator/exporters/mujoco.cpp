@@ -3,7 +3,12 @@
 // XMLreference), as of 2.2.2 and unchanged in meaning since. Law: mj_fwdActuation of
 // src/engine/engine_forward.c at commit 0041fdcb, which 2.2.2 obeys alike: force = gainprm[0] ctrl
 // + biasprm[0] + biasprm[1] length + biasprm[2] velocity, ctrl clamped to ctrlrange first, force to
-// forcerange last. Radians and SI by <compiler angle="radian">.
+// forcerange last. Radians and SI by <compiler angle="radian">. Friction: body/joint, damping (N m
+// s/rad) and frictionloss (N m), and "Computation", friction loss: a bound on a constraint that
+// keeps the joint from moving. That constraint is soft: it looks ahead by its time constant, 0.02 s
+// if nothing is said, and lets go of (or pushes) a joint that would come to rest within half of
+// that. solreffriction asks for less than any step: solref is raised to two steps (option flag
+// refsafe, on by default).
 #include <fmt/format.h>
 
 #include "actuator/exporters/every_exporter.hpp"
@@ -22,11 +27,12 @@ std::string write(const Subject& subject, std::span<const double> shape,
   const double bus_V = subject.bus_voltage_V();
   const double gain_Nm_V = line.stall_torque_Nm / bus_V;
   const double bias_Nm_s_rad = -line.stall_torque_Nm / line.no_load_speed_rad_s;
+  const JointFriction friction = subject.friction.value_or(JointFriction{});
   return xml_comment(note) + fmt::format(R"(<mujoco model={0}>
   <compiler angle="radian"/>
   <worldbody>
     <body name="link">
-      <joint name="joint" type="hinge" axis="0 0 1"{1} damping="0" frictionloss="0"/>
+      <joint name="joint" type="hinge" axis="0 0 1"{1} damping="{8}" frictionloss="{9}"{10}/>
       <geom type="sphere" size="0.05" mass="1"/>
     </body>
   </worldbody>
@@ -39,7 +45,9 @@ std::string write(const Subject& subject, std::span<const double> shape,
                                          xml_quoted(subject.actuator.name),
                                          armature_attribute(subject.armature_kg_m2()), gain_Nm_V,
                                          bias_Nm_s_rad, -bus_V, bus_V, -line.greatest_torque_Nm,
-                                         line.greatest_torque_Nm);
+                                         line.greatest_torque_Nm, friction.viscous_Nm_s_rad,
+                                         friction.coulomb_Nm,
+                                         friction_constraint(friction.coulomb_Nm));
 }
 
 }  // namespace
@@ -58,6 +66,7 @@ const Exporter mujoco = {
     .shape = shape,
     .law = line_law,
     .write = write,
+    .friction = {DryFriction::kOneValue, kFrictionLoss, ""},
 };
 
 }  // namespace torquewright::actuator::exporters

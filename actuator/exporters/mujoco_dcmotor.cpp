@@ -22,6 +22,7 @@ std::string write(const Subject& subject, std::span<const double> shape,
   const Parallelogram line = parallelogram_of(shape);
   const double bus_V = subject.bus_voltage_V();
   const double ratio = subject.ratio();
+  const JointFriction friction = subject.friction.value_or(JointFriction{});
   // w0 = V / K and stall torque = K V / R, both at the rotor.
   const double constant_Nm_A = bus_V / (line.no_load_speed_rad_s * std::abs(ratio));
   const double resistance_ohm = constant_Nm_A * bus_V * std::abs(ratio) / line.stall_torque_Nm;
@@ -30,7 +31,7 @@ std::string write(const Subject& subject, std::span<const double> shape,
   <compiler angle="radian"/>
   <worldbody>
     <body name="link">
-      <joint name="joint" type="hinge" axis="0 0 1" damping="0" frictionloss="0"/>
+      <joint name="joint" type="hinge" axis="0 0 1" damping="{7}" frictionloss="{8}"{9}/>
       <geom type="sphere" size="0.05" mass="1"/>
     </body>
   </worldbody>
@@ -42,7 +43,9 @@ std::string write(const Subject& subject, std::span<const double> shape,
 )",
                      xml_quoted(subject.actuator.name), ratio, constant_Nm_A, resistance_ohm,
                      line.greatest_torque_Nm / std::abs(ratio), bus_V,
-                     armature_attribute(subject.armature_kg_m2() / (ratio * ratio)));
+                     armature_attribute(subject.armature_kg_m2() / (ratio * ratio)),
+                     friction.viscous_Nm_s_rad, friction.coulomb_Nm,
+                     friction_constraint(friction.coulomb_Nm));
 }
 
 }  // namespace
@@ -60,6 +63,7 @@ const Exporter mujoco_dcmotor = {
     .shape = shape,
     .law = line_law,
     .write = write,
+    .friction = {DryFriction::kOneValue, kFrictionLoss, ""},
 };
 
 }  // namespace torquewright::actuator::exporters

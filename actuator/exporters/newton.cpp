@@ -6,6 +6,9 @@
 //   effort_min(v) = max(saturation_effort (-1 - v / velocity_limit), -max_motor_effort)
 // The builder's call is the one in Newton's own tests. Degrees of freedom and coordinates are
 // counted apart: a floating base has six of the one and seven of the other. N m, rad/s, kg m^2.
+// Friction: Model.joint_friction (N m) and Model.joint_damping (N m s/rad, "always active on the
+// joint"), which SolverMuJoCo hands on as dof_frictionloss and dof_damping
+// (update_dof_properties_kernel in newton/_src/solvers/mujoco/kernels.py).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,11 +36,17 @@ std::string armature_line(double armature_kg_m2) {
   return fmt::format("    builder.joint_armature[dof] = {}\n", armature_kg_m2);
 }
 
+std::string friction_lines(const std::optional<JointFriction>& friction) {
+  if (!friction) return "";
+  return fmt::format("    builder.joint_friction[dof] = {}\n    builder.joint_damping[dof] = {}\n",
+                     friction->coulomb_Nm, friction->viscous_Nm_s_rad);
+}
+
 constexpr const char* kImports = "from newton.actuators import ClampingDCMotor, ControllerPD\n";
 
 /// The function that adds one drive.
 std::string function_text(const std::string& name, std::span<const double> shape,
-                          double armature_kg_m2) {
+                          double armature_kg_m2, const std::optional<JointFriction>& friction) {
   const Parallelogram line = parallelogram_of(shape);
   return fmt::format(R"(
 
@@ -61,22 +70,23 @@ def add_{0}(builder, joint, kp=0.0, kd=0.0):
             )
         ],
     )
-{4})",
+{4}{5})",
                      name, line.stall_torque_Nm, line.no_load_speed_rad_s, line.greatest_torque_Nm,
-                     armature_line(armature_kg_m2));
+                     armature_line(armature_kg_m2), friction_lines(friction));
 }
 
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
   return line_comment(note, "# ") + kImports +
-         function_text(identifier(subject.actuator.name), shape, subject.armature_kg_m2());
+         function_text(identifier(subject.actuator.name), shape, subject.armature_kg_m2(),
+                       subject.friction);
 }
 
 std::string write_all(std::span<const DriveEntry> entries, const std::vector<std::string>& note) {
   std::string text = line_comment(note, "# ") + kImports;
   std::string table;
   for (const DriveEntry& entry : entries) {
-    text += function_text(entry.name, entry.shape, entry.armature_kg_m2);
+    text += function_text(entry.name, entry.shape, entry.armature_kg_m2, entry.friction);
     for (const std::string& joint : entry.joints) {
       table += fmt::format("    {}: add_{},\n", python_string(joint), entry.name);
     }
@@ -111,6 +121,12 @@ const Exporter newton = {
     .law = law,
     .write = write,
     .write_all = write_all,
+    .friction =
+        {DryFriction::kOneValue,
+         "joint_friction is Coulomb's at rest and in motion, joint_damping is always active "
+         "(Model's documentation); both are the builder's, and a solver may leave one out: "
+         "SolverMuJoCo has both.",
+         ""},
 };
 
 }  // namespace torquewright::actuator::exporters

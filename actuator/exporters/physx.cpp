@@ -6,7 +6,10 @@
 // USD counts rotation in degrees: a speed in deg/s, the gradient in deg/(s N m), the resistance in
 // N m s/deg (ovphysx 0.6.3, PhysxDrivePerformanceEnvelopeAPI: "every instance except linear is
 // treated as rotational and converted"; Isaac Sim's articulation reader does the same). Armature
-// and friction: PhysxJointAxisAPI, kg m^2 and N m.
+// and friction: PhysxJointAxisAPI, kg m^2 and N m; viscousFrictionCoefficient in N m s/deg (ovphysx
+// 0.7.0, PhysxJointAxisAPI: "the parser ... multiplies viscousFrictionCoefficient by
+// 57.29577951308232"). Law: PhysX 5.6.1, jointFriction.pdf: static effort until it moves, dynamic
+// effort and -c v in motion.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,6 +51,7 @@ std::string armature_line(double armature_kg_m2) {
 
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
+  const JointFriction friction = subject.friction.value_or(JointFriction{});
   return "#usda 1.0\n" + line_comment(note, "# ") +
          fmt::format(R"(over "{0}" (
     prepend apiSchemas = ["PhysicsDriveAPI:angular", "PhysxDrivePerformanceEnvelopeAPI:angular", "PhysxJointAxisAPI:angular"]
@@ -57,13 +61,15 @@ std::string write(const Subject& subject, std::span<const double> shape,
     float physxDrivePerformanceEnvelope:angular:maxActuatorVelocity = {2}
     float physxDrivePerformanceEnvelope:angular:speedEffortGradient = {3}
     float physxDrivePerformanceEnvelope:angular:velocityDependentResistance = 0
-{4}    float physxJointAxis:angular:staticFrictionEffort = 0
-    float physxJointAxis:angular:dynamicFrictionEffort = 0
-    float physxJointAxis:angular:viscousFrictionCoefficient = 0
+{4}    float physxJointAxis:angular:staticFrictionEffort = {5}
+    float physxJointAxis:angular:dynamicFrictionEffort = {6}
+    float physxJointAxis:angular:viscousFrictionCoefficient = {7}
 }}
 )",
                      identifier(subject.actuator.name), shape[0], shape[1] * kDegreesPerRadian,
-                     shape[2] * kDegreesPerRadian, armature_line(subject.armature_kg_m2()));
+                     shape[2] * kDegreesPerRadian, armature_line(subject.armature_kg_m2()),
+                     friction.breakaway_Nm, friction.coulomb_Nm,
+                     friction.viscous_Nm_s_rad / kDegreesPerRadian);
 }
 
 }  // namespace
@@ -85,6 +91,11 @@ const Exporter physx = {
     .shape = shape,
     .law = law,
     .write = write,
+    .friction = {DryFriction::kBreakaway,
+                 "staticFrictionEffort holds until the joint moves, dynamicFrictionEffort and "
+                 "viscousFrictionCoefficient in Nm s/deg act in motion (PhysX 5.6.1, "
+                 "jointFriction.pdf; ovphysx 0.7.0, PhysxJointAxisAPI).",
+                 ""},
 };
 
 }  // namespace torquewright::actuator::exporters

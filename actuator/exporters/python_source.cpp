@@ -7,9 +7,13 @@
 // 95f44d89 (an actuator with a compute of its own is not fused).
 #include "actuator/exporters/python_source.hpp"
 
-namespace torquewright::actuator {
+#include <array>
+#include <utility>
 
-const std::string_view kPythonSource = R"(
+namespace torquewright::actuator {
+namespace {
+
+constexpr std::string_view kRegion = R"(
 import sys
 
 
@@ -179,7 +183,61 @@ class Region:
         raised = xp.where(torque < least, least, torque)
         clipped = xp.where(raised > greatest, greatest, raised)
         return xp.where(velocity == velocity, clipped, velocity)  # what is no number stays none
+)";
 
+/// Between the motor and the load, where a command is the motor's. The dry part turns over with
+/// tanh; what passes the gear depends on the sign of torque times motion, which turns over alike:
+/// (d + b)/2 x + (d - b)/2 |x| tanh(velocity / smoothing), d driving and b braking.
+constexpr std::string_view kFriction = R"(
+    def add_friction(
+        self, speed_rad_s, forward_Nm, backward_Nm, driving, braking, limit_Nm, smoothing_rad_s
+    ):
+        """Friction over the size of the speed, each way, and what of a torque passes the gear."""
+        self._add_lines("size", speed_rad_s)
+        self._add_values("forward", forward_Nm)
+        self._add_values("backward", backward_Nm)
+        self.driving = driving
+        self.braking = braking
+        self.limit_Nm = limit_Nm
+        self.smoothing_rad_s = smoothing_rad_s
+        self.joint_peak_torque_Nm = braking * (self.peak_torque_Nm + max(forward_Nm + backward_Nm))
+        if limit_Nm is not None:
+            self.joint_peak_torque_Nm = min(self.joint_peak_torque_Nm, limit_Nm)
+
+    def friction(self, velocity):
+        """Friction [Nm] at a velocity [rad/s], with its sign; beyond its table it goes on as a line."""
+        xp = _namespace(velocity)
+        size = xp.abs(velocity)
+        points = self._constant(xp, "size", velocity)
+        row = xp.searchsorted(points, size, side="right") - 1
+        row = xp.clip(row, 0, len(self._lists["size"]) - 2)
+        share = (size - points[row]) * self._constant(xp, "size per width", velocity)[row]
+        forward, backward = [
+            self._constant(xp, name, velocity)[row]
+            + share * self._constant(xp, name + " change", velocity)[row]
+            for name in ("forward", "backward")
+        ]
+        way = xp.tanh(velocity / self.smoothing_rad_s)
+        return 0.5 * (backward * (1.0 - way) - forward * (1.0 + way))
+
+    def torque(self, torque, velocity, voltage=None, temperature=None):
+        """The torque [Nm] that reaches the joint for one that the motor is commanded, in Nm there.
+
+        The command is clipped as the motor is; friction and the gear's losses are taken off it,
+        driving and braking each by its own. Within some smoothing_rad_s of rest all that fades.
+        """
+        xp = _namespace(velocity)
+        before = self.clip(torque, velocity, voltage, temperature) + self.friction(velocity)
+        way = xp.tanh(velocity / self.smoothing_rad_s)
+        mean = 0.5 * (self.driving + self.braking)
+        half = 0.5 * (self.driving - self.braking)
+        after = mean * before + half * xp.abs(before) * way
+        if self.limit_Nm is None:
+            return after
+        return xp.clip(after, -self.limit_Nm, self.limit_Nm)
+)";
+
+constexpr std::string_view kSimulators = R"(
     def isaac_lab_class(self):
         """Isaac Lab's IdealPDActuator with its clip replaced by this region's.
 
@@ -269,5 +327,35 @@ class Region:
         )
 
 )";
+
+/// What the simulators' classes do otherwise where a command is the motor's.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kOfMotor = {{
+    {"IdealPDActuator with its clip replaced by this region's.",
+     "IdealPDActuator with its clip replaced by what reaches the joint."},
+    {"IdealPdActuator with its clip replaced by this region's.",
+     "IdealPdActuator with its clip replaced by what reaches the joint."},
+    {"return region.clip(", "return region.torque("},
+    {"return region.clip(torque, ", "return region.torque(torque, "},
+    {"joint_effort_limit=peak", "joint_effort_limit=self.joint_peak_torque_Nm"},
+    {"effort_limit_sim=peak", "effort_limit_sim=self.joint_peak_torque_Nm"},
+    {"{\"effort_limit\": self.peak_torque_Nm",
+     "{\"effort_limit\": max(self.peak_torque_Nm, self.joint_peak_torque_Nm)"},
+}};
+
+std::string with_all_replaced(std::string text) {
+  for (const auto& [old_words, new_words] : kOfMotor) {
+    const std::size_t at = text.find(old_words);
+    if (at != std::string::npos) text.replace(at, old_words.size(), new_words);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string python_source(bool has_friction) {
+  const std::string simulators(kSimulators);
+  if (!has_friction) return std::string(kRegion) + simulators;
+  return std::string(kRegion) + std::string(kFriction) + with_all_replaced(simulators);
+}
 
 }  // namespace torquewright::actuator

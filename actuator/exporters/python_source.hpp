@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string_view>
+#include <string>
 
 namespace torquewright::actuator {
 
-/// Python that is the same for every actuator: a class of regions, which clips arrays of any
-/// library, and what Isaac Lab and mjlab make of one. Nothing but `sys` is imported.
-extern const std::string_view kPythonSource;
+/// The part of an exported Python module that no actuator changes: the class Region.
+/// `has_friction`: with what lies between the motor and the load, and simulators' classes that
+/// give what reaches the joint.
+std::string python_source(bool has_friction);
 
 }  // namespace torquewright::actuator

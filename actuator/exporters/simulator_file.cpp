@@ -45,6 +45,34 @@ std::string electrical_words(const Subject& subject) {
                             winding_temperature_K(subject.actuator, subject.conditions));
 }
 
+/// "0.4 Nm dry (0.6 Nm at rest), 0.02 Nm s/rad viscous".
+std::string joint_friction_words(const JointFriction& friction) {
+  std::string words = fmt::format("{:.6g} Nm dry", friction.coulomb_Nm);
+  if (friction.breakaway_Nm > friction.coulomb_Nm) {
+    words += fmt::format(" ({:.6g} Nm at rest)", friction.breakaway_Nm);
+  }
+  return words + fmt::format(", {:.6g} Nm s/rad viscous", friction.viscous_Nm_s_rad);
+}
+
+/// Which friction is where, and what a command is of.
+void say_friction(const Subject& subject, const Exporter& exporter,
+                  std::vector<std::string>& note) {
+  const MorHeader header{&subject.actuator, subject.conditions, subject.region.side()};
+  const std::string limits = friction_sentence(header);
+  if (!subject.friction) {
+    note.push_back(
+        fmt::format("Friction included: {}. Do not also apply friction or an efficiency.", limits));
+    return;
+  }
+  const bool is_composed = exporter.friction.dry == DryFriction::kComposed;
+  note.push_back(fmt::format(
+      "Friction: {}, {}. Do not apply it again. A command is the torque that the motor brings to "
+      "the joint, and the limits are of that: {}.",
+      is_composed ? "taken off by torque()" : "the joint's",
+      joint_friction_words(*subject.friction), limits));
+  note.emplace_back(exporter.friction.law);
+}
+
 std::vector<std::string> note_of(const Subject& subject, const Exporter& exporter,
                                  std::span<const double> shape, const ErrorReport& errors,
                                  const std::vector<std::string>& origin) {
@@ -55,8 +83,7 @@ std::vector<std::string> note_of(const Subject& subject, const Exporter& exporte
   note.push_back(fit_line(exporter, subject));
   note.push_back(fmt::format("Side: {}. Rating: {}.{}", name_of(header.side),
                              name_of(header.conditions.rating), electrical_words(subject)));
-  note.push_back(fmt::format("Friction included: {}. Do not also apply friction or an efficiency.",
-                             friction_sentence(header)));
+  say_friction(subject, exporter, note);
   const std::optional<Envelope>& envelope = subject.actuator.envelope;
   if (envelope && envelope->braking == Braking::kFull) {
     note.emplace_back(
@@ -64,10 +91,9 @@ std::vector<std::string> note_of(const Subject& subject, const Exporter& exporte
         "simulators have it. A check takes no more than drives.");
   }
   note.push_back(armature_line(subject));
-  note.emplace_back(exporter.advice);
-  for (const std::string& entry : left_out(subject.actuator, Part::kRegion)) {
-    note.push_back("Left out: " + entry);
-  }
+  const bool has_own_advice = subject.friction && !exporter.friction.advice.empty();
+  note.emplace_back(has_own_advice ? exporter.friction.advice : exporter.advice);
+  for (const std::string& entry : left_out_of(subject)) note.push_back("Left out: " + entry);
   for (const std::string& entry : subject.actuator.assumed) note.push_back("Assumed: " + entry);
   for (std::size_t i = 0; i < exporter.parameters.size(); ++i) {
     note.push_back(fmt::format("{} = {:.10g}", exporter.parameters[i].name, shape[i]));
@@ -77,6 +103,17 @@ std::vector<std::string> note_of(const Subject& subject, const Exporter& exporte
 }
 
 }  // namespace
+
+std::vector<std::string> left_out_of(const Subject& subject) {
+  if (!subject.friction) return left_out(subject.actuator, Part::kRegion);
+  // What has become the joint's is no effect of the limited drive any more, and not left out.
+  std::vector<std::string> sentences = left_out(subject.actuator, Part::kRegion);
+  if (subject.whole->effects.empty()) return sentences;
+  std::erase_if(sentences, [](const std::string& entry) {
+    return entry.starts_with("friction: no effects stated");
+  });
+  return sentences;
+}
 
 SimulatorFile simulator_file(const Subject& subject, const Exporter& exporter,
                              const std::vector<std::string>& origin) {

@@ -18,6 +18,9 @@ struct SimulatorFile {
   std::string text;
 };
 
+/// A sentence on each thing that neither the limits nor the joint's friction hold.
+std::vector<std::string> left_out_of(const Subject& subject);
+
 /// `origin` lines head the note: the tool and its inputs. Requires that the region is not empty at
 /// rest.
 SimulatorFile simulator_file(const Subject& subject, const Exporter& exporter,

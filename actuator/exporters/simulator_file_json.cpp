@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "actuator/region/mor_header.hpp"
 #include "actuator/region/mor_table_spec.hpp"
 
 namespace torquewright::actuator {
@@ -36,12 +37,33 @@ ordered_json shape_json(const Exporter& exporter, const Shape& shape) {
   return {{"speed_rad_s", block(0)}, {"torque_min_Nm", block(1)}, {"torque_max_Nm", block(2)}};
 }
 
+/// What the region's own documents say of it; of the drive with its friction, what it states.
+ordered_json header_json(const Subject& subject) {
+  const MorHeader limits{&subject.actuator, subject.conditions, subject.region.side()};
+  if (!subject.friction) return mor_table_json(limits, MorTable{});
+  const MorHeader whole{subject.whole, subject.conditions, subject.region.side()};
+  ordered_json header = mor_table_json(whole, MorTable{});
+  header["friction_included"] = friction_sentence(limits);
+  header["left_out"] = left_out_of(subject);
+  return header;
+}
+
+/// Where the joint has the friction: what it has, and the errors below the limits.
+void add_joint_friction(const Subject& subject, const ErrorReport& errors, ordered_json& entry) {
+  if (!subject.friction) return;
+  entry["joint_friction"] = {{"coulomb_Nm", subject.friction->coulomb_Nm},
+                             {"breakaway_Nm", subject.friction->breakaway_Nm},
+                             {"viscous_Nm_s_rad", subject.friction->viscous_Nm_s_rad}};
+  entry["errors_at_half"] = ordered_json::array();
+  for (const QuadrantError& error : *errors.at_half) {
+    entry["errors_at_half"].push_back(error_json(error));
+  }
+}
+
 }  // namespace
 
 ordered_json simulator_file_json(const Subject& subject, const SimulatorFile& file) {
-  // What the region's own documents say of it.
-  const MorHeader region{&subject.actuator, subject.conditions, subject.region.side()};
-  const ordered_json header = mor_table_json(region, MorTable{});
+  const ordered_json header = header_json(subject);
   ordered_json errors = ordered_json::array();
   for (const QuadrantError& error : file.errors.quadrants) errors.push_back(error_json(error));
   for (const QuadrantError& error : file.errors.at_rest) errors.push_back(error_json(error));
@@ -62,6 +84,7 @@ ordered_json simulator_file_json(const Subject& subject, const SimulatorFile& fi
   }
   entry["greatest_speed_rad_s"] = file.errors.greatest_speed_rad_s;
   entry["errors"] = errors;
+  add_joint_friction(subject, file.errors, entry);
   entry["share_outside"] = file.errors.share_outside;
   entry["sentences"] = file.errors.sentences;
   entry["file"] = file.text;

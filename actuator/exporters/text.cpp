@@ -91,6 +91,14 @@ std::string armature_attribute(double armature_kg_m2) {
   return armature_kg_m2 == 0.0 ? "" : fmt::format(" armature=\"{}\"", armature_kg_m2);
 }
 
+std::string friction_constraint(double frictionloss_Nm) {
+  return frictionloss_Nm > 0.0 ? " solreffriction=\"0.0001 1\"" : "";
+}
+
+PythonArgument friction_argument(std::string_view name, double value) {
+  return {name, value == 0.0 ? "0.0" : fmt::format("{}", value), false};
+}
+
 std::string python_string(std::string_view text) {
   std::string literal = "\"";
   for (const char letter : text) {

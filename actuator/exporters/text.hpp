@@ -36,6 +36,23 @@ PythonArgument armature_argument(double armature_kg_m2);
 /// The same as an attribute, with a space before it.
 std::string armature_attribute(double armature_kg_m2);
 
+/// A friction as an argument.
+PythonArgument friction_argument(std::string_view name, double value);
+
+/// What MuJoCo makes of a joint's damping and friction loss, as measured with 2.2.2 by
+/// tests/actuator/exporters/mujoco_friction_test.cpp.
+inline constexpr std::string_view kFrictionLoss =
+    "damping and frictionloss are at the joint (XML reference, body/joint): Coulomb's friction in "
+    "motion and at rest, by a soft constraint (Computation, friction loss): below it the joint "
+    "creeps, and it is not full where the joint would come to rest within the constraint's time, "
+    "which solreffriction sets to the least that MuJoCo's refsafe allows, two steps; its default "
+    "is "
+    "0.02 s.";
+
+/// The constraint's time constant as an attribute with a space before it, where there is a friction
+/// loss.
+std::string friction_constraint(double frictionloss_Nm);
+
 /// A literal of Python.
 std::string python_string(std::string_view text);
 

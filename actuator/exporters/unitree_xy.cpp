@@ -2,7 +2,8 @@
 // Fields and law: unitree_rl_lab, UnitreeActuator(Cfg) and the README's figure; the same law in
 // mjlab (UnitreeActuatorCfg), whose test gives the numbers ours is tested with. Effort is limited
 // to Y1 where speed times effort is positive, else (also at rest) to Y2; from X1 on both fall
-// linearly to zero at X2. rad/s, N m, kg m^2.
+// linearly to zero at X2. rad/s, N m, kg m^2. Friction, off the clipped effort: Fs tanh(v / Va) +
+// Fd v, Va 0.01 rad/s if not set (UnitreeActuator.compute in the same file).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,14 +41,15 @@ TorqueLimits law(std::span<const double> shape, double speed_rad_s) {
 
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
+  const JointFriction friction = subject.friction.value_or(JointFriction{});
   const PythonCall call{identifier(subject.actuator.name),
                         {{"joint_names_expr", "[\"joint\"]", true},
                          python_argument("X1", shape[0]),
                          python_argument("X2", shape[1]),
                          python_argument("Y1", shape[2]),
                          python_argument("Y2", shape[3]),
-                         {"Fs", "0.0"},
-                         {"Fd", "0.0"},
+                         friction_argument("Fs", friction.coulomb_Nm),
+                         friction_argument("Fd", friction.viscous_Nm_s_rad),
                          armature_argument(subject.armature_kg_m2()),
                          {"stiffness", "0.0", true},
                          {"damping", "0.0", true}}};
@@ -71,6 +73,12 @@ const Exporter unitree_xy = {
     .shape = shape,
     .law = law,
     .write = write,
+    .friction =
+        {DryFriction::kSmoothed,
+         "Off the clipped effort it takes Fs tanh(v / Va) + Fd v (UnitreeActuator.compute): "
+         "Fs is Coulomb's friction in Nm, Fd viscous in Nm s/rad, whatever their names; at "
+         "rest it holds nothing. Va is 0.01 rad/s.",
+         ""},
 };
 
 }  // namespace torquewright::actuator::exporters

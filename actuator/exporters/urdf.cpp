@@ -62,6 +62,7 @@ TorqueLimits law(std::span<const double> shape, double speed_rad_s) {
 
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
+  const JointFriction friction = subject.friction.value_or(JointFriction{});
   return xml_comment(note) + fmt::format(R"(<robot name={0}>
   <link name="base"/>
   <link name="link"/>
@@ -70,11 +71,12 @@ std::string write(const Subject& subject, std::span<const double> shape,
     <child link="link"/>
     <axis xyz="0 0 1"/>
     <limit effort="{1}" velocity="{2}"/>
-    <dynamics damping="0" friction="0"/>
+    <dynamics damping="{3}" friction="{4}"/>
   </joint>
 </robot>
 )",
-                                         xml_quoted(subject.actuator.name), shape[0], shape[1]);
+                                         xml_quoted(subject.actuator.name), shape[0], shape[1],
+                                         friction.viscous_Nm_s_rad, friction.coulomb_Nm);
 }
 
 }  // namespace
@@ -93,6 +95,11 @@ const Exporter urdf = {
     .shape = shape,
     .law = law,
     .write = write,
+    .friction =
+        {DryFriction::kOneValue,
+         "damping is in Nm s/rad; friction, in Nm, is called static, and readers take it for "
+         "Coulomb's: MuJoCo as frictionloss, RaiSim 2 at rest and in motion.",
+         ""},
 };
 
 }  // namespace torquewright::actuator::exporters

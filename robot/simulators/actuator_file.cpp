@@ -12,6 +12,7 @@
 #include <limits>
 #include <set>
 
+#include "actuator/exporters/exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
 #include "actuator/exporters/text.hpp"
 #include "io/faults/spec_error.hpp"
@@ -24,6 +25,8 @@ namespace torquewright::hopper {
 namespace {
 
 using actuator::DriveEntry;
+using actuator::FrictionPlace;
+using actuator::JointFriction;
 using actuator::Shape;
 
 constexpr double kNoShare = 1e-9;  // of an actuator's torque or speed: it takes no part
@@ -34,21 +37,20 @@ struct Fitted {
   std::string file;
   Shape shape;
   std::vector<std::string> note;
+  std::optional<JointFriction> friction;  ///< Beside the law; none: in it.
 };
 
 Fitted fitted(const actuator::Actuator& document, const std::string& file,
-              const actuator::Exporter& exporter) {
-  const bool has_law = !exporter.parameters.empty();
-  const actuator::Actuator stated = has_law ? actuator::as_laws_brake(document) : document;
-  const actuator::OperatingConditions conditions;
-  const actuator::Region region(stated, conditions);
-  if (region.at(0.0).is_empty) {
+              const actuator::Exporter& exporter, FrictionPlace friction) {
+  if (actuator::Region(document, {}).at(0.0).is_empty) {
     throw io::SpecError({{file, "", "no torque is possible at rest: there is no region to write"}});
   }
-  const actuator::MorTable table = actuator::mor_table(region);
-  const actuator::Subject subject{stated, conditions, region, table};
-  actuator::SimulatorFile written = actuator::simulator_file(subject, exporter, {});
-  return {file, std::move(written.shape), std::move(written.note)};
+  if (friction == FrictionPlace::kJoint) {
+    friction = usual_place(exporter, document, actuator::Side::kJoint);
+  }
+  const actuator::ExportedDrive drive(document, exporter, {.friction = friction});
+  actuator::SimulatorFile written = actuator::simulator_file(drive.subject(), exporter, {});
+  return {file, std::move(written.shape), std::move(written.note), drive.subject().friction};
 }
 
 /// What each actuator carries and how fast it turns for a joint alone, per unit of the joint's.
@@ -86,6 +88,21 @@ Shape shape_of_joint(const actuator::Exporter& exporter, const std::vector<const
   return is_bounded ? shape : Shape();
 }
 
+/// The friction of a joint alone: by virtual work, what each actuator's own does through the speed
+/// with which it turns.
+JointFriction friction_of_joint(const std::vector<const Fitted*>& drives, const Shares& shares,
+                                Eigen::Index joint) {
+  JointFriction sum;
+  for (std::size_t k = 0; k < drives.size(); ++k) {
+    const double share = std::abs(shares.speed(static_cast<Eigen::Index>(k), joint));
+    const JointFriction own = drives[k]->friction.value_or(JointFriction{});
+    sum.coulomb_Nm += share * own.coulomb_Nm;
+    sum.breakaway_Nm += share * own.breakaway_Nm;
+    sum.viscous_Nm_s_rad += share * share * own.viscous_Nm_s_rad;
+  }
+  return sum;
+}
+
 /// The number of the law that bounds torque at any speed: the last that is a torque.
 std::size_t cap_of(const actuator::Exporter& exporter) {
   std::size_t cap = 0;
@@ -97,8 +114,11 @@ std::size_t cap_of(const actuator::Exporter& exporter) {
 
 class Writer {
  public:
-  Writer(const Robot& robot, const actuator::Exporter& exporter)
-      : robot_(robot), exporter_(exporter), tree_(tree_with_rotors(robot, notes_)) {}
+  Writer(const Robot& robot, const actuator::Exporter& exporter, FrictionPlace friction)
+      : robot_(robot),
+        exporter_(exporter),
+        friction_(friction),
+        tree_(tree_with_rotors(robot, notes_)) {}
 
   Exported run(const std::vector<std::string>& origin) {
     for (const Drivetrain& drivetrain : robot_.drivetrains) {
@@ -124,7 +144,7 @@ class Writer {
     for (std::size_t i = 0; i < fitted_.size(); ++i) {
       if (fitted_[i].file == file) return i;
     }
-    fitted_.push_back(fitted(drivetrain.actuators[k], file, exporter_));
+    fitted_.push_back(fitted(drivetrain.actuators[k], file, exporter_, friction_));
     return fitted_.size() - 1;
   }
 
@@ -153,14 +173,16 @@ class Writer {
     std::vector<Shape> shapes;
     for (Eigen::Index j = 0; j < home.size(); ++j) {
       shapes.push_back(shape_of_joint(exporter_, drives, *shares, j));
-      add_joint(drivetrain, static_cast<std::size_t>(j), *shares, shapes.back());
+      std::optional<JointFriction> friction;
+      if (friction_ == FrictionPlace::kJoint) friction = friction_of_joint(drives, *shares, j);
+      add_joint(drivetrain, static_cast<std::size_t>(j), *shares, shapes.back(), friction);
     }
     note_coupling(drivetrain, drives, *shares, shapes);
     note_postures(drivetrain, drives, shapes);
   }
 
   void add_joint(const Drivetrain& drivetrain, std::size_t j, const Shares& shares,
-                 const Shape& shape) {
+                 const Shape& shape, const std::optional<JointFriction>& friction) {
     const std::size_t body = drivetrain.joints[j];
     if (shape.empty()) {
       notes_.push_back(fmt::format("{}: not driven nearest to zero", joint_name(body)));
@@ -168,7 +190,9 @@ class Writer {
     }
     const double armature_kg_m2 = tree_.bodies[body].joint.reflected_inertia;
     for (DriveEntry& entry : entries_) {
-      if (entry.shape != shape || entry.armature_kg_m2 != armature_kg_m2) continue;
+      const bool is_alike = entry.shape == shape && entry.armature_kg_m2 == armature_kg_m2 &&
+                            entry.friction == friction;
+      if (!is_alike) continue;
       entry.joints.push_back(joint_name(body));
       return;
     }
@@ -176,7 +200,7 @@ class Writer {
         shares.speed.size() == 1 && std::abs(std::abs(shares.speed(0, 0)) - 1.0) <= kSame;
     const std::string& name = is_plain ? drivetrain.actuators[0].name : joint_name(body);
     entries_.push_back(
-        {unique(actuator::identifier(name)), {joint_name(body)}, shape, armature_kg_m2});
+        {unique(actuator::identifier(name)), {joint_name(body)}, shape, armature_kg_m2, friction});
   }
 
   std::string unique(const std::string& wanted) {
@@ -243,6 +267,7 @@ class Writer {
 
   const Robot& robot_;
   const actuator::Exporter& exporter_;
+  FrictionPlace friction_;
   std::vector<std::string> notes_;
   dynamics::Tree tree_;
   std::vector<Fitted> fitted_;
@@ -253,11 +278,11 @@ class Writer {
 }  // namespace
 
 Exported actuators_of(const Robot& robot, const actuator::Exporter& exporter,
-                      const std::vector<std::string>& origin) {
+                      const std::vector<std::string>& origin, FrictionPlace friction) {
   if (robot.drivetrains.empty()) {
     throw io::SpecError({{robot.name, "/mechanisms", "the robot has no drives to write"}});
   }
-  return Writer(robot, exporter).run(origin);
+  return Writer(robot, exporter, friction).run(origin);
 }
 
 }  // namespace torquewright::hopper

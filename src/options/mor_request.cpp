@@ -91,6 +91,13 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
       .one_of({"conservative", "best"})
       .needs("--format");
   command
+      .add_option("--friction", request.friction,
+                  "Where a simulator's file has the drive's friction: joint (in the fields of the "
+                  "simulator's joint) or limits (taken off the torque limits)")
+      .otherwise("joint where the simulator has such fields, else limits")
+      .one_of({"joint", "limits"})
+      .needs("--format");
+  command
       .add_option("--at-speed", request.speeds_rad_s, "Print rows at these speeds only, in rad/s")
       .otherwise("as many as --accuracy asks for")
       .separated_by_commas()
@@ -125,6 +132,9 @@ void require_formats(const MorRequest& request) {
   const actuator::Exporter* exporter = actuator::find_exporter(request.format);
   if (!request.fit.empty() && !exporter) {
     io::refuse("--fit", fmt::format("--format {} fits no law", request.format));
+  }
+  if (!request.friction.empty() && !exporter) {
+    io::refuse("--friction", fmt::format("--format {} is no simulator's", request.format));
   }
   if (!request.export_file.empty() && !exporter) {
     io::refuse("--export",

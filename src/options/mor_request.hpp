@@ -25,8 +25,9 @@ struct MorRequest {
   std::string actuator_file;
   OperatingOptions operating;
   std::string side = "joint";
-  std::string format;  ///< Empty: none was named.
-  std::string fit;     ///< Empty: none was named, which is conservative.
+  std::string format;    ///< Empty: none was named.
+  std::string fit;       ///< Empty: none was named, which is conservative.
+  std::string friction;  ///< Empty: wherever the simulator can have it.
   double accuracy = actuator::kTableAccuracy;
   std::vector<double> speeds_rad_s;
   std::string need;    ///< TORQUE@SPEED

@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 
+#include "actuator/effects/library.hpp"
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/line_law.hpp"
 #include "io/faults/spec_error.hpp"
@@ -80,6 +81,39 @@ TEST(ActuatorFile, HoldsWhatACoupledJointHasAlone) {
   for (const std::string& note : exported.notes) {
     EXPECT_NE(exported.text.find("# " + note + "\n"), std::string::npos) << note;
   }
+}
+
+// By virtual work, by hand: pitch turns each rod's drive with 5/6, so that of 0.3 Nm and 0.06 Nm
+// s/rad of each it feels 2 5/6 0.3 = 0.5 Nm and 2 (5/6)^2 0.06 = 0.0833 Nm s/rad; the knee has its
+// own.
+TEST(ActuatorFile, HasTheFrictionOfTheJoint) {
+  Robot robot = robot_in("hopper.json");
+  for (Drivetrain& drivetrain : robot.drivetrains) {
+    for (actuator::Actuator& drive : drivetrain.actuators) {
+      actuator::Effect dry = actuator::neutral(*actuator::find_effect("coulomb_friction"));
+      actuator::Effect viscous = actuator::neutral(*actuator::find_effect("viscous_friction"));
+      dry.values = {0.3};
+      viscous.values = {0.06};
+      drive.effects = {dry, viscous};
+    }
+  }
+  const std::string text = actuators_of(robot, actuator::exporters::isaac_lab, {"origin"},
+                                        actuator::FrictionPlace::kJoint)
+                               .text;
+  const auto near = [&](const char* joint, const char* field, double expected) {
+    EXPECT_NEAR(argument(text, joint, field), expected, 1e-9) << joint << " " << field;
+  };
+  for (const char* field : {" friction", "dynamic_friction"}) {
+    near("ankle_pitch", field, 2.0 * 5.0 / 6.0 * 0.3);
+    near("ankle_roll", field, 2.0 * 2.0 / 3.0 * 0.3);
+  }
+  near("ankle_pitch", "viscous_friction", 2.0 * 25.0 / 36.0 * 0.06);
+  near("ankle_roll", "viscous_friction", 2.0 * 4.0 / 9.0 * 0.06);
+  // The limits are the motors': as without friction.
+  near("ankle_pitch", "actuator_effort_limit", 2.0 * 5.0 / 6.0 * 176.0);
+  const std::string limits = actuators_of(robot, actuator::exporters::isaac_lab, {"origin"}).text;
+  EXPECT_EQ(argument(limits, "ankle_pitch", "dynamic_friction"), 0.0);
+  EXPECT_LT(argument(limits, "ankle_pitch", "actuator_effort_limit"), 2.0 * 5.0 / 6.0 * 175.8);
 }
 
 // By hand: of Cassie's ten drives the left and the right are alike, and so are hip pitch and knee.

@@ -128,12 +128,15 @@ MorAnswer compare(const MorRequest& request, const MorInputs& inputs) {
 
 MorAnswer export_region(const MorRequest& request, const MorInputs& inputs,
                         const actuator::Exporter& exporter) {
-  const actuator::Region region(inputs.read.actuator, inputs.conditions, side_of(request));
-  const auto fit =
-      request.fit == "best" ? actuator::LawFit::kBest : actuator::LawFit::kConservative;
+  const actuator::Actuator& actuator = inputs.read.actuator;
+  const actuator::ExportChoices choices{
+      .conditions = inputs.conditions,
+      .side = side_of(request),
+      .fit = request.fit == "best" ? actuator::LawFit::kBest : actuator::LawFit::kConservative,
+      .friction = friction_place(request.friction, actuator, exporter, side_of(request)),
+      .table_accuracy = request.accuracy};
   const auto written = [&](bool as_json) {
-    return exported_file(inputs.read, inputs.conditions, region, request.accuracy, exporter, fit,
-                         as_json);
+    return exported_file(inputs.read, exporter, choices, as_json);
   };
   MorAnswer answer;
   if (is_json(request)) answer.rows = written(true);

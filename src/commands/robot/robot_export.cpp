@@ -26,6 +26,7 @@ struct ExportOptions {
   std::string robot_file;
   std::string format;
   std::string output_file;
+  std::string friction;  ///< Empty: nobody said.
   hopper::MjcfParts parts;
 };
 
@@ -37,6 +38,10 @@ const actuator::Exporter* actuators_only(const ExportOptions& options) {
 
 void require_parts(const ExportOptions& options) {
   const hopper::MjcfParts& parts = options.parts;
+  if (!options.friction.empty() && !actuators_only(options)) {
+    io::refuse("--friction",
+               "is of files of drives alone; MJCF has friction off its drives' limits");
+  }
   const bool has_mjcf_parts = parts.ground || parts.collisions || parts.closed_loops;
   if (actuators_only(options)) {
     if (has_mjcf_parts) {
@@ -70,7 +75,10 @@ hopper::ReadRobot read(const ExportOptions& options) {
 
 hopper::Exported compute(const ExportOptions& options, const hopper::ReadRobot& read) {
   if (const actuator::Exporter* exporter = actuators_only(options)) {
-    return hopper::actuators_of(read.robot, *exporter, origin_of("robot export", read.documents));
+    const auto friction = options.friction == "limits" ? actuator::FrictionPlace::kLimits
+                                                       : actuator::FrictionPlace::kJoint;
+    return hopper::actuators_of(read.robot, *exporter, origin_of("robot export", read.documents),
+                                friction);
   }
   return options.format == "urdf" ? hopper::urdf_of(read.robot)
                                   : hopper::mjcf_of(read.robot, options.parts);
@@ -115,6 +123,13 @@ void add_export_command(command_line::Command& robot) {
   command.add_flag(
       "--actuators", options->parts.actuators,
       "Write every drive's torque and speed limits; in MJCF its control is the voltage");
+  command
+      .add_option("--friction", options->friction,
+                  "Where files of drives alone have friction: joint (in the fields of the "
+                  "simulator's joint) or limits (taken off the torque limits)")
+      .otherwise("joint")
+      .one_of({"joint", "limits"})
+      .needs("--actuators");
   command.add_flag("--ground", options->parts.ground,
                    "MJCF: add a plane, and keyframes of the postures standing on it");
   command.add_flag("--collisions", options->parts.collisions,

@@ -51,6 +51,30 @@ inline Actuator lossy_knee() {
   return actuator;
 }
 
+/// The knee's motor behind 6:1 on 48 V and 20 A, with friction that depends on no load. By hand:
+/// 0.32 6 20 = 38.4 Nm, stall 0.32 6 48 / 0.28 = 329.14 Nm, no load 48 / (0.32 6) = 25 rad/s.
+inline Actuator dry_drive() {
+  Actuator actuator = knee();
+  actuator.name = "dry drive";
+  actuator.motor.rotor_inertia_kg_m2 = 1e-4;
+  actuator.drive.bus_voltage_V = 48.0;
+  actuator.drive.peak_current_A = 20.0;
+  actuator.transmission = {};
+  actuator.transmission.ratio = 6.0;
+  actuator.effects = {effect("coulomb_friction", {0.4}), effect("viscous_friction", {0.02})};
+  return actuator;
+}
+
+/// The same with losses in proportion to load, each way its own.
+inline Actuator loaded_drive() {
+  Actuator actuator = dry_drive();
+  actuator.name = "loaded drive";
+  actuator.transmission.forward_efficiency = 0.9;
+  actuator.transmission.backward_efficiency = 0.85;
+  actuator.effects.push_back(effect("load_dependent_friction", {0.03, 0.04}));
+  return actuator;
+}
+
 /// Of no particular kind: losses, friction, saturation and voltage at random.
 inline Actuator random_actuator(std::mt19937& dice) {
   const auto between = [&](double low, double high) {

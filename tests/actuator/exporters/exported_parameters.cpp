@@ -187,6 +187,21 @@ Law urdf(const std::string& text) {
   };
 }
 
+Law sdf(const std::string& text) {
+  const auto number = [&](const std::string& name) {
+    const std::size_t begin = text.find("<" + name + ">");
+    if (begin == std::string::npos) throw std::runtime_error("no element " + name);
+    return std::stod(text.substr(begin + name.size() + 2));
+  };
+  const double effort = number("effort");
+  const double velocity = number("velocity");
+  return [=](double speed) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double limit = std::abs(speed) <= velocity ? effort : infinity;
+    return TorqueLimits{-limit, limit};
+  };
+}
+
 Law jaxsim(const std::string& text) {
   const double most = literal(text, "torque_max");
   const double knee = literal(text, "omega_th");
@@ -255,6 +270,7 @@ Law law_of_file(const std::string& format, const std::string& text) {
   if (format == "unitree-xy") return unitree(text);
   if (format == "physx") return physx(text);
   if (format == "urdf") return urdf(text);
+  if (format == "sdf") return sdf(text);
   if (format == "jaxsim") return jaxsim(text);
   if (format == "raisim1" || format == "drake") {
     return table(array(text, "kSpeed"), array(text, "kLeast"), array(text, "kGreatest"));

@@ -108,7 +108,10 @@ TEST(LawFit, ConservativeStaysInsideAndBestIsNearerInTheMean) {
       EXPECT_LE(greatest_excess_Nm(example, *exporter, careful), tolerance_Nm);
       EXPECT_TRUE(std::all_of(careful.begin(), careful.end(),
                               [](double value) { return std::isfinite(value); }));
-      if (exporter->parameters.empty() || exporter == &exporters::urdf) continue;
+      if (exporter->parameters.empty() || exporter == &exporters::urdf ||
+          exporter == &exporters::sdf) {
+        continue;
+      }
       const Shape best = exporter->shape(example.subject(LawFit::kBest));
       EXPECT_LT(mean_square_Nm2(example, *exporter, best),
                 mean_square_Nm2(example, *exporter, careful));

@@ -1,53 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: MuJoCo itself, the version of the system's package, which reads our files.
 #include <gtest/gtest.h>
-#include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <memory>
-#include <stdexcept>
 
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
 #include "actuator/region/clip_table.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
-#include "tests/io/scratch_folder.hpp"
+#include "tests/actuator/exporters/mujoco_simulation.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
 constexpr double kOfPeak = 1e-6;  // the gains are printed so that they read back the same
 constexpr int kSpeeds = 1000;
-
-struct Deleter {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
-  void operator()(mjData* data) const { mj_deleteData(data); }
-};
-
-/// One hinge and one actuator, at rest.
-struct Simulation {
-  explicit Simulation(const std::string& text) {
-    const test::ScratchFolder folder;
-    std::array<char, 1000> error{};
-    const std::string file = folder.write("model.xml", text).string();
-    model.reset(mj_loadXML(file.c_str(), nullptr, error.data(), error.size()));
-    if (!model) throw std::runtime_error(error.data());
-    data.reset(mj_makeData(model.get()));
-  }
-
-  double force_Nm(double speed_rad_s, double control) {
-    data->qvel[0] = speed_rad_s;
-    data->ctrl[0] = control;
-    mj_forward(model.get(), data.get());
-    return data->qfrc_actuator[0];
-  }
-
-  std::unique_ptr<mjModel, Deleter> model;
-  std::unique_ptr<mjData, Deleter> data;
-};
 
 std::string exported(const Example& example, LawFit fit) {
   const Subject subject = example.subject(fit);

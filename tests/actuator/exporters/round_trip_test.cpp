@@ -291,6 +291,23 @@ TEST_F(Command, WritesEveryFormatToStdoutOrAFileAndKeepsQuiet) {
   }
 }
 
+TEST_F(Command, SaysWhichFrictionCannotBeTheJoints) {
+  EXPECT_EQ(run("--format raisim1 --friction joint"), "");
+  EXPECT_EQ(status_, 2);
+  EXPECT_NE(complaints_.find("raisim1 has no field for it"), std::string::npos) << complaints_;
+  run("--format mujoco --friction joint --side motor");
+  EXPECT_EQ(status_, 2);
+  EXPECT_NE(complaints_.find("before any friction"), std::string::npos) << complaints_;
+  run("--format csv --friction joint");
+  EXPECT_EQ(status_, 2);
+  run("--format mujoco --friction elsewhere");
+  EXPECT_EQ(status_, 2);
+  // If nobody says, the joint's wherever there is one.
+  EXPECT_EQ(run("--format mujoco"), run("--format mujoco --friction joint"));
+  EXPECT_EQ(run("--format raisim1"), run("--format raisim1 --friction limits"));
+  EXPECT_NE(run("--format mujoco"), run("--format mujoco --friction limits"));
+}
+
 TEST_F(Command, RefusesWhatItCannotDo) {
   EXPECT_EQ(run("--format bullet"), "");
   EXPECT_EQ(status_, 2);
