@@ -132,6 +132,7 @@ std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball) {
   for (Eigen::Index k = 0; k < 3; ++k) {
     dynamics::Joint& joint = hinges[static_cast<std::size_t>(k)].joint;
     joint.axis = Vector3d::Unit(k);
+    joint.passive = {};
     if (k > 0) joint.name += k == 1 ? ".y" : ".z";
   }
   return hinges;

@@ -22,7 +22,8 @@ MjcfJoint read_mjcf_joint(const Placed& placed, const MjcfContext& context);
 
 /// A fault: a ball joint is one of a linkage's rods, or three hinges, or not read.
 void refuse_ball(const Element& joint, Faults& faults);
-/// About x, y and z, in place of a ball joint.
+/// About x, y and z, in place of a ball joint, whose own forces act about other axes and are left
+/// behind.
 std::vector<MjcfJoint> hinges_of_ball(const MjcfJoint& ball);
 
 /// Whether a range holds: as stated, or where none is stated and limits are automatic. Where they

@@ -214,6 +214,12 @@ class MjcfReader {
       refuse_ball(*ball.element, faults_);
       return;
     }
+    if (!ball.joint.passive.is_none()) {
+      imported_.notes.push_back(
+          fmt::format("line {}: damping, friction and spring of a ball joint are left behind: they "
+                      "count about other axes than its hinges'",
+                      ball.element->line));
+    }
     split_balls_.push_back(ball.joint.name.empty() ? fmt::format("line {}", ball.element->line)
                                                    : ball.joint.name);
   }

@@ -127,11 +127,14 @@ void TimeStepping::find_active() {
   }
 }
 
-/// With dampers that hold over `implicit_s` of the step as the velocity at its end; eq. (11).
+/// With dampers that feel how the velocity changes over `implicit_s`; eq. (11).
 TimeStepping::Outcome TimeStepping::accelerations(const VectorIn& force, double implicit_s,
                                                   VectorXd& out) {
   bodies_.mass_matrix(mass_);
-  mass_.diagonal() += implicit_s * damping_;
+  if (has_drag_) {
+    const VectorXd stiff = implicit_s * damping_ - mass_.diagonal();
+    mass_.diagonal() += (0.5 * implicit_s * damping_).cwiseMax(stiff);
+  }
   bodies_.bias(bias_);
   factors_.compute(mass_);
   if (factors_.info() != Eigen::Success) return Outcome::kBlownUp;
@@ -179,7 +182,7 @@ TimeStepping::Outcome TimeStepping::fly(const VectorIn& force, double step_s, bo
 
 // eq. (3)
 TimeStepping::Outcome TimeStepping::touch(const VectorIn& force, double step_s) {
-  const Outcome outcome = accelerations(force, 0.5 * step_s, acceleration_);
+  const Outcome outcome = accelerations(force, step_s, acceleration_);
   if (outcome != Outcome::kStepped) return outcome;
   free_velocity_ = velocity_ + step_s * acceleration_;
   if (!free_velocity_.allFinite()) return Outcome::kBlownUp;
