@@ -15,6 +15,7 @@
 #include "actuator/exporters/exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
 #include "actuator/exporters/text.hpp"
+#include "dynamics/passive_forces.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/text/one_line.hpp"
 #include "robot/draft/postures_in_range.hpp"
@@ -103,6 +104,14 @@ JointFriction friction_of_joint(const std::vector<const Fitted*>& drives, const 
   return sum;
 }
 
+/// A simulator's drive overrules what its robot's file says of the joint, so that what the joint
+/// has itself counts here.
+void add_own(const dynamics::PassiveForces& passive, JointFriction& friction) {
+  friction.coulomb_Nm += passive.dry_friction;
+  friction.breakaway_Nm += dynamics::friction_limit(passive, 0.0);
+  friction.viscous_Nm_s_rad += passive.damping;
+}
+
 /// The number of the law that bounds torque at any speed: the last that is a torque.
 std::size_t cap_of(const actuator::Exporter& exporter) {
   std::size_t cap = 0;
@@ -128,6 +137,7 @@ class Writer {
     notes_.emplace_back(
         "each drive loads the battery alone, and heats alone: neither is held by a line between "
         "torque and speed");
+    note_own();
     std::vector<std::string> head = origin;
     head.push_back(fmt::format("{}: every drive, for {}.", robot_.name, exporter_.simulator));
     head.insert(head.end(), notes_.begin(), notes_.end());
@@ -175,6 +185,8 @@ class Writer {
       shapes.push_back(shape_of_joint(exporter_, drives, *shares, j));
       std::optional<JointFriction> friction;
       if (friction_ == FrictionPlace::kJoint) friction = friction_of_joint(drives, *shares, j);
+      const std::size_t body = drivetrain.joints[static_cast<std::size_t>(j)];
+      if (friction) add_own(robot_.tree.bodies[body].joint.passive, *friction);
       add_joint(drivetrain, static_cast<std::size_t>(j), *shares, shapes.back(), friction);
     }
     note_coupling(drivetrain, drives, *shares, shapes);
@@ -201,6 +213,27 @@ class Writer {
     const std::string& name = is_plain ? drivetrain.actuators[0].name : joint_name(body);
     entries_.push_back(
         {unique(actuator::identifier(name)), {joint_name(body)}, shape, armature_kg_m2, friction});
+  }
+
+  /// Passive forces of joints, once: here or in the robot's own file.
+  void note_own() {
+    std::vector<std::string> dragged, sprung;
+    for (const dynamics::Body& body : robot_.tree.bodies) {
+      const dynamics::PassiveForces& passive = body.joint.passive;
+      if (passive.damping > 0 || passive.dry_friction > 0) dragged.push_back(body.joint.name);
+      if (passive.stiffness > 0) sprung.push_back(body.joint.name);
+    }
+    if (!dragged.empty()) {
+      notes_.push_back(fmt::format(
+          "damping and friction of the joints themselves ({}) {}", fmt::join(dragged, ", "),
+          friction_ == FrictionPlace::kJoint
+              ? "are in the friction of their drives here, which overrules the robot's file"
+              : "are left to the robot's file"));
+    }
+    if (!sprung.empty()) {
+      notes_.push_back(fmt::format("springs of joints ({}) are left to the robot's file",
+                                   fmt::join(sprung, ", ")));
+    }
   }
 
   std::string unique(const std::string& wanted) {

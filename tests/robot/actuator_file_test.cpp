@@ -117,6 +117,23 @@ TEST(ActuatorFile, HasTheFrictionOfTheJoint) {
 }
 
 // By hand: of Cassie's ten drives the left and the right are alike, and so are hip pitch and knee.
+// What joints have themselves stands beside it, once.
+TEST(ActuatorFile, HasTheJointsOwnFrictionToo) {
+  Robot robot = robot_in("hopper.json");
+  robot.tree.bodies[*robot.find_joint("ankle_roll")].joint.passive = {0.25, 0.5, 0.75, 0.0, 0.0};
+  const auto at = [&](const char* field) {
+    return argument(actuators_of(robot, actuator::exporters::isaac_lab, {"origin"},
+                                 actuator::FrictionPlace::kJoint)
+                        .text,
+                    "ankle_roll", field);
+  };
+  EXPECT_NEAR(at("dynamic_friction"), 0.5, 1e-12);
+  EXPECT_NEAR(at(" friction"), 0.75, 1e-12);
+  EXPECT_NEAR(at("viscous_friction"), 0.25, 1e-12);
+  EXPECT_TRUE(has_note(actuators_of(robot, actuator::exporters::isaac_lab, {"origin"}),
+                       "(ankle_roll) are left to the robot's file"));
+}
+
 TEST(ActuatorFile, GathersDrivesThatAreAlike) {
   const Robot robot = robot_in("cassie.json");
   const Exported exported = actuators_of(robot, actuator::exporters::mjlab, {"origin"});
