@@ -112,7 +112,9 @@ TEST(PassiveJoint, SharesALoadWithTheGround) {
   for (int i = 0; i < 20; ++i) {
     ASSERT_EQ(stepping.step(position, velocity, force, kStep_s), TimeStepping::Outcome::kStepped);
     const double up_N = stepping.generalised_impulse()[0] / kStep_s;
-    if (i > 0) EXPECT_NEAR(up_N, kMass_kg * dynamics::kGravity_m_s2, 1e-6);
+    if (i > 0) {
+      EXPECT_NEAR(up_N, kMass_kg * dynamics::kGravity_m_s2, 1e-6);
+    }
     EXPECT_GE(stepping.impulses_N_s()[2] / kStep_s,
               kMass_kg * dynamics::kGravity_m_s2 - kFriction_N - 1e-6);
   }
