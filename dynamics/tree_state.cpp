@@ -59,6 +59,7 @@ TreeStateOf<T>::TreeStateOf(Tree tree) : tree_(std::move(tree)) {
   motions_.resize(tree_.bodies.size());
   newton_.resize(tree_.bodies.size());
   composites_.resize(tree_.bodies.size());
+  joint_positions_.resize(tree_.bodies.size());
   vector_scratch_.resize(size);
   solution_scratch_.resize(size);
   matrix_scratch_.resize(size, size);
@@ -76,7 +77,6 @@ void TreeStateOf<T>::set(const VectorInOf<T>& position, const VectorInOf<T>& vel
   velocity_ = velocity;
   place_base(position);
   const Eigen::Index extra = position.size() - velocity.size();
-  joint_positions_.resize(motions_.size());
   for (std::size_t i = 1; i < motions_.size(); ++i) place_body(i, position[joint_row(i) + extra]);
 }
 

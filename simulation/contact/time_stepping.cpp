@@ -187,9 +187,14 @@ TimeStepping::Outcome TimeStepping::touch(const VectorIn& force, double step_s) 
   free_velocity_ = velocity_ + step_s * acceleration_;
   if (!free_velocity_.allFinite()) return Outcome::kBlownUp;
   if (!solve_active(step_s)) return Outcome::kUnsolved;
-  generalised_.noalias() = directions_ * active_impulses_;
-  jump_.noalias() = answers_ * active_impulses_;
-  factors_.matrixU().solveInPlace(jump_);
+  if (active_impulses_.size() == 0) {  // dampers alone
+    generalised_.setZero();
+    jump_.setZero();
+  } else {
+    generalised_.noalias() = directions_ * active_impulses_;
+    jump_.noalias() = answers_ * active_impulses_;
+    factors_.matrixU().solveInPlace(jump_);
+  }
   velocity_ = free_velocity_ + jump_;
   move(middle_, velocity_, 0.5 * step_s, position_);
   return Outcome::kStepped;
@@ -322,6 +327,7 @@ void TimeStepping::respond() {
 
 bool TimeStepping::solve_active(double step_s) {
   fill_rows();
+  if (active_impulses_.size() == 0) return true;
   respond();
   constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25, 0.0};
   for (const double share : kShares) {
