@@ -22,9 +22,10 @@ Merged merged(const std::vector<DraftBody>& draft) {
     if (next.is_welded) {
       dynamics::RigidInertia& whole = out.draft[parent.draft].body.inertia;
       whole = dynamics::welded(whole, dynamics::moved(next.body.inertia, R, p_m));
-      for (DraftBall& ball : next.balls) {
-        ball.center_m = p_m + R * ball.center_m;
-        out.draft[parent.draft].balls.push_back(std::move(ball));
+      for (DraftShape& shape : next.shapes) {
+        shape.p_m = p_m + R * shape.p_m;
+        shape.R = R * shape.R;
+        out.draft[parent.draft].shapes.push_back(std::move(shape));
       }
       out.places.push_back({parent.draft, R, p_m});
       continue;

@@ -5,17 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "robot/draft/primitive_inertia.hpp"
 #include "robot/model/robot.hpp"
 #include "robot/xml/element.hpp"
 
 namespace torquewright::hopper {
 
-/// A ball of a body that may meet the ground.
-struct DraftBall {
-  std::string name;
-  Eigen::Vector3d center_m;  ///< In the body's frame.
-  double radius_m = 0;
-  std::optional<double> friction_coefficient;
+/// A shape of a body that collides, and so may meet the ground.
+struct DraftShape {
+  std::string name;  ///< What its contact points are called.
+  std::string link;  ///< The file's body that holds it.
+  Primitive primitive = Primitive::kSphere;
+  PrimitiveSize size_m = PrimitiveSize::Zero();
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< In the body's frame, as is its centre.
+  Eigen::Vector3d p_m = Eigen::Vector3d::Zero();
+  std::optional<double> friction_coefficient = {};
 };
 
 /// A body as a file has it: perhaps welded to its parent, perhaps without mass.
@@ -28,7 +32,7 @@ struct DraftBody {
   double rounding_kg_m2 = 0;      ///< By so much its moments may be off by how they are written.
   double reference = 0;           ///< Of its joint where all bodies stand as the file puts them.
   const Element* ball = nullptr;  ///< The ball joint that this hinge is one third of.
-  std::vector<DraftBall> balls = {};
+  std::vector<DraftShape> shapes = {};
 };
 
 /// An element of a file.

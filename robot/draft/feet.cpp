@@ -3,8 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
 #include <map>
 #include <set>
+
+#include "robot/draft/touching_points.hpp"
+#include "robot/xml/vocabulary.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -30,27 +36,110 @@ class FreeNames {
   std::map<std::string, int> counts_;
 };
 
+/// Whether one of these words is in the name, in capitals or not.
+bool says(std::string name, std::initializer_list<const char*> words) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+bool is_called_foot(const std::string& name) {
+  return says(name, {"foot", "toe", "ankle", "sole"});
+}
+
+bool is_called_otherwise(const std::string& name) {
+  return says(name, {"head", "neck", "hand", "finger", "thumb", "palm", "arm", "elbow", "wrist",
+                     "gripper", "camera", "lidar", "imu", "radar"});
+}
+
+using Shapes = std::vector<const DraftShape*>;
+
+/// Of one body that a robot may stand on.
+Shapes standing(const DraftBody& body, bool carries) {
+  Shapes named;
+  Shapes balls;
+  Shapes others;
+  for (const DraftShape& shape : body.shapes) {
+    if (shape.primitive == Primitive::kEllipsoid) continue;
+    if (is_called_foot(shape.link) || is_called_foot(shape.name)) named.push_back(&shape);
+    (shape.primitive == Primitive::kSphere ? balls : others).push_back(&shape);
+  }
+  if (!named.empty()) return named;
+  if (carries || is_called_otherwise(body.body.name)) return {};
+  return balls.empty() ? others : balls;
+}
+
+/// Each body's down, in its own frame, where all joints are at zero.
+std::vector<Eigen::Vector3d> downs(const std::vector<DraftBody>& draft) {
+  std::vector<Eigen::Vector3d> down{-Eigen::Vector3d::UnitZ()};
+  for (std::size_t i = 1; i < draft.size(); ++i) {
+    const dynamics::Body& body = draft[i].body;
+    down.push_back(body.joint.R_PB.transpose() * down[body.parent]);
+  }
+  return down;
+}
+
+class Feet {
+ public:
+  Feet(const std::vector<DraftBody>& draft, Robot& robot)
+      : draft_(&draft), robot_(&robot), downs_(downs(draft)), names_(robot.contacts) {}
+
+  /// Leaves first: what carries feet is none.
+  std::vector<Shapes> chosen() const {
+    std::vector<Shapes> found(draft_->size());
+    std::vector<bool> carries(draft_->size(), false);
+    std::vector<bool> carries_feet(draft_->size(), false);
+    for (std::size_t i = draft_->size(); i-- > 0;) {
+      if (!carries_feet[i]) found[i] = standing((*draft_)[i], carries[i]);
+      if (i == 0) break;
+      const std::size_t parent = (*draft_)[i].body.parent;
+      carries[parent] = true;
+      carries_feet[parent] = carries_feet[parent] || carries_feet[i] || !found[i].empty();
+    }
+    return found;
+  }
+
+  void add(std::size_t body, const DraftShape& shape) {
+    const auto points = touching_points(shape, downs_[body]);
+    for (const TouchingPoint& point : points) {
+      if (!shape.friction_coefficient) {
+        robot_->assumed.push_back(
+            fmt::format("/contacts/{}/friction_coefficient", robot_->contacts.size()));
+      }
+      robot_->contacts.push_back({names_.next(shape.name),
+                                  {body, point.p_m},
+                                  shape.friction_coefficient.value_or(kRubber),
+                                  0.0,
+                                  point.radius_m});
+    }
+    taken_.push_back(fmt::format("{} of {}", points.size(), shape.name));
+  }
+
+  const std::vector<std::string>& taken() const { return taken_; }
+
+ private:
+  const std::vector<DraftBody>* draft_;
+  Robot* robot_;
+  std::vector<Eigen::Vector3d> downs_;
+  FreeNames names_;
+  std::vector<std::string> taken_;
+};
+
 }  // namespace
 
-void add_feet(const std::vector<DraftBody>& draft, Robot& robot) {
+void add_feet(const std::vector<DraftBody>& draft, Robot& robot, std::vector<std::string>& notes) {
   if (robot.tree.base == dynamics::BaseKind::kFixed) return;
-  std::vector<bool> carries(draft.size(), false);
-  for (std::size_t i = 1; i < draft.size(); ++i) carries[draft[i].body.parent] = true;
-  FreeNames names(robot.contacts);
-  for (std::size_t i = 0; i < draft.size(); ++i) {
-    if (carries[i]) continue;
-    for (const DraftBall& ball : draft[i].balls) {
-      if (!ball.friction_coefficient) {
-        robot.assumed.push_back(
-            fmt::format("/contacts/{}/friction_coefficient", robot.contacts.size()));
-      }
-      robot.contacts.push_back({names.next(ball.name),
-                                {i, ball.center_m},
-                                ball.friction_coefficient.value_or(kRubber),
-                                0.0,
-                                ball.radius_m});
-    }
+  Feet feet(draft, robot);
+  const std::vector<Shapes> chosen = feet.chosen();
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    for (const DraftShape* shape : chosen[i]) feet.add(i, *shape);
   }
+  notes.push_back(
+      feet.taken().empty()
+          ? "no contact points: no foot of the file has a ball, box, capsule or "
+            "cylinder that collides; meshes are not opened"
+          : fmt::format("contact points taken from shapes that collide: {}", listed(feet.taken())));
 }
 
 }  // namespace torquewright::hopper

@@ -24,7 +24,7 @@ void gather(const Placed& around, const MjcfContext& context, std::vector<Placed
 
 /// The frame that a body's content is placed by, in the body: its own, or the world's.
 Placed reference_of(const Element& body, const MjcfContext& context) {
-  Placed frame{&body};
+  Placed frame{&body, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(), ""};
   if (!context.compiler.is_global || body.name != "body") return frame;
   const Placed own = pose_of(frame, body, context);
   frame.R = own.R.transpose();

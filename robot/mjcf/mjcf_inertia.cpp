@@ -6,11 +6,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
-#include <optional>
 
 #include "dynamics/rigid_inertia.hpp"
 #include "robot/draft/primitive_inertia.hpp"
+#include "robot/mjcf/mjcf_shapes.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -46,50 +45,6 @@ RigidInertia stated_inertia(const Element& element, const MjcfContext& context) 
   }
   inertia.inertia_kg_m2 = symmetric(R, faults.vector(element, "diaginertia", Vector3d::Zero()));
   return inertia;
-}
-
-struct Shape {
-  Primitive primitive = Primitive::kSphere;
-  std::size_t sizes = 1;
-};
-
-std::optional<Shape> shape_of(const std::string& type) {
-  if (type.empty() || type == "sphere") return Shape{Primitive::kSphere, 1};
-  if (type == "capsule") return Shape{Primitive::kCapsule, 2};
-  if (type == "cylinder") return Shape{Primitive::kCylinder, 2};
-  if (type == "box") return Shape{Primitive::kBox, 3};
-  if (type == "ellipsoid") return Shape{Primitive::kEllipsoid, 3};
-  return std::nullopt;
-}
-
-/// From one end to the other along z: where the middle is, and half the length.
-double lay_between(const std::vector<double>& ends, Placed& pose) {
-  const Vector3d from(ends[0], ends[1], ends[2]);
-  const Vector3d to(ends[3], ends[4], ends[5]);
-  const double length_m = (to - from).norm();
-  pose.p_m += pose.R * (0.5 * (from + to));
-  if (length_m > 0) pose.R = pose.R * rotation_of_z(to - from);
-  return 0.5 * length_m;
-}
-
-std::optional<PrimitiveSize> size_of(const Element& geom, const Shape& shape, Placed& pose,
-                                     const MjcfContext& context) {
-  Faults& faults = context.faults;
-  const auto ends = faults.numbers(geom, "fromto", 6);
-  PrimitiveSize size_m = PrimitiveSize::Zero();
-  if (const auto stated = faults.numbers(geom, "size", 1, 3)) {
-    std::copy(stated->begin(), stated->end(), size_m.data());
-  }
-  if (ends && shape.primitive != Primitive::kSphere) {
-    // Across its length a shape is as wide as it is high.
-    size_m[1] = size_m[0];
-    size_m[static_cast<Eigen::Index>(shape.sizes) - 1] = lay_between(*ends, pose);
-  } else {
-    pose = pose_of(pose, geom, context);
-  }
-  if ((size_m.head(static_cast<Eigen::Index>(shape.sizes)).array() > 0).all()) return size_m;
-  faults.report(geom, "its sizes are missing, or not positive");
-  return std::nullopt;
 }
 
 /// Of one shape in the body's frame; no mass where it has none.

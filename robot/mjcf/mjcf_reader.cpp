@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "dynamics/rigid_inertia.hpp"
 #include "robot/draft/finish.hpp"
@@ -19,6 +20,7 @@
 #include "robot/mjcf/mjcf_equality.hpp"
 #include "robot/mjcf/mjcf_include.hpp"
 #include "robot/mjcf/mjcf_inertia.hpp"
+#include "robot/mjcf/mjcf_shapes.hpp"
 #include "robot/mjcf/mjcf_vocabulary.hpp"
 
 namespace torquewright::hopper {
@@ -29,7 +31,6 @@ using dynamics::JointKind;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kMjcfFriction = 1.0;   // where a geom states none
 constexpr double kMostTilt_rad = 1e-3;  // of gravity; weight along the ground is a thousandth
 
 bool moves(const Element& element) {
@@ -198,6 +199,7 @@ class MjcfReader {
         joints.push_back(std::move(joint));
         continue;
       }
+      joint.joint.name = name_or(joint.joint.name, fmt::format("ball_{}", joint.element->line));
       if (!has_loops_) split_ball(joint, placed);
       for (MjcfJoint& hinge : hinges_of_ball(joint)) joints.push_back(std::move(hinge));
     }
@@ -220,8 +222,7 @@ class MjcfReader {
                       "count about other axes than its hinges'",
                       ball.element->line));
     }
-    split_balls_.push_back(ball.joint.name.empty() ? fmt::format("line {}", ball.element->line)
-                                                   : ball.joint.name);
+    split_balls_.insert(ball.joint.name);
   }
 
   void note_names() {
@@ -229,18 +230,18 @@ class MjcfReader {
       imported_.notes.push_back(fmt::format(
           "ball joints are hinges about x, y and z here, which turn alike but for where the second "
           "stands at a right angle: {}",
-          listed(split_balls_)));
+          listed({split_balls_.begin(), split_balls_.end()})));
     }
     if (!made_up_.empty()) {
-      imported_.notes.push_back(
-          fmt::format("names that the file leaves out or blank: {}", listed(made_up_)));
+      imported_.notes.push_back(fmt::format("names made up, for the file states none: {}",
+                                            listed({made_up_.begin(), made_up_.end()})));
     }
   }
 
   /// The name that is stated, or one that is made up.
   std::string name_or(const std::string& stated, const std::string& other) {
     if (!is_blank(stated)) return stated;
-    made_up_.push_back(other);
+    made_up_.insert(other);
     return other;
   }
 
@@ -326,31 +327,13 @@ class MjcfReader {
     if (has_loops_) landmarks_.add(body, held, seen, context_);
     for (const Placed& placed : held) {
       if (placed.element->name == "body") read_body(placed, seen);
-      if (placed.element->name == "geom") read_ball(placed, attribute(body, "name"), seen);
+      if (placed.element->name != "geom") continue;
+      auto shape = colliding_shape(placed, attribute(body, "name"), context_);
+      if (!shape) continue;
+      shape->p_m = seen.p_m + seen.R * shape->p_m;
+      shape->R = seen.R * shape->R;
+      draft_[seen.draft].shapes.push_back(std::move(*shape));
     }
-  }
-
-  /// A sphere that collides with something.
-  void read_ball(const Placed& placed, const std::string& body, const Seen& seen) {
-    const Element geom = defaults_.completed(*placed.element, placed.childclass);
-    const std::string type = attribute(geom, "type");
-    const bool is_ball = (type.empty() || type == "sphere") &&
-                         find_attribute(geom, "mesh") == nullptr &&
-                         find_attribute(geom, "fromto") == nullptr;
-    if (!is_ball || find_attribute(geom, "size") == nullptr) return;
-    const bool collides =
-        faults_.number(geom, "contype", 1) != 0 || faults_.number(geom, "conaffinity", 1) != 0;
-    if (!collides) return;
-    DraftBall ball;
-    ball.name = attribute(geom, "name");
-    if (ball.name.empty()) ball.name = (body.empty() ? "body" : body) + "_ball";
-    ball.center_m = seen.p_m + seen.R * pose_of(placed, geom, context_).p_m;
-    const auto size_m = faults_.numbers(geom, "size", 1, 3);
-    const auto friction = faults_.numbers(geom, "friction", 1, 3);
-    if (!size_m || !((*size_m)[0] > 0)) return;
-    ball.radius_m = (*size_m)[0];
-    ball.friction_coefficient = friction ? (*friction)[0] : kMjcfFriction;
-    draft_[seen.draft].balls.push_back(std::move(ball));
   }
 
   /// All of the world's mass counts.
@@ -391,8 +374,8 @@ class MjcfReader {
   Imported imported_;
   std::vector<DraftBody> draft_;
   MjcfLandmarks landmarks_;
-  std::vector<std::string> made_up_;
-  std::vector<std::string> split_balls_;
+  std::set<std::string> made_up_;
+  std::set<std::string> split_balls_;
   bool has_gravity_ = true;
   bool has_loops_ = false;
 };

@@ -17,6 +17,7 @@
 #include "robot/model/rotations.hpp"
 #include "robot/urdf/gazebo_words.hpp"
 #include "robot/urdf/urdf_limits.hpp"
+#include "robot/urdf/urdf_shapes.hpp"
 #include "robot/urdf/urdf_tree.hpp"
 #include "robot/urdf/urdf_vocabulary.hpp"
 
@@ -51,6 +52,13 @@ class UrdfReader {
     faults_.refuse();
     imported_.robot.tree.base =
         tree_.floats ? dynamics::BaseKind::kSpatial : dynamics::BaseKind::kFixed;
+    if (tree_.floats && !tree_.is_said_to_float && !base_has_mass()) {
+      imported_.robot.tree.base = dynamics::BaseKind::kFixed;
+      tree_.floats = false;
+      imported_.notes.push_back(
+          fmt::format("\"{}\" stands fixed, for it has no mass, without which nothing floats",
+                      draft_.front().body.name));
+    }
     finish(draft_, options_, imported_, faults_);
     for (std::string& note : limits_.notes()) imported_.notes.push_back(std::move(note));
     if (tree_.floats && !tree_.is_said_to_float) note_base();
@@ -102,11 +110,23 @@ class UrdfReader {
                     tree_.names[tree_.order.front().body]));
   }
 
+  /// Its own, or that of what is welded to it. Where nothing moves on it, there is nothing to hold.
+  bool base_has_mass() const {
+    std::vector<bool> is_base(draft_.size(), false);
+    bool moves = false;
+    for (std::size_t i = 0; i < draft_.size(); ++i) {
+      is_base[i] = i == 0 || (draft_[i].is_welded && is_base[draft_[i].body.parent]);
+      if (is_base[i] && draft_[i].body.inertia.mass_kg > 0) return true;
+      moves = moves || !is_base[i];
+    }
+    return !moves;
+  }
+
   DraftBody drafted(const Place& place, const std::map<std::size_t, std::size_t>& places) {
     DraftBody draft;
     draft.body.name = tree_.names[place.body];
     read_inertia(*tree_.links[place.body], draft);
-    read_balls(*tree_.links[place.body], draft);
+    draft.shapes = urdf_shapes(*tree_.links[place.body], draft.body.name, faults_);
     if (place.joint == nullptr) return draft;
     draft.body.parent = places.at(place.joint->parent);
     read_joint(*tree_.joints.at(place.joint->joint), draft);
@@ -138,22 +158,6 @@ class UrdfReader {
     inertia =
         dynamics::moved(inertia, rotation_of_rpy(faults_.vector(*origin, "rpy", Vector3d::Zero())),
                         faults_.vector(*origin, "xyz", Vector3d::Zero()));
-  }
-
-  /// Spheres that collide; what else a link's shapes say is left behind.
-  void read_balls(const Element& link, DraftBody& draft) {
-    for (const Element* collision : children(link, "collision")) {
-      const Element* geometry = faults_.only_child(*collision, "geometry");
-      const Element* sphere = geometry != nullptr ? child(*geometry, "sphere") : nullptr;
-      if (sphere == nullptr) continue;
-      DraftBall ball;
-      ball.name = draft.body.name;
-      ball.radius_m = faults_.number(*sphere, "radius", 0);
-      const Element* origin = faults_.only_child(*collision, "origin");
-      ball.center_m = origin != nullptr ? faults_.vector(*origin, "xyz", Vector3d::Zero())
-                                        : Vector3d(Vector3d::Zero());
-      if (ball.radius_m > 0) draft.balls.push_back(std::move(ball));
-    }
   }
 
   void read_joint(const Element& element, DraftBody& draft) {

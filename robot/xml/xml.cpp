@@ -46,10 +46,9 @@ void Faults::report(const Element& element, const std::string& message) {
   const std::string sentence =
       fmt::format("line {}, <{}{}>: {}", element.line, element.name,
                   name.empty() ? "" : fmt::format(" name=\"{}\"", name), message);
-  const bool is_known = std::any_of(faults_.begin(), faults_.end(), [&](const io::Fault& known) {
-    return known.message == sentence && known.file == *element.file;
-  });
-  if (!is_known) faults_.push_back({*element.file, "", sentence});
+  if (known_.insert({*element.file, sentence}).second) {
+    faults_.push_back({*element.file, "", sentence});
+  }
 }
 
 void Faults::refuse() const {

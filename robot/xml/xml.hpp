@@ -4,7 +4,9 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/faults/spec_error.hpp"
@@ -44,6 +46,7 @@ class Faults {
 
  private:
   std::vector<io::Fault> faults_;
+  std::set<std::pair<std::string, std::string>> known_;  ///< Files and sentences.
 };
 
 /// The file's root element; a fault if it is not called so.

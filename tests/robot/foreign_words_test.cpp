@@ -13,9 +13,13 @@
 #include "robot/urdf/urdf_reader.hpp"
 #include "robot/urdf/urdf_writer.hpp"
 #include "tests/io/scratch_folder.hpp"
+#include "tests/robot/imported_notes.hpp"
 
 namespace torquewright::hopper {
 namespace {
+
+using test::all_of;
+using test::refusal;
 
 const std::string kPart = R"(<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>)";
 const ImportFileOptions kMends{"", false, false, true};
@@ -33,22 +37,6 @@ Imported mjcf(const std::string& sections, const std::string& top,
 Imported urdf(const std::string& content, const ImportFileOptions& options = {}) {
   const test::ScratchFolder folder;
   return read_urdf(folder.write("robot.urdf", "<robot name='r'>" + content + "</robot>"), options);
-}
-
-std::string all_of(const std::vector<std::string>& notes) {
-  std::string text;
-  for (const std::string& note : notes) text += note + "\n";
-  return text;
-}
-
-template <typename Read>
-std::string refusal(const Read& read) {
-  try {
-    (void)read();
-  } catch (const io::SpecError& error) {
-    return error.what();
-  }
-  return "was read";
 }
 
 const std::string kTwoBodies = R"(<body name="a"><freejoint/>)" + kPart +
@@ -648,12 +636,25 @@ TEST(Inertias, ThatNoRoundingExplainsAreMendedToo) {
   }
 }
 
-// Oracle: MuJoCo refuses a floating body without mass.
+// Oracle: Bullet, to which a root of mass 0 stands fixed; MuJoCo refuses a floating body without
+// mass.
 TEST(Inertias, AreNeededOfAFloatingBase) {
-  const std::string said = refusal([] {
-    return urdf("<link name='base'/><link name='a'>" + kUnit +
-                "</link><joint name='j' type='continuous'><parent link='base'/><child link='a'/>"
-                "</joint>");
+  const std::string joint =
+      "<joint name='j' type='continuous'><parent link='base'/><child link='a'/></joint>";
+  const std::string arm = "<link name='a'>" + kUnit + "</link>" + joint;
+  const Imported fixed = urdf("<link name='base'/>" + arm);
+  EXPECT_EQ(fixed.robot.tree.base, dynamics::BaseKind::kFixed);
+  EXPECT_NE(all_of(fixed.notes).find("\"base\" stands fixed, for it has no mass"),
+            std::string::npos);
+  const std::string welded = "<link name='trunk'>" + kUnit +
+                             "</link><joint name='k' type='fixed'><parent link='base'/>"
+                             "<child link='trunk'/></joint>";
+  EXPECT_EQ(urdf("<link name='base'/>" + arm + welded).robot.tree.base,
+            dynamics::BaseKind::kSpatial);
+  const std::string said = refusal([&] {
+    return urdf(
+        "<link name='world'/><link name='base'/>" + arm +
+        "<joint name='k' type='floating'><parent link='world'/><child link='base'/></joint>");
   });
   EXPECT_NE(said.find("<link name=\"base\">: body \"base\": has no mass, and floats"),
             std::string::npos)

@@ -7,31 +7,21 @@
 
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "tests/io/scratch_folder.hpp"
+#include "tests/robot/imported_notes.hpp"
 #include "tests/robot/same_robot.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kSame = 1e-11;  // roundings of some ten products of rotations
+constexpr double kSameMotion = 1e-11;  // roundings of some ten products of rotations
 
-Imported read_text(const std::string& text) {
+Imported read_mujoco(const std::string& text) {
   const test::ScratchFolder folder;
   return read_mjcf(folder.write("robot.xml", text));
 }
 
-std::string refusal(const std::string& text) {
-  try {
-    (void)read_text(text);
-  } catch (const io::SpecError& error) {
-    return error.what();
-  }
-  return "was read";
-}
-
-std::string all_of(const std::vector<std::string>& notes) {
-  std::string text;
-  for (const std::string& note : notes) text += note + "\n";
-  return text;
+std::string refused(const std::string& text) {
+  return test::refusal([&] { return read_mujoco(text); });
 }
 
 /// A leg as Gym's hopper has it, with a calf that is turned by a right angle about y, and a mass
@@ -81,21 +71,22 @@ const std::string kLocal = R"(<mujoco><worldbody>
 </body></worldbody></mujoco>)";
 
 TEST(GlobalCoordinates, AreTheSameRobotAsLocalOnes) {
-  const Robot global = read_text(kGlobal).robot;
-  const Robot local = read_text(kLocal).robot;
-  EXPECT_LE(test::dynamic_difference(global, local), kSame);
+  const Robot global = read_mujoco(kGlobal).robot;
+  const Robot local = read_mujoco(kLocal).robot;
+  EXPECT_LE(test::dynamic_difference(global, local), kSameMotion);
 }
 
 TEST(GlobalCoordinates, NeedNoPlaceOfABodyThatJointsCarry) {
   std::string placeless = kGlobal;
   placeless.erase(placeless.find(R"( pos="0.5 0 1.05")"), 17);
   placeless.erase(placeless.find(R"( pos="0 0 1.25">)"), 15);
-  EXPECT_LE(test::dynamic_difference(read_text(placeless).robot, read_text(kLocal).robot), kSame);
+  EXPECT_LE(test::dynamic_difference(read_mujoco(placeless).robot, read_mujoco(kLocal).robot),
+            kSameMotion);
 }
 
 TEST(GlobalCoordinates, AreRefusedWhereTheySayTooLittle) {
   const auto with = [](const std::string& body) {
-    return refusal("<mujoco><compiler coordinate='global'/><worldbody>" + body +
+    return refused("<mujoco><compiler coordinate='global'/><worldbody>" + body +
                    "</worldbody></mujoco>");
   };
   EXPECT_NE(with("<body name='a'><freejoint/><geom size='1'/></body>").find("needs a pos"),
@@ -104,7 +95,7 @@ TEST(GlobalCoordinates, AreRefusedWhereTheySayTooLittle) {
   EXPECT_NE(with("<body name='a' pos='0 0 1'><frame><geom size='1'/></frame></body>")
                 .find("know no frames"),
             std::string::npos);
-  EXPECT_NE(refusal("<mujoco><compiler coordinate='polar'/></mujoco>").find("local, global"),
+  EXPECT_NE(refused("<mujoco><compiler coordinate='polar'/></mujoco>").find("local, global"),
             std::string::npos);
 }
 
@@ -113,12 +104,12 @@ TEST(Gravity, LeansALittleAndIsSaid) {
     return "<mujoco><option gravity='" + gravity +
            "'/><worldbody><body name='a'><freejoint/><geom size='1'/></body></worldbody></mujoco>";
   };
-  const Imported read = read_text(with("0.0098 0 -9.81"));
+  const Imported read = read_mujoco(with("0.0098 0 -9.81"));
   EXPECT_EQ(read.robot.tree.gravity_m_s2, 9.81);
-  EXPECT_NE(all_of(read.notes).find("tilted by 0.001 rad"), std::string::npos);
-  EXPECT_EQ(all_of(read_text(with("0 0 -9.81")).notes).find("tilted"), std::string::npos);
+  EXPECT_NE(test::all_of(read.notes).find("tilted by 0.001 rad"), std::string::npos);
+  EXPECT_EQ(test::all_of(read_mujoco(with("0 0 -9.81")).notes).find("tilted"), std::string::npos);
   for (const char* gravity : {"0 0.0099 -9.81", "0 0 9.81", "1e-5 0 0"}) {
-    EXPECT_NE(refusal(with(gravity)).find("along -z"), std::string::npos) << gravity;
+    EXPECT_NE(refused(with(gravity)).find("along -z"), std::string::npos) << gravity;
   }
 }
 
@@ -129,31 +120,31 @@ std::string pendulum(const std::string& joints) {
 }
 
 TEST(BallJoints, AreThreeHinges) {
-  const Imported ball = read_text(pendulum("<joint name='j' type='ball' pos='0 0.5 0'/>"));
+  const Imported ball = read_mujoco(pendulum("<joint name='j' type='ball' pos='0 0.5 0'/>"));
   const Robot hinges =
-      read_text(
+      read_mujoco(
           pendulum("<joint name='j' axis='1 0 0' pos='0 0.5 0'/><joint name='j.y' axis='0 1 0' "
                    "pos='0 0.5 0'/><joint name='j.z' axis='0 0 1' pos='0 0.5 0'/>"))
           .robot;
-  EXPECT_LE(test::dynamic_difference(ball.robot, hinges), kSame);
-  EXPECT_NE(all_of(ball.notes).find("ball joints are hinges about x, y and z here"),
+  EXPECT_LE(test::dynamic_difference(ball.robot, hinges), kSameMotion);
+  EXPECT_NE(test::all_of(ball.notes).find("ball joints are hinges about x, y and z here"),
             std::string::npos);
   for (const char* more : {"armature='0.1'", "range='0 60'"}) {
     const std::string said =
-        refusal(pendulum("<joint name='j' type='ball' " + std::string(more) + "/>"));
+        refused(pendulum("<joint name='j' type='ball' " + std::string(more) + "/>"));
     EXPECT_NE(said.find("type \"ball\""), std::string::npos) << said;
   }
 }
 
 TEST(Names, ThatAreBlankAreMadeUpAndSaid) {
-  const Imported read = read_text(
+  const Imported read = read_mujoco(
       "<mujoco model=' '><worldbody><body name='a'><freejoint/><geom size='1'/>"
       "<body name=' '><joint name=''/><geom size='1'/></body></body></worldbody></mujoco>");
   EXPECT_EQ(read.robot.name, "robot");
   EXPECT_EQ(read.robot.tree.bodies[1].name, "body_1");
   EXPECT_EQ(read.robot.tree.bodies[1].joint.name, "joint_1");
-  EXPECT_NE(all_of(read.notes).find("leaves out or blank: joint_1, body_1"), std::string::npos)
-      << all_of(read.notes);
+  EXPECT_NE(test::all_of(read.notes).find("states none: body_1, joint_1"), std::string::npos)
+      << test::all_of(read.notes);
 }
 
 }  // namespace

@@ -92,6 +92,11 @@ class Twin {
       const auto& limits = robot_.tree.bodies[i - base + 1].joint.limits;
       const int joint = rows_.joints[i];
       if (model().jnt_limited[joint] == 0) continue;
+      // Beyond what a document holds there is no limit.
+      constexpr double kFar = 1e4;
+      const bool is_far =
+          model().jnt_range[2 * joint] <= -kFar && model().jnt_range[2 * joint + 1] >= kFar;
+      if (is_far && std::isinf(limits.position_min) && std::isinf(limits.position_max)) continue;
       worst.range =
           std::max({worst.range, std::abs(limits.position_min - model().jnt_range[2 * joint]),
                     std::abs(limits.position_max - model().jnt_range[2 * joint + 1])});

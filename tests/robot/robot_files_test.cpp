@@ -183,7 +183,8 @@ TEST(RobotFile, SaysWhatIsWrong) {
        "<mujoco><worldbody><body><inertial mass='1' pos='nan 0 0'/></body></worldbody></mujoco>",
        "must be 3 numbers"},
       {false,
-       "<mujoco><worldbody><body><joint type='ball'/><inertial mass='1'/></body></worldbody>"
+       "<mujoco><worldbody><body><joint type='ball' armature='1'/><inertial "
+       "mass='1'/></body></worldbody>"
        "</mujoco>",
        "hinge or slide"},
       {false,
