@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "dynamics/momentum.hpp"
+#include "robot/model/robot_json.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::hopper {
@@ -75,6 +78,59 @@ TEST_F(RobotSpec, PutsParentsFirstAndKeepsEveryNumber) {
 }
 
 // Oracle: Rz(0.3) Ry(0.2) Rx(0.1) written out by the textbook.
+// Each key to its number, of both kinds of joint, and back into a document.
+TEST_F(RobotSpec, KeepsPassiveForcesAndWhoseLimitsAre) {
+  json document = leg();
+  document["joints"][1].update({{"damping_Nm_s_rad", 0.5},
+                                {"dry_friction_Nm", 1.5},
+                                {"static_friction_Nm", 2},
+                                {"stiffness_Nm_rad", 30},
+                                {"spring_rest_rad", -0.25},
+                                {"own_limits", {"torque"}}});
+  document["joints"][0].update({{"damping_N_s_m", 5},
+                                {"dry_friction_N", 6},
+                                {"static_friction_N", 7},
+                                {"stiffness_N_m", 8},
+                                {"spring_rest_m", 0.09}});
+  const Robot robot = read_robot(written(document)).robot;
+  const dynamics::Joint& knee = robot.tree.bodies[1].joint;
+  EXPECT_EQ(knee.passive.damping, 0.5);
+  EXPECT_EQ(knee.passive.dry_friction, 1.5);
+  EXPECT_EQ(knee.passive.static_friction, 2);
+  EXPECT_EQ(knee.passive.stiffness, 30);
+  EXPECT_EQ(knee.passive.rest_position, -0.25);
+  EXPECT_TRUE(knee.limits.owns_effort);
+  EXPECT_FALSE(knee.limits.owns_speed);
+  const dynamics::PassiveForces& toe = robot.tree.bodies[2].joint.passive;
+  EXPECT_EQ(toe.damping, 5);
+  EXPECT_EQ(toe.dry_friction, 6);
+  EXPECT_EQ(toe.static_friction, 7);
+  EXPECT_EQ(toe.stiffness, 8);
+  EXPECT_EQ(toe.rest_position, 0.09);
+  const nlohmann::ordered_json again = robot_json(robot);
+  for (const json& stated : document["joints"]) {
+    const auto found = std::find_if(again["joints"].begin(), again["joints"].end(),
+                                    [&](const auto& one) { return one["name"] == stated["name"]; });
+    ASSERT_NE(found, again["joints"].end());
+    for (const auto& [key, value] : stated.items()) {
+      if (key.find("friction") != key.npos || key.find("damping") != key.npos ||
+          key.find("s") == 0 || key == "own_limits") {
+        EXPECT_EQ(json((*found)[key]), value) << key;
+      }
+    }
+  }
+}
+
+TEST_F(RobotSpec, RefusesFrictionThatHoldsLessAtRest) {
+  json document = leg();
+  document["joints"][1].update({{"dry_friction_Nm", 1.5}, {"static_friction_Nm", 1}});
+  const auto faults = faults_of(document);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].path, "/joints/1/static_friction_Nm");
+  EXPECT_NE(faults[0].message.find("1 is less than the joint's dry friction of 1.5"),
+            std::string::npos);
+}
+
 TEST_F(RobotSpec, TurnsByRollThenPitchThenYaw) {
   const Eigen::Matrix3d R = read_robot(written(leg())).robot.tree.bodies[1].joint.R_PB;
   const double a = 0.1, b = 0.2, c = 0.3;
@@ -125,6 +181,8 @@ TEST_F(RobotSpec, SaysWhatIsWrongAndWhere) {
       {"/bodies/0/mass_kg", 0, ""},
       {"/joints/1/range_rad", json::array({2, -1}), "not below"},
       {"/joints/1/range_m", json::array({0, 1}), "prismatic"},
+      {"/joints/1/damping_N_s_m", 3, "prismatic"},
+      {"/joints/0/dry_friction_Nm", 3, "revolute"},
       {"/joints/0/torque_limit_Nm", 3, "revolute"},
       {"/joints/1/axis", json::array({0, 0, 0}), "no direction"},
       {"/contacts/0/body", "food", "did you mean \"foot\""},
