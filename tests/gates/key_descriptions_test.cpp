@@ -71,6 +71,9 @@ std::string unit_in_name(const std::string& key) {
   static const std::vector<std::pair<std::string, std::string>> kEndings = {
       {"V_s_rad", "V s/rad"},
       {"Nm_s_rad", "Nm s/rad"},
+      {"N_s_m", "N s/m"},
+      {"Nm_rad", "Nm/rad"},
+      {"N_m", "N/m"},
       {"rpm_V", "rpm/V"},
       {"Nm_A", "Nm/A"},
       {"Nm_s", "Nm s"},
@@ -160,6 +163,8 @@ const std::vector<LeftOut> kLeftOut = {
     {R"(rig: (.*/links(/.*)?|/columns/\*/joint))", "of a serial arm; the example is a pendulum"},
     {R"(robot: /base/(position_m|rotation_rpy_rad))", "of a fixed base"},
     {R"(robot: /joints/\*/(force_limit_N|range_m|reflected_mass_kg|speed_limit_m_s))",
+     "of a prismatic joint"},
+    {R"(robot: /joints/\*/(damping_N_s_m|.*_friction_N|stiffness_N_m|spring_rest_m))",
      "of a prismatic joint"},
     {R"(robot: /mechanisms/\*/(branch|c(oupler|rank).*|ground.*|jacobian|lever.*|rocker.*|rod.*|transmission_angle.*))",
      "of mechanisms that are not direct"},
