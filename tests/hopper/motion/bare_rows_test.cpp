@@ -12,7 +12,7 @@
 namespace torquewright::hopper {
 namespace {
 
-Robot robot_of(const std::string& name) {
+Robot robot_named(const std::string& name) {
   return read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/" + name + ".json").robot;
 }
 
@@ -36,7 +36,7 @@ constexpr const char* kRetargeted =
     "0.3,0.2,1.3,0,1,0,0,0.5,0.03,-0.04\n";
 
 TEST(BareRows, AreTheRowsOfAFileWithAHeader) {
-  const Robot robot = robot_of("hopper");
+  const Robot robot = robot_named("hopper");
   const Motion bare = read(robot, kRetargeted, {{"base", "quaternion_xyzw", "joints"}, 50.0});
   std::string headed =
       "base_x_position_m,base_y_position_m,base_z_position_m,base_qx_position,base_qy_position,"
@@ -52,7 +52,7 @@ TEST(BareRows, AreTheRowsOfAFileWithAHeader) {
 }
 
 TEST(BareRows, MayStandInAnyOrderWithTimesAndColumnsThatDoNotCount) {
-  const Robot robot = robot_of("rabbit");
+  const Robot robot = robot_named("rabbit");
   std::vector<std::string> order{"time", "skip", "pitch", "base", "joints", "skip"};
   std::string row = ",9,0.1,1,2", more;
   for (std::size_t i = 1; i < robot.tree.bodies.size(); ++i) more += ",0." + std::to_string(i);
@@ -64,7 +64,7 @@ TEST(BareRows, MayStandInAnyOrderWithTimesAndColumnsThatDoNotCount) {
 }
 
 TEST(BareRows, AreRefusedByTheWordThatIsWrong) {
-  const Robot robot = robot_of("hopper");
+  const Robot robot = robot_named("hopper");
   const auto said = [&](const std::vector<std::string>& order, double fps) {
     return refusal(robot, kRetargeted, {order, fps});
   };
