@@ -102,11 +102,11 @@ TEST(MjcfWords, MayBeLeftOutWhereThatIsAskedForAndSaid) {
 TEST(MjcfWords, ThatAreLeftBehindAreListedOnce) {
   const std::string notes =
       all_of(mjcf("<sensor/><sensor/><visual/>",
-                  R"(<body name="a"><site/><geom/><joint name="j" stiffness="3" springref="1"
+                  R"(<body name="a"><site/><geom/><joint name="j" springdamper="0.1 1"
               damping="0"/>)" +
                       kPart + "</body>")
                  .notes);
-  EXPECT_NE(notes.find("stiffness of <joint> is a force"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("springdamper of <joint> is a force"), std::string::npos) << notes;
   EXPECT_NE(notes.find(": j\n"), std::string::npos) << notes;
   EXPECT_EQ(notes.find("damping"), std::string::npos) << notes;
   EXPECT_NE(notes.find("<sensor>, <site>, <visual>"), std::string::npos) << notes;

@@ -182,7 +182,7 @@ class Twin {
     dynamics::add_dampers_and_springs(state, ours);
     dynamics::add_dry_friction(state, VectorXd::Zero(size), ours);
     for (Index row = base; row < size; ++row) {
-      const int dof = rows_.dofs[static_cast<std::size_t>(row)];
+      const Index dof = rows_.dofs[static_cast<std::size_t>(row)];
       const int joint = model().dof_jntid[dof];
       const Index at = model().jnt_qposadr[joint];
       const double v = mujoco_.data().qvel[dof];
@@ -226,9 +226,9 @@ class Twin {
 TwinDifference compare_with_mujoco(const hopper::Robot& robot, MujocoEngine& mujoco,
                                    const std::string& top) {
   const int body = find_top(mujoco.model(), top);
-  if (body < 0) return {0, 0, 0, 0, 0, 0, "MuJoCo finds no body of that name"};
+  if (body < 0) return {.trouble = "MuJoCo finds no body of that name"};
   Twin twin(robot, mujoco, body);
-  if (!twin.has_our_size()) return {0, 0, 0, 0, 0, 0, "MuJoCo counts other joints"};
+  if (!twin.has_our_size()) return {.trouble = "MuJoCo counts other joints"};
   return twin.compare();
 }
 

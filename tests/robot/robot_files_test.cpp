@@ -99,13 +99,15 @@ TEST(Urdf, ReadsRotorsOfTransmissions) {
   const Imported read = imported_urdf(R"(<robot name="r"><link name="world"/>
     <link name="a"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
     <joint name="j" type="continuous"><parent link="world"/><child link="a"/>
-      <dynamics damping="0.1"/></joint>
+      <dynamics damping="0.1" friction="0.3"/></joint>
     <transmission><joint name="j"/><actuator name="m"><drake:rotor_inertia value="0.0002"/>
       <drake:gear_ratio value="8"/></actuator></transmission></robot>)");
   EXPECT_EQ(read.robot.tree.base, BaseKind::kFixed);
   EXPECT_NEAR(read.robot.tree.bodies[1].joint.reflected_inertia, 0.0128, 1e-17);
   EXPECT_EQ(read.robot.tree.bodies[1].joint.axis, Vector3d(1, 0, 0));
-  EXPECT_EQ(read.notes.size(), 1u);
+  EXPECT_EQ(read.robot.tree.bodies[1].joint.passive.damping, 0.1);
+  EXPECT_EQ(read.robot.tree.bodies[1].joint.passive.dry_friction, 0.3);
+  EXPECT_TRUE(read.notes.empty());
 }
 
 // Oracle: RaiSim's word, which stands at the joint.
