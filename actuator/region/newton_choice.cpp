@@ -89,7 +89,8 @@ Slope bus_slope(const PhaseModel& model, const QCurrent& q, double d_A, double s
   // The induced part is w (1.5 K_e + r i_d) i_q with i_q a function of i_d.
   const double r = model.reluctance_Nm_A2();
   const double per_q = 1.5 * model.back_emf_V_s_rad + r * d_A;
-  const double first_W = 3.0 * R * (d_A + q.A * q.first) + speed_rad_s * (per_q * q.first + r * q.A);
+  const double first_W =
+      3.0 * R * (d_A + q.A * q.first) + speed_rad_s * (per_q * q.first + r * q.A);
   const double second_W = 3.0 * R * (1.0 + q.first * q.first + q.A * q.second) +
                           speed_rad_s * (per_q * q.second + 2.0 * r * q.first);
   const double per_W = -supply.resistance_ohm / root;

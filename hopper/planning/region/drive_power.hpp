@@ -8,9 +8,9 @@
 
 namespace torquewright::hopper {
 
-/// Power that a drive takes from its bus, as actuator::demand_at has it: shaft, copper and what else
-/// there is between volts times amperes and these, of the motor torque that the load's torque, mean drag and the gear's
-/// losses need. docs/derivations/planned_regions.md eq. (8) to (10).
+/// Power that a drive takes from its bus, as actuator::demand_at has it: shaft, copper and what
+/// else there is between volts times amperes and these, of the motor torque that the load's torque,
+/// mean drag and the gear's losses need. docs/derivations/planned_regions.md eq. (8) to (10).
 class DrivePower {
  public:
   /// Smooth where gear losses and drag turn round, within `step_rad_s` about rest.
