@@ -48,6 +48,11 @@ void add_drives(hopper::Robot& robot) {
   }
 }
 
+/// Joints that stick and slip within a row leave accelerations that are no rates of its velocities.
+void leave_out_dry_friction(hopper::Robot& robot) {
+  for (dynamics::Body& body : robot.tree.bodies) body.joint.passive.dry_friction = 0.0;
+}
+
 void complete_hopper(PublicHopper& hopper) {
   add_contact("heel", "ankle", {-0.08, 0, -0.04}, hopper.robot);
   add_contact("toe", "ankle", {0.17, 0, -0.04}, hopper.robot);
@@ -172,6 +177,7 @@ std::optional<PublicHopper> read_public_hopper(const std::string& name) {
     hopper.name = entry.name;
     hopper.kind = entry.kind;
     hopper.robot = hopper::read_mjcf(robots() / entry.file).robot;
+    leave_out_dry_friction(hopper.robot);
     hopper.stated_contacts = std::move(hopper.robot.contacts);
     hopper.robot.contacts.clear();
     entry.complete(hopper);
