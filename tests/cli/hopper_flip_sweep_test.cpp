@@ -53,6 +53,10 @@ TEST_F(HopperFlipSweep, PlansForEveryRobotAsIfItsDocumentsSaidSo) {
   EXPECT_EQ(swept["options"]["task"], "jump");
   const char* file = "specs/actuator/d151_knee.json";
   place_.write(file, with(place_.text(file), "\"ratio\": 20", "\"ratio\": 16"));
+  const char* robot = "specs/robot/hopper.json";  // whose knee is limited by its drive
+  place_.write(robot,
+               with(place_.text(robot), "\"speed_limit_rad_s\": 10, \"torque_limit_Nm\": 320",
+                    "\"speed_limit_rad_s\": 12.5, \"torque_limit_Nm\": 256"));
   const Outcome by_hand = jump({"-o", "plan.csv", "--json"});
   const json report = json::parse(by_hand.out);
   const json& point = swept["points"][0];

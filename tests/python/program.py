@@ -43,10 +43,11 @@ def printed(*words):
 
 
 def exported_module(*words):
-    """The module of `actuator mor --format python`, loaded."""
+    """The module of `actuator mor --format python` whose limits are the joint's, loaded."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "exported.py"
-        code, _, err = run("actuator", "mor", *words, "--format", "python", "-o", str(file))
+        code, _, err = run("actuator", "mor", *words, "--format", "python", "--friction", "limits",
+                           "-o", str(file))
         assert code == 0, err
         spec = importlib.util.spec_from_file_location("exported", file)
         module = importlib.util.module_from_spec(spec)
