@@ -48,9 +48,10 @@ void add_drives(hopper::Robot& robot) {
   }
 }
 
-/// Joints that stick and slip within a row leave accelerations that are no rates of its velocities.
-void leave_out_dry_friction(hopper::Robot& robot) {
-  for (dynamics::Body& body : robot.tree.bodies) body.joint.passive.dry_friction = 0.0;
+/// These logs are of drives and contacts alone: with the files' own damping and friction small
+/// motions of hips have accelerations that change within a row, and are no rates of its velocities.
+void leave_out_passive_forces(hopper::Robot& robot) {
+  for (dynamics::Body& body : robot.tree.bodies) body.joint.passive = {};
 }
 
 void complete_hopper(PublicHopper& hopper) {
@@ -177,7 +178,7 @@ std::optional<PublicHopper> read_public_hopper(const std::string& name) {
     hopper.name = entry.name;
     hopper.kind = entry.kind;
     hopper.robot = hopper::read_mjcf(robots() / entry.file).robot;
-    leave_out_dry_friction(hopper.robot);
+    leave_out_passive_forces(hopper.robot);
     hopper.stated_contacts = std::move(hopper.robot.contacts);
     hopper.robot.contacts.clear();
     entry.complete(hopper);
