@@ -135,9 +135,9 @@ void note_unknown_limits(const Robot& robot, std::vector<std::string>& notes) {
   }
   if (count == 0) return;
   notes.push_back(fmt::format(
-      "effort or velocity of {} joints is not known: {} stands for no limit, since readers take 0 "
+      "effort or velocity of {} joint{} is not known: {} stands for no limit, since readers take 0 "
       "for no force",
-      count, text_of(kNoLimit)));
+      count, count == 1 ? "" : "s", text_of(kNoLimit)));
 }
 
 std::vector<std::string> notes_of(const Robot& robot) {
