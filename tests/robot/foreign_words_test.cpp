@@ -570,7 +570,7 @@ TEST(UrdfJoints, OfUnknownLimitsAreWrittenAsUnlimited) {
   EXPECT_EQ(written.text.find("effort=\"0\""), std::string::npos) << written.text;
   EXPECT_EQ(written.text.find("velocity=\"0\""), std::string::npos) << written.text;
   EXPECT_NE(written.text.find("effort=\"1000000000\""), std::string::npos) << written.text;
-  EXPECT_NE(all_of(written.notes).find("effort or velocity of 1 joints is not known"),
+  EXPECT_NE(all_of(written.notes).find("effort or velocity of 1 joint is not known"),
             std::string::npos);
   const test::ScratchFolder folder;
   const Imported back = read_urdf(folder.write("back.urdf", written.text));
