@@ -72,7 +72,7 @@ void leave_open(const std::vector<EffectLeftOut>& effects, ReplayResult& result)
   }
   if (effects.empty() || result.outcome.verdict == ReplayVerdict::kUnfinished) return;
   const std::string as_it_went = result.outcome.verdict == ReplayVerdict::kStands
-                                     ? std::string("it stands")
+                                     ? std::string("it does the motion and stands")
                                      : result.outcome.reason;
   result.outcome.verdict = ReplayVerdict::kUndecided;
   result.outcome.reason = fmt::format("{} of {} is left out; without it {}", effects.front().effect,

@@ -11,9 +11,9 @@
 #include "hopper/replay/fall.hpp"
 #include "hopper/replay/free_rotors.hpp"
 #include "hopper/replay/left_out.hpp"
-#include "hopper/replay/sensor_noise.hpp"
 #include "hopper/replay/step_limit.hpp"
-#include "hopper/replay/trial.hpp"
+#include "hopper/trials/sensor_noise.hpp"
+#include "hopper/trials/trial.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/time_text.hpp"
 
@@ -124,7 +124,7 @@ struct Replay::Ready {
                          watching.on_progress};
     ReplayedRun done;
     done.record = run_replay(parts, variation.run);
-    done.result = result_of(moved, reference, done.record, options.standing, options.load_window_s);
+    done.result = result_of(moved, reference, done.record, options.verdict, options.load_window_s);
     leave_open(effects_left_out(of), done.result);
     return done;
   }

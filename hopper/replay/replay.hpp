@@ -8,11 +8,11 @@
 
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/engines/every_engine.hpp"
-#include "hopper/replay/randomisation.hpp"
 #include "hopper/replay/result.hpp"
 #include "hopper/replay/run.hpp"
 #include "hopper/tracking/every_controller.hpp"
 #include "hopper/tracking/reference_clock.hpp"
+#include "hopper/trials/randomisation.hpp"
 
 namespace torquewright::hopper {
 
@@ -24,7 +24,7 @@ struct ReplayOptions {
   ClockOptions clock;
   RunOptions run;
   EngineOptions engine_options;
-  StandingRule standing;
+  VerdictRule verdict;
   double load_window_s = 0.01;
   actuator::OperatingConditions conditions;
 };

@@ -21,9 +21,7 @@ std::string_view name_of(ImpactHandling handling) {
 TrialOutcome trial_outcome(const ReplayResult& result) {
   const ReplayOutcome& outcome = result.outcome;
   TrialOutcome kept;
-  kept.end = outcome.verdict == ReplayVerdict::kStands ? TrialEnd::kStands
-             : outcome.verdict == ReplayVerdict::kFell ? TrialEnd::kFell
-                                                       : TrialEnd::kUnfinished;
+  kept.verdict = outcome.verdict;
   kept.reason = outcome.reason;
   kept.end_time_s = outcome.end_s;
   if (outcome.touch_down) {

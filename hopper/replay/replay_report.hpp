@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "hopper/replay/replay.hpp"
-#include "hopper/replay/run_trials.hpp"
+#include "hopper/trials/explanation.hpp"
 
 namespace torquewright::hopper {
 
@@ -18,6 +18,8 @@ struct ReplayTrials {
   double required_share = 1.0;                        ///< Share of the trials that must stand.
   std::size_t first = 0;                              ///< Number of the first of the outcomes.
   std::vector<std::optional<TrialOutcome>> outcomes;  ///< Outcomes; none: the trial was not begun.
+
+  std::vector<CauseEffect> causes;  ///< Each thing that varies, alone; empty: not asked for.
 
   TrialCounts counts() const { return counted(outcomes); }
 };

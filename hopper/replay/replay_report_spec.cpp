@@ -13,11 +13,35 @@ namespace {
 
 using nlohmann::ordered_json;
 
+ordered_json landing_json(const TouchDown& down) {
+  return {{"time_s", down.time_s},
+          {"planned_s", down.planned_s},
+          {"rotation_short_rad", down.rotation_short_rad}};
+}
+
 ordered_json touch_down_json(const ReplayOutcome& outcome) {
-  if (!outcome.touch_down) return nullptr;
-  return {{"time_s", outcome.touch_down->time_s},
-          {"planned_s", outcome.touch_down->planned_s},
-          {"rotation_short_rad", outcome.touch_down->rotation_short_rad}};
+  return outcome.touch_down ? landing_json(*outcome.touch_down) : ordered_json();
+}
+
+ordered_json landings_json(const ReplayOutcome& outcome) {
+  ordered_json list = ordered_json::array();
+  for (const TouchDown& down : outcome.landings) list.push_back(landing_json(down));
+  return list;
+}
+
+ordered_json deeds_json(const std::vector<Deed>& deeds) {
+  ordered_json list = ordered_json::array();
+  for (const Deed& deed : deeds) {
+    list.push_back({{"deed", deed.name},
+                    {"of", deed.of},
+                    {"planned", deed.planned},
+                    {"done", deed.done},
+                    {"off", deed.off},
+                    {"tolerance", deed.tolerance},
+                    {"unit", deed.unit},
+                    {"is_done", deed.is_done}});
+  }
+  return list;
 }
 
 ordered_json touch_down_load_json(const ReplayResult& result) {
@@ -77,20 +101,9 @@ ordered_json or_null(const std::optional<Value>& value) {
   return value ? ordered_json(*value) : ordered_json();
 }
 
-const char* name_of(TrialEnd end) {
-  switch (end) {
-    case TrialEnd::kStands:
-      return "stands";
-    case TrialEnd::kFell:
-      return "fell";
-    default:
-      return "unfinished";
-  }
-}
-
 /// Of all keys but its number.
 ordered_json outcome_json(const TrialOutcome& outcome) {
-  return {{"verdict", name_of(outcome.end)},
+  return {{"verdict", name_of(outcome.verdict)},
           {"end_s", outcome.end_time_s},
           {"reason", outcome.reason},
           {"touch_down_s", or_null(outcome.touch_down_time_s)},
@@ -109,6 +122,23 @@ std::optional<double> number_or_none(const ordered_json& value) {
   return value.get<double>();
 }
 
+ordered_json causes_json(const std::vector<CauseEffect>& causes) {
+  ordered_json list = ordered_json::array();
+  for (const CauseEffect& effect : causes) {
+    const auto& rotation = effect.rotation;
+    list.push_back(
+        {{"cause", effect.cause},
+         {"count", effect.counts.done()},
+         {"succeeded", effect.counts.succeeded},
+         {"unfinished", effect.counts.unfinished},
+         {"landed", rotation ? rotation->landed : 0},
+         {"rotation_short_rad", rotation ? ordered_json(rotation->mean_rad) : nullptr},
+         {"rotation_deviation_rad", rotation ? ordered_json(rotation->deviation_rad) : nullptr},
+         {"variance_share", or_null(effect.variance_share)}});
+  }
+  return list;
+}
+
 ordered_json trials_json(const ReplayTrials& trials) {
   const TrialCounts counts = trials.counts();
   const ShareInterval interval = success_interval(counts);
@@ -116,13 +146,15 @@ ordered_json trials_json(const ReplayTrials& trials) {
   for (std::size_t i = 0; i < trials.outcomes.size(); ++i) {
     if (trials.outcomes[i]) list.push_back(trial_json(trials.first + i, *trials.outcomes[i]));
   }
-  return {{"count", counts.done()},
-          {"succeeded", counts.succeeded},
-          {"interval", {interval.least, interval.greatest}},
-          {"unfinished", counts.unfinished},
-          {"required_share", trials.required_share},
-          {"seed", trials.seed},
-          {"list", list}};
+  ordered_json keys = {{"count", counts.done()},
+                       {"succeeded", counts.succeeded},
+                       {"interval", {interval.least, interval.greatest}},
+                       {"unfinished", counts.unfinished},
+                       {"required_share", trials.required_share},
+                       {"seed", trials.seed},
+                       {"list", list}};
+  if (!trials.causes.empty()) keys["causes"] = causes_json(trials.causes);
+  return keys;
 }
 
 }  // namespace
@@ -134,9 +166,7 @@ std::string trial_text(const TrialOutcome& outcome) {
 TrialOutcome trial_of(const std::string& text) {
   const ordered_json keys = ordered_json::parse(text);
   TrialOutcome outcome;
-  for (const TrialEnd end : {TrialEnd::kStands, TrialEnd::kFell, TrialEnd::kUnfinished}) {
-    if (keys.at("verdict") == name_of(end)) outcome.end = end;
-  }
+  outcome.verdict = verdict_named(keys.at("verdict").get<std::string>());
   outcome.reason = keys.at("reason");
   outcome.end_time_s = keys.at("end_s");
   outcome.touch_down_time_s = number_or_none(keys.at("touch_down_s"));
@@ -164,6 +194,8 @@ ordered_json replay_report_json(const ReplayReport& report) {
       {"control_period_s", options.run.step_s * options.run.steps_per_control},
       {"latency_s", options.run.step_s * options.run.latency_steps},
       {"touch_down", touch_down_json(outcome)},
+      {"landings", landings_json(outcome)},
+      {"deeds", deeds_json(outcome.deeds)},
       {"end",
        {{"time_s", outcome.end_s},
         {"foot_at_rest_s", outcome.foot_at_rest_s},

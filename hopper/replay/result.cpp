@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hopper/replay/load_window.hpp"
+#include "hopper/record/load_window.hpp"
 #include "io/text/time_text.hpp"
 #include "robot/model/whole_body.hpp"
 
@@ -148,9 +148,9 @@ void add_starved(const Record& record, std::vector<Finding>& findings) {
 }  // namespace
 
 ReplayResult result_of(const Robot& robot, const Reference& reference, const Record& record,
-                       const StandingRule& standing, double load_window_s) {
+                       const VerdictRule& rule, double load_window_s) {
   ReplayResult result;
-  result.outcome = outcome_of(robot, reference, record, standing);
+  result.outcome = outcome_of(robot, reference, record, rule);
   result.drives = named_drives(robot);
   note_errors(robot, reference, record, result.drives);
   note_torques(record, result.drives);

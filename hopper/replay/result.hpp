@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hopper/check/checked_motion.hpp"
-#include "hopper/replay/verdict.hpp"
+#include "hopper/verdict/verdict.hpp"
 
 namespace torquewright::hopper {
 
@@ -50,6 +50,6 @@ struct ReplayResult {
 /// Returns the result of a run. `robot` is the one of the run; loads are means over
 /// `load_window_s`.
 ReplayResult result_of(const Robot& robot, const Reference& reference, const Record& record,
-                       const StandingRule& standing, double load_window_s);
+                       const VerdictRule& rule, double load_window_s);
 
 }  // namespace torquewright::hopper

@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "hopper/engines/engine.hpp"
+#include "hopper/record/record.hpp"
 #include "hopper/replay/powered_drives.hpp"
-#include "hopper/replay/record.hpp"
-#include "hopper/replay/trial_start.hpp"
 #include "hopper/tracking/controller.hpp"
+#include "hopper/trials/trial_start.hpp"
 
 namespace torquewright::hopper {
 

@@ -79,6 +79,32 @@ void add_tracking_options(command_line::Command& command, HopperReplayRequest& r
       .between(1e-5, 1.0);
 }
 
+void add_verdict_options(command_line::Command& command, HopperReplayRequest& request) {
+  hopper::DeedTolerances& deeds = request.deeds;
+  command
+      .add_option("--flight-tolerance", deeds.share,
+                  "Share by which a flight's duration and the way to a place may be off, a rise by "
+                  "twice that share")
+      .between(0.001, 0.45);
+  command
+      .add_option("--place-tolerance", deeds.place_m,
+                  "How far feet may be from where the motion puts them, in m, beside that share "
+                  "of the way")
+      .between(1e-4, 100.0);
+  command
+      .add_option("--rotation-tolerance", deeds.turn_rad,
+                  "By how much the base may have turned more or less than the motion's, in rad")
+      .between(1e-3, 100.0);
+  command
+      .add_option("--joint-tolerance", deeds.joint_rad,
+                  "How far a joint may be from the motion's last posture, in rad")
+      .between(1e-3, 100.0);
+  command
+      .add_option("--slide-tolerance", deeds.slide_m,
+                  "How far a slide may be from the motion's last posture, in m")
+      .between(1e-4, 100.0);
+}
+
 void add_trial_options(command_line::Command& command, HopperReplayRequest& request) {
   command
       .add_option("--trials", request.trials,
@@ -97,9 +123,15 @@ void add_trial_options(command_line::Command& command, HopperReplayRequest& requ
       .integer_between(0, 999999)
       .needs("--trials");
   command
-      .add_option("--success-rate", request.success_rate,
-                  "Share of the trials in which the robot must stand, for exit code 0")
+      .add_option(
+          "--success-rate", request.success_rate,
+          "Share of the trials in which the robot must do the motion and stand, for exit code 0")
       .between(0.0, 1.0)
+      .needs("--trials");
+  command
+      .add_flag("--explain", request.explains,
+                "Run as many trials again for each thing that varies, alone: which one it is that "
+                "the robot does not bear")
       .needs("--trials");
   command.add_option("--threads", request.threads, "How many threads run trials")
       .otherwise("as many as the processor runs at once")
@@ -141,6 +173,7 @@ void add_hopper_replay_options(command_line::Command& command, HopperReplayReque
       .between(1e-6, 10.0);
   add_simulation_options(command, request);
   add_tracking_options(command, request);
+  add_verdict_options(command, request);
   add_trial_options(command, request);
   add_output_options(command, request);
 }

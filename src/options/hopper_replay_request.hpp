@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "hopper/verdict/deed.hpp"
 #include "src/options/hopper_check_request.hpp"
 
 namespace torquewright::cli {
@@ -27,12 +28,14 @@ struct HopperReplayRequest {
   double stand_s = 1.0;
   double ground_rise_m = 0.0;
   double contact_time_constant_s = 0.001;
+  hopper::DeedTolerances deeds;
   bool sweep = false;
   std::uint64_t trials = 0;  ///< 0: one run as documented.
   std::string randomise_file;
   std::uint64_t seed = 1;
   std::int64_t only_trial = -1;  ///< Negative: all.
   double success_rate = 1.0;
+  bool explains = false;    ///< Whether each thing that varies is tried alone as well.
   PointOptions points;      ///< Of trials by processes.
   std::size_t threads = 0;  ///< 0: as many as the processor runs at once.
   std::string report_file;

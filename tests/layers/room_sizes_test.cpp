@@ -31,7 +31,6 @@ constexpr Exception kExceptions[] = {
     {"actuator/lint", 29, 8, kLikeParts},
     {"actuator/region", 22, 7, kToBeSplit},
     {"hopper/check", 34, 9, "its rules are parts of one kind; the rest is to be split"},
-    {"hopper/replay", 29, 9, kToBeSplit},
     {"identification/log", 28, 9, kToBeSplit},
     {"identification/signals", 18, 7, kToBeSplit},
 };

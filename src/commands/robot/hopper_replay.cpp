@@ -10,9 +10,10 @@
 
 #include "hopper/check/series.hpp"
 #include "hopper/engines/library.hpp"
-#include "hopper/replay/randomisation_spec.hpp"
-#include "hopper/replay/run_series.hpp"
+#include "hopper/record/run_series.hpp"
 #include "hopper/tracking/library.hpp"
+#include "hopper/trials/causes.hpp"
+#include "hopper/trials/randomisation_spec.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "src/commands/robot/hopper_check_inputs.hpp"
@@ -127,7 +128,9 @@ hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
   options.run = run_of(request);
   options.engine_options.ground_height_m = options.run.ground_height_m;
   options.engine_options.contact_time_constant_s = request.contact_time_constant_s;
-  options.standing.at_rest_s = std::min(options.standing.at_rest_s, 0.5 * request.stand_s);
+  options.verdict.standing.at_rest_s =
+      std::min(options.verdict.standing.at_rest_s, 0.5 * request.stand_s);
+  options.verdict.deeds = request.deeds;
   options.load_window_s = request.motion.check.load_window_s;
   options.conditions = inputs.check.conditions;
   return options;
@@ -156,12 +159,18 @@ std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& 
                "needs --randomise FILE, a document of kind randomisation: what differs from trial "
                "to trial");
   }
+  if (request.explains && asks_for_processes(request.points)) {
+    io::refuse("--explain", "runs its trials by threads: leave out --jobs and --sweep-journal");
+  }
+  if (request.explains && request.only_trial >= 0) {
+    io::refuse("--explain", "is of many trials, and --trial runs one alone");
+  }
   if (request.only_trial >= static_cast<std::int64_t>(request.trials)) {
     io::refuse("--trial", fmt::format("{} is none of the trials 0 to {}", request.only_trial,
                                       request.trials - 1));
   }
   hopper::ReadRandomisation read = hopper::read_randomisation(request.randomise_file);
-  if (!hopper::varies(read.randomisation)) {
+  if (hopper::causes_of(read.randomisation).empty()) {
     io::refuse(
         request.randomise_file,
         "varies nothing: every trial would be the same run, and their rate would say nothing; "
@@ -186,6 +195,8 @@ ExitCode code_of(hopper::ReplayVerdict verdict) {
   switch (verdict) {
     case hopper::ReplayVerdict::kStands:
       return ExitCode::kPasses;
+    case hopper::ReplayVerdict::kMissed:
+    case hopper::ReplayVerdict::kTrembles:
     case hopper::ReplayVerdict::kFell:
       return ExitCode::kFails;
     default:
@@ -231,6 +242,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
     trials = run_replay_trials(replay, randomised->randomisation, request,
                                hopper_trials_fingerprint(request, inputs, motion));
     if (!trials) return ExitCode::kPasses;  // a worker's work is done
+    if (request.explains) explain_trials(replay, randomised->randomisation, request, *trials);
   }
   hopper::ReplayedRun run = run_once(replay, "replaying");
   hopper::ReplayReport report{replay.options(), std::move(run.result), {}, {}};

@@ -37,6 +37,11 @@ nlohmann::ordered_json request_json(const HopperReplayRequest& request) {
   add("ground_rise_m", request.ground_rise_m, usual.ground_rise_m);
   add("trials", request.trials, usual.trials);
   if (request.only_trial >= 0) json["trial"] = request.only_trial;
+  add("flight_tolerance", request.deeds.share, usual.deeds.share);
+  add("place_tolerance_m", request.deeds.place_m, usual.deeds.place_m);
+  add("rotation_tolerance_rad", request.deeds.turn_rad, usual.deeds.turn_rad);
+  add("joint_tolerance_rad", request.deeds.joint_rad, usual.deeds.joint_rad);
+  add("slide_tolerance_m", request.deeds.slide_m, usual.deeds.slide_m);
   add("ground_time_constant_s", request.contact_time_constant_s, usual.contact_time_constant_s);
   return json;
 }

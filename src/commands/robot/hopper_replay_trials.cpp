@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "hopper/replay/replay_report_spec.hpp"
+#include "hopper/trials/causes.hpp"
 #include "src/interrupt.hpp"
 #include "src/report/parts/progress_line.hpp"
 #include "src/sweep/sweep.hpp"
@@ -19,7 +20,7 @@ hopper::TrialOutcome trial(const hopper::Replay& replay, const hopper::Randomisa
 }
 
 std::vector<std::optional<hopper::TrialOutcome>> by_threads(
-    std::size_t count, std::size_t threads,
+    const std::string& what, std::size_t count, std::size_t threads,
     const std::function<hopper::TrialOutcome(std::size_t)>& run_one) {
   report::ProgressLine progress;
   hopper::TrialRun run;
@@ -27,7 +28,7 @@ std::vector<std::optional<hopper::TrialOutcome>> by_threads(
   run.threads = threads;
   run.should_stop = is_interrupted;
   run.progress = [&](std::size_t done) {
-    progress.show(fmt::format("trials: {} of {}", done, count));
+    progress.show(fmt::format("{}: {} of {}", what, done, count));
   };
   return hopper::run_trials(run, run_one);
 }
@@ -47,7 +48,7 @@ std::optional<hopper::ReplayTrials> run_replay_trials(const hopper::Replay& repl
                                                       const hopper::Randomisation& randomisation,
                                                       const HopperReplayRequest& request,
                                                       const std::string& fingerprint) {
-  hopper::ReplayTrials trials{request.seed, request.success_rate, 0, {}};
+  hopper::ReplayTrials trials{request.seed, request.success_rate, 0, {}, {}};
   std::size_t count = request.trials;
   if (request.only_trial >= 0) {
     trials.first = static_cast<std::size_t>(request.only_trial);
@@ -57,7 +58,7 @@ std::optional<hopper::ReplayTrials> run_replay_trials(const hopper::Replay& repl
     return trial(replay, randomisation, request.seed, trials.first + number);
   };
   if (!asks_for_processes(request.points)) {
-    trials.outcomes = by_threads(count, request.threads, run_one);
+    trials.outcomes = by_threads("trials", count, request.threads, run_one);
     return trials;
   }
   sweep::Request points;
@@ -76,6 +77,16 @@ std::optional<hopper::ReplayTrials> run_replay_trials(const hopper::Replay& repl
   if (!outcome) return std::nullopt;
   for (const auto& answer : outcome->answers) trials.outcomes.push_back(outcome_of(answer));
   return trials;
+}
+
+void explain_trials(const hopper::Replay& replay, const hopper::Randomisation& randomisation,
+                    const HopperReplayRequest& request, hopper::ReplayTrials& trials) {
+  for (const hopper::Cause& cause : hopper::causes_of(randomisation)) {
+    const auto alone = by_threads(
+        cause.name, request.trials, request.threads,
+        [&](std::size_t number) { return trial(replay, cause.alone, request.seed, number); });
+    trials.causes.push_back(hopper::effect_of_cause(cause.name, alone, trials.outcomes));
+  }
 }
 
 }  // namespace torquewright::cli

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "hopper/replay/randomisation_spec.hpp"
 #include "hopper/replay/replay_report.hpp"
+#include "hopper/trials/randomisation_spec.hpp"
 #include "src/options/hopper_replay_request.hpp"
 
 namespace torquewright::cli {
@@ -17,5 +17,9 @@ std::optional<hopper::ReplayTrials> run_replay_trials(const hopper::Replay& repl
                                                       const hopper::Randomisation& randomisation,
                                                       const HopperReplayRequest& request,
                                                       const std::string& fingerprint);
+
+/// Runs as many trials again for each thing that varies, alone, and notes what they come to.
+void explain_trials(const hopper::Replay& replay, const hopper::Randomisation& randomisation,
+                    const HopperReplayRequest& request, hopper::ReplayTrials& trials);
 
 }  // namespace torquewright::cli

@@ -43,8 +43,8 @@ std::string verdict_section(const ReplayPage& page) {
 double begin_time_s(const ReplayPage& page) {
   const hopper::ReplayOutcome& outcome = page.report.result.outcome;
   if (outcome.touch_down) return outcome.touch_down->time_s;
-  const bool stands = outcome.verdict == hopper::ReplayVerdict::kStands;
-  return stands ? page.record.rows.front().time_s : page.record.rows.back().time_s;
+  const bool is_up = !outcome.deeds.empty();
+  return is_up ? page.record.rows.front().time_s : page.record.rows.back().time_s;
 }
 
 Index row_at(const VectorXd& times_s, double time_s) {
@@ -159,6 +159,7 @@ std::string replay_html(const ReplayPage& page) {
   text += verdict_section(page);
   std::string numbers;
   const std::string ends = page_section("How it ended", end_table(page)) +
+                           page_section("What trials do not bear", causes_table(page)) +
                            page_section("With other steps of the engine", sweep_table(page));
   if (!page.record.rows.empty()) {
     const ShownRun run = shown_run(page);

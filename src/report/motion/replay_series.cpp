@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hopper/replay/run_series.hpp"
+#include "hopper/record/run_series.hpp"
 #include "optimization/fit/quantile.hpp"
 #include "src/report/robot/hopper_charts.hpp"
 

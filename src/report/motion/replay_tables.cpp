@@ -24,11 +24,14 @@ std::string table_of(const char* caption, const std::vector<std::string>& headin
 std::string end_table(const ReplayPage& page) {
   const hopper::ReplayResult& result = page.report.result;
   Rows rows;
-  if (result.outcome.touch_down) {
-    rows.push_back({"landing", landing_words(*result.outcome.touch_down)});
+  for (const hopper::TouchDown& down : result.outcome.landings) {
+    rows.push_back({"landing", landing_words(down)});
   }
   if (result.touch_down_load) rows.push_back({"there", ground_words(*result.touch_down_load)});
   rows.push_back({"end", end_words(page.motion, result.outcome)});
+  for (const hopper::Deed& deed : result.outcome.deeds) {
+    rows.push_back({deed.is_done ? "did" : "missed", deed_words(deed)});
+  }
   rows.push_back({"battery", battery_words(result)});
   if (page.report.trials) {
     rows.push_back({"trials", rate_words(*page.report.trials)});
@@ -38,6 +41,24 @@ std::string end_table(const ReplayPage& page) {
   }
   rows.push_back({"simulated", simulation_words(page.report.options)});
   return page_table("How it ended", {"what", "how"}, rows);
+}
+
+std::string causes_table(const ReplayPage& page) {
+  if (!page.report.trials) return "";
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  Rows rows;
+  for (const hopper::CauseEffect& effect : page.report.trials->causes) {
+    auto& row = rows.emplace_back();
+    row = {effect.cause, fmt::format("{} of {}", effect.counts.succeeded, effect.counts.done()),
+           "-", "-"};
+    if (effect.rotation) {
+      row[2] = fmt::format("{:.2f} +- {:.2f}", kDegrees * effect.rotation->mean_rad,
+                           kDegrees * effect.rotation->deviation_rad);
+    }
+    if (effect.variance_share) row[3] = fmt::format("{:.0f} %", 100.0 * *effect.variance_share);
+  }
+  return table_of("Each thing that varies, alone",
+                  {"varied", "do it and stand", "degrees short", "of the variance"}, rows);
 }
 
 std::string sweep_table(const ReplayPage& page) {

@@ -17,13 +17,17 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string end_lines(const Motion& motion, const ReplayResult& result) {
   std::string text;
-  if (result.outcome.touch_down) {
-    text += "  landing  " + landing_words(*result.outcome.touch_down) + "\n";
+  for (const TouchDown& down : result.outcome.landings) {
+    text += "  landing  " + landing_words(down) + "\n";
   }
   if (result.touch_down_load) {
     text += "           " + ground_words(*result.touch_down_load) + "\n";
   }
-  return text + "  end      " + end_words(motion, result.outcome) + "\n";
+  text += "  end      " + end_words(motion, result.outcome) + "\n";
+  for (const Deed& deed : result.outcome.deeds) {
+    text += fmt::format("  {:<7}  {}\n", deed.is_done ? "did" : "MISSED", deed_words(deed));
+  }
+  return text;
 }
 
 std::string drive_lines(const ReplayResult& result, std::size_t index) {
@@ -85,16 +89,19 @@ std::string trials_lines(const ReplayTrials& trials) {
   std::size_t shown = 0;
   for (std::size_t i = 0; i < trials.outcomes.size(); ++i) {
     const std::optional<TrialOutcome>& outcome = trials.outcomes[i];
-    if (!outcome || outcome->end == TrialEnd::kStands) continue;
+    if (!outcome || outcome->verdict == ReplayVerdict::kStands) continue;
     if (++shown > kShownFailures) continue;
-    text += fmt::format("  trial {:<4}  t = {:.3f} s: {}\n", trials.first + i, outcome->end_time_s,
-                        outcome->reason);
+    text += fmt::format("  trial {:<4}  {} t = {:.3f} s: {}\n", trials.first + i,
+                        name_of(outcome->verdict), outcome->end_time_s, outcome->reason);
   }
   if (shown > kShownFailures) {
     text += fmt::format("  and {} more (--json lists all; --trial N repeats one alone)\n",
                         shown - kShownFailures);
   }
-  return text;
+  if (trials.causes.empty() && counts.failed > 0) {
+    text += "  --explain tries each thing that varies alone\n";
+  }
+  return text + explanation_lines(trials);
 }
 
 }  // namespace

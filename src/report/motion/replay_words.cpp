@@ -37,6 +37,11 @@ std::string landing_words(const TouchDown& down) {
                      rotation_words(down.rotation_short_rad));
 }
 
+std::string deed_words(const Deed& deed) {
+  return fmt::format("{} (off by {:.2g} {}, where {:.2g} may be)", deed.sentence, deed.off,
+                     deed.unit, deed.tolerance);
+}
+
 std::string ground_words(const TouchDownLoad& load) {
   return fmt::format(
       "the ground gives ({:.3g}, {:.3g}, {:.3g}) N s in {:g} ms, {:.4g} N at most (mean of {:g} "
@@ -69,7 +74,8 @@ std::string rate_words(const ReplayTrials& trials) {
   const TrialCounts counts = trials.counts();
   const ShareInterval interval = success_interval(counts);
   return fmt::format(
-      "{} of {} randomised trials stand: {:.1f} %, with 95 % between {:.1f} and {:.1f} % (seed {})",
+      "{} of {} randomised trials did it and stand: {:.1f} %, with 95 % between {:.1f} and {:.1f} "
+      "% (seed {})",
       counts.succeeded, counts.done(),
       counts.done() > 0
           ? 100.0 * static_cast<double>(counts.succeeded) / static_cast<double>(counts.done())

@@ -19,7 +19,13 @@ std::string ground_words(const hopper::TouchDownLoad& load);
 std::string end_words(const hopper::Motion& motion, const hopper::ReplayOutcome& outcome);
 std::string battery_words(const hopper::ReplayResult& result);
 std::string clipped_words(const hopper::DriveReplay& drive);
-/// How many trials stand, and the interval of the rate; nothing of those that are unfinished.
+/// A deed with how far it is off and how far it may be.
+std::string deed_words(const hopper::Deed& deed);
+/// How many trials did it and stand, and the interval of the rate; nothing of those that are
+/// unfinished.
 std::string rate_words(const hopper::ReplayTrials& trials);
+/// Where trials landed, and what each cause does alone: tables of text; empty where nothing landed
+/// and no causes were tried.
+std::string explanation_lines(const hopper::ReplayTrials& trials);
 
 }  // namespace torquewright::report

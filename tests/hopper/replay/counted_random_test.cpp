@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/replay/counted_random.hpp"
+#include "hopper/trials/counted_random.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/replay/drawn_numbers.hpp"
+#include "hopper/trials/drawn_numbers.hpp"
 
 #include <gtest/gtest.h>
 

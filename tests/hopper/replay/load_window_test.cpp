@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What passes the gears in a run. Oracles: the check's own window, which knows no steps; Newton's
 // law of a rotor and its load; areas by hand.
-#include "hopper/replay/load_window.hpp"
+#include "hopper/record/load_window.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/replay/step_window.hpp"
+#include "hopper/record/step_window.hpp"
 #include "robot/model/robot_spec.hpp"
 #include "tests/hopper/replay/driven_robot.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/replay/randomisation_spec.hpp"
+#include "hopper/trials/randomisation_spec.hpp"
 #include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper::test {

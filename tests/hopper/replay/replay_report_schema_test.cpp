@@ -31,7 +31,7 @@ TEST(ReplayReportSchema, TakesWhatWasPromised) {
   report.erase("trials");
   EXPECT_TRUE(conforms(report));
   report["touch_down"] = nullptr;  // without a flight
-  for (const char* verdict : {"stands", "fell", "unfinished"}) {
+  for (const char* verdict : {"stands", "missed", "trembles", "fell", "unfinished"}) {
     report["verdict"] = verdict;
     EXPECT_TRUE(conforms(report)) << verdict;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/replay/run_trials.hpp"
+#include "hopper/trials/run_trials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 TrialOutcome outcome_of(std::size_t number) {
   if (number % 5 == 0) std::this_thread::sleep_for(std::chrono::microseconds(300));
   TrialOutcome outcome;
-  outcome.end = number % 3 == 0 ? TrialEnd::kFell : TrialEnd::kStands;
+  outcome.verdict = number % 3 == 0 ? ReplayVerdict::kFell : ReplayVerdict::kStands;
   outcome.end_time_s = static_cast<double>(number);
   return outcome;
 }
@@ -31,7 +31,7 @@ TEST(RunTrials, AnswersInTheOrderOfNumbersWhateverTheThreads) {
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       ASSERT_TRUE(outcomes[i]) << i;
       EXPECT_EQ(outcomes[i]->end_time_s, static_cast<double>(i));
-      EXPECT_EQ(outcomes[i]->end, outcome_of(i).end);
+      EXPECT_EQ(outcomes[i]->verdict, outcome_of(i).verdict);
     }
     const TrialCounts counts = counted(outcomes);
     EXPECT_EQ(counts.failed, 67u);  // 0, 3, ... 198
@@ -56,7 +56,7 @@ TEST(RunTrials, KeepsWhatIsDoneWhenStopped) {
     const auto trial = [&](std::size_t number) {
       ++begun;
       TrialOutcome outcome = outcome_of(number);
-      if (number == 2) outcome.end = TrialEnd::kUnfinished;
+      if (number == 2) outcome.verdict = ReplayVerdict::kUnfinished;
       return outcome;
     };
     const auto outcomes = run_trials({1000, threads, stops, {}}, trial);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/replay/sensor_noise.hpp"
+#include "hopper/trials/sensor_noise.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/replay/success_rate.hpp"
+#include "hopper/trials/success_rate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/replay/trial.hpp"
+#include "hopper/trials/trial.hpp"
 
 #include <gtest/gtest.h>
 
