@@ -12,6 +12,7 @@
 #include "hopper/replay/free_rotors.hpp"
 #include "hopper/replay/left_out.hpp"
 #include "hopper/replay/step_limit.hpp"
+#include "hopper/trials/sensor_filter.hpp"
 #include "hopper/trials/sensor_noise.hpp"
 #include "hopper/trials/trial.hpp"
 #include "io/faults/refusal.hpp"
@@ -156,6 +157,7 @@ ReplayedRun Replay::run_trial(const Randomisation& randomisation, std::uint64_t 
   const Trial trial = draw_trial(randomisation, ready.robot, seed, number);
   const Robot robot = perturbed(ready.robot, trial);
   const SensorNoise noise(randomisation.noise, ready.robot.tree, seed, number);
+  SensorFilter filter(randomisation.noise, ready.robot.tree);
   Variation variation = ready.plain();
   variation.start = start_of(robot, ready.reference, trial);
   variation.conditions = conditions_of(trial, ready.options.conditions);
@@ -164,8 +166,10 @@ ReplayedRun Replay::run_trial(const Randomisation& randomisation, std::uint64_t 
   variation.run.ground_height_m += trial.ground_height_m;
   variation.run.latency_steps +=
       static_cast<int>(std::lround(trial.latency_s / variation.run.step_s));
-  variation.sense = [&noise](std::uint64_t look, Observation& seen) {
+  const bool filters = ready.options.filters_noise;
+  variation.sense = [&noise, &filter, filters](std::uint64_t look, Observation& seen) {
     noise.disturb(look, seen.position, seen.velocity);
+    if (filters) filter.estimate(seen.time_s, seen.position, seen.velocity);
   };
   return ready.run(robot, variation, watching);
 }

@@ -129,6 +129,11 @@ void add_trial_options(command_line::Command& command, HopperReplayRequest& requ
       .between(0.0, 1.0)
       .needs("--trials");
   command
+      .add_flag("--no-filter", request.without_filter,
+                "Show the controller noisy sensors as they are, without the filter of rates and "
+                "positions")
+      .needs("--trials");
+  command
       .add_flag("--explain", request.explains,
                 "Run as many trials again for each thing that varies, alone: which one it is that "
                 "the robot does not bear")

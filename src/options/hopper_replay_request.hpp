@@ -35,6 +35,7 @@ struct HopperReplayRequest {
   std::uint64_t seed = 1;
   std::int64_t only_trial = -1;  ///< Negative: all.
   double success_rate = 1.0;
+  bool without_filter = false;
   bool explains = false;    ///< Whether each thing that varies is tried alone as well.
   PointOptions points;      ///< Of trials by processes.
   std::size_t threads = 0;  ///< 0: as many as the processor runs at once.

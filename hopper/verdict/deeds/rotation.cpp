@@ -8,10 +8,17 @@
 #include "hopper/verdict/turn.hpp"
 
 namespace torquewright::hopper {
+namespace {
+
+/// In degrees to a tenth; what rounding left of nothing has no sign.
+double shown_deg(double angle_rad) {
+  return std::round(10.0 * angle_rad * 180.0 / std::numbers::pi) / 10.0 + 0.0;
+}
+
+}  // namespace
 
 std::vector<Deed> rotation(const Attempt& attempt) {
   if (attempt.robot.tree.base == dynamics::BaseKind::kFixed) return {};
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   const dynamics::Tree& tree = attempt.robot.tree;
   const Eigen::Vector3d planned_rad = planned_turn_rad(
       tree, attempt.reference, attempt.record.control_period_s, attempt.reference.ends_s());
@@ -24,8 +31,8 @@ std::vector<Deed> rotation(const Attempt& attempt) {
   deed.off = std::abs(deed.done - deed.planned);
   deed.tolerance = attempt.tolerances.turn_rad;
   deed.is_done = deed.off <= deed.tolerance;
-  deed.sentence = fmt::format("the base turns by {:.1f} of {:.1f} degrees", kDegrees * deed.done,
-                              kDegrees * deed.planned);
+  deed.sentence = fmt::format("the base turns by {:.1f} of {:.1f} degrees", shown_deg(deed.done),
+                              shown_deg(deed.planned));
   return {deed};
 }
 

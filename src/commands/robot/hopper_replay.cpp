@@ -132,6 +132,7 @@ hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
       std::min(options.verdict.standing.at_rest_s, 0.5 * request.stand_s);
   options.verdict.deeds = request.deeds;
   options.load_window_s = request.motion.check.load_window_s;
+  options.filters_noise = !request.without_filter;
   options.conditions = inputs.check.conditions;
   return options;
 }

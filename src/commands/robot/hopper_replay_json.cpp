@@ -42,6 +42,7 @@ nlohmann::ordered_json request_json(const HopperReplayRequest& request) {
   add("rotation_tolerance_rad", request.deeds.turn_rad, usual.deeds.turn_rad);
   add("joint_tolerance_rad", request.deeds.joint_rad, usual.deeds.joint_rad);
   add("slide_tolerance_m", request.deeds.slide_m, usual.deeds.slide_m);
+  add("no_filter", request.without_filter, usual.without_filter);
   add("ground_time_constant_s", request.contact_time_constant_s, usual.contact_time_constant_s);
   return json;
 }
