@@ -61,7 +61,8 @@ void require_replayable(const Robot& robot, const Motion& motion, const HopperRe
 }
 
 TrackingOptions tracking_options(const ReplayOptions& options) {
-  return {options.run.step_s * options.run.steps_per_control, options.clock, options.impact};
+  return {options.run.step_s * options.run.steps_per_control, options.clock, options.impact,
+          options.acts_late || options.run.latency_steps > 0};
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ struct ReplayOptions {
   EngineOptions engine_options;
   VerdictRule verdict;
   double load_window_s = 0.01;
+  bool acts_late = false;     ///< Whether some run has a latency.
   bool filters_noise = true;  ///< Whether a filter stands between noisy sensors and controller.
   actuator::OperatingConditions conditions;
 };

@@ -14,6 +14,7 @@ struct TrackingOptions {
   double control_period_s = 5e-4;  ///< Time between looks; torques are held over it.
   ClockOptions clock;
   ImpactOptions impact;
+  bool acts_late = false;  ///< Whether torques may act later than the look that they answer.
 };
 
 /// A controller made ready for a robot and a motion once, for any number of runs and threads.

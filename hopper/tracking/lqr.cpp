@@ -95,8 +95,8 @@ class Recursion {
     for (std::size_t mode = by_mode.size(); mode-- > 0;) {
       if (!go_back_over(mode, by_mode[mode])) return std::move(result_);
     }
-    result_.gains =
-        std::make_shared<const GainSchedule>(std::move(by_mode), after_end_, reference_->ends_s());
+    result_.gains = std::make_shared<const GainSchedule>(
+        std::move(by_mode), after_end_, std::move(model_after_), reference_->ends_s());
     return std::move(result_);
   }
 
@@ -143,6 +143,12 @@ class Recursion {
     return true;
   }
 
+  /// A step's model in whole errors.
+  static ErrorModel whole_model(const LinearStep& step, const ErrorSpace& from,
+                                const ErrorSpace& to) {
+    return {to.from_free * step.A * from.to_free, to.from_free * step.B};
+  }
+
   bool end() {
     constexpr double kWeightsLast_s = 0.1;
     const ContactMode& last = reference_->modes().back();
@@ -152,6 +158,7 @@ class Recursion {
     if (!step_between(knot, knot.space, last.touches, options_.control_period_s, step))
       return false;
     next_ = knot.space;
+    if (options_.foretells) model_after_ = whole_model(step, knot.space, knot.space);
     if (options_.end == LqrEnd::kWeights) {
       cost_ = kWeightsLast_s / options_.control_period_s * step.Q;
       after_end_ = riccati_step(step, cost_).gain * knot.space.to_free;
@@ -183,6 +190,7 @@ class Recursion {
     stretch.from_s = here.from_s;
     stretch.step_s = steps > 0 ? length_s / static_cast<double>(steps) : 0.0;
     stretch.gains.resize(steps);
+    if (options_.foretells) stretch.models.resize(steps);
     Knot to, from;
     // The later side of a border is the next mode's.
     if (!set(std::nextafter(here.until_s, here.from_s), here.touches, to)) return false;
@@ -202,6 +210,7 @@ class Recursion {
       }
       cost_ = back.cost;
       stretch.gains[i] = back.gain * from.space.to_free;
+      if (options_.foretells) stretch.models[i] = whole_model(step, from.space, to.space);
       std::swap(to, from);
     }
     next_ = to.space;
@@ -216,6 +225,7 @@ class Recursion {
   MatrixXd cost_;    ///< Of errors that the space behind leaves free.
   ErrorSpace next_;  ///< That space.
   MatrixXd after_end_;
+  ErrorModel model_after_;
   LqrResult result_;
 };
 

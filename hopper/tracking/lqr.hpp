@@ -32,6 +32,8 @@ struct LqrOptions {
   /// Torques by drive, at its output, in place of the two shares; empty: the shares hold.
   Eigen::VectorXd torque_Nm;
   LqrEnd end = LqrEnd::kSteadyState;
+  /// Whether the model of errors is kept beside the gains, for a controller whose torques act late.
+  bool foretells = false;
 };
 
 /// Gains of a whole motion, for any number of controllers and threads.

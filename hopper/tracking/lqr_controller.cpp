@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <deque>
 #include <stdexcept>
 #include <utility>
 
@@ -22,7 +24,10 @@ class LqrController final : public Controller {
         body_(robot) {}
 
   std::string_view name() const override { return "lqr"; }
-  void start() override { clock_.start(); }
+  void start() override {
+    clock_.start();
+    asked_Nm_.clear();
+  }
 
   void control(const Observation& seen, Eigen::VectorXd& torque_Nm) override {
     const dynamics::Tree& tree = body_.robot().tree;
@@ -36,13 +41,35 @@ class LqrController final : public Controller {
       here.error.tail(n) = -lacking;
     }
     fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s, seen.hold_s);
-    torque_Nm = fed_forward_Nm_ -
-                gains_->at(reference_->mode_at(reading.time_s), reading.time_s) * here.error;
+    const std::size_t mode = reference_->mode_at(reading.time_s);
+    foretell(mode, reading.time_s, seen, here.error);
+    const Eigen::VectorXd feedback_Nm =
+        -gains_->at(mode, reading.time_s + seen.latency_s) * here.error;
+    if (seen.latency_s > 0.0) asked_Nm_.push_back(feedback_Nm);
+    torque_Nm = fed_forward_Nm_ + feedback_Nm;
   }
 
   const Eigen::VectorXd& fed_forward_Nm() const override { return fed_forward_Nm_; }
 
  private:
+  /// Carries an error on to when the answer will act, under the feedback that was asked for since
+  /// and has yet to act: the oldest for what is left of its period, the others for all of it.
+  /// docs/derivations/tracking.md, eq. (16).
+  void foretell(std::size_t mode, double time_s, const Observation& seen, Eigen::VectorXd& error) {
+    if (!(seen.latency_s > 0.0) || gains_->model_at(mode, time_s) == nullptr) return;
+    const auto periods = static_cast<std::size_t>(std::ceil(seen.latency_s / seen.hold_s - 1e-9));
+    while (asked_Nm_.size() > periods) asked_Nm_.pop_front();
+    double ahead_s = 0.0;
+    for (std::size_t back = periods; back > 0; --back) {
+      const double until_s = seen.latency_s - static_cast<double>(back - 1) * seen.hold_s;
+      const ErrorModel& model = *gains_->model_at(mode, time_s + ahead_s);
+      Eigen::VectorXd change = model.by_error * error - error;
+      if (back <= asked_Nm_.size()) change += model.by_drive * asked_Nm_[asked_Nm_.size() - back];
+      error += (until_s - ahead_s) / seen.hold_s * change;
+      ahead_s = until_s;
+    }
+  }
+
   const Reference* reference_;
   std::shared_ptr<const GainSchedule> gains_;
   ImpactOptions impact_;
@@ -50,6 +77,7 @@ class LqrController final : public Controller {
   WholeBody body_;
   ReferenceInstant wanted_;
   Eigen::VectorXd fed_forward_Nm_;
+  std::deque<Eigen::VectorXd> asked_Nm_;  ///< Feedback that has yet to act, the oldest first.
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ std::unique_ptr<const ReadyController> prepare_lqr(const Robot& robot, const Ref
                                                    const TrackingOptions& options) {
   LqrOptions lqr;
   lqr.control_period_s = options.control_period_s;
+  lqr.foretells = options.acts_late;
   const LqrResult found = lqr_gains(robot, reference, lqr);
   if (!found.gains) {
     io::refuse("--controller",

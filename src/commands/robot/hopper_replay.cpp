@@ -237,7 +237,9 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
   if (randomised) inputs.columns.push_back(randomised->document);
-  const hopper::Replay replay(robot, motion, check, replay_options(request, inputs));
+  hopper::ReplayOptions options = replay_options(request, inputs);
+  options.acts_late = randomised && randomised->randomisation.latency_s;
+  const hopper::Replay replay(robot, motion, check, options);
   std::optional<hopper::ReplayTrials> trials;
   if (randomised) {
     trials = run_replay_trials(replay, randomised->randomisation, request,
