@@ -19,6 +19,10 @@ std::string ground_words(const hopper::TouchDownLoad& load);
 std::string end_words(const hopper::Motion& motion, const hopper::ReplayOutcome& outcome);
 std::string battery_words(const hopper::ReplayResult& result);
 std::string clipped_words(const hopper::DriveReplay& drive);
+/// Greatest torque of a drive, or force where it moves a slide.
+std::string peak_words(const hopper::DriveReplay& drive);
+/// Greatest error of a drive's angle, or of its way where it moves a slide.
+std::string error_words(const hopper::DriveReplay& drive);
 /// How many trials stand, and the interval of the rate; nothing of those that are unfinished.
 std::string rate_words(const hopper::ReplayTrials& trials);
 
