@@ -37,7 +37,6 @@ struct Rates {
   MatrixXd given;
   MatrixXd slope;
   MatrixXd turned;    ///< Given, a spatial base's rotation read in the world's axes.
-  MatrixXd between;   ///< How far the given mean may be off by what happens between samples.
   VectorXd noise;     ///< Standard deviation of the slopes, by coordinate.
   VectorXd rounding;  ///< By how much steps may change the slopes at most.
   std::vector<double> from_s;
@@ -86,13 +85,13 @@ Rates rates_of(const dynamics::Tree& tree, const Motion& motion, bool of_velocit
   const MatrixXd& given = of_velocity ? motion.accelerations : motion.velocities;
   const Index most = motion.samples() / kStretch + 1;
   Rates rates;
-  for (MatrixXd* table : {&rates.given, &rates.slope, &rates.turned, &rates.between}) {
+  for (MatrixXd* table : {&rates.given, &rates.slope, &rates.turned}) {
     table->resize(given.rows(), most);
   }
   Index count = 0;
   for (Index first = 0; first + 1 < motion.samples(); first += kStretch) {
     const Index last = std::min(first + kStretch, motion.samples() - 1);
-    VectorXd sum = VectorXd::Zero(given.rows()), change = sum, turned = sum, between = sum;
+    VectorXd sum = VectorXd::Zero(given.rows()), change = sum, turned = sum;
     double duration_s = 0.0;
     for (Index i = first; i < last; ++i) {
       if (motion.is_break(i + 1)) continue;
@@ -101,20 +100,17 @@ Rates rates_of(const dynamics::Tree& tree, const Motion& motion, bool of_velocit
       sum += step_s * mean;
       turned += step_s * in_base_axes(tree, motion.positions.col(i), mean);
       change += change_after(tree, motion, of_velocity, i);
-      // An acceleration may turn from one to the other at any instant of the step.
-      if (of_velocity) between += 0.5 * step_s * (given.col(i + 1) - given.col(i)).cwiseAbs();
       duration_s += step_s;
     }
     if (duration_s == 0.0) continue;
     rates.given.col(count) = sum / duration_s;
     rates.slope.col(count) = change / duration_s;
     rates.turned.col(count) = turned / duration_s;
-    rates.between.col(count) = between / duration_s;
     rates.from_s.push_back(motion.time_s(first));
     rates.until_s.push_back(motion.time_s(last));
     ++count;
   }
-  for (MatrixXd* table : {&rates.given, &rates.slope, &rates.turned, &rates.between}) {
+  for (MatrixXd* table : {&rates.given, &rates.slope, &rates.turned}) {
     table->conservativeResize(Eigen::NoChange, count);
   }
   const double stretch_s =
@@ -248,7 +244,7 @@ class Comparison {
       const double larger = std::max(std::abs(given(row, i)), std::abs(rates_.slope(row, i)));
       if (larger <= small) continue;
       ++moving;
-      const double allowed = kDiffers * larger + small + rates_.between(row, i);
+      const double allowed = kDiffers * larger + small;
       if (std::abs(given(row, i) - rates_.slope(row, i)) <= allowed) continue;
       const auto stretch = static_cast<std::size_t>(i);
       if (differing++ == 0) mismatch.from_s = rates_.from_s[stretch];

@@ -29,7 +29,7 @@ struct RateMismatch {
 /// Compares what the file gives of positions, velocities and accelerations over stretches of ten
 /// samples: mean rate against change over duration, not across impacts. A stretch disagrees where
 /// they differ by more than shares of the larger one and of the coordinate's rms, and by more than
-/// their noise and, of accelerations, than they may change between samples (half of all changes); a
+/// their noise and a step of rounding; a
 /// coordinate where more than a quarter of the stretches do. Coordinates that hardly move beside
 /// others of their kind are not asked. docs/derivations/whole_body_check.md, "What breaks physics".
 std::vector<RateMismatch> rate_mismatches(const Robot& robot, const Motion& motion);

@@ -152,14 +152,19 @@ TEST(SimulatorLogs, OfFeetThatRollAreReadAsSuch) {
   EXPECT_THROW(check(fixed, content), io::SpecError);
 }
 
-// With the file's own damping and dry friction, which turns between two rows.
+// With the file's own damping and dry friction, whose accelerations turn within a row.
 TEST(SimulatorLogs, OfJointsThatRubAreNoWrongRates) {
-  auto hopper = read_public_hopper("go1", true);
-  if (!hopper) GTEST_SKIP() << "needs the public robots, ../shared/data";
-  SimulatedHop hop = simulate_hop(*hopper);
-  const Hop it{std::move(*hopper), std::move(hop)};
-  for (const int rate_Hz : {200, 500}) {
-    EXPECT_NO_THROW(check(it, {rate_Hz, true, true, true, false, 0.0})) << rate_Hz;
+  for (const char* name : {"go1", "go1_balls"}) {
+    auto hopper = read_public_hopper(name, true);
+    if (!hopper) GTEST_SKIP() << "needs the public robots, ../shared/data";
+    SimulatedHop hop = simulate_hop(*hopper);
+    const Hop it{std::move(*hopper), std::move(hop)};
+    for (const bool forces : {false, true}) {
+      for (const bool late : {false, true}) {
+        EXPECT_NO_THROW(check(it, {200, true, true, forces, !forces, 0.0, late}))
+            << name << (forces ? ", forces" : ", flags") << (late ? ", late" : "");
+      }
+    }
   }
 }
 
