@@ -13,6 +13,7 @@
 #include "actuator/check/region_words.hpp"
 #include "actuator/region/joint_region.hpp"
 #include "actuator/region/torque_at.hpp"
+#include "hopper/check/left_out_rows.hpp"
 #include "hopper/in_parallel.hpp"
 #include "io/text/time_text.hpp"
 
@@ -100,6 +101,7 @@ Demand with_rotors_of(const Robot& changed, std::size_t drivetrain, const Demand
   exchanged.has_dynamics = demand.has_dynamics;
   exchanged.drives = demand.drives;
   exchanged.shared_doubt_Nm = demand.shared_doubt_Nm;
+  exchanged.left_out = demand.left_out;
   const WholeBody body(changed);
   std::size_t drive = first_drive(changed, drivetrain);
   for (std::size_t i = 0; i < changed.drivetrains[drivetrain].actuators.size(); ++i, ++drive) {
@@ -128,6 +130,7 @@ TriedMotion trial_of(const Basis& basis, const Robot& changed, std::size_t drive
     return trial;
   }
   TriedMotion trial{demand_of(changed, motion, contacts), {}};
+  if (!demand.left_out.empty()) leave_out(motion, demand.left_out, trial.demand);
   if (basis.twice_as_far) {
     trial.twice_as_far = demand_twice_as_far({changed, options, motion, contacts, trial.demand});
   }

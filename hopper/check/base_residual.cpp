@@ -17,6 +17,17 @@ constexpr double kLastingWindows = 50.0;  // half a second where the window is 1
 // Of the window's limits, as over a flight, where a tenth of momentum lies either way of its mean.
 constexpr double kLastingForce = 0.1, kLastingMoment = 0.2;
 
+/// Sizes of force, moment and passive torque of a column of free rows over their limits.
+double greatest_over_limit(const RowKinds& rows, const BaseResidual& residual,
+                           const Eigen::VectorXd& values) {
+  const auto over = [&](Index first, Index count, const ResidualPeak& peak) {
+    return count == 0 ? 0.0 : values.segment(first, count).norm() - peak.limit;
+  };
+  return std::max({over(0, rows.forces, residual.force),
+                   over(rows.forces, rows.moments, residual.moment),
+                   over(rows.forces + rows.moments, rows.passives, residual.passive)});
+}
+
 void note(const Eigen::VectorXd& mean, Index first, Index count, double time_s,
           ResidualPeak& peak) {
   if (count == 0) return;
@@ -82,9 +93,9 @@ struct Windows {
     for (Index sample = 0; sample < motion.samples(); ++sample) {
       const double time_s = motion.time_s(sample);
       if (!(window_s > 0.0)) {
-        take(signal.col(sample), time_s);
+        take(signal.col(sample), sample);
       } else if (sample == 0 || time_s + window_s <= motion.times_s.back()) {
-        take(integral.over(sample, window_s) / window_s, time_s);
+        take(integral.over(sample, window_s) / window_s, sample);
       }
     }
   }
@@ -108,12 +119,14 @@ BaseResidual base_residual(const CheckedMotion& checked, const Eigen::MatrixXd& 
     integral.add_impulse(jolt.sample, of_like_units(demand, jolt.residual));
   }
   const Windows windows{checked.motion, like, integral};
-  windows.each(residual.window_s, [&](const Eigen::VectorXd& mean, double time_s) {
+  windows.each(residual.window_s, [&](const Eigen::VectorXd& mean, Index from) {
+    const double time_s = checked.motion.time_s(from);
     note(mean, 0, rows.forces, time_s, residual.force);
     note(mean, rows.forces, rows.moments, time_s, residual.moment);
     note(mean, rows.forces + rows.moments, rows.passives, time_s, residual.passive);
   });
-  windows.each(residual.lasting_window_s, [&](const Eigen::VectorXd& mean, double time_s) {
+  windows.each(residual.lasting_window_s, [&](const Eigen::VectorXd& mean, Index from) {
+    const double time_s = checked.motion.time_s(from);
     note(mean, 0, rows.forces, time_s, residual.lasting_force);
     note(mean, rows.forces, rows.moments, time_s, residual.lasting_moment);
   });
@@ -122,6 +135,28 @@ BaseResidual base_residual(const CheckedMotion& checked, const Eigen::MatrixXd& 
     peak->share_beyond /= static_cast<double>(checked.motion.samples());
   }
   return residual;
+}
+
+std::vector<Index> samples_beyond(const CheckedMotion& checked, const BaseResidual& residual) {
+  const Demand& demand = checked.demand;
+  const Motion& motion = checked.motion;
+  std::vector<Index> found;
+  if (!demand.has_dynamics || demand.residual.rows() == 0) return found;
+  const Eigen::MatrixXd like = of_like_units(demand, demand.residual);
+  const RunningIntegral integral(motion.times_s, like);
+  const Windows windows{motion, like, integral};
+  windows.each(residual.window_s, [&](const Eigen::VectorXd& mean, Index from) {
+    if (greatest_over_limit(demand.rows, residual, mean) <= 0.0) return;
+    const double until_s = motion.time_s(from) + residual.window_s;
+    for (Index sample = from; sample < motion.samples(); ++sample) {
+      const bool is_known = !found.empty() && found.back() >= sample;
+      if (!is_known && greatest_over_limit(demand.rows, residual, like.col(sample)) > 0.0) {
+        found.push_back(sample);
+      }
+      if (motion.time_s(sample) >= until_s) break;
+    }
+  });
+  return found;
 }
 
 }  // namespace torquewright::hopper

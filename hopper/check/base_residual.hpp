@@ -35,4 +35,8 @@ BaseResidual base_residual(const CheckedMotion& checked);
 /// Computes the same from another residual (free rows x samples) in place of the demand's.
 BaseResidual base_residual(const CheckedMotion& checked, const Eigen::MatrixXd& left);
 
+/// Returns the samples that ask for more than a limit in a window whose mean does, ascending.
+std::vector<Eigen::Index> samples_beyond(const CheckedMotion& checked,
+                                         const BaseResidual& residual);
+
 }  // namespace torquewright::hopper

@@ -28,6 +28,9 @@ struct CheckOptions {
   /// Limit of the residual as a share of the weight (and of weight times size); beyond it the
   /// motion is refused.
   double residual_share = 0.1;
+  /// Greatest share of the rows that may ask for more than that limit and are left out of the
+  /// verdict (hopper/check/left_out_rows.hpp); 0: one refuses the motion.
+  double left_out_share = 0.01;
   double residual_window_s = 0.01;  ///< Window over which the residual is averaged.
   double shortest_flight_s = 0.01;  ///< A shorter loss of contact is chatter.
   double load_window_s = 0.01;      ///< Window over which a transmission's load is averaged.

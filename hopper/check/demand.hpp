@@ -72,6 +72,9 @@ struct Demand {
   /// (1 x samples): inertia of all bodies as one, about world's y through the centre of mass.
   Eigen::MatrixXd lateral_inertia_kg_m2;
   std::vector<Jolt> jolts;
+  /// Samples whose values are read between those beside (hopper/check/left_out_rows.hpp),
+  /// ascending.
+  std::vector<Eigen::Index> left_out;
   double weight_N = 0.0;
   double size_m = 0.0;       ///< Radius of gyration of all bodies at the first sample.
   std::size_t unsolved = 0;  ///< Number of samples whose contact forces rounding left inexact.

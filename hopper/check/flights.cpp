@@ -92,6 +92,42 @@ Flight flight_of(const CheckedMotion& checked, Index from, Index count) {
   return flight;
 }
 
+/// Whether the ground gives so little at a sample that over a flight it could be none.
+bool gives_nothing(const CheckedMotion& checked, Index sample) {
+  const Demand& demand = checked.demand;
+  const Index forces = demand.rows.forces;
+  const double noise_N =
+      demand.residual_noise.size() > 0 ? kNoise * demand.residual_noise.head(forces).norm() : 0.0;
+  const double limit_N = kOverAFlight * checked.options.residual_share * demand.weight_N + noise_N;
+  Eigen::Vector3d sum_N = Eigen::Vector3d::Zero();
+  for (Index row = 0; row < demand.forces_N.rows(); row += 3) {
+    sum_N += demand.forces_N.block<3, 1>(row, sample);
+  }
+  return sum_N.norm() <= limit_N;
+}
+
+/// Where nothing touches. Where heights and speeds alone say what does, a foot counts as touching
+/// until it is seen to rise, and has let go where the ground's force ends: flights begin there.
+std::vector<bool> flying(const CheckedMotion& checked) {
+  const Index samples = checked.motion.samples();
+  std::vector<bool> is_flying(static_cast<std::size_t>(samples));
+  for (Index i = 0; i < samples; ++i) {
+    is_flying[static_cast<std::size_t>(i)] = !checked.contacts.any(i);
+  }
+  if (checked.contacts.origin == Origin::kGiven) return is_flying;
+  for (Index take_off = 1; take_off < samples; ++take_off) {
+    if (checked.contacts.any(take_off) || !checked.contacts.any(take_off - 1)) continue;
+    Index last = take_off - 1;
+    while (last >= 0 && checked.contacts.any(last) && gives_nothing(checked, last)) --last;
+    if (last < 0 || !checked.contacts.any(last)) continue;  // a touch without any force is one
+    for (Index i = last + 1; i < take_off; ++i) {
+      if (checked.motion.is_break(i)) break;
+      is_flying[static_cast<std::size_t>(i)] = true;
+    }
+  }
+  return is_flying;
+}
+
 /// Not what chatters: soft ground lets a foot go for moments.
 bool is_flight(const CheckedMotion& checked, Index from, Index to) {
   if (to - from < 2) return false;
@@ -108,10 +144,10 @@ std::vector<Flight> flights(const CheckedMotion& checked) {
     return found;
   }
   const Index samples = checked.motion.samples();
+  const std::vector<bool> is_flying = flying(checked);
   Index from = 0;
   for (Index sample = 0; sample <= samples; ++sample) {
-    const bool flies = sample < samples && !checked.contacts.any(sample);
-    if (flies) continue;
+    if (sample < samples && is_flying[static_cast<std::size_t>(sample)]) continue;
     if (is_flight(checked, from, sample)) found.push_back(flight_of(checked, from, sample - from));
     from = sample + 1;
   }

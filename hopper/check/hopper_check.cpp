@@ -12,10 +12,12 @@
 #include "actuator/check/time_gap.hpp"
 #include "hopper/check/contact_search.hpp"
 #include "hopper/check/late_columns.hpp"
+#include "hopper/check/left_out_rows.hpp"
 #include "hopper/check/physical.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/time_gap.hpp"
 #include "hopper/motion/rate_agreement.hpp"
+#include "hopper/motion/rounding_words.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/text/time_text.hpp"
 #include "io/text/wording.hpp"
@@ -34,9 +36,13 @@ std::string window_words(const Motion& motion) {
   if (motion.reach <= 1) return "its two neighbours";
   const double step_s = motion.duration_s() / static_cast<double>(motion.samples() - 1);
   return fmt::format(
-      "{} neighbours on either side ({:.3g} ms in all): the widest window that changes no more "
-      "than the noise explains",
-      motion.reach, 1e3 * step_s * static_cast<double>(2 * motion.reach));
+      "{} neighbours on either side ({:.3g} ms in all): {}", motion.reach,
+      1e3 * step_s * static_cast<double>(2 * motion.reach),
+      motion.acceleration_doubt.size() == 0
+          ? "the widest window that changes no more than the noise explains"
+          : "of " + source_words(motion) +
+                " this window leaves least open, narrower ones being led by them and wider ones "
+                "hiding what the motion does");
 }
 
 /// How far the solved forces are from the file's, averaged as the accelerations are; of these.
@@ -176,6 +182,24 @@ void find_demand(const Robot& robot, const CheckOptions& options, Motion& motion
   report.demand = demand_of(robot, motion, report.contacts, options.on_progress);
 }
 
+/// Leaves out what few rows ask for that nothing explains, and requires that the rest is a motion.
+/// Returns what is left unexplained with all rows.
+BaseResidual require_sound_rows(const CheckedMotion& checked, HopperReport& report) {
+  const BaseResidual whole = base_residual(checked);
+  const std::vector<Eigen::Index> rows = rows_to_leave_out(checked, whole);
+  if (!rows.empty()) {
+    Demand rest = report.demand;
+    leave_out(checked.motion, rows, rest);
+    const CheckedMotion sound{checked.robot, checked.options, checked.motion, checked.contacts,
+                              rest};
+    if (is_physical(base_residual(sound), flights(sound))) report.demand = std::move(rest);
+  }
+  report.base_residual = base_residual(checked);
+  report.flights = flights(checked);
+  require_physical(checked, report.base_residual, report.flights);
+  return whole;
+}
+
 /// `rows`, if any, may move the torques.
 HopperReport check_as_read(const Robot& robot, const CheckOptions& options, RowReading* rows,
                            Motion& motion) {
@@ -185,9 +209,7 @@ HopperReport check_as_read(const Robot& robot, const CheckOptions& options, RowR
     find_demand(robot, options, motion, report);
   }
   const CheckedMotion checked{robot, options, motion, report.contacts, report.demand};
-  report.base_residual = base_residual(checked);
-  report.flights = flights(checked);
-  require_physical(checked, report.base_residual, report.flights);
+  const BaseResidual whole = require_sound_rows(checked, report);
   DriveTorques torques = drive_torques(checked);
   if (!torques.from_file) {
     torques.doubt_Nm = torque_doubts(checked);
@@ -215,6 +237,7 @@ HopperReport check_as_read(const Robot& robot, const CheckOptions& options, RowR
   append(transmission_findings(report.transmission_loads), findings);
   for (const Rule rule : kEveryRule) append(rule(checked), findings);
   append(torques.findings, findings);
+  append(left_out_findings(checked, whole), findings);
   if (auto gap = actuator::gap_finding(longest_step(motion))) findings.push_back(std::move(*gap));
   append(origin_notes(checked), findings);
   append(assumed_notes(robot), findings);
@@ -264,10 +287,17 @@ bool leave_open_what_differs(const HopperReport& other, HopperReport& report) {
   return turns;
 }
 
+/// The same, no row left out.
+CheckOptions strict(const CheckOptions& options) {
+  CheckOptions all = options;
+  all.left_out_share = 0.0;
+  return all;
+}
+
 /// Checks what nothing decides the other way too.
 void weigh_other_reading(const Robot& robot, const CheckOptions& options, const RowReading& rows,
                          Motion other, HopperReport& report) {
-  CheckOptions quiet = options;
+  CheckOptions quiet = strict(options);
   quiet.on_progress = nullptr;
   try {
     const HopperReport found = check_as_read(robot, quiet, nullptr, other);
@@ -287,23 +317,34 @@ void weigh_other_reading(const Robot& robot, const CheckOptions& options, const 
   report.check.findings.push_back(std::move(finding));
 }
 
-/// What is refused as it is read may be a motion as it may be read too.
+/// The check of a motion; none where that refuses it.
+std::optional<HopperReport> check_unless_refused(const Robot& robot, const CheckOptions& options,
+                                                 Motion& motion) {
+  try {
+    return check_as_read(robot, options, nullptr, motion);
+  } catch (const io::SpecError&) {
+    return std::nullopt;
+  }
+}
+
+/// What is refused as it is read may be a motion as it may be read too, or without a few rows.
 HopperReport check_either_way(const Robot& robot, const CheckOptions& options, RowReading& rows,
                               Motion& motion) {
+  const CheckOptions all_rows = strict(options);
   try {
-    return check_as_read(robot, options, &rows, motion);
+    return check_as_read(robot, all_rows, &rows, motion);
   } catch (const io::SpecError&) {
-    std::optional<Motion> other = rows.other();
-    if (!other) throw;
-    const std::exception_ptr first = std::current_exception();
-    try {
-      HopperReport report = check_as_read(robot, options, nullptr, *other);
-      motion = std::move(*other);
-      rows.take_other();
-      return report;
-    } catch (const io::SpecError&) {
-      std::rethrow_exception(first);
+    if (std::optional<Motion> other = rows.other()) {
+      if (auto report = check_unless_refused(robot, all_rows, *other)) {
+        motion = std::move(*other);
+        rows.take_other();
+        return std::move(*report);
+      }
     }
+    if (options.left_out_share > 0.0) {
+      if (auto report = check_unless_refused(robot, options, motion)) return std::move(*report);
+    }
+    throw;
   }
 }
 

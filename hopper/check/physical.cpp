@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "hopper/motion/rounding_words.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/text/time_text.hpp"
 
@@ -16,8 +17,11 @@ namespace {
 constexpr double kKnownFactor = 0.05;  // relative, for a scale to count as a known one
 
 /// What in the log would help.
-const char* help_words(const Motion& motion) {
+std::string help_words(const Motion& motion) {
   if (motion.acceleration_origin != Origin::kDerived) return "";
+  if (motion.acceleration_doubt.size() > 0) {
+    return fmt::format("; {} would help", better_log(motion));
+  }
   return motion.velocity_origin == Origin::kDerived
              ? "; velocities or accelerations in the log, or samples closer together, would help"
              : "; accelerations in the log, or samples closer together, would help";
@@ -110,6 +114,17 @@ void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io
 }
 
 }  // namespace
+
+bool is_physical(const BaseResidual& residual, const std::vector<Flight>& flights) {
+  const auto is_within = [](const ResidualPeak& peak) { return peak.mean <= peak.limit; };
+  const bool explains = is_within(residual.force) && is_within(residual.moment) &&
+                        is_within(residual.passive) && is_within(residual.lasting_force) &&
+                        is_within(residual.lasting_moment);
+  return explains && std::all_of(flights.begin(), flights.end(), [](const Flight& flight) {
+           return flight.fall_error_m_s2 <= flight.fall_limit_m_s2 &&
+                  flight.angular_momentum_drift_Nm_s <= flight.angular_momentum_limit_Nm_s;
+         });
+}
 
 void require_physical(const CheckedMotion& checked, const BaseResidual& residual,
                       const std::vector<Flight>& flights) {

@@ -12,4 +12,7 @@ namespace torquewright::hopper {
 void require_physical(const CheckedMotion& checked, const BaseResidual& residual,
                       const std::vector<Flight>& flights);
 
+/// Whether it would not throw.
+bool is_physical(const BaseResidual& residual, const std::vector<Flight>& flights);
+
 }  // namespace torquewright::hopper

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hopper/check/acceleration_doubt.hpp"
 #include "hopper/check/drive_reports.hpp"
+#include "hopper/check/left_out_rows.hpp"
+#include "hopper/motion/rounding_words.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "hopper/motion/smoothing.hpp"
 
@@ -31,10 +34,29 @@ MatrixXd spread(const MatrixXd& values, Index reach) {
   return largest;
 }
 
-const char* help_words(const CheckedMotion& checked, bool by_sharing) {
+/// Windows twice as wide see the rows that were left out from so far.
+void leave_out_windows(const CheckedMotion& checked, MatrixXd& change_Nm) {
+  std::vector<Index> seen;
+  const Index reach = 2 * checked.motion.reach;
+  for (const Index row : checked.demand.left_out) {
+    const Index first = std::max(row - reach, seen.empty() ? Index{0} : seen.back() + 1);
+    for (Index at = first; at <= std::min(row + reach, change_Nm.cols() - 1); ++at) {
+      seen.push_back(at);
+    }
+  }
+  if (static_cast<Index>(seen.size()) < change_Nm.cols()) {
+    read_between(checked.motion, seen, change_Nm);
+  }
+}
+
+std::string help_words(const CheckedMotion& checked, bool by_sharing) {
   if (by_sharing) {
     return "other forces of the points that touch would move the base alike; contact forces or "
            "joint torques in the log would tell";
+  }
+  if (checked.motion.acceleration_doubt.size() > 0) {
+    return fmt::format("accelerations are derived from {}; {} would tell",
+                       source_words(checked.motion), better_log(checked.motion));
   }
   return checked.motion.velocity_origin == Origin::kDerived
              ? "accelerations are derived from positions; velocities, accelerations or samples "
@@ -70,9 +92,11 @@ MatrixXd torque_doubts(const CheckedMotion& checked, const std::optional<Demand>
     const Eigen::VectorXd noise_Nm = sample_noise(motion, torques_by_dynamics(checked.demand));
     return doubt_Nm.colwise() + kDeviations * noise_Nm;
   }
+  doubt_Nm += torques_of_acceleration_doubt(checked);
   if (!twice) return doubt_Nm;
-  const MatrixXd change_Nm =
+  MatrixXd change_Nm =
       (torques_by_dynamics(*twice) - torques_by_dynamics(checked.demand)).cwiseAbs();
+  leave_out_windows(checked, change_Nm);
   return doubt_Nm + spread(change_Nm, motion.reach);
 }
 

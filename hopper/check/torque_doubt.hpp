@@ -13,7 +13,8 @@ namespace torquewright::hopper {
 ///
 /// Where accelerations are derived: what changes when they look twice as far to either side, the
 /// largest of the samples within that reach; it holds what noise is left and what smoothing takes
-/// away. Where contact forces are not unique: as far as they let the torque go. Where
+/// away. Where steps or noise decided the window, what the motion's acceleration_doubt makes
+/// besides. Where contact forces are not unique: as far as they let the torque go. Where
 /// accelerations are given: four standard deviations of the torques' own noise.
 /// docs/derivations/whole_body_check.md, "Doubt".
 Eigen::MatrixXd torque_doubts(const CheckedMotion& checked);

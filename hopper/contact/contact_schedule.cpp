@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dynamics/point.hpp"
+#include "hopper/motion/rounding_steps.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "hopper/motion/smoothing.hpp"
 #include "robot/model/touching_point.hpp"
@@ -117,8 +118,29 @@ bool is_sharp(const Motion& motion, const MatrixXd& heights_m, const MatrixXd& s
   return rate(sample) > kSharp * std::max(rate(sample - 1), rate(sample + 1));
 }
 
+/// By how much the approach may seem to change at a sample because of the steps to which positions
+/// or velocities are rounded, (points x samples); empty where they are not.
+MatrixXd rounding_of_approach(const Robot& robot, const Motion& motion) {
+  if (motion.steps.isZero(0.0)) return {};
+  MatrixXd most_m_s(robot.contacts.size(), motion.samples());
+  Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian(3, motion.steps.size());
+  for_each_point(robot, motion, false,
+                 [&](Index i, Index sample, const dynamics::TreeState& state,
+                     const dynamics::BodyPoint& point) {
+                   jacobian.setZero();
+                   dynamics::point_jacobian(state, point, jacobian);
+                   most_m_s(i, sample) = 0.5 * jacobian.row(2).cwiseAbs().dot(motion.steps);
+                 });
+  if (has_given_velocity(motion)) return 2.0 * most_m_s;  // of either velocity
+  // Of both ends of either slope.
+  for (Index sample = 1; sample < motion.samples(); ++sample) {
+    most_m_s.col(sample) *= 4.0 / std::max(motion.step_s(sample - 1), 1e-300);
+  }
+  return most_m_s;
+}
+
 void add_touch_downs(const ContactThresholds& rule, const MatrixXd& heights_m,
-                     const MatrixXd& speeds_m_s, Motion& motion) {
+                     const MatrixXd& speeds_m_s, const MatrixXd& rounding_m_s, Motion& motion) {
   std::vector<Index> found = motion.breaks;
   for (Index sample = 1; sample < motion.samples(); ++sample) {
     if (motion.step_s(sample - 1) == 0.0) continue;              // stated already
@@ -128,6 +150,8 @@ void add_touch_downs(const ContactThresholds& rule, const MatrixXd& heights_m,
       const Approach approach = approach_at(motion, heights_m, speeds_m_s, i, sample);
       if (approach.before_m_s <= rule.speed_m_s ||
           approach.after_m_s > (1.0 - kStopped) * approach.before_m_s ||
+          (rounding_m_s.size() > 0 &&
+           approach.before_m_s - approach.after_m_s <= rounding_m_s(i, sample)) ||
           !is_sharp(motion, heights_m, speeds_m_s, i, sample)) {
         continue;
       }
@@ -163,6 +187,7 @@ void derive_smoothed(const Robot& robot, Motion& motion) {
   if (!lacks_some) return;
   const Smoothing smoothing = smoothing_of(robot.tree, motion);
   motion.acceleration_noise = smoothing.acceleration_noise;
+  motion.acceleration_doubt = smoothing.acceleration_doubt;
   derive_rates(robot.tree, motion, smoothing.reach);
 }
 
@@ -222,8 +247,10 @@ ContactSchedule schedule_contacts(const Robot& robot, const ContactRule& rule, M
   schedule.near_ground_m = schedule.thresholds.height_m;
   schedule.height_m = heights(robot, motion, rule.ground_height_m);
   const bool has_velocity = motion.velocity_origin == Origin::kGiven;
+  if (motion.steps.size() == 0) motion.steps = rounding_steps(robot.tree, motion);
   add_touch_downs(schedule.thresholds, schedule.height_m,
-                  has_velocity ? vertical_speeds(robot, motion) : MatrixXd(), motion);
+                  has_velocity ? vertical_speeds(robot, motion) : MatrixXd(),
+                  rounding_of_approach(robot, motion), motion);
   derive_smoothed(robot, motion);
   if (motion.has_forces) {
     schedule.origin = Origin::kGiven;

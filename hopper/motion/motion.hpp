@@ -52,6 +52,13 @@ struct Motion {
   /// Standard deviation of derived accelerations by the noise of what they are derived from, by
   /// coordinate; empty: none is derived, or the log is too short to tell.
   Eigen::VectorXd acceleration_noise;
+  /// (velocity rows x 1): step to which that is rounded what rates are derived from, in its unit;
+  /// 0: to none. Empty: nobody has looked. hopper/motion/rounding_steps.hpp.
+  Eigen::VectorXd steps;
+  /// (velocity rows x samples): how far derived accelerations may be off by rounding and noise, and
+  /// by what narrower windows show that theirs hides. Empty where steps and noise do not decide the
+  /// window. hopper/motion/least_doubt.hpp.
+  Eigen::MatrixXd acceleration_doubt;
   /// Samples whose velocity does not continue that of the sample before: an impact lies between.
   std::vector<Eigen::Index> breaks;
   std::vector<UnwrappedAngle> unwrapped;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hopper/motion/rounding_steps.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "io/text/time_text.hpp"
 #include "io/text/wording.hpp"
@@ -35,8 +36,9 @@ constexpr double kClearFactor = 0.8;  // squared correlation that a factor expla
 struct Rates {
   MatrixXd given;
   MatrixXd slope;
-  MatrixXd turned;  ///< Given, a spatial base's rotation read in the world's axes.
-  VectorXd noise;   ///< Standard deviation of the slopes, by coordinate.
+  MatrixXd turned;    ///< Given, a spatial base's rotation read in the world's axes.
+  VectorXd noise;     ///< Standard deviation of the slopes, by coordinate.
+  VectorXd rounding;  ///< By how much steps may change the slopes at most.
   std::vector<double> from_s;
   std::vector<double> until_s;
 };
@@ -114,6 +116,8 @@ Rates rates_of(const dynamics::Tree& tree, const Motion& motion, bool of_velocit
   const double stretch_s =
       motion.duration_s() * static_cast<double>(kStretch) / static_cast<double>(motion.samples());
   rates.noise = std::sqrt(2.0) / std::max(stretch_s, 1e-300) * noise_of(tree, motion, of_velocity);
+  const VectorXd steps = of_velocity ? velocity_steps(motion) : position_steps(tree, motion);
+  rates.rounding = steps / std::max(stretch_s, 1e-300);
   return rates;
 }
 
@@ -233,14 +237,15 @@ class Comparison {
 
   void count_stretches(const MatrixXd& given, Index row, RateMismatch& mismatch) const {
     const double small = kHardlyMoves * std::max(mismatch.given_rms, mismatch.slope_rms) +
-                         kNoise * rates_.noise[row];
+                         kNoise * rates_.noise[row] + rates_.rounding[row];
     Index moving = 0;
     Index differing = 0;
     for (Index i = 0; i < given.cols(); ++i) {
       const double larger = std::max(std::abs(given(row, i)), std::abs(rates_.slope(row, i)));
       if (larger <= small) continue;
       ++moving;
-      if (std::abs(given(row, i) - rates_.slope(row, i)) <= kDiffers * larger + small) continue;
+      const double allowed = kDiffers * larger + small;
+      if (std::abs(given(row, i) - rates_.slope(row, i)) <= allowed) continue;
       const auto stretch = static_cast<std::size_t>(i);
       if (differing++ == 0) mismatch.from_s = rates_.from_s[stretch];
       mismatch.until_s = rates_.until_s[stretch];

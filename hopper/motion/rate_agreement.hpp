@@ -29,9 +29,9 @@ struct RateMismatch {
 /// Compares what the file gives of positions, velocities and accelerations over stretches of ten
 /// samples: mean rate against change over duration, not across impacts. A stretch disagrees where
 /// they differ by more than shares of the larger one and of the coordinate's rms, and by more than
-/// their noise; a coordinate where more than a quarter of the stretches do. Coordinates that hardly
-/// move beside others of their kind are not asked. docs/derivations/whole_body_check.md, "What
-/// breaks physics".
+/// their noise and a step of rounding; a
+/// coordinate where more than a quarter of the stretches do. Coordinates that hardly move beside
+/// others of their kind are not asked. docs/derivations/whole_body_check.md, "What breaks physics".
 std::vector<RateMismatch> rate_mismatches(const Robot& robot, const Motion& motion);
 
 /// Throws io::SpecError with interval, size and likely cause where there is a mismatch.

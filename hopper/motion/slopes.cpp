@@ -17,6 +17,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+constexpr Index kWide = 65;  // samples: beyond, all rows at once
+
 /// First and second derivative of x(t) = rate t + curvature t^2 / 2, which passes through the
 /// displacements at the times from the sample's own.
 struct Parabola {
@@ -84,6 +86,19 @@ Parabola fitted(const Motion& motion, Index sample, Index first, Index count,
     parabola.curvature += weights.curvature[i] * step;
   }
   return parabola;
+}
+
+/// Parabolas over wide windows of a table whose rows are what is differentiated.
+template <typename Take>
+void fit_table(const Motion& motion, const Stretch& stretch, Index wide, Index reach,
+               const Eigen::MatrixXd& table, const Take& take) {
+  for (Index sample = stretch.from; sample < stretch.to; ++sample) {
+    const Index first = std::clamp(sample - reach, stretch.from, stretch.to - wide);
+    const Weights weights = least_squares(times_from(motion, sample, first, wide));
+    // Weights of either kind sum to zero: they count differences from the sample's own.
+    const auto window = table.middleCols(first, wide);
+    take(sample, Parabola{window * weights.rate, window * weights.curvature});
+  }
 }
 
 /// Slopes over one stretch; `difference(a, b)` leads from sample a to sample b.
@@ -178,6 +193,22 @@ FittedAcceleration fitted_acceleration(const dynamics::Tree& tree, const Motion&
   return found;
 }
 
+Amplification amplification(const Motion& motion, Index reach) {
+  Amplification found{VectorXd::Zero(motion.samples()), VectorXd::Zero(motion.samples())};
+  const bool by_velocity = has_given_velocity(motion);
+  for (const Stretch& stretch : stretches(motion)) {
+    const Index count = stretch.to - stretch.from;
+    const Index wide = std::min(2 * reach + 1, count);
+    if (wide < 3) continue;
+    const Index first = stretch.from + (count - wide) / 2;
+    const Weights weights = least_squares(times_from(motion, first + wide / 2, first, wide));
+    const VectorXd& counts = by_velocity ? weights.rate : weights.curvature;
+    found.noise.segment(stretch.from, count).setConstant(counts.norm());
+    found.most.segment(stretch.from, count).setConstant(counts.cwiseAbs().sum());
+  }
+  return found;
+}
+
 /// A line goes through two rows, a parabola through three.
 void require_rows(const Motion& motion, bool needs_velocity, bool needs_acceleration) {
   const Index least = needs_velocity && needs_acceleration   ? 3
@@ -206,12 +237,22 @@ void derive_rates(const dynamics::Tree& tree, Motion& motion, Index reach) {
   if (needs_velocity || needs_acceleration) motion.reach = reach;
   if (needs_velocity) motion.velocities.resize(size, motion.samples());
   if (needs_acceleration) motion.accelerations.resize(size, motion.samples());
+  const auto fill = [&](Index sample, const Parabola& parabola) {
+    motion.velocities.col(sample) = parabola.rate;
+    if (needs_acceleration) motion.accelerations.col(sample) = parabola.curvature;
+  };
+  const bool is_linear = tree.base != dynamics::BaseKind::kSpatial;
   for (const Stretch& stretch : stretches(motion)) {
-    if (needs_velocity) {
-      fit(motion, stretch, reach, of_positions, [&](Index sample, const Parabola& parabola) {
-        motion.velocities.col(sample) = parabola.rate;
-        if (needs_acceleration) motion.accelerations.col(sample) = parabola.curvature;
-      });
+    const Index wide = std::min(2 * reach + 1, stretch.to - stretch.from);
+    if (wide > kWide && !needs_velocity && needs_acceleration) {
+      fit_table(motion, stretch, wide, reach, motion.velocities,
+                [&](Index sample, const Parabola& parabola) {
+                  motion.accelerations.col(sample) = parabola.rate;
+                });
+    } else if (wide > kWide && needs_velocity && is_linear) {
+      fit_table(motion, stretch, wide, reach, motion.positions, fill);
+    } else if (needs_velocity) {
+      fit(motion, stretch, reach, of_positions, fill);
     } else if (needs_acceleration) {
       fit(motion, stretch, reach, of_velocities, [&](Index sample, const Parabola& parabola) {
         motion.accelerations.col(sample) = parabola.rate;

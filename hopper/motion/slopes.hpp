@@ -34,6 +34,15 @@ struct FittedAcceleration {
 FittedAcceleration fitted_acceleration(const dynamics::Tree& tree, const Motion& motion,
                                        Eigen::Index sample, Eigen::Index reach);
 
+/// By what derived accelerations amplify errors of what is differentiated.
+struct Amplification {
+  Eigen::VectorXd noise;  ///< (samples x 1): of independent ones, by their standard deviation.
+  Eigen::VectorXd most;   ///< Of any, by their greatest size.
+};
+/// Returns what they do where rates look at `reach` neighbours on either side; 0 in stretches too
+/// short for an acceleration. Steps of time count as even within a stretch.
+Amplification amplification(const Motion& motion, Eigen::Index reach);
+
 /// Returns the displacement along the velocities from one position to another: exact for a step at
 /// constant velocity (dynamics::step_position()).
 Eigen::VectorXd displacement(const dynamics::Tree& tree, const Eigen::VectorXd& from,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "hopper/motion/least_doubt.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "optimization/fit/quantile.hpp"
 
@@ -147,6 +148,22 @@ std::size_t widest(const SmoothingTrial& trial, const VectorXd& noise) {
   return chosen;
 }
 
+/// Whether steps may make more than a negligible part of accelerations that look at neighbours
+/// alone.
+bool is_rounded(const dynamics::Tree& tree, const Motion& motion) {
+  const bool has_steps = motion.steps.size() > 0 && !motion.steps.isZero(0.0);
+  if (!has_steps || motion.acceleration_origin == Origin::kGiven) return false;
+  Motion narrow = motion;
+  derive_rates(tree, narrow, 1);
+  const double most = amplification(motion, 1).most.maxCoeff();
+  for (Index row = 0; row < motion.steps.size(); ++row) {
+    const double rms =
+        narrow.accelerations.row(row).norm() / std::sqrt(static_cast<double>(motion.samples()));
+    if (0.5 * motion.steps[row] * most > kNegligible * rms) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 VectorXd noise_of_differentiated(const dynamics::Tree& tree, const Motion& motion) {
@@ -163,9 +180,15 @@ VectorXd sample_noise(const Motion& motion, const Eigen::MatrixXd& table) {
 
 Smoothing smoothing_of(const dynamics::Tree& tree, const Motion& motion) {
   const SmoothingTrial trial = trial_of(tree, motion);
-  if (trial.samples.empty()) return {};
   const VectorXd noise = noise_of_differentiated(tree, motion);
+  if (is_rounded(tree, motion)) return smoothing_of_least_doubt(tree, motion, noise);
+  if (trial.samples.empty()) return {};
   const std::size_t chosen = widest(trial, noise);
+  if (chosen + 1 == kReaches.size() && noise_share(trial, noise, chosen) > kNegligible) {
+    Motion without_steps = motion;
+    without_steps.steps.setZero(noise.size());
+    return smoothing_of_least_doubt(tree, without_steps, noise);
+  }
   return {kReaches[chosen], noise * trial.samples.front()[chosen].gain};
 }
 

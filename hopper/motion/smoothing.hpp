@@ -10,12 +10,16 @@ struct Smoothing {
   Eigen::Index reach = 1;  ///< Samples to either side.
   /// Standard deviation of derived accelerations, by coordinate; empty: unknown.
   Eigen::VectorXd acceleration_noise;
+  /// Motion::acceleration_doubt; empty where the rule of smoothing_of() decides.
+  Eigen::MatrixXd acceleration_doubt = {};
 };
 
 /// Chooses the reach: one sample, unless the noise is more than a thousandth of the accelerations.
 /// Then it doubles as long as the change stays within what noise explains: the widest window that
 /// cannot be told from any narrower one (Lepski's rule; docs/derivations/whole_body_check.md,
-/// "Noise").
+/// "Noise"). Where what is differentiated is rounded to steps that may make more than that
+/// thousandth of the accelerations (motion.steps, if known), or where the widest of these windows
+/// does not average the noise out, smoothing_of_least_doubt() chooses.
 Smoothing smoothing_of(const dynamics::Tree& tree, const Motion& motion);
 
 /// Standard deviation of the noise of what is differentiated, by coordinate: the velocities where

@@ -62,6 +62,7 @@ ordered_json drives_json(const std::vector<DriveReplay>& drives) {
                     {"peak_cut_off_Nm", drive.peak_cut_off_Nm},
                     {"peak_torque_Nm", drive.peak_torque_Nm},
                     {"peak_tracking_error_rad", drive.peak_tracking_error_rad}});
+    if (drive.moves_slide) list.back()["moves_slide"] = true;
   }
   return list;
 }

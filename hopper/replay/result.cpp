@@ -8,6 +8,7 @@
 
 #include "hopper/record/load_window.hpp"
 #include "io/text/time_text.hpp"
+#include "robot/model/moves_slide.hpp"
 #include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
@@ -22,6 +23,7 @@ std::vector<DriveReplay> named_drives(const Robot& robot) {
     for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
       DriveReplay& drive = drives.emplace_back();
       drive.name = drivetrain.actuator_names[i];
+      drive.moves_slide = moves_slide(robot, drivetrain);
       const auto& thermal = drivetrain.actuators[i].thermal;
       if (thermal) drive.winding_limit_K = thermal->winding_limit_K;
     }

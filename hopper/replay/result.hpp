@@ -13,6 +13,7 @@ namespace torquewright::hopper {
 /// Result of one drive in a run.
 struct DriveReplay {
   std::string name;
+  bool moves_slide = false;    ///< Torques below are forces in N, angles ways in m.
   double clipped_share = 0.0;  ///< Share of the control instants at which its torque was cut off.
   double peak_cut_off_Nm = 0.0;
   double cut_off_time_s = 0.0;           ///< Time of the greatest cut.

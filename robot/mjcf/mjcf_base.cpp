@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace torquewright::hopper {
 namespace {
@@ -43,6 +44,21 @@ void note_offset(const char* ours, const MjcfJoint& joint, double offset, MjcfBa
                                    offset < 0 ? '-' : '+', std::abs(offset)));
 }
 
+/// What a joint of the file has that no base of ours holds.
+void note_left_out(const MjcfJoint& joint, MjcfBase& base) {
+  const dynamics::JointLimits& limits = joint.joint.limits;
+  const bool turns = joint.joint.kind == JointKind::kRevolute;
+  if (std::isfinite(limits.position_min) || std::isfinite(limits.position_max)) {
+    base.notes.push_back(fmt::format(
+        "{}'s range of {:.6g} to {:.6g} {} is left out: a planar base has none", joint.joint.name,
+        limits.position_min, limits.position_max, turns ? "rad" : "m"));
+  }
+  if (!joint.joint.passive.is_none()) {
+    base.notes.push_back(fmt::format(
+        "{}'s damping, friction or spring is left out: a planar base has none", joint.joint.name));
+  }
+}
+
 MjcfBase planar_base(const Placed& pose, const std::vector<MjcfJoint>& joints) {
   MjcfBase base;
   base.kind = BaseKind::kPlanar;
@@ -56,6 +72,7 @@ MjcfBase planar_base(const Placed& pose, const std::vector<MjcfJoint>& joints) {
   note_offset("base_x_position_m", x, start_m.x() - x.reference, base);
   note_offset("base_z_position_m", z, start_m.z() - z.reference, base);
   note_offset("base_pitch_position_rad", hinge, -hinge.reference, base);
+  for (const MjcfJoint& joint : joints) note_left_out(joint, base);
   if (!base.R_DB.isIdentity(kAlong) || base.p_DB_m.norm() > kAlong) {
     base.notes.emplace_back(
         "the base's frame sits at the hinge of its pitch and is the world's where that is zero: "

@@ -87,9 +87,23 @@ class MjcfReader {
     }
     for (const Element* section : children(root_, "tendon")) {
       for (const Element& tendon : section->children) {
-        vocabulary_.check(defaults_.completed(tendon, ""));
+        const Element completed = defaults_.completed(tendon, "");
+        vocabulary_.check(completed);
+        note_limits(completed, "range", "limited");
+        note_limits(completed, "actuatorfrcrange", "actuatorfrclimited");
       }
     }
+  }
+
+  /// A tendon's range, or that of the forces that pull on it.
+  void note_limits(const Element& tendon, const char* range, const char* limited) {
+    const std::string stated = attribute(tendon, limited);
+    const bool holds = stated == "true" || (stated != "false" && compiler_.are_limits_automatic);
+    if (!holds || find_attribute(tendon, range) == nullptr) return;
+    imported_.notes.push_back(
+        fmt::format("the tendon {}'s {}=\"{}\" is left out: no robot document limits several "
+                    "joints together",
+                    name_of(tendon), range, attribute(tendon, range)));
   }
 
   void read_gravity() {

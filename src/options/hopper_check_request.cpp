@@ -17,6 +17,11 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
                   "with more, the check fails")
       .between(0.0, 1e9);
   command
+      .add_option("--left-out-share", check.left_out_share,
+                  "Greatest share of the rows that may lack more than that and are named and left "
+                  "out of the verdict; 0 refuses for one. What the robot does there is not judged")
+      .between(0.0, 0.5);
+  command
       .add_option("--load-window", check.load_window_s,
                   "Time over which a transmission's load is averaged, in s")
       .between(1e-6, 10.0);

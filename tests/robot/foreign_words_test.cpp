@@ -174,6 +174,32 @@ TEST(MjcfWords, OfActuatorsElsewhereAreNamed) {
   EXPECT_NE(notes.find("not held: <motor> of line 1, m\n"), std::string::npos) << notes;
 }
 
+TEST(MjcfWords, OfATendonsLimitsAreNamed) {
+  const std::string notes =
+      all_of(mjcf("<tendon><fixed name='t' range='-1 2' limited='true' actuatorfrcrange='-5 5'>"
+                  "<joint joint='j'/></fixed>"
+                  "<fixed name='free' range='-1 2' limited='false'><joint joint='j'/></fixed>"
+                  "</tendon>",
+                  kTwoBodies)
+                 .notes);
+  EXPECT_NE(notes.find("the tendon t's range=\"-1 2\" is left out"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("the tendon t's actuatorfrcrange=\"-5 5\""), std::string::npos) << notes;
+  EXPECT_EQ(notes.find("the tendon free"), std::string::npos) << notes;
+}
+
+TEST(MjcfWords, OfAPlanarBasesJointsAreNamed) {
+  const std::string notes =
+      all_of(mjcf("", R"(<body name="a"><joint name="x" type="slide" axis="1 0 0" range="-2 3"/>
+                 <joint name="z" type="slide" axis="0 0 1" damping="4"/>
+                 <joint name="pitch" axis="0 1 0" range="-90 90"/>)" +
+                          kPart + "</body>")
+                 .notes);
+  EXPECT_NE(notes.find("x's range of -2 to 3 m is left out"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("z's damping, friction or spring is left out"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("pitch's range of -1.5708 to 1.5708 rad"), std::string::npos) << notes;
+  EXPECT_EQ(notes.find("z's range"), std::string::npos) << notes;
+}
+
 // What stands once counts; of two, one would not.
 TEST(MjcfWords, ThatStandTwiceAreRefused) {
   const std::string other = R"(<inertial pos="0 0 0" mass="9" diaginertia="1 1 1"/>)";

@@ -2,21 +2,11 @@
 // What is called a torque at the output of a drive that moves a slide is a force.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "hopper/check/rules/every_rule.hpp"
 #include "io/text/wording.hpp"
+#include "robot/model/moves_slide.hpp"
 
 namespace torquewright::hopper {
-namespace {
-
-bool moves_slide(const Robot& robot, const Drivetrain& drivetrain) {
-  return std::any_of(drivetrain.joints.begin(), drivetrain.joints.end(), [&](std::size_t body) {
-    return robot.tree.bodies[body].joint.kind == dynamics::JointKind::kPrismatic;
-  });
-}
-
-}  // namespace
 
 std::vector<Finding> slide_units(const CheckedMotion& checked) {
   std::vector<std::string> names;

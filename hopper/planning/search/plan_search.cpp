@@ -254,8 +254,10 @@ bool Planner::refine_for_check() {
 void Planner::judge() {
   if (result_.check) return;
   result_.motion = sampled_motion(robot_, model_.plane, result_.plan, options_.sample_s);
+  CheckOptions all_rows = options_.check;
+  all_rows.left_out_share = 0.0;  // of a solution no row is an error of a recording
   try {
-    result_.check = check_motion(robot_, result_.motion, options_.check);
+    result_.check = check_motion(robot_, result_.motion, all_rows);
   } catch (const io::SpecError& refusal) {
     if (result_.status != PlanStatus::kCheckFails) return;  // no solution: that is the reason
     return end(PlanStatus::kCheckFails,

@@ -30,6 +30,7 @@ nlohmann::ordered_json request_json(const HopperCheckRequest& request) {
   if (contact.speed_m_s) json["contact_speed_m_s"] = *contact.speed_m_s;
   add("contact_time_constant_s", contact.time_constant_s, defaults.contact.time_constant_s);
   add("residual_limit", request.check.residual_share, defaults.residual_share);
+  add("left_out_share", request.check.left_out_share, defaults.left_out_share);
   add("load_window_s", request.check.load_window_s, defaults.load_window_s);
   add("repeat", request.check.runs, defaults.runs);
   add("ratios", request.ratios, std::string());

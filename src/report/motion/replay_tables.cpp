@@ -96,13 +96,12 @@ std::string sweep_table(const ReplayPage& page) {
 std::string replayed_drives_table(const ReplayPage& page) {
   Rows rows;
   for (const hopper::DriveReplay& drive : page.report.result.drives) {
-    rows.push_back(
-        {drive.name, clipped_words(drive), fmt::format("{:.4g} Nm", drive.peak_torque_Nm),
-         fmt::format("{:.3g} rad (t = {:.4f} s)", drive.peak_tracking_error_rad,
-                     drive.error_time_s),
-         drive.peak_winding_K ? fmt::format("{:.4g} K, limit {:.4g} K", *drive.peak_winding_K,
-                                            *drive.winding_limit_K)
-                              : "-"});
+    rows.push_back({drive.name, clipped_words(drive), peak_words(drive),
+                    fmt::format("{} (t = {:.4f} s)", error_words(drive), drive.error_time_s),
+                    drive.peak_winding_K
+                        ? fmt::format("{:.4g} K, limit {:.4g} K", *drive.peak_winding_K,
+                                      *drive.winding_limit_K)
+                        : "-"});
   }
   return table_of("Drives", {"drive", "torque cut off", "peak torque", "greatest error", "winding"},
                   rows);

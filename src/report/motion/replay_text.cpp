@@ -33,8 +33,9 @@ std::string end_lines(const Motion& motion, const ReplayResult& result) {
 std::string drive_lines(const ReplayResult& result, std::size_t index) {
   const DriveReplay& drive = result.drives[index];
   std::string text = fmt::format("\n{}\n  clipped  {}\n", drive.name, clipped_words(drive));
-  text += fmt::format("  torque   peak {:.4g} Nm\n  error    {:.3g} rad at most (t = {:.4f} s)\n",
-                      drive.peak_torque_Nm, drive.peak_tracking_error_rad, drive.error_time_s);
+  text += fmt::format("  {}   peak {}\n  error    {} at most (t = {:.4f} s)\n",
+                      drive.moves_slide ? "force " : "torque", peak_words(drive),
+                      error_words(drive), drive.error_time_s);
   if (drive.peak_winding_K) {
     text += fmt::format("  winding  {:.4g} K at most, limit {:.4g} K\n", *drive.peak_winding_K,
                         *drive.winding_limit_K);

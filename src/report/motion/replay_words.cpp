@@ -66,8 +66,17 @@ std::string battery_words(const ReplayResult& result) {
 
 std::string clipped_words(const DriveReplay& drive) {
   if (!(drive.peak_cut_off_Nm > 0.0)) return "never";
-  return fmt::format("{:.3g} % of the control instants, by {:.4g} Nm at most (t = {:.4f} s)",
-                     100.0 * drive.clipped_share, drive.peak_cut_off_Nm, drive.cut_off_time_s);
+  return fmt::format("{:.3g} % of the control instants, by {:.4g} {} at most (t = {:.4f} s)",
+                     100.0 * drive.clipped_share, drive.peak_cut_off_Nm,
+                     drive.moves_slide ? "N" : "Nm", drive.cut_off_time_s);
+}
+
+std::string peak_words(const DriveReplay& drive) {
+  return fmt::format("{:.4g} {}", drive.peak_torque_Nm, drive.moves_slide ? "N" : "Nm");
+}
+
+std::string error_words(const DriveReplay& drive) {
+  return fmt::format("{:.3g} {}", drive.peak_tracking_error_rad, drive.moves_slide ? "m" : "rad");
 }
 
 std::string rate_words(const ReplayTrials& trials) {

@@ -21,6 +21,10 @@ std::string battery_words(const hopper::ReplayResult& result);
 std::string clipped_words(const hopper::DriveReplay& drive);
 /// A deed with how far it is off and how far it may be.
 std::string deed_words(const hopper::Deed& deed);
+/// Greatest torque of a drive, or force where it moves a slide.
+std::string peak_words(const hopper::DriveReplay& drive);
+/// Greatest error of a drive's angle, or of its way where it moves a slide.
+std::string error_words(const hopper::DriveReplay& drive);
 /// How many trials did it and stand, and the interval of the rate; nothing of those that are
 /// unfinished.
 std::string rate_words(const hopper::ReplayTrials& trials);

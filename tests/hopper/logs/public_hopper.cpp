@@ -48,8 +48,7 @@ void add_drives(hopper::Robot& robot) {
   }
 }
 
-/// These logs are of drives and contacts alone: with the files' own damping and friction small
-/// motions of hips have accelerations that change within a row, and are no rates of its velocities.
+/// Most of these logs are of drives and contacts alone.
 void leave_out_passive_forces(hopper::Robot& robot) {
   for (dynamics::Body& body : robot.tree.bodies) body.joint.passive = {};
 }
@@ -171,14 +170,14 @@ const std::vector<std::string>& public_hoppers() {
   return names;
 }
 
-std::optional<PublicHopper> read_public_hopper(const std::string& name) {
+std::optional<PublicHopper> read_public_hopper(const std::string& name, bool keeps_passive) {
   for (const Entry& entry : entries()) {
     if (entry.name != name || !fs::is_regular_file(robots() / entry.file)) continue;
     PublicHopper hopper;
     hopper.name = entry.name;
     hopper.kind = entry.kind;
     hopper.robot = hopper::read_mjcf(robots() / entry.file).robot;
-    leave_out_passive_forces(hopper.robot);
+    if (!keeps_passive) leave_out_passive_forces(hopper.robot);
     hopper.stated_contacts = std::move(hopper.robot.contacts);
     hopper.robot.contacts.clear();
     entry.complete(hopper);

@@ -29,6 +29,6 @@ struct PublicHopper {
 const std::vector<std::string>& public_hoppers();
 
 /// None where the data are absent: ../shared/data or $TORQUEWRIGHT_DATA.
-std::optional<PublicHopper> read_public_hopper(const std::string& name);
+std::optional<PublicHopper> read_public_hopper(const std::string& name, bool keeps_passive = false);
 
 }  // namespace torquewright::test

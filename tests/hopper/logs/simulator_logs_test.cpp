@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "io/faults/spec_error.hpp"
@@ -149,6 +150,38 @@ TEST(SimulatorLogs, OfFeetThatRollAreReadAsSuch) {
     contact.radius_m = 0.0;
   }
   EXPECT_THROW(check(fixed, content), io::SpecError);
+}
+
+// With the file's own damping and dry friction, whose accelerations turn within a row.
+TEST(SimulatorLogs, OfJointsThatRubAreNoWrongRates) {
+  for (const char* name : {"go1", "go1_balls"}) {
+    auto hopper = read_public_hopper(name, true);
+    if (!hopper) GTEST_SKIP() << "needs the public robots, ../shared/data";
+    SimulatedHop hop = simulate_hop(*hopper);
+    const Hop it{std::move(*hopper), std::move(hop)};
+    for (const bool forces : {false, true}) {
+      for (const bool late : {false, true}) {
+        EXPECT_NO_THROW(check(it, {200, true, true, forces, !forces, 0.0, late}))
+            << name << (forces ? ", forces" : ", flags") << (late ? ", late" : "");
+      }
+    }
+  }
+}
+
+// The simulator's own forces say when the last point lets go.
+TEST(SimulatorLogs, TellTakeOffWithoutForces) {
+  const Hop* it = hop_of("hopper");
+  if (it == nullptr) GTEST_SKIP() << "needs the public robots, ../shared/data";
+  const hopper::Motion& truth = it->hop.motion;
+  const Checked found = check(*it, {1000, true, false, false, false, 0.0});
+  ASSERT_FALSE(found.report.flights.empty());
+  for (const hopper::Flight& flight : found.report.flights) {
+    if (flight.until_s - flight.from_s < 0.1) continue;
+    auto sample = static_cast<Eigen::Index>(std::lround(flight.until_s / it->hop.step_s)) - 40;
+    while (sample > 0 && truth.forces_N.col(sample).isZero(0.0)) --sample;
+    const double let_go_s = truth.time_s(sample);
+    EXPECT_NEAR(flight.from_s, let_go_s, 2.5e-3);  // two rows, and half of one
+  }
 }
 
 bool is_moved(const hopper::HopperReport& report, const char* what) {
