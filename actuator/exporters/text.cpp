@@ -92,7 +92,7 @@ std::string armature_attribute(double armature_kg_m2) {
 }
 
 std::string friction_constraint(double frictionloss_Nm) {
-  return frictionloss_Nm > 0.0 ? " solreffriction=\"0.0001 1\"" : "";
+  return frictionloss_Nm > 0.0 ? fmt::format(" solreffriction=\"{}\"", kFrictionConstraint) : "";
 }
 
 PythonArgument friction_argument(std::string_view name, double value) {

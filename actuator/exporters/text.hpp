@@ -49,8 +49,10 @@ inline constexpr std::string_view kFrictionLoss =
     "is "
     "0.02 s.";
 
-/// The constraint's time constant as an attribute with a space before it, where there is a friction
-/// loss.
+/// The constraint's time constant in s, and its damping ratio.
+inline constexpr std::string_view kFrictionConstraint = "0.0001 1";
+
+/// That as an attribute with a space before it, where there is a friction loss.
 std::string friction_constraint(double frictionloss_Nm);
 
 /// A literal of Python.
