@@ -7,8 +7,9 @@
 #define TORQUEWRIGHT_EVERY_EXPORTER(exporter)                                                   \
   exporter(mujoco) exporter(mujoco_dcmotor) exporter(isaac_lab) exporter(mjlab)                 \
       exporter(unitree_xy) exporter(physx) exporter(newton) exporter(raisim2) exporter(raisim1) \
-          exporter(urdf) exporter(sdf) exporter(drake) exporter(jaxsim) exporter(python)        \
-              exporter(c)
+          exporter(urdf) exporter(sdf) exporter(drake) exporter(drake_sdf) exporter(jaxsim)     \
+              exporter(pybullet) exporter(isaac_gym) exporter(genesis) exporter(playground)     \
+                  exporter(python) exporter(c)
 
 namespace torquewright::actuator::exporters {
 

@@ -270,12 +270,15 @@ Law law_of_file(const std::string& format, const std::string& text) {
   if (format == "unitree-xy") return unitree(text);
   if (format == "physx") return physx(text);
   if (format == "urdf") return urdf(text);
-  if (format == "sdf") return sdf(text);
+  if (format == "sdf" || format == "drake-sdf") return sdf(text);
   if (format == "jaxsim") return jaxsim(text);
   if (format == "raisim1" || format == "drake") {
     return table(array(text, "kSpeed"), array(text, "kLeast"), array(text, "kGreatest"));
   }
-  if (format == "python") return python(text);
+  if (format == "python" || format == "pybullet" || format == "isaac-gym" || format == "genesis" ||
+      format == "playground") {
+    return python(text);
+  }
   if (format == "c") return c_rows(text);
   if (format == "isaac-lab") {
     return line(literal(text, "saturation_effort"), literal(text, "actuator_velocity_limit"),
