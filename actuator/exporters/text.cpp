@@ -127,9 +127,11 @@ std::string python_expressions(std::span<const std::string> names) {
 }
 
 std::string python_configurations(const std::vector<std::string>& note, std::string_view module,
-                                  std::string_view class_name, std::span<const PythonCall> calls) {
+                                  std::string_view class_name, std::span<const PythonCall> calls,
+                                  std::string_view also) {
   std::string text = line_comment(note, "# ");
-  text += fmt::format("from {} import {}\n", module, class_name);
+  text +=
+      fmt::format("from {} import {}{}{}\n", module, class_name, also.empty() ? "" : ", ", also);
   for (const PythonCall& call : calls) {
     text += fmt::format("\n{} = {}(\n", call.variable, class_name);
     for (const PythonArgument& argument : call.arguments) {

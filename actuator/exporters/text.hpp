@@ -68,8 +68,10 @@ struct PythonCall {
   std::vector<PythonArgument> arguments;
 };
 
-/// Python that imports a configuration class from its module and calls it; `note` in front.
+/// Python that imports a configuration class from its module, and what else the calls name, and
+/// calls it; `note` in front.
 std::string python_configurations(const std::vector<std::string>& note, std::string_view module,
-                                  std::string_view class_name, std::span<const PythonCall> calls);
+                                  std::string_view class_name, std::span<const PythonCall> calls,
+                                  std::string_view also = "");
 
 }  // namespace torquewright::actuator

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "actuator/region/torque_at.hpp"
+#include "robot/mjcf/mjcf_drives.hpp"
 #include "robot/mjcf/mjcf_writer.hpp"
 #include "robot/model/mechanism_reach.hpp"
 #include "tests/dynamics/mujoco_engine.hpp"
@@ -159,6 +160,22 @@ TEST_F(Hopper, HasTheFrictionOfDrivesInTheirLimitsWhereAsked) {
   EXPECT_EQ(mujoco.model().tendon_frictionloss[0], 0.0);
   EXPECT_LT(mujoco.model().actuator_forcerange[2 * knee + 1], 320.0 - 0.9 * kCoulomb_Nm);
   EXPECT_NEAR(mujoco_.model().actuator_forcerange[2 * knee + 1], 320.0, 1e-6);
+}
+
+// By hand, by virtual work: a drive that turns twice as fast as its joint, and backwards, brings it
+// twice its dry friction and four times its viscous one; of two joints the tendon has it.
+TEST(FrictionOfDrives, GoesThroughTheRatio) {
+  Robot robot = test::driven_hinge({}, {0.25, 0.5});
+  Drive drive;
+  drive.joints = {1};
+  drive.ratios = {-2.0};
+  drive.friction = {0.3, 0.3, 0.06};
+  Drive coupled = drive;
+  coupled.joints = {1, 1};
+  coupled.ratios = {1.0, 1.0};
+  add_friction({drive, coupled}, robot.tree);
+  EXPECT_NEAR(robot.tree.bodies[1].joint.passive.dry_friction, 0.5 + 0.6, 1e-15);
+  EXPECT_NEAR(robot.tree.bodies[1].joint.passive.damping, 0.25 + 0.24, 1e-15);
 }
 
 // Oracle: the closed form of w' = -(c + b w) / M. A hinge whose drive coasts, at MuJoCo's own 2 ms.

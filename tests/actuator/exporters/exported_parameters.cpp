@@ -122,6 +122,20 @@ Law mujoco_dcmotor(const std::string& text) {
   };
 }
 
+/// tau = K (V - K w) / R, held to the effort limit: as Isaac Lab's BAM and mjlab's <dcmotor>.
+Law by_voltage(const std::string& text, const std::string& volts, const std::string& effort) {
+  const double constant = literal(text, "kt");
+  const double resistance = literal(text, "resistance");
+  const double limit = literal(text, volts);
+  const double cap = literal(text, effort);
+  return [=](double speed) {
+    const auto at = [&](double voltage) {
+      return clamped(constant * (voltage - constant * speed) / resistance, -cap, cap);
+    };
+    return TorqueLimits{at(-limit), at(limit)};
+  };
+}
+
 Law raisim2(const std::string& text) {
   const XmlFile file(text);
   const std::vector<std::string> motor{"motor_group", "motor"};
@@ -284,6 +298,8 @@ Law law_of_file(const std::string& format, const std::string& text) {
     return line(literal(text, "saturation_effort"), literal(text, "actuator_velocity_limit"),
                 literal(text, "actuator_effort_limit"), true);
   }
+  if (format == "isaac-lab-bam") return by_voltage(text, "vin", "actuator_effort_limit");
+  if (format == "mjlab-dcmotor") return by_voltage(text, "voltage_limit", "effort_limit");
   if (format == "mjlab") {
     return line(literal(text, "saturation_effort"), literal(text, "velocity_limit"),
                 literal(text, "effort_limit"), true);
