@@ -142,6 +142,8 @@ TEST_F(Hopper, HasTheFrictionOfDriveAndJointOnce) {
   const int knee = row("knee");
   EXPECT_NEAR(mujoco_.model().dof_frictionloss[knee], kCoulomb_Nm + kOwn_Nm, 1e-12);
   EXPECT_NEAR(mujoco_.model().dof_damping[knee], kViscous_Nm_s_rad + kOwn_Nm_s_rad, 1e-12);
+  EXPECT_EQ(mujoco_.model().dof_solref[2 * knee], 1e-4);
+  EXPECT_EQ(mujoco_.model().tendon_solref_fri[0], 1e-4);
   const int roll = row("ankle_roll");
   EXPECT_NEAR(mujoco_.model().dof_frictionloss[roll], kOwn_Nm, 1e-15);
   EXPECT_NEAR(mujoco_.model().dof_damping[roll], kOwn_Nm_s_rad, 1e-15);

@@ -174,8 +174,8 @@ def of_playground():
     simulator_classes.module("jax", lax=lax)
     simulator_classes.module("mujoco", mjx=simulator_classes.module("mujoco.mjx", step=mjx_step))
     module = loaded("playground")
-    data = Data(numpy.asarray([0.0, 3.0, -8.0]), numpy.asarray([5.0, 6.0, 7.0]).view(Controls))
-    data = module.step("model", data, numpy.asarray([100.0, 100.0]), [0, 2], [1, 2], n_substeps=2)
+    data = Data(numpy.asarray([0.0, 23.5, -24.0]), numpy.asarray([5.0, 6.0, 7.0]).view(Controls))
+    data = module.step("model", data, numpy.asarray([100.0, -100.0]), [0, 2], [1, 2], n_substeps=2)
     return {
         "torque_Nm": module.controls(torque, velocity).tolist(),
         "given": given,

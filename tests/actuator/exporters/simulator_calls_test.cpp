@@ -188,7 +188,8 @@ TEST_F(SimulatorCalls, GiveGenesisForceRangeArmatureAndFriction) {
   EXPECT_NEAR(calls.at("armature")[0][1].get<double>(), 36e-4, 1e-12);
 }
 
-// By hand: two substeps at 3 and -8 rad/s, then at 4 and -7; the control between stays its own.
+// By hand: two substeps at 23.5 and -24 rad/s, where the line falls, then at 24.5 and -23; the
+// control between stays its own.
 TEST_F(SimulatorCalls, ClipInEachSubstepOfPlayground) {
   const json& playground = answer().at("playground");
   expect_clipped(playground.at("torque_Nm"));
@@ -196,9 +197,9 @@ TEST_F(SimulatorCalls, ClipInEachSubstepOfPlayground) {
   for (std::size_t step = 0; step < 2; ++step) {
     const json& given = playground.at("given")[step];
     const auto later = static_cast<double>(step);
-    EXPECT_NEAR(given[0].get<double>(), clip(kMotor, 3.0 + later, 100.0), kAgreement_Nm);
+    EXPECT_NEAR(given[0].get<double>(), clip(kMotor, 23.5 + later, 100.0), kAgreement_Nm);
     EXPECT_EQ(given[1], 6.0);
-    EXPECT_NEAR(given[2].get<double>(), clip(kMotor, -8.0 + later, 100.0), kAgreement_Nm);
+    EXPECT_NEAR(given[2].get<double>(), clip(kMotor, -24.0 + later, -100.0), kAgreement_Nm);
   }
   EXPECT_NE(playground.at("mjcf").get<std::string>().find("<mujoco model=\"dry_drive\">"),
             std::string::npos);
