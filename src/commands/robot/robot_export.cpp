@@ -111,7 +111,8 @@ void add_export_command(command_line::Command& robot) {
   command.add_option("robot", options->robot_file, "Document of kind robot").required();
   command
       .add_option("--format", options->format,
-                  "What is written: urdf, mjcf, or with --actuators isaac-lab, mjlab or newton")
+                  "What is written: urdf, mjcf, or with --actuators isaac-lab, "
+                  "isaac-lab-remotized, mjlab or newton")
       .required()
       .one_of(export_formats());
   command.add_flag(

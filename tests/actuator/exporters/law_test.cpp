@@ -13,17 +13,12 @@ namespace {
 constexpr double kRounding_Nm = 1e-12;
 
 TEST(ExporterLibrary, HasEachTargetOnceByName) {
-  const std::vector<std::string_view> names{"mujoco",     "mujoco-dcmotor",
-                                            "isaac-lab",  "isaac-lab-bam",
-                                            "mjlab",      "mjlab-dcmotor",
-                                            "unitree-xy", "physx",
-                                            "newton",     "raisim2",
-                                            "raisim1",    "urdf",
-                                            "sdf",        "drake",
-                                            "drake-sdf",  "jaxsim",
-                                            "pybullet",   "isaac-gym",
-                                            "genesis",    "playground",
-                                            "python",     "c"};
+  const std::vector<std::string_view> names{
+      "mujoco",     "mujoco-dcmotor", "isaac-lab",  "isaac-lab-bam", "isaac-lab-remotized",
+      "mjlab",      "mjlab-dcmotor",  "unitree-xy", "physx",         "newton",
+      "raisim2",    "raisim1",        "urdf",       "sdf",           "drake",
+      "drake-sdf",  "jaxsim",         "pybullet",   "isaac-gym",     "genesis",
+      "playground", "python",         "c"};
   ASSERT_EQ(exporter_library().size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_EQ(exporter_library()[i]->name, names[i]);
