@@ -3,12 +3,12 @@
 // index written out, and its grid over voltage and temperature. N m, rad/s, V, K, kg m^2.
 #include <fmt/format.h>
 
-#include "actuator/exporters/c_source.hpp"
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/region_text.hpp"
 #include "actuator/exporters/table_law.hpp"
 #include "actuator/exporters/text.hpp"
 #include "actuator/region/clip_table.hpp"
+#include "actuator/source_text/c_source.hpp"
 
 namespace torquewright::actuator::exporters {
 namespace {

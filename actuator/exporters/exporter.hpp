@@ -65,6 +65,14 @@ struct ShapeParameter {
 /// The numbers of a law, in the order of its parameters. All positive.
 using Shape = std::vector<double>;
 
+/// What a linkage makes of a drive at an angle of its joint.
+struct PosturePoint {
+  double position_rad = 0.0;
+  double ratio = 0.0;      ///< Speed of the drive over the joint's.
+  double torque_Nm = 0.0;  ///< The greatest at the joint.
+  friend bool operator==(const PosturePoint&, const PosturePoint&) = default;
+};
+
 /// One drive of a robot, or several that are alike: an entry of a file of all.
 struct DriveEntry {
   std::string name;                 ///< An identifier, of no other entry.
@@ -73,6 +81,8 @@ struct DriveEntry {
   double armature_kg_m2 = 0.0;      ///< Of the joint.
   /// Of the joint; none: it is in the law.
   std::optional<JointFriction> friction = {};
+  /// Over the joint's range, for who takes them; empty: they are alike.
+  std::vector<PosturePoint> postures = {};
 };
 
 /// The friction that a simulator's joint, or its actuator, has of its own.
@@ -106,6 +116,7 @@ struct Exporter {
   std::string (*write_all)(std::span<const DriveEntry> entries,
                            const std::vector<std::string>& note) = nullptr;
   FrictionFields friction = {};
+  bool takes_postures = false;  ///< write_all has DriveEntry::postures.
 };
 
 /// Where the friction stands if nobody says: in the joint if the simulator's has one that can hold

@@ -92,7 +92,7 @@ std::string armature_attribute(double armature_kg_m2) {
 }
 
 std::string friction_constraint(double frictionloss_Nm) {
-  return frictionloss_Nm > 0.0 ? " solreffriction=\"0.0001 1\"" : "";
+  return frictionloss_Nm > 0.0 ? fmt::format(" solreffriction=\"{}\"", kFrictionConstraint) : "";
 }
 
 PythonArgument friction_argument(std::string_view name, double value) {
@@ -127,9 +127,11 @@ std::string python_expressions(std::span<const std::string> names) {
 }
 
 std::string python_configurations(const std::vector<std::string>& note, std::string_view module,
-                                  std::string_view class_name, std::span<const PythonCall> calls) {
+                                  std::string_view class_name, std::span<const PythonCall> calls,
+                                  std::string_view also) {
   std::string text = line_comment(note, "# ");
-  text += fmt::format("from {} import {}\n", module, class_name);
+  text +=
+      fmt::format("from {} import {}{}{}\n", module, class_name, also.empty() ? "" : ", ", also);
   for (const PythonCall& call : calls) {
     text += fmt::format("\n{} = {}(\n", call.variable, class_name);
     for (const PythonArgument& argument : call.arguments) {

@@ -49,8 +49,10 @@ inline constexpr std::string_view kFrictionLoss =
     "is "
     "0.02 s.";
 
-/// The constraint's time constant as an attribute with a space before it, where there is a friction
-/// loss.
+/// The constraint's time constant in s, and its damping ratio.
+inline constexpr std::string_view kFrictionConstraint = "0.0001 1";
+
+/// That as an attribute with a space before it, where there is a friction loss.
 std::string friction_constraint(double frictionloss_Nm);
 
 /// A literal of Python.
@@ -66,8 +68,10 @@ struct PythonCall {
   std::vector<PythonArgument> arguments;
 };
 
-/// Python that imports a configuration class from its module and calls it; `note` in front.
+/// Python that imports a configuration class from its module, and what else the calls name, and
+/// calls it; `note` in front.
 std::string python_configurations(const std::vector<std::string>& note, std::string_view module,
-                                  std::string_view class_name, std::span<const PythonCall> calls);
+                                  std::string_view class_name, std::span<const PythonCall> calls,
+                                  std::string_view also = "");
 
 }  // namespace torquewright::actuator

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/exporters/text.hpp"
 #include "robot/xml/xml_text.hpp"
 
 namespace torquewright::hopper {
@@ -42,8 +43,12 @@ Pose pose_of_body(const Body& body) { return {body.joint.R_PB, body.joint.p_PB_m
 class BodyWriter {
  public:
   BodyWriter(tinyxml2::XMLPrinter& out, const Robot& robot, const dynamics::Tree& tree,
-             bool collides)
-      : out_(out), robot_(robot), tree_(tree), collides_(collides) {}
+             bool collides, bool has_stiff_friction)
+      : out_(out),
+        robot_(robot),
+        tree_(tree),
+        collides_(collides),
+        has_stiff_friction_(has_stiff_friction) {}
 
   void write() {
     const Body& base = tree_.bodies.front();
@@ -157,6 +162,9 @@ class BodyWriter {
     };
     write("damping", passive.damping);
     write("frictionloss", passive.dry_friction);
+    if (has_stiff_friction_ && passive.dry_friction != 0) {
+      out_.PushAttribute("solreffriction", std::string(actuator::kFrictionConstraint).c_str());
+    }
     write("stiffness", passive.stiffness);
     write("springref", passive.rest_position);
   }
@@ -238,6 +246,7 @@ class BodyWriter {
   const Robot& robot_;
   const dynamics::Tree& tree_;
   bool collides_;
+  bool has_stiff_friction_;
 };
 
 void number(const dynamics::Tree& tree, std::size_t index, std::vector<std::size_t>& order) {
@@ -250,8 +259,8 @@ void number(const dynamics::Tree& tree, std::size_t index, std::vector<std::size
 }  // namespace
 
 void write_bodies(tinyxml2::XMLPrinter& out, const Robot& robot, const dynamics::Tree& tree,
-                  bool collides) {
-  BodyWriter(out, robot, tree, collides).write();
+                  bool collides, bool has_stiff_friction) {
+  BodyWriter(out, robot, tree, collides, has_stiff_friction).write();
 }
 
 std::vector<std::size_t> mjcf_order(const dynamics::Tree& tree) {

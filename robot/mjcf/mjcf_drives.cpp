@@ -7,9 +7,11 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <set>
 
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/line_law.hpp"
+#include "actuator/exporters/text.hpp"
 #include "actuator/region/left_out.hpp"
 #include "io/faults/spec_error.hpp"
 #include "robot/model/mechanism_reach.hpp"
@@ -18,22 +20,47 @@
 namespace torquewright::hopper {
 namespace {
 
-void read_region(const actuator::Actuator& document, const std::string& file, Drive& drive) {
-  const actuator::Actuator stated = actuator::as_laws_brake(document);
-  const actuator::OperatingConditions conditions;
-  const actuator::Region region(stated, conditions);
-  if (region.at(0.0).is_empty) {
-    throw io::SpecError({{file, "", "no torque is possible at rest: there is no region to write"}});
-  }
-  const actuator::MorTable table = actuator::mor_table(region);
-  const actuator::Subject subject{stated, conditions, region, table};
-  const auto line = actuator::parallelogram_of(actuator::exporters::mujoco.shape(subject));
+using actuator::FrictionPlace;
+const actuator::Exporter& law_of_drives() { return actuator::exporters::mujoco; }
+
+void read_region(const actuator::ExportedDrive& exported, Drive& drive) {
+  const actuator::Subject& subject = exported.subject();
+  const auto line = actuator::parallelogram_of(law_of_drives().shape(subject));
   drive.stall_torque_Nm = line.stall_torque_Nm;
   drive.no_load_speed_rad_s = line.no_load_speed_rad_s;
   drive.greatest_torque_Nm = line.greatest_torque_Nm;
   drive.bus_V = subject.bus_voltage_V();
-  drive.is_curve = stated.envelope.has_value();
-  if (drive.is_curve) drive.greatest_torque_Nm = table.peak_torque_Nm;
+  drive.is_curve = subject.actuator.envelope.has_value();
+  if (drive.is_curve) drive.greatest_torque_Nm = subject.table.peak_torque_Nm;
+  drive.friction = subject.friction.value_or(actuator::JointFriction{});
+}
+
+/// What MuJoCo's joint or tendon cannot hold of the friction, once for each document.
+void note_friction(const actuator::ExportedDrive& exported, const std::string& file,
+                   std::vector<std::string>& notes) {
+  const actuator::Subject& subject = exported.subject();
+  if (!subject.friction) {
+    notes.push_back(fmt::format("{}: its gear locks itself: its friction is in its limits", file));
+    return;
+  }
+  const std::vector<std::string> sentences = actuator::friction_not_held(
+      *subject.whole, actuator::winding_temperature_K(*subject.whole, subject.conditions),
+      subject.region.greatest_speed_rad_s(), false, subject.table.peak_torque_Nm);
+  for (const std::string& sentence : sentences) {
+    notes.push_back(fmt::format("{}: {}", file, sentence));
+  }
+}
+
+/// With its friction where it is wanted, if its gear lets it.
+actuator::ExportedDrive exported_drive(const actuator::Actuator& document, const std::string& file,
+                                       FrictionPlace friction) {
+  if (actuator::Region(document, {}).at(0.0).is_empty) {
+    throw io::SpecError({{file, "", "no torque is possible at rest: there is no region to write"}});
+  }
+  if (friction == FrictionPlace::kJoint) {
+    friction = actuator::usual_place(law_of_drives(), document, actuator::Side::kJoint);
+  }
+  return actuator::ExportedDrive(document, law_of_drives(), {.friction = friction});
 }
 
 /// Speeds of the drives over those of the joints; empty where the mechanism is singular at home.
@@ -66,6 +93,14 @@ const std::string& joint_name(const Robot& robot, std::size_t body) {
 void write_tendon(tinyxml2::XMLPrinter& out, const Robot& robot, const Drive& drive) {
   out.OpenElement("fixed");
   push(out, "name", drive.name);
+  const auto write = [&](const char* key, double value) {
+    if (value != 0) push(out, key, text_of(value));
+  };
+  write("damping", drive.friction.viscous_Nm_s_rad);
+  write("frictionloss", drive.friction.coulomb_Nm);
+  if (drive.friction.coulomb_Nm != 0) {
+    push(out, "solreffriction", std::string(actuator::kFrictionConstraint));
+  }
   for (std::size_t i = 0; i < drive.joints.size(); ++i) {
     out.OpenElement("joint");
     push(out, "joint", joint_name(robot, drive.joints[i]));
@@ -123,8 +158,10 @@ void note_left_out(const Drivetrain& drivetrain, std::size_t index,
 
 }  // namespace
 
-std::vector<Drive> drives_of(const Robot& robot, std::vector<std::string>& notes) {
+std::vector<Drive> drives_of(const Robot& robot, FrictionPlace friction,
+                             std::vector<std::string>& notes) {
   std::vector<Drive> drives;
+  std::set<std::string> noted;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     const auto jacobian = jacobian_at_home(robot, drivetrain, notes);
     if (!jacobian) continue;
@@ -134,7 +171,13 @@ std::vector<Drive> drives_of(const Robot& robot, std::vector<std::string>& notes
       drive.joints = drivetrain.joints;
       const SmallVector row = jacobian->row(static_cast<Eigen::Index>(k)).transpose();
       drive.ratios.assign(row.data(), row.data() + row.size());
-      read_region(drivetrain.actuators[k], drivetrain.actuator_files[k], drive);
+      const actuator::Actuator& document = drivetrain.actuators[k];
+      const std::string& file = drivetrain.actuator_files[k];
+      const actuator::ExportedDrive exported = exported_drive(document, file, friction);
+      read_region(exported, drive);
+      if (friction == FrictionPlace::kJoint && noted.insert(file).second) {
+        note_friction(exported, file, notes);
+      }
       note_left_out(drivetrain, k, notes);
       if (drive.is_curve) {
         notes.push_back(
@@ -146,6 +189,16 @@ std::vector<Drive> drives_of(const Robot& robot, std::vector<std::string>& notes
     }
   }
   return drives;
+}
+
+void add_friction(const std::vector<Drive>& drives, dynamics::Tree& tree) {
+  for (const Drive& drive : drives) {
+    if (drive.joints.size() != 1) continue;
+    dynamics::PassiveForces& passive = tree.bodies[drive.joints.front()].joint.passive;
+    const double ratio = std::abs(drive.ratios.front());
+    passive.dry_friction += ratio * drive.friction.coulomb_Nm;
+    passive.damping += ratio * ratio * drive.friction.viscous_Nm_s_rad;
+  }
 }
 
 void write_drives(tinyxml2::XMLPrinter& out, const Robot& robot, const std::vector<Drive>& drives) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "actuator/friction/joint_friction.hpp"
 #include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
@@ -17,18 +18,27 @@ struct Drive {
   double no_load_speed_rad_s = 0;
   double greatest_torque_Nm = 0;
   double bus_V = 0;
-  bool is_curve = false;  ///< Known by its curve alone: its control is a torque.
+  bool is_curve = false;             ///< Known by its curve alone: its control is a torque.
+  actuator::JointFriction friction;  ///< Beside the region, at the drive's own output.
   std::vector<std::size_t> joints;
   std::vector<double> ratios;  ///< Its speed over each joint's.
 };
 
 /// Every drive of the robot; ratios are those of the posture nearest to zero, and a note says where
-/// they change. Throws io::SpecError where a drive has no region.
-std::vector<Drive> drives_of(const Robot& robot, std::vector<std::string>& notes);
+/// they change. `friction` at the joint: beside the region of every drive whose gear does not lock
+/// itself, and a note says what MuJoCo cannot hold of it. Throws io::SpecError where a drive has no
+/// region.
+std::vector<Drive> drives_of(const Robot& robot, actuator::FrictionPlace friction,
+                             std::vector<std::string>& notes);
+
+/// Adds the friction of drives that turn one joint to what that joint has itself: by virtual work,
+/// dry friction by the ratio and viscous by its square. Of drives that turn several their tendons
+/// have it (write_drives).
+void add_friction(const std::vector<Drive>& drives, dynamics::Tree& tree);
 
 /// <tendon> and <actuator>: drives, whose control is the voltage in V, or
 /// the torque in Nm of those that are known by their curve, by a joint or by a tendon of
-/// several; motors of all joints that have a torque limit.
+/// several, which has the drive's friction; motors of all joints that have a torque limit.
 void write_drives(tinyxml2::XMLPrinter& out, const Robot& robot, const std::vector<Drive>& drives);
 
 }  // namespace torquewright::hopper

@@ -43,6 +43,13 @@ void add_notes_of_parts(const Robot& robot, const MjcfParts& parts,
     notes.emplace_back(
         "controls of drives are voltages in V; each loads the battery alone, and heat "
         "and what else no line between torque and speed holds");
+    notes.emplace_back(
+        parts.friction == actuator::FrictionPlace::kJoint
+            ? "friction of drives is that of the joint or the tendon that they turn, "
+              "beside what joints have themselves: limits are of the torque that "
+              "the motor brings there"
+            : "friction of drives is taken off their limits: a torque below them "
+              "arrives whole");
   }
 }
 
@@ -69,6 +76,10 @@ void write_pins(tinyxml2::XMLPrinter& out, const LoopedRobot& looped) {
   out.CloseElement();
 }
 
+bool has_joint_friction(const MjcfParts& parts) {
+  return parts.actuators && parts.friction == actuator::FrictionPlace::kJoint;
+}
+
 void write_all(tinyxml2::XMLPrinter& out, const LoopedRobot& looped, const dynamics::Tree& tree,
                const std::vector<Drive>& drives, const MjcfParts& parts) {
   const Robot& robot = looped.robot;
@@ -77,7 +88,7 @@ void write_all(tinyxml2::XMLPrinter& out, const LoopedRobot& looped, const dynam
   write_settings(out, tree);
   out.OpenElement("worldbody");
   if (parts.ground) write_ground(out);
-  write_bodies(out, robot, tree, parts.collisions);
+  write_bodies(out, robot, tree, parts.collisions, has_joint_friction(parts));
   out.CloseElement();
   if (!looped.pins.empty()) write_pins(out, looped);
   write_drives(out, robot, drives);
@@ -93,15 +104,17 @@ Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
   LoopedRobot looped =
       parts.closed_loops ? with_closed_loops(robot, exported.notes) : LoopedRobot{robot, {}};
   if (parts.actuators) leave_to_drives(robot, looped.robot.tree);
-  const dynamics::Tree tree = tree_with_rotors(looped.robot, exported.notes);
+  dynamics::Tree tree = tree_with_rotors(looped.robot, exported.notes);
   add_passive_notes(robot, true, exported.notes);
   add_common_notes(robot, {!parts.collisions, !parts.actuators}, exported.notes);
   add_notes_of_parts(robot, parts, exported.notes);
   if (parts.ground && !looped.pins.empty()) {
     exported.notes.emplace_back("of keyframes only the one with all joints at zero is held");
   }
-  const std::vector<Drive> drives =
-      parts.actuators ? drives_of(looped.robot, exported.notes) : std::vector<Drive>();
+  const std::vector<Drive> drives = parts.actuators
+                                        ? drives_of(looped.robot, parts.friction, exported.notes)
+                                        : std::vector<Drive>();
+  add_friction(drives, tree);
   tinyxml2::XMLPrinter out;
   write_notes(out, exported.notes);
   write_all(out, looped, tree, drives, parts);

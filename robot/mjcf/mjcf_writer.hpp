@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "actuator/friction/joint_friction.hpp"
 #include "robot/urdf/urdf_writer.hpp"
 
 namespace torquewright::hopper {
@@ -11,6 +12,8 @@ struct MjcfParts {
   bool ground = false;        ///< A plane, and keyframes of the postures that stand on it.
   bool closed_loops = false;  ///< Cranks and rods of linkages as bodies, in place of frozen rotors.
   bool collisions = false;    ///< Small balls at the contact points, and the collision spheres.
+  /// Of drives, with `actuators`; of a gear that locks itself it is in the limits all the same.
+  actuator::FrictionPlace friction = actuator::FrictionPlace::kJoint;
 };
 
 /// For MuJoCo 2.2.2 and later: bodies with their inertia, joints with reflected inertia as

@@ -28,10 +28,12 @@ namespace {
 using actuator::DriveEntry;
 using actuator::FrictionPlace;
 using actuator::JointFriction;
+using actuator::PosturePoint;
 using actuator::Shape;
 
 constexpr double kNoShare = 1e-9;  // of an actuator's torque or speed: it takes no part
 constexpr double kSame = 1e-6;     // of a ratio: no posture changes it
+constexpr int kPostureSteps = 32;  // over a joint's range, of a table of postures
 
 /// An actuator by the law of the simulator, at its own output.
 struct Fitted {
@@ -187,14 +189,16 @@ class Writer {
       if (friction_ == FrictionPlace::kJoint) friction = friction_of_joint(drives, *shares, j);
       const std::size_t body = drivetrain.joints[static_cast<std::size_t>(j)];
       if (friction) add_own(robot_.tree.bodies[body].joint.passive, *friction);
-      add_joint(drivetrain, static_cast<std::size_t>(j), *shares, shapes.back(), friction);
+      add_joint(drivetrain, static_cast<std::size_t>(j), *shares, shapes.back(), friction,
+                postures_of(drivetrain, drives, j));
     }
     note_coupling(drivetrain, drives, *shares, shapes);
     note_postures(drivetrain, drives, shapes);
   }
 
   void add_joint(const Drivetrain& drivetrain, std::size_t j, const Shares& shares,
-                 const Shape& shape, const std::optional<JointFriction>& friction) {
+                 const Shape& shape, const std::optional<JointFriction>& friction,
+                 std::vector<PosturePoint> postures) {
     const std::size_t body = drivetrain.joints[j];
     if (shape.empty()) {
       notes_.push_back(fmt::format("{}: not driven nearest to zero", joint_name(body)));
@@ -203,7 +207,7 @@ class Writer {
     const double armature_kg_m2 = tree_.bodies[body].joint.reflected_inertia;
     for (DriveEntry& entry : entries_) {
       const bool is_alike = entry.shape == shape && entry.armature_kg_m2 == armature_kg_m2 &&
-                            entry.friction == friction;
+                            entry.friction == friction && entry.postures == postures;
       if (!is_alike) continue;
       entry.joints.push_back(joint_name(body));
       return;
@@ -211,8 +215,43 @@ class Writer {
     const bool is_plain =
         shares.speed.size() == 1 && std::abs(std::abs(shares.speed(0, 0)) - 1.0) <= kSame;
     const std::string& name = is_plain ? drivetrain.actuators[0].name : joint_name(body);
-    entries_.push_back(
-        {unique(actuator::identifier(name)), {joint_name(body)}, shape, armature_kg_m2, friction});
+    entries_.push_back({unique(actuator::identifier(name)),
+                        {joint_name(body)},
+                        shape,
+                        armature_kg_m2,
+                        friction,
+                        std::move(postures)});
+  }
+
+  /// Ratio and torque of a joint alone over its range, the others nearest to zero; empty where
+  /// neither changes or the simulator takes none.
+  std::vector<PosturePoint> postures_of(const Drivetrain& drivetrain,
+                                        const std::vector<const Fitted*>& drives,
+                                        Eigen::Index joint) const {
+    if (!exporter_.takes_postures) return {};
+    const std::size_t cap = cap_of(exporter_);
+    const SmallVector home = home_posture_rad(robot_.tree, drivetrain.joints);
+    const std::size_t body = drivetrain.joints[static_cast<std::size_t>(joint)];
+    const dynamics::JointLimits& limits = robot_.tree.bodies[body].joint.limits;
+    const bool has_range = std::isfinite(limits.position_min) && std::isfinite(limits.position_max);
+    const double low_rad = has_range ? limits.position_min : home[joint] - 1.0;
+    const double high_rad = has_range ? limits.position_max : home[joint] + 1.0;
+    std::vector<PosturePoint> postures;
+    for (int i = 0; i <= kPostureSteps; ++i) {
+      SmallVector posture = home;
+      posture[joint] = std::lerp(low_rad, high_rad, static_cast<double>(i) / kPostureSteps);
+      const auto shares = shares_at(*drivetrain.mechanism, posture);
+      if (!shares) continue;
+      const Shape shape = shape_of_joint(exporter_, drives, *shares, joint);
+      if (shape.empty()) continue;
+      postures.push_back(
+          {posture[joint], shares->speed.col(joint).cwiseAbs().maxCoeff(), shape[cap]});
+    }
+    const auto is_first = [&](const PosturePoint& at) {
+      return std::abs(at.torque_Nm / postures.front().torque_Nm - 1.0) <= kSame;
+    };
+    if (std::all_of(postures.begin(), postures.end(), is_first)) postures.clear();
+    return postures;
   }
 
   /// Passive forces of joints, once: here or in the robot's own file.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <filesystem>
 #include <iterator>
 #include <regex>
@@ -175,6 +176,48 @@ TEST(ActuatorFile, IsTheDrivesOwnWhereItTurnsAJointDirectly) {
         exported.text.find("\"" + robot.tree.bodies[drivetrain.joints[0]].joint.name + "\": add_"),
         std::string::npos);
   }
+}
+
+/// The rows of an entry's table of postures.
+std::vector<std::vector<double>> lookup(const std::string& text, const std::string& entry) {
+  const std::size_t begin = text.find("joint_parameter_lookup=", text.find("\n" + entry + " = "));
+  const std::string table = text.substr(begin, text.find("\n    ]", begin) - begin);
+  const std::regex row(R"(\[([-0-9.e]+), ([-0-9.e]+), ([-0-9.e]+)\])");
+  std::vector<std::vector<double>> rows;
+  for (std::sregex_iterator found(table.begin(), table.end(), row), end; found != end; ++found) {
+    rows.push_back({std::stod((*found)[1]), std::stod((*found)[2]), std::stod((*found)[3])});
+  }
+  return rows;
+}
+
+// Oracle: virtual work at each row's own posture. Of that torque on the joint alone the rods'
+// drives carry J^-T of it, the more loaded one just its own greatest.
+TEST(ActuatorFile, HasTheTorqueOfEachAngleWhereALinkageChangesIt) {
+  const Robot robot = robot_in("hopper.json");
+  const actuator::Exporter& exporter = actuator::exporters::isaac_lab_remotized;
+  const Exported exported = actuators_of(robot, exporter, {"origin"});
+  const Drivetrain& ankle = robot.drivetrains[1];
+  const actuator::ExportedDrive drive(ankle.actuators[0], exporter, {});
+  const double own_Nm = exporter.shape(drive.subject())[0];
+  for (int j = 0; j < 2; ++j) {
+    const auto rows = lookup(exported.text, j == 0 ? "ankle_pitch" : "ankle_roll");
+    ASSERT_EQ(rows.size(), 33U);
+    const auto& limits = robot.tree.bodies[ankle.joints[static_cast<std::size_t>(j)]].joint.limits;
+    EXPECT_EQ(rows.front()[0], limits.position_min);
+    EXPECT_EQ(rows.back()[0], limits.position_max);
+    for (const auto& row : rows) {
+      SmallVector posture = SmallVector::Zero(2);
+      posture[j] = row[0];
+      const SmallMatrix J = ankle.mechanism->transfer(posture, SmallVector::Zero(2))->jacobian;
+      SmallVector torque_Nm = SmallVector::Zero(2);
+      torque_Nm[j] = row[2];
+      const SmallVector carried_Nm = J.transpose().inverse() * torque_Nm;
+      EXPECT_NEAR(carried_Nm.cwiseAbs().maxCoeff(), own_Nm, 1e-9 * own_Nm) << row[0];
+      EXPECT_NEAR(row[1], J.col(j).cwiseAbs().maxCoeff(), 1e-12);
+    }
+  }
+  // The knee's four-bar is a parallelogram: two rows, of its own torque.
+  EXPECT_NE(exported.text.find("joint_parameter_lookup=[[-3.14"), std::string::npos);
 }
 
 TEST(ActuatorFile, RefusesARobotWithoutDrives) {

@@ -38,10 +38,6 @@ const actuator::Exporter* actuators_only(const ExportOptions& options) {
 
 void require_parts(const ExportOptions& options) {
   const hopper::MjcfParts& parts = options.parts;
-  if (!options.friction.empty() && !actuators_only(options)) {
-    io::refuse("--friction",
-               "is of files of drives alone; MJCF has friction off its drives' limits");
-  }
   const bool has_mjcf_parts = parts.ground || parts.collisions || parts.closed_loops;
   if (actuators_only(options)) {
     if (has_mjcf_parts) {
@@ -75,10 +71,8 @@ hopper::ReadRobot read(const ExportOptions& options) {
 
 hopper::Exported compute(const ExportOptions& options, const hopper::ReadRobot& read) {
   if (const actuator::Exporter* exporter = actuators_only(options)) {
-    const auto friction = options.friction == "limits" ? actuator::FrictionPlace::kLimits
-                                                       : actuator::FrictionPlace::kJoint;
     return hopper::actuators_of(read.robot, *exporter, origin_of("robot export", read.documents),
-                                friction);
+                                options.parts.friction);
   }
   return options.format == "urdf" ? hopper::urdf_of(read.robot)
                                   : hopper::mjcf_of(read.robot, options.parts);
@@ -117,7 +111,8 @@ void add_export_command(command_line::Command& robot) {
   command.add_option("robot", options->robot_file, "Document of kind robot").required();
   command
       .add_option("--format", options->format,
-                  "What is written: urdf, mjcf, or with --actuators isaac-lab, mjlab or newton")
+                  "What is written: urdf, mjcf, or with --actuators isaac-lab, "
+                  "isaac-lab-remotized, mjlab or newton")
       .required()
       .one_of(export_formats());
   command.add_flag(
@@ -125,8 +120,9 @@ void add_export_command(command_line::Command& robot) {
       "Write every drive's torque and speed limits; in MJCF its control is the voltage");
   command
       .add_option("--friction", options->friction,
-                  "Where files of drives alone have friction: joint (in the fields of the "
-                  "simulator's joint) or limits (taken off the torque limits)")
+                  "Where drives have friction: joint (in the fields of the simulator's joint; in "
+                  "MJCF of the tendon, where a drive turns several) or limits (taken off the "
+                  "torque limits)")
       .otherwise("joint")
       .one_of({"joint", "limits"})
       .needs("--actuators");
@@ -143,7 +139,10 @@ void add_export_command(command_line::Command& robot) {
   command.example("torquewright robot export specs/robot/hopper.json --format mjcf");
   command.example(
       "torquewright robot export specs/robot/cassie.json --format isaac-lab --actuators");
-  command.works([options] { return run_export(*options); });
+  command.works([options] {
+    if (options->friction == "limits") options->parts.friction = actuator::FrictionPlace::kLimits;
+    return run_export(*options);
+  });
 }
 
 }  // namespace torquewright::cli

@@ -122,6 +122,20 @@ Law mujoco_dcmotor(const std::string& text) {
   };
 }
 
+/// tau = K (V - K w) / R, held to the effort limit: as Isaac Lab's BAM and mjlab's <dcmotor>.
+Law by_voltage(const std::string& text, const std::string& volts, const std::string& effort) {
+  const double constant = literal(text, "kt");
+  const double resistance = literal(text, "resistance");
+  const double limit = literal(text, volts);
+  const double cap = literal(text, effort);
+  return [=](double speed) {
+    const auto at = [&](double voltage) {
+      return clamped(constant * (voltage - constant * speed) / resistance, -cap, cap);
+    };
+    return TorqueLimits{at(-limit), at(limit)};
+  };
+}
+
 Law raisim2(const std::string& text) {
   const XmlFile file(text);
   const std::vector<std::string> motor{"motor_group", "motor"};
@@ -202,6 +216,25 @@ Law sdf(const std::string& text) {
   };
 }
 
+/// The first row's torque; of speeds beyond the note's greatest the format says nothing.
+Law remotized(const std::string& text) {
+  const std::string mark = "joint_parameter_lookup=[[";
+  const std::size_t begin = text.find(mark);
+  if (begin == std::string::npos) throw std::runtime_error("no lookup");
+  std::string row = text.substr(begin + mark.size(), text.find(']', begin) - begin - mark.size());
+  std::replace(row.begin(), row.end(), ',', ' ');
+  const double effort = numbers(row).at(2);
+  const std::string speed_mark = "# greatest_speed_rad_s = ";
+  const std::size_t place = text.find(speed_mark);
+  if (place == std::string::npos) throw std::runtime_error("no speed in the note");
+  const double velocity = std::stod(text.substr(place + speed_mark.size()));
+  return [=](double speed) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double limit = std::abs(speed) <= velocity ? effort : infinity;
+    return TorqueLimits{-limit, limit};
+  };
+}
+
 Law jaxsim(const std::string& text) {
   const double most = literal(text, "torque_max");
   const double knee = literal(text, "omega_th");
@@ -270,17 +303,23 @@ Law law_of_file(const std::string& format, const std::string& text) {
   if (format == "unitree-xy") return unitree(text);
   if (format == "physx") return physx(text);
   if (format == "urdf") return urdf(text);
-  if (format == "sdf") return sdf(text);
+  if (format == "sdf" || format == "drake-sdf") return sdf(text);
   if (format == "jaxsim") return jaxsim(text);
   if (format == "raisim1" || format == "drake") {
     return table(array(text, "kSpeed"), array(text, "kLeast"), array(text, "kGreatest"));
   }
-  if (format == "python") return python(text);
+  if (format == "python" || format == "pybullet" || format == "isaac-gym" || format == "genesis" ||
+      format == "playground") {
+    return python(text);
+  }
   if (format == "c") return c_rows(text);
   if (format == "isaac-lab") {
     return line(literal(text, "saturation_effort"), literal(text, "actuator_velocity_limit"),
                 literal(text, "actuator_effort_limit"), true);
   }
+  if (format == "isaac-lab-remotized") return remotized(text);
+  if (format == "isaac-lab-bam") return by_voltage(text, "vin", "actuator_effort_limit");
+  if (format == "mjlab-dcmotor") return by_voltage(text, "voltage_limit", "effort_limit");
   if (format == "mjlab") {
     return line(literal(text, "saturation_effort"), literal(text, "velocity_limit"),
                 literal(text, "effort_limit"), true);

@@ -189,7 +189,8 @@ TEST(FrictionFields, NameTheSwitchThatLetsIsaacLabRunTheModule) {
 
 TEST(FrictionFields, AreUsedUnlessNoneCanHoldTheDrive) {
   const std::vector<const Exporter*> without{&exporters::raisim1, &exporters::drake,
-                                             &exporters::jaxsim, &exporters::c};
+                                             &exporters::drake_sdf, &exporters::jaxsim,
+                                             &exporters::c};
   Actuator locked = dry_drive();
   locked.transmission.backward_efficiency = 0.0;
   for (const Exporter* exporter : exporter_library()) {

@@ -33,6 +33,15 @@ std::string without_numbers(const std::string& text) {
   return std::regex_replace(text, kNumber, "#");
 }
 
+/// The class Region of exported modules of Python, its grid and what is said of it are no
+/// simulator's: they are run, and held against clip.hpp (region_file_test.cpp).
+std::string without_region(std::string text) {
+  const std::size_t begin = text.find("\n# Over voltage and temperature: ");
+  const std::size_t end = text.find("\nclip = REGION.clip\n");
+  if (begin == std::string::npos || end == std::string::npos) return text;
+  return text.erase(begin, end - begin);
+}
+
 std::filesystem::path golden_file(std::string_view format) {
   const auto folder =
       std::filesystem::path(TORQUEWRIGHT_SOURCE_DIR) / "tests/actuator/exporters/golden";
@@ -51,8 +60,8 @@ TEST(Golden, EveryFormatIsAsItWasReadBesideItsDocumentation) {
     const std::filesystem::path file = golden_file(exporter->name);
     ASSERT_FALSE(file.empty());
     const std::string golden = io::read_file_bytes(file);
-    const std::string text =
-        simulator_file(example.subject(LawFit::kConservative), *exporter, {"origin"}).text;
+    const std::string text = without_region(
+        simulator_file(example.subject(LawFit::kConservative), *exporter, {"origin"}).text);
     EXPECT_EQ(without_numbers(text), without_numbers(golden));
     const std::vector<double> numbers = numbers_in(text);
     const std::vector<double> expected = numbers_in(golden);

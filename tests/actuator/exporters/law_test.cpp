@@ -13,10 +13,12 @@ namespace {
 constexpr double kRounding_Nm = 1e-12;
 
 TEST(ExporterLibrary, HasEachTargetOnceByName) {
-  const std::vector<std::string_view> names{"mujoco",     "mujoco-dcmotor", "isaac-lab", "mjlab",
-                                            "unitree-xy", "physx",          "newton",    "raisim2",
-                                            "raisim1",    "urdf",           "sdf",       "drake",
-                                            "jaxsim",     "python",         "c"};
+  const std::vector<std::string_view> names{
+      "mujoco",     "mujoco-dcmotor", "isaac-lab",  "isaac-lab-bam", "isaac-lab-remotized",
+      "mjlab",      "mjlab-dcmotor",  "unitree-xy", "physx",         "newton",
+      "raisim2",    "raisim1",        "urdf",       "sdf",           "drake",
+      "drake-sdf",  "jaxsim",         "pybullet",   "isaac-gym",     "genesis",
+      "playground", "python",         "c"};
   ASSERT_EQ(exporter_library().size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_EQ(exporter_library()[i]->name, names[i]);
@@ -79,8 +81,9 @@ TEST(LineLaws, DifferPastTheOverspeedOnly) {
   for (const double speed : {-14.9, -10.0, -5.0, 0.0, 3.0, 7.0, 12.0, 14.9}) {
     const double upper_Nm = std::min(100.0 * (1.0 - speed / 10.0), 50.0);
     const double lower_Nm = std::max(100.0 * (-1.0 - speed / 10.0), -50.0);
-    for (const Exporter* exporter : {&exporters::isaac_lab, &exporters::mjlab, &exporters::mujoco,
-                                     &exporters::mujoco_dcmotor, &exporters::newton}) {
+    for (const Exporter* exporter :
+         {&exporters::isaac_lab, &exporters::mjlab, &exporters::mujoco, &exporters::mujoco_dcmotor,
+          &exporters::newton, &exporters::isaac_lab_bam, &exporters::mjlab_dcmotor}) {
       const TorqueLimits at = exporter->law(shape, speed);
       EXPECT_NEAR(at.greatest_Nm, upper_Nm, kRounding_Nm) << exporter->name << " " << speed;
       EXPECT_NEAR(at.least_Nm, lower_Nm, kRounding_Nm) << exporter->name << " " << speed;

@@ -223,5 +223,31 @@ TEST(MujocoFriction, StatesWhatLoadDependentFrictionTakesBelowTheLimits) {
   }
 }
 
+/// The MJCF that stands in a module of Python.
+std::string mjcf_in(const std::string& module) {
+  const std::string mark = "MJCF = \"\"\"";
+  const std::size_t begin = module.find(mark) + mark.size();
+  return module.substr(begin, module.find("\"\"\"", begin) - begin);
+}
+
+// By hand: 36 1e-4 kg m^2; a control of 5 Nm is 5 Nm of the motor, of which 0.4 Nm and 0.02 Nm
+// s/rad are lost, and one past the peak is the peak.
+TEST(MujocoFriction, OfPlaygroundsJointIsThatOfTheDrive) {
+  const ExportedDrive drive(dry_drive(), exporters::playground,
+                            {.friction = FrictionPlace::kJoint});
+  Simulation joint(mjcf_in(simulator_file(drive.subject(), exporters::playground, {}).text));
+  joint.model->opt.timestep = kStep_s;
+  EXPECT_NEAR(joint.model->dof_armature[0], 36e-4, 1e-15);
+  for (const double speed_rad_s : {10.0, -10.0}) {
+    for (const auto& [control_Nm, motor_Nm] : {std::pair{5.0, 5.0}, {-5.0, -5.0}, {99.0, 38.4}}) {
+      EXPECT_NEAR(joint.force_Nm(speed_rad_s, control_Nm), motor_Nm, 1e-6 * 38.4);
+      const double direction = std::copysign(1.0, speed_rad_s);
+      EXPECT_NEAR(joint.data->qM[0] * joint.data->qacc[0],
+                  motor_Nm - kCoulomb_Nm * direction - kViscous_Nm_s_rad * speed_rad_s,
+                  kOnePercent * kCoulomb_Nm);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace torquewright::actuator

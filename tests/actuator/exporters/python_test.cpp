@@ -29,6 +29,10 @@ class Recorder:
         self.name = name
     def __call__(self, *positional, **named):
         given.append([self.name, named])
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self.name + "." + name
 
 class Stub(types.ModuleType):
     def __getattr__(self, name):
@@ -122,6 +126,16 @@ TEST(Python, RunsTheConfigurationsAndFindsTheNumbers) {
         Field{&exporters::isaac_lab, "actuator_effort_limit", 320.0},
         Field{&exporters::isaac_lab, "joint_effort_limit", 320.0},
         Field{&exporters::isaac_lab, "armature", 0.3688},
+        // K = 67.2 / 10.5 = 6.4 and R = 6.4 67.2 / 1536 = 0.28 ohm.
+        Field{&exporters::isaac_lab_bam, "kt", 6.4},
+        Field{&exporters::isaac_lab_bam, "resistance", 0.28},
+        Field{&exporters::isaac_lab_bam, "vin", 67.2},
+        Field{&exporters::isaac_lab_bam, "actuator_effort_limit", 320.0},
+        Field{&exporters::isaac_lab_bam, "armature", 0.3688},
+        Field{&exporters::mjlab_dcmotor, "ke", 6.4},
+        Field{&exporters::mjlab_dcmotor, "resistance", 0.28},
+        Field{&exporters::mjlab_dcmotor, "voltage_limit", 67.2},
+        Field{&exporters::mjlab_dcmotor, "effort_limit", 320.0},
         Field{&exporters::mjlab, "saturation_effort", 1536.0},
         Field{&exporters::mjlab, "velocity_limit", 10.5},
         Field{&exporters::mjlab, "effort_limit", 320.0},
@@ -184,7 +198,8 @@ TEST(Python, RunsUnderAnyName) {
   Actuator actuator = knee();
   actuator.name = "7 \"knees\"\n'''; raise SystemExit(3) #\\";
   const Example example(actuator);
-  for (const Exporter* exporter : {&exporters::isaac_lab, &exporters::mjlab, &exporters::newton,
+  for (const Exporter* exporter : {&exporters::isaac_lab, &exporters::isaac_lab_bam,
+                                   &exporters::mjlab, &exporters::mjlab_dcmotor, &exporters::newton,
                                    &exporters::unitree_xy, &exporters::jaxsim}) {
     EXPECT_FALSE(arguments_in(*exporter, example).empty()) << exporter->name;
   }

@@ -58,6 +58,17 @@ class OlderCfg:  # of Isaac Lab 2
     effort_limit_sim: Any = None
 
 
+class DCMotor(IdealPDActuator):
+    pass
+
+
+@dataclasses.dataclass
+class DCMotorCfg(IdealPDActuatorCfg):  # of Isaac Lab 3
+    class_type: type = DCMotor
+    saturation_effort: Any = None
+    actuator_velocity_limit: Any = None
+
+
 class IdealPdActuator:
     def __init__(self, cfg, entity, target_ids, target_names):
         self.cfg, self.entity = cfg, entity
@@ -79,7 +90,10 @@ class IdealPdActuatorCfg:
 
 module("isaaclab")
 isaaclab_actuators = module(
-    "isaaclab.actuators", IdealPDActuator=IdealPDActuator, IdealPDActuatorCfg=IdealPDActuatorCfg
+    "isaaclab.actuators",
+    IdealPDActuator=IdealPDActuator,
+    IdealPDActuatorCfg=IdealPDActuatorCfg,
+    DCMotorCfg=DCMotorCfg,
 )
 module("mjlab")
 module("mjlab.actuator", IdealPdActuator=IdealPdActuator, IdealPdActuatorCfg=IdealPdActuatorCfg)

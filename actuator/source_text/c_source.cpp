@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/exporters/c_source.hpp"
+#include "actuator/source_text/c_source.hpp"
 
 namespace torquewright::actuator {
 

@@ -1,0 +1,43 @@
+# origin
+# knee D151 for Isaac Lab 3, BamActuatorCfg.
+# Fields as in https://github.com/isaac-sim/IsaacLab actuators/actuator_bam_cfg.py @ 99551780; docs/source/concepts/actuators.rst @ 0120677c, BAM servo model
+# Fit: conservative (inside the region wherever that holds zero torque).
+# Side: joint. Rating: peak. Bus voltage: 67.2 V. Winding temperature: 298.15 K.
+# Friction included: gearbox efficiencies 1 driving, 1 back-driven. Do not also apply friction or an efficiency.
+# Armature: 0.3688 kg m^2 = N^2 J, N = 20, J = 0.000922 kg m^2. Do not add the rotor to a link as well.
+# A servo that is told angles: the duty is error_gain kp_fw times the error in rad, both your firmware's. Newton with MJWarp and use_newton_actuators=True alone. For commands that are torques take isaac-lab.
+# Left out: battery: none stated; the bus voltage is stiff
+# Left out: thermal: none stated; the winding stays at its temperature
+# Left out: inductance: none stated; voltage is lost over the resistance alone
+# Left out: friction: no effects stated; losses are the gearbox's efficiencies
+# Assumed: /motor/torque_constant_convention
+# Assumed: /motor/resistance_ohm
+# Assumed: /motor/pole_pairs
+# Assumed: /motor/winding_temperature_K
+# Assumed: /drive/continuous_current_A
+# Assumed: /drive/modulation
+# Assumed: /gearbox/forward_efficiency
+# Assumed: /gearbox/backward_efficiency
+# stall_torque_Nm = 1536
+# no_load_speed_rad_s = 10.5
+# greatest_torque_Nm = 320
+# Worst torque error of the simulator with this file, |speed| up to 12.6875 rad/s:
+#              bound               too optimistic                 too cautious
+# speed > 0, driving                         none                         none
+# speed > 0, braking                         none                         none
+# speed < 0, braking                         none                         none
+# speed < 0, driving                         none                         none
+#     at rest, upper                         none                         none
+#     at rest, lower                         none                         none
+# 0 % of the torque-speed area that the simulator allows lies outside the region
+from isaaclab.actuators import BamActuatorCfg, BamMotorCfg
+
+knee_D151 = BamActuatorCfg(
+    joint_names_expr=["joint"],  # yours
+    motor=BamMotorCfg(model="m1", kt=6.4, resistance=0.28, error_gain=1.0, max_pwm=1.0, max_current=0.0, friction_base=0, friction_viscous=0),
+    vin=67.2,
+    actuator_effort_limit=319.99999999999994,
+    joint_effort_limit=319.99999999999994,
+    armature=0.36879999999999996,
+    kp_fw=1.0,  # yours
+)
