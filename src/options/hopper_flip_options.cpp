@@ -110,6 +110,27 @@ Options task_options() {
   };
 }
 
+Options duration_options() {
+  const FlipGroup group = FlipGroup::kDurations;
+  using Longest = hopper::LongestPhases;
+  const auto longest = [group](const std::string& name, const std::string& key,
+                               double Longest::*phase_s, double least_s, const std::string& of) {
+    return option(
+        group, "--longest-" + name, "longest_" + key + "_s",
+        [phase_s](auto& request) -> auto& { return request.plan.longest.*phase_s; },
+        "How long " + of + " takes at most, in s", between(least_s, 10.0));
+  };
+  return {
+      longest("first", "first", &Longest::first_s, 0.2, "the first phase"),
+      longest("push-off", "push_off", &Longest::push_off_s, 0.02,
+              "a phase between the first and the flight"),
+      longest("flight", "flight", &Longest::flight_s, 0.05, "a flight"),
+      longest("landing", "landing", &Longest::landing_s, 0.02,
+              "a phase between the flight and the last"),
+      longest("last", "last", &Longest::last_s, 0.4, "the last phase"),
+  };
+}
+
 /// Planning margins: what a replay has left to steer with.
 Options margin_options() {
   const FlipGroup group = FlipGroup::kMargins;
@@ -256,8 +277,8 @@ Options last_options() {
 
 Options all_options() {
   Options all;
-  for (const auto& make :
-       {task_options, margin_options, search_options, file_options, motion_options, last_options}) {
+  for (const auto& make : {task_options, duration_options, margin_options, search_options,
+                           file_options, motion_options, last_options}) {
     for (HopperFlipOption& one : make()) all.push_back(std::move(one));
   }
   return all;
@@ -279,6 +300,7 @@ const std::vector<HopperFlipOption>& hopper_flip_options() {
 void add_hopper_flip_options(command_line::Command& command, HopperFlipRequest& request) {
   command.add_option("robot", request.warm.robot_file, "Document of kind robot").required();
   add_group(FlipGroup::kTask, command, request);
+  add_group(FlipGroup::kDurations, command, request);
   add_group(FlipGroup::kMargins, command, request);
   add_operating_options(command, request.warm.operating);
   add_group(FlipGroup::kSearch, command, request);

@@ -14,7 +14,17 @@
 namespace torquewright::cli {
 
 /// Where in the help an option stands: between the groups are those that other commands have too.
-enum class FlipGroup { kTask, kMargins, kSearch, kExplanation, kLoads, kWarm, kContacts, kFiles };
+enum class FlipGroup {
+  kTask,
+  kDurations,
+  kMargins,
+  kSearch,
+  kExplanation,
+  kLoads,
+  kWarm,
+  kContacts,
+  kFiles
+};
 
 /// What an option states, for who writes it down.
 using StatedValue =

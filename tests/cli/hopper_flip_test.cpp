@@ -79,6 +79,14 @@ TEST_F(HopperFlip, RefusesNumbersOutOfTheirRange) {
   expect_refusal({"--task", "walk"}, "--task");
 }
 
+// Oracle: the parabola; 1 m of rise takes sqrt(2/g) = 0.452 s up alone.
+TEST_F(HopperFlip, RefusesPhasesThatNothingFitsInto) {
+  expect_refusal({"--longest-first", "0.1"}, "--longest-first");
+  expect_refusal({"--longest-last", "nan"}, "--longest-last");
+  expect_refusal({"--task", "jump", "--rise", "1", "--longest-flight", "0.3"},
+                 "--longest-flight: is 0.3 s, and this phase takes 0.452 s at least");
+}
+
 TEST_F(HopperFlip, RefusesOptionsThatWouldDoNothing) {
   expect_refusal({"--seed", "3"}, "--guess-noise");
   for (const char* option :

@@ -177,7 +177,9 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
   Eigen::Vector2d foot = {model_.plane.sole.front().point.p_B_m.x(), 0.0};
   VectorXd last_position = held(ends.front(), 0, foot);
   for (std::size_t p = 0; p < mesh.size(); ++p) {
-    const double duration_s = 0.5 * (mesh[p].duration_s.lower + mesh[p].duration_s.upper);
+    const double duration_s = mesh[p].guess_s > 0.0
+                                  ? mesh[p].guess_s
+                                  : 0.5 * (mesh[p].duration_s.lower + mesh[p].duration_s.upper);
     PlannedPhase phase{mesh[p].stance.name, {}, {}};
     const bool flies = mesh[p].stance.is_flight();
     VectorXd landing;

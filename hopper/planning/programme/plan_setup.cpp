@@ -18,20 +18,22 @@ namespace {
 using Eigen::Index;
 using optimization::Bounds;
 
-/// How long a phase may last, and its share of the intervals.
+/// What a phase is for: how long it lasts at least, how long a guess takes it to last, and its
+/// share of the intervals.
 struct Kind {
-  Bounds duration_s;
+  double shortest_s;
+  double usual_s;
   double share;
+  double LongestPhases::*longest_s;
+  const char* option;  ///< That bounds it.
 };
-// Long enough for a robot of a metre to gather itself and to come to rest; the last one short
-// enough that it does not creep: a replay falls while it does (trial: 1.6 s fell, 1.0 s stood).
-constexpr Kind kFirst{{0.2, 0.8}, 20.0};
-constexpr Kind kLast{{0.4, 1.0}, 40.0};
+constexpr Kind kFirst{0.2, 0.5, 20.0, &LongestPhases::first_s, "--longest-first"};
+constexpr Kind kLast{0.4, 0.7, 40.0, &LongestPhases::last_s, "--longest-last"};
 // Where contacts change, torques do so fastest (trial: a push-off cut coarsely found motions that
-// are none). A push-off on an edge that lasts has the foot hover: there the whole sole stands.
-constexpr Kind kPushOff{{0.02, 0.15}, 30.0};
-constexpr Kind kLanding{{0.02, 0.3}, 30.0};
-constexpr Kind kFlight{{0.05, 0.8}, 60.0};
+// are none).
+constexpr Kind kPushOff{0.02, 0.085, 30.0, &LongestPhases::push_off_s, "--longest-push-off"};
+constexpr Kind kLanding{0.02, 0.16, 30.0, &LongestPhases::landing_s, "--longest-landing"};
+constexpr Kind kFlight{0.05, 0.425, 60.0, &LongestPhases::flight_s, "--longest-flight"};
 constexpr std::size_t kFewestIntervals = 4;  // of a phase
 
 Kind kind_of(const std::vector<Stance>& stances, std::size_t phase) {
@@ -63,6 +65,13 @@ void require_flight(const std::vector<Stance>& stances, const PlanTask& task) {
                                        fmt::join(names, ","), task.name));
 }
 
+/// A flight reaches its apex, and every phase lasts a little.
+void require_duration(const Bounds& duration_s, const Kind& kind) {
+  if (duration_s.lower <= duration_s.upper) return;
+  io::refuse(kind.option, fmt::format("is {:g} s, and this phase takes {:.3g} s at least",
+                                      duration_s.upper, duration_s.lower));
+}
+
 }  // namespace
 
 std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const PlanOptions& options) {
@@ -76,9 +85,15 @@ std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const Plan
     const Kind kind = kind_of(stances, p);
     const auto intervals =
         static_cast<std::size_t>(std::lround(options.intervals * kind.share / shares));
-    Bounds duration_s = kind.duration_s;
-    if (stances[p].is_flight()) duration_s.lower = std::max(duration_s.lower, to_apex_s);
-    mesh.push_back({stances[p], even_knots(std::max(kFewestIntervals, intervals)), duration_s});
+    Bounds duration_s{kind.shortest_s, options.longest.*kind.longest_s};
+    double guess_s = kind.usual_s;
+    if (stances[p].is_flight() && to_apex_s > duration_s.lower) {
+      duration_s.lower = to_apex_s;
+      guess_s = 0.5 * (to_apex_s + 2.0 * kind.usual_s - kind.shortest_s);
+    }
+    require_duration(duration_s, kind);
+    mesh.push_back({stances[p], even_knots(std::max(kFewestIntervals, intervals)), duration_s,
+                    std::clamp(guess_s, duration_s.lower, duration_s.upper)});
   }
   return mesh;
 }

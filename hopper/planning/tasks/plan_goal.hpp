@@ -14,6 +14,7 @@ struct MeshPhase {
   Stance stance;
   std::vector<double> knots;
   optimization::Bounds duration_s;
+  double guess_s = 0.0;  ///< How long a first guess takes it; 0: the middle of its bounds.
 
   std::size_t intervals() const { return knots.size() - 1; }
   /// Instants: knots and middles in turn.

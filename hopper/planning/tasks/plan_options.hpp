@@ -24,6 +24,16 @@ struct PlanMargins {
   double speed = 0.02;              ///< Share of joints' speed limits.
 };
 
+/// How long a phase may take at most, in s, by what it is for. The middle phases are those on the
+/// ground between the first or the last and a flight.
+struct LongestPhases {
+  double first_s = 0.8;
+  double push_off_s = 0.15;
+  double flight_s = 0.8;
+  double landing_s = 0.3;
+  double last_s = 1.0;
+};
+
 /// An objective by name (hopper/planning/objectives/) with its weight.
 struct WeightedObjective {
   std::string name;
@@ -48,6 +58,7 @@ struct PlanOptions {
   std::vector<std::string> stances;
   std::vector<WeightedObjective> objectives;  ///< Objectives with weights; empty: the task's.
   PlanMargins margins;
+  LongestPhases longest;
   int intervals = 100;           ///< Intervals of the first mesh, all phases together.
   double most_error_rad = 2e-3;  ///< Largest error of a phase by an independent integrator.
   int most_rounds = 6;           ///< Most meshes after the first.
