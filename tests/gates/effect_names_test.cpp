@@ -20,7 +20,8 @@ constexpr std::string_view kLibrary = "actuator/effects/";
 
 const std::vector<Excuse> kMayNameEffects = {
     {"actuator/exporters/isaac_lab.cpp", "writes the key `viscous_friction` of Isaac Lab"},
-    {"actuator/exporters/isaac_lab_remotized.cpp", "writes the key `viscous_friction` of Isaac Lab"},
+    {"actuator/exporters/isaac_lab_remotized.cpp",
+     "writes the key `viscous_friction` of Isaac Lab"},
     {"actuator/source_text/python_classes.cpp", "writes the key `viscous_friction` of Isaac Lab"},
     {"actuator/source_text/python_newton.cpp", "writes the key `viscous_friction` of Isaac Lab"},
     {"identification/outputs/bam_json.cpp", "translates effects into the parameters of BAM"},
