@@ -46,7 +46,7 @@ actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d
 actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --torque-includes-inertia --from 0.1 --until 0.8
 actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --column knee_torque_Nm=knee.torque:Nm*1.1 --torque-excludes-inertia
 hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv
-hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --json --load-window 0.02 --repeat 3 --pause 1 --ground-height 0 --contact-height 0.002
+hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --json --load-window 0.02 --left-out-share 0.02 --repeat 3 --pause 1 --ground-height 0 --contact-height 0.002
 hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --series flip.csv -o report.json --report flip.html
 hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --candidates specs/actuator --threads 2 --ratios 8:9 --figures flip.svg
 hopper check specs/robot/rabbit.json tests/fuzz/corpus/rabbit_leap.csv --residual-limit 0.1 --contact-speed 0.1
