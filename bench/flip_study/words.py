@@ -52,8 +52,9 @@ def shortness(report):
 
 
 def fell(report):
-    end = report["end"]
-    return f"fell at {end['time_s']:.2f} s" if report["verdict"] != "stands" else "stands"
+    if report["verdict"] != "fell":
+        return report["verdict"]
+    return f"fell at {report['end']['time_s']:.2f} s"
 
 
 def planned_or_best(found):
