@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/motion/smoothing.hpp"
+#include "hopper/motion/smoothed_window.hpp"
 
 namespace torquewright::hopper {
 

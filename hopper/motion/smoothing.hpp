@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/motion/motion.hpp"
+#include "hopper/motion/smoothed_window.hpp"
 
 namespace torquewright::hopper {
-
-/// How far derived accelerations look to either side, and the noise that they then hold.
-struct Smoothing {
-  Eigen::Index reach = 1;  ///< Samples to either side.
-  /// Standard deviation of derived accelerations, by coordinate; empty: unknown.
-  Eigen::VectorXd acceleration_noise;
-  /// Motion::acceleration_doubt; empty where the rule of smoothing_of() decides.
-  Eigen::MatrixXd acceleration_doubt = {};
-};
 
 /// Chooses the reach: one sample, unless the noise is more than a thousandth of the accelerations.
 /// Then it doubles as long as the change stays within what noise explains: the widest window that
