@@ -38,7 +38,7 @@ HeightPath path_of(const Robot& robot, const Reference& reference, double period
 
 }  // namespace
 
-double HeightPath::rise_m(const Flight& between) const {
+double HeightPath::rise_m(const TimeInAir& between) const {
   std::optional<double> most_m;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     if (times_s[i] < between.from_s || times_s[i] > between.until_s) continue;

@@ -14,7 +14,7 @@ struct HeightPath {
 
   /// Returns the greatest height between two times less the path's first; 0 where the path has
   /// nothing there.
-  double rise_m(const Flight& between) const;
+  double rise_m(const TimeInAir& between) const;
   /// Returns the first height less the least.
   double dip_m() const;
 };

@@ -8,14 +8,14 @@ namespace torquewright::hopper {
 namespace {
 
 /// How far a flight of the run is from a planned one, in s.
-double distance_s(const Flight& planned, const Flight& flown) {
+double distance_s(const TimeInAir& planned, const TimeInAir& flown) {
   return std::abs(planned.from_s - flown.from_s) + std::abs(planned.until_s - flown.until_s);
 }
 
 /// The cheapest assignment in order, by dynamic programming over (planned, flown).
 class Assignment {
  public:
-  Assignment(const std::vector<Flight>& planned, const std::vector<Flight>& flown)
+  Assignment(const std::vector<TimeInAir>& planned, const std::vector<TimeInAir>& flown)
       : planned_(planned), flown_(flown), width_(flown.size() + 1) {
     costs_s_.assign((planned.size() + 1) * width_, 0.0);
     for (std::size_t i = planned.size(); i-- > 0;) {
@@ -23,8 +23,8 @@ class Assignment {
     }
   }
 
-  std::vector<std::optional<Flight>> chosen() const {
-    std::vector<std::optional<Flight>> chosen(planned_.size());
+  std::vector<std::optional<TimeInAir>> chosen() const {
+    std::vector<std::optional<TimeInAir>> chosen(planned_.size());
     std::size_t j = 0;
     for (std::size_t i = 0; i < planned_.size(); ++i) {
       while (j < flown_.size() && skips_flown(i, j)) ++j;
@@ -51,27 +51,27 @@ class Assignment {
     return std::min({without_s, with_s, cost_s(i, j + 1)});
   }
 
-  const std::vector<Flight>& planned_;
-  const std::vector<Flight>& flown_;
+  const std::vector<TimeInAir>& planned_;
+  const std::vector<TimeInAir>& flown_;
   std::size_t width_;
   std::vector<double> costs_s_;
 };
 
 }  // namespace
 
-std::vector<Flight> flights_of(const Reference& reference) {
-  std::vector<Flight> flights;
+std::vector<TimeInAir> flights_of(const Reference& reference) {
+  std::vector<TimeInAir> flights;
   const std::vector<ContactMode>& modes = reference.modes();
   for (std::size_t i = 0; i + 1 < modes.size(); ++i) {
-    const Flight flight{modes[i].from_s, modes[i].until_s};
+    const TimeInAir flight{modes[i].from_s, modes[i].until_s};
     const bool is_flight = !modes[i].touches.any() && flight.duration_s() >= kShortestFlight_s;
     if (is_flight) flights.push_back(flight);
   }
   return flights;
 }
 
-std::vector<Flight> losses_of_contact(const Record& record) {
-  std::vector<Flight> losses;
+std::vector<TimeInAir> losses_of_contact(const Record& record) {
+  std::vector<TimeInAir> losses;
   if (record.rows.empty()) return losses;
   double last_contact_s = record.rows.front().time_s;
   bool was_in_contact = true;
@@ -85,9 +85,9 @@ std::vector<Flight> losses_of_contact(const Record& record) {
 }
 
 std::vector<MatchedFlight> matched_flights(const Reference& reference, const Record& record) {
-  const std::vector<Flight> planned = flights_of(reference);
-  const std::vector<Flight> flown = losses_of_contact(record);
-  const std::vector<std::optional<Flight>> chosen = Assignment(planned, flown).chosen();
+  const std::vector<TimeInAir> planned = flights_of(reference);
+  const std::vector<TimeInAir> flown = losses_of_contact(record);
+  const std::vector<std::optional<TimeInAir>> chosen = Assignment(planned, flown).chosen();
   std::vector<MatchedFlight> matched;
   for (std::size_t i = 0; i < planned.size(); ++i) {
     matched.push_back({planned[i], planned[i].from_s > reference.begins_s(), chosen[i]});

@@ -12,7 +12,7 @@ namespace torquewright::hopper {
 inline constexpr double kShortestFlight_s = 0.01;
 
 /// A stretch of time without any contact.
-struct Flight {
+struct TimeInAir {
   double from_s = 0.0;
   double until_s = 0.0;
 
@@ -20,17 +20,17 @@ struct Flight {
 };
 
 /// Returns the motion's flights of at least kShortestFlight_s that end with a contact, in order.
-std::vector<Flight> flights_of(const Reference& reference);
+std::vector<TimeInAir> flights_of(const Reference& reference);
 
 /// Returns every loss of contact of a run that ends with one, however short, in order. Of a robot
 /// that begins in the air, the first begins with the record.
-std::vector<Flight> losses_of_contact(const Record& record);
+std::vector<TimeInAir> losses_of_contact(const Record& record);
 
 /// A flight of the motion and what the run made of it.
 struct MatchedFlight {
-  Flight planned;
-  bool begins_in_motion = true;  ///< Whether the motion holds its take-off.
-  std::optional<Flight> flown;   ///< None where nothing in the run comes near it.
+  TimeInAir planned;
+  bool begins_in_motion = true;    ///< Whether the motion holds its take-off.
+  std::optional<TimeInAir> flown;  ///< None where nothing in the run comes near it.
 
   /// Whether the run flew and did not only lose contact for a moment.
   bool has_flown() const { return flown && flown->duration_s() >= kShortestFlight_s; }
