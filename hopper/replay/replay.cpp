@@ -99,6 +99,7 @@ struct Replay::Ready {
       : robot(of),
         options(with),
         reference(of, motion, report.contacts, report.torques_Nm),
+        flights(flights_of(reference, report.flights)),
         controller(with.controller->prepare(of, reference, tracking_options(with))) {}
 
   Variation plain() const {
@@ -126,7 +127,8 @@ struct Replay::Ready {
                          watching.on_progress};
     ReplayedRun done;
     done.record = run_replay(parts, variation.run);
-    done.result = result_of(moved, reference, done.record, options.verdict, options.load_window_s);
+    done.result =
+        result_of(moved, reference, flights, done.record, options.verdict, options.load_window_s);
     leave_open(effects_left_out(of), done.result);
     return done;
   }
@@ -134,6 +136,7 @@ struct Replay::Ready {
   const Robot& robot;
   ReplayOptions options;
   Reference reference;
+  std::vector<TimeInAir> flights;
   std::unique_ptr<const ReadyController> controller;
 };
 

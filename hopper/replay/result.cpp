@@ -149,10 +149,11 @@ void add_starved(const Record& record, std::vector<Finding>& findings) {
 
 }  // namespace
 
-ReplayResult result_of(const Robot& robot, const Reference& reference, const Record& record,
+ReplayResult result_of(const Robot& robot, const Reference& reference,
+                       const std::vector<TimeInAir>& planned, const Record& record,
                        const VerdictRule& rule, double load_window_s) {
   ReplayResult result;
-  result.outcome = outcome_of(robot, reference, record, rule);
+  result.outcome = outcome_of(robot, reference, planned, record, rule);
   result.drives = named_drives(robot);
   note_errors(robot, reference, record, result.drives);
   note_torques(record, result.drives);

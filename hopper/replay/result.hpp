@@ -50,7 +50,8 @@ struct ReplayResult {
 
 /// Returns the result of a run. `robot` is the one of the run; loads are means over
 /// `load_window_s`.
-ReplayResult result_of(const Robot& robot, const Reference& reference, const Record& record,
+ReplayResult result_of(const Robot& robot, const Reference& reference,
+                       const std::vector<TimeInAir>& planned, const Record& record,
                        const VerdictRule& rule, double load_window_s);
 
 }  // namespace torquewright::hopper

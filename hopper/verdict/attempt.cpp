@@ -51,13 +51,13 @@ double HeightPath::dip_m() const {
   return heights_m.front() - *std::min_element(heights_m.begin(), heights_m.end());
 }
 
-Attempt::Attempt(const Robot& of, const Reference& motion, const Record& run,
-                 const DeedTolerances& within)
+Attempt::Attempt(const Robot& of, const Reference& motion, const std::vector<TimeInAir>& planned,
+                 const Record& run, const DeedTolerances& within)
     : robot(of),
       reference(motion),
       record(run),
       tolerances(within),
-      flights(matched_flights(motion, run)),
+      flights(matched_flights(planned, motion.begins_s(), run)),
       planned_path(path_of(of, motion, run.control_period_s)),
       run_path(path_of(of, run)) {}
 

@@ -22,9 +22,9 @@ struct HeightPath {
 /// A run beside the motion that it was to make: what every deed is judged by. Refers to what it is
 /// made of.
 struct Attempt {
-  /// `robot` is that of the run. Requires a record with rows.
-  Attempt(const Robot& robot, const Reference& reference, const Record& record,
-          const DeedTolerances& tolerances);
+  /// `robot` is that of the run, `planned` the motion's flights. Requires a record with rows.
+  Attempt(const Robot& robot, const Reference& reference, const std::vector<TimeInAir>& planned,
+          const Record& record, const DeedTolerances& tolerances);
 
   /// Returns the row of the run at a time, or the last before it.
   const RecordRow& row_at(double time_s) const;

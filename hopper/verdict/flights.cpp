@@ -70,6 +70,17 @@ std::vector<TimeInAir> flights_of(const Reference& reference) {
   return flights;
 }
 
+std::vector<TimeInAir> flights_of(const Reference& reference, const std::vector<Flight>& checked) {
+  std::vector<TimeInAir> flights = flights_of(reference);
+  for (TimeInAir& flight : flights) {
+    for (const Flight& other : checked) {
+      const bool is_same = other.from_s <= flight.from_s && flight.from_s < other.until_s;
+      if (is_same) flight.from_s = other.from_s;
+    }
+  }
+  return flights;
+}
+
 std::vector<TimeInAir> losses_of_contact(const Record& record) {
   std::vector<TimeInAir> losses;
   if (record.rows.empty()) return losses;
@@ -84,13 +95,13 @@ std::vector<TimeInAir> losses_of_contact(const Record& record) {
   return losses;
 }
 
-std::vector<MatchedFlight> matched_flights(const Reference& reference, const Record& record) {
-  const std::vector<TimeInAir> planned = flights_of(reference);
+std::vector<MatchedFlight> matched_flights(const std::vector<TimeInAir>& planned, double begins_s,
+                                           const Record& record) {
   const std::vector<TimeInAir> flown = losses_of_contact(record);
   const std::vector<std::optional<TimeInAir>> chosen = Assignment(planned, flown).chosen();
   std::vector<MatchedFlight> matched;
   for (std::size_t i = 0; i < planned.size(); ++i) {
-    matched.push_back({planned[i], planned[i].from_s > reference.begins_s(), chosen[i]});
+    matched.push_back({planned[i], planned[i].from_s > begins_s, chosen[i]});
   }
   return matched;
 }

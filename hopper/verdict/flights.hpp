@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "hopper/check/flights.hpp"
 #include "hopper/record/record.hpp"
 
 namespace torquewright::hopper {
@@ -19,8 +20,13 @@ struct TimeInAir {
   double duration_s() const { return until_s - from_s; }
 };
 
-/// Returns the motion's flights of at least kShortestFlight_s that end with a contact, in order.
+/// Returns the motion's flights of at least kShortestFlight_s that end with a contact, in order, by
+/// its contact modes.
 std::vector<TimeInAir> flights_of(const Reference& reference);
+
+/// Returns them with the take-offs of its check: where heights alone say what touches, a mode ends
+/// when the foot is seen to rise, and the flight began when the ground's force ended.
+std::vector<TimeInAir> flights_of(const Reference& reference, const std::vector<Flight>& checked);
 
 /// Returns every loss of contact of a run that ends with one, however short, in order. Of a robot
 /// that begins in the air, the first begins with the record.
@@ -39,6 +45,8 @@ struct MatchedFlight {
 /// Returns each of the motion's flights with the run's that is most like it: of all assignments
 /// that keep the order, the one whose beginnings and ends are least apart in sum. A flight that
 /// would be farther apart than twice the planned one is long counts as not flown.
-std::vector<MatchedFlight> matched_flights(const Reference& reference, const Record& record);
+/// `begins_s` is the motion's begin.
+std::vector<MatchedFlight> matched_flights(const std::vector<TimeInAir>& planned, double begins_s,
+                                           const Record& record);
 
 }  // namespace torquewright::hopper

@@ -32,10 +32,11 @@ TouchDown touch_down_of(const Robot& robot, const Reference& reference, const Re
           axis_of_turn(plan_rad).dot(plan_rad - run_rad)};
 }
 
-void note_landings(const Robot& robot, const Reference& reference, const Record& record,
+void note_landings(const Robot& robot, const Reference& reference,
+                   const std::vector<TimeInAir>& planned, const Record& record,
                    ReplayOutcome& outcome) {
   double longest_s = 0.0;
-  for (const MatchedFlight& flight : matched_flights(reference, record)) {
+  for (const MatchedFlight& flight : matched_flights(planned, reference.begins_s(), record)) {
     const bool is_longest = flight.planned.duration_s() > longest_s;
     longest_s = std::max(longest_s, flight.planned.duration_s());
     if (is_longest) outcome.touch_down.reset();
@@ -93,13 +94,14 @@ ReplayVerdict verdict_named(std::string_view name) {
   return found == kNames.end() ? ReplayVerdict::kUnfinished : found->first;
 }
 
-ReplayOutcome outcome_of(const Robot& robot, const Reference& reference, const Record& record,
+ReplayOutcome outcome_of(const Robot& robot, const Reference& reference,
+                         const std::vector<TimeInAir>& planned, const Record& record,
                          const VerdictRule& rule) {
   ReplayOutcome outcome;
   outcome.end_s = record.end_s;
   outcome.reason = record.reason;
   if (record.rows.empty()) return outcome;
-  note_landings(robot, reference, record, outcome);
+  note_landings(robot, reference, planned, record, outcome);
   outcome.foot_at_rest_s = foot_at_rest_s(record, rule.standing);
   if (record.end == RunEnd::kStopped || record.end == RunEnd::kAsked) return outcome;
   outcome.verdict = ReplayVerdict::kFell;
@@ -108,7 +110,7 @@ ReplayOutcome outcome_of(const Robot& robot, const Reference& reference, const R
   const bool is_up = outcome.reason.empty() || stays_up(robot, reference, record, rule.standing);
   if (!is_up) return outcome;
   const std::string objection = outcome.reason;
-  judge_deeds(Attempt(robot, reference, record, rule.deeds), objection, outcome);
+  judge_deeds(Attempt(robot, reference, planned, record, rule.deeds), objection, outcome);
   return outcome;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hopper/verdict/deed.hpp"
+#include "hopper/verdict/flights.hpp"
 #include "hopper/verdict/standing.hpp"
 
 namespace torquewright::hopper {
@@ -51,8 +52,10 @@ struct ReplayOutcome {
   std::vector<Deed> deeds;
 };
 
-/// Judges a run by the motion that it was to make. `robot` is that of the run.
-ReplayOutcome outcome_of(const Robot& robot, const Reference& reference, const Record& record,
+/// Judges a run by the motion that it was to make. `robot` is that of the run, `planned` the
+/// motion's flights.
+ReplayOutcome outcome_of(const Robot& robot, const Reference& reference,
+                         const std::vector<TimeInAir>& planned, const Record& record,
                          const VerdictRule& rule);
 
 }  // namespace torquewright::hopper

@@ -159,7 +159,7 @@ TEST_F(HopperReplay, AHopInsideTheRegionsStandsInBothEngines) {
 
 // Oracle: speeds without load. At 4 V of 67.2 the knee turns by 0.63 rad/s at most and the ankle by
 // 1.14 rad/s, at levers of 0.35 and 0.1 m: 0.33 m/s at take-off, a flight of 68 ms. The hop's lasts
-// 125 ms. The robot stands all the time.
+// 140 ms. The robot stands all the time.
 TEST_F(HopperReplay, AHopThatFourVoltsCannotMakeIsMissedThoughItStands) {
   for (const char* engine : {"own", "mujoco"}) {
     const json replayed = report({"--bus-voltage", "4", "--engine", engine}, "hop");

@@ -99,7 +99,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"engines", {}},
       {"tracking", {"contact", "motion"}},
       {"record", {"check", "tracking"}},
-      {"verdict", {"record", "tracking"}},
+      {"verdict", {"check", "record", "tracking"}},
       {"trials", {"motion", "tracking", "verdict"}},
       {"replay",
        {"contact", "motion", "check", "engines", "tracking", "record", "trials", "verdict"}},

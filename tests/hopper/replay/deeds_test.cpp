@@ -97,7 +97,8 @@ Record run_of(const Course& course) {
 }
 
 ReplayOutcome judged(const Course& planned, const Course& done, const DeedTolerances& within = {}) {
-  return outcome_of(deed_robot(), motion_of(planned), run_of(done), {{}, within});
+  const Reference motion = motion_of(planned);
+  return outcome_of(deed_robot(), motion, flights_of(motion), run_of(done), {{}, within});
 }
 
 /// The first deed of a name, or that of one of its owners.
@@ -167,6 +168,21 @@ TEST(ReplayDeeds, FeetMayLandBesideTheirPlaceByDistanceAndShareOfTheWay) {
   }
 }
 
+// Where heights say what touches, a foot is seen to rise 15 ms after the ground's force ended.
+TEST(ReplayDeeds, TakeOffIsThatOfTheCheck) {
+  Course seen_late;
+  seen_late.hops = {{0.315, 0.285, 0.1}, {0.9, 0.3, 0.0}};
+  const Reference motion = motion_of(seen_late);
+  Flight checked;
+  checked.from_s = 0.3;
+  checked.until_s = 0.6;
+  const std::vector<TimeInAir> flights = flights_of(motion, {checked});
+  ASSERT_EQ(flights.size(), 2u);
+  EXPECT_DOUBLE_EQ(flights[0].from_s, 0.3);
+  EXPECT_DOUBLE_EQ(flights[0].until_s, flights_of(motion)[0].until_s);
+  EXPECT_DOUBLE_EQ(flights[1].from_s, flights_of(motion)[1].from_s);
+}
+
 // The second landing is compared with the second, not with the longest of all.
 TEST(ReplayDeeds, EachLandingIsComparedWithItsOwn) {
   Course planned, done;
@@ -213,7 +229,8 @@ TEST(ReplayDeeds, ATurnThatIsLeftOutIsMissedThoughThePostureIsRight) {
     row.position[3] = std::cos(half_rad);
     row.position[5] = std::sin(half_rad);
   }
-  const ReplayOutcome outcome = outcome_of(deed_robot(), motion_of(course), turned, {});
+  const Reference motion = motion_of(course);
+  const ReplayOutcome outcome = outcome_of(deed_robot(), motion, flights_of(motion), turned, {});
   EXPECT_EQ(outcome.verdict, ReplayVerdict::kMissed);
   const Deed& rotation = deed_named(outcome, "rotation");
   EXPECT_NEAR(rotation.planned, 0.0, 1e-9);

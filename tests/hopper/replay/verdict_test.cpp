@@ -81,9 +81,14 @@ Record turning(double rate_share, double touch_down_s, double end_s) {
   return record;
 }
 
+ReplayOutcome judged(const Record& record, const VerdictRule& rule) {
+  const Reference motion = one_turn();
+  return outcome_of(hopper_robot(), motion, flights_of(motion), record, rule);
+}
+
 TEST(ReplayVerdict, RotationShortIsThatOfTheBaseAtTouchDown) {
   const Record record = turning(0.95, 0.71, 2.0);
-  const ReplayOutcome outcome = outcome_of(hopper_robot(), one_turn(), record, {});
+  const ReplayOutcome outcome = judged(record, {});
   ASSERT_TRUE(outcome.touch_down);
   EXPECT_NEAR(outcome.touch_down->time_s, 0.71, 1e-9);
   EXPECT_NEAR(outcome.touch_down->planned_s, kPlanned_s, 1e-9);
@@ -92,23 +97,20 @@ TEST(ReplayVerdict, RotationShortIsThatOfTheBaseAtTouchDown) {
 }
 
 TEST(ReplayVerdict, TooMuchRotationIsNegative) {
-  const ReplayOutcome outcome =
-      outcome_of(hopper_robot(), one_turn(), turning(1.1, kPlanned_s, 2.0), {});
+  const ReplayOutcome outcome = judged(turning(1.1, kPlanned_s, 2.0), {});
   ASSERT_TRUE(outcome.touch_down);
   EXPECT_NEAR(outcome.touch_down->rotation_short_rad, -0.1 * kTurn, 1e-9);
 }
 
 TEST(ReplayVerdict, StandsWhereFeetRestInTheMotionsLastPosture) {
-  const ReplayOutcome outcome =
-      outcome_of(hopper_robot(), one_turn(), turning(1.0, kPlanned_s, 2.0), {});
+  const ReplayOutcome outcome = judged(turning(1.0, kPlanned_s, 2.0), {});
   EXPECT_EQ(outcome.verdict, ReplayVerdict::kStands) << outcome.reason;
   EXPECT_EQ(outcome.reason, "");
   EXPECT_NEAR(outcome.foot_at_rest_s, 2.0 - kPlanned_s, 1e-9);
 }
 
 TEST(ReplayVerdict, RestInAnotherPostureIsAFall) {
-  const ReplayOutcome outcome =
-      outcome_of(hopper_robot(), one_turn(), turning(0.75, kPlanned_s, 2.0), {});
+  const ReplayOutcome outcome = judged(turning(0.75, kPlanned_s, 2.0), {});
   EXPECT_EQ(outcome.verdict, ReplayVerdict::kFell);
   EXPECT_NE(outcome.reason.find("90 degrees"), std::string::npos) << outcome.reason;
 }
@@ -121,7 +123,7 @@ TEST(ReplayVerdict, HoppingAndSlidingAreNotStanding) {
     for (std::size_t i = 0; i <= 22; ++i) {  // 11 ms
       record.rows[record.rows.size() - back - i].touches.setConstant(false);
     }
-    return outcome_of(hopper_robot(), one_turn(), record, {});
+    return judged(record, {});
   };
   EXPECT_EQ(in_the_air_at(rule.at_rest_s - 50 * kPeriod_s).verdict, ReplayVerdict::kFell);
   EXPECT_EQ(in_the_air_at(rule.at_rest_s + 2 * kPeriod_s).verdict, ReplayVerdict::kStands);
@@ -132,7 +134,7 @@ TEST(ReplayVerdict, HoppingAndSlidingAreNotStanding) {
       row.position[0] = speed_m_s * slid_s;
       if (slid_s > 0.0) row.slip_m_s = row.velocity[0] = speed_m_s;
     }
-    return outcome_of(hopper_robot(), one_turn(), record, {});
+    return judged(record, {});
   };
   EXPECT_EQ(sliding_at(1.01 * rule.foot_speed_m_s).verdict, ReplayVerdict::kFell);
   EXPECT_EQ(sliding_at(0.99 * rule.foot_speed_m_s).verdict, ReplayVerdict::kStands);
@@ -146,7 +148,7 @@ TEST(ReplayVerdict, WhatTremblesIsCalledThat) {
     row.position[0] = 5e-4 * std::sin(phase_rad);
     row.slip_m_s = std::abs(0.63 * std::cos(phase_rad));
   }
-  const ReplayOutcome outcome = outcome_of(hopper_robot(), one_turn(), record, {});
+  const ReplayOutcome outcome = judged(record, {});
   EXPECT_EQ(outcome.verdict, ReplayVerdict::kTrembles) << outcome.reason;
   EXPECT_NE(outcome.reason.find("trembling"), std::string::npos) << outcome.reason;
 }
@@ -156,7 +158,7 @@ TEST(ReplayVerdict, AFootInTheAirAtTheEndIsWhatIsSaid) {
   for (std::size_t i = 0; i < 22; ++i) {  // 11 ms
     record.rows[record.rows.size() - 1 - i].touches.setConstant(false);
   }
-  const ReplayOutcome outcome = outcome_of(hopper_robot(), one_turn(), record, {});
+  const ReplayOutcome outcome = judged(record, {});
   EXPECT_EQ(outcome.verdict, ReplayVerdict::kFell);
   EXPECT_NE(outcome.reason.find("no foot touches the ground"), std::string::npos) << outcome.reason;
 }
@@ -165,9 +167,9 @@ TEST(ReplayVerdict, ABodyThatStillMovesDoesNotStand) {
   const StandingRule rule;
   Record record = turning(1.0, kPlanned_s, 2.0);
   record.rows.back().velocity[0] = 1.01 * rule.body_speed_m_s;  // of the whole robot
-  EXPECT_EQ(outcome_of(hopper_robot(), one_turn(), record, {}).verdict, ReplayVerdict::kTrembles);
+  EXPECT_EQ(judged(record, {}).verdict, ReplayVerdict::kTrembles);
   record.rows.back().velocity[0] = 0.99 * rule.body_speed_m_s;
-  EXPECT_EQ(outcome_of(hopper_robot(), one_turn(), record, {}).verdict, ReplayVerdict::kStands);
+  EXPECT_EQ(judged(record, {}).verdict, ReplayVerdict::kStands);
 }
 
 TEST(ReplayVerdict, WhatStoppedIsUnfinishedWhateverItLookedLike) {
@@ -175,12 +177,11 @@ TEST(ReplayVerdict, WhatStoppedIsUnfinishedWhateverItLookedLike) {
     Record record = turning(1.0, kPlanned_s, 2.0);
     record.end = end;
     record.reason = "why";
-    const ReplayOutcome outcome = outcome_of(hopper_robot(), one_turn(), record, {});
+    const ReplayOutcome outcome = judged(record, {});
     EXPECT_EQ(outcome.verdict, ReplayVerdict::kUnfinished);
     EXPECT_EQ(outcome.reason, "why");
   }
-  EXPECT_EQ(outcome_of(hopper_robot(), one_turn(), Record{}, {}).verdict,
-            ReplayVerdict::kUnfinished);
+  EXPECT_EQ(judged(Record{}, {}).verdict, ReplayVerdict::kUnfinished);
 }
 
 TEST(ReplayVerdict, ALossOfContactShorterThanTenMillisecondsIsNoFlight) {
@@ -191,9 +192,9 @@ TEST(ReplayVerdict, ALossOfContactShorterThanTenMillisecondsIsNoFlight) {
     }
   };
   touching_each(19);  // 9.5 ms from one to the next
-  EXPECT_FALSE(outcome_of(hopper_robot(), one_turn(), record, {}).touch_down);
+  EXPECT_FALSE(judged(record, {}).touch_down);
   touching_each(21);
-  EXPECT_TRUE(outcome_of(hopper_robot(), one_turn(), record, {}).touch_down);
+  EXPECT_TRUE(judged(record, {}).touch_down);
 }
 
 TEST(ReplayFall, BodiesThatAreNoFeetMustStayAboveTheGround) {
