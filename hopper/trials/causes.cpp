@@ -64,6 +64,12 @@ constexpr std::array kKeys{
 
 }  // namespace
 
+bool has_noise(const SensorNoiseLevels& noise) {
+  Randomisation quiet;
+  quiet.noise = noise;
+  return !causes_of(quiet).empty();
+}
+
 std::vector<Cause> causes_of(const Randomisation& randomisation) {
   std::vector<Cause> causes;
   for (const Key& key : kKeys) {

@@ -18,4 +18,7 @@ struct Cause {
 /// are not zero. Empty: every trial would be the same run.
 std::vector<Cause> causes_of(const Randomisation& randomisation);
 
+/// Whether any of the sensors has noise.
+bool has_noise(const SensorNoiseLevels& noise);
+
 }  // namespace torquewright::hopper

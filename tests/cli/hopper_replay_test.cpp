@@ -207,6 +207,8 @@ TEST_F(HopperReplay, ExplainsWhichCauseTrialsDoNotBear) {
   EXPECT_NEAR(both["causes"][1]["rotation_short_rad"].get<double>(), mean_rad, 1e-12);
   expect_refusal({"--trials", "4", "--randomise", "both.json", "--explain", "--trial", "1"},
                  "--explain", "hop");
+  expect_refusal({"--trials", "4", "--randomise", "both.json", "--no-filter"},
+                 "states no sensor_noise", "hop");
 }
 
 TEST_F(HopperReplay, RefusesARobotThatCannotFall) {

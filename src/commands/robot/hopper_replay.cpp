@@ -177,6 +177,10 @@ std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& 
         "varies nothing: every trial would be the same run, and their rate would say nothing; "
         "give a range whose least is below its greatest, or sensor_noise");
   }
+  if (request.without_filter && !hopper::has_noise(read.randomisation.noise)) {
+    io::refuse("--no-filter", fmt::format("{} states no sensor_noise: there is nothing to filter",
+                                          request.randomise_file));
+  }
   hopper::require_fits(read.randomisation, robot);
   return read;
 }
