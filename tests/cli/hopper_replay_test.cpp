@@ -175,9 +175,9 @@ TEST_F(HopperReplay, AHopThatFourVoltsCannotMakeIsMissedThoughItStands) {
 
 TEST_F(HopperReplay, TolerancesOfWhatWasDoneCanBeSet) {
   EXPECT_EQ(report({}, "hop")["verdict"], "stands");
-  const json strict = report({"--flight-tolerance", "0.05"}, "hop");
+  const json strict = report({"--flight-tolerance", "0.01"}, "hop");
   EXPECT_EQ(strict["verdict"], "missed");
-  EXPECT_EQ(strict["options"]["flight_tolerance"], 0.05);
+  EXPECT_EQ(strict["options"]["flight_tolerance"], 0.01);
   expect_refusal({"--flight-tolerance", "0.6"}, "--flight-tolerance", "hop");
 }
 
