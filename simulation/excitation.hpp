@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "actuator/motor/position_law.hpp"
+
 namespace torquewright::simulation {
 
 /// The quantity of the drive that a run prescribes.
@@ -14,6 +16,8 @@ enum class DriveKind {
   kDuty,     ///< Duty: winding voltage = duty times bus voltage.
   /// Position of a servo with its own controller: duty = clip(gain (value - position), -1, 1).
   kPosition,
+  /// Position of a joint whose own controller makes a torque of it, by its law.
+  kPositionLaw,
 };
 
 /// The drive of one joint: values at the times of the excitation, linear between them.
@@ -21,6 +25,7 @@ struct JointDrive {
   DriveKind kind = DriveKind::kCurrent;
   std::vector<double> value;
   double position_gain_1_rad = 0.0;  ///< Gain of kPosition.
+  actuator::PositionLaw law;         ///< Law of kPositionLaw.
   std::vector<double> bus_V;         ///< Measured bus voltage; empty: the document's, with its sag.
   /// Measured winding temperature; empty: by the thermal data, else constant.
   std::vector<double> winding_K;

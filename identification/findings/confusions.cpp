@@ -41,6 +41,7 @@ std::vector<Names> groups_of_the_rig(const Bench& bench) {
       return {alike(StandsFor::kTorqueScale, alike(StandsFor::kLoadInertia, {"load_mass_error"}))};
     case LoadType::kPendulum:
     case LoadType::kSerialArm:
+    case LoadType::kRobot:
       return {alike(StandsFor::kTorqueScale, {"load_mass_error"}),
               alike(StandsFor::kLoadInertia, {"load_inertia_error"})};
     case LoadType::kDynamometer:

@@ -53,6 +53,9 @@ bool can_enter(const Bench& bench, const EffectKind& kind) {
   return kind.in_train == TrainPart::kNone && !is_fitted_as_a_value(bench, kind);
 }
 
+/// An angle of the base: either way from 0.
+bool is_angle(const std::string& pointer) { return pointer.ends_with("_rad"); }
+
 void add_uncertain(const Bench& bench, const actuator::Ranges& ranges, ForwardEquation& equation) {
   for (const std::string& pointer : bench.rig->uncertain) {
     const double* value = value_at(pointer, equation.stated.rig, equation.stated.actuator);
@@ -65,7 +68,7 @@ void add_uncertain(const Bench& bench, const actuator::Ranges& ranges, ForwardEq
     // No mass, inertia, constant or ratio changes its sign.
     if (*value > 0.0) parameter.lowest = size / kMostFactor;
     if (*value < 0.0) parameter.highest = -size / kMostFactor;
-    if (*value == 0.0) parameter.lowest = 0.0;
+    if (*value == 0.0 && !is_angle(pointer)) parameter.lowest = 0.0;
     equation.always.push_back(parameter);
     equation.always_start.push_back(*value);
     equation.pointers.push_back(pointer);
@@ -89,6 +92,7 @@ EffectCandidate from_mid_step(EffectCandidate candidate) {
 }
 
 void add_delays(const Bench& bench, std::vector<EffectCandidate>& candidates) {
+  if (bench.is_drive_by_law()) return;
   const auto add = [&](Quantity channel) {
     candidates.push_back(from_mid_step(delay_candidate(channel)));
   };
@@ -241,7 +245,9 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.used = used_torque_Nm(signals);
   const actuator::Ranges ranges = ranges_of(bench, signals);
   add_uncertain(bench, ranges, equation);
-  add_instant(half_a_step_s(signals), &LogErrors::instant_s, equation);
+  if (!bench.is_drive_by_law()) {
+    add_instant(half_a_step_s(signals), &LogErrors::instant_s, equation);
+  }
   if (bench.drive == Drive::kVoltage) add_winding_lag(half_a_step_s(signals), equation);
   equation.candidates = torque_candidates(bench, ranges);
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {

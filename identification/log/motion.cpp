@@ -71,8 +71,7 @@ class MotionCheck {
                                   describe(key, rig_), run.name, remedy(key, rig_, kRadPerDegree)));
       }
     }
-    const bool hangs =
-        rig_.load.type == LoadType::kPendulum || rig_.load.type == LoadType::kSerialArm;
+    const bool hangs = rig_.load.type == LoadType::kPendulum || has_joints(rig_.load.type);
     if (key.second != Quantity::kOutputPosition || !hangs) return;
     check_many_turns(key);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "identification/log/commanded_torques.hpp"
 #include "identification/log/contents.hpp"
 #include "identification/log/holdout.hpp"
 #include "identification/log/log.hpp"
@@ -126,6 +127,7 @@ Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
   repair(log.runs, rig, repairs);
   report(repairs, rig, log.findings);
   check_motion(log, rig);
+  add_commanded_torques(rig, log);
   choose_holdout(log, rig);
   report_length(log);
   check_contents(log, rig);

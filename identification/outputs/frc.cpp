@@ -108,7 +108,7 @@ std::string write_frc(const OutputSubject& subject) {
                                  back_emf_V_s_rad + volt_per_Nm * friction.viscous_Nm_s_rad, angle,
                                  volt_per_Nm * inertia_kg_m2, angle);
   text += gravity_line(subject, volt_per_Nm * through_mesh);
-  if (subject.load.type == LoadType::kDynamometer || subject.load.type == LoadType::kSerialArm) {
+  if (subject.load.type == LoadType::kDynamometer || has_joints(subject.load.type)) {
     text += "kA holds the actuator's own inertia alone: the rig states no single load\n";
   }
   if (volt_per_Nm * friction.worst_Nm > 1e-3) {

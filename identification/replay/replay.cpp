@@ -98,7 +98,7 @@ Replay::Replay(const Bench& bench, const std::vector<Signals>& signals, double o
 
 bool Replay::can_replay(const Bench& bench) {
   const LoadType load = bench.rig->load.type;
-  return bench.drive && load != LoadType::kDynamometer && load != LoadType::kSerialArm;
+  return bench.drive && load != LoadType::kDynamometer && !has_joints(load);
 }
 
 Eigen::VectorXd Replay::errors(const actuator::Actuator& actuator,

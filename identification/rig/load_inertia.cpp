@@ -13,6 +13,7 @@ double load_inertia_kg_m2(const Load& load) {
       return load.mass_kg;
     case LoadType::kDynamometer:
     case LoadType::kSerialArm:
+    case LoadType::kRobot:
       return 0.0;
   }
   return 0.0;

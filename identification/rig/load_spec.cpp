@@ -14,14 +14,29 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 5> kLoadNames = {"dynamometer", "free", "pendulum",
-                                                        "linear_axis", "serial_arm"};
+constexpr std::array<std::string_view, 6> kLoadNames = {"dynamometer", "free",       "pendulum",
+                                                        "linear_axis", "serial_arm", "robot"};
 
-/// The keys of a load, besides its type, that the types need; no others may stand there.
-const std::vector<std::string>& keys_of(LoadType type) {
-  static const std::array<std::vector<std::string>, 5> kKeys = {
-      {{}, {"inertia_kg_m2"}, {"mass_kg", "length_m", "inertia_kg_m2"}, {"mass_kg"}, {"links"}}};
+using Keys = std::vector<std::string>;
+
+/// The keys of a load, besides its type, that the types need.
+const Keys& keys_of(LoadType type) {
+  static const std::array<Keys, 6> kKeys = {{{},
+                                             {"inertia_kg_m2"},
+                                             {"mass_kg", "length_m", "inertia_kg_m2"},
+                                             {"mass_kg"},
+                                             {"links"},
+                                             {"file"}}};
   return kKeys[static_cast<std::size_t>(type)];
+}
+
+/// All that may stand there beside the type.
+Keys allowed_keys_of(LoadType type) {
+  Keys keys = keys_of(type);
+  if (type == LoadType::kRobot) {
+    keys.insert(keys.end(), {"base", "held_rad", "roll_rad", "pitch_rad"});
+  }
+  return keys;
 }
 
 }  // namespace
@@ -38,14 +53,18 @@ Load load_of_json(const json& load,
     if (load.contains(key)) continue;
     report("/" + key, fmt::format("missing; a load of type \"{}\" needs it", *found));
   }
+  const Keys allowed = allowed_keys_of(read.type);
   for (const auto& [key, value] : load.items()) {
-    if (key == "type" || std::find(needed.begin(), needed.end(), key) != needed.end()) continue;
-    report("/" + key, fmt::format("has no meaning for a load of type \"{}\", which {}", *found,
-                                  needed.empty() ? "has no values" : "has " + io::listed(needed)));
+    if (key == "type" || std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+    report("/" + key,
+           fmt::format("has no meaning for a load of type \"{}\", which {}", *found,
+                       allowed.empty() ? "has no values" : "has " + io::listed(allowed)));
   }
   read.mass_kg = load.value("mass_kg", 0.0);
   read.length_m = load.value("length_m", 0.0);
   read.inertia_kg_m2 = load.value("inertia_kg_m2", 0.0);
+  read.roll_rad = load.value("roll_rad", 0.0);
+  read.pitch_rad = load.value("pitch_rad", 0.0);
   for (const json& link : load.value("links", json::array())) {
     read.links.push_back(
         {link["mass_kg"], link["length_m"], link["center_of_mass_m"], link["inertia_kg_m2"]});

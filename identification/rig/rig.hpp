@@ -2,11 +2,15 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "actuator/motor/position_law.hpp"
 #include "identification/rig/quantity.hpp"
+#include "identification/rig/robot_load.hpp"
 
 namespace torquewright::io {
 struct Document;
@@ -25,7 +29,7 @@ struct ColumnUse {
   std::string joint;
 };
 
-enum class LoadType { kDynamometer, kFree, kPendulum, kLinearAxis, kSerialArm };
+enum class LoadType { kDynamometer, kFree, kPendulum, kLinearAxis, kSerialArm, kRobot };
 std::string_view name_of(LoadType type);
 
 /// A link of a serial arm; position 0 hangs down, angles are relative to the link before.
@@ -45,6 +49,9 @@ struct Load {
   double length_m = 0.0;       ///< Pendulum: from the axis to the centre of mass.
   double inertia_kg_m2 = 0.0;  ///< Inertia of a free load; of a pendulum about its centre of mass.
   std::vector<Link> links;     ///< Links of a serial arm, from the base on.
+  double roll_rad = 0.0;       ///< Robot: how its base is turned about the world's x,
+  double pitch_rad = 0.0;      ///< and before that about the world's y.
+  std::shared_ptr<const RobotLoad> robot;
   friend bool operator==(const Load&, const Load&) = default;
 };
 
@@ -57,13 +64,21 @@ struct Rig {
   Load load;                ///< Load of the runs that `loads` does not name.
   bool states_load = true;  ///< False: every run's load stands in `loads`; `load` is one of them.
   std::map<std::string, Load, std::less<>> loads;  ///< Loads by run, all of the type of `load`.
-  std::vector<std::string> joints;  ///< Joints of a serial arm, from the base on; else {""}.
+  /// Joints of a serial arm, from the base on; of a robot in its order; else {""}.
+  std::vector<std::string> joints;
   /// The links did not name the joints; their order is that of the columns.
   bool joints_by_columns = false;
+  /// By joint, where its controller's law is stated; empty: no law is.
+  std::vector<std::optional<actuator::PositionLaw>> controllers;
   std::vector<std::string> holdout_runs;  ///< Names of runs to hold out; empty: none stated.
   /// Pointers to values that a fit may correct: /load/..., /loads/RUN/..., /motor/..., /gearbox/...
   std::vector<std::string> uncertain;
 };
+
+/// Whether the load has joints by name: a serial arm's or a robot's.
+inline bool has_joints(LoadType type) {
+  return type == LoadType::kSerialArm || type == LoadType::kRobot;
+}
 
 /// Returns the load of a run of this name, or of a part of it that was held out.
 const Load& load_of(const Rig& rig, std::string_view run);

@@ -7,9 +7,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "identification/rig/column_patterns.hpp"
+#include "identification/rig/controller_spec.hpp"
 #include "identification/rig/load_spec.hpp"
 #include "identification/rig/rig.hpp"
 #include "identification/rig/rig_parts_spec.hpp"
+#include "identification/rig/robot_load_spec.hpp"
 #include "io/documents/document.hpp"
 #include "io/faults/json_text.hpp"
 #include "io/text/nearest.hpp"
@@ -60,9 +63,11 @@ class RigReader {
     rig_.file = document_.file;
     rig_.name = root_.value("name", io::stem_in_text(document_.file));
     read_loads();
+    read_robot();
     read_columns(root_["columns"]);
     read_ignored();
     find_joints();
+    read_controllers();
     find_doubles();
     require_time();
     rig_.holdout_runs = root_.value("holdout_runs", std::vector<std::string>());
@@ -100,6 +105,28 @@ class RigReader {
     if (!rig_.states_load) rig_.load = rig_.loads.begin()->second;
   }
 
+  /// One robot for all runs: what it carries by run is another document.
+  void read_robot() {
+    if (rig_.load.type != LoadType::kRobot || !first_load_.contains("file")) return;
+    if (!rig_.loads.empty()) {
+      report("/loads", "a rig of a robot has one \"load\" for all runs");
+      return;
+    }
+    robot_ = robot_load_of_json(first_load_, document_.file,
+                                [&](const std::string& key, std::string message) {
+                                  report("/load" + key, std::move(message));
+                                });
+    for (std::size_t body = 1; body < robot_.tree.bodies.size(); ++body) {
+      robot_joints_.push_back(robot_.tree.bodies[body].joint.name);
+    }
+  }
+
+  void read_controllers() {
+    rig_.controllers = controllers_of_json(
+        root_, rig_.joints,
+        [&](const std::string& key, std::string message) { report(key, std::move(message)); });
+  }
+
   Load read_load(const std::string& path, const json& load) {
     return load_of_json(load, [&](const std::string& key, std::string message) {
       report(path + key, std::move(message));
@@ -123,10 +150,33 @@ class RigReader {
       const json fields = entry.is_string() ? json::object() : entry;
       const double scale = fields.value("scale", 1.0);
       const io::Unit unit = unit_of_column(*quantity, fields, path);
-      rig_.columns.push_back({column, *quantity, scale * unit.in_SI,
-                              scale * unit.zero_in_SI + fields.value("offset", 0.0),
-                              fields.value("joint", "")});
+      const ColumnUse use{column, *quantity, scale * unit.in_SI,
+                          scale * unit.zero_in_SI + fields.value("offset", 0.0),
+                          fields.value("joint", "")};
+      if (rig_.load.type == LoadType::kRobot && is_pattern(column)) {
+        read_pattern(use, path);
+        continue;
+      }
+      rig_.columns.push_back(use);
       check_column(rig_.columns.back(), fields, path);
+    }
+  }
+
+  /// A column for each joint that the pattern fits.
+  void read_pattern(ColumnUse use, const std::string& path) {
+    const std::string joint = use.joint.empty() ? "{joint}" : use.joint;
+    const auto columns = columns_of_pattern(use.column, joint, robot_joints_);
+    if (columns.empty()) {
+      report(path,
+             fmt::format("fits no joint: \"joint\" ({}) must hold the word in braces that the "
+                         "column's name holds, and what is around it must be as in a joint's "
+                         "name; the robot's joints are {}",
+                         joint, io::listed(robot_joints_)));
+    }
+    for (const PatternColumn& one : columns) {
+      use.column = one.column;
+      use.joint = one.joint;
+      rig_.columns.push_back(use);
     }
   }
 
@@ -158,8 +208,10 @@ class RigReader {
     if (use.quantity == Quantity::kRun && (fields.contains("scale") || fields.contains("offset"))) {
       report(path, "names of runs have neither scale nor offset");
     }
-    if (rig_.load.type != LoadType::kSerialArm) {
-      if (!use.joint.empty()) report(path + "/joint", "only a serial_arm has several joints");
+    if (!has_joints(rig_.load.type)) {
+      if (!use.joint.empty()) {
+        report(path + "/joint", "only a serial_arm and a robot have several joints");
+      }
     } else if (is_of_the_whole_log(use.quantity)) {
       if (!use.joint.empty()) report(path + "/joint", "is no joint's; leave it out");
     } else if (use.joint.empty() && !may_be_shared(use.quantity)) {
@@ -188,6 +240,7 @@ class RigReader {
 
   void find_joints() {
     rig_.joints = {""};
+    if (rig_.load.type == LoadType::kRobot) return find_robots_joints();
     if (rig_.load.type != LoadType::kSerialArm) return;
     const json links = first_load_.value("links", json::array());
     const std::vector<std::string> named = joints_of_links(first_load_);
@@ -210,6 +263,14 @@ class RigReader {
            fmt::format("{} link{}, but the columns name {} joint{}{}{}", links.size(),
                        links.size() == 1 ? "" : "s", used.size(), used.size() == 1 ? "" : "s",
                        used.empty() ? "" : ": ", io::listed(used)));
+  }
+
+  void find_robots_joints() {
+    rig_.joints = joints_in_log(
+        joints_of(column_names()), robot_, [&](const std::string& key, std::string message) {
+          report((key.empty() ? "/columns" : "/load") + key, std::move(message));
+        });
+    rig_.load.robot = std::make_shared<const RobotLoad>(robot_);
   }
 
   /// Joints that columns name and no link.
@@ -288,6 +349,8 @@ class RigReader {
   const io::Document& document_;
   const json& root_;
   json first_load_ = json::object();  ///< Of those that stand in the document.
+  RobotLoad robot_;
+  std::vector<std::string> robot_joints_;
   Rig rig_;
   std::vector<io::Fault> faults_;
 };

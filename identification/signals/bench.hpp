@@ -40,6 +40,12 @@ struct Bench {
 
   const actuator::Actuator& actuator() const { return *actuators[joint]; }
   const actuator::Actuator& actuator_in_gap() const { return in_gap ? *in_gap : actuator(); }
+  /// Whether the drive's torque is made of the position by the law of the joint's controller: then
+  /// the two are of one instant, whatever else is late.
+  bool is_drive_by_law() const {
+    return drive_channel == Quantity::kCommandedTorque && joint < rig->controllers.size() &&
+           rig->controllers[joint].has_value();
+  }
   bool has_torque_balance() const { return drive && load_side; }
 };
 

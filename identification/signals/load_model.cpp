@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/gravity.hpp"
+#include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/serial_arm.hpp"
 #include "identification/simulated/rig_plant.hpp"
 
@@ -28,6 +29,26 @@ std::vector<double> arm_load_Nm(const Load& load, std::size_t joint, const Signa
   return load_Nm;
 }
 
+std::vector<double> robot_load_Nm(const Load& load, std::size_t joint, const Signals& signals) {
+  dynamics::TreeState state(robot_tree_of(load));
+  const RobotLoad& robot = *load.robot;
+  Eigen::VectorXd q = held_positions_of(load);
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(q.size()), a = v, torque = v;
+  std::vector<double> load_Nm(signals.size());
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    for (std::size_t j = 0; j < robot.bodies.size(); ++j) {
+      const Eigen::Index row = state.joint_row(robot.bodies[j]);
+      q[row] = signals.arm[j].position_rad[i];
+      v[row] = signals.arm[j].velocity_rad_s[i];
+      a[row] = signals.arm[j].acceleration_rad_s2[i];
+    }
+    state.set(q, v);
+    dynamics::inverse_dynamics(state, a, torque);
+    load_Nm[i] = torque[state.joint_row(robot.bodies[joint])];
+  }
+  return load_Nm;
+}
+
 }  // namespace
 
 double load_mass_column(const Load& load, const actuator::Instant& at) {
@@ -39,6 +60,7 @@ double load_mass_column(const Load& load, const actuator::Instant& at) {
 std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signals& signals) {
   const Load& load = load_of(rig, signals.run_name);
   if (load.type == LoadType::kSerialArm) return arm_load_Nm(load, joint, signals);
+  if (load.type == LoadType::kRobot) return robot_load_Nm(load, joint, signals);
   std::vector<double> load_Nm(signals.size(), 0.0);
   for (std::size_t i = 0; i < signals.size(); ++i) {
     const actuator::Instant& at = signals.at[i];
@@ -55,6 +77,7 @@ std::vector<double> model_load_Nm(const Rig& rig, std::size_t joint, const Signa
         break;
       case LoadType::kDynamometer:
       case LoadType::kSerialArm:
+      case LoadType::kRobot:
         break;
     }
   }

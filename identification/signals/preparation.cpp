@@ -215,10 +215,10 @@ JointMotion own_motion(const Signals& signals) {
   return motion;
 }
 
-/// Of every joint of a serial arm.
+/// Of every joint of a serial arm or a robot.
 void set_arm(const Run& run, const Bench& bench, const PreparationOptions& options,
              std::mt19937_64& random, Signals& signals) {
-  if (bench.rig->load.type != LoadType::kSerialArm) return;
+  if (!has_joints(bench.rig->load.type)) return;
   for (std::size_t j = 0; j < bench.actuators.size(); ++j) {
     if (j == bench.joint) {
       signals.arm.push_back(own_motion(signals));

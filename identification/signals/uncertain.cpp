@@ -30,6 +30,8 @@ double* value_of(Load& load, std::string_view key) {
   if (key == "mass_kg") return &load.mass_kg;
   if (key == "length_m") return &load.length_m;
   if (key == "inertia_kg_m2") return &load.inertia_kg_m2;
+  if (key == "roll_rad") return &load.roll_rad;
+  if (key == "pitch_rad") return &load.pitch_rad;
   return nullptr;
 }
 

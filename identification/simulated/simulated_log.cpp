@@ -103,6 +103,7 @@ double greatest_drive(simulation::DriveKind kind, const actuator::Actuator& actu
       return 1.0;
     case simulation::DriveKind::kVoltage:
     case simulation::DriveKind::kPosition:
+    case simulation::DriveKind::kPositionLaw:
       break;
   }
   return std::numeric_limits<double>::infinity();

@@ -31,6 +31,7 @@ struct DriveNow {
   /// Torque of the motor in Nm at the output, where its drive has found the current for it; absent:
   /// `value` decides, by the laws of winding and torque constant.
   std::optional<double> motor_Nm = {};
+  actuator::PositionLaw law = {};
 };
 
 /// Returns the instant at which the laws of effects are evaluated; `direction` is that of the

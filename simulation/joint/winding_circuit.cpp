@@ -74,6 +74,9 @@ double WindingCircuit::current_A(const JointState& state, const DriveNow& drive)
       return drive.value;
     case DriveKind::kTorque:
       return drive.value / (actuator_.transmission.ratio * actuator_.motor.torque_constant_Nm_A);
+    case DriveKind::kPositionLaw:
+      return drive.law.torque_Nm(drive.value, state.position_rad, state.speed_rad_s) /
+             (actuator_.transmission.ratio * actuator_.motor.torque_constant_Nm_A);
     default:
       break;
   }

@@ -11,7 +11,8 @@ double between(const std::vector<double>& values, std::size_t knot, double share
 }
 
 DriveNow drive_at(const JointDrive& joint, std::size_t knot, double share) {
-  DriveNow drive{joint.kind, between(joint.value, knot, share), joint.position_gain_1_rad, {}};
+  DriveNow drive{joint.kind, between(joint.value, knot, share), joint.position_gain_1_rad, {}, {},
+                 joint.law};
   if (!joint.bus_V.empty()) drive.bus_V = between(joint.bus_V, knot, share);
   if (!joint.enabled.empty() && joint.enabled[knot] < 0.5) {
     drive.kind = DriveKind::kCurrent;

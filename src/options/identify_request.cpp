@@ -15,9 +15,10 @@ void add_log_options(command_line::Command& command, IdentifyRequest& request) {
                   "Document of kind rig, which says what the columns are")
       .needed_by_its_work();
   command
-      .add_option(
-          "--actuator", request.actuators,
-          "Document of kind actuator, as designed; JOINT=FILE, once for each, on a serial arm")
+      .add_option("--actuator", request.actuators,
+                  "Document of kind actuator, as designed; JOINT=FILE, once for each, on a serial "
+                  "arm; on a "
+                  "robot for those that are not as its document has them, '*_knee=FILE' for many")
       .needed_by_its_work()
       .one_value_each();
   command.add_flag("--json", request.json, "Print the report as JSON");
@@ -43,7 +44,6 @@ std::string report_document(const IdentifyRequest& request) {
 void require_log_options(const IdentifyRequest& request) {
   if (request.logs.empty()) command_line::refuse("logs is required");
   if (request.rig_file.empty()) command_line::refuse("--rig is required");
-  if (request.actuators.empty()) command_line::refuse("--actuator is required");
 }
 
 }  // namespace torquewright::cli

@@ -127,6 +127,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"forward", {"rig", "signals", "findings"}},
       {"selection", {"log", "signals", "findings", "forward"}},
       {"replay", {"simulated", "signals", "findings", "forward"}},
+      {"rollout", {"simulated", "log", "rig"}},
       {"experiment", {"rig", "simulated", "signals", "findings", "forward"}},
       {"answer", {"log", "signals", "findings", "forward", "selection", "replay"}}}},
     {"src",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,10 +17,12 @@
 #include "src/commands/identification/identify_inputs.hpp"
 #include "src/commands/identification/identify_json.hpp"
 #include "src/commands/identification/refined_actuators.hpp"
+#include "src/commands/identification/simulated_robot.hpp"
 #include "src/interrupt.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/identification/identification_html.hpp"
 #include "src/report/identification/identification_text.hpp"
+#include "src/report/identification/simulated_text.hpp"
 #include "src/report/parts/gnuplot.hpp"
 #include "src/report/parts/progress_line.hpp"
 #include "src/standard_output.hpp"
@@ -35,6 +38,8 @@ struct IdentifyFound {
   Identification identification;
   RefinedActuators refined;
   std::vector<report::RegionSection> regions;  ///< For the page, where one was asked for.
+  /// Of a robot whose controllers' laws are stated.
+  std::optional<identification::SimulatedErrors> simulated;
 };
 
 Identification identification_of(const IdentifyRequest& request, const IdentifyInputs& inputs) {
@@ -102,6 +107,7 @@ IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inpu
   if (!inputs.refined.empty() || !request.as.empty())
     require_promise(request, inputs, found.identification, found.refined);
   if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
+  found.simulated = simulated_errors(request, inputs, found.refined);
   return found;
 }
 
@@ -142,8 +148,10 @@ ExitCode exit_code_of(identification::Verdict verdict) {
 std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs,
                     const IdentifyFound& found, const report::IdentificationContext& context) {
   if (!request.as.empty()) return output_text(request, inputs, found);
-  return request.json ? identify_json(request, inputs, found.identification)
-                      : for_window(report::identification_text(found.identification, context));
+  if (request.json) return identify_json(request, inputs, found.identification, found.simulated);
+  std::string text = report::identification_text(found.identification, context);
+  if (found.simulated) text += report::simulated_text(*found.simulated);
+  return for_window(text);
 }
 
 void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
@@ -164,8 +172,8 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
                      report::identification_html(found.identification, context, found.regions)});
   }
   if (!request.outputs.empty()) {
-    files.push_back(
-        {report_document(request), identify_json(request, inputs, found.identification)});
+    files.push_back({report_document(request),
+                     identify_json(request, inputs, found.identification, found.simulated)});
   }
   deliver(std::move(files), printed(request, inputs, found, context));
   if (request.is_old_spelling) {

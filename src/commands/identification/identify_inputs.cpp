@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "identification/rig/joint_actuator_json.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
+#include "io/text/name_pattern.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
 #include "src/commands/shared/moved_references_json.hpp"
@@ -29,9 +31,26 @@ std::size_t joint_of(const Rig& rig, const std::string& option, const std::strin
                                       : fmt::format(", only {}", io::listed(rig.joints))));
 }
 
+/// Indices of the rig's joints that a name or a pattern of names stands for.
+std::vector<std::size_t> joints_of(const Rig& rig, const std::string& option,
+                                   const std::string& pattern) {
+  if (pattern.find('*') == std::string::npos) return {joint_of(rig, option, pattern)};
+  std::vector<std::size_t> joints;
+  for (std::size_t i = 0; i < rig.joints.size(); ++i) {
+    if (io::fits_pattern(rig.joints[i], pattern)) joints.push_back(i);
+  }
+  if (joints.empty()) {
+    io::refuse(option, fmt::format("\"{}\" fits no joint of the rig; they are {}", pattern,
+                                   io::listed(rig.joints)));
+  }
+  return joints;
+}
+
 /// Files given as JOINT=FILE, in the order of the rig's joints; as FILE where there is one joint.
-std::vector<std::string> by_joint(const Rig& rig, const std::string& option,
-                                  const std::vector<std::string>& given) {
+/// JOINT may be a pattern where one file may be of several. Empty for joints of which none is
+/// given.
+std::vector<std::string> given_by_joint(const Rig& rig, const std::string& option,
+                                        const std::vector<std::string>& given) {
   if (!is_arm(rig)) {
     if (given.size() != 1) io::refuse(option, "the rig has one joint, and so one such file");
     return given;
@@ -43,10 +62,20 @@ std::vector<std::string> by_joint(const Rig& rig, const std::string& option,
       io::refuse(option, fmt::format("\"{}\" must be JOINT=FILE; the rig's joints are {}", text,
                                      io::listed(rig.joints)));
     }
-    std::string& file = files[joint_of(rig, option, text.substr(0, mark))];
-    if (!file.empty()) io::refuse(option, fmt::format("{} is given twice", text.substr(0, mark)));
-    file = text.substr(mark + 1);
+    for (const std::size_t joint : joints_of(rig, option, text.substr(0, mark))) {
+      if (!files[joint].empty()) {
+        io::refuse(option, fmt::format("{} is given twice", rig.joints[joint]));
+      }
+      files[joint] = text.substr(mark + 1);
+    }
   }
+  return files;
+}
+
+/// The same with a file for every joint.
+std::vector<std::string> by_joint(const Rig& rig, const std::string& option,
+                                  const std::vector<std::string>& given) {
+  std::vector<std::string> files = given_by_joint(rig, option, given);
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].empty()) io::refuse(option, fmt::format("{}=FILE is missing", rig.joints[i]));
   }
@@ -88,13 +117,19 @@ IdentifyInputs read_inputs(const IdentifyRequest& request) {
   IdentifyInputs inputs;
   inputs.rig_document = io::read_document(request.rig_file, "rig");
   inputs.rig = identification::read_rig(inputs.rig_document);
-  const std::vector<std::string> files = by_joint(inputs.rig, "--actuator", request.actuators);
+  const bool is_robot = inputs.rig.load.type == identification::LoadType::kRobot;
+  if (!is_robot && request.actuators.empty()) io::refuse("--actuator", "is required");
+  const std::vector<std::string> files =
+      is_robot ? given_by_joint(inputs.rig, "--actuator", request.actuators)
+               : by_joint(inputs.rig, "--actuator", request.actuators);
   if (!request.refined.empty()) {
     inputs.refined =
         by_joint(inputs.rig, request.is_old_spelling ? "-o" : "--refined", request.refined);
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
-    inputs.actuators.push_back({inputs.rig.joints[i], actuator::read_wound_actuator(files[i])});
+    inputs.actuators.push_back(
+        {inputs.rig.joints[i], files[i].empty() ? identification::actuator_of_joint(inputs.rig, i)
+                                                : actuator::read_wound_actuator(files[i])});
   }
   require_plain_logs(request);
   check_files(request, inputs);

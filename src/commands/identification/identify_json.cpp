@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "identification/answer/report_spec.hpp"
+#include "identification/rollout/simulated_errors_json.hpp"
 #include "io/faults/json_text.hpp"
 #include "src/commands/shared/moved_references_json.hpp"
 #include "src/commands/shared/result_json.hpp"
@@ -12,8 +13,10 @@
 namespace torquewright::cli {
 
 std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& inputs,
-                          const identification::Identification& found) {
+                          const identification::Identification& found,
+                          const std::optional<identification::SimulatedErrors>& simulated) {
   nlohmann::ordered_json document = identification::identification_report_json(found);
+  if (simulated) document["simulated"] = identification::simulated_json(*simulated);
   document["options"] = nlohmann::ordered_json::object();
   if (!request.select) document["options"]["select"] = false;
   if (request.empirical) document["options"]["empirical"] = true;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/rollout/simulated_errors_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace torquewright::identification {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json rms_or_null(const RolloutError& error, std::size_t joint) {
+  if (joint >= error.by_joint_rad.size()) return nullptr;
+  return error.by_joint_rad[joint];
+}
+
+ordered_json rms_or_null(const RolloutError& error) {
+  if (error.by_joint_rad.empty()) return nullptr;
+  return error.all_rad;
+}
+
+ordered_json errors_json(const Rollout& rollout) {
+  return {{"train_rms", rms_or_null(rollout.train)},
+          {"holdout_rms", rms_or_null(rollout.holdout)},
+          {"diverged", rollout.train.diverged + rollout.holdout.diverged}};
+}
+
+ordered_json errors_json(const Rollout& rollout, std::size_t joint) {
+  return {{"train_rms", rms_or_null(rollout.train, joint)},
+          {"holdout_rms", rms_or_null(rollout.holdout, joint)}};
+}
+
+}  // namespace
+
+ordered_json simulated_json(const SimulatedErrors& errors) {
+  const bool is_refined = !errors.after.empty();
+  ordered_json simulated{{"unit", "rad"}, {"window_s", kWindows_s[kLeadingWindow]}};
+  simulated["before"] = errors_json(errors.before[kLeadingWindow]);
+  if (is_refined) simulated["after"] = errors_json(errors.after[kLeadingWindow]);
+  for (std::size_t joint = 0; joint < errors.joints.size(); ++joint) {
+    ordered_json entry{{"joint", errors.joints[joint]},
+                       {"before", errors_json(errors.before[kLeadingWindow], joint)}};
+    if (is_refined) entry["after"] = errors_json(errors.after[kLeadingWindow], joint);
+    simulated["by_joint"].push_back(std::move(entry));
+  }
+  for (std::size_t length = 0; length < errors.before.size(); ++length) {
+    ordered_json entry{{"window_s", errors.before[length].window_s},
+                       {"before", errors_json(errors.before[length])}};
+    if (is_refined) entry["after"] = errors_json(errors.after[length]);
+    simulated["windows"].push_back(std::move(entry));
+  }
+  return simulated;
+}
+
+}  // namespace torquewright::identification

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "identification/rig/column_patterns.hpp"
+#include "identification/rig/rig.hpp"
+#include "io/documents/document.hpp"
+#include "io/text/name_pattern.hpp"
+#include "tests/actuator/check/refusal.hpp"
+#include "tests/identification/robot/leg.hpp"
+#include "tests/io/scratch_folder.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using nlohmann::json;
+
+json robot() { return test::leg_json({{0.01, 0.2, 0.1}, {0.01, 0.2, 0.1}, {0.02, 0.2, 0.1}}); }
+
+Rig read(const json& rig, const json& of = robot()) {
+  const test::ScratchFolder folder;
+  folder.write("leg.json", of.dump());
+  return read_rig(io::read_document(folder.write("rig.json", rig.dump()), "rig"));
+}
+
+std::string refusal_of(const json& rig, const json& of = robot()) {
+  const test::ScratchFolder folder;
+  folder.write("leg.json", of.dump());
+  const auto file = folder.write("rig.json", rig.dump());
+  return test::refusal([&] { (void)read_rig(io::read_document(file, "rig")); }, folder.path());
+}
+
+// Oracle: the words of the pattern, written out by hand.
+TEST(ColumnPatterns, PutThePartOfTheJointsNameIntoTheColumns) {
+  const std::vector<std::string> joints = {"FL_hip_joint", "FL_calf_joint", "tail"};
+  const auto columns = columns_of_pattern("{leg}_rad", "{leg}_joint", joints);
+  ASSERT_EQ(columns.size(), 2u);
+  EXPECT_EQ(columns[1].column, "FL_calf_rad");
+  EXPECT_EQ(columns[1].joint, "FL_calf_joint");
+  EXPECT_EQ(columns_of_pattern("q {joint}", "{joint}", joints).back().column, "q tail");
+  EXPECT_TRUE(columns_of_pattern("{leg}_rad", "{joint}", joints).empty());
+  EXPECT_TRUE(columns_of_pattern("{leg}_rad", "{leg}_knee", joints).empty());
+}
+
+TEST(NamePattern, TakesAnyLettersForAStar) {
+  EXPECT_TRUE(io::fits_pattern("FL_calf_joint", "*_calf_joint"));
+  EXPECT_TRUE(io::fits_pattern("FL_calf_joint", "*calf*"));
+  EXPECT_TRUE(io::fits_pattern("knee", "knee"));
+  EXPECT_TRUE(io::fits_pattern("", "*"));
+  EXPECT_FALSE(io::fits_pattern("FL_calf_joint", "*_hip_joint"));
+  EXPECT_FALSE(io::fits_pattern("FL_calf_joint", "*calf"));
+}
+
+TEST(RobotRig, HasTheJointsOfTheRobotInItsOrder) {
+  const Rig rig = read(test::leg_rig_json());
+  EXPECT_EQ(rig.joints, test::kLegJoints);
+  ASSERT_EQ(rig.controllers.size(), 3u);
+  EXPECT_EQ(rig.controllers[2]->stiffness_Nm_rad, 20.0);
+  EXPECT_EQ(rig.load.robot->bodies, (std::vector<std::size_t>{1, 2, 3}));
+  // What the drives do is theirs: the load is bodies alone.
+  EXPECT_EQ(rig.load.robot->tree.bodies[3].joint.reflected_inertia, 0.0);
+  EXPECT_TRUE(rig.load.robot->tree.bodies[3].joint.passive.is_none());
+  EXPECT_EQ(rig.load.robot->joints[2].reflected_inertia, 0.02);
+}
+
+TEST(RobotRig, TakesTheLawOfAPatternBeforeTheOneOfAll) {
+  json rig = test::leg_rig_json();
+  rig["controllers"]["*calf*"] = {{"type", "pd"}, {"stiffness_Nm_rad", 35}};
+  const Rig found = read(rig);
+  EXPECT_EQ(found.controllers[0]->stiffness_Nm_rad, 20.0);
+  EXPECT_EQ(found.controllers[2]->stiffness_Nm_rad, 35.0);
+  EXPECT_EQ(found.controllers[2]->damping_Nm_s_rad, 0.0);
+}
+
+TEST(RobotRig, RefusesWhatIsNotTheRobots) {
+  json rig = test::leg_rig_json();
+  rig["load"].erase("base");
+  EXPECT_NE(refusal_of(rig).find("/load/base: missing; the robot's base floats"),
+            std::string::npos);
+  rig = test::leg_rig_json();
+  rig["columns"]["x"] = {{"quantity", "output_velocity_rad_s"}, {"joint", "calv_joint"}};
+  EXPECT_NE(refusal_of(rig).find("no joint \"calv_joint\"; did you mean \"calf_joint\"?"),
+            std::string::npos);
+  rig = test::leg_rig_json();
+  rig["columns"]["{limb}_Nm"] = {{"quantity", "reported_torque_Nm"}, {"joint", "{limb}_wing"}};
+  EXPECT_NE(refusal_of(rig).find("fits no joint"), std::string::npos);
+  rig = test::leg_rig_json();
+  rig["controllers"]["*_wing"] = {{"type", "pd"}, {"stiffness_Nm_rad", 35}};
+  EXPECT_NE(refusal_of(rig).find("fits no joint of the log; they are hip_joint"),
+            std::string::npos);
+  rig = test::leg_rig_json();
+  rig["load"]["held_rad"] = {{"hip_joint", 0.0}};
+  EXPECT_NE(refusal_of(rig).find("is in the log as well"), std::string::npos);
+}
+
+TEST(RobotRig, AsksWhereJointsStandThatTheLogDoesNotHold) {
+  json rig = test::leg_rig_json();
+  rig["columns"] = {{"time_s", "time_s"},
+                    {"q", {{"quantity", "output_position_rad"}, {"joint", "calf_joint"}}},
+                    {"c", {{"quantity", "commanded_position_rad"}, {"joint", "calf_joint"}}}};
+  EXPECT_NE(refusal_of(rig).find("no column is of hip_joint, thigh_joint;"), std::string::npos)
+      << refusal_of(rig);
+  rig["load"]["held_rad"] = {{"hip_joint", 0.1}, {"thigh_joint", 0.7}};
+  const Rig found = read(rig);
+  EXPECT_EQ(found.joints, std::vector<std::string>{"calf_joint"});
+  EXPECT_EQ(found.load.robot->held_rad.at(2), 0.7);
+}
+
+}  // namespace
+}  // namespace torquewright::identification
