@@ -32,7 +32,7 @@ def why(found):
     if binding:
         worst = sorted(binding, key=lambda one: (-one["violation"], -one["instants"] / one["of"]))
         return "; ".join(f"{one['name']} ({one['stance']}, {one['instants']} of {one['of']} instants)"
-                         for one in worst[:3])
+                         for one in worst[:1])
     return found.get("reason", "")[:120]
 
 

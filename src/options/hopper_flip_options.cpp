@@ -2,12 +2,15 @@
 #include "src/options/hopper_flip_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
 #include "hopper/planning/objectives/library.hpp"
 #include "hopper/planning/tasks/library.hpp"
+#include "hopper/planning/tasks/reserve.hpp"
 #include "src/options/named_sentences.hpp"
 
 namespace torquewright::cli {
@@ -110,6 +113,49 @@ Options task_options() {
   };
 }
 
+/// "--position-margin" in rad is "position_margin_rad".
+std::string margin_key(const hopper::MarginPart& part) {
+  std::string key(part.option.substr(2));
+  std::replace(key.begin(), key.end(), '-', '_');
+  return part.unit.empty() ? key : key + "_" + std::string(part.unit);
+}
+
+/// What the reserve makes of each margin, in words.
+std::string reserve_words() {
+  std::vector<std::string> words;
+  for (const hopper::MarginPart& part : hopper::margin_parts()) {
+    if (!(part.per_reserve > 0.0)) continue;
+    words.push_back(fmt::format("{} {:g}{}{}", part.option.substr(2), part.per_reserve,
+                                part.unit.empty() ? "" : " ", part.unit));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// Planning margins: what a replay has left to steer with.
+Options margin_options() {
+  const FlipGroup group = FlipGroup::kMargins;
+  Options all{option(
+      group, "--reserve", "reserve", [](auto& of) -> auto& { return of.plan.reserve; },
+      fmt::format("One word for the margins below: each is at least so many times this share: {}; "
+                  "what is stated by itself holds",
+                  reserve_words()),
+      between(0.0, 1.0))};
+  const hopper::PlanMargins usual;
+  for (std::size_t i = 0; i < hopper::margin_parts().size(); ++i) {
+    const hopper::MarginPart& part = hopper::margin_parts()[i];
+    const double otherwise = usual.*part.margin;
+    all.push_back(option(
+        group, std::string(part.option),
+        margin_key(part), [i](auto& of) -> auto& { return of.margins[i]; },
+        std::string(part.sentence),
+        [otherwise, most = part.most](Option margin) {
+          margin.otherwise(fmt::format("{:g}, or what --reserve makes of it", otherwise))
+              .between(0.0, most);
+        }));
+  }
+  return all;
+}
+
 Options duration_options() {
   const FlipGroup group = FlipGroup::kDurations;
   using Longest = hopper::LongestPhases;
@@ -128,41 +174,6 @@ Options duration_options() {
       longest("landing", "landing", &Longest::landing_s, 0.02,
               "a phase between the flight and the last"),
       longest("last", "last", &Longest::last_s, 0.4, "the last phase"),
-  };
-}
-
-/// Planning margins: what a replay has left to steer with.
-Options margin_options() {
-  const FlipGroup group = FlipGroup::kMargins;
-  return {
-      option(
-          group, "--voltage-margin", "voltage_margin",
-          [](auto& of) -> auto& { return of.plan.margins.voltage; },
-          "Share of the bus voltage kept from a region's voltage bound", between(0.0, 0.9)),
-      option(
-          group, "--current-margin", "current_margin",
-          [](auto& of) -> auto& { return of.plan.margins.current; },
-          "Share of a region's current bound that is kept", between(0.0, 0.9)),
-      option(
-          group, "--friction-margin", "friction_margin",
-          [](auto& of) -> auto& { return of.plan.margins.friction; },
-          "Share of the ground's friction coefficient that is kept", between(0.0, 0.95)),
-      option(
-          group, "--center-of-pressure-margin", "center_of_pressure_margin",
-          [](auto& of) -> auto& { return of.plan.margins.center_of_pressure; },
-          "Share of the foot's length kept from either end of it", between(0.0, 0.49)),
-      option(
-          group, "--gear-margin", "gear_margin",
-          [](auto& of) -> auto& { return of.plan.margins.gear_load; },
-          "Share of each transmission's limit that is kept", between(0.0, 0.9)),
-      option(
-          group, "--position-margin", "position_margin_rad",
-          [](auto& of) -> auto& { return of.plan.margins.position_rad; },
-          "How far joints keep from the ends of their ranges, in rad", between(0.0, 1.0)),
-      option(
-          group, "--speed-margin", "speed_margin",
-          [](auto& of) -> auto& { return of.plan.margins.speed; },
-          "Share of the joints' speed limits that is kept", between(0.0, 0.9)),
   };
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hopper/planning/search/plan.hpp"
+#include "hopper/planning/tasks/reserve.hpp"
 #include "src/options/hopper_check_request.hpp"
 
 namespace torquewright::cli {
@@ -20,6 +21,9 @@ struct HopperFlipRequest {
   std::optional<double> stride_m;       ///< Likewise.
   std::vector<std::string> objectives;  ///< NAME[=WEIGHT]; empty: the task's.
   hopper::PlanOptions plan;             ///< What has an option of its own.
+  /// By part (hopper::margin_parts()); empty: the usual one, or what the reserve makes of it.
+  std::vector<std::optional<double>> margins =
+      std::vector<std::optional<double>>(hopper::margin_parts().size());
   std::uint64_t guess_seed = 0;
   /// Robot and conditions; its motion, where one is named, is what is begun from.
   HopperCheckRequest warm;

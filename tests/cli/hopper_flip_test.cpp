@@ -87,6 +87,16 @@ TEST_F(HopperFlip, RefusesPhasesThatNothingFitsInto) {
                  "--longest-flight: is 0.3 s, and this phase takes 0.452 s at least");
 }
 
+TEST_F(HopperFlip, RefusesAReserveBeyondWhatThereIs) {
+  expect_refusal(
+      {"--reserve", "0.2"},
+      "0.2 would keep 0.75 of centre of pressure (--center-of-pressure-margin), and 0.49 "
+      "is the most");
+  expect_refusal({"--reserve", "-0.01"}, "--reserve");
+  // The ankle's range is 1.571 rad.
+  expect_refusal({"--position-margin", "0.8"}, "leave nothing of joint 'ankle_pitch'");
+}
+
 TEST_F(HopperFlip, RefusesOptionsThatWouldDoNothing) {
   expect_refusal({"--seed", "3"}, "--guess-noise");
   for (const char* option :

@@ -126,6 +126,27 @@ TEST(FlipText, ShowsTheFirstOfManyThatBind) {
   EXPECT_NE(text_of(result).find("and 3 more (--json lists all)"), std::string::npos);
 }
 
+TEST(FlipText, SaysWhatAReserveCosts) {
+  PlanResult result = filled(PlanStatus::kPlanned);
+  result.prices = {{"voltage", 0.08, "", 1.0, 4.0},
+                   {"joint range", 0.15, "rad", 1.875, 2.0, 0.125},
+                   {"capture point", 0.0, "", 0.0, {}},
+                   {"longest flight", 0.8, "s", 0.0, -0.5}};
+  PlanOptions options;
+  EXPECT_EQ(text_of(result, false, options).find("reserve"), std::string::npos) << "none is asked";
+  options.reserve = 0.08;
+  const std::string text = text_of(result, false, options);
+  expect_line(text, "what the reserve of 0.08 costs, to first order");
+  expect_line(text, "  voltage                  0.08; 0.01 more: objective +0.04");
+  expect_line(text,
+              "  joint range              0.15 rad, in samples 0.125 rad; 0.01 rad more: objective "
+              "+0.02");
+  expect_line(text, "  capture point            0; what more of it costs cannot be told");
+  expect_line(text, "  longest flight           0.8 s; 0.01 s more: objective -0.005");
+  // 4 * 1 + 2 * 1.875.
+  expect_line(text, "  together                 0.08; 0.01 more: objective +0.0775");
+}
+
 TEST(FlipHtml, WithoutACheckIsAPageOfThePlanAlone) {
   PlanResult result;
   result.status = PlanStatus::kLocallyInfeasible;

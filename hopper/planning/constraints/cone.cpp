@@ -27,6 +27,9 @@ struct ConeLaw {
   }
 };
 
+// Part of a phase before the foot tips, over which its load may go to the edge.
+constexpr double kTips = 0.3;
+
 }  // namespace
 
 double friction_of(const Site& site) {
@@ -35,6 +38,16 @@ double friction_of(const Site& site) {
     friction = std::min(friction, site.model.plane.sole[i].friction_coefficient);
   }
   return friction * (1.0 - site.options.margins.friction);
+}
+
+bool tips(const Site& site) {
+  return !site.is_last_phase() &&
+         site.mesh[site.phase + 1].stance.points.size() < site.stance().points.size();
+}
+
+double edge_at(const Site& site, double share) {
+  const double from_tipping = tips(site) ? std::min(1.0, (1.0 - share) / kTips) : 1.0;
+  return site.options.margins.center_of_pressure * from_tipping;
 }
 
 void add_cone(const Site& site, std::string_view name, int forces, double scale, double edge,

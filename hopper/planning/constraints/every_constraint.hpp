@@ -8,9 +8,11 @@
 #define TORQUEWRIGHT_EVERY_CONSTRAINT(constraint)                                                 \
   constraint(positions_go_on) constraint(velocities_go_on) constraint(range) constraint(speed)    \
       constraint(equations_of_motion) constraint(feet_stay) constraint(drives) constraint(ground) \
-          constraint(above_the_ground) constraint(duration) constraint(feet_on_the_ground)        \
-              constraint(goes_on) constraint(impact) constraint(feet_stop) constraint(impulse)    \
-                  constraint(base_upright) constraint(landing_load) constraint(mass_over_the_sole)
+          constraint(pressure_between_knots) constraint(above_the_ground) constraint(duration)    \
+              constraint(feet_on_the_ground) constraint(goes_on) constraint(impact)               \
+                  constraint(feet_stop) constraint(impulse) constraint(base_upright)              \
+                      constraint(landing_load) constraint(mass_over_the_sole)                     \
+                          constraint(capture_point)
 
 namespace torquewright::hopper::constraints {
 

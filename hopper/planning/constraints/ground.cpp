@@ -9,24 +9,13 @@
 namespace torquewright::hopper {
 namespace {
 
-// Part of a phase before the foot tips, over which its load may go to the edge.
-constexpr double kTips = 0.3;
-
-/// Whether the phase's end lets a point go: the load has to get to the edge there.
-bool tips(const Site& site) {
-  return !site.is_last_phase() &&
-         site.mesh[site.phase + 1].stance.points.size() < site.stance().points.size();
-}
-
 /// What each end of the sole bears at least, of the load.
 double edge(const Site& site) {
   const bool stands = (site.phase == 0 && site.index == 0) ||
                       (site.is_last_phase() && site.index + 1 == site.variables().points.size());
   // Where it stands the load is near the middle of the sole: each end bears nearly half of it.
   if (stands) return 0.5 - kStandsWithin;
-  const double share = site.mesh[site.phase].share_at(site.index);
-  const double from_tipping = tips(site) ? std::min(1.0, (1.0 - share) / kTips) : 1.0;
-  return site.options.margins.center_of_pressure * from_tipping;
+  return edge_at(site, site.mesh[site.phase].share_at(site.index));
 }
 
 void add(const Site& site, optimization::Program& program) {

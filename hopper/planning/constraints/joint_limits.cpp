@@ -17,7 +17,9 @@ std::string named(const Site& site, const Constraint& constraint) {
 }
 
 std::vector<PlanLimit> ranges(const Site& site, const std::vector<double>& values) {
-  const optimization::Bounds& range = site.model.joint_rad[static_cast<std::size_t>(site.row)];
+  const auto joint = static_cast<std::size_t>(site.row);
+  const optimization::Bounds& range =
+      site.stance().is_flight() ? site.model.flight_rad[joint] : site.model.joint_rad[joint];
   const double at = at_joint(site.point().position, site, values);
   return {{named(site, constraints::range), std::min(at - range.lower, range.upper - at),
            range.upper - range.lower}};

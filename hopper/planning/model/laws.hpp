@@ -5,10 +5,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <tuple>
 
 #include "dynamics/jet.hpp"
+#include "dynamics/jet_functions.hpp"
 #include "hopper/planning/plane/sagittal_dynamics.hpp"
 #include "hopper/planning/plane/stance.hpp"
 #include "hopper/planning/region/drive_region.hpp"
@@ -159,6 +161,25 @@ struct LeanLaw {
     const Eigen::Index m = body.robot().moving_count();
     body.set(PlanFrame::kSole, without_place(x, 0, m), dynamics::VectorX<T>::Zero(m));
     rows[0] = body.position_in(PlanFrame::kMass)[0];
+  }
+};
+
+/// Law: distance of the capture point in front of the rearmost point of the sole: x + x' sqrt(z/g)
+/// of the centre of mass, over which an inverted pendulum of that height comes to rest (Pratt and
+/// others 2006). Variables: pitch and joints about the sole (m - 2), their rates (m - 2). Rows:
+/// one.
+struct CaptureLaw {
+  std::shared_ptr<SagittalScratch> scratch;
+
+  template <typename T>
+  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
+    using std::sqrt;
+    SagittalDynamicsOf<T>& body = scratch->on<T>();
+    const Eigen::Index m = body.robot().moving_count();
+    body.set(PlanFrame::kSole, without_place(x, 0, m), without_place(x, m - 2, m));
+    const dynamics::VectorX<T> at = body.position_in(PlanFrame::kMass);
+    const double gravity_m_s2 = body.robot().robot.tree.gravity_m_s2;
+    rows[0] = at[0] + body.velocity_in(PlanFrame::kMass)[0] * sqrt(at[1] * (1.0 / gravity_m_s2));
   }
 };
 

@@ -47,13 +47,30 @@ Bounds reachable(const SagittalRobot& plane, std::size_t body, Bounds range) {
   return range;
 }
 
+/// What a margin leaves of a joint's range.
+Bounds range_within(const SagittalRobot& plane, std::size_t body, double margin_rad,
+                    const char* option) {
+  const dynamics::Joint& joint = plane.robot.tree.bodies[body].joint;
+  const dynamics::JointLimits& limits = joint.limits;
+  const Bounds range{std::isfinite(limits.position_min) ? limits.position_min + margin_rad : -3.0,
+                     std::isfinite(limits.position_max) ? limits.position_max - margin_rad : 3.0};
+  if (range.lower >= range.upper) {
+    io::refuse(option,
+               fmt::format("{:g} rad from either end leave nothing of joint '{}', whose "
+                           "range is {:.4g} rad: less than half of it",
+                           margin_rad, joint.name, limits.position_max - limits.position_min));
+  }
+  return reachable(plane, body, range);
+}
+
 void add_joints(PlanModel& model, const PlanMargins& margins) {
+  const double in_flight_rad = std::max(margins.position_rad, margins.flight_position_rad);
   for (const std::size_t body : model.plane.joints) {
     const dynamics::JointLimits& limits = model.plane.robot.tree.bodies[body].joint.limits;
-    Bounds range{
-        std::isfinite(limits.position_min) ? limits.position_min + margins.position_rad : -3.0,
-        std::isfinite(limits.position_max) ? limits.position_max - margins.position_rad : 3.0};
-    model.joint_rad.push_back(reachable(model.plane, body, range));
+    model.joint_rad.push_back(
+        range_within(model.plane, body, margins.position_rad, "--position-margin"));
+    model.flight_rad.push_back(
+        range_within(model.plane, body, in_flight_rad, "--flight-position-margin"));
     model.joint_rad_s.push_back(
         std::isfinite(limits.speed_max) ? limits.speed_max * (1.0 - margins.speed) : 40.0);
     model.joint_Nm.push_back(limits.effort_max);

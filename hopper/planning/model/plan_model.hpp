@@ -17,8 +17,9 @@ struct PlanModel {
   std::shared_ptr<const std::vector<PlanSupply>> supplies;
   /// Ranges of the joints that move, margins taken off.
   std::vector<optimization::Bounds> joint_rad;
-  std::vector<double> joint_rad_s;  ///< Greatest speeds of the joints.
-  std::vector<double> joint_Nm;     ///< Greatest torques of the joints; may be infinite.
+  std::vector<optimization::Bounds> flight_rad;  ///< The same in flight.
+  std::vector<double> joint_rad_s;               ///< Greatest speeds of the joints.
+  std::vector<double> joint_Nm;  ///< Greatest torques of the joints; may be infinite.
   std::vector<double> gear_Nm;  ///< Greatest gear torques by drive, at its output; may be infinite.
   std::vector<double> rotors_kg_m2;  ///< Inertia of rotors by drive, before its gears.
   double weight_N = 0.0;

@@ -14,6 +14,7 @@ namespace torquewright::hopper {
 namespace {
 
 using Eigen::Index;
+using optimization::Bounds;
 using optimization::VariableSet;
 
 constexpr double kImpulseGuess_N_s = 5.0;
@@ -96,7 +97,9 @@ class Unknowns {
     set.scales = {typical::kLength_m, typical::kLength_m, typical::kAngle_rad};
     for (Index j = 0; j < joints_; ++j) {
       const auto joint = static_cast<std::size_t>(j);
-      set.bounds.push_back(at_rest ? goal_.standing_rad[joint] : model_.joint_rad[joint]);
+      const Bounds& reach =
+          stance(phase).is_flight() ? model_.flight_rad[joint] : model_.joint_rad[joint];
+      set.bounds.push_back(at_rest ? goal_.standing_rad[joint] : reach);
       set.scales.push_back(typical::kAngle_rad);
     }
     return add(std::move(set));

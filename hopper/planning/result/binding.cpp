@@ -75,12 +75,12 @@ Bindings limits_of(Site site, const PlannedMotion& plan, const std::vector<doubl
     const PlannedPhase& phase = plan.phases[site.phase];
     bindings.begin_phase(site.stance().name);
     site.index = 0;
-    ask(Where::kPhase, phase.begin_s());
     for (; site.index < site.variables().points.size(); ++site.index) {
       const double time_s = phase.instants[site.index].time_s;
       for (site.row = 0; site.row < site.joints(); ++site.row) ask(Where::kJoint, time_s);
       site.row = 0;
       ask(Where::kInstant, time_s);
+      ask(Where::kPhase, time_s);  // what a phase as a whole is held by holds throughout
     }
   }
   return bindings;

@@ -35,6 +35,24 @@ struct LeastMargin {
   std::string unit;
 };
 
+/// A number by which a plan was bounded, and what more of it costs.
+struct BoundPrice {
+  std::string name;  ///< "joint range" of a planning margin, "longest flight" of a duration.
+  double value = 0.0;
+  std::string unit;  ///< Empty of a share.
+  /// How many times the reserve it is; 0 where it is not the reserve's.
+  double per_reserve = 0.0;
+  /// By how much the objective grows per unit more of it, to first order; empty where that cannot
+  /// be told.
+  std::optional<double> objective_per_unit;
+  /// Of a margin, the least that samples of the motion keep; empty where it is not looked for.
+  std::optional<double> kept = {};
+};
+
+/// By how much the objective grows per unit of the reserve; empty where nothing is the reserve's,
+/// or a part's price is not known.
+std::optional<double> reserve_price(const std::vector<BoundPrice>& prices);
+
 /// A constraint that holds a plan back.
 struct BindingConstraint {
   std::string name;  ///< "knee: region, upper".
@@ -96,6 +114,7 @@ struct PlanResult {
   double peak_rad_s = 0.0;                 ///< Greatest CAV in it.
   std::vector<LeastMargin> least_margins;  ///< Least margins, one for each rule, the least first.
   std::vector<BindingConstraint> binding;  ///< See binding_constraints().
+  std::vector<BoundPrice> prices;  ///< Planning margins, then longest phases; of a plan alone.
   std::vector<PlanRound> rounds;
   std::vector<ChangeTried> changes;  ///< Changes that were tried, where asked to explain.
 };

@@ -19,6 +19,19 @@ std::string_view name_of(PlanStatus status) {
   }
 }
 
+std::optional<double> reserve_price(const std::vector<BoundPrice>& prices) {
+  double sum = 0.0;
+  bool has_any = false;
+  for (const BoundPrice& part : prices) {
+    if (!(part.per_reserve > 0.0)) continue;
+    if (!part.objective_per_unit) return std::nullopt;
+    sum += part.per_reserve * *part.objective_per_unit;
+    has_any = true;
+  }
+  if (!has_any) return std::nullopt;
+  return sum;
+}
+
 PlanResult plan_motion(const Robot& robot, const PlanOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   PlanResult result = search_plan(robot, options);

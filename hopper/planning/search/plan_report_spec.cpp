@@ -61,6 +61,30 @@ ordered_json margins_json(const std::vector<LeastMargin>& margins) {
   return list;
 }
 
+/// null where none can be told.
+ordered_json or_null(const std::optional<double>& value) {
+  return value ? or_null(*value) : ordered_json();
+}
+
+ordered_json prices_json(const std::vector<BoundPrice>& prices) {
+  ordered_json list = ordered_json::array();
+  for (const BoundPrice& part : prices) {
+    list.push_back({{"name", part.name},
+                    {"value", or_null(part.value)},
+                    {"unit", part.unit},
+                    {"per_reserve", part.per_reserve},
+                    {"objective_per_unit", or_null(part.objective_per_unit)},
+                    {"kept", or_null(part.kept)}});
+  }
+  return list;
+}
+
+ordered_json reserve_json(const PlanOptions& options, const PlanResult& result) {
+  if (!(options.reserve > 0.0)) return nullptr;
+  return {{"value", options.reserve},
+          {"objective_per_unit", or_null(reserve_price(result.prices))}};
+}
+
 ordered_json binding_json(const std::vector<BindingConstraint>& binding) {
   ordered_json list = ordered_json::array();
   for (const BindingConstraint& one : binding) {
@@ -134,6 +158,8 @@ ordered_json plan_report_json(const PlanOptions& options, const PlanResult& resu
           {"cav_peak_rad_s", in_flight(result, result.peak_rad_s)},
           {"check", check_json(result)},
           {"least_margins", margins_json(result.least_margins)},
+          {"prices", prices_json(result.prices)},
+          {"reserve", reserve_json(options, result)},
           {"binding", binding_json(result.binding)},
           {"phases", phases_json(result.plan)},
           {"flight", flight_json(result)},

@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "hopper/planning/objectives/library.hpp"
 #include "hopper/planning/programme/flip_program.hpp"
+#include "hopper/planning/programme/ground_in_samples.hpp"
 #include "hopper/planning/programme/guess.hpp"
 #include "hopper/planning/programme/integration_error.hpp"
 #include "hopper/planning/programme/mesh_refinement.hpp"
@@ -19,6 +23,7 @@
 #include "hopper/planning/programme/warm_guess.hpp"
 #include "hopper/planning/result/binding.hpp"
 #include "hopper/planning/result/least_margins.hpp"
+#include "hopper/planning/search/prices.hpp"
 #include "io/faults/spec_error.hpp"
 #include "optimization/nonlinear/solve.hpp"
 
@@ -36,8 +41,12 @@ constexpr double kWarmBarrier = 1e-2;
 // Largest residual of a plan at any instant, as a share of what `hopper check` allows as a
 // mean over its window: a plan that keeps to it passes there.
 constexpr double kUnexplainedShare = 1.0;
+// How far what the ground gives may leave its margins between knots, in shares of the foot (2 mm of
+// the hopper's) and of the friction coefficient; and how many rounds that may cost a plan.
+constexpr double kMostExcess = 0.01;
+constexpr int kGroundRounds = 2;
 constexpr double kUnknownError_rad = std::numeric_limits<double>::infinity();
-constexpr double kRefinedShare = 0.5;  // of the allowed error, which a finer mesh aims at (ours)
+constexpr double kRefinedShare = 0.5;  // of what is allowed, which a finer mesh aims at (ours)
 
 /// What of a check speaks against a motion, the gravest first.
 std::string failure_sentence(const HopperReport& report) {
@@ -70,9 +79,13 @@ class Planner {
   NonlinearSolution solve(const FlipProgram& program, double barrier);
   bool take_round(const PlannedMotion& guess, double barrier);
   bool is_done();
+  bool may_refine() const { return std::ssize(result_.rounds) <= options_.most_rounds; }
+  bool keeps_plan();
   bool refine();
   void refine_for_physics();
   bool refine_for_check();
+  std::vector<double> excess(std::size_t phase) const;
+  bool refine_for_ground();
   bool is_passed() const;
   /// Of a moment that nothing explains, as `hopper check` has it.
   double most_unexplained_Nm() const {
@@ -85,6 +98,11 @@ class Planner {
     });
   }
   void judge();
+  Site site(std::size_t phase = 0) const {
+    return {model_, goal_, options_, solved_.program.mesh, solved_.program.phases, nullptr, phase};
+  }
+  std::vector<BoundPrice> prices() const;
+  PlanResult answer();
   std::vector<ObjectivePart> parts_of(const FlipProgram& program,
                                       const std::vector<double>& values) const;
   void end(PlanStatus status, std::string reason) {
@@ -105,6 +123,12 @@ class Planner {
   std::vector<MeshPhase> mesh_;
   std::chrono::steady_clock::time_point begin_;
   std::vector<PhaseError> errors_;
+  SolvedProgram solved_;  ///< Of the last round.
+  /// A plan and its program, should further rounds end without one.
+  std::optional<PlanResult> kept_;
+  SolvedProgram kept_solved_;
+  int ground_rounds_ = 0;
+  bool is_refined_ = false;  ///< For the ground, by is_done().
   PlanResult result_;
 };
 
@@ -135,8 +159,10 @@ NonlinearSolution Planner::solve(const FlipProgram& program, double barrier) {
 
 /// Solves on the mesh as it is. False where nothing was found; the result then says why.
 bool Planner::take_round(const PlannedMotion& guess, double barrier) {
-  const FlipProgram program = flip_program(model_, mesh_, goal_, options_, guess);
-  const NonlinearSolution solution = solve(program, barrier);
+  solved_ = {flip_program(model_, mesh_, goal_, options_, guess), guess, {}};
+  const FlipProgram& program = solved_.program;
+  solved_.solution = solve(program, barrier);
+  const NonlinearSolution& solution = solved_.solution;
   PlanRound round;
   for (const MeshPhase& phase : mesh_) round.intervals += static_cast<int>(phase.intervals());
   round.iterations = solution.iterations;
@@ -196,34 +222,48 @@ void Planner::end_unsolved(const NonlinearSolution& solution) {
 bool Planner::is_done() {
   if (!is_fine()) return false;
   judge();
-  return !result_.check || is_passed();
+  return !result_.check || (is_passed() && !keeps_plan());
+}
+
+/// Keeps the round's plan and refines once more where what the ground gives leaves its margins
+/// between knots. False where there is nothing to refine, or it was done often enough.
+bool Planner::keeps_plan() {
+  if (ground_rounds_ == kGroundRounds || !may_refine() || !refine_for_ground()) return false;
+  ++ground_rounds_;
+  end(PlanStatus::kPlanned, "");
+  kept_ = result_;
+  kept_solved_ = std::move(solved_);
+  return true;
 }
 
 /// False where that is no more allowed, or would not help.
 bool Planner::refine() {
-  if (static_cast<int>(result_.rounds.size()) > options_.most_rounds) return false;
+  if (!may_refine()) return false;
+  if (std::exchange(is_refined_, false)) return true;
+  judge();
   if (is_fine()) return refine_for_check();
   refine_for_physics();
   return true;
 }
 
-/// Cuts the phases whose error is too great.
+/// Cuts the phases whose error is too great, and where what the ground gives leaves its margins.
 void Planner::refine_for_physics() {
   for (std::size_t p = 0; p < mesh_.size(); ++p) {
     const PhaseError& error = errors_[p];
     const bool drifts = error.whole_rad > options_.most_error_rad;
+    const auto intervals = static_cast<double>(mesh_[p].intervals());
+    const double allowed_rad = kRefinedShare * options_.most_error_rad;
+    // An error that no interval shows by itself grows from one to the next: all are cut.
+    const bool is_all = drifts && std::ranges::max(error.interval_rad) <= allowed_rad / intervals;
+    const std::vector<double> beyond = excess(p);
     std::vector<double> interval = error.interval_rad;
     for (std::size_t i = 0; i < interval.size(); ++i) {
       if (!drifts) interval[i] = 0.0;
-      if (error.unexplained_Nm[i] > most_unexplained_Nm()) interval[i] = kUnknownError_rad;
+      const bool is_cut = is_all || beyond[i] > kRefinedShare * kMostExcess ||
+                          error.unexplained_Nm[i] > most_unexplained_Nm();
+      if (is_cut) interval[i] = kUnknownError_rad;
     }
-    const double allowed_rad = kRefinedShare * options_.most_error_rad;
-    std::vector<double> finer = refined(mesh_[p].knots, interval, allowed_rad);
-    // An error that no interval shows by itself grows from one to the next: all are cut.
-    if (drifts && finer.size() == mesh_[p].knots.size()) {
-      finer = refined(mesh_[p].knots, error.interval_rad, 0.0);
-    }
-    mesh_[p].knots = std::move(finer);
+    mesh_[p].knots = refined(mesh_[p].knots, interval, allowed_rad);
   }
 }
 
@@ -247,6 +287,25 @@ bool Planner::refine_for_check() {
     mesh_[p].knots = std::move(finer);
   }
   return is_cut;
+}
+
+std::vector<double> Planner::excess(std::size_t phase) const {
+  if (!result_.check) return std::vector<double>(mesh_[phase].intervals(), 0.0);
+  return ground_excess(site(phase), result_.plan.phases[phase], result_.motion.times_s,
+                       result_.check->demand.forces_N);
+}
+
+/// Cuts the intervals in which what the ground gives leaves its margins, where it does so anywhere
+/// by more than it may. False where it does not.
+bool Planner::refine_for_ground() {
+  for (std::size_t p = 0; p < mesh_.size(); ++p) {
+    is_refined_ = is_refined_ || std::ranges::max(excess(p)) > kMostExcess;
+  }
+  for (std::size_t p = 0; is_refined_ && p < mesh_.size(); ++p) {
+    const auto intervals = static_cast<double>(mesh_[p].intervals());
+    mesh_[p].knots = refined(mesh_[p].knots, excess(p), intervals * kRefinedShare * kMostExcess);
+  }
+  return is_refined_;
 }
 
 /// By `hopper check`, once a round. What it refuses has no report; of a solution its refusal is the
@@ -286,6 +345,25 @@ bool Planner::is_passed() const {
   });
 }
 
+/// Of the round's plan.
+std::vector<BoundPrice> Planner::prices() const {
+  const KeptMargins kept =
+      kept_margins(site(), result_.plan, result_.motion, result_.check->demand.forces_N);
+  return bound_prices(robot_, options_, solved_, kept);
+}
+
+/// What the search came to, but a plan of an earlier round where the last one is none.
+PlanResult Planner::answer() {
+  if (result_.status != PlanStatus::kPlanned && kept_) {
+    kept_->rounds = std::move(result_.rounds);
+    kept_->iterations = result_.iterations;
+    result_ = std::move(*kept_);
+    solved_ = std::move(kept_solved_);
+  }
+  if (result_.status == PlanStatus::kPlanned) result_.prices = prices();
+  return std::move(result_);
+}
+
 PlanResult Planner::plan() {
   bool is_solved = take_round(first_guess(), kColdBarrier);
   while (is_solved && !is_done() && refine()) {
@@ -294,7 +372,7 @@ PlanResult Planner::plan() {
   }
   if (is_solved) end(PlanStatus::kCheckFails, "");
   judge();
-  if (!is_solved || !result_.check) return std::move(result_);
+  if (!is_solved || !result_.check) return answer();
   if (!is_fine()) {
     end(PlanStatus::kCheckFails,
         fmt::format("on the finest mesh tried, integrating the torques leads {} away from the "
@@ -308,7 +386,7 @@ PlanResult Planner::plan() {
   } else {
     end(PlanStatus::kPlanned, "");
   }
-  return std::move(result_);
+  return answer();
 }
 
 }  // namespace

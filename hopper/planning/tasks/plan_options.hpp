@@ -21,7 +21,12 @@ struct PlanMargins {
   double center_of_pressure = 0.1;  ///< Share of the foot's length, from either end.
   double gear_load = 0.1;           ///< Share of each transmission's limit.
   double position_rad = 0.02;       ///< Distance from the ends of joints' ranges.
-  double speed = 0.02;              ///< Share of joints' speed limits.
+  /// The same in flight, where it is more: a leg on its stops can turn slower and never faster.
+  double flight_position_rad = 0.0;
+  double speed = 0.02;  ///< Share of joints' speed limits.
+  /// Share of the foot's length that the capture point keeps from either end where the last stance
+  /// begins (CaptureLaw); 0: it may be anywhere.
+  double capture_point = 0.0;
 };
 
 /// How long a phase may take at most, in s, by what it is for. The middle phases are those on the
@@ -59,6 +64,7 @@ struct PlanOptions {
   std::vector<std::string> stances;
   std::vector<WeightedObjective> objectives;  ///< Objectives with weights; empty: the task's.
   PlanMargins margins;
+  double reserve = 0.0;  ///< What margins were made of it (reserve.hpp), for who reads the answer.
   LongestPhases longest;
   int intervals = 100;           ///< Intervals of the first mesh, all phases together.
   double most_error_rad = 2e-3;  ///< Largest error of a phase by an independent integrator.

@@ -24,6 +24,13 @@ void set_distances(const HopperFlipRequest& request, hopper::PlanOptions& plan) 
   plan.stride_m = request.stride_m.value_or(plan.stride_m);
 }
 
+void set_margins(const HopperFlipRequest& request, hopper::PlanOptions& plan) {
+  plan.margins = hopper::with_reserve(plan.reserve);
+  for (std::size_t i = 0; i < request.margins.size(); ++i) {
+    if (request.margins[i]) plan.margins.*hopper::margin_parts()[i].margin = *request.margins[i];
+  }
+}
+
 /// Heights and speeds tell what touches where the motion does not.
 void require_search_for_contacts(const HopperFlipRequest& request, const hopper::Motion& motion) {
   if (!motion.has_touching && !motion.has_forces) return;
@@ -62,6 +69,7 @@ HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request) {
   plan = request.plan;
   plan.task = &hopper::task_named(request.task);
   set_distances(request, plan);
+  set_margins(request, plan);
   plan.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
   plan.objectives = read_objectives(request.objectives);
   plan.guess_seed = static_cast<unsigned>(request.guess_seed);

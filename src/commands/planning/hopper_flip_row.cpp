@@ -60,10 +60,15 @@ std::vector<sweep::Measure> measures_of(const PlanResult& result, const sweep::S
           of_check("least_bus_V")};
 }
 
-/// What holds the search back most often.
+/// What holds the search back most often: of what is violated, where something is.
 std::string binding_of(const PlanResult& result) {
   if (result.binding.empty()) return "";
-  return fmt::format("{} ({})", result.binding.front().name, result.binding.front().stance);
+  const auto violated =
+      std::find_if(result.binding.begin(), result.binding.end(),
+                   [](const hopper::BindingConstraint& one) { return one.violation > 0.0; });
+  const hopper::BindingConstraint& most =
+      violated == result.binding.end() ? result.binding.front() : *violated;
+  return fmt::format("{} ({})", most.name, most.stance);
 }
 
 }  // namespace

@@ -43,6 +43,14 @@ std::string margins_table(const std::vector<LeastMargin>& margins) {
                   rows);
 }
 
+std::string reserve_table(const PlanOptions& options, const PlanResult& result) {
+  if (!(options.reserve > 0.0) || result.prices.empty()) return "";
+  Rows rows;
+  for (const BoundPrice& part : result.prices) rows.push_back({part.name, price_words(part)});
+  rows.push_back({"together", reserve_words(options.reserve, result)});
+  return table_of("What the reserve costs, to first order", {"margin", "cost"}, rows);
+}
+
 std::string binding_table(const std::vector<BindingConstraint>& binding) {
   Rows rows;
   for (const BindingConstraint& one : binding) rows.push_back({one.name, binding_words(one)});
@@ -100,10 +108,10 @@ std::string plan_sections(const Robot& robot, const PlanOptions& options,
     if (!line.empty()) text += "<p>" + escaped(line) + "</p>\n";
   }
   text += "</section>\n";
-  return text +
-         page_section("The plan", phases_table(result.plan) + margins_table(result.least_margins) +
-                                      binding_table(result.binding) + rounds_table(result.rounds) +
-                                      changes_list(result.changes));
+  return text + page_section("The plan",
+                             phases_table(result.plan) + margins_table(result.least_margins) +
+                                 reserve_table(options, result) + binding_table(result.binding) +
+                                 rounds_table(result.rounds) + changes_list(result.changes));
 }
 
 }  // namespace

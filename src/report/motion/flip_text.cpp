@@ -75,6 +75,17 @@ std::string binding_lines(const std::vector<BindingConstraint>& binding) {
   return text;
 }
 
+std::string reserve_lines(const FlipAnswer& answer) {
+  if (!(answer.options.reserve > 0.0) || answer.result.prices.empty()) return "";
+  std::string text =
+      fmt::format("\nwhat the reserve of {:g} costs, to first order\n", answer.options.reserve);
+  for (const BoundPrice& part : answer.result.prices) {
+    text += fmt::format("  {:<24} {}\n", part.name, price_words(part));
+  }
+  return text + fmt::format("  {:<24} {}\n", "together",
+                            reserve_words(answer.options.reserve, answer.result));
+}
+
 std::string round_lines(const FlipAnswer& answer) {
   if (answer.result.rounds.empty()) return "";
   std::string text = "\nrounds\n";
@@ -115,6 +126,7 @@ std::string flip_text(const FlipAnswer& answer) {
   text += motion_lines(answer);
   text += load_lines(result) + left_out_lines(result);
   text += margin_lines(result.least_margins);
+  text += reserve_lines(answer);
   text += binding_lines(result.binding);
   text += round_lines(answer);
   text += change_lines(answer);

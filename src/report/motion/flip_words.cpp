@@ -18,6 +18,14 @@ std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
+constexpr double kMore = 0.01;  // of a share, a radian or a second, by which prices are told
+
+/// What that much more costs.
+std::string more_words(const std::optional<double>& per_unit, const std::string& more) {
+  if (!per_unit) return "what more of it costs cannot be told";
+  return fmt::format("{} more: objective {:+.3g}", more, kMore * *per_unit);
+}
+
 }  // namespace
 
 std::string verdict_words(const PlanOptions& options, const PlanResult& result) {
@@ -93,6 +101,17 @@ std::string margin_words(const LeastMargin& margin) {
   }
   if (!margin.place.empty()) text += ", " + margin.place;
   return text + fmt::format(", t = {:.4f} s", margin.time_s);
+}
+
+std::string price_words(const BoundPrice& part) {
+  return with_unit(part.value, part.unit) +
+         (part.kept ? ", in samples " + with_unit(*part.kept, part.unit) : "") + "; " +
+         more_words(part.objective_per_unit, with_unit(kMore, part.unit));
+}
+
+std::string reserve_words(double reserve, const PlanResult& result) {
+  return fmt::format("{:g}; {}", reserve,
+                     more_words(reserve_price(result.prices), fmt::format("{:g}", kMore)));
 }
 
 std::string binding_words(const BindingConstraint& binding) {

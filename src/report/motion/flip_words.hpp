@@ -19,6 +19,10 @@ std::string task_words(const hopper::PlanOptions& options, const hopper::PlanRes
 std::string flight_words(const hopper::PlanResult& result);
 /// How far from its limit, at which value, where and when.
 std::string margin_words(const hopper::LeastMargin& margin);
+/// What bounds a plan, what samples keep of a margin, and what more of it costs.
+std::string price_words(const hopper::BoundPrice& part);
+/// What more of the reserve costs, all parts together.
+std::string reserve_words(double reserve, const hopper::PlanResult& result);
 /// In how many instants of which stance, and when; by how much where it is violated.
 std::string binding_words(const hopper::BindingConstraint& binding);
 /// Two digits and the unit of a size that a motion which runs away may have without bound.

@@ -18,9 +18,11 @@ namespace {
 using Names = std::vector<std::string>;
 
 /// One interval a phase.
-FlipProgram program_of(const std::string& robot, const Names& stances) {
+FlipProgram program_of(const std::string& robot, const Names& stances,
+                       double capture_margin = 0.0) {
   const std::string file = TORQUEWRIGHT_SOURCE_DIR "/specs/robot/" + robot + ".json";
-  const PlanOptions options;
+  PlanOptions options;
+  options.margins.capture_point = capture_margin;
   const PlanModel model = plan_model(read_robot(file).robot, options);
   std::vector<MeshPhase> mesh;
   for (const Stance& stance : stances_of(model.plane, stances)) {
@@ -49,7 +51,7 @@ void append(Names& to, const std::string& stance, int times, const Names& names)
 // move. Middles of a flat stance have nothing to keep above the ground.
 TEST(Constraints, StandInTheOrderOfTheirSites) {
   const Names step{"positions go on", "velocities go on"};
-  const Names stands{"equations of motion", "drives", "ground"};
+  const Names stands{"equations of motion", "drives", "ground", "pressure between knots"};
   const Names at_end{"equations of motion", "drives", "ground", "above the ground"};
   const Names flies{"equations of motion", "drives", "above the ground"};
   Names expected;
@@ -77,6 +79,7 @@ TEST(Constraints, NameTheRowsOfEveryProgram) {
   std::set<std::string> found;
   for (const FlipProgram& program :
        {program_of("hopper", {"flat", "heel", "flight", "heel", "flat"}),
+        program_of("hopper", {"flat", "heel", "flight", "heel", "flat"}, 0.2),
         program_of("hopper", {"flat", "toe", "flight", "toe", "flat"}),
         program_of("planar_leg", {"flat", "flight", "flat"})}) {
     for (const std::string& name : row_names(program))

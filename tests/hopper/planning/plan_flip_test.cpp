@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/inverse_dynamics.hpp"
+#include "dynamics/point.hpp"
 #include "hopper/planning/plane/stance.hpp"
 #include "hopper/planning/programme/integration_error.hpp"
 #include "hopper/variation/variation.hpp"
@@ -118,6 +120,52 @@ TEST(PlannedFlip, KeepsItsGearMarginByTheChecksOwnCount) {
     most = std::max(most, load.judged().mean / load.limit->torque_Nm);
   }
   EXPECT_LE(most, 1.0 - PlanOptions().margins.gear_load + kSampled);
+}
+
+/// Where the ground's force acts on a flat sole, in shares of its length from the heel: from what
+/// accelerates the robot, by Newton and Euler of the written samples.
+double pressure_share(const Robot& robot, const Motion& motion, Eigen::Index sample) {
+  dynamics::TreeState state(robot.tree);
+  state.set(motion.positions.col(sample), motion.velocities.col(sample));
+  Eigen::VectorXd force(robot.tree.velocity_size());
+  dynamics::inverse_dynamics<double>(state, motion.accelerations.col(sample), force);
+  const Eigen::Vector3d base_m = motion.positions.col(sample).head<3>();
+  // Of a force on the ground, z = 0, about the base: M = -z_b F_x - (x - x_b) F_z.
+  const double x_m = base_m.x() - (force[4] + base_m.z() * force[0]) / force[2];
+  const double heel_m = dynamics::point_position_m(state, robot.contacts[0].point).x();
+  const double toe_m = dynamics::point_position_m(state, robot.contacts[2].point).x();
+  return (x_m - heel_m) / (toe_m - heel_m);
+}
+
+// The margin holds at the mesh's instants and a quarter of the way from either; an interval in
+// which a sample passes it by a hundredth of the foot is cut, twice at most. Oracle: Newton and
+// Euler.
+TEST(PlannedFlip, KeepsThePressureWithinItsMarginInEverySample) {
+  constexpr double kBetween = 0.02;  // what two cuts may leave: twice what asks for one, 4 mm
+  constexpr double kTips = 0.3;      // of the first phase, in which the load goes to the heel
+  const double margin = PlanOptions().margins.center_of_pressure;
+  const PlanResult& flip = planned_flip();
+  const PlannedPhase& first = flip.plan.phases.front();
+  const PlannedPhase& last = flip.plan.phases.back();
+  const double tips_s = first.end_s() - kTips * (first.end_s() - first.begin_s());
+  int seen = 0;
+  double least = 1.0;
+  for (Eigen::Index sample = 0; sample < flip.motion.samples(); ++sample) {
+    const double time_s = flip.motion.time_s(sample);
+    const bool is_first = time_s<tips_s, is_last = time_s> last.begin_s() + 1e-9;
+    if (!is_first && !is_last) continue;
+    const double share = pressure_share(hopper_robot_of_plans(), flip.motion, sample);
+    EXPECT_GE(share, margin - kBetween) << time_s;
+    EXPECT_LE(share, 1.0 - margin + kBetween) << time_s;
+    least = std::min({least, share, 1.0 - share});
+    ++seen;
+  }
+  EXPECT_GT(seen, 1000);
+  const auto price =
+      std::find_if(flip.prices.begin(), flip.prices.end(),
+                   [](const BoundPrice& one) { return one.name == "centre of pressure"; });
+  ASSERT_NE(price, flip.prices.end());
+  EXPECT_NEAR(price->kept.value_or(0.0), least, 1e-6) << "what the answer says of it";
 }
 
 // Torques jump at take-off: a reader who joins samples by straight lines must not spread that over

@@ -45,6 +45,8 @@ PlanResult filled() {
   result.rounds = {{100, 80, "solved", 3.6, 1e-8, 4e-3, 12.5, 2.5},
                    {130, 40, "solved", 3.5, 1e-9, 1.5e-3, 9.0, 2.0}};
   result.changes = {{"voltage", 48.0, 52.0, "V", true}};
+  result.prices = {{"joint range", 0.15, "rad", 1.875, 2.0, 0.125},
+                   {"longest flight", 0.8, "s", 0.0, {}}};
   return result;
 }
 
@@ -74,6 +76,19 @@ TEST(PlanReport, HoldsWhatThePlanHolds) {
   EXPECT_EQ(report["least_margins"][0]["limit"], nullptr) << "infinity is no number of JSON";
   EXPECT_EQ(report["binding"][0]["instants"], 12);
   EXPECT_EQ(report["binding"][0]["of"], 45);
+  EXPECT_EQ(report["prices"][0], json({{"name", "joint range"},
+                                       {"value", 0.15},
+                                       {"unit", "rad"},
+                                       {"per_reserve", 1.875},
+                                       {"objective_per_unit", 2.0},
+                                       {"kept", 0.125}}));
+  EXPECT_EQ(report["prices"][1]["objective_per_unit"], nullptr);
+  EXPECT_EQ(report["reserve"], nullptr);
+  PlanOptions options;
+  options.reserve = 0.08;
+  const json reserved = report_of(filled(), PlanSeconds::kLeftOut, options);
+  EXPECT_TRUE(conforms(reserved));
+  EXPECT_EQ(reserved["reserve"], json({{"value", 0.08}, {"objective_per_unit", 3.75}}));
   EXPECT_EQ(report["check"]["verdict"], "pass");
   EXPECT_TRUE(io::conforms(report["check"], "check_report")) << report["check"].dump(1);
   EXPECT_EQ(report["iterations"], 120);
