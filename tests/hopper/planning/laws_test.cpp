@@ -284,6 +284,23 @@ TEST_P(Laws, OfTheMassBeforeTheHeel) {
   expect_derivatives(*rows, x, dice);
 }
 
+/// x + x' sqrt(z/g) of the centre of mass about the sole, by the same function.
+TEST_P(Laws, OfTheCapturePointBeforeTheHeel) {
+  const auto rows = rows_of(CaptureLaw{scratch}, 2 * (m - 2), 1);
+  TreeMotion sole, mass;
+  do {  // a mass below the sole has none
+    const TreeMotion tree = test::random_motion(dice, plane);
+    sole = frame_motion(plane, PlanFrame::kSole, tree);
+    mass = frame_motion(plane, PlanFrame::kMass, tree);
+  } while (mass.position[1] - sole.position[1] < 0.1);
+  VectorXd x(2 * (m - 2));
+  x << moving_of(plane, sole.position).tail(m - 2), moving_of(plane, sole.velocity).tail(m - 2);
+  const VectorXd from_m = mass.position - sole.position, from_m_s = mass.velocity - sole.velocity;
+  const double falls_s = std::sqrt(from_m[1] / plane.robot.tree.gravity_m_s2);
+  EXPECT_NEAR(values(*rows, x)[0], from_m[0] + from_m_s[0] * falls_s, 1e-12);
+  expect_derivatives(*rows, x, dice);
+}
+
 INSTANTIATE_TEST_SUITE_P(, Laws,
                          testing::Values(Kind{"HopperFlat", "hopper", {"flat", {0, 1}}},
                                          Kind{"HopperOnHeel", "hopper", {"heel", {0}}},
