@@ -163,6 +163,7 @@ class Run {
     const DriveStep& made = parts_.drives.drive(wanted_, position_, speed_, options_.step_s);
     force_.setZero();
     body_.add_drive_torques(made.torque_Nm, force_);
+    add_pushes();
     const EngineOutcome outcome = parts_.engine.step(force_, options_.step_s);
     if (outcome != EngineOutcome::kStepped) {
       stop(RunEnd::kStopped, words_of(outcome));
@@ -170,6 +171,15 @@ class Run {
     }
     if (made.is_starved) ++record_.starved_steps;
     note_step(made);
+  }
+
+  void add_pushes() {
+    for (const Push& push : options_.pushes) {
+      // Rounding may leave a time that is a whole number of steps just below it.
+      const double since_s = push.time_s - parts_.reference.begins_s();
+      if (static_cast<long>(std::floor(since_s / options_.step_s + 1e-6)) != step_) continue;
+      add_push(body_.state(), push, options_.step_s, force_);
+    }
   }
 
   void note_step(const DriveStep& made) {

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "hopper/engines/engine.hpp"
 #include "hopper/record/record.hpp"
 #include "hopper/replay/powered_drives.hpp"
+#include "hopper/surroundings/push.hpp"
 #include "hopper/tracking/controller.hpp"
 #include "hopper/trials/trial_start.hpp"
 
@@ -19,6 +21,8 @@ struct RunOptions {
   int latency_steps = 0;  ///< Delay from a look at the robot to the torque that answers it.
   double stand_s = 1.0;   ///< Time for which the robot is watched after the motion's end.
   double ground_height_m = 0.0;
+  /// Each acts for the step of the engine in which its time falls.
+  std::vector<Push> pushes = {};
 };
 
 /// Who takes part in a run. All of one robot, which may differ from the one that the controller

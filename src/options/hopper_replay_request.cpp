@@ -43,6 +43,12 @@ void add_simulation_options(command_line::Command& command, HopperReplayRequest&
       .add_option("--ground-time-constant", request.contact_time_constant_s,
                   "Time constant of MuJoCo's soft ground, in s (solref); the own engine's is rigid")
       .between(1e-4, 1.0);
+  command
+      .add_option("--push", request.pushes,
+                  "[BODY:]N_S@TIME: push a body's centre of mass (without BODY the base's) with an "
+                  "impulse in N s at a time in s: 30@0.2 forwards, -5,0,10@0.2 by x, y and z")
+      .otherwise("nobody pushes")
+      .one_value_each();
 }
 
 void add_tracking_options(command_line::Command& command, HopperReplayRequest& request) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "hopper/verdict/deed.hpp"
 #include "src/options/hopper_check_request.hpp"
@@ -28,6 +29,7 @@ struct HopperReplayRequest {
   double stand_s = 1.0;
   double ground_rise_m = 0.0;
   double contact_time_constant_s = 0.001;
+  std::vector<std::string> pushes;  ///< As read_pushes() takes them.
   hopper::DeedTolerances deeds;
   bool sweep = false;
   std::uint64_t trials = 0;  ///< 0: one run as documented.

@@ -22,6 +22,7 @@
 #include "src/commands/robot/hopper_replay_trials.hpp"
 #include "src/interrupt.hpp"
 #include "src/options/output_files.hpp"
+#include "src/options/push_options.hpp"
 #include "src/report/motion/replay_html.hpp"
 #include "src/report/motion/replay_text.hpp"
 #include "src/report/parts/progress_line.hpp"
@@ -235,6 +236,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   hopper::RunOptions finest = run_of(request);
   if (request.sweep) finest.step_s /= 4.0;  // as Replay::sweep() does
   hopper::require_few_steps(motion, finest);
+  const auto pushes = read_pushes(request.pushes, robot, motion, request.stand_s);
   const auto randomised = read_trials(request, robot);
   check_files(request);  // now that the files that others name are known
   require_page("--report", request.report_file);
@@ -242,6 +244,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   catch_interrupt();
   if (randomised) inputs.columns.push_back(randomised->document);
   hopper::ReplayOptions options = replay_options(request, inputs);
+  options.run.pushes = pushes;
   options.acts_late = randomised && randomised->randomisation.latency_s;
   const hopper::Replay replay(robot, motion, check, options);
   std::optional<hopper::ReplayTrials> trials;

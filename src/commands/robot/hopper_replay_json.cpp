@@ -35,6 +35,7 @@ nlohmann::ordered_json request_json(const HopperReplayRequest& request) {
   add("impact_blend_s", request.impact_blend_s, usual.impact_blend_s);
   add("stand_s", request.stand_s, usual.stand_s);
   add("ground_rise_m", request.ground_rise_m, usual.ground_rise_m);
+  add("push", request.pushes, usual.pushes);
   add("trials", request.trials, usual.trials);
   if (request.only_trial >= 0) json["trial"] = request.only_trial;
   add("flight_tolerance", request.deeds.share, usual.deeds.share);

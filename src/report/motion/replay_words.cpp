@@ -21,13 +21,19 @@ std::string rotation_words(double short_rad) {
 
 std::string simulation_words(const ReplayOptions& options) {
   const double period_s = options.run.step_s * options.run.steps_per_control;
-  return fmt::format(
+  std::string words = fmt::format(
       "{}, steps of {:.4g} ms; drives held to their {}; {} every {:.4g} ms, {:.4g} ms "
       "late; at impacts {}",
       options.engine->name, 1e3 * options.run.step_s,
       options.limits == DriveLimits::kBox ? "box" : "regions", options.controller->name,
       1e3 * period_s, 1e3 * options.run.step_s * options.run.latency_steps,
       name_of(options.impact.handling));
+  for (const Push& push : options.run.pushes) {
+    const Eigen::Vector3d& impulse = push.impulse_N_s;
+    words += fmt::format("; pushed by ({:g}, {:g}, {:g}) N s on {} at t = {:.4f} s", impulse.x(),
+                         impulse.y(), impulse.z(), push.body_name, push.time_s);
+  }
+  return words;
 }
 
 std::string landing_words(const TouchDown& down) {
